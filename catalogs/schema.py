@@ -1,0 +1,179 @@
+"""The types that describe the catalogs' data. Unknown keys are forbidden, everything is frozen.
+
+Lengths in metres, areas in m2, masses in kg, angles in degrees. A body's sides are those of the unrotated body, which
+faces south: `front` is south (+z), `back` north, `left` west (-x), `right` east (+x).
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, model_validator
+
+Category = Literal[
+    "bed", "seating", "table", "storage", "appliance", "bathroom", "lighting",
+    "decor", "electronics", "vehicle", "structure", "water", "dynamic", "misc",
+]  # fmt: skip
+Side = Literal["front", "back", "left", "right"]
+Relation = Literal[
+    "against_wall", "in_corner", "beside", "in_front_of", "opposite", "facing", "near", "far_from", "around",
+    "aligned_with", "centred", "in_row", "at_window", "near_door", "far_from_door", "on", "under",
+]  # fmt: skip
+Colour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
+Length = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
+Cost = Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)]
+
+
+class Entry(BaseModel):
+    """Base of every catalog entry."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Use(Entry):
+    """Who uses a piece must get to these sides: `any` one of them, or `all`; `clearance` is the depth wished there, m."""
+
+    sides: tuple[Side, ...] = Field(min_length=1)
+    need: Literal["any", "all"] = "any"
+    clearance: Length = 0.6
+
+
+class Surface(Entry):
+    """A surface that carries things: its height above the piece's underside, how far in from the footprint's edges it
+    starts, and the free height above it, m (None: open above)."""
+
+    name: str
+    height: Length
+    inset: Annotated[float, Field(ge=0, le=1)] = 0.02
+    clearance: Length | None = None
+
+
+class Furniture(Entry):
+    """One kind of furniture. `stands: wall` means it hugs a wall (its back 3 cm from the wall's face)."""
+
+    category: Category
+    size: tuple[Length, Length, Length]
+    color: Colour
+    variants: tuple[Colour, ...] = ()
+    mass: Annotated[float, Field(gt=0, le=5000)]
+    stands: Literal["wall", "free"]
+    use: Use | None = None
+    surfaces: tuple[Surface, ...] = ()
+
+
+class Rule(Entry):
+    """One relation of a piece to the room or to another piece.
+
+    Hard when `required`; otherwise `cost` is what it costs to do without it and `weight` (per m2) pulls towards it.
+    `of` names another piece of the room type by its `piece` name. `distance` is a wished distance, `gap` the free space
+    between two bodies (negative: tucked under). `sides` are sides of the piece `of` (left, right, ...); `align` tells
+    how a piece beside another lines up with it. `walls`, for against_wall: costs by what a wall has, such as
+    {door: 2, window: 1}. `wall`, for two pieces: whether they share a wall.
+    """
+
+    type: Relation
+    of: str | None = None
+    required: bool = False
+    cost: Cost = 2.0
+    weight: Annotated[float, Field(ge=0, le=20)] = 1.0
+    distance: Annotated[float, Field(ge=0, le=100)] | None = None
+    gap: Annotated[float, Field(ge=-2, le=20)] | None = None
+    sides: tuple[Side, ...] = ()
+    align: Literal["back", "centre", "front"] | None = None
+    walls: dict[Literal["door", "window", "exterior", "plain", "short", "long"], Cost] = {}
+    wall: Literal["same", "opposite", "adjacent", "other"] | None = None
+
+
+class Variant(Entry):
+    """A size variant of a wanted piece: a kind of furniture and what settling for it costs."""
+
+    kind: str
+    cost: Cost = 0.0
+
+
+class Piece(Entry):
+    """A piece a room type holds. The order of pieces in the file is their importance.
+
+    `piece` is its name inside the room type; `kinds` its size variants from wanted down to least (default: the kind of
+    the same name). `count` copies are wanted. An optional piece is wanted only where the room has `min_area` m2.
+    """
+
+    piece: str
+    kinds: tuple[Variant, ...] = ()
+    required: bool = False
+    count: Annotated[int, Field(ge=1, le=12)] = 1
+    min_area: Annotated[float, Field(ge=0)] = 0.0
+    skip_cost: Cost = 10.0
+    rules: tuple[Rule, ...] = ()
+
+    @property
+    def variants(self) -> tuple[Variant, ...]:
+        """The size variants, wanted first; never empty."""
+        return self.kinds or (Variant(kind=self.piece),)
+
+
+class Area(Entry):
+    """Floor area between wall lines, m2. `min` is by number of doors: one, two and more."""
+
+    min: tuple[Length, Length]
+    typical: Length
+    max: Annotated[float, Field(gt=0, le=10000)]
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Area:
+        if not self.min[0] <= self.min[1] <= self.max or not self.min[0] <= self.typical <= self.max:
+            raise ValueError("areas must be ordered: min (one door) <= min (two doors) <= max, min <= typical <= max")
+        return self
+
+
+class Plan(Entry):
+    """How a floor plan treats the type.
+
+    `habitable`: wants daylight. `wet`: wants its pipes beside other wet rooms. `way_through`: one may walk through it to
+    other rooms. `entrance`: the front door may open into it, lower numbers first. `street`: needs an outside wall.
+    `swings_in`: leaves open into it (not into hallways). `behind`: types it may lie behind, besides a way through.
+    """
+
+    habitable: bool = False
+    wet: bool = False
+    way_through: bool = False
+    entrance: int | None = None
+    street: bool = False
+    swings_in: bool = True
+    passage: bool = False
+    """Between two rooms with `passage` an opening without a leaf is cut instead of a door."""
+    behind: tuple[str, ...] = ()
+    windows: bool = True
+    garage_door: bool = False
+
+
+class RoomType(Entry):
+    """A room type: its areas, floor, accent colour, what it holds and by which relations.
+
+    `requires` lists what the validator asks for: each line is met by any of its kinds in that number.
+    """
+
+    outdoor: bool = False
+    area: Area
+    short_side: Length = 2.4
+    aspect: Annotated[float, Field(ge=1, le=20)] = 2.0
+    flooring: str
+    accent: Colour
+    plan: Plan = Plan()
+    requires: tuple[dict[str, Annotated[int, Field(ge=1, le=12)]], ...] = ()
+    pieces: tuple[Piece, ...] = ()
+
+
+class FlooringSpec(Entry):
+    """A flooring material and its colour."""
+
+    color: Colour
+
+
+class Catalogs(Entry):
+    """Everything the project knows, by name; `fingerprint` identifies the exact data (hex, 12 digits)."""
+
+    furniture: dict[str, Furniture]
+    floorings: dict[str, FlooringSpec]
+    rooms: dict[str, RoomType]
+    fingerprint: str

@@ -1,0 +1,282 @@
+"""Every type of the scene document and of the request, with its units.
+
+Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by key, in its order.
+May import: the standard library only. Not here: reading and writing (exchange), rules (validate).
+
+Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen
+from above, 0 facing south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner;
+`y` is its underside. Edges lie on integer millimetres, so a centre may end in 0.0005.
+
+Field metadata states what a reader accepts (`positive`, `at_least`, `at_most`, `choices`); the reader and the published
+JSON Schema are both derived from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+FORMAT: Final = "compose-scene/1"
+MAX_SEED: Final = 2**53 - 1
+"""Largest seed: the largest integer that every JSON reader keeps exactly."""
+MAX_LENGTH: Final = 1000.0
+"""Largest size of anything in a scene, m."""
+EXTERIOR: Final = "EXTERIOR"
+"""What an opening connects to when it leads outside."""
+WALLS: Final = ("north", "south", "east", "west")
+OPENING_KINDS: Final = ("door", "garage_door", "passage", "window")
+SEVERITIES: Final = ("error", "warning")
+
+
+def _length(**more: Any) -> Any:
+    """Declares a required size in metres: finite, > 0 and <= MAX_LENGTH."""
+    return field(metadata={"positive": True, "at_most": MAX_LENGTH, **more})
+
+
+def _extra() -> Any:
+    """Declares where a reader keeps the keys it does not know."""
+    return field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Request:
+    """What to generate; all optional. Unknown keys are refused.
+
+    `force_types` maps a room's index to a room type. `robot_width` is the side, m, of the square that must be able to
+    walk everywhere. `decorate` is recorded for later stages.
+    """
+
+    seed: int | None = field(default=None, metadata={"at_least": 0, "at_most": MAX_SEED})
+    width: float = field(default=20.0, metadata={"at_least": 2.0, "at_most": 1000.0})
+    depth: float = field(default=15.0, metadata={"at_least": 2.0, "at_most": 1000.0})
+    min_room_size: float = field(default=3.0, metadata={"at_least": 1.5, "at_most": 50.0})
+    max_depth: int = field(default=5, metadata={"at_least": 0, "at_most": 16})
+    use_spine: bool = True
+    outdoor: bool = False
+    decorate: bool = False
+    force_types: Mapping[int, str] = field(default_factory=dict)
+    robot_width: float = field(default=0.6, metadata={"at_least": 0.1, "at_most": 2.0})
+
+
+@dataclass(frozen=True)
+class Size:
+    """Outer extents of the house, m."""
+
+    width: float = _length()
+    depth: float = _length()
+    height: float = field(default=2.8, metadata={"positive": True, "at_most": MAX_LENGTH})
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Level:
+    """One storey: elevation of its floor and its height, m."""
+
+    index: int = 0
+    elevation: float = 0.0
+    height: float = field(default=2.8, metadata={"positive": True, "at_most": MAX_LENGTH})
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Flooring:
+    """What the floor is made of: a name of catalogs/floorings.yaml and a colour."""
+
+    type: str = "wood"
+    color: str = "#b08d57"
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Sides:
+    """A yes or no for each of a room's four walls."""
+
+    north: bool = False
+    south: bool = False
+    east: bool = False
+    west: bool = False
+
+
+@dataclass(frozen=True)
+class Opening:
+    """A door, garage door, passage or window in a wall.
+
+    `position` is the opening's centre along the wall from its west or north end, m. Both rooms of a door list it under
+    one id. `hinge` is the end of the opening that carries the leaf; `swing` is `in` for the room whose floor the leaf
+    sweeps. On an outlined room `edge` (from outline point i to the next) replaces `wall`.
+    """
+
+    id: str
+    kind: str = field(default="door", metadata={"choices": OPENING_KINDS})
+    wall: str | None = field(default=None, metadata={"choices": WALLS})
+    position: float = 0.0
+    width: float = field(default=0.9, metadata={"positive": True, "at_most": MAX_LENGTH})
+    height: float = field(default=2.1, metadata={"positive": True, "at_most": MAX_LENGTH})
+    sill: float = 0.0
+    connects_to: str | None = None
+    hinge: str | None = field(default=None, metadata={"choices": ("start", "end")})
+    swing: str | None = field(default=None, metadata={"choices": ("in", "out")})
+    main_entrance: bool = False
+    render_panel: bool = True
+    edge: int | None = field(default=None, metadata={"at_least": 0, "omit_none": True})
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Furniture:
+    """A piece of furniture: full unrotated extents, m; `width` is across its front, `depth` front to back.
+
+    `wall` is the wall it must stand at; `under` the table a chair is tucked under, `on` the piece it stands on (ids).
+    """
+
+    id: str
+    name: str
+    category: str | None = None
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    rotation: float = 0
+    width: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
+    depth: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
+    height: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
+    color: str | None = None
+    wall: str | None = field(default=None, metadata={"choices": WALLS})
+    under: str | None = None
+    on: str | None = None
+    locked: bool = False
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Decoration:
+    """A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any."""
+
+    id: str
+    name: str
+    parent: str | None = None
+    mounted_on_wall: str | None = field(default=None, metadata={"choices": WALLS})
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    rotation: float = 0
+    width: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
+    depth: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
+    height: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
+    color: str | None = None
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Dynamic:
+    """A person or a pet; `room` is the room's id, the pose relative to that room."""
+
+    id: str
+    kind: str = "person"
+    room: str | None = None
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    rotation: float = 0
+    width: float = field(default=0.5, metadata={"positive": True, "at_most": MAX_LENGTH})
+    depth: float = field(default=0.3, metadata={"positive": True, "at_most": MAX_LENGTH})
+    height: float = field(default=1.7, metadata={"positive": True, "at_most": MAX_LENGTH})
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Room:
+    """A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner.
+
+    `outline` lists corner points clockwise from the north-west, room-relative, where the room is not that rectangle.
+    """
+
+    id: str
+    index: int = 0
+    type: str = "room"
+    level: int = 0
+    x: float = 0.0
+    z: float = 0.0
+    width: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
+    depth: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
+    outline: tuple[tuple[float, float], ...] | None = None
+    outdoor: bool = False
+    flooring: Flooring | None = None
+    accent: str | None = None
+    exterior_walls: Sides | None = None
+    wall_flags: Sides | None = None
+    openings: tuple[Opening, ...] = ()
+    furniture: tuple[Furniture, ...] = ()
+    decorations: tuple[Decoration, ...] = ()
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A whole house: the document of /generate, /fix and /validate."""
+
+    format: str = field(default=FORMAT, metadata={"choices": (FORMAT,)})
+    seed: int | None = None
+    request: Mapping[str, Any] | None = None
+    generator: Mapping[str, Any] | None = None
+    size: Size | None = None
+    wall_thickness: float = field(default=0.0, metadata={"at_least": 0.0, "at_most": 1.0})
+    levels: tuple[Level, ...] = ()
+    rooms: tuple[Room, ...] = ()
+    corridors: tuple[Mapping[str, Any], ...] = ()
+    adjacency: tuple[tuple[int, int], ...] = ()
+    dynamic: tuple[Dynamic, ...] = ()
+    certificate: Mapping[str, Any] | None = None
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
+class Issue:
+    """One broken rule: the contract's word, the room's id, the ids of the bodies, and by how much, m."""
+
+    rule: str
+    severity: str
+    room: str | None
+    ids: tuple[str, ...]
+    amount: float
+    message: str
+
+
+@dataclass(frozen=True)
+class Conflict:
+    """Bodies that cannot stand together, why, and what would help."""
+
+    ids: tuple[str, ...]
+    message: str
+    repairs: tuple[Mapping[str, Any], ...] = ()
+
+
+@dataclass(frozen=True)
+class Move:
+    """How far /fix moved a body, m, and the rotation it has now, degrees."""
+
+    id: str
+    dx: float
+    dz: float
+    rotation: float
+
+
+@dataclass(frozen=True)
+class Generated:
+    """The answer of generate: the scene, what the validator says, and stage times in ms."""
+
+    scene: Scene
+    issues: tuple[Issue, ...]
+    timing_ms: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """The answer of fix."""
+
+    scene: Scene
+    moves: tuple[Move, ...]
+    removed: tuple[Mapping[str, str], ...]
+    conflicts: tuple[Conflict, ...]
+    issues: tuple[Issue, ...]
+    timing_ms: Mapping[str, float]
