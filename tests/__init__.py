@@ -1,0 +1,1 @@
+"""Tests of Compose; the folders mirror the tree."""
