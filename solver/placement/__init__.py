@@ -1,0 +1,9 @@
+"""Anchors -> exact places: the heart.
+
+Comes in: rooms as (Space, wanted pieces). Goes out: Arrangements on the millimetre lattice, with reasons for what was
+left out. May import: the ground floor. Not here: rules of room types (furnish), the contract's rules (validate).
+"""
+
+from solver.placement.settle import place
+
+__all__ = ["place"]

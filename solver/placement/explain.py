@@ -1,0 +1,53 @@
+"""Why a piece was left out, in lengths that a person can check with a ruler."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from solver.geometry import WALL_BEHIND, Rect, strip
+from solver.wanted import Alternative, Placed, Space, Wanted
+
+_WALLS = tuple(WALL_BEHIND.values())
+
+
+def free_stretches(space: Space, wall: str, depth: int, height: int, placed: Sequence[Placed]) -> list[tuple[int, int]]:
+    """Returns the intervals along a wall, mm, where a body of that depth and height meets no zone and no piece."""
+    a, b = space.clear.along(wall)
+    band = strip(space.clear, wall, (a, b), min(depth + space.gap_mm, space.clear.depth, space.clear.width))
+    blocks = [zone.rect for zone in space.zones if height > zone.above_mm]
+    blocks += [piece.footprint for piece in placed if piece.chosen.bottom_mm < height]
+    taken = sorted(rect.along(wall) for rect in blocks if rect.overlaps(band))
+    stretches, at = [], a
+    for start, end in taken:
+        if start > at:
+            stretches.append((at, start))
+        at = max(at, end)
+    return [*stretches, (at, b)] if b > at else stretches
+
+
+def _least(piece: Wanted) -> Alternative:
+    """Returns the smallest alternative of a piece."""
+    return min(piece.alternatives, key=lambda a: (a.size_mm[0] * a.size_mm[1], a.size_mm))
+
+
+def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
+    """Says how much room the smallest variant needs and how much the others leave."""
+    if not piece.alternatives:
+        return "the room offers no wall or place of the kind its rules ask for"
+    least = _least(piece)
+    width, depth, height = least.size_mm
+    size = f"the smallest, {least.kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"
+    if least.attach is not None:
+        return f"{size} at its place by {least.attach.parent}"
+    if any(a.wall for a in piece.alternatives):
+        longest = {
+            wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0)
+            for wall in _WALLS
+        }
+        lengths = ", ".join(f"{wall} {length / 1000:.2f} m" for wall, length in longest.items())
+        return f"{size} and a free way to it; longest free stretches of wall at that depth and height: {lengths}"
+    return f"{size} and a free way to it; the room is {_size(space.clear)} and holds {len(placed)} pieces"
+
+
+def _size(rect: Rect) -> str:
+    return f"{rect.width / 1000:.2f} x {rect.depth / 1000:.2f} m clear"

@@ -1,0 +1,103 @@
+"""The final continuous solve of a whole house by OSQP, as one block-diagonal problem with the choices made.
+
+OSQP: Stellato et al., Mathematical Programming Computation 2020. Blocks are the axes of the rooms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import osqp
+from scipy import sparse
+
+from solver.placement.axis import AxisProgram
+from solver.placement.constraints import Row
+from solver.placement.problem import Problem
+from solver.placement.terms import Floats
+
+SETTINGS = {
+    "verbose": False,
+    "eps_abs": 1e-7,
+    "eps_rel": 1e-7,
+    "max_iter": 20_000,
+    "check_termination": 25,
+    "adaptive_rho": 1,  # by iterations: time-based rho is not deterministic
+    "adaptive_rho_interval": 25,
+    "polishing": False,  # prints to stdout whatever `verbose` says; the snap needs 1e-4 m
+    "warm_starting": False,
+}
+"""OSQP 1.x settings."""
+_SOLVED = 1
+
+
+@dataclass(frozen=True)
+class Decided:
+    """A room's problem with its choices made: `rows` hold one option each; `positions` is the search's solution, m."""
+
+    problem: Problem
+    rows: tuple[Row, ...]
+    positions: tuple[Floats, Floats]
+
+
+@dataclass(frozen=True)
+class _Block:
+    program: AxisProgram
+    A: Floats
+    lower: Floats
+
+
+def _blocks(rooms: Sequence[Decided]) -> list[_Block | None]:
+    blocks: list[_Block | None] = []
+    for room in rooms:
+        for axis in (0, 1):
+            program = AxisProgram(room.problem, axis)
+            stacked = program.stack([row for row in room.rows if row.axis == axis])
+            if not program.free or stacked is None:
+                blocks.append(None)
+            else:
+                blocks.append(_Block(program, stacked[0], stacked[1]))
+    return blocks
+
+
+def solve_house(rooms: Sequence[Decided]) -> list[tuple[Floats, Floats]]:
+    """Solves all rooms at once.
+
+    Returns:
+        Positions per room, axis and variable, m. Where OSQP does not report success, the search's own positions, which
+        are optimal already.
+    """
+    blocks = _blocks(rooms)
+    found = [list(room.positions) for room in rooms]
+    live = [(index, block) for index, block in enumerate(blocks) if block is not None]
+    if live:
+        x = _solve([block for _, block in live])
+        if x is not None:
+            start = 0
+            for index, block in live:
+                size = len(block.program.free)
+                found[index // 2][index % 2] = block.program.spread(x[start : start + size])
+                start += size
+    return [(axes[0], axes[1]) for axes in found]
+
+
+def _solve(blocks: Sequence[_Block]) -> Floats | None:
+    P = sparse.block_diag([sparse.triu(block.program.H) for block in blocks], format="csc")
+    q = np.concatenate([block.program.f for block in blocks])
+    A = sparse.block_diag(
+        [np.vstack([np.eye(len(block.program.free)), block.A]) for block in blocks], format="csc"
+    )
+    lower = np.concatenate([block.lower for block in blocks])
+    upper = np.concatenate(
+        [np.concatenate([block.program.high, np.full(len(block.A), np.inf)]) for block in blocks]
+    )
+    if not (lower <= upper).all():  # OSQP would keep silent
+        return None
+    solver = osqp.OSQP()
+    solver.setup(P, q, A, np.where(lower < -1e20, -np.inf, lower), upper, **SETTINGS)
+    result = solver.solve(raise_error=False)
+    if result.info.status_val != _SOLVED:
+        return None
+    x: Floats = result.x
+    return x

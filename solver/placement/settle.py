@@ -1,0 +1,87 @@
+"""From drafts to the lattice: one continuous solve for the house, then the snap, then an exact check."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from solver.geometry import Rect
+from solver.placement.arrange import Draft, arrange
+from solver.placement.explain import why_left_out
+from solver.placement.qp import Decided, solve_house
+from solver.placement.snap import snap
+from solver.placement.terms import Floats
+from solver.wanted import Arrangement, Placed, Space, Wanted
+
+NEAR_WALL_MM = 150
+"""A companion whose back is this close to its parent's wall counts as standing at it (contract: wall_far beyond 0.2 m
+from the wall's line)."""
+
+
+def place(rooms: Sequence[tuple[Space, Sequence[Wanted]]], engine: str = "osqp") -> list[Arrangement]:
+    """Places the wanted pieces of every room of a house.
+
+    Args:
+        rooms: each room's space and wanted pieces, in order of importance.
+        engine: of the final solve: "osqp", or "reference" for the cvxpy model.
+
+    Returns:
+        One arrangement a room, in the same order, exactly valid on the millimetre lattice.
+    """
+    return settle([arrange(space, wanted) for space, wanted in rooms], engine)
+
+
+def settle(drafts: Sequence[Draft], engine: str = "osqp") -> list[Arrangement]:
+    """Solves all drafts as one block-diagonal programme and snaps each room."""
+    decided = [_decided(draft) for draft in drafts]
+    return [_arrangement(draft, room, p) for draft, room, p in zip(drafts, decided, _solve(decided, engine), strict=True)]
+
+
+def _solve(decided: Sequence[Decided], engine: str) -> list[tuple[Floats, Floats]]:
+    if engine == "reference":
+        from solver.placement.reference import solve_house as reference_house  # cvxpy takes 0.8 s to import
+
+        return reference_house(decided)
+    return solve_house(decided)
+
+
+def _decided(draft: Draft) -> Decided:
+    outcome = draft.state.outcome
+    if outcome.positions is None:
+        raise ValueError(f"{draft.space.room}: an unsolved draft cannot be settled")
+    return Decided(draft.state.assembly.problem, outcome.rows, outcome.positions)
+
+
+def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> Arrangement:
+    p = snap(room.problem, room.rows, positions)
+    broken = room.problem.violations(p)
+    if broken:
+        raise AssertionError(f"{draft.space.room}: {broken[0]}")
+    state = draft.state
+    placed: list[Placed] = []
+    for c in state.assembly.chosen:
+        label = c.wanted.label
+        rect = state.assembly.bodies[label].rect(p)
+        wall = c.alternative.wall
+        if wall is None and c.alternative.attach is not None and c.alternative.bottom_mm == 0:
+            wall = _wall_behind(draft.space, c.alternative.attach.parent, placed, rect)
+        placed.append(Placed(label, c.alternative, state.assembly.rotations[label], wall, rect))
+    reasons = tuple((piece.label, f"{why}; {why_left_out(draft.space, piece, placed)}") for piece, why in draft.left_out)
+    notes = () if draft.walkable else ("no walkable arrangement of the required pieces was found",)
+    return Arrangement(
+        draft.space.room, tuple(placed), reasons, round(state.cost, 6), draft.proven, draft.solves, notes
+    )
+
+
+def _wall_behind(space: Space, parent: str, placed: Sequence[Placed], rect: Rect) -> str | None:
+    """Returns the parent's wall where the companion stands at it too."""
+    wall = next((other.wall for other in placed if other.label == parent), None)
+    if wall is None:
+        return None
+    clear = space.clear
+    distance = {
+        "north": rect.z0 - clear.z0,
+        "south": clear.z1 - rect.z1,
+        "west": rect.x0 - clear.x0,
+        "east": clear.x1 - rect.x1,
+    }[wall]
+    return wall if distance <= NEAR_WALL_MM else None

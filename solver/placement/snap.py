@@ -1,0 +1,69 @@
+"""Projection onto integer millimetres: every hard row becomes exactly true in integer arithmetic.
+
+Difference constraints with integer data have an integer solution whenever they have a real one. The latest positions U
+come from a backward sweep; then every position is rounded, clamped to U and pushed forward along the rows. Nothing moves
+by more than about the rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from solver.placement.constraints import ORIGIN, Row
+from solver.placement.problem import Problem
+from solver.placement.terms import Floats
+
+
+def latest(low: Sequence[int], high: Sequence[int], rows: Sequence[Row]) -> list[int] | None:
+    """Returns the greatest integer positions within the bounds that hold every row, or None if there are none."""
+    u = list(high)
+    for _ in range(len(u) + 1):
+        changed = False
+        for row in rows:
+            after = 0 if row.j == ORIGIN else u[row.j]
+            if row.i == ORIGIN:
+                if after < row.s:
+                    return None
+            elif u[row.i] > after - row.s:
+                u[row.i] = after - row.s
+                changed = True
+        if any(top < bottom for top, bottom in zip(u, low, strict=True)):
+            return None
+        if not changed:
+            return u
+    return None
+
+
+def _push(p: list[int], rows: Sequence[Row]) -> None:
+    """Moves positions up until every row holds; ends because a solution above them exists."""
+    changed = True
+    while changed:
+        changed = False
+        for row in rows:
+            if row.j == ORIGIN:
+                continue
+            least = (0 if row.i == ORIGIN else p[row.i]) + row.s
+            if p[row.j] < least:
+                p[row.j] = least
+                changed = True
+
+
+def snap(problem: Problem, rows: Sequence[Row], positions: tuple[Floats, Floats]) -> tuple[list[int], list[int]]:
+    """Returns integer positions, mm, near `positions` (m) at which the problem's rows and `rows` hold exactly.
+
+    Raises:
+        ValueError: the rows have no solution at all, which a search result never shows.
+    """
+    snapped: list[list[int]] = []
+    for axis in (0, 1):
+        own = [row for row in (*problem.rows, *rows) if row.axis == axis]
+        upper = latest(problem.low[axis], problem.high[axis], own)
+        if upper is None:
+            raise ValueError(f"axis {axis}: the rows leave no integer position")
+        p = [
+            min(max(round(float(x) * 1000), low), high)
+            for x, low, high in zip(positions[axis], problem.low[axis], upper, strict=True)
+        ]
+        _push(p, own)
+        snapped.append(p)
+    return snapped[0], snapped[1]
