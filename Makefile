@@ -1,0 +1,84 @@
+# Compose: `make run` serves it, `make test` tests it. Both bring what they need into .tools/, .venv/ and web/node_modules/;
+# this machine needs python3, make and git, and `make test` may ask apt-get for Chromium. `make help` lists the rest.
+
+HOST = 127.0.0.1
+PORT = 8000
+PYTHON3 = python3
+# The Pythons that every pinned dependency has a wheel for.
+PYTHON_VERSIONS = >=3.11,<3.15
+WORKERS = 2
+PYTEST_ARGS =
+
+SHELL = /bin/sh
+.DELETE_ON_ERROR:
+.DEFAULT_GOAL = help
+.PHONY: help run test targets lint format page chromium pins wheel clean
+
+# The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
+export OMP_NUM_THREADS = 1
+export OPENBLAS_NUM_THREADS = 1
+export MKL_NUM_THREADS = 1
+export NUMEXPR_NUM_THREADS = 1
+export PYTHONUTF8 = 1
+export UV_NO_PROGRESS = 1
+unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
+
+PY = .venv/bin/python
+PINS = pyproject.toml constraints.txt
+INSTALL = "$$($(PYTHON3) scripts/find_uv.py)" pip install --quiet --python $(PY) --constraint constraints.txt
+
+help: ## list the targets
+	@sed -n 's/^\([a-z]*\):.*## /  make \1  /p' Makefile
+
+run: .venv/run.stamp page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
+	@echo "Compose: http://$(HOST):$(PORT)/ (stop with Ctrl-C)"
+	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
+
+test: .venv/dev.stamp page chromium ## run every test: Python, page, browser
+	$(PY) -m pytest -n $(WORKERS) $(PYTEST_ARGS)
+	$(PY) scripts/page.py check
+	$(PY) scripts/page.py test
+
+targets: .venv/dev.stamp page ## run the long checks and benches: thousands of seeds, timings
+	$(PY) -m tests.targets
+
+lint: .venv/dev.stamp ## check style and types: ruff, mypy, tsc
+	$(PY) -m ruff check .
+	$(PY) -m ruff format --check .
+	$(PY) -m mypy
+	$(PY) scripts/page.py check
+
+format: .venv/dev.stamp ## put the Python sources in ruff's format
+	$(PY) -m ruff check --fix-only .
+	$(PY) -m ruff format .
+
+page: .venv/python.stamp ## build the page into service/static/
+	@$(PY) scripts/page.py build
+
+chromium: .venv/dev.stamp ## bring the Chromium of the browser tests
+	@$(PY) -m tests.chromium
+
+pins: ## write constraints.txt anew from pyproject.toml
+	{ echo '# Every version that pyproject.toml leads to; `make pins` writes it anew.'; \
+	  "$$($(PYTHON3) scripts/find_uv.py)" pip compile --quiet --universal --python-version 3.11 --all-extras --group dev \
+	    --no-header --no-annotate pyproject.toml; } > constraints.txt.new
+	mv constraints.txt.new constraints.txt
+
+wheel: ## build the wheel, with the page in it, into dist/
+	"$$($(PYTHON3) scripts/find_uv.py)" build --wheel
+
+clean: ## remove everything that make brought or built
+	rm -rf .venv .tools dist service/static web/node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+.venv/python.stamp:
+	"$$($(PYTHON3) scripts/find_uv.py)" venv --quiet --clear --python '$(PYTHON_VERSIONS)' .venv
+	@touch $@
+
+.venv/run.stamp: .venv/python.stamp $(PINS)
+	$(INSTALL) --editable .
+	@touch $@
+
+.venv/dev.stamp: .venv/python.stamp $(PINS)
+	$(INSTALL) --editable '.[reference]' --group dev
+	@touch $@ .venv/run.stamp

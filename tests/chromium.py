@@ -1,0 +1,61 @@
+"""The Chromium of the browser tests; `python -m tests.chromium` brings one where there is none."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from playwright.sync_api import sync_playwright
+
+SCRIPTS = Path(__file__).resolve().parents[1] / "scripts"
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+
+# A page with WebGL but no graphics card, as root in a container, calling nobody.
+FLAGS = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-quic",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+]
+
+
+def executable() -> Path | None:
+    """Return the path of a Chromium: the system's, else the one that playwright fetched, else None."""
+    for name in NAMES:
+        found = shutil.which(name)
+        if found:
+            return Path(found)
+    with sync_playwright() as playwright:
+        fetched = Path(playwright.chromium.executable_path)
+    return fetched if fetched.exists() else None
+
+
+def bring() -> Path:
+    """Return the path of a Chromium, installing one if need be: Debian's package, else playwright's build.
+
+    Raises:
+        SystemExit: neither could be had.
+    """
+    found = executable()
+    if found:
+        return found
+    sys.path.insert(0, str(SCRIPTS))
+    import debian
+
+    if not (debian.is_debian() and debian.install("chromium")):
+        libraries = ["--with-deps"] if debian.as_root() is not None else []
+        subprocess.run([sys.executable, "-m", "playwright", "install", *libraries, "chromium"], check=False)
+    found = executable()
+    if not found:
+        raise SystemExit("Chromium is missing and could not be fetched: install chromium, and try again")
+    return found
+
+
+if __name__ == "__main__":
+    print(f"Browser tests run in {bring()}")
