@@ -1,7 +1,7 @@
 """Every type of the scene document and of the request, with its units.
 
 Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by key, in its order.
-May import: the standard library only. Not here: reading and writing (exchange), rules (validate).
+May import: errors. Not here: reading and writing (exchange), rules (validate).
 
 Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen
 from above, 0 facing south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner;
@@ -13,9 +13,11 @@ JSON Schema are both derived from it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
+
+from solver.errors import SceneError
 
 FORMAT: Final = "compose-scene/1"
 MAX_SEED: Final = 2**53 - 1
@@ -25,6 +27,8 @@ MAX_LENGTH: Final = 1000.0
 EXTERIOR: Final = "EXTERIOR"
 """What an opening connects to when it leads outside."""
 WALLS: Final = ("north", "south", "east", "west")
+ROBOT_WIDTH: Final = 0.6
+"""Side of the square that must be able to walk, m, where nothing else is said (contract)."""
 OPENING_KINDS: Final = ("door", "garage_door", "passage", "window")
 SEVERITIES: Final = ("error", "warning")
 
@@ -56,7 +60,7 @@ class Request:
     outdoor: bool = False
     decorate: bool = False
     force_types: Mapping[int, str] = field(default_factory=dict)
-    robot_width: float = field(default=0.6, metadata={"at_least": 0.1, "at_most": 2.0})
+    robot_width: float = field(default=ROBOT_WIDTH, metadata={"at_least": 0.1, "at_most": 2.0})
 
 
 @dataclass(frozen=True)
@@ -280,3 +284,22 @@ class Fixed:
     conflicts: tuple[Conflict, ...]
     issues: tuple[Issue, ...]
     timing_ms: Mapping[str, float]
+
+
+def robot_width_of(scene: Scene) -> float:
+    """Returns the side of the square that must be able to walk, m: the request's, or the contract's."""
+    width = (scene.request or {}).get("robot_width")
+    return float(width) if isinstance(width, int | float) and 0.1 <= width <= 2.0 else ROBOT_WIDTH  # noqa: PLR2004
+
+
+def check_ids(field_name: str, wanted: Sequence[str], known: Sequence[str]) -> None:
+    """Refuses ids that a scene does not have.
+
+    Raises:
+        SceneError: names the entry and some ids that would do.
+    """
+    have = set(known)
+    for k, name in enumerate(wanted):
+        if name not in have:
+            shown = ", ".join(known[:12]) + (", ..." if len(known) > 12 else "")  # noqa: PLR2004
+            raise SceneError(f"{field_name}[{k}]", f"nothing in the scene has the id {name!r}", f"one of {shown}")

@@ -4,6 +4,8 @@ Comes in: rooms as (Space, wanted pieces). Goes out: Arrangements on the millime
 left out. May import: the ground floor. Not here: rules of room types (furnish), the contract's rules (validate).
 """
 
-from solver.placement.settle import place
+from solver.placement.arrange import arrange, feasible
+from solver.placement.explain import minimal_conflict
+from solver.placement.settle import place, settle
 
-__all__ = ["place"]
+__all__ = ["arrange", "feasible", "minimal_conflict", "place", "settle"]

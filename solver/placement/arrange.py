@@ -83,10 +83,8 @@ def _sides(wanted: Wanted) -> list[tuple[tuple[str, ...], float]]:
     if not wanted.stands:
         return [((), 0.0)]
     names = [stand.side for stand in wanted.stands]
-    if wanted.need_all:
-        choices = [(tuple(names), 0.0)]
-    else:
-        choices = [((name,), OTHER_SIDE_COST * k) for k, name in enumerate(names)]
+    any_one: list[tuple[tuple[str, ...], float]] = [((name,), OTHER_SIDE_COST * k) for k, name in enumerate(names)]
+    choices = [(tuple(names), 0.0)] if wanted.need_all else any_one
     return [*choices, ((), BLOCKED_COST)] if wanted.required else choices
 
 
@@ -222,7 +220,7 @@ class _BestFirst:
 def _required(draft: Draft, pieces: list[Wanted]) -> None:
     """Places the required pieces; the first that no prefix can take is left out, and the rest tried again."""
     while pieces:
-        for walk in (True, False):
+        for walk in (True, False) if draft.walkable else (False,):
             best = _BestFirst(draft.state, pieces, walk)
             state = best.run()
             draft.solves += best.solves
@@ -255,23 +253,32 @@ def _optional(draft: Draft, piece: Wanted) -> None:
     draft.left_out.append((piece, f"none of {tries} ways to stand it leaves the room valid and walkable"))
 
 
-def arrange(space: Space, wanted: Sequence[Wanted]) -> Draft:
+def arrange(space: Space, wanted: Sequence[Wanted], walk: bool = True) -> Draft:
     """Chooses a way to stand for every piece that fits.
 
     Args:
         space: where the room's furniture may stand.
         wanted: pieces in order of importance.
+        walk: whether doors and use sides must stay joined where that is possible.
 
     Returns:
         The best arrangement found within the limits, its pieces' choices made.
     """
-    draft = Draft(space, _empty(space))
+    draft = Draft(space, _empty(space), walkable=walk)
     _required(draft, [piece for piece in wanted if piece.required])
     for piece in wanted:
         if not piece.required:
             _optional(draft, piece)
     _polish(draft)
     return draft
+
+
+def feasible(space: Space, pieces: Sequence[Wanted]) -> bool | None:
+    """Tells whether the pieces can all stand together, walking aside; None where the limit was hit first."""
+    best = _BestFirst(_empty(space), pieces, walk=False)
+    if best.run() is not None or best.deepest[0] == len(pieces):
+        return True
+    return False if best.closed else None
 
 
 def _polish(draft: Draft) -> None:

@@ -5,7 +5,7 @@ Rigid companions share their parent's variable, so that nothing has to be search
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from solver.geometry import Rect, rotate, turned
@@ -170,10 +170,8 @@ def _must_part(a: Part, b: Part, alternatives: Mapping[str, Alternative]) -> boo
         return False
     if a.stand or b.stand:
         return True
-    for one, other in ((a, b), (b, a)):
-        if other.label in (alternatives[one.label].under, alternatives[one.label].on):
-            return False
-    return True
+    first, second = alternatives[a.label], alternatives[b.label]
+    return b.label not in (first.under, first.on) and a.label not in (second.under, second.on)
 
 
 def _limits(within: Rect, extent: tuple[int, int]) -> tuple[list[int], list[int]]:

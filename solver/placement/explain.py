@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.geometry import WALL_BEHIND, Rect, strip
+from solver.placement.arrange import feasible
 from solver.wanted import Alternative, Placed, Space, Wanted
 
 _WALLS = tuple(WALL_BEHIND.values())
@@ -47,6 +48,28 @@ def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
         lengths = ", ".join(f"{wall} {length / 1000:.2f} m" for wall, length in longest.items())
         return f"{size} and a free way to it; longest free stretches of wall at that depth and height: {lengths}"
     return f"{size} and a free way to it; the room is {_size(space.clear)} and holds {len(placed)} pieces"
+
+
+def minimal_conflict(space: Space, pieces: Sequence[Wanted]) -> tuple[str, ...] | None:
+    """Finds a minimal set of pieces that cannot stand together.
+
+    Deletion filter: a piece whose absence leaves the rest infeasible is not part of the reason.
+
+    Returns:
+        Labels such that they alone are infeasible and without any one of them the rest of them is feasible; None where
+        a limit left a question open.
+    """
+    if feasible(space, pieces) is not False:
+        return None
+    members = list(pieces)
+    for piece in pieces:
+        rest = [other for other in members if other is not piece]
+        verdict = feasible(space, rest)
+        if verdict is None:
+            return None
+        if verdict is False:
+            members = rest
+    return tuple(piece.label for piece in members)
 
 
 def _size(rect: Rect) -> str:

@@ -15,7 +15,6 @@ from solver.placement.constraints import ORIGIN
 from solver.placement.qp import Decided
 from solver.placement.terms import Anchor, Floats
 
-
 cp: Any = cvxpy  # its annotations do not cover its own names
 
 

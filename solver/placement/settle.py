@@ -38,7 +38,7 @@ def settle(drafts: Sequence[Draft], engine: str = "osqp") -> list[Arrangement]:
 
 def _solve(decided: Sequence[Decided], engine: str) -> list[tuple[Floats, Floats]]:
     if engine == "reference":
-        from solver.placement.reference import solve_house as reference_house  # cvxpy takes 0.8 s to import
+        from solver.placement.reference import solve_house as reference_house  # noqa: PLC0415 - cvxpy takes 0.8 s to import
 
         return reference_house(decided)
     return solve_house(decided)

@@ -1,0 +1,194 @@
+"""generate() and reroll(): request -> floor plan -> wanted pieces -> places -> checked scene, top to bottom.
+
+Comes in: Request or Scene. Goes out: Generated. May import: every stage. Not here: what a stage does inside.
+"""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+from catalogs import Catalogs, load_catalogs
+from solver.certificate import certificate, room_certificate
+from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
+from solver.furnish import space_of, wanted_pieces
+from solver.furnished import furnished
+from solver.pipeline.timing import Clock, Timing
+from solver.placement import place
+from solver.scene import MAX_SEED, ROBOT_WIDTH, Generated, Level, Request, Room, Scene, Size, check_ids, robot_width_of
+from solver.streams import Stream
+from solver.validate import RULES, validate
+from solver.wanted import Arrangement
+
+VERSION = "0.1.0"
+"""Version of the generator; a seed means something only with it and the catalog's fingerprint."""
+WALL_THICKNESS = 0.1
+"""Thickness of the walls of generated houses, m (contract)."""
+STOREY_HEIGHT = 2.8
+"""Height of a storey, m (contract's example)."""
+SHIFTS = 6
+"""Places tried for each door of a room whose required piece does not fit."""
+
+
+@dataclass(frozen=True)
+class _Setting:
+    """What every furnishing of one house shares."""
+
+    seed: int
+    catalogs: Catalogs
+    engine: str
+    thickness: float = WALL_THICKNESS
+    robot_width: float = ROBOT_WIDTH
+
+
+def generate(
+    request: Request | None = None,
+    *,
+    catalogs: Catalogs | None = None,
+    engine: str = "osqp",
+    clock: Clock | None = None,
+) -> Generated:
+    """Makes a furnished house.
+
+    Args:
+        request: what is wished; a seed is drawn and echoed when it has none.
+        catalogs: what to furnish with; ours by default.
+        engine: of the final continuous solve, "osqp" or "reference".
+        clock: a clock in seconds, to fill `timing_ms`; the scene does not depend on it.
+
+    Raises:
+        RequestError: a field of the request cannot be met by any house.
+    """
+    known = catalogs or load_catalogs()
+    asked = request or Request()
+    seed = secrets.randbelow(MAX_SEED + 1) if asked.seed is None else asked.seed
+    asked = replace(asked, seed=seed)
+    setting = _Setting(seed, known, engine, robot_width=asked.robot_width)
+    timing = Timing(clock)
+    plan = draw(asked, known)
+    timing.lap("floorplan")
+    plan, arrangements = _furnished_plan(plan, setting)
+    scene = _scene(plan, arrangements, asked, setting)
+    timing.lap("furniture")
+    issues = validate(scene, known)
+    timing.lap("validate")
+    return Generated(scene, issues, timing.ms)
+
+
+def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
+    """Furnishes all rooms, shifting a door where a required piece would not fit otherwise."""
+    arrangements = _arrangements(plan.rooms, setting)
+    for room in plan.rooms:
+        if _missing(arrangements[room.id], room, setting.catalogs):
+            plan = _shift_doors(plan, room.id, arrangements, setting)
+    return plan, arrangements
+
+
+def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:
+    wishes = []
+    for room in rooms:
+        space = space_of(room, setting.thickness, setting.robot_width)
+        stream = Stream(setting.seed, "furnish", room.index)
+        wishes.append((space, wanted_pieces(room, space, setting.catalogs, stream)))
+    return {room.id: done for room, done in zip(rooms, place(wishes, setting.engine), strict=True)}
+
+
+def _missing(arrangement: Arrangement, room: Room, catalogs: Catalogs) -> int:
+    """Returns how many of the room type's requirements the arrangement does not meet."""
+    room_type = catalogs.rooms.get(room.type)
+    kinds = [placed.chosen.kind for placed in arrangement.placed]
+    requires = room_type.requires if room_type else ()
+    return sum(not any(kinds.count(kind) >= number for kind, number in either.items()) for either in requires)
+
+
+def _shift_doors(
+    plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangement], setting: _Setting
+) -> FloorPlan:
+    """Tries other places for a room's doors; keeps the first that lets more required pieces in, both sides counted."""
+    room = next(room for room in plan.rooms if room.id == room_id)
+    for opening in room.openings:
+        if opening.kind not in ("door", "passage"):
+            continue
+        for position in door_positions(plan, opening.id)[:SHIFTS]:
+            shifted = with_door_at(plan, opening.id, position)
+            sides = [other for other in shifted.rooms if any(o.id == opening.id for o in other.openings)]
+            tried = _arrangements(sides, setting)
+            before = sum(_missing(arrangements[side.id], side, setting.catalogs) for side in sides)
+            if sum(_missing(tried[side.id], side, setting.catalogs) for side in sides) < before:
+                arrangements.update(tried)
+                return shifted
+    return plan
+
+
+def _written(rooms: Iterable[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> tuple[Room, ...]:
+    return tuple(
+        furnished(room, arrangements[room.id], setting.catalogs, Stream(setting.seed, "colour", room.index))
+        for room in rooms
+    )
+
+
+def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Request, setting: _Setting) -> Scene:
+    rooms = _written(plan.rooms, arrangements, setting)
+    of_plan = {
+        "spine": plan.spine,
+        "unjoined": [list(pair) for pair in plan.unjoined],
+        "notes": list(plan.notes),
+    }
+    return Scene(
+        seed=setting.seed,
+        request=_request_document(request),
+        generator={"version": VERSION, "catalog": setting.catalogs.fingerprint},
+        size=Size(float(request.width), float(request.depth), STOREY_HEIGHT),
+        wall_thickness=setting.thickness,
+        levels=(Level(0, 0.0, STOREY_HEIGHT),),
+        rooms=rooms,
+        corridors=plan.corridors,
+        adjacency=plan.adjacency,
+        certificate=certificate(rooms, arrangements, RULES, of_plan),
+    )
+
+
+def _request_document(request: Request) -> dict[str, Any]:
+    document = asdict(request)
+    document["force_types"] = {str(index): name for index, name in sorted(request.force_types.items())}
+    return document
+
+
+def reroll(
+    scene: Scene,
+    rooms: Sequence[str],
+    *,
+    seed: int | None = None,
+    catalogs: Catalogs | None = None,
+    clock: Clock | None = None,
+) -> Generated:
+    """Furnishes the named rooms of a scene anew; the others stay untouched.
+
+    Args:
+        scene: the house; its openings stay.
+        rooms: ids of the rooms to furnish.
+        seed: of the furnishing; the scene's own by default.
+        catalogs: what to furnish with; ours by default.
+        clock: a clock in seconds, to fill `timing_ms`.
+
+    Raises:
+        SceneError: a room's id is not in the scene.
+    """
+    known = catalogs or load_catalogs()
+    check_ids("reroll", rooms, [room.id for room in scene.rooms])
+    timing = Timing(clock)
+    drawn = scene.seed if seed is None else seed
+    setting = _Setting(drawn or 0, known, "osqp", scene.wall_thickness, robot_width_of(scene))
+    chosen = [room for room in scene.rooms if room.id in set(rooms)]
+    arrangements = _arrangements(chosen, setting)
+    done = {room.id: room for room in _written(chosen, arrangements, setting)}
+    document = dict(scene.certificate or {})
+    reports = {room.id: room_certificate(arrangements[room.id]) for room in chosen}
+    document["rooms"] = {**(document.get("rooms") or {}), **reports}
+    new = replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms), certificate=document)
+    timing.lap("furniture")
+    issues = validate(new, known)
+    timing.lap("validate")
+    return Generated(new, issues, timing.ms)
