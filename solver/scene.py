@@ -289,7 +289,7 @@ class Fixed:
 def robot_width_of(scene: Scene) -> float:
     """Returns the side of the square that must be able to walk, m: the request's, or the contract's."""
     width = (scene.request or {}).get("robot_width")
-    return float(width) if isinstance(width, int | float) and 0.1 <= width <= 2.0 else ROBOT_WIDTH  # noqa: PLR2004
+    return float(width) if isinstance(width, int | float) and 0.1 <= width <= 2.0 else ROBOT_WIDTH
 
 
 def check_ids(field_name: str, wanted: Sequence[str], known: Sequence[str]) -> None:
@@ -301,5 +301,5 @@ def check_ids(field_name: str, wanted: Sequence[str], known: Sequence[str]) -> N
     have = set(known)
     for k, name in enumerate(wanted):
         if name not in have:
-            shown = ", ".join(known[:12]) + (", ..." if len(known) > 12 else "")  # noqa: PLR2004
+            shown = ", ".join(known[:12]) + (", ..." if len(known) > 12 else "")
             raise SceneError(f"{field_name}[{k}]", f"nothing in the scene has the id {name!r}", f"one of {shown}")
