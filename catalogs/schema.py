@@ -6,9 +6,9 @@ faces south: `front` is south (+z), `back` north, `left` west (-x), `right` east
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
 
 Category = Literal[
     "bed", "seating", "table", "storage", "appliance", "bathroom", "lighting",
@@ -22,6 +22,21 @@ Relation = Literal[
 Colour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
 Length = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
 Cost = Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)]
+
+
+def _words(value: Any) -> Any:
+    """Lets a single word stand for a list of one."""
+    return (value,) if isinstance(value, str) else value
+
+
+def _interval(value: Any) -> Any:
+    """Lets a single number stand for an interval of one value."""
+    return (value, value) if isinstance(value, int | float) and not isinstance(value, bool) else value
+
+
+Words = Annotated[tuple[str, ...], BeforeValidator(_words)]
+Gap = Annotated[float, Field(ge=-2, le=20, allow_inf_nan=False)]
+Interval = Annotated[tuple[Gap, Gap], BeforeValidator(_interval)]
 
 
 class Entry(BaseModel):
@@ -39,8 +54,11 @@ class Use(Entry):
 
 
 class Surface(Entry):
-    """A surface that carries things: its height above the piece's underside, how far in from the footprint's edges it
-    starts, and the free height above it, m (None: open above)."""
+    """A surface that carries things.
+
+    Its height above the piece's underside, how far in from the footprint's edges it starts, and the free height above
+    it, m (None: open above).
+    """
 
     name: str
     height: Length
@@ -49,9 +67,13 @@ class Surface(Entry):
 
 
 class Furniture(Entry):
-    """One kind of furniture. `stands: wall` means it hugs a wall (its back 3 cm from the wall's face)."""
+    """One kind of furniture. `stands: wall` means it hugs a wall (its back 3 cm from the wall's face).
+
+    `name` is what scenes call it, where that is not the kind's own name: size variants of a sofa are all a `sofa`.
+    """
 
     category: Category
+    name: str | None = None
     size: tuple[Length, Length, Length]
     color: Colour
     variants: tuple[Colour, ...] = ()
@@ -62,26 +84,33 @@ class Furniture(Entry):
 
 
 class Rule(Entry):
-    """One relation of a piece to the room or to another piece.
+    """One relation of a piece to the room or to other pieces; README.md says what each type means.
 
     Hard when `required`; otherwise `cost` is what it costs to do without it and `weight` (per m2) pulls towards it.
-    `of` names another piece of the room type by its `piece` name. `distance` is a wished distance, `gap` the free space
-    between two bodies (negative: tucked under). `sides` are sides of the piece `of` (left, right, ...); `align` tells
-    how a piece beside another lines up with it. `walls`, for against_wall: costs by what a wall has, such as
-    {door: 2, window: 1}. `wall`, for two pieces: whether they share a wall.
+    `of` names other pieces of the room type by their `piece` names (any of them will do), or an opening: door,
+    garage_door, window. `distance` is a wished distance, `gap` the free space between two bodies, one number or
+    [least, most] (negative: tucked under). `sides` are sides of the piece `of`, most wanted first; `align` tells how a
+    piece beside another lines up with it. `walls`, for against_wall: costs by what a wall has, such as
+    {door: 2, window: 1}. `wall`, for two pieces: how their walls should lie.
     """
 
     type: Relation
-    of: str | None = None
+    of: Words = ()
     required: bool = False
     cost: Cost = 2.0
-    weight: Annotated[float, Field(ge=0, le=20)] = 1.0
+    weight: Annotated[float, Field(ge=0, le=20)] = 0.3
     distance: Annotated[float, Field(ge=0, le=100)] | None = None
-    gap: Annotated[float, Field(ge=-2, le=20)] | None = None
+    gap: Interval | None = None
     sides: tuple[Side, ...] = ()
-    align: Literal["back", "centre", "front"] | None = None
+    align: Literal["back", "centre", "front", "any"] | None = None
     walls: dict[Literal["door", "window", "exterior", "plain", "short", "long"], Cost] = {}
     wall: Literal["same", "opposite", "adjacent", "other"] | None = None
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Rule:
+        if self.gap and self.gap[0] > self.gap[1]:
+            raise ValueError("a gap must be one number or [least, most]")
+        return self
 
 
 class Variant(Entry):
@@ -95,16 +124,25 @@ class Piece(Entry):
     """A piece a room type holds. The order of pieces in the file is their importance.
 
     `piece` is its name inside the room type; `kinds` its size variants from wanted down to least (default: the kind of
-    the same name). `count` copies are wanted. An optional piece is wanted only where the room has `min_area` m2.
+    the same name). An optional piece is wanted only where the room has `min_area` m2, and then with probability
+    `chance`. `count` copies are wanted; with `per_area`, one for every so many m2, at least one and at most `count`.
     """
 
     piece: str
     kinds: tuple[Variant, ...] = ()
     required: bool = False
-    count: Annotated[int, Field(ge=1, le=12)] = 1
+    count: Annotated[int, Field(ge=1, le=24)] = 1
+    per_area: Annotated[float, Field(gt=0)] | None = None
     min_area: Annotated[float, Field(ge=0)] = 0.0
+    chance: Annotated[float, Field(gt=0, le=1)] = 1.0
     skip_cost: Cost = 10.0
     rules: tuple[Rule, ...] = ()
+
+    @model_validator(mode="after")
+    def _certain(self) -> Piece:
+        if self.required and (self.min_area or self.chance < 1 or self.per_area):
+            raise ValueError("a required piece takes no min_area, chance or per_area")
+        return self
 
     @property
     def variants(self) -> tuple[Variant, ...]:
@@ -177,3 +215,8 @@ class Catalogs(Entry):
     floorings: dict[str, FlooringSpec]
     rooms: dict[str, RoomType]
     fingerprint: str
+
+    def name_of(self, kind: str) -> str:
+        """Returns what scenes call a kind: its `name`, else the kind itself."""
+        entry = self.furniture.get(kind)
+        return entry.name if entry and entry.name else kind

@@ -1,0 +1,128 @@
+"""What must hold between the catalogs' entries; the shape of each entry is the schema's business."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from catalogs.schema import Catalogs, Furniture, Piece, RoomType, Rule
+
+OPENINGS = ("door", "garage_door", "window")
+"""What `of` may name besides pieces."""
+BETWEEN = ("beside", "in_front_of", "opposite", "around", "aligned_with", "in_row", "on", "under")
+"""Relations that hold between two pieces: `of` must name one."""
+TO_SOMETHING = ("facing", "near", "far_from")
+"""Relations to a piece or an opening."""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """Something that cannot be: in which room type's file (empty: furniture.yaml), at which key, what, what is allowed."""
+
+    room: str
+    at: tuple[str | int, ...]
+    problem: str
+    allowed: str = ""
+
+
+def faults(catalogs: Catalogs) -> Iterator[Fault]:
+    """Yields everything that does not fit together, in the order of the files."""
+    for kind, entry in catalogs.furniture.items():
+        yield from _furniture_faults(kind, entry)
+    for name, room in catalogs.rooms.items():
+        yield from _room_faults(catalogs, name, room)
+
+
+def _furniture_faults(kind: str, entry: Furniture) -> Iterator[Fault]:
+    for i, length in enumerate(entry.size):
+        if round(length * 1000) % 10 or abs(length * 100 - round(length * 100)) > 1e-9:
+            yield Fault("", (kind, "size", i), f"{length} m is not a whole number of centimetres", "steps of 0.01")
+    for i, surface in enumerate(entry.surfaces):
+        if surface.height > entry.size[2] + 1e-9:
+            yield Fault(
+                "", (kind, "surfaces", i, "height"),
+                f"the surface {surface.name!r} lies at {surface.height} m, above the piece", f"at most {entry.size[2]}",
+            )  # fmt: skip
+        if 2 * surface.inset >= min(entry.size[:2]):
+            yield Fault("", (kind, "surfaces", i, "inset"), f"the surface {surface.name!r} has no area left", "a smaller inset")
+
+
+def _room_faults(catalogs: Catalogs, name: str, room: RoomType) -> Iterator[Fault]:
+    if room.flooring not in catalogs.floorings:
+        yield Fault(name, ("flooring",), f"unknown flooring {room.flooring!r}", ", ".join(catalogs.floorings))
+    for i, other in enumerate(room.plan.behind):
+        if other not in catalogs.rooms:
+            yield Fault(name, ("plan", "behind", i), f"unknown room type {other!r}", ", ".join(catalogs.rooms))
+    names: list[str] = []
+    for i, piece in enumerate(room.pieces):
+        if piece.piece in names:
+            yield Fault(name, ("pieces", i, "piece"), f"the piece {piece.piece!r} stands twice", "one entry with a count")
+        names.append(piece.piece)
+        yield from _kind_faults(catalogs, name, i, piece)
+        for j, rule in enumerate(piece.rules):
+            yield from _rule_faults(Fault(name, ("pieces", i, "rules", j), ""), room, piece, rule)
+    yield from _required_faults(catalogs, name, room)
+    yield from _order_faults(name, room)
+
+
+def _kind_faults(catalogs: Catalogs, name: str, index: int, piece: Piece) -> Iterator[Fault]:
+    for i, variant in enumerate(piece.variants):
+        if variant.kind not in catalogs.furniture:
+            at = ("pieces", index, "kinds", i, "kind") if piece.kinds else ("pieces", index, "piece")
+            yield Fault(name, at, f"unknown kind {variant.kind!r}", "a key of furniture.yaml")
+
+
+def _rule_faults(where: Fault, room: RoomType, piece: Piece, rule: Rule) -> Iterator[Fault]:
+    """Checks what a rule's `of` names; `where` holds the room and the key."""
+    known = [other.piece for other in room.pieces]
+    if rule.type in BETWEEN + TO_SOMETHING and not rule.of:
+        yield Fault(where.room, where.at, f"{rule.type} needs `of`", ", ".join(known))
+    elif rule.type not in BETWEEN + TO_SOMETHING and rule.of:
+        yield Fault(where.room, (*where.at, "of"), f"{rule.type} takes no `of`", "no key `of`")
+    for other in rule.of:
+        openings = OPENINGS if rule.type in TO_SOMETHING else ()
+        if other not in known and other not in openings:
+            yield Fault(where.room, (*where.at, "of"), f"unknown piece {other!r}", ", ".join([*known, *openings]))
+        if other == piece.piece and (piece.count == 1 or rule.type not in ("in_row", "near", "far_from")):
+            yield Fault(where.room, (*where.at, "of"), f"{rule.type} of itself", "in_row, near or far_from, with count > 1")
+
+
+def _required_faults(catalogs: Catalogs, name: str, room: RoomType) -> Iterator[Fault]:
+    """Checks that the required pieces are enough for every line of `requires`."""
+    names = [catalogs.name_of(kind) for kind in catalogs.furniture]
+    for i, line in enumerate(room.requires):
+        for kind in line:
+            if kind not in names:
+                yield Fault(name, ("requires", i, kind), f"unknown kind {kind!r}", "a name of furniture.yaml")
+        if not any(_supplied(catalogs, room, kind) >= count for kind, count in line.items()) and not _mixed(catalogs, room, line):
+            yield Fault(name, ("requires", i), "the required pieces do not meet this line", "a piece with `required: true`")
+
+
+def _supplied(catalogs: Catalogs, room: RoomType, kind: str) -> int:
+    """Counts the required pieces all of whose variants bear that name."""
+    return sum(
+        piece.count for piece in room.pieces if piece.required and all(catalogs.name_of(variant.kind) == kind for variant in piece.variants)
+    )
+
+
+def _mixed(catalogs: Catalogs, room: RoomType, line: dict[str, int]) -> bool:
+    """Tells whether one required piece meets the line whichever of its variants is taken."""
+    return any(
+        piece.required
+        and all(line.get(catalogs.name_of(variant.kind), 1 << 30) <= piece.count for variant in piece.variants)
+        for piece in room.pieces
+    )  # fmt: skip
+
+
+def _order_faults(name: str, room: RoomType) -> Iterator[Fault]:
+    """Rules may only refer to pieces that come earlier, required ones first: so no two wait for each other."""
+    order = [piece.piece for piece in sorted(room.pieces, key=lambda piece: not piece.required)]
+    for i, piece in enumerate(room.pieces):
+        for j, rule in enumerate(piece.rules):
+            for other in rule.of:
+                if other in order and order.index(other) > order.index(piece.piece):
+                    yield Fault(
+                        name, ("pieces", i, "rules", j, "of"),
+                        f"{piece.piece!r} refers to {other!r}, which comes later: rules must not go round in a circle",
+                        "a piece named earlier; an optional piece may refer to any required one",
+                    )  # fmt: skip

@@ -1,0 +1,152 @@
+"""Reading: YAML files -> plain documents -> checked, frozen `Catalogs`; every fault with its file, key and line."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Hashable
+from functools import lru_cache
+from hashlib import blake2b
+from pathlib import Path
+from typing import Any, ClassVar
+
+import yaml
+from pydantic import TypeAdapter, ValidationError
+
+from catalogs.checks import Fault, faults
+from catalogs.schema import Catalogs, FlooringSpec, Furniture, RoomType
+
+HERE = Path(__file__).parent
+_LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_FURNITURE = TypeAdapter(dict[str, Furniture])
+_FLOORINGS = TypeAdapter(dict[str, FlooringSpec])
+_ROOM = TypeAdapter(RoomType)
+
+
+class CatalogError(Exception):
+    """A catalog cannot be used.
+
+    Args:
+        file: the file's path.
+        key: which key, such as `bed.size` or `pieces.3.rules.0.of`; empty if the file as a whole is meant.
+        line: its line, from 1.
+        problem: what is wrong, in words.
+        allowed: what would be accepted, in words; empty if there is nothing to add.
+    """
+
+    def __init__(self, file: str, key: str, line: int, problem: str, allowed: str = "") -> None:
+        self.file, self.key, self.line, self.problem, self.allowed = file, key, line, problem, allowed
+        where = f"{file}:{line}" + (f": {key}" if key else "")
+        super().__init__(f"{where}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
+
+
+class _Loader(_LOADER):  # type: ignore[misc]
+    """Reads safe YAML with YAML 1.2's booleans (`on` is a word) and refuses a key that stands twice in one mapping."""
+
+    yaml_implicit_resolvers: ClassVar[Any] = {
+        first: [(tag, pattern) for tag, pattern in resolvers if tag != "tag:yaml.org,2002:bool"]
+        for first, resolvers in _LOADER.yaml_implicit_resolvers.items()
+    }
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
+        """Builds a mapping, every key once."""
+        seen: set[str] = set()
+        for key, _ in node.value:
+            if key.value in seen:
+                raise yaml.constructor.ConstructorError(None, None, f"the key {key.value!r} stands twice", key.start_mark)
+            seen.add(key.value)
+        result: dict[Hashable, Any] = super().construct_mapping(node, deep)
+        return result
+
+
+_Loader.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile(r"^(?:true|True|TRUE|false|False|FALSE)$"), list("tTfF"))
+
+
+def load_catalogs(directory: Path | None = None) -> Catalogs:
+    """Reads and checks the catalogs of a directory (default: ours, read once).
+
+    Args:
+        directory: holds furniture.yaml, floorings.yaml and rooms/*.yaml (a file's stem is the room type's name).
+
+    Raises:
+        CatalogError: a file is missing, not YAML, or says something that cannot be; the first fault found.
+    """
+    return _default() if directory is None else _load(directory)
+
+
+@lru_cache(maxsize=1)
+def _default() -> Catalogs:
+    return _load(HERE)
+
+
+def _load(directory: Path) -> Catalogs:
+    furniture_file, floorings_file = directory / "furniture.yaml", directory / "floorings.yaml"
+    room_files = {path.stem: path for path in sorted((directory / "rooms").glob("*.yaml"))}
+    if not room_files:
+        raise CatalogError(str(directory / "rooms"), "", 1, "there is no room type", "at least one file <type>.yaml")
+    catalogs = Catalogs(
+        furniture=_read(furniture_file, _FURNITURE),
+        floorings=_read(floorings_file, _FLOORINGS),
+        rooms={name: _read(path, _ROOM) for name, path in room_files.items()},
+        fingerprint="",
+    )
+    for fault in faults(catalogs):
+        raise _located(room_files[fault.room] if fault.room else furniture_file, fault)
+    return catalogs.model_copy(update={"fingerprint": fingerprint(catalogs)})
+
+
+def fingerprint(catalogs: Catalogs) -> str:
+    """Returns 12 hex digits that change with any word or number of the catalogs, and with the order of pieces."""
+    content = catalogs.model_dump(mode="json", exclude={"fingerprint"})
+    return blake2b(json.dumps(content, sort_keys=True).encode(), digest_size=6).hexdigest()
+
+
+def _read(path: Path, adapter: TypeAdapter[Any]) -> Any:
+    try:
+        return adapter.validate_python(yaml.load(path.read_bytes(), _Loader))
+    except OSError as error:
+        raise CatalogError(str(path), "", 1, f"cannot be read: {error.strerror}") from error
+    except yaml.YAMLError as error:
+        raise _broken(path, error) from error
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        message = first["msg"].removeprefix("Value error, ")
+        allowed = str(first.get("ctx", {}).get("expected", ""))
+        at = tuple(part for part in first["loc"] if part != "[key]")
+        raise _located(path, Fault("", at, message, allowed)) from error
+
+
+def _broken(path: Path, error: yaml.YAMLError) -> CatalogError:
+    """Says where a text stops being YAML."""
+    mark = getattr(error, "problem_mark", None)
+    problem = getattr(error, "problem", None) or str(error)
+    key = getattr(mark, "name", "") and _key_above(path, mark.line if mark else 0)
+    return CatalogError(str(path), key, mark.line + 1 if mark else 1, f"is not YAML: {problem}")
+
+
+def _key_above(path: Path, line: int) -> str:
+    """Returns the last key that a broken text names at or above a line (from 0)."""
+    above = path.read_text(encoding="utf-8", errors="replace").splitlines()[: line + 1]
+    keys = [text.split(":")[0].strip(" -{") for text in above if ":" in text and not text.lstrip().startswith("#")]
+    return keys[-1] if keys else ""
+
+
+def _located(path: Path, fault: Fault) -> CatalogError:
+    """Finds the line of a fault's key by reading the file once more, with marks."""
+    node = yaml.compose(path.read_bytes(), _LOADER)
+    line = node.start_mark.line if node else 0
+    for part in fault.at:
+        child = _child(node, part)
+        if child is None:
+            break
+        node, line = child
+    return CatalogError(str(path), ".".join(map(str, fault.at)), line + 1, fault.problem, fault.allowed)
+
+
+def _child(node: Any, part: str | int) -> tuple[Any, int] | None:
+    """Returns the value under a key or index and the line the key stands in, or None."""
+    if isinstance(node, yaml.MappingNode):
+        return next(((value, key.start_mark.line) for key, value in node.value if key.value == part), None)
+    if isinstance(node, yaml.SequenceNode) and isinstance(part, int) and part < len(node.value):
+        return node.value[part], node.value[part].start_mark.line
+    return None

@@ -1,0 +1,150 @@
+"""From a room type's pieces and rules to wanted pieces: which are asked for, in which order, and how each may stand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from catalogs.schema import Catalogs, Piece, Rule
+from solver.furnish.ask import Ask, Effect, Opened, Scope, Size
+from solver.furnish.candidates import candidates
+from solver.furnish.relations import RELATIONS, SLOTTED
+from solver.furnish.walls import WallOccupancy
+from solver.furnish.zones import line_of
+from solver.geometry import Rect, to_mm, turned
+from solver.scene import WALLS, Room, Sides
+from solver.streams import Stream
+from solver.wanted import Alternative, Link, Space, Stand, Wanted
+
+LIMIT = 40
+"""Most alternatives a piece gets: placement's time is linear in them."""
+WHIM = 0.3
+"""Most that a wall may cost by the seed's whim alone: which of equal walls is taken differs from house to house."""
+
+
+def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> tuple[Wanted, ...]:
+    """Returns what a room wants, required pieces first, each with all the ways it may stand.
+
+    Args:
+        room: with its type and openings; a type the catalogs do not know wants nothing.
+        space: the room's `space_of`.
+        catalogs: what there is, and the rules.
+        stream: the room's own; it draws optional pieces and which of equal walls is preferred.
+    """
+    room_type = catalogs.rooms.get(room.type)
+    if room_type is None:
+        return ()
+    walls = WallOccupancy(space)
+    scope = Scope(space, walls, catalogs, _openings(room), room.exterior_walls or Sides(), room.width * room.depth)
+    whims = {wall: stream.uniform(0.0, WHIM) for wall in WALLS}
+    pieces = sorted(room_type.pieces, key=lambda piece: not piece.required)
+    draws = {piece.piece: stream.unit() for piece in room_type.pieces}
+    wanted: list[Wanted] = []
+    earlier: dict[str, tuple[str, ...]] = {}
+    kinds: dict[str, tuple[str, ...]] = {}
+    for piece in pieces:
+        for number in range(1, _count(piece, scope.area, draws[piece.piece]) + 1):
+            one = _wanted(Ask(scope, piece, number, dict(earlier), dict(kinds)), whims)
+            if one is None:
+                break
+            wanted.append(one)
+            earlier[piece.piece] = (*earlier.get(piece.piece, ()), one.label)
+            kinds[one.label] = tuple(variant.kind for variant in piece.variants)
+            _intend(walls, one)
+    return tuple(wanted)
+
+
+def _openings(room: Room) -> tuple[Opened, ...]:
+    found: list[Opened] = []
+    for opening in room.openings:
+        line = line_of(room, opening)
+        if line is not None:
+            wall, across, start, _ = line
+            centre, half = start + to_mm(opening.position), to_mm(opening.width) // 2
+            found.append(Opened(opening.kind, wall, (centre - half, centre + half), across))
+    return tuple(found)
+
+
+def _count(piece: Piece, area: float, draw: float) -> int:
+    """Returns how many of a piece a room of that area wants; `draw` decides by chance."""
+    if piece.required:
+        return piece.count
+    if area < piece.min_area or draw >= piece.chance:
+        return 0
+    return piece.count if piece.per_area is None else max(1, min(piece.count, int(area / piece.per_area)))
+
+
+def _wanted(ask: Ask, whims: dict[str, float]) -> Wanted | None:
+    """Returns one copy of a piece with its alternatives; None where a rule it cannot do without has nothing to hold on to."""
+    piece, scope = ask.piece, ask.scope
+    effects = [(rule, RELATIONS[rule.type](ask, rule)) for rule in piece.rules]
+    alternatives = [*_slotted(effects)]
+    if not any(rule.required and rule.type in SLOTTED for rule, _ in effects):
+        alternatives += _judged(ask, effects, whims)
+    if not alternatives:
+        return None
+    alternatives.sort(key=lambda alternative: round(alternative.cost, 9))
+    use = scope.entry(piece.variants[0].kind).use
+    return Wanted(
+        f"{piece.piece}_{ask.number}",
+        piece.required,
+        tuple(alternatives[:LIMIT]),
+        links=_links(effects),
+        stands=tuple(Stand(side) for side in use.sides) if use else (),
+        need_all=bool(use and use.need == "all"),
+        skip_cost=piece.skip_cost,
+    )
+
+
+def _links(effects: Sequence[tuple[Rule, Effect]]) -> tuple[Link, ...]:
+    return tuple(link for _, effect in effects for link in effect.links)
+
+
+def _slotted(effects: Sequence[tuple[Rule, Effect]]) -> Iterator[Alternative]:
+    """Yields the slots; one that meets a rule pays for the other rules with slots that it misses."""
+    must = [i for i, (rule, _) in enumerate(effects) if rule.required and rule.type in SLOTTED]
+    for i, (_, effect) in enumerate(effects):
+        if must and i not in must:
+            continue
+        missed = sum(other.cost for j, (other, theirs) in enumerate(effects) if j != i and theirs.slots)
+        yield from (replace(slot, cost=round(slot.cost + missed, 6)) for slot in effect.slots)
+
+
+def _judged(ask: Ask, effects: Sequence[tuple[Rule, Effect]], whims: dict[str, float]) -> list[Alternative]:
+    """Returns the ways to stand at walls and in the room, costed by every rule, the best few of each sort."""
+    missed = sum(rule.cost for rule, effect in effects if effect.slots)
+    weight = max((effect.weight for _, effect in effects), default=0.0)
+    found: list[Alternative] = []
+    for alternative in candidates(ask, [effect for _, effect in effects]):
+        cost = alternative.cost + missed + whims.get(alternative.wall or "", 0.0)
+        cost += sum(effect.judge(alternative) for _, effect in effects if effect.judge)
+        if cost < math.inf:
+            pull = max(weight, alternative.weights[0])
+            found.append(replace(alternative, cost=round(cost, 6), weights=(pull, pull)))
+    return _best_of_each(ask, found)
+
+
+def _best_of_each(ask: Ask, found: Sequence[Alternative]) -> list[Alternative]:
+    """Keeps, for every variant, wall and rotation, the cheapest anchors: two for the wanted variant, one for the others."""
+    wanted_kind = ask.piece.variants[0].kind
+    kept: dict[tuple[str, str | None, int], list[Alternative]] = {}
+    for alternative in sorted(found, key=lambda alternative: alternative.cost):
+        group = kept.setdefault((alternative.kind, alternative.wall, alternative.rotation), [])
+        room = (2 if alternative.wall else 4) if alternative.kind == wanted_kind else (1 if alternative.wall else 2)
+        if len(group) < room and all(alternative.anchor_mm != other.anchor_mm for other in group):
+            group.append(alternative)
+    return [alternative for group in kept.values() for alternative in group]
+
+
+def _intend(walls: WallOccupancy, wanted: Wanted) -> None:
+    """Marks where a piece would like best to stand at a wall, so that later pieces first try elsewhere."""
+    best = wanted.alternatives[0]
+    if best.wall is None or best.attach is not None:
+        return
+    walls.occupy(best.wall, _footprint(best.anchor_mm, best.size_mm, best.rotation))
+
+
+def _footprint(centre: tuple[int, int], size: Size, rotation: int) -> Rect:
+    width, depth = turned(size[0], size[1], rotation)
+    return Rect(centre[0] - width // 2, centre[1] - depth // 2, centre[0] + width // 2, centre[1] + depth // 2)

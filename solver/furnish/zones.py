@@ -1,0 +1,141 @@
+"""From a room of the scene to the space its furniture may stand in: the contract's zones, in integer millimetres."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from solver.geometry import Rect, to_mm
+from solver.scene import Opening, Room
+from solver.wanted import Doorway, Space, Zone
+
+DOOR_SQUARE_MM = 900
+"""A door's square is as deep as the door is wide, but at most this (contract: blocks_door)."""
+WINDOW_DEPTH_MM, WINDOW_SIDE_MM = 500, 100
+"""Before a window and to each side of it nothing taller than its sill may stand (contract: blocks_window)."""
+
+Line = tuple[str, int, int, int]
+"""A stretch of wall line: the wall it is part of, its coordinate across, and its ends along, mm."""
+
+
+def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6) -> Space:
+    """Returns where a room's furniture may stand.
+
+    Args:
+        room: with its openings; an outline, if there is one, must be rectilinear and clockwise.
+        wall_thickness: of inner walls, m; half of it lies inside the room.
+        robot_width: side, m, of the square that must be able to walk everywhere.
+    """
+    lines = Rect(0, 0, to_mm(room.width), to_mm(room.depth))
+    half = (to_mm(wall_thickness) + 1) // 2
+    zones = [Zone(rect, -1, "outline") for rect in missing_parts(room, half)]
+    doorways: list[Doorway] = []
+    for opening in room.openings:
+        line = line_of(room, opening)
+        if line is None:
+            continue
+        zone = opening_zone(opening, line, lines)
+        if zone is not None:
+            zones.append(zone)
+            if opening.kind in ("door", "passage"):
+                doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or ""))
+    return Space(room.id, lines.shrunk(half), tuple(zones), tuple(doorways), to_mm(robot_width))
+
+
+def line_of(room: Room, opening: Opening) -> Line | None:
+    """Returns the stretch of wall line an opening is in, or None where it names no wall or edge of the room."""
+    if opening.edge is not None:
+        edges = outline_edges(room)
+        return edges[opening.edge] if opening.edge < len(edges) else None
+    width, depth = to_mm(room.width), to_mm(room.depth)
+    return {
+        "north": ("north", 0, 0, width),
+        "south": ("south", depth, 0, width),
+        "west": ("west", 0, 0, depth),
+        "east": ("east", width, 0, depth),
+    }.get(opening.wall or "")
+
+
+def outline_edges(room: Room) -> list[Line]:
+    """Returns the edges of a room's outline, clockwise from its first point; empty without an outline."""
+    points = [(to_mm(x), to_mm(z)) for x, z in room.outline or ()]
+    edges: list[Line] = []
+    for (x0, z0), (x1, z1) in zip(points, points[1:] + points[:1], strict=True):
+        if z0 == z1:
+            edges.append(("north" if x1 > x0 else "south", z0, min(x0, x1), max(x0, x1)))
+        else:
+            edges.append(("east" if z1 > z0 else "west", x0, min(z0, z1), max(z0, z1)))
+    return edges
+
+
+def opening_zone(opening: Opening, line: Line, room: Rect) -> Zone | None:
+    """Returns what an opening keeps free of the room, or None if nothing."""
+    _, _, start, _ = line
+    centre, width = start + to_mm(opening.position), to_mm(opening.width)
+    if opening.kind in ("door", "passage"):
+        depth, side, above = min(width, DOOR_SQUARE_MM), 0, -1
+    elif opening.kind == "window":
+        depth, side, above = WINDOW_DEPTH_MM, WINDOW_SIDE_MM, to_mm(opening.sill)
+    else:
+        return None
+    low = centre - width // 2 - side
+    rect = _clipped(_inward(line, (low, low + width + 2 * side), depth), room)
+    return Zone(rect, above, opening.id) if rect else None
+
+
+def _inward(line: Line, interval: tuple[int, int], depth: int) -> Rect:
+    """Returns the rectangle over an interval of a wall line that reaches `depth` into the room."""
+    wall, across, _, _ = line
+    a, b = interval
+    return {
+        "north": Rect(a, across, b, across + depth),
+        "south": Rect(a, across - depth, b, across),
+        "west": Rect(across, a, across + depth, b),
+        "east": Rect(across - depth, a, across, b),
+    }[wall]
+
+
+def _clipped(rect: Rect, room: Rect) -> Rect | None:
+    cut = Rect(max(rect.x0, room.x0), max(rect.z0, room.z0), min(rect.x1, room.x1), min(rect.z1, room.z1))
+    return cut if cut.width > 0 and cut.depth > 0 else None
+
+
+def missing_parts(room: Room, half: int) -> list[Rect]:
+    """Returns the parts of the bounding rectangle outside the outline, grown by half a wall, as maximal columns."""
+    if not room.outline:
+        return []
+    points = [(to_mm(x), to_mm(z)) for x, z in room.outline]
+    lines = Rect(0, 0, to_mm(room.width), to_mm(room.depth))
+    xs = sorted({0, lines.x1, *(x for x, _ in points)})
+    zs = sorted({0, lines.z1, *(z for _, z in points)})
+    columns: list[Rect] = []
+    for x0, x1 in pairwise(xs):
+        for z0, z1 in pairwise(zs):
+            if _inside(points, x0 + x1, z0 + z1):
+                continue
+            if columns and columns[-1].x0 == x0 and columns[-1].z1 == z0:
+                columns[-1] = Rect(x0, columns[-1].z0, x1, z1)
+            else:
+                columns.append(Rect(x0, z0, x1, z1))
+    grown = (_clipped(rect.shrunk(-half), lines) for rect in _rows_joined(columns))
+    return [rect for rect in grown if rect]
+
+
+def _rows_joined(columns: list[Rect]) -> list[Rect]:
+    """Joins neighbouring columns of equal extent."""
+    joined: list[Rect] = []
+    for rect in columns:
+        i = next((i for i, other in enumerate(joined) if (other.z0, other.z1, other.x1) == (rect.z0, rect.z1, rect.x0)), None)
+        if i is None:
+            joined.append(rect)
+        else:
+            joined[i] = Rect(joined[i].x0, rect.z0, rect.x1, rect.z1)
+    return joined
+
+
+def _inside(points: list[tuple[int, int]], double_x: int, double_z: int) -> bool:
+    """Tells by crossings whether a point (doubled mm, on no edge) lies inside a rectilinear outline."""
+    crossings = 0
+    for (x0, z0), (x1, z1) in zip(points, points[1:] + points[:1], strict=True):
+        if x0 == x1 and 2 * x0 > double_x and min(z0, z1) * 2 < double_z < max(z0, z1) * 2:
+            crossings += 1
+    return crossings % 2 == 1
