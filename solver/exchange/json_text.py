@@ -1,0 +1,69 @@
+"""JSON text <-> documents.
+
+Comes in: a string. Goes out: plain values, and back. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from solver.errors import SyntaxFault
+from solver.exchange.plain import MAX_NESTING, is_text
+
+
+def load(text: str) -> object:
+    """Reads a JSON document; see `text.load_text`."""
+    try:
+        document: object = json.loads(text, object_pairs_hook=_once)
+    except RecursionError:
+        raise _too_deep() from None
+    except ValueError as error:
+        raise SyntaxFault(f"not JSON: {error}") from None
+    _check_depth(document)
+    if "\\ud" in text or "\\uD" in text:
+        _check_texts(document)
+    return document
+
+
+def dump(document: Any) -> str:
+    """Writes plain values as one line of JSON."""
+    return json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":")) + "\n"
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        seen: set[str] = set()
+        twice = next(key for key, _ in pairs if key in seen or seen.add(key))  # type: ignore[func-returns-value]
+        raise SyntaxFault(f"not JSON: the key {twice!r:.80} is given twice in one object")
+    return found
+
+
+def _too_deep() -> SyntaxFault:
+    return SyntaxFault(f"nested too deeply: more than {MAX_NESTING} levels")
+
+
+def _children(containers: list[Any]) -> list[Any]:
+    return [child for outer in containers for child in (outer.values() if isinstance(outer, dict) else outer)]
+
+
+def _check_depth(document: object) -> None:
+    level = [document]
+    for _ in range(MAX_NESTING + 1):
+        level = [item for item in level if isinstance(item, (dict, list))]
+        if not level:
+            return
+        level = _children(level)
+    raise _too_deep()
+
+
+def _check_texts(document: object) -> None:
+    """Refuses lone surrogates, which an escape can smuggle past UTF-8."""
+    level = [document]
+    while level:
+        texts = [item for item in level if isinstance(item, str)]
+        texts += [key for item in level if isinstance(item, dict) for key in item]
+        if not all(is_text(text) for text in texts):
+            raise SyntaxFault("a text holds half a surrogate pair, which is no character")
+        level = _children([item for item in level if isinstance(item, (dict, list))])

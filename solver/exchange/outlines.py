@@ -1,0 +1,34 @@
+"""What an outline must be to be one.
+
+Comes in: a room. Goes out: nothing, or what is wrong. May import: scene.
+"""
+
+from __future__ import annotations
+
+from solver.exchange.plain import Wrong
+from solver.scene import Room
+
+
+def check_outline(room: Room) -> None:
+    """Checks that a room's outline, if it has one, is rectilinear (to the micrometre) and encloses something.
+
+    Raises:
+        Wrong: a line runs at an angle, or everything lies on one line; or an opening names an edge that is not there.
+    """
+    if room.outline is not None:
+        _check_corners(room.outline)
+    for index, opening in enumerate(room.openings):
+        edges = len(room.outline or ())
+        if opening.edge is not None and opening.edge >= edges:
+            allowed = f"0 to {edges - 1}" if edges else "none: the room has no outline"
+            raise Wrong(f"is {opening.edge}", allowed).inside("edge").inside(index).inside("openings")
+
+
+def _check_corners(outline: tuple[tuple[float, float], ...]) -> None:
+    corners = [(round(x * 1e6), round(z * 1e6)) for x, z in outline]
+    for index, (x, z) in enumerate(corners):
+        next_x, next_z = corners[(index + 1) % len(corners)]
+        if x != next_x and z != next_z:
+            raise Wrong("begins a line that runs at an angle", "corners joined along x or z").inside(index).inside("outline")
+    if len({x for x, _ in corners}) < 2 or len({z for _, z in corners}) < 2:
+        raise Wrong("encloses nothing", "at least 4 corners around some floor").inside("outline")

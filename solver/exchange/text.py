@@ -1,0 +1,70 @@
+"""Text <-> documents: one module a format behind one dict.
+
+Comes in: bytes or a string. Goes out: plain values; or, the other way, canonical bytes. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final
+
+from solver.errors import FieldError, SyntaxFault
+from solver.exchange import json_text, yaml_text
+from solver.exchange.plain import Wrong, plain
+
+
+@dataclass(frozen=True)
+class TextFormat:
+    """A way to write documents: how to read it, how to write it, its media type and file endings."""
+
+    load: Callable[[str], object]
+    dump: Callable[[Any], str]
+    media_type: str
+    endings: tuple[str, ...]
+
+
+FORMATS: Final = {
+    "json": TextFormat(json_text.load, json_text.dump, "application/json", (".json",)),
+    "yaml": TextFormat(yaml_text.load, yaml_text.dump, "application/yaml", (".yaml", ".yml")),
+}
+
+
+def load_text(text: bytes | str, format: str) -> object:
+    """Reads a document from text.
+
+    Args:
+        text: UTF-8, with or without a byte order mark.
+        format: one of FORMATS.
+
+    Returns:
+        Mappings with text keys, lists, texts, numbers (also ones that are not finite: the reader names their field),
+        flags and None.
+
+    Raises:
+        SyntaxFault: not a document of that format, a key given twice, or nested deeper than MAX_NESTING.
+    """
+    return FORMATS[format].load(_decoded(text))
+
+
+def dump_text(document: object, format: str) -> bytes:
+    """Writes a document canonically: equal documents with equal key order give equal bytes.
+
+    Raises:
+        FieldError: it holds something that the format cannot say, such as NaN; names the place.
+    """
+    try:
+        checked = plain(document)
+    except Wrong as wrong:
+        raise FieldError(wrong.path() or "document", wrong.problem, wrong.allowed) from None
+    return FORMATS[format].dump(checked).encode()
+
+
+def _decoded(text: bytes | str) -> str:
+    try:
+        if isinstance(text, bytes):
+            return text.decode("utf-8-sig")
+        text.encode()
+    except UnicodeError as error:
+        raise SyntaxFault(f"the text is not UTF-8: {error}") from None
+    return text.removeprefix("\ufeff")
