@@ -21,6 +21,7 @@ export MKL_NUM_THREADS = 1
 export NUMEXPR_NUM_THREADS = 1
 export PYTHONUTF8 = 1
 export UV_NO_PROGRESS = 1
+export PIP_ROOT_USER_ACTION = ignore
 unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
 
 PY = .venv/bin/python

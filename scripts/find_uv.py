@@ -6,6 +6,7 @@ fresh virtual environment (ensurepip), Debian's pip.
 
 from __future__ import annotations
 
+import importlib.util
 import shutil
 import sys
 from collections.abc import Callable
@@ -29,26 +30,34 @@ def fetched() -> Path | None:
     return Path(found) if found else None
 
 
-def by_pip(python: str = sys.executable) -> Path | None:
-    """Fetch uv with a Python's pip, into a folder of its own: no system's Python is touched."""
-    if not run([python, "-c", "import pip"]):
-        return None
-    say(f"Fetching {UV}")
-    run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--upgrade", "--target", str(TOOLS / "uv"), UV])
-    return fetched()
+def by_pip() -> Path | None:
+    """Fetch uv with this Python's pip."""
+    return fetch_with(sys.executable) if has("pip") else None
 
 
 def by_environment() -> Path | None:
     """Fetch uv with the pip that a new virtual environment brings along."""
     environment = TOOLS / "pip"
-    if not run([sys.executable, "-m", "venv", "--clear", str(environment)]):
+    if not has("ensurepip") or not run([sys.executable, "-m", "venv", "--clear", str(environment)]):
         return None
-    return by_pip(str(environment / "bin" / "python"))
+    return fetch_with(str(environment / "bin" / "python"))
 
 
 def by_debian() -> Path | None:
     """Fetch uv with Debian's pip, installed for it."""
-    return by_pip() if install("python3-pip", "python3-venv") else None
+    return fetch_with(sys.executable) if install("python3-pip", "python3-venv") else None
+
+
+def has(module: str) -> bool:
+    """Say whether this Python has a module."""
+    return importlib.util.find_spec(module) is not None
+
+
+def fetch_with(python: str) -> Path | None:
+    """Fetch uv with a Python's pip into a folder of its own, so that no system's Python is touched."""
+    say(f"Fetching {UV}")
+    run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--upgrade", "--target", str(TOOLS / "uv"), UV])
+    return fetched()
 
 
 def find_uv() -> Path:

@@ -90,7 +90,7 @@ def npm(path: str, *words: str) -> None:
         SystemExit: npm failed; it has said why.
     """
     command = [shutil.which("npm", path=path) or "npm", *words]
-    environment = {**os.environ, "PATH": path, "NO_UPDATE_NOTIFIER": "1"}
+    environment = {**os.environ, "PATH": path, "npm_config_update_notifier": "false"}
     status = subprocess.run(command, cwd=WEB, env=environment, stdin=subprocess.DEVNULL, check=False).returncode
     if status:
         raise SystemExit(f"npm {' '.join(words)} failed with status {status}")

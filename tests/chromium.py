@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 from playwright.sync_api import sync_playwright
 
 SCRIPTS = Path(__file__).resolve().parents[1] / "scripts"
+PLAYWRIGHT = [sys.executable, "-m", "playwright"]
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 
 # A page with WebGL but no graphics card, as root in a container, calling nobody.
@@ -42,15 +42,17 @@ def bring() -> Path:
     Raises:
         SystemExit: neither could be had.
     """
-    found = executable()
-    if found:
-        return found
     sys.path.insert(0, str(SCRIPTS))
     import debian
 
+    if not debian.run([*PLAYWRIGHT, "--version"]):
+        debian.install("libatomic1")  # what playwright's own Node loads, and a bare Debian lacks
+    found = executable()
+    if found:
+        return found
     if not (debian.is_debian() and debian.install("chromium")):
         libraries = ["--with-deps"] if debian.as_root() is not None else []
-        subprocess.run([sys.executable, "-m", "playwright", "install", *libraries, "chromium"], check=False)
+        debian.run([*PLAYWRIGHT, "install", *libraries, "chromium"])
     found = executable()
     if not found:
         raise SystemExit("Chromium is missing and could not be fetched: install chromium, and try again")
