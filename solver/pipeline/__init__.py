@@ -1,4 +1,4 @@
-"""The flows, top to bottom; the only place where two stages meet.                                <- start reading here
+"""The flows, top to bottom; the only place where two stages meet. Start reading here.
 
 Comes in: Request or Scene. Goes out: Generated or Fixed. May import: every stage. Not here: what a stage does inside.
 """

@@ -103,9 +103,7 @@ def _missing(arrangement: Arrangement, room: Room, catalogs: Catalogs) -> int:
     return sum(not any(kinds.count(kind) >= number for kind, number in either.items()) for either in requires)
 
 
-def _shift_doors(
-    plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangement], setting: _Setting
-) -> FloorPlan:
+def _shift_doors(plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangement], setting: _Setting) -> FloorPlan:
     """Tries other places for a room's doors; keeps the first that lets more required pieces in, both sides counted."""
     room = next(room for room in plan.rooms if room.id == room_id)
     for opening in room.openings:
@@ -123,10 +121,7 @@ def _shift_doors(
 
 
 def _written(rooms: Iterable[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> tuple[Room, ...]:
-    return tuple(
-        furnished(room, arrangements[room.id], setting.catalogs, Stream(setting.seed, "colour", room.index))
-        for room in rooms
-    )
+    return tuple(furnished(room, arrangements[room.id], setting.catalogs, Stream(setting.seed, "colour", room.index)) for room in rooms)
 
 
 def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Request, setting: _Setting) -> Scene:

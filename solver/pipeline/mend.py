@@ -46,9 +46,7 @@ def mend_room(room: Room, space: Space, wall_thickness: float, wishes: Wishes, o
         return Mended(mended)
     conflicts = _conflicts(room, space, wanted, arrangement)
     if on_conflict == "remove":
-        removed = tuple(
-            {"id": label, "reason": next(c.message for c in conflicts if label in c.ids)} for label in stuck
-        )
+        removed = tuple({"id": label, "reason": next(c.message for c in conflicts if label in c.ids)} for label in stuck)
         return Mended(without(mended, frozenset(stuck)), conflicts, removed)
     return Mended(_settled(room, mended, space, wall_thickness, wishes), conflicts)
 
@@ -95,7 +93,5 @@ def _message(room: Room, space: Space, sizes: Sequence[str]) -> str:
 def _repairs(space: Space, group: Sequence[Wanted], members: Sequence[str]) -> tuple[Mapping[str, str], ...]:
     """Offers to leave out each member whose absence lets all the others stand, verified by solving it."""
     return tuple(
-        {"action": "leave_out", "id": member}
-        for member in members
-        if feasible(space, [piece for piece in group if piece.label != member])
+        {"action": "leave_out", "id": member} for member in members if feasible(space, [piece for piece in group if piece.label != member])
     )

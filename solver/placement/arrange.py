@@ -20,6 +20,8 @@ from solver.wanted import Alternative, Link, Space, Wanted
 
 EVALUATIONS = 240
 """Searches spent on the required pieces of a room before the best-first order is given up."""
+PROOF_EVALUATIONS = 1500
+"""Searches spent on the question whether pieces can stand together at all."""
 TRIES = 24
 """Searches spent on one optional piece."""
 QPS = 600
@@ -169,8 +171,8 @@ def extend(state: State, c: Chosen, preference: float, walk: bool) -> tuple[Stat
 class _BestFirst:
     """Best-first search over prefixes of the required pieces."""
 
-    def __init__(self, start: State, pieces: Sequence[Wanted], walk: bool) -> None:
-        self.pieces, self.walk = pieces, walk
+    def __init__(self, start: State, pieces: Sequence[Wanted], walk: bool, limit: int = EVALUATIONS) -> None:
+        self.pieces, self.walk, self.limit = pieces, walk, limit
         self.order = 0
         self.heap: list[tuple[float, int, int, State, tuple[float, Chosen] | None]] = []
         self.deepest = (0, start)
@@ -195,7 +197,7 @@ class _BestFirst:
             else:
                 for cost, c in options(state.assembly, self.pieces[depth]):
                     self._push(state.cost + cost, depth, state, (cost, c))
-            if self.evaluations >= EVALUATIONS:
+            if self.evaluations >= self.limit:
                 self.closed = False
                 return None
         return None
@@ -275,7 +277,7 @@ def arrange(space: Space, wanted: Sequence[Wanted], walk: bool = True) -> Draft:
 
 def feasible(space: Space, pieces: Sequence[Wanted]) -> bool | None:
     """Tells whether the pieces can all stand together, walking aside; None where the limit was hit first."""
-    best = _BestFirst(_empty(space), pieces, walk=False)
+    best = _BestFirst(_empty(space), pieces, walk=False, limit=PROOF_EVALUATIONS)
     if best.run() is not None or best.deepest[0] == len(pieces):
         return True
     return False if best.closed else None
@@ -290,5 +292,3 @@ def _polish(draft: Draft) -> None:
     draft.proven &= outcome.proven
     if outcome.positions is not None:
         draft.state = State(assembly, outcome, draft.state.preference)
-
-

@@ -145,9 +145,7 @@ class Assembly:
         self.problem.rows.append(Row(along, var[along], body.var[along], size // 2 - extent - start))
         middle = (2 * start + extent - size) / 2000
         self.problem.terms.append(Pull(along, body.var[along], var[along], middle, STAND_WEIGHT))
-        self.problem.parts.append(
-            Part(label, True, (var[0], var[1]), (offset[0], offset[1]), (size, size), 0, PERSON_MM)
-        )
+        self.problem.parts.append(Part(label, True, (var[0], var[1]), (offset[0], offset[1]), (size, size), 0, PERSON_MM))
 
     def _link(self, label: str, link: Link) -> None:
         own, other = self.bodies[label], self.bodies[link.of]
@@ -164,6 +162,7 @@ class Assembly:
                 if low > high:
                     part = next(p for p in self.problem.parts if p.var[axis] == i)
                     raise Impossible(f"{part.label} and what belongs to it are {low - high} mm too long for the room")
+
 
 def _must_part(a: Part, b: Part, alternatives: Mapping[str, Alternative]) -> bool:
     if (a.stand and b.stand) or a.label == b.label or a.top <= b.bottom or b.top <= a.bottom:

@@ -41,10 +41,7 @@ def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
     if least.attach is not None:
         return f"{size} at its place by {least.attach.parent}"
     if any(a.wall for a in piece.alternatives):
-        longest = {
-            wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0)
-            for wall in _WALLS
-        }
+        longest = {wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0) for wall in _WALLS}
         lengths = ", ".join(f"{wall} {length / 1000:.2f} m" for wall, length in longest.items())
         return f"{size} and a free way to it; longest free stretches of wall at that depth and height: {lengths}"
     return f"{size} and a free way to it; the room is {_size(space.clear)} and holds {len(placed)} pieces"
@@ -53,23 +50,31 @@ def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
 def minimal_conflict(space: Space, pieces: Sequence[Wanted]) -> tuple[str, ...] | None:
     """Finds a minimal set of pieces that cannot stand together.
 
-    Deletion filter: a piece whose absence leaves the rest infeasible is not part of the reason.
+    Pieces are added, the last one first, until they are infeasible; then a deletion filter: a piece whose absence
+    leaves the rest infeasible is not part of the reason.
 
     Returns:
-        Labels such that they alone are infeasible and without any one of them the rest of them is feasible; None where
-        a limit left a question open.
+        Labels, in the order given, such that they alone are infeasible and without any one of them the rest of them is
+        feasible; None where a limit left a question open or all can stand.
     """
-    if feasible(space, pieces) is not False:
+
+    def verdict(labels: set[str]) -> bool | None:
+        return feasible(space, [piece for piece in pieces if piece.label in labels])
+
+    members: set[str] = set()
+    for piece in (pieces[-1], *pieces[:-1]):
+        members.add(piece.label)
+        if (stand := verdict(members)) is not True:
+            break
+    if stand is not False:
         return None
-    members = list(pieces)
-    for piece in pieces:
-        rest = [other for other in members if other is not piece]
-        verdict = feasible(space, rest)
-        if verdict is None:
-            return None
-        if verdict is False:
-            members = rest
-    return tuple(piece.label for piece in members)
+    for piece in pieces[:-1]:
+        if piece.label in members:
+            if (stand := verdict(members - {piece.label})) is None:
+                return None
+            if stand is False:
+                members.remove(piece.label)
+    return tuple(piece.label for piece in pieces if piece.label in members)
 
 
 def _size(rect: Rect) -> str:

@@ -85,13 +85,9 @@ def solve_house(rooms: Sequence[Decided]) -> list[tuple[Floats, Floats]]:
 def _solve(blocks: Sequence[_Block]) -> Floats | None:
     P = sparse.block_diag([sparse.triu(block.program.H) for block in blocks], format="csc")
     q = np.concatenate([block.program.f for block in blocks])
-    A = sparse.block_diag(
-        [np.vstack([np.eye(len(block.program.free)), block.A]) for block in blocks], format="csc"
-    )
+    A = sparse.block_diag([np.vstack([np.eye(len(block.program.free)), block.A]) for block in blocks], format="csc")
     lower = np.concatenate([block.lower for block in blocks])
-    upper = np.concatenate(
-        [np.concatenate([block.program.high, np.full(len(block.A), np.inf)]) for block in blocks]
-    )
+    upper = np.concatenate([np.concatenate([block.program.high, np.full(len(block.A), np.inf)]) for block in blocks])
     if not (lower <= upper).all():  # OSQP would keep silent
         return None
     solver = osqp.OSQP()

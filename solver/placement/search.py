@@ -30,7 +30,7 @@ Accept = Callable[[tuple[Floats, Floats]], bool]
 class Outcome:
     """What the search found.
 
-    `positions` (m, per axis and variable) and `rows` (one per choice: the option that holds with most slack) are None
+    `positions` (m, per axis and variable) and `rows` (the option each choice took) are None
     and empty when nothing was found. `proven`: the tree was exhausted, so this is the optimum, or there is none.
     """
 
@@ -153,16 +153,20 @@ class Search:
     def _outcome(self, exhausted: bool) -> Outcome:
         if self.best is None:
             return Outcome(float("inf"), None, (), exhausted, self.solves)
-        taken: tuple[Row, ...] = ()
-        if self.problem.choices:
-            best = self.table.slacks(self.best.positions).argmax(axis=1)
-            taken = tuple(choice.options[o] for choice, o in zip(self.problem.choices, best, strict=True))
+        taken = self._taken(self.best) if self.problem.choices else ()
         return Outcome(self.best.cost, self.best.positions, taken, exhausted, self.solves)
 
+    def _taken(self, node: _Node) -> tuple[Row, ...]:
+        """Returns the option each choice took: the one branched on, else the one that holds with most slack."""
+        branched = {*node.rows[0], *node.rows[1]}
+        widest = self.table.slacks(node.positions).argmax(axis=1)
+        return tuple(
+            next((row for row in choice.options if row in branched), choice.options[o])
+            for choice, o in zip(self.problem.choices, widest, strict=True)
+        )
 
-def solve(
-    problem: Problem, *, limit: int = LIMIT, ceiling: float = float("inf"), accept: Accept | None = None
-) -> Outcome:
+
+def solve(problem: Problem, *, limit: int = LIMIT, ceiling: float = float("inf"), accept: Accept | None = None) -> Outcome:
     """Finds the cheapest positions at which every choice holds.
 
     Args:

@@ -32,19 +32,20 @@ def place(rooms: Sequence[tuple[Space, Sequence[Wanted]]], engine: str = "osqp")
 
 def settle(drafts: Sequence[Draft], engine: str = "osqp") -> list[Arrangement]:
     """Solves all drafts as one block-diagonal programme and snaps each room."""
-    decided = [_decided(draft) for draft in drafts]
-    return [_arrangement(draft, room, p) for draft, room, p in zip(drafts, decided, _solve(decided, engine), strict=True)]
+    rooms = [decided(draft) for draft in drafts]
+    return [_arrangement(draft, room, p) for draft, room, p in zip(drafts, rooms, _solve(rooms, engine), strict=True)]
 
 
-def _solve(decided: Sequence[Decided], engine: str) -> list[tuple[Floats, Floats]]:
+def _solve(rooms: Sequence[Decided], engine: str) -> list[tuple[Floats, Floats]]:
     if engine == "reference":
         from solver.placement.reference import solve_house as reference_house  # noqa: PLC0415 - cvxpy takes 0.8 s to import
 
-        return reference_house(decided)
-    return solve_house(decided)
+        return reference_house(rooms)
+    return solve_house(rooms)
 
 
-def _decided(draft: Draft) -> Decided:
+def decided(draft: Draft) -> Decided:
+    """Returns the draft's problem with its choices made, as the final solve takes it."""
     outcome = draft.state.outcome
     if outcome.positions is None:
         raise ValueError(f"{draft.space.room}: an unsolved draft cannot be settled")
@@ -67,9 +68,7 @@ def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) 
         placed.append(Placed(label, c.alternative, state.assembly.rotations[label], wall, rect))
     reasons = tuple((piece.label, f"{why}; {why_left_out(draft.space, piece, placed)}") for piece, why in draft.left_out)
     notes = () if draft.walkable else ("no walkable arrangement of the required pieces was found",)
-    return Arrangement(
-        draft.space.room, tuple(placed), reasons, round(state.cost, 6), draft.proven, draft.solves, notes
-    )
+    return Arrangement(draft.space.room, tuple(placed), reasons, round(state.cost, 6), draft.proven, draft.solves, notes)
 
 
 def _wall_behind(space: Space, parent: str, placed: Sequence[Placed], rect: Rect) -> str | None:

@@ -7,11 +7,16 @@ by more than about the rounding.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from solver.placement.constraints import ORIGIN, Row
 from solver.placement.problem import Problem
 from solver.placement.terms import Floats
+
+TIE_MM = 0.49
+"""Rounding adds this before flooring: wishes lie on half millimetres, so the switch is kept away from them and from a
+continuous solver's last digits."""
 
 
 def latest(low: Sequence[int], high: Sequence[int], rows: Sequence[Row]) -> list[int] | None:
@@ -61,7 +66,7 @@ def snap(problem: Problem, rows: Sequence[Row], positions: tuple[Floats, Floats]
         if upper is None:
             raise ValueError(f"axis {axis}: the rows leave no integer position")
         p = [
-            min(max(round(float(x) * 1000), low), high)
+            min(max(math.floor(float(x) * 1000 + TIE_MM), low), high)
             for x, low, high in zip(positions[axis], problem.low[axis], upper, strict=True)
         ]
         _push(p, own)

@@ -1,0 +1,92 @@
+"""place(): arrangements against an independent integer checker, the cvxpy reference, and themselves."""
+
+from __future__ import annotations
+
+import pytest
+
+from solver.geometry import Rect
+from solver.placement import feasible, minimal_conflict, place
+from solver.placement.arrange import arrange
+from solver.placement.qp import solve_house
+from solver.placement.reference import solve_house as reference_house
+from solver.placement.settle import decided
+from solver.streams import Stream
+from solver.wanted import Arrangement, Space, Wanted
+from tests.placement.rooms import at_walls, random_space, random_wanted
+
+
+def room(seed: int) -> tuple[Space, tuple[Wanted, ...]]:
+    stream = Stream(seed, "place")
+    space = random_space(stream)
+    return space, random_wanted(space, stream, 3 + seed % 8)
+
+
+def assert_valid(space: Space, arrangement: Arrangement) -> None:
+    """Written from the contract alone: inside, apart, clear of the door's square and, when tall, of the window."""
+    seen: list[Rect] = []
+    for piece in arrangement.placed:
+        r = piece.footprint
+        assert space.clear.x0 <= r.x0 < r.x1 <= space.clear.x1
+        assert space.clear.z0 <= r.z0 < r.z1 <= space.clear.z1
+        sides = {(0, 0): r.z0 - space.clear.z0, (0, 1): space.clear.z1 - r.z1}
+        distance = {
+            "north": sides[0, 0],
+            "south": sides[0, 1],
+            "west": r.x0 - space.clear.x0,
+            "east": space.clear.x1 - r.x1,
+        }
+        if piece.wall is not None and piece.chosen.attach is None:
+            assert distance[piece.wall] == 30
+        for zone in space.zones:
+            if piece.chosen.size_mm[2] > zone.above_mm:
+                assert not r.overlaps(zone.rect), (piece.label, zone.cause)
+        assert not any(r.overlaps(other) for other in seen)
+        seen.append(r)
+
+
+@pytest.mark.parametrize("block", range(4))
+def test_every_room_is_valid_in_integers(block: int) -> None:
+    rooms = [room(seed) for seed in range(25 * block, 25 * block + 25)]
+    for (space, wanted), arrangement in zip(rooms, place(rooms), strict=True):
+        assert_valid(space, arrangement)
+        labels = {piece.label for piece in arrangement.placed} | {label for label, _ in arrangement.left_out}
+        assert labels == {piece.label for piece in wanted}
+
+
+def test_osqp_agrees_with_the_reference_model() -> None:
+    drafts = [arrange(*room(seed)) for seed in range(12)]
+    houses = [decided(draft) for draft in drafts]
+    for ours, theirs, exact in zip(solve_house(houses), reference_house(houses), houses, strict=True):
+        for axis in (0, 1):
+            assert ours[axis] == pytest.approx(theirs[axis], abs=2e-5)
+            assert ours[axis] == pytest.approx(exact.positions[axis], abs=2e-5)
+
+
+def test_the_same_rooms_give_the_same_arrangements_in_any_company() -> None:
+    together = place([room(seed) for seed in range(40)])
+    alone = [place([room(seed)])[0] for seed in reversed(range(40))][::-1]
+    assert together == alone
+
+
+def wall_piece(label: str, width: int, space: Space) -> Wanted:
+    return Wanted(label, True, at_walls((width, 600, 700), space, Stream(1, label)))
+
+
+def test_a_conflict_is_minimal() -> None:
+    space = Space("room", Rect(0, 0, 2000, 2000), (), ())
+    pieces = [wall_piece(f"piece_{k}", width, space) for k, width in enumerate((1300, 1300, 1300, 1300, 1300, 300))]
+    members = minimal_conflict(space, pieces)
+    assert members is not None
+    chosen = [piece for piece in pieces if piece.label in members]
+    assert feasible(space, chosen) is False
+    for piece in chosen:
+        assert feasible(space, [other for other in chosen if other is not piece]) is True
+
+
+def test_what_is_left_out_comes_with_lengths() -> None:
+    space = Space("room", Rect(0, 0, 1500, 1500), (), ())
+    arrangement = place([(space, [wall_piece("small", 800, space), wall_piece("large", 1600, space)])])[0]
+    assert [piece.label for piece in arrangement.placed] == ["small"]
+    ((label, reason),) = arrangement.left_out
+    assert label == "large"
+    assert "1.60 x 0.60 m" in reason
