@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from solver.geometry import OPPOSITE, Rect
 from solver.placement.assemble import Assembly, Chosen, Impossible
@@ -25,7 +25,11 @@ PROOF_EVALUATIONS = 1500
 TRIES = 24
 """Searches spent on one optional piece."""
 QPS = 600
-"""QPs of one search inside the arrangement; the final one has the full limit."""
+"""QPs of one search for a required piece."""
+OPTIONAL_QPS = 150
+"""QPs of one search for an optional piece, after the quick one that keeps every choice made before."""
+POLISH_QPS = 1500
+"""QPs of the final search over all choices of a room."""
 BLOCKED_COST = 8.0
 """What a required piece pays for standing where its use side is not free."""
 OTHER_SIDE_COST = 0.05
@@ -162,10 +166,27 @@ def extend(state: State, c: Chosen, preference: float, walk: bool) -> tuple[Stat
         assembly = state.assembly.with_piece(c)
     except Impossible:
         return None, None
-    outcome = solve(assembly.problem, limit=QPS, accept=walk_test(assembly) if walk else None)
+    accept = walk_test(assembly) if walk else None
+    if c.wanted.required:
+        outcome = solve(assembly.problem, limit=QPS, accept=accept)
+    else:
+        outcome = _quick(state, assembly, accept)
     if outcome.positions is None:
         return None, outcome
     return State(assembly, outcome, state.preference + preference), outcome
+
+
+def _quick(state: State, assembly: Assembly, accept: Accept | None) -> Outcome:
+    """Searches the new piece's choices with the others kept; where that fails, all choices anew."""
+    kept = assembly.problem.copy()
+    known = len(state.outcome.rows)
+    kept.rows.extend(state.outcome.rows)
+    kept.choices = kept.choices[known:]
+    quick = solve(kept, limit=OPTIONAL_QPS, accept=accept)
+    if quick.positions is not None:
+        return replace(quick, rows=(*state.outcome.rows, *quick.rows), proven=False)
+    full = solve(assembly.problem, limit=OPTIONAL_QPS, accept=accept)
+    return replace(full, solves=full.solves + quick.solves)
 
 
 class _BestFirst:
@@ -287,7 +308,7 @@ def _polish(draft: Draft) -> None:
     """Solves the final problem once more with the full limit, so that the certificate speaks of it."""
     assembly = draft.state.assembly
     accept = walk_test(assembly) if draft.walkable else None
-    outcome = solve(assembly.problem, ceiling=draft.state.outcome.cost + 1e-6, accept=accept)
+    outcome = solve(assembly.problem, limit=POLISH_QPS, ceiling=draft.state.outcome.cost + 1e-6, accept=accept)
     draft.solves += outcome.solves
     draft.proven &= outcome.proven
     if outcome.positions is not None:

@@ -41,6 +41,7 @@ class AxisProgram:
         self._objective(problem)
         self._buffers()
         self.base = 0
+        self.written: list[Row] = []
         for row in problem.rows:
             if row.axis == axis:
                 self.feasible &= self._write(row, self.base)
@@ -74,15 +75,16 @@ class AxisProgram:
         coefficients = self.rows[at]
         coefficients[:] = 0.0
         rest = row.s / 1000
-        for variable, sign in ((row.j, 1.0), (row.i, -1.0)):
+        empty = True
+        for variable, sign in ((row.j, 1.0), (row.i, -1.0)) if row.i != row.j else ():
             if variable == ORIGIN:
                 continue
             column = self.place.get(variable)
             if column is None:
                 rest -= sign * self.values[variable]
             else:
-                coefficients[column] += sign
-        empty = not coefficients.any()
+                coefficients[column] = sign
+                empty = False
         self.lower[len(self.free) + at] = -_NO_LIMIT if empty else rest
         return not empty or rest <= ROW_TOLERANCE
 
@@ -100,11 +102,17 @@ class AxisProgram:
         """
         if not self.feasible:
             return None
-        at = self.base
-        for row in extra:
-            if not self._write(row, at):
+        same = 0
+        for old, new in zip(self.written, extra, strict=False):
+            if old is not new:
+                break
+            same += 1
+        del self.written[same:]
+        for row in extra[same:]:
+            if not self._write(row, self.base + len(self.written)):
                 return None
-            at += 1
+            self.written.append(row)
+        at = self.base + len(extra)
         return self.rows[:at], self.lower[: len(self.free) + at], at
 
     def solve(self, extra: Sequence[Row]) -> tuple[float, Floats] | None:
