@@ -2,5 +2,3 @@
 
 Comes in: a Request or a Scene. Goes out: Generated, Fixed, issues. May import: catalogs. Not here: HTTP and files' names.
 """
-
-

@@ -7,7 +7,7 @@ Not here: which rooms are broken (validate), the whole flow (fix).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from solver.geometry import to_mm
 from solver.placement import arrange, feasible, minimal_conflict, settle
@@ -73,7 +73,7 @@ def _conflicts(room: Room, space: Space, wanted: Sequence[Wanted], arrangement: 
     conflicts = []
     for label, _ in arrangement.left_out:
         group = [piece for piece in wanted if piece.label in placed or piece.label == label]
-        members = minimal_conflict(space, group)
+        members = minimal_conflict(space, group, label)
         if members is None:
             message = f"not found: the search for a place for {sizes[label]} in {room.id} ended at its limit"
             conflicts.append(Conflict((label,), message))

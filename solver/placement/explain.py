@@ -47,10 +47,10 @@ def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
     return f"{size} and a free way to it; the room is {_size(space.clear)} and holds {len(placed)} pieces"
 
 
-def minimal_conflict(space: Space, pieces: Sequence[Wanted]) -> tuple[str, ...] | None:
+def minimal_conflict(space: Space, pieces: Sequence[Wanted], missing: str) -> tuple[str, ...] | None:
     """Finds a minimal set of pieces that cannot stand together.
 
-    Pieces are added, the last one first, until they are infeasible; then a deletion filter: a piece whose absence
+    Pieces are added, `missing` first, until they are infeasible; then a deletion filter: a piece whose absence
     leaves the rest infeasible is not part of the reason.
 
     Returns:
@@ -62,13 +62,13 @@ def minimal_conflict(space: Space, pieces: Sequence[Wanted]) -> tuple[str, ...] 
         return feasible(space, [piece for piece in pieces if piece.label in labels])
 
     members: set[str] = set()
-    for piece in (pieces[-1], *pieces[:-1]):
-        members.add(piece.label)
+    for label in (missing, *(piece.label for piece in pieces)):
+        members.add(label)
         if (stand := verdict(members)) is not True:
             break
     if stand is not False:
         return None
-    for piece in pieces[:-1]:
+    for piece in pieces:
         if piece.label in members:
             if (stand := verdict(members - {piece.label})) is None:
                 return None
