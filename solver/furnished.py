@@ -23,10 +23,10 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
     ids: dict[str, str] = {}
     counts: dict[str, int] = {}
     for placed in arrangement.placed:
-        kind = placed.chosen.kind
-        counts[kind] = counts.get(kind, 0) + 1
-        ids[placed.label] = f"{room.id}/{kind}_{counts[kind]}"
-    colours = _colours(sorted(counts), catalogs, stream)
+        name = catalogs.name_of(placed.chosen.kind)
+        counts[name] = counts.get(name, 0) + 1
+        ids[placed.label] = f"{room.id}/{name}_{counts[name]}"
+    colours = _colours(sorted({placed.chosen.kind for placed in arrangement.placed}), catalogs, stream)
     pieces = tuple(_piece(placed, ids, colours, catalogs) for placed in arrangement.placed)
     return replace(room, furniture=pieces)
 
@@ -44,7 +44,7 @@ def _piece(placed: Placed, ids: dict[str, str], colours: dict[str, str], catalog
     width, depth, height = chosen.size_mm
     return Furniture(
         id=ids[placed.label],
-        name=chosen.kind,
+        name=catalogs.name_of(chosen.kind),
         category=catalogs.furniture[chosen.kind].category,
         x=half_m(rect.x0 + rect.x1),
         y=to_m(chosen.bottom_mm),

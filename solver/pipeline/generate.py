@@ -98,9 +98,9 @@ def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrange
 def _missing(arrangement: Arrangement, room: Room, catalogs: Catalogs) -> int:
     """Returns how many of the room type's requirements the arrangement does not meet."""
     room_type = catalogs.rooms.get(room.type)
-    kinds = [placed.chosen.kind for placed in arrangement.placed]
+    names = [catalogs.name_of(placed.chosen.kind) for placed in arrangement.placed]
     requires = room_type.requires if room_type else ()
-    return sum(not any(kinds.count(kind) >= number for kind, number in either.items()) for either in requires)
+    return sum(not any(names.count(name) >= number for name, number in either.items()) for either in requires)
 
 
 def _shift_doors(plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangement], setting: _Setting) -> FloorPlan:
