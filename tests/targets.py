@@ -1,0 +1,168 @@
+"""The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
+
+    python -m tests.targets [houses|floorplan|rooms] [--seeds N] [--workers 2]
+
+Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
+"""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+from typing import TypeVar
+
+from tqdm import tqdm
+
+from catalogs import load_catalogs
+from solver import Request, generate
+from solver.scene import Generated, Room
+from tests.floorplan.targets import floorplan_table
+from tests.pipeline.forced import Case, cases
+
+SETS: Mapping[str, tuple[dict[str, object], int]] = {
+    "defaults": ({}, 1),
+    "12x9": ({"width": 12.0, "depth": 9.0}, 5),
+    "30x20": ({"width": 30.0, "depth": 20.0}, 5),
+    "spine off": ({"use_spine": False}, 5),
+    "outdoor on": ({"outdoor": True}, 5),
+    "min_room_size 2.4": ({"min_room_size": 2.4}, 5),
+}
+"""Request by name, and by how much fewer seeds than the defaults it gets."""
+In = TypeVar("In")
+Out = TypeVar("Out")
+MISSING_TARGET = 0.01
+"""Share of rooms of their type's minimum area in which a required piece may be missing (defaults)."""
+
+
+@dataclass
+class Tally:
+    """What a set of houses shows."""
+
+    rules: Counter[str] = field(default_factory=Counter)
+    rooms: int = 0
+    large_enough: int = 0
+    missing: list[str] = field(default_factory=list)
+    furniture: int = 0
+    unproven: int = 0
+    cpu_ms: list[float] = field(default_factory=list)
+
+    def add(self, other: Tally) -> None:
+        """Adds another tally to this one."""
+        self.rules += other.rules
+        self.rooms += other.rooms
+        self.large_enough += other.large_enough
+        self.missing += other.missing
+        self.furniture += other.furniture
+        self.unproven += other.unproven
+        self.cpu_ms += other.cpu_ms
+
+
+def doors_of(room: Room) -> int:
+    """Returns the number of doors and passages of a room."""
+    return sum(opening.kind in ("door", "passage") for opening in room.openings)
+
+
+def has_minimum_area(room: Room) -> bool:
+    """Tells whether a room has its type's minimum area for its number of doors."""
+    area = load_catalogs().rooms[room.type].area
+    return room.width * room.depth >= area.min[min(doors_of(room), 2) - 1]
+
+
+def house(job: tuple[str, int]) -> Tally:
+    """Generates one house of a set and counts."""
+    name, seed = job
+    start = time.process_time()
+    made = generate(Request(seed=seed, **SETS[name][0]))  # type: ignore[arg-type]
+    cpu = (time.process_time() - start) * 1000
+    return tally(made, seed, cpu)
+
+
+def tally(made: Generated, seed: int, cpu_ms: float) -> Tally:
+    """Counts issues and pieces of one house."""
+    found = Tally(cpu_ms=[cpu_ms])
+    for issue in made.issues:
+        found.rules[f"{issue.severity} {issue.rule}"] += 1
+    reports = (made.scene.certificate or {})["rooms"]
+    short = {issue.room: issue.message for issue in made.issues if issue.rule == "missing_required"}
+    for room in made.scene.rooms:
+        found.rooms += 1
+        found.furniture += len(room.furniture)
+        found.unproven += not reports[room.id]["proven"]
+        if has_minimum_area(room):
+            found.large_enough += 1
+            if room.id in short:
+                found.missing.append(f"seed {seed}: {short[room.id]}")
+    return found
+
+
+def houses(seeds: int, workers: int) -> bool:
+    """Prints the table of houses; returns whether the targets are met."""
+    good = True
+    print(f"{'set':20} {'seeds':>6} {'rooms':>7} {'pieces':>8} {'errors':>7} {'missing / large enough':>24} {'CPU ms':>8}")
+    for name, (_, fewer) in SETS.items():
+        count = max(seeds // fewer, 1)
+        total = Tally()
+        for part in _spread(house, [(name, seed) for seed in range(count)], workers, name):
+            total.add(part)
+        errors = sum(n for rule, n in total.rules.items() if rule.startswith("error"))
+        share = len(total.missing) / max(total.large_enough, 1)
+        good &= errors == 0 and (name != "defaults" or share <= MISSING_TARGET)
+        missing = f"{len(total.missing)} / {total.large_enough} = {100 * share:.2f} %"
+        median = statistics.median(total.cpu_ms)
+        print(f"{name:20} {count:6} {total.rooms:7} {total.furniture:8} {errors:7} {missing:>24} {median:8.0f}")
+        print(f"{'':20} {dict(sorted(total.rules.items()))}, rooms not proven {total.unproven}")
+        for line in total.missing[:5]:
+            print(f"{'':20} {line}")
+    return good
+
+
+def forced(case: Case) -> list[str]:
+    """Furnishes one forced room; returns what is wrong with it."""
+    made = case.furnished()
+    return [f"{case}: {issue.message}" for issue in made.issues if issue.severity == "error" or _missing(issue.rule)]
+
+
+def _missing(rule: str) -> bool:
+    return rule == "missing_required"
+
+
+def rooms(workers: int) -> bool:
+    """Prints what is wrong with the forced rooms; returns whether nothing is."""
+    everything = list(cases())
+    wrong = [line for lines in _spread(forced, everything, workers, "forced rooms") for line in lines]
+    print(f"forced rooms: {len(everything)} of {len({c.room_type for c in everything})} types, {len(wrong)} complaints")
+    for line in wrong[:40]:
+        print(f"  {line}")
+    return not wrong
+
+
+def _spread(work: Callable[[In], Out], jobs: list[In], workers: int, name: str) -> Iterable[Out]:
+    with ProcessPoolExecutor(workers) as pool:
+        yield from tqdm(pool.map(work, jobs, chunksize=4), total=len(jobs), desc=name, file=sys.stderr)
+
+
+def main() -> int:
+    """Runs the measurements asked for."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("what", nargs="*", default=["floorplan", "rooms", "houses"])
+    parser.add_argument("--seeds", type=int, default=1000)
+    parser.add_argument("--workers", type=int, default=2)
+    asked = parser.parse_args()
+    good = True
+    if "floorplan" in asked.what:
+        print(floorplan_table(asked.seeds))
+    if "rooms" in asked.what:
+        good &= rooms(asked.workers)
+    if "houses" in asked.what:
+        good &= houses(asked.seeds, asked.workers)
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
