@@ -1,0 +1,190 @@
+"""fix(): least movement, locks, conflicts; judged by the validator, which shares no code with the solver."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from catalogs import load_catalogs
+from solver import Request, Scene, fix, generate, validate
+from solver.errors import SceneError
+from solver.exchange import dump_text, write_scene
+from solver.scene import Decoration, Furniture, Opening, Room
+from solver.streams import Stream
+
+
+def body(name: str, x: float, z: float, size: tuple[float, float, float], **more: object) -> Furniture:
+    width, depth, height = size
+    return Furniture(f"room_0/{name}", name.rstrip("_0123456789"), None, x, 0.0, z, 0, width, depth, height, **more)  # type: ignore[arg-type]
+
+
+def room_of(*furniture: Furniture, width: float = 4.0, depth: float = 4.0, **more: object) -> Scene:
+    room = Room("room_0", 0, "room", 0, 0.0, 0.0, width, depth, furniture=furniture, **more)  # type: ignore[arg-type]
+    return Scene(rooms=(room,))
+
+
+def errors(scene: Scene) -> list[str]:
+    return [issue.message for issue in validate(scene, load_catalogs()) if issue.severity == "error"]
+
+
+def pieces(scene: Scene) -> dict[str, Furniture]:
+    return {piece.id: piece for room in scene.rooms for piece in room.furniture}
+
+
+def stirred(scene: Scene, seed: int, share: float = 0.5) -> Scene:
+    """Moves a share of the pieces by up to 0.6 m and turns a few by odd angles."""
+    stream = Stream(seed, "stir")
+    rooms = []
+    for room in scene.rooms:
+        moved = []
+        for piece in room.furniture:
+            if piece.on is None and stream.chance(share):
+                dx, dz = round(stream.uniform(-0.6, 0.6), 3), round(stream.uniform(-0.6, 0.6), 3)
+                turn = round(stream.uniform(-30, 30), 1) if stream.chance(0.2) else 0
+                x, z = round(piece.x + dx, 4), round(piece.z + dz, 4)
+                moved.append(replace(piece, x=x, z=z, rotation=(piece.rotation + turn) % 360))
+            else:
+                moved.append(piece)
+        rooms.append(replace(room, furniture=tuple(moved)))
+    return replace(scene, rooms=tuple(rooms))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_clean_scene_comes_back_identical(seed: int) -> None:
+    scene = generate(Request(seed=seed)).scene
+    fixed = fix(scene)
+    assert fixed.scene == scene
+    assert fixed.moves == ()
+    assert dump_text(write_scene(fixed.scene), "json") == dump_text(write_scene(scene), "json")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_stirred_house_is_repaired_or_the_reason_given(seed: int) -> None:
+    scene = stirred(generate(Request(seed=seed, width=12, depth=9)).scene, seed)
+    assert errors(scene)
+    fixed = fix(scene)
+    named = {member for conflict in fixed.conflicts for member in conflict.ids}
+    for issue in fixed.issues:
+        assert issue.severity == "warning" or named & set(issue.ids), issue.message
+    again = fix(fixed.scene)
+    assert again.scene == fixed.scene
+    assert again.moves == ()
+
+
+def test_least_movement_of_two_overlapping_pieces() -> None:
+    scene = room_of(body("a_1", 1.5, 2.0, (1.0, 1.0, 1.0)), body("b_1", 2.3, 2.0, (1.0, 1.0, 1.0)))
+    fixed = fix(scene)
+    assert errors(fixed.scene) == []
+    assert {move.id: (move.dx, move.dz) for move in fixed.moves} == {
+        "room_0/a_1": (pytest.approx(-0.1, abs=1e-3), 0.0),
+        "room_0/b_1": (pytest.approx(0.1, abs=1e-3), 0.0),
+    }
+
+
+def test_what_the_user_moved_stays_and_the_other_gives_way() -> None:
+    scene = room_of(body("a_1", 1.5, 2.0, (1.0, 1.0, 1.0)), body("b_1", 2.3, 2.0, (1.0, 1.0, 1.0)))
+    moves = {move.id: move.dx for move in fix(scene, moved=["room_0/a_1"]).moves}
+    assert abs(moves.get("room_0/a_1", 0.0)) < 0.02
+    assert moves["room_0/b_1"] > 0.18
+
+
+@pytest.mark.parametrize("by_flag", [True, False])
+def test_locked_pieces_stay_to_the_millimetre(by_flag: bool) -> None:
+    still = body("a_1", 1.5005, 2.0, (1.001, 1.0, 1.0), locked=by_flag)
+    scene = room_of(still, body("b_1", 2.3, 2.0, (1.0, 1.0, 1.0)))
+    fixed = fix(scene, locked=() if by_flag else ["room_0/a_1"])
+    assert errors(fixed.scene) == []
+    assert pieces(fixed.scene)["room_0/a_1"] == still
+
+
+def test_a_locked_piece_at_an_odd_angle_keeps_it() -> None:
+    still = replace(body("a_1", 2.0, 2.0, (1.0, 1.0, 1.0)), rotation=30.0, locked=True)
+    fixed = fix(room_of(still, body("b_1", 2.9, 2.0, (1.0, 1.0, 1.0))))
+    assert errors(fixed.scene) == []
+    assert pieces(fixed.scene)["room_0/a_1"] == still
+
+
+def test_odd_angles_are_squared_up() -> None:
+    askew = replace(body("a_1", 0.4, 2.0, (1.0, 0.5, 1.0)), rotation=97.5)
+    fixed = fix(room_of(askew, body("b_1", 2.0, 2.0, (3.0, 1.0, 1.0))))
+    assert errors(fixed.scene) == []
+    assert pieces(fixed.scene)["room_0/a_1"].rotation == 90
+
+
+def test_a_piece_at_a_wall_that_cannot_hold_it_goes_to_another() -> None:
+    shelf = body("shelf_1", 2.0, 0.2, (2.0, 0.4, 2.0), wall="north")
+    locked = body("chest_1", 2.0, 0.6, (3.9, 1.0, 1.0), locked=True)
+    fixed = fix(room_of(shelf, locked))
+    assert errors(fixed.scene) == []
+    assert pieces(fixed.scene)["room_0/shelf_1"].wall in ("east", "west", "south")
+
+
+def test_things_follow_what_carries_them() -> None:
+    table = body("table_1", 2.0, 2.0, (1.0, 1.0, 0.7))
+    lamp = replace(body("lamp_1", 2.3, 1.8, (0.2, 0.2, 0.4)), y=0.7, on="room_0/table_1")
+    vase = Decoration("room_0/vase_1", "vase", "room_0/table_1", None, 1.8, 0.7, 2.2, 15.0, 0.1, 0.1, 0.3)
+    locked = body("chest_1", 2.2, 2.0, (1.0, 1.0, 1.0), locked=True)
+    fixed = fix(room_of(table, lamp, locked, decorations=(vase,)))
+    assert errors(fixed.scene) == []
+    moved = pieces(fixed.scene)
+    dx = moved["room_0/table_1"].x - table.x
+    dz = moved["room_0/table_1"].z - table.z
+    assert (dx, dz) != (0, 0)
+    assert moved["room_0/lamp_1"].x == pytest.approx(2.3 + dx)
+    carried = fixed.scene.rooms[0].decorations[0]
+    assert (carried.x, carried.z) == (pytest.approx(1.8 + dx), pytest.approx(2.2 + dz))
+
+
+def too_much() -> Scene:
+    return room_of(
+        body("bed_1", 1.0, 1.0, (1.8, 1.8, 0.5)),
+        body("wardrobe_1", 1.0, 1.5, (1.9, 0.6, 2.0)),
+        body("stool_1", 1.8, 1.8, (0.3, 0.2, 0.4)),
+        width=2.0,
+        depth=2.0,
+    )
+
+
+def test_an_impossible_room_names_a_minimal_conflict_and_keeps_the_pieces() -> None:
+    fixed = fix(too_much())
+    assert [set(conflict.ids) for conflict in fixed.conflicts] == [{"room_0/bed_1", "room_0/wardrobe_1"}]
+    assert {repair["id"] for repair in fixed.conflicts[0].repairs} == {"room_0/bed_1", "room_0/wardrobe_1"}
+    assert len(pieces(fixed.scene)) == 3
+    assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_with_remove_the_least_important_goes_and_the_room_is_clean() -> None:
+    fixed = fix(too_much(), on_conflict="remove")
+    assert [removal["id"] for removal in fixed.removed] == ["room_0/wardrobe_1"]
+    assert "cannot stand together" in fixed.removed[0]["reason"]
+    assert errors(fixed.scene) == []
+    assert set(pieces(fixed.scene)) == {"room_0/bed_1", "room_0/stool_1"}
+
+
+def test_a_piece_is_taken_out_of_a_doorway_and_from_a_window() -> None:
+    openings = (
+        Opening("d", "door", "south", 2.0, connects_to="EXTERIOR", main_entrance=True),
+        Opening("w", "window", "north", 2.0, 1.2, 1.4, 0.9, "EXTERIOR"),
+    )
+    wardrobe, box = body("wardrobe_1", 2.0, 0.3, (1.0, 0.6, 2.0)), body("box_1", 2.0, 3.5, (0.5, 0.5, 0.5))
+    fixed = fix(room_of(wardrobe, box, openings=openings))
+    assert errors(fixed.scene) == []
+    assert len(fixed.moves) == 2
+
+
+@pytest.mark.parametrize("field", ["locked", "moved"])
+def test_an_unknown_id_is_refused_by_name(field: str) -> None:
+    with pytest.raises(SceneError, match=rf"{field}\[0\].*nothing in the scene has the id 'ghost'"):
+        fix(room_of(), **{field: ["ghost"]})  # type: ignore[arg-type]
+
+
+L_SHAPE = ((0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0))
+
+
+def test_the_missing_part_of_an_l_shaped_room_stays_empty() -> None:
+    scene = room_of(body("sofa_1", 3.0, 2.1, (1.6, 0.8, 0.8)), outline=L_SHAPE)
+    assert errors(scene)
+    fixed = fix(scene)
+    assert errors(fixed.scene) == []
+    assert fixed.moves[0].dz == pytest.approx(-0.5, abs=1e-3)

@@ -1,0 +1,109 @@
+"""generate() and reroll(): valid, complete, the same bytes every time."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from dataclasses import asdict
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from catalogs import load_catalogs
+from solver import Request, generate, reroll
+from solver.exchange import dump_text, load_text, read_scene, write_scene
+
+SLICE = 24
+
+
+def scene_bytes(**request: object) -> bytes:
+    return dump_text(write_scene(generate(Request(**request)).scene), "json")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("seed", range(1000, 1000 + SLICE))
+def test_a_default_house_has_no_error(seed: int) -> None:
+    made = generate(Request(seed=seed))
+    assert [issue.message for issue in made.issues if issue.severity == "error"] == []
+    assert len(made.scene.rooms) >= 8
+    assert sum(len(room.furniture) for room in made.scene.rooms) >= 40
+
+
+@given(
+    seed=st.integers(0, 2**53 - 1),
+    width=st.floats(2, 40).map(lambda x: round(x, 2)),
+    depth=st.floats(2, 40).map(lambda x: round(x, 2)),
+    min_room_size=st.floats(1.5, 6).map(lambda x: round(x, 2)),
+    max_depth=st.integers(0, 6),
+    use_spine=st.booleans(),
+    outdoor=st.booleans(),
+    robot_width=st.sampled_from([0.4, 0.6, 0.8]),
+)
+def test_any_request_gives_a_house_without_errors(**fields: object) -> None:
+    if fields["min_room_size"] > min(fields["width"], fields["depth"]):  # type: ignore[operator,type-var]
+        fields["min_room_size"] = 1.5
+    made = generate(Request(**fields))  # type: ignore[arg-type]
+    assert [issue.message for issue in made.issues if issue.severity == "error"] == []
+    text = dump_text(write_scene(made.scene), "yaml")
+    assert read_scene(load_text(text, "yaml")) == made.scene
+
+
+def test_the_same_request_gives_the_same_bytes_in_this_process_and_in_company() -> None:
+    first = scene_bytes(seed=42)
+    for seed in range(20):
+        scene_bytes(seed=seed, width=9, depth=8)
+    assert scene_bytes(seed=42) == first
+
+
+def test_the_same_request_gives_the_same_bytes_in_new_processes() -> None:
+    code = (
+        "import sys; from solver import Request, generate; from solver.exchange import dump_text, write_scene;"
+        "sys.stdout.buffer.write(dump_text(write_scene(generate(Request(seed=42)).scene), 'json'))"
+    )
+    for hash_seed in ("1", "2"):
+        run = subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, check=True, env={"PYTHONHASHSEED": hash_seed}
+        )
+        assert run.stdout == scene_bytes(seed=42)
+
+
+def test_the_request_in_a_scene_makes_it_again() -> None:
+    scene = generate(Request(seed=5, width=14.0, outdoor=True)).scene
+    request = dict(scene.request or {})
+    request["force_types"] = {int(index): name for index, name in request["force_types"].items()}
+    assert generate(Request(**request)).scene == scene
+
+
+def test_a_seed_is_drawn_and_echoed() -> None:
+    scene = generate(Request(width=8, depth=7)).scene
+    assert isinstance(scene.seed, int)
+    assert scene.request is not None
+    assert scene.request["seed"] == scene.seed
+
+
+def test_the_certificate_speaks_of_every_room() -> None:
+    made = generate(Request(seed=11))
+    certificate = made.scene.certificate or {}
+    assert set(certificate["rooms"]) == {room.id for room in made.scene.rooms}
+    assert certificate["counts"]["furniture"] == sum(len(room.furniture) for room in made.scene.rooms)
+    ids = {room.id for room in made.scene.rooms}
+    assert all(set(pair) <= ids for pair in certificate["unjoined"])
+    json.dumps(certificate)
+
+
+def test_a_reroll_leaves_the_other_rooms_untouched() -> None:
+    scene = generate(Request(seed=3)).scene
+    chosen = next(room for room in scene.rooms if len(room.furniture) > 3)
+    again = reroll(scene, [chosen.id], seed=99).scene
+    for before, after in zip(scene.rooms, again.rooms, strict=True):
+        assert before.id == chosen.id or asdict(before) == asdict(after)
+
+
+def test_wall_hugging_kinds_name_their_wall() -> None:
+    known = load_catalogs()
+    hugging = {known.name_of(kind) for kind, spec in known.furniture.items() if spec.stands == "wall"}
+    for seed in range(3):
+        for room in generate(Request(seed=seed)).scene.rooms:
+            for piece in room.furniture:
+                assert piece.wall is not None or piece.name not in hugging or piece.on, piece.id
