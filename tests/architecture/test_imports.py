@@ -1,0 +1,97 @@
+"""Who may import whom: catalogs <- solver <- service; the solver's stages never meet but in its pipeline."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from tests.architecture.tree import PACKAGES, ROOT, Import, imports, module_name, sources
+
+MAY_IMPORT = {"catalogs": {"catalogs"}, "solver": {"catalogs", "solver"}, "service": {"catalogs", "solver", "service"}}
+GROUND_FLOOR = {"scene", "geometry", "streams", "errors", "wanted"}
+JOINER = "pipeline"
+# By package: what else it has no business with.
+FOREIGN = {
+    "catalogs": {"numpy", "scipy", "osqp", "daqp", "cvxpy", "fastapi", "starlette", "uvicorn"},
+    "solver": {"fastapi", "starlette", "uvicorn", "pydantic", "argparse"},
+    "service": {"numpy", "scipy", "osqp", "daqp", "cvxpy"},
+}
+# What differs from run to run stays out of results: one module times them, one draws the seed of a request without one.
+UNREPEATABLE = {"random", "secrets", "uuid", "time", "datetime"}
+EXCEPTED = {("solver.pipeline.timing", "time"), ("solver.pipeline.generate", "secrets")}
+REFERENCE = "solver.placement.reference"
+
+
+def part(module: str) -> str:
+    """The part of the solver a module belongs to: a stage, a ground floor module, the pipeline, or "" for the front door."""
+    names = module.split(".")
+    return names[1] if len(names) > 1 else ""
+
+
+def places(found: list[Import]) -> list[str]:
+    return [f"{one.place} imports {one.module}" for one in found]
+
+
+def test_the_walk_finds_the_sources() -> None:
+    assert len(sources(*PACKAGES)) > 20
+    assert all(sources(package) for package in PACKAGES)
+    assert len([one for one in imports("solver") if one.top == "solver"]) > 20
+    assert len([one for one in imports("service") if one.top == "solver"]) > 3
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_dependencies_run_one_way(package: str) -> None:
+    ours = {*PACKAGES, "tests", "scripts"}
+    assert places([one for one in imports(package) if one.top in ours - MAY_IMPORT[package]]) == []
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_each_package_keeps_to_its_own_libraries(package: str) -> None:
+    assert places([one for one in imports(package) if one.top in FOREIGN[package]]) == []
+
+
+def test_the_ground_floor_stands_on_itself() -> None:
+    inside = [one for one in imports("solver") if part(one.importer) in GROUND_FLOOR and one.top == "solver"]
+    assert places([one for one in inside if part(one.module) not in GROUND_FLOOR]) == []
+
+
+def test_stages_meet_only_in_the_pipeline() -> None:
+    within = [one for one in imports("solver") if one.top == "solver" and part(one.importer) not in {JOINER, ""}]
+    allowed = [one for one in within if part(one.module) in {*GROUND_FLOOR, part(one.importer)}]
+    assert places([one for one in within if one not in allowed]) == []
+    stages = {part(module_name(path)) for path in sources("solver")} - GROUND_FLOOR - {JOINER, ""}
+    assert {"floorplan", "furnish", "placement", "exchange", "validate"} <= stages
+
+
+def test_cvxpy_is_imported_by_the_reference_alone_and_late() -> None:
+    found = [one for one in imports(*PACKAGES) if one.top == "cvxpy"]
+    assert {one.importer for one in found} == {REFERENCE}
+    asking = [one for one in imports(*PACKAGES) if one.module == REFERENCE]
+    assert asking
+    assert places([one for one in asking if not one.lazy]) == []
+
+
+def test_the_engines_stay_inside_the_placement() -> None:
+    found = [one for one in imports("solver") if one.top in {"osqp", "daqp", "scipy"}]
+    assert found
+    assert places([one for one in found if part(one.importer) != "placement"]) == []
+
+
+def test_nothing_unrepeatable_reaches_a_result() -> None:
+    found = [one for one in imports("catalogs", "solver") if one.top in UNREPEATABLE or one.module.startswith("numpy.random")]
+    assert places([one for one in found if (one.importer, one.top) not in EXCEPTED]) == []
+
+
+def test_the_default_path_never_loads_cvxpy() -> None:
+    program = (
+        "import sys\n"
+        "from solver import Request, generate\n"
+        "made = generate(Request(seed=1, width=8, depth=6))\n"
+        "assert any(room.furniture for room in made.scene.rooms)\n"
+        "assert 'osqp' in sys.modules\n"
+        "print('cvxpy' in sys.modules)\n"
+    )
+    run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (run.stdout.strip(), run.returncode) == ("False", 0), run.stderr

@@ -1,0 +1,51 @@
+"""Nothing grows long: files, functions; and nothing is named for what it is not."""
+
+from __future__ import annotations
+
+import ast
+
+from tests.architecture.tree import PACKAGES, ROOT, files, sources, syntax
+
+FILE_LINES = 400
+FUNCTION_LINES = 50
+COUNTED = (".py", ".ts", ".css", ".html", ".md")
+EMPTY_NAMES = {"util", "utils", "helper", "helpers", "manager", "handler", "handlers", "data", "info", "misc", "common"}
+
+Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def functions() -> list[tuple[str, int]]:
+    """Every Python function of the project: where it is, and its lines without its docstring."""
+    found = [(path, node) for path in files(".py") for node in ast.walk(syntax(path)) if isinstance(node, Function)]
+    return [(f"{path.relative_to(ROOT)}:{node.lineno} {node.name}", length(node)) for path, node in found]
+
+
+def length(node: Function) -> int:
+    """A function's lines, from its def on, without its docstring."""
+    first = node.body[0]
+    documented = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant) and isinstance(first.value.value, str)
+    docstring = (first.end_lineno or 0) - first.lineno + 1 if documented else 0
+    return (node.end_lineno or 0) - node.lineno + 1 - docstring
+
+
+def test_no_file_is_long() -> None:
+    counted = [path for path in files(*COUNTED) if path.name != "CHANGELOG.md"]
+    assert len(counted) > 20
+    lengths = {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8").count("\n") for path in counted}
+    assert {name: lines for name, lines in lengths.items() if lines > FILE_LINES} == {}
+
+
+def test_no_function_is_long() -> None:
+    found = functions()
+    assert len(found) > 100
+    assert [(place, lines) for place, lines in found if lines > FUNCTION_LINES] == []
+
+
+def test_a_function_is_measured_without_its_docstring() -> None:
+    (node,) = ast.parse('def f():\n    """One.\n\n    Two.\n    """\n    x = 1\n    return x\n').body
+    assert isinstance(node, ast.FunctionDef)
+    assert length(node) == 3
+
+
+def test_no_module_has_an_empty_name() -> None:
+    assert [str(path) for path in sources(*PACKAGES) if set(path.stem.split("_")) & EMPTY_NAMES] == []
