@@ -29,6 +29,11 @@ def faults(catalogs: Catalogs) -> Iterator[Fault]:
     """Yields everything that does not fit together, in the order of the files."""
     for kind, entry in catalogs.furniture.items():
         yield from _furniture_faults(kind, entry)
+        if (
+            catalogs.furniture.get(catalogs.name_of(kind), entry).category != entry.category
+            or catalogs.name_of(kind) not in catalogs.furniture
+        ):
+            yield Fault("", (kind, "name"), f"{entry.name!r} is no kind of the same category", "a key of furniture.yaml")
     for name, room in catalogs.rooms.items():
         yield from _room_faults(catalogs, name, room)
 
