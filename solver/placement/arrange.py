@@ -11,7 +11,7 @@ import heapq
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from solver.geometry import OPPOSITE, Rect
+from solver.geometry import OPPOSITE
 from solver.placement.assemble import Assembly, Chosen, Impossible
 from solver.placement.search import Accept, Outcome, solve
 from solver.placement.terms import Floats
@@ -67,19 +67,18 @@ def _empty(space: Space) -> State:
     return State(assembly, solve(assembly.problem), 0.0)
 
 
-def _footprints(assembly: Assembly, positions: tuple[Floats, Floats]) -> tuple[list[Rect], list[Rect]]:
-    """Returns the footprints on the floor and the stands, rounded to mm."""
-    p = [[round(float(value) * 1000) for value in axis] for axis in positions]
-    solids = [part.rect(p) for part in assembly.problem.parts if not part.stand and part.bottom == 0]
-    stands = [part.rect(p) for part in assembly.problem.parts if part.stand]
-    return solids, stands
+def walkable_at(assembly: Assembly, p: Sequence[Sequence[int]]) -> bool:
+    """Tells whether all doors and stands are joined with the bodies at integer positions p[axis][variable], mm."""
+    parts = assembly.problem.parts
+    solids = [part.rect(p) for part in parts if not part.stand and part.bottom == 0]
+    return connected(assembly.space, solids, [part.rect(p) for part in parts if part.stand])
 
 
 def walk_test(assembly: Assembly) -> Accept:
     """Returns the leaf test of a search: are all doors and stands of the room joined?"""
 
     def accept(positions: tuple[Floats, Floats]) -> bool:
-        return connected(assembly.space, *_footprints(assembly, positions))
+        return walkable_at(assembly, [[round(float(value) * 1000) for value in axis] for axis in positions])
 
     return accept
 
@@ -167,10 +166,8 @@ def extend(state: State, c: Chosen, preference: float, walk: bool) -> tuple[Stat
     except Impossible:
         return None, None
     accept = walk_test(assembly) if walk else None
-    if c.wanted.required:
-        outcome = solve(assembly.problem, limit=QPS, accept=accept)
-    else:
-        outcome = _quick(state, assembly, accept)
+    required = c.wanted.required
+    outcome = solve(assembly.problem, limit=QPS, accept=accept) if required else _quick(state, assembly, accept)
     if outcome.positions is None:
         return None, outcome
     return State(assembly, outcome, state.preference + preference), outcome
@@ -190,27 +187,39 @@ def _quick(state: State, assembly: Assembly, accept: Accept | None) -> Outcome:
 
 
 class _BestFirst:
-    """Best-first search over prefixes of the required pieces."""
+    """Best-first search over prefixes of the required pieces; deepest-first once its limit is spent.
+
+    `closed` stays True while the answer, best or impossible, is exact.
+    """
 
     def __init__(self, start: State, pieces: Sequence[Wanted], walk: bool, limit: int = EVALUATIONS) -> None:
         self.pieces, self.walk, self.limit = pieces, walk, limit
         self.order = 0
-        self.heap: list[tuple[float, int, int, State, tuple[float, Chosen] | None]] = []
+        self.heap: list[tuple[int, float, int, int, State, tuple[float, Chosen] | None]] = []
         self.deepest = (0, start)
         self.solves = 0
         self.evaluations = 0
         self.closed = True
+        self.diving = False
         self.refused: set[tuple[object, ...]] = set()
         self._push(start.cost, 0, start, None)
 
     def _push(self, bound: float, depth: int, state: State, entry: tuple[float, Chosen] | None) -> None:
-        heapq.heappush(self.heap, (round(bound, 9), self.order, depth, state, entry))
+        rank = -depth if self.diving else 0
+        heapq.heappush(self.heap, (rank, round(bound, 9), self.order, depth, state, entry))
         self.order += 1
+
+    def _dive(self) -> None:
+        """Goes on from the deepest prefixes, for as many searches again."""
+        self.diving, self.closed = True, False
+        self.limit *= 2
+        self.heap = [(-depth, bound, order, depth, *rest) for _, bound, order, depth, *rest in self.heap]  # type: ignore[misc]
+        heapq.heapify(self.heap)
 
     def run(self) -> State | None:
         """Returns the best complete state, or None (see `deepest` and `closed`)."""
         while self.heap:
-            _, _, depth, state, entry = heapq.heappop(self.heap)
+            _, _, _, depth, state, entry = heapq.heappop(self.heap)
             if entry is not None:
                 self._evaluate(depth, state, entry)
             elif depth == len(self.pieces):
@@ -219,8 +228,9 @@ class _BestFirst:
                 for cost, c in options(state.assembly, self.pieces[depth]):
                     self._push(state.cost + cost, depth, state, (cost, c))
             if self.evaluations >= self.limit:
-                self.closed = False
-                return None
+                if self.diving:
+                    return None
+                self._dive()
         return None
 
     def _evaluate(self, depth: int, state: State, entry: tuple[float, Chosen]) -> None:

@@ -43,6 +43,8 @@ class Outcome:
 
 @dataclass(frozen=True)
 class _Node:
+    picks: tuple[tuple[int, Row], ...]
+    """The choices branched on so far, each with the option taken."""
     rows: tuple[tuple[Row, ...], tuple[Row, ...]]
     costs: tuple[float, float]
     positions: tuple[Floats, Floats]
@@ -113,7 +115,7 @@ class Search:
         self.solves += 2
         if solved[0] is None or solved[1] is None:
             return None
-        return _Node(((), ()), (solved[0][0], solved[1][0]), (solved[0][1], solved[1][1]))
+        return _Node((), ((), ()), (solved[0][0], solved[1][0]), (solved[0][1], solved[1][1]))
 
     def _violated(self, node: _Node) -> list[int]:
         """Returns the most violated choices, worst first, ties by lowest index."""
@@ -128,7 +130,7 @@ class Search:
         chosen: list[_Node] = []
         dearest = -1.0
         for c in violated:
-            children = [child for row in self.problem.choices[c].options if (child := self._child(node, row))]
+            children = [child for row in self.problem.choices[c].options if (child := self._child(node, c, row))]
             if not children:
                 return []
             cheapest = min(child.cost for child in children)
@@ -136,7 +138,7 @@ class Search:
                 chosen, dearest = children, cheapest
         return sorted(chosen, key=lambda child: round(child.cost, 9))
 
-    def _child(self, node: _Node, row: Row) -> _Node | None:
+    def _child(self, node: _Node, c: int, row: Row) -> _Node | None:
         axis = row.axis
         rows = (*node.rows[axis], row)
         self.solves += 1
@@ -146,9 +148,10 @@ class Search:
         cost, positions = solved
         if cost + node.costs[1 - axis] >= self.best_cost - COST_TOLERANCE:
             return None
+        picks = (*node.picks, (c, row))
         if axis == 0:
-            return _Node((rows, node.rows[1]), (cost, node.costs[1]), (positions, node.positions[1]))
-        return _Node((node.rows[0], rows), (node.costs[0], cost), (node.positions[0], positions))
+            return _Node(picks, (rows, node.rows[1]), (cost, node.costs[1]), (positions, node.positions[1]))
+        return _Node(picks, (node.rows[0], rows), (node.costs[0], cost), (node.positions[0], positions))
 
     def _outcome(self, exhausted: bool) -> Outcome:
         if self.best is None:
@@ -158,12 +161,9 @@ class Search:
 
     def _taken(self, node: _Node) -> tuple[Row, ...]:
         """Returns the option each choice took: the one branched on, else the one that holds with most slack."""
-        branched = {*node.rows[0], *node.rows[1]}
+        branched = dict(node.picks)
         widest = self.table.slacks(node.positions).argmax(axis=1)
-        return tuple(
-            next((row for row in choice.options if row in branched), choice.options[o])
-            for choice, o in zip(self.problem.choices, widest, strict=True)
-        )
+        return tuple(branched.get(c) or choice.options[o] for c, (choice, o) in enumerate(zip(self.problem.choices, widest, strict=True)))
 
 
 def solve(problem: Problem, *, limit: int = LIMIT, ceiling: float = float("inf"), accept: Accept | None = None) -> Outcome:

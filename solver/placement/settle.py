@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.geometry import Rect
-from solver.placement.arrange import Draft, arrange
+from solver.placement.arrange import Draft, arrange, walkable_at
 from solver.placement.explain import why_left_out
 from solver.placement.qp import Decided, solve_house
 from solver.placement.snap import snap
@@ -53,10 +53,7 @@ def decided(draft: Draft) -> Decided:
 
 
 def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> Arrangement:
-    p = snap(room.problem, room.rows, positions)
-    broken = room.problem.violations(p)
-    if broken:
-        raise AssertionError(f"{draft.space.room}: {broken[0]}")
+    p, walkable = _snapped(draft, room, positions)
     state = draft.state
     placed: list[Placed] = []
     for c in state.assembly.chosen:
@@ -67,8 +64,23 @@ def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) 
             wall = _wall_behind(draft.space, c.alternative.attach.parent, placed, rect)
         placed.append(Placed(label, c.alternative, state.assembly.rotations[label], wall, rect))
     reasons = tuple((piece.label, f"{why}; {why_left_out(draft.space, piece, placed)}") for piece, why in draft.left_out)
-    notes = () if draft.walkable else ("no walkable arrangement of the required pieces was found",)
+    notes = () if walkable else ("no walkable arrangement of the required pieces was found",)
     return Arrangement(draft.space.room, tuple(placed), reasons, round(state.cost, 6), draft.proven, draft.solves, notes)
+
+
+def _snapped(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> tuple[tuple[list[int], list[int]], bool]:
+    """Returns positions on the lattice and whether they are walkable, both checked in integers.
+
+    Where the walk hangs on the last millimetre, the search's own positions are snapped instead of the final solve's.
+    """
+    p = snap(room.problem, room.rows, positions)
+    for candidate in (p, snap(room.problem, room.rows, room.positions)):
+        broken = room.problem.violations(candidate)
+        if broken:
+            raise AssertionError(f"{draft.space.room}: {broken[0]}")
+        if draft.walkable and walkable_at(draft.state.assembly, candidate):
+            return candidate, True
+    return p, False
 
 
 def _wall_behind(space: Space, parent: str, placed: Sequence[Placed], rect: Rect) -> str | None:
