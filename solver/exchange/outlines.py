@@ -30,5 +30,6 @@ def _check_corners(outline: tuple[tuple[float, float], ...]) -> None:
         next_x, next_z = corners[(index + 1) % len(corners)]
         if x != next_x and z != next_z:
             raise Wrong("begins a line that runs at an angle", "corners joined along x or z").inside(index).inside("outline")
-    if len({x for x, _ in corners}) < 2 or len({z for _, z in corners}) < 2:
+    following = [*corners[1:], corners[0]]
+    if sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in zip(corners, following, strict=True)) == 0:
         raise Wrong("encloses nothing", "at least 4 corners around some floor").inside("outline")

@@ -1,0 +1,42 @@
+"""What the catalogs say of a name in a scene.
+
+Comes in: the catalogs. Goes out: use sides and requirements. May import: catalogs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from catalogs import Catalogs
+from catalogs.schema import Furniture, RoomType, Use
+
+
+class Kinds:
+    """Looks up names of furniture and room types; those the catalogs do not know ask for nothing."""
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        self.rooms: Mapping[str, RoomType] = catalogs.rooms
+        self._named: dict[str, Furniture] = {}
+        for kind, entry in catalogs.furniture.items():
+            self._named.setdefault(entry.name or kind, entry)
+        self._named |= {kind: entry for kind, entry in catalogs.furniture.items() if entry.name in (None, kind)}
+
+    def use(self, name: str) -> Use | None:
+        """Returns which sides of a piece are used; None where none is, or the piece is unknown."""
+        entry = self._named.get(name)
+        return entry.use if entry else None
+
+    def requires(self, room_type: str) -> tuple[dict[str, int], ...]:
+        """Returns what a room type requires: each line is met by any of its names in that number."""
+        entry = self.rooms.get(room_type)
+        return entry.requires if entry else ()
+
+    def pieces_for(self, room_type: str, names: Mapping[str, int]) -> frozenset[str]:
+        """Returns under which labels of the room type a requirement may have been left out."""
+        found = set(names)
+        entry = self.rooms.get(room_type)
+        for piece in entry.pieces if entry else ():
+            variants = {variant.kind for variant in piece.variants}
+            if variants & names.keys() or piece.piece in names:
+                found.add(piece.piece)
+        return frozenset(found)

@@ -1,0 +1,44 @@
+"""The rule `missing_required`: a piece that a room's type requires is not there.
+
+Comes in: a room and the catalogs. Goes out: findings. May import: scene, catalogs.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from solver.validate.kinds import Kinds
+from solver.validate.standing import Finding
+from solver.validate.world import Place, World
+
+
+def missing_required(world: World, place: Place, kinds: Kinds) -> Iterator[Finding]:
+    """A required piece is not there; the reason is what the scene's certificate gives."""
+    there = Counter(piece.name for piece in place.room.furniture)
+    for line in kinds.requires(place.room.type):
+        if any(there[name] >= count for name, count in line.items()):
+            continue
+        wanted = " or ".join(name if count == 1 else f"{count} {name}" for name, count in line.items())
+        reason = _reason(world.scene.certificate, place, kinds.pieces_for(place.room.type, line))
+        have = sum(there[name] for name in line)
+        short = f"has only {have} of {wanted}" if have else f"has no {wanted}"
+        yield Finding((), 0, f"{place.room.id} ({place.room.type}) {short}: {reason}")
+
+
+def _reason(certificate: Mapping[str, Any] | None, place: Place, labels: frozenset[str]) -> str:
+    """Finds why a piece was left out, whatever shape the certificate of a foreign scene has."""
+    rooms = (certificate or {}).get("rooms")
+    entry = rooms.get(place.room.id) if isinstance(rooms, Mapping) else None
+    left_out = entry.get("left_out") if isinstance(entry, Mapping) else None
+    for item in left_out if isinstance(left_out, (list, tuple)) else ():
+        if isinstance(item, Mapping) and _stem(item.get("piece")) in labels and item.get("reason"):
+            return str(item["reason"])
+    return "no reason is recorded"
+
+
+def _stem(label: object) -> str:
+    """Takes the number off a label: `bed_1` was wanted as `bed`."""
+    head, _, tail = str(label).rpartition("_")
+    return head if head and tail.isdigit() else str(label)
