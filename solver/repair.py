@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from solver.geometry import FACING, OPPOSITE, ROTATION_AT_WALL, WALL_BEHIND, Rect, half_m, rotate
+from solver.geometry import FACING, OPPOSITE, ROTATION_AT_WALL, WALL_BEHIND, Rect, half_m, rotate, turned
 from solver.scene import Decoration, Furniture, Room
 from solver.wanted import Alternative, Attach, Placed, Wanted
 
@@ -25,6 +25,8 @@ BODY_MM = 20
 RESTS_MM = 20
 """How far a body's underside may be from the top it rests on."""
 
+UNTUCKED_MM = 150
+"""Depth of a tucked chair that stays outside its table (contract, rule overlap)."""
 FREE_COST = 1.0
 """What leaving its table costs a tucked chair."""
 
@@ -113,23 +115,34 @@ def wanted_as_sent(room: Room, thickness_mm: int, wishes: Wishes) -> tuple[Wante
         wishes: what is locked and what was moved.
     """
     bodies = floor_bodies(room)
-    tables = {body.id: body for body in bodies if isinstance(body, Furniture)}
+    by_id = {body.id: body for body in bodies}
     slack_mm = WALL_FAR_MM - thickness_mm // 2
-    order = sorted(range(len(bodies)), key=lambda k: _importance(bodies[k], wishes, k))
+    tucked = {body.id: table for body in bodies if (table := _table_of(body, by_id)) is not None}
+    held = {table.id for chair, table in tucked.items() if wishes.is_locked(by_id[chair])}
     pieces = []
-    alternatives: tuple[Alternative, ...]
-    for k in order:
-        body = bodies[k]
-        table = tables.get(body.under) if isinstance(body, Furniture) and body.under else None
-        if wishes.is_locked(body):
-            alternatives = (_held(body),)
-        elif table is not None and not wishes.is_locked(table) and _tucked_well(body, table):
+    for k in sorted(range(len(bodies)), key=lambda k: _importance(bodies[k], wishes, k)):
+        body, table = bodies[k], tucked.get(bodies[k].id)
+        if wishes.is_locked(body) or body.id in held:
+            alternatives: tuple[Alternative, ...] = (_held(body, table),)
+        elif table is not None:
             free = tuple(replace(way, cost=way.cost + FREE_COST) for way in _ways(body, slack_mm, wishes))
-            alternatives = (_with_table(body, table), *free)
+            alternatives = (replace(_with(body, table), under=table.id), *free)
         else:
             alternatives = _ways(body, slack_mm, wishes)
         pieces.append(Wanted(body.id, True, alternatives))
-    return tuple(pieces)
+    return (*pieces, *_carried(room, by_id))
+
+
+def _carried(room: Room, floor: Mapping[str, Body]) -> list[Wanted]:
+    """What stands on other pieces, rigid in the frame of the piece on the floor below it."""
+    above = carriers(room)
+    pieces = []
+    for piece in room.furniture:
+        root = floor.get(_root(piece.id, above))
+        if piece.id in above and root is not None:
+            way = replace(_with(piece, root), on=above[piece.id], bottom_mm=round(piece.y * 1000))
+            pieces.append(Wanted(piece.id, True, (way,)))
+    return pieces
 
 
 def _importance(body: Body, wishes: Wishes, k: int) -> tuple[bool, bool, bool, bool, float, int]:
@@ -148,11 +161,24 @@ def _size(body: Body) -> tuple[int, int, int]:
     )
 
 
-def _held(body: Body) -> Alternative:
-    """The one way of a locked body: its bounding rectangle where it is."""
+def _held(body: Body, table: Body | None) -> Alternative:
+    """The one way of a body that stays: its bounding rectangle where it is."""
     rect = footprint(body)
-    size = (rect.width, rect.depth, _size(body)[2])
-    return Alternative(body.name, size, 0, anchor_mm=_middle(rect), within=rect, bottom_mm=round(body.y * 1000))
+    return Alternative(
+        body.name,
+        _bounding_size(body, rect),
+        squared(body.rotation),
+        anchor_mm=_middle(rect),
+        within=rect,
+        bottom_mm=round(body.y * 1000),
+        under=table.id if table else None,
+    )
+
+
+def _bounding_size(body: Body, rect: Rect) -> tuple[int, int, int]:
+    """Returns the unrotated size whose footprint at the squared rotation is the rectangle."""
+    width, depth = turned(rect.width, rect.depth, squared(body.rotation))
+    return width, depth, _size(body)[2]
 
 
 def _middle(rect: Rect) -> tuple[int, int]:
@@ -188,26 +214,26 @@ def _beside(wall: str) -> tuple[str, str]:
     return ("east", "west") if wall in ("north", "south") else ("north", "south")
 
 
-def _tucked_well(chair: Body, table: Furniture) -> bool:
-    """Tells whether a chair is under its table by at most its depth less 0.15 m (contract, rule overlap)."""
+def _table_of(chair: Body, others: Mapping[str, Body]) -> Body | None:
+    """Returns the table a chair is tucked under by at most its depth less 0.15 m (contract, rule overlap)."""
+    table = others.get(chair.under or "") if isinstance(chair, Furniture) else None
+    if table is None or table.id == chair.id:
+        return None
     a, b = footprint(chair), footprint(table)
     deep = min(min(a.x1, b.x1) - max(a.x0, b.x0), min(a.z1, b.z1) - max(a.z0, b.z0))
-    return deep <= round(chair.depth * 1000) - 150
+    return table if deep <= round(chair.depth * 1000) - UNTUCKED_MM else None
 
 
-def _with_table(chair: Body, table: Furniture) -> Alternative:
-    """The one way of a well-tucked chair: rigid in its table's frame."""
-    turn = squared(table.rotation)
-    own, other = footprint(chair), footprint(table)
+def _with(child: Body, parent: Body) -> Alternative:
+    """The one way of a body that keeps its place in another's frame."""
+    turn = squared(parent.rotation)
+    own, other = footprint(child), footprint(parent)
     dx = (own.x0 + own.x1 - other.x0 - other.x1) // 2
     dz = (own.z0 + own.z1 - other.z0 - other.z1) // 2
     across, along = rotate(dx, dz, -turn % 360)
-    attach = Attach(table.id, table.name, (across, across), (along, along))
-    size = (own.width, own.depth, _size(chair)[2])
-    if squared(chair.rotation) % 180 == 90:
-        size = (own.depth, own.width, size[2])
-    rotation = (squared(chair.rotation) - turn) % 360
-    return Alternative(chair.name, size, rotation, attach=attach, under=table.id)
+    attach = Attach(parent.id, parent.name, (across, across), (along, along))
+    rotation = (squared(child.rotation) - turn) % 360
+    return Alternative(child.name, _bounding_size(child, own), rotation, attach=attach)
 
 
 def written_back(room: Room, placed: Iterable[Placed], wishes: Wishes) -> Room:

@@ -13,7 +13,7 @@ from solver.furnish import space_of
 from solver.pipeline.mend import Mended, mend_room
 from solver.pipeline.timing import Clock, Timing
 from solver.repair import Wishes
-from solver.scene import Fixed, Move, Scene, check_ids, robot_width_of
+from solver.scene import Conflict, Fixed, Issue, Move, Scene, check_ids, robot_width_of
 from solver.validate import validate
 
 MOVED = 0.001
@@ -63,7 +63,18 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     timing.lap("validate_again")
     removed = tuple(removal for result in mended for removal in result.removed)
     conflicts = tuple(conflict for result in mended for conflict in result.conflicts)
-    return Fixed(fixed, _moves(scene, fixed), removed, conflicts, issues, timing.ms)
+    unsolved = _unsolved(issues, conflicts)
+    return Fixed(fixed, _moves(scene, fixed), removed, (*conflicts, *unsolved), issues, timing.ms)
+
+
+def _unsolved(issues: Sequence[Issue], conflicts: Sequence[Conflict]) -> tuple[Conflict, ...]:
+    """Names every error that is left and that no conflict explains."""
+    named = {member for conflict in conflicts for member in conflict.ids}
+    return tuple(
+        Conflict(issue.ids, f"not found: no repair for this: {issue.message}")
+        for issue in issues
+        if issue.severity == "error" and not named & set(issue.ids)
+    )
 
 
 def _required_kinds(catalogs: Catalogs) -> frozenset[str]:

@@ -91,7 +91,17 @@ def _message(room: Room, space: Space, sizes: Sequence[str]) -> str:
 
 
 def _repairs(space: Space, group: Sequence[Wanted], members: Sequence[str]) -> tuple[Mapping[str, str], ...]:
-    """Offers to leave out each member whose absence lets all the others stand, verified by solving it."""
-    return tuple(
+    """Offers to turn a member by 90 degrees or to leave it out, where that lets all the others stand: each is solved."""
+    turns = [
+        {"action": "turn", "id": member}
+        for member in members
+        if feasible(space, [_turned(piece) if piece.label == member else piece for piece in group])
+    ]
+    removals = [
         {"action": "leave_out", "id": member} for member in members if feasible(space, [piece for piece in group if piece.label != member])
-    )
+    ]
+    return (*turns, *removals)
+
+
+def _turned(piece: Wanted) -> Wanted:
+    return replace(piece, alternatives=tuple(replace(a, rotation=(a.rotation + 90) % 360) for a in piece.alternatives))
