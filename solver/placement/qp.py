@@ -19,16 +19,19 @@ from solver.placement.terms import Floats
 
 SETTINGS = {
     "verbose": False,
-    "eps_abs": 1e-7,
-    "eps_rel": 1e-7,
+    "eps_abs": 1e-9,
+    "eps_rel": 1e-9,
     "max_iter": 20_000,
     "check_termination": 25,
     "adaptive_rho": 1,  # by iterations: time-based rho is not deterministic
     "adaptive_rho_interval": 25,
-    "polishing": False,  # prints to stdout whatever `verbose` says; the snap needs 1e-4 m
+    "polishing": False,  # prints to stdout whatever `verbose` says; 1e-9 needs none
     "warm_starting": False,
 }
 """OSQP 1.x settings."""
+NEAR = 0.05
+"""Rows with more slack than this at the search's optimum, m, are left out: they cannot bind at the same optimum, and
+whatever the solver returns is snapped and checked against all of them."""
 _SOLVED = 1
 
 
@@ -53,12 +56,18 @@ def _blocks(rooms: Sequence[Decided]) -> list[_Block | None]:
     for room in rooms:
         for axis in (0, 1):
             program = AxisProgram(room.problem, axis)
-            stacked = program.stack([row for row in room.rows if row.axis == axis])
+            stacked = program.stack(_near(room, axis))
             if not program.free or stacked is None:
                 blocks.append(None)
             else:
                 blocks.append(_Block(program, stacked[0], stacked[1]))
     return blocks
+
+
+def _near(room: Decided, axis: int) -> list[Row]:
+    p = room.positions[axis] * 1000
+    own: list[Floats] = [p, p]
+    return [row for row in room.rows if row.axis == axis and row.slack(own) <= NEAR * 1000]
 
 
 def solve_house(rooms: Sequence[Decided]) -> list[tuple[Floats, Floats]]:
