@@ -65,8 +65,8 @@ pins: ## write constraints.txt anew from pyproject.toml
 	    --no-header --no-annotate pyproject.toml; } > constraints.txt.new
 	mv constraints.txt.new constraints.txt
 
-wheel: ## build the wheel, with the page in it, into dist/
-	"$$($(PYTHON3) scripts/find_uv.py)" build --wheel
+wheel: .venv/python.stamp ## build the wheel, with the page in it, into dist/
+	"$$($(PYTHON3) scripts/find_uv.py)" build --quiet --wheel --python $(PY)
 
 clean: ## remove everything that make brought or built
 	rm -rf .venv .tools dist service/static web/node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis
