@@ -1,0 +1,135 @@
+/** The wire: what the service takes and answers, in its own words. Lengths in metres, angles in degrees. */
+
+export type Side = "north" | "south" | "east" | "west";
+export type Sides = Readonly<Record<Side, boolean>>;
+
+/** A request of the service; a value that is no number is sent as typed, for the service to judge. */
+export interface HouseRequest {
+  seed: number | string;
+  width: number | string;
+  depth: number | string;
+  min_room_size: number | string;
+  max_depth: number | string;
+  use_spine: boolean;
+  outdoor: boolean;
+}
+
+export type OpeningKind = "door" | "garage_door" | "passage" | "window";
+
+export interface Opening {
+  readonly id: string;
+  readonly kind: OpeningKind;
+  readonly wall?: Side | null;
+  /** On a room with an outline: the edge from this outline point, in place of `wall`. */
+  readonly edge?: number | null;
+  /** The opening's centre, from the wall's west or north end. */
+  readonly position: number;
+  readonly width: number;
+  readonly height: number;
+  readonly sill: number;
+  readonly connects_to?: string | null;
+  readonly hinge?: "start" | "end" | null;
+  readonly swing?: "in" | "out" | null;
+  readonly main_entrance?: boolean;
+  readonly render_panel?: boolean;
+}
+
+/** What furniture, decorations and dynamic bodies share: a box by its footprint's centre and its underside. */
+export interface Body {
+  readonly id: string;
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  readonly rotation: number;
+  readonly width: number;
+  readonly depth: number;
+  readonly height: number;
+  readonly color?: string | null;
+}
+
+export interface Furniture extends Body {
+  readonly name: string;
+  readonly category?: string;
+}
+
+export interface Decoration extends Body {
+  readonly name: string;
+  readonly parent?: string | null;
+}
+
+export interface Dynamic extends Body {
+  readonly kind: string;
+  readonly room: string;
+}
+
+export interface Room {
+  readonly id: string;
+  readonly index: number;
+  readonly type: string;
+  readonly level: number;
+  readonly x: number;
+  readonly z: number;
+  readonly width: number;
+  readonly depth: number;
+  /** Clockwise from the north-west, room-relative, where the room is not its rectangle. */
+  readonly outline?: readonly (readonly [number, number])[] | null;
+  readonly outdoor: boolean;
+  readonly flooring: { readonly type: string; readonly color: string };
+  readonly accent: string;
+  readonly wall_flags: Sides;
+  readonly openings: readonly Opening[];
+  readonly furniture: readonly Furniture[];
+  readonly decorations: readonly Decoration[];
+}
+
+export interface Level {
+  readonly index: number;
+  readonly elevation: number;
+  readonly height: number;
+}
+
+export interface Scene {
+  readonly seed: number;
+  readonly size: { readonly width: number; readonly depth: number; readonly height: number };
+  readonly wall_thickness: number;
+  readonly levels: readonly Level[];
+  readonly rooms: readonly Room[];
+  readonly dynamic: readonly Dynamic[];
+}
+
+export interface Issue {
+  readonly rule: string;
+  readonly severity: "error" | "warning";
+  readonly room?: string | null;
+  readonly ids: readonly string[];
+  readonly amount?: number | null;
+  readonly message: string;
+}
+
+export interface GenerateAnswer {
+  readonly scene: Scene;
+  readonly issues: readonly Issue[];
+  readonly timing_ms: number | Readonly<Record<string, number>>;
+}
+
+/** The readable YAML and, for each of its lines, the body it speaks of. */
+export interface ViewAnswer {
+  readonly text: string;
+  readonly lines: readonly (string | null)[];
+}
+
+/** An RFC 9457 problem document, as the service writes it. */
+export interface ProblemDocument {
+  readonly type?: string;
+  readonly title?: string;
+  readonly status?: number;
+  readonly detail?: string;
+  readonly errors?: readonly FieldProblem[];
+}
+
+export interface FieldProblem {
+  readonly field: string;
+  readonly problem: string;
+  /** What would be right; empty where there is nothing to say. */
+  readonly allowed: string;
+}

@@ -1,0 +1,64 @@
+/** Where door leaves hang and how they turn; pure, so that it can be tested without a canvas. */
+import type { PlacedOpening } from "./openings";
+import { FRAME, RAILING_HEIGHT, type WallPlan } from "./walls";
+
+/** A leaf that turns about its hinge, or a panel that rolls up. Lengths [m], angles [rad] about +y. */
+export interface Leaf {
+  readonly id: string;
+  readonly motion: "swing" | "roll";
+  readonly mainEntrance: boolean;
+  readonly hinge: { readonly x: number; readonly y: number; readonly z: number };
+  readonly width: number;
+  readonly height: number;
+  readonly closedAngle: number;
+  /** What opening adds to the closed angle: a quarter turn either way. */
+  readonly turn: number;
+}
+
+export const LEAF_THICKNESS = 0.04;
+const GROUND_GAP = 0.01;
+
+/** The angle about +y that brings +x to a direction of the plan. */
+export function angleTowards(x: number, z: number): number {
+  return Math.atan2(-z, x);
+}
+
+function quarterTurn(from: number, to: number): number {
+  return Math.sin(to - from) > 0 ? Math.PI / 2 : -Math.PI / 2;
+}
+
+function hasRailing(opening: PlacedOpening, plan: WallPlan): boolean {
+  return plan.runs.some((run) => run.kind === "railing" && run.level === opening.level && run.axis === opening.axis
+    && run.line === opening.line && run.from < opening.to && opening.from < run.to);
+}
+
+function leafOf(opening: PlacedOpening, plan: WallPlan): Leaf {
+  const { axis, line, from, to, opensTowards } = opening;
+  const swings = opening.kind === "door";
+  const fromStart = !swings || opening.hinge === "start";
+  const along = fromStart ? 1 : -1;
+  const at = fromStart ? from + FRAME : to - FRAME;
+  const offset = swings ? opensTowards * Math.max(0, plan.thickness / 2 - LEAF_THICKNESS / 2) : 0;
+  const closed = axis === "x" ? angleTowards(along, 0) : angleTowards(0, along);
+  const open = axis === "x" ? angleTowards(0, opensTowards) : angleTowards(opensTowards, 0);
+  const elevation = plan.storeys.get(opening.level)?.elevation ?? 0;
+  const [x, z] = axis === "x" ? [at, line + offset] : [line + offset, at];
+  return {
+    id: opening.id,
+    motion: swings ? "swing" : "roll",
+    mainEntrance: opening.mainEntrance,
+    hinge: { x, y: elevation + GROUND_GAP, z },
+    width: to - from - 2 * FRAME,
+    height: (hasRailing(opening, plan) ? Math.min(opening.head, RAILING_HEIGHT) : opening.head) - GROUND_GAP,
+    closedAngle: closed,
+    turn: quarterTurn(closed, open),
+  };
+}
+
+/** The leaves of a house: one for each door and garage door, none for passages and windows. */
+export function leavesOf(plan: WallPlan): Leaf[] {
+  return plan.openings
+    .filter((opening) => opening.kind === "door" || opening.kind === "garage_door")
+    .map((opening) => leafOf(opening, plan));
+}
+

@@ -1,0 +1,71 @@
+/**
+ * The coordinate frame. The scene's is three.js's own: right-handed, x east, y up, z south, so a rotation in
+ * degrees about +y needs only radians. Bodies are room-relative; here they get their place in the house.
+ */
+import type { Body, Dynamic, Room, Scene } from "../contract";
+import type { Storey } from "./walls";
+
+export type BodyKind = "furniture" | "decoration" | "dynamic";
+
+/** A body in the house: `x`, `z` its footprint's centre, `y` its underside [m], `turn` about +y [rad], front at +z. */
+export interface PlacedBody {
+  readonly id: string;
+  readonly name: string;
+  readonly kind: BodyKind;
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  readonly turn: number;
+  readonly width: number;
+  readonly depth: number;
+  readonly height: number;
+  readonly color: string;
+}
+
+const UNSAID_COLOR = "#8b949e";
+
+export function radians(degrees: number): number {
+  return (degrees * Math.PI) / 180;
+}
+
+/** Words for an identifier: `dining_table` reads as "dining table". */
+export function words(name: string): string {
+  return name.replaceAll("_", " ");
+}
+
+/** Each level's floor height and storey height [m]. */
+export function storeysOf(scene: Scene): Map<number, Storey> {
+  return new Map(scene.levels.map((level) => [level.index, { elevation: level.elevation, height: level.height }]));
+}
+
+function place(body: Body, name: string, kind: BodyKind, room: Room, elevation: number): PlacedBody {
+  return {
+    id: body.id,
+    name,
+    kind,
+    x: room.x + body.x,
+    y: elevation + (body.y ?? 0),
+    z: room.z + body.z,
+    turn: radians(body.rotation ?? 0),
+    width: body.width,
+    depth: body.depth,
+    height: body.height,
+    color: body.color ?? UNSAID_COLOR,
+  };
+}
+
+/** Every body of a scene in house coordinates. */
+export function bodiesOf(scene: Scene): PlacedBody[] {
+  const storeys = storeysOf(scene);
+  const elevation = (room: Room): number => storeys.get(room.level)?.elevation ?? 0;
+  const rooms = new Map(scene.rooms.map((room) => [room.id, room]));
+  const standing = scene.rooms.flatMap((room) => [
+    ...room.furniture.map((piece) => place(piece, piece.name, "furniture", room, elevation(room))),
+    ...room.decorations.map((piece) => place(piece, piece.name, "decoration", room, elevation(room))),
+  ]);
+  const living = (scene.dynamic ?? []).flatMap((body: Dynamic) => {
+    const room = rooms.get(body.room);
+    return room ? [place(body, body.kind, "dynamic", room, elevation(room))] : [];
+  });
+  return [...standing, ...living];
+}

@@ -1,0 +1,108 @@
+/** A scene as it is drawn: floors, walls, doors, bodies, and what is marked on them. */
+import { Box3, Group, Mesh, MeshStandardMaterial, BoxGeometry, Vector3, type Intersection, type Raycaster } from "three";
+import type { Scene } from "../contract";
+import { BodyMeshes } from "./body_meshes";
+import { disposeOf } from "./dispose";
+import { leavesOf } from "./door_leaves";
+import { Doors } from "./doors";
+import { floorMeshes } from "./floors";
+import { bodiesOf, storeysOf, type PlacedBody } from "./frame";
+import { openingsOf } from "./openings";
+import { outlinesOf } from "./outlines";
+import { runsOf } from "./plan";
+import { Walls } from "./wall_meshes";
+import type { WallPlan } from "./walls";
+
+export type Mark = "selected" | "pointed" | "error";
+
+const MARK_COLORS: Readonly<Record<Mark, string>> = { selected: "#ffd166", pointed: "#d7e3f4", error: "#ff4d4f" };
+const SLAB_MARGIN = 0.35;
+const SLAB_DEPTH = 0.16;
+/** Floors lie this much over the slab, so that the two never fight for a pixel. */
+const SLAB_GAP = 0.02;
+
+export type Hit = { readonly kind: "door"; readonly index: number } | { readonly kind: "body"; readonly body: PlacedBody };
+
+function boundsOf(scene: Scene, height: number): Box3 {
+  const box = new Box3();
+  for (const room of scene.rooms) {
+    box.expandByPoint(new Vector3(room.x, 0, room.z));
+    box.expandByPoint(new Vector3(room.x + room.width, height, room.z + room.depth));
+  }
+  return box.isEmpty() ? new Box3(new Vector3(0, 0, 0), new Vector3(1, 1, 1)) : box;
+}
+
+function slab(bounds: Box3): Mesh {
+  const size = bounds.getSize(new Vector3());
+  const centre = bounds.getCenter(new Vector3());
+  const box = new BoxGeometry(size.x + 2 * SLAB_MARGIN, SLAB_DEPTH, size.z + 2 * SLAB_MARGIN);
+  const mesh = new Mesh(box, new MeshStandardMaterial({ color: "#333a44", roughness: 1 }));
+  mesh.position.set(centre.x, bounds.min.y - SLAB_DEPTH / 2 - SLAB_GAP, centre.z);
+  mesh.receiveShadow = true;
+  return mesh;
+}
+
+/** Builds a scene's meshes; `dispose` gives them back. */
+export class House {
+  readonly root = new Group();
+  readonly bodies: readonly PlacedBody[];
+  readonly doors: Doors;
+  readonly bounds: Box3;
+  readonly #bodyMeshes: BodyMeshes;
+  readonly #walls: Walls;
+  readonly #marks = new Map<Mark, Mesh>();
+  #wallMeshes: Group | null = null;
+
+  constructor(readonly scene: Scene) {
+    const storeys = storeysOf(scene);
+    const plan: WallPlan = {
+      runs: runsOf(scene.rooms),
+      openings: openingsOf(scene.rooms),
+      storeys,
+      thickness: scene.wall_thickness ?? 0,
+    };
+    this.bounds = boundsOf(scene, 1);
+    this.bodies = bodiesOf(scene);
+    this.#bodyMeshes = new BodyMeshes(this.bodies);
+    this.#walls = new Walls(plan);
+    this.doors = new Doors(leavesOf(plan));
+    this.root.add(slab(this.bounds), floorMeshes(scene.rooms, storeys), this.doors.mesh, this.#bodyMeshes.mesh);
+  }
+
+  /** Cuts walls and doors at a height above the ground [m]. */
+  cutAt(height: number): void {
+    if (this.#wallMeshes) disposeOf(this.#wallMeshes);
+    this.#wallMeshes = this.#walls.meshes(height);
+    this.root.add(this.#wallMeshes);
+    this.doors.cutAt(height);
+  }
+
+  /** Frames the bodies with these ids in the colour of a mark, in place of those framed so before. */
+  mark(mark: Mark, ids: readonly string[]): void {
+    const old = this.#marks.get(mark);
+    if (old) disposeOf(old);
+    this.#marks.delete(mark);
+    const mesh = outlinesOf(this.bodies.filter((body) => ids.includes(body.id)), MARK_COLORS[mark]);
+    if (!mesh) return;
+    this.#marks.set(mark, mesh);
+    this.root.add(mesh);
+  }
+
+  /** What a ray meets first, if that is a door or a body. */
+  hit(ray: Raycaster): Hit | null {
+    const targets = [this.#bodyMeshes.mesh, this.doors.mesh, ...(this.#wallMeshes?.children.slice(0, 1) ?? [])];
+    const [nearest] = ray.intersectObjects(targets, false);
+    return nearest ? this.#hitOf(nearest) : null;
+  }
+
+  #hitOf(nearest: Intersection): Hit | null {
+    if (nearest.object === this.doors.mesh && nearest.instanceId !== undefined) return { kind: "door", index: nearest.instanceId };
+    const body = nearest.object === this.#bodyMeshes.mesh ? this.#bodyMeshes.bodyAt(nearest.batchId) : undefined;
+    return body ? { kind: "body", body } : null;
+  }
+
+  dispose(): void {
+    disposeOf(this.root);
+    this.#marks.clear();
+  }
+}

@@ -1,0 +1,65 @@
+/** Openings in house coordinates: both rooms of a door list it, the wall is cut once. */
+import type { Opening, OpeningKind, Room } from "../contract";
+import type { Axis } from "./boxes";
+import { edgesOf, onLattice, type Edge } from "./plan";
+
+/** An opening on a wall line [m]. */
+export interface PlacedOpening {
+  readonly id: string;
+  readonly kind: OpeningKind;
+  readonly level: number;
+  readonly axis: Axis;
+  readonly line: number;
+  readonly from: number;
+  readonly to: number;
+  readonly sill: number;
+  readonly head: number;
+  /** The end the hinge is at: "start" is the west or north one. */
+  readonly hinge: "start" | "end";
+  /** Towards which side of the line the leaf swings: 1 towards greater coordinates. */
+  readonly opensTowards: 1 | -1;
+  readonly mainEntrance: boolean;
+}
+
+function edgeOf(edges: readonly Edge[], opening: Opening): Edge | undefined {
+  if (opening.edge !== null && opening.edge !== undefined) return edges[opening.edge];
+  return edges.find((edge) => edge.side === opening.wall);
+}
+
+function place(edge: Edge, opening: Opening, id: string): PlacedOpening {
+  const outward = edge.inward === 1 ? -1 : 1;
+  const centre = edge.from + opening.position;
+  return {
+    id,
+    kind: opening.kind,
+    level: edge.level,
+    axis: edge.axis,
+    line: edge.line,
+    from: onLattice(centre - opening.width / 2),
+    to: onLattice(centre + opening.width / 2),
+    sill: opening.kind === "window" ? (opening.sill ?? 0) : 0,
+    head: (opening.kind === "window" ? (opening.sill ?? 0) : 0) + opening.height,
+    hinge: opening.hinge ?? "start",
+    opensTowards: opening.swing === "out" ? outward : edge.inward,
+    mainEntrance: opening.main_entrance === true,
+  };
+}
+
+/**
+ * Every opening of a house once. Of the entries under one id the one that draws the leaf is kept:
+ * hinge and swing are told from its room.
+ */
+export function openingsOf(rooms: readonly Room[]): PlacedOpening[] {
+  const kept = new Map<string, { placed: PlacedOpening; drawsLeaf: boolean }>();
+  for (const room of rooms) {
+    const edges = edgesOf(room);
+    for (const [i, opening] of room.openings.entries()) {
+      const edge = edgeOf(edges, opening);
+      if (!edge) continue;
+      const id = opening.id ?? `${room.id}/opening_${i}`;
+      const drawsLeaf = opening.render_panel !== false;
+      if (!kept.has(id) || (drawsLeaf && !kept.get(id)?.drawsLeaf)) kept.set(id, { placed: place(edge, opening, id), drawsLeaf });
+    }
+  }
+  return [...kept.values()].map((entry) => entry.placed);
+}

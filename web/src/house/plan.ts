@@ -1,0 +1,113 @@
+/**
+ * Wall lines of a house: every room's edges, and from them the runs to draw, each once.
+ *
+ * A room's wall may be shared piece by piece with several rooms, so the walls are the union of all rooms' edges
+ * on a line; `wall_flags` only takes away what no room on either side wants drawn.
+ */
+import type { Room, Side } from "../contract";
+import type { Axis } from "./boxes";
+
+/** One edge of a room's outline, in house coordinates [m]. */
+export interface Edge {
+  readonly level: number;
+  readonly axis: Axis;
+  /** The coordinate across the axis: z of an edge along x, x of an edge along z. */
+  readonly line: number;
+  readonly from: number;
+  readonly to: number;
+  /** On which side of the line the room lies: 1 towards greater coordinates, -1 towards smaller. */
+  readonly inward: 1 | -1;
+  readonly side: Side;
+  readonly room: Room;
+}
+
+export type RunKind = "wall" | "railing";
+
+/** A stretch of wall of one kind on one line. */
+export interface Run {
+  readonly level: number;
+  readonly axis: Axis;
+  readonly line: number;
+  readonly from: number;
+  readonly to: number;
+  readonly kind: RunKind;
+}
+
+/** Millimetres are the lattice of every plan; rounding to it undoes what adding metres in binary does. */
+export function onLattice(metres: number): number {
+  return Math.round(metres * 1000) / 1000;
+}
+
+/** A room's corners, room-relative, clockwise from the north-west. */
+export function cornersOf(room: Room): readonly (readonly [number, number])[] {
+  if (room.outline && room.outline.length >= 3) return room.outline;
+  return [[0, 0], [room.width, 0], [room.width, room.depth], [0, room.depth]];
+}
+
+function edgeBetween(room: Room, a: readonly [number, number], b: readonly [number, number]): Edge {
+  const alongX = Math.abs(b[0] - a[0]) >= Math.abs(b[1] - a[1]);
+  const forwards = alongX ? b[0] > a[0] : b[1] > a[1];
+  const [origin, across] = alongX ? [room.x, room.z + a[1]] : [room.z, room.x + a[0]];
+  const ends = alongX ? [a[0], b[0]] : [a[1], b[1]];
+  const side: Side = alongX ? (forwards ? "north" : "south") : forwards ? "east" : "west";
+  return {
+    level: room.level,
+    axis: alongX ? "x" : "z",
+    line: onLattice(across),
+    from: onLattice(origin + Math.min(...ends)),
+    to: onLattice(origin + Math.max(...ends)),
+    inward: side === "north" || side === "west" ? 1 : -1,
+    side,
+    room,
+  };
+}
+
+/** A room's edges in the order of its outline's points (north, east, south, west for a rectangle). */
+export function edgesOf(room: Room): Edge[] {
+  const corners = cornersOf(room);
+  return corners.map((corner, i) => edgeBetween(room, corner, corners[(i + 1) % corners.length] ?? corner));
+}
+
+export function lineKey(on: { level: number; axis: Axis; line: number }): string {
+  return `${on.level}:${on.axis}:${on.line}`;
+}
+
+/** Groups things by the wall line they lie on. */
+export function byLine<T extends { level: number; axis: Axis; line: number }>(things: readonly T[]): Map<string, T[]> {
+  const groups = new Map<string, T[]>();
+  for (const thing of things) {
+    const group = groups.get(lineKey(thing));
+    if (group) group.push(thing);
+    else groups.set(lineKey(thing), [thing]);
+  }
+  return groups;
+}
+
+/** What stands between two neighbouring cuts of a line, given the edges that cover that stretch. */
+function kindOf(covering: readonly Edge[]): RunKind | null {
+  if (!covering.some((edge) => edge.room.wall_flags[edge.side] !== false)) return null;
+  const shared = covering.some((edge) => edge.inward === 1) && covering.some((edge) => edge.inward === -1);
+  return !shared && covering.every((edge) => edge.room.outdoor) ? "railing" : "wall";
+}
+
+function runsOnLine(edges: readonly Edge[]): Run[] {
+  const cuts = [...new Set(edges.flatMap((edge) => [edge.from, edge.to]))].sort((a, b) => a - b);
+  const runs: Run[] = [];
+  for (const [i, from] of cuts.entries()) {
+    const to = cuts[i + 1];
+    if (to === undefined) break;
+    const covering = edges.filter((edge) => edge.from <= from && to <= edge.to);
+    const [first] = covering;
+    const kind = first ? kindOf(covering) : null;
+    if (!first || !kind) continue;
+    const last = runs.at(-1);
+    if (last && last.to === from && last.kind === kind) runs[runs.length - 1] = { ...last, to };
+    else runs.push({ level: first.level, axis: first.axis, line: first.line, from, to, kind });
+  }
+  return runs;
+}
+
+/** All stretches of wall and railing of a house, each once, longest possible. */
+export function runsOf(rooms: readonly Room[]): Run[] {
+  return [...byLine(rooms.flatMap(edgesOf)).values()].flatMap(runsOnLine);
+}

@@ -1,0 +1,46 @@
+/** Draws walls cut at a height: one mesh for all that is solid, one for the glass. */
+import { Group, Mesh, MeshStandardMaterial } from "three";
+import { clipBelow } from "./boxes";
+import { mergeQuads, quadsOf, type ColoredQuad } from "./quad_mesh";
+import { facesOf } from "./wall_faces";
+import { fittingsOf, wallPanelsOf, type Surface, type WallPanel, type WallPart, type WallPlan } from "./walls";
+
+const WALL = "#dcd5c9";
+/** The cut through a wall is drawn darker than its face, as in a section drawing. */
+const CUT = "#454b55";
+const COLORS: Readonly<Record<Surface, string>> = { railing: "#8a7a66", frame: "#f1ede4", glass: "#9fd0ee" };
+
+/** A house's walls, to be drawn at any height. */
+export class Walls {
+  readonly #panels: readonly WallPanel[];
+  readonly #fittings: readonly WallPart[];
+
+  constructor(plan: WallPlan) {
+    this.#panels = wallPanelsOf(plan);
+    this.#fittings = fittingsOf(plan);
+  }
+
+  /** Meshes of the walls up to `height` [m] above the ground: what is solid, then the glass. The caller disposes of them. */
+  meshes(height: number): Group {
+    const faces = this.#panels.flatMap((panel) => facesOf(panel, height));
+    const stone = faces.map(({ corners, normal, cut }) => ({ corners, normal, color: cut ? CUT : WALL }));
+    const solid = new Mesh(
+      mergeQuads([...stone, ...this.#boxes(height, ["railing", "frame"])]),
+      new MeshStandardMaterial({ vertexColors: true, roughness: 0.95 }),
+    );
+    solid.castShadow = true;
+    solid.receiveShadow = true;
+    const glass = new Mesh(
+      mergeQuads(this.#boxes(height, ["glass"])),
+      new MeshStandardMaterial({ vertexColors: true, transparent: true, opacity: 0.38, roughness: 0.15, depthWrite: false }),
+    );
+    return new Group().add(solid, glass);
+  }
+
+  #boxes(height: number, surfaces: readonly Surface[]): ColoredQuad[] {
+    return this.#fittings.filter(({ surface }) => surfaces.includes(surface)).flatMap(({ surface, box }) => {
+      const low = clipBelow(box, height);
+      return low ? quadsOf(low, COLORS[surface]) : [];
+    });
+  }
+}

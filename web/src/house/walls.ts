@@ -1,0 +1,197 @@
+/** Walls as upright panels with holes, and what is fitted to them as boxes: frames, sill boards, glass, railings. */
+import { boxOnLine, type Axis, type Box, type Span } from "./boxes";
+import type { PlacedOpening } from "./openings";
+import { byLine, lineKey, type Run } from "./plan";
+
+export type Surface = "railing" | "frame" | "glass";
+
+export interface WallPart {
+  readonly surface: Surface;
+  readonly box: Box;
+}
+
+/** A hole in a panel: along the wall, and up from the storey's floor [m]. */
+export interface Hole {
+  readonly along: Span;
+  readonly up: Span;
+}
+
+/** A straight piece of wall of one height with its holes [m]. */
+export interface WallPanel {
+  readonly axis: Axis;
+  readonly along: Span;
+  readonly across: Span;
+  readonly elevation: number;
+  readonly height: number;
+  readonly holes: readonly Hole[];
+  /** Whether an end is to be seen; one that runs into another wall is not. */
+  readonly openStart: boolean;
+  readonly openEnd: boolean;
+}
+
+/** What a level's walls stand on and reach to [m]. */
+export interface Storey {
+  readonly elevation: number;
+  readonly height: number;
+}
+
+export interface WallPlan {
+  readonly runs: readonly Run[];
+  readonly openings: readonly PlacedOpening[];
+  readonly storeys: ReadonlyMap<number, Storey>;
+  readonly thickness: number;
+}
+
+export const RAILING_HEIGHT = 0.6;
+/** Scenes that say no thickness have walls of none; a line must still be seen. */
+const THINNEST = 0.02;
+const RAILING_BAR = 0.05;
+const POST_SPACING = 1.2;
+export const FRAME = 0.04;
+const FRAME_PROUD = 0.01;
+const GLASS_THICKNESS = 0.012;
+const SILL_BOARD = 0.03;
+const DEFAULT_STOREY: Storey = { elevation: 0, height: 2.8 };
+
+function around(centre: number, thickness: number): Span {
+  return { from: centre - thickness / 2, to: centre + thickness / 2 };
+}
+
+function shifted(up: Span, elevation: number): Span {
+  return { from: up.from + elevation, to: up.to + elevation };
+}
+
+/** How a run ends: how far beyond its line's end, and whether it runs into a wall there. */
+interface End {
+  readonly reach: number;
+  readonly inWall: boolean;
+}
+
+/**
+ * Walls end at the line of the wall they meet, inside it; at a corner the one along x fills the square.
+ * Railings stop at the wall's face.
+ */
+function endOf(run: Run, end: number, lines: ReadonlyMap<string, Run[]>, half: number): End {
+  const crossing = { level: run.level, axis: (run.axis === "x" ? "z" : "x") as Axis, line: end };
+  const walls = (lines.get(lineKey(crossing)) ?? []).filter(
+    (other) => other.kind === "wall" && other.from <= run.line && run.line <= other.to,
+  );
+  if (walls.length === 0) return { reach: 0, inWall: false };
+  if (run.kind === "railing") return { reach: -half, inWall: true };
+  const goesOn = walls.length > 1 || walls.some((other) => other.from < run.line && run.line < other.to);
+  return run.axis === "x" && !goesOn ? { reach: half, inWall: false } : { reach: 0, inWall: true };
+}
+
+/** The stretches of [from, to] that no gap covers. */
+export function between(from: number, to: number, gaps: readonly Span[]): Span[] {
+  const solid: Span[] = [];
+  let reached = from;
+  for (const gap of [...gaps].sort((a, b) => a.from - b.from)) {
+    if (gap.from > reached) solid.push({ from: reached, to: Math.min(gap.from, to) });
+    reached = Math.max(reached, gap.to);
+  }
+  if (reached < to) solid.push({ from: reached, to });
+  return solid;
+}
+
+function windowParts(opening: PlacedOpening, thickness: number, elevation: number): WallPart[] {
+  const { axis, line, from, to, sill, head } = opening;
+  const frame = around(line, Math.min(thickness, 0.06));
+  const bar = (along: Span, up: Span, across: Span = frame, surface: Surface = "frame"): WallPart => ({
+    surface,
+    box: boxOnLine(axis, along, across, shifted(up, elevation)),
+  });
+  const board = around(line, thickness + 0.06);
+  const middle = (from + to) / 2;
+  return [
+    bar({ from: from - 0.02, to: to + 0.02 }, { from: sill, to: sill + SILL_BOARD }, board),
+    bar({ from, to: from + FRAME }, { from: sill, to: head }),
+    bar({ from: to - FRAME, to }, { from: sill, to: head }),
+    bar({ from, to }, { from: head - FRAME, to: head }),
+    ...(to - from > 0.9 ? [bar(around(middle, FRAME), { from: sill, to: head })] : []),
+    bar({ from, to }, { from: sill + SILL_BOARD, to: head - FRAME }, around(line, GLASS_THICKNESS), "glass"),
+  ];
+}
+
+function doorFrame(opening: PlacedOpening, thickness: number, elevation: number): WallPart[] {
+  const { axis, line, from, to, head } = opening;
+  const across = around(line, thickness + 2 * FRAME_PROUD);
+  const bar = (along: Span, up: Span): WallPart => ({ surface: "frame", box: boxOnLine(axis, along, across, shifted(up, elevation)) });
+  return [
+    bar({ from, to: from + FRAME }, { from: 0, to: head }),
+    bar({ from: to - FRAME, to }, { from: 0, to: head }),
+    bar({ from, to }, { from: head, to: head + FRAME }),
+  ];
+}
+
+function fittings(opening: PlacedOpening, thickness: number, elevation: number): WallPart[] {
+  if (opening.kind === "window") return windowParts(opening, thickness, elevation);
+  if (opening.kind === "passage") return [];
+  return doorFrame(opening, thickness, elevation);
+}
+
+function railingParts(run: Run, along: Span, openings: readonly PlacedOpening[], elevation: number): WallPart[] {
+  const across = around(run.line, RAILING_BAR);
+  const part = (stretch: Span, up: Span): WallPart => ({ surface: "railing", box: boxOnLine(run.axis, stretch, across, shifted(up, elevation)) });
+  return between(along.from, along.to, openings).flatMap((stretch) => {
+    const bays = Math.max(1, Math.round((stretch.to - stretch.from) / POST_SPACING));
+    const step = (stretch.to - stretch.from - RAILING_BAR) / bays;
+    const posts = Array.from({ length: bays + 1 }, (_, i) => {
+      const at = stretch.from + i * step;
+      return part({ from: at, to: at + RAILING_BAR }, { from: 0, to: RAILING_HEIGHT - RAILING_BAR });
+    });
+    const rails = [RAILING_HEIGHT - RAILING_BAR, RAILING_HEIGHT / 2 - RAILING_BAR];
+    return [...posts, ...rails.map((low) => part(stretch, { from: low, to: low + RAILING_BAR }))];
+  });
+}
+
+/** A run with all that is needed to draw it. */
+interface Stretch {
+  readonly run: Run;
+  readonly along: Span;
+  readonly ends: readonly [End, End];
+  readonly openings: readonly PlacedOpening[];
+  readonly storey: Storey;
+}
+
+function stretchesOf(plan: WallPlan): Stretch[] {
+  const lines = byLine(plan.runs);
+  const openings = byLine(plan.openings);
+  const half = wallThickness(plan) / 2;
+  return plan.runs.map((run) => {
+    const ends = [endOf(run, run.from, lines, half), endOf(run, run.to, lines, half)] as const;
+    return {
+      run,
+      ends,
+      along: { from: run.from - ends[0].reach, to: run.to + ends[1].reach },
+      openings: (openings.get(lineKey(run)) ?? []).filter((opening) => opening.to > run.from && opening.from < run.to),
+      storey: plan.storeys.get(run.level) ?? DEFAULT_STOREY,
+    };
+  });
+}
+
+/** How thick the walls are drawn [m]. */
+export function wallThickness(plan: WallPlan): number {
+  return Math.max(plan.thickness, THINNEST);
+}
+
+/** The walls of a house, without its railings. */
+export function wallPanelsOf(plan: WallPlan): WallPanel[] {
+  return stretchesOf(plan).filter(({ run }) => run.kind === "wall").map(({ run, along, ends, openings, storey }) => ({
+    axis: run.axis,
+    along,
+    across: around(run.line, wallThickness(plan)),
+    elevation: storey.elevation,
+    height: storey.height,
+    holes: openings.map((opening) => ({ along: opening, up: { from: opening.sill, to: opening.head } })),
+    openStart: !ends[0].inWall,
+    openEnd: !ends[1].inWall,
+  }));
+}
+
+/** What is fitted to a house's walls, and its railings. */
+export function fittingsOf(plan: WallPlan): WallPart[] {
+  return stretchesOf(plan).flatMap(({ run, along, openings, storey }) => (run.kind === "railing"
+    ? railingParts(run, along, openings, storey.elevation)
+    : openings.flatMap((opening) => fittings(opening, wallThickness(plan), storey.elevation))));
+}

@@ -1,0 +1,72 @@
+/** The page's only way out: calls of the service that served it. */
+import type { FieldProblem, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ViewAnswer } from "./contract";
+
+/** Why a call brought no answer, in words for a person. */
+export class ServiceProblem extends Error {
+  constructor(
+    readonly title: string,
+    readonly detail: string,
+    readonly fields: readonly FieldProblem[] = [],
+  ) {
+    super(`${title}: ${detail}`);
+    this.name = "ServiceProblem";
+  }
+}
+
+const LOST = new ServiceProblem(
+  "The service does not answer",
+  "It may have been stopped, or the connection is gone. What you see is the last house; try again when it is back.",
+);
+
+const WORDS: Readonly<Record<number, string>> = {
+  401: "This service wants a key.",
+  413: "The request is too large for this service.",
+  429: "Too many requests for the moment. Wait a little, then try again.",
+  503: "The service is busy. Try again shortly.",
+};
+
+/** Turns a refusal into words; the service's own come first. */
+export function problemFrom(status: number, document: ProblemDocument | null): ServiceProblem {
+  const title = document?.title ?? `The service refused (${status})`;
+  const detail = document?.detail ?? WORDS[status] ?? "It gave no reason.";
+  return new ServiceProblem(title, detail, document?.errors ?? []);
+}
+
+function isAbort(reason: unknown): boolean {
+  return reason instanceof DOMException && reason.name === "AbortError";
+}
+
+async function readProblem(response: Response): Promise<ServiceProblem> {
+  const document = (await response.json().catch(() => null)) as ProblemDocument | null;
+  return problemFrom(response.status, document);
+}
+
+async function post<Answer>(call: string, body: unknown, signal: AbortSignal): Promise<Answer> {
+  let response: Response;
+  try {
+    response = await fetch(new URL(call, document.baseURI), {
+      method: "POST",
+      headers: { "Content-Type": "application/json", Accept: "application/json" },
+      body: JSON.stringify(body),
+      signal,
+    });
+  } catch (reason) {
+    throw isAbort(reason) ? reason : LOST;
+  }
+  if (!response.ok) throw await readProblem(response);
+  try {
+    return (await response.json()) as Answer;
+  } catch (reason) {
+    throw isAbort(reason) ? reason : LOST;
+  }
+}
+
+export function generate(request: HouseRequest, signal: AbortSignal): Promise<GenerateAnswer> {
+  return post("generate", request, signal);
+}
+
+export function view(scene: Scene, signal: AbortSignal): Promise<ViewAnswer> {
+  return post("view", { scene }, signal);
+}
+
+export { isAbort };

@@ -1,0 +1,91 @@
+/** The canvas and what happens on it: the house shown, looked at, pointed at and clicked. */
+import type { Issue, Scene } from "./contract";
+import { House, type Hit } from "./house/house";
+import type { PresetName } from "./view/cameras";
+import { Labels } from "./view/labels";
+import { listenToPointer } from "./view/pointer";
+import { Viewport } from "./view/viewport";
+
+function within<T extends HTMLElement>(id: string): T {
+  return document.getElementById(id) as T;
+}
+
+export class Stage {
+  /** Called with the body clicked, or null for a click beside all. */
+  onSelect: (id: string | null) => void = () => undefined;
+  readonly #viewport: Viewport;
+  readonly #labels: Labels;
+  readonly #cut = within<HTMLInputElement>("cut");
+  #house: House | null = null;
+
+  constructor(readonly host: HTMLElement) {
+    this.#viewport = new Viewport(host);
+    this.#labels = new Labels(within("labels"), this.#viewport);
+    this.#cut.addEventListener("input", () => this.#cutWalls());
+    within("camera_top").addEventListener("click", () => this.look("top"));
+    within("camera_corner").addEventListener("click", () => this.look("corner"));
+    this.#viewport.onFrame(() => this.#turnCompass());
+    listenToPointer(this.#viewport.canvas, {
+      click: (x, y) => this.#click(x, y),
+      over: (at) => this.#point(at && this.#hitAt(at.clientX, at.clientY)),
+    });
+  }
+
+  show(scene: Scene, issues: readonly Issue[]): void {
+    const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
+    this.#house?.dispose();
+    this.#house = new House(scene);
+    this.#house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
+    this.#viewport.add(this.#house.root, this.#house.bounds);
+    this.#labels.show(scene);
+    this.#cutWalls();
+    if (!sameSize) this.#viewport.look("corner", true);
+  }
+
+  look(preset: PresetName): void {
+    this.#viewport.look(preset);
+  }
+
+  select(id: string | null): void {
+    this.#house?.mark("selected", id === null ? [] : [id]);
+    this.#viewport.invalidate();
+  }
+
+  #cutWalls(): void {
+    const height = Number(this.#cut.value);
+    within("cut_words").textContent = `${height.toFixed(1)} m`;
+    this.#house?.cutAt(height);
+    this.#viewport.castShadows();
+  }
+
+  #hitAt(clientX: number, clientY: number): Hit | null {
+    return this.#house?.hit(this.#viewport.rayAt(clientX, clientY)) ?? null;
+  }
+
+  #click(clientX: number, clientY: number): void {
+    const hit = this.#hitAt(clientX, clientY);
+    if (hit?.kind === "door") this.#toggleDoor(hit.index);
+    else this.onSelect(hit ? hit.body.id : null);
+  }
+
+  #toggleDoor(index: number): void {
+    const doors = this.#house?.doors;
+    doors?.toggle(index);
+    this.#viewport.move((seconds) => {
+      this.#viewport.castShadows();
+      return doors?.step(seconds) ?? false;
+    });
+  }
+
+  #point(hit: Hit | null): void {
+    const body = hit?.kind === "body" ? hit.body : null;
+    this.#viewport.canvas.classList.toggle("pointing", hit !== null);
+    if (!this.#labels.point(body)) return;
+    this.#house?.mark("pointed", body ? [body.id] : []);
+    this.#viewport.invalidate();
+  }
+
+  #turnCompass(): void {
+    within("compass").style.transform = `rotate(${this.#viewport.heading.toFixed(3)}rad)`;
+  }
+}

@@ -1,0 +1,41 @@
+/** Where labels go so that none covers another: the important first, the others nudged up or down. Pure. */
+
+export interface LabelWish {
+  /** Where the label's centre would best be [CSS pixels]. */
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+  /** The more important is placed first. */
+  readonly importance: number;
+}
+
+export interface LabelPlace {
+  readonly x: number;
+  readonly y: number;
+}
+
+const GAP = 3;
+/** Tried in turn, in label heights. */
+const NUDGES = [0, -1, 1, -2, 2, -3, 3, -4, 4];
+
+function covers(a: LabelWish & LabelPlace, b: LabelWish & LabelPlace): boolean {
+  return Math.abs(a.x - b.x) < (a.width + b.width) / 2 + GAP && Math.abs(a.y - b.y) < (a.height + b.height) / 2 + GAP;
+}
+
+/** Places for the wishes, in their order; null where every nudge would cover another label. */
+export function layOut(wishes: readonly LabelWish[]): (LabelPlace | null)[] {
+  const order = wishes.map((_, i) => i).sort((a, b) => (wishes[b]?.importance ?? 0) - (wishes[a]?.importance ?? 0));
+  const taken: (LabelWish & LabelPlace)[] = [];
+  const places: (LabelPlace | null)[] = wishes.map(() => null);
+  for (const i of order) {
+    const wish = wishes[i];
+    if (!wish) continue;
+    const tries = NUDGES.map((nudge) => ({ ...wish, y: wish.y + nudge * (wish.height + GAP) }));
+    const free = tries.find((place) => !taken.some((other) => covers(place, other)));
+    if (!free) continue;
+    taken.push(free);
+    places[i] = { x: free.x, y: free.y };
+  }
+  return places;
+}

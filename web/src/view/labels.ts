@@ -1,0 +1,88 @@
+/** Names over the canvas: every room's, and that of the body pointed at. Text only, never markup. */
+import { Vector3 } from "three";
+import type { Room, Scene } from "../contract";
+import { storeysOf, words, type PlacedBody } from "../house/frame";
+import { layOut } from "./label_layout";
+import type { Viewport } from "./viewport";
+
+interface RoomLabel {
+  readonly element: HTMLElement;
+  readonly at: Vector3;
+  readonly area: number;
+}
+
+const TIP_LIFT = 22;
+
+function moveTo(element: HTMLElement, x: number, y: number): void {
+  element.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+}
+
+function roomLabel(room: Room, elevation: number): RoomLabel {
+  const element = document.createElement("div");
+  element.className = "room-label";
+  const dot = document.createElement("span");
+  dot.className = "dot";
+  dot.style.backgroundColor = room.accent;
+  const name = document.createElement("span");
+  name.textContent = words(room.type);
+  element.append(dot, name);
+  return {
+    element,
+    at: new Vector3(room.x + room.width / 2, elevation, room.z + room.depth / 2),
+    area: room.width * room.depth,
+  };
+}
+
+function sizeWords({ width, depth, height }: PlacedBody): string {
+  return [width, depth, height].map((metres) => String(Number(metres.toFixed(3)))).join(" × ");
+}
+
+export class Labels {
+  readonly #tip = document.createElement("div");
+  #rooms: RoomLabel[] = [];
+  #pointed: PlacedBody | null = null;
+
+  constructor(readonly layer: HTMLElement, readonly viewport: Viewport) {
+    this.#tip.className = "body-tip";
+    this.#tip.hidden = true;
+    layer.append(this.#tip);
+    viewport.onFrame(() => this.#follow());
+  }
+
+  show(scene: Scene): void {
+    const storeys = storeysOf(scene);
+    for (const label of this.#rooms) label.element.remove();
+    this.#rooms = scene.rooms.map((room) => roomLabel(room, storeys.get(room.level)?.elevation ?? 0));
+    this.layer.append(...this.#rooms.map((label) => label.element));
+    this.point(null);
+  }
+
+  /** Names the body pointed at; tells whether that is another than before. */
+  point(body: PlacedBody | null): boolean {
+    if (body === this.#pointed) return false;
+    this.#pointed = body;
+    this.#tip.hidden = body === null;
+    if (body) this.#tip.textContent = `${words(body.name)}  ${sizeWords(body)} m`;
+    this.viewport.invalidate();
+    return true;
+  }
+
+  #follow(): void {
+    const seen = this.#rooms.map((label) => ({ label, at: this.viewport.project(label.at) }));
+    const places = layOut(seen.map(({ label, at }) => ({
+      x: at?.x ?? -1e6, y: at?.y ?? -1e6, width: label.element.offsetWidth, height: label.element.offsetHeight, importance: label.area,
+    })));
+    seen.forEach(({ label, at }, i) => {
+      const place = at ? places[i] : null;
+      label.element.classList.toggle("crowded-out", !place);
+      if (place) moveTo(label.element, place.x, place.y);
+    });
+    this.#followPointed();
+  }
+
+  #followPointed(): void {
+    const body = this.#pointed;
+    const at = body ? this.viewport.project(new Vector3(body.x, body.y + body.height, body.z)) : null;
+    if (at) moveTo(this.#tip, at.x, at.y - TIP_LIFT);
+  }
+}

@@ -1,0 +1,202 @@
+/** The canvas: renderer, lights, camera. Draws a frame only when something asks for one. */
+import {
+  Box3, Color, DirectionalLight, HemisphereLight, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Raycaster, Scene,
+  Vector2, Vector3, WebGLRenderer, type Object3D,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { blend, frame, PRESETS, type Framing, type PresetName } from "./cameras";
+
+/** Moves something by the seconds since the last frame; false when it has arrived. */
+export type Motion = (seconds: number) => boolean;
+
+const BACKGROUND = "#10141b";
+const FLIGHT_SECONDS = 0.6;
+const LONGEST_STEP = 0.05;
+const SUN = new Vector3(-0.55, 1, 0.5);
+
+function calm(): boolean {
+  return window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
+
+export class Viewport {
+  readonly canvas: HTMLCanvasElement;
+  readonly camera = new PerspectiveCamera(30, 1, 0.1, 500);
+  /** Frames drawn since the page was opened: tests see from it that an idle page draws none. */
+  frames = 0;
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #controls: OrbitControls;
+  readonly #sun = new DirectionalLight("#fff4e2", 2.3);
+  readonly #motions = new Set<Motion>();
+  readonly #afterFrame: (() => void)[] = [];
+  #bounds = new Box3(new Vector3(0, 0, 0), new Vector3(20, 1, 15));
+  #preset: PresetName | null = "corner";
+  #asked = false;
+  #last = 0;
+
+  constructor(readonly host: HTMLElement) {
+    this.#renderer = new WebGLRenderer({ antialias: true, powerPreference: "low-power" });
+    this.#renderer.toneMapping = NeutralToneMapping;
+    this.#renderer.toneMappingExposure = 1;
+    this.#renderer.shadowMap.enabled = true;
+    this.#renderer.shadowMap.type = PCFShadowMap;
+    this.#renderer.shadowMap.autoUpdate = false;
+    this.canvas = this.#renderer.domElement;
+    host.prepend(this.canvas);
+    this.#scene.background = new Color(BACKGROUND);
+    this.#light();
+    this.#controls = this.#orbit();
+    new ResizeObserver(() => this.#resize()).observe(host);
+    this.#resize();
+  }
+
+  #light(): void {
+    this.#sun.castShadow = true;
+    this.#sun.shadow.mapSize.set(2048, 2048);
+    this.#sun.shadow.radius = 4;
+    this.#sun.shadow.intensity = 0.7;
+    this.#sun.shadow.normalBias = 0.03;
+    this.#sun.shadow.bias = -0.0004;
+    const fill = new DirectionalLight("#d5e3ff", 0.8);
+    fill.position.set(1, 0.7, -0.4);
+    this.#scene.add(new HemisphereLight("#f4f6ff", "#a09588", 2.3), this.#sun, this.#sun.target, fill);
+  }
+
+  #orbit(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.enableDamping = true;
+    controls.dampingFactor = 0.12;
+    controls.maxPolarAngle = Math.PI * 0.49;
+    controls.zoomToCursor = true;
+    controls.addEventListener("change", () => this.invalidate());
+    controls.addEventListener("start", () => { this.#preset = null; });
+    return controls;
+  }
+
+  /** Shows something new; the shadows are cast anew. */
+  add(root: Object3D, bounds: Box3): void {
+    this.#scene.add(root);
+    this.#bounds = bounds;
+    this.#aimSun();
+    this.castShadows();
+  }
+
+  castShadows(): void {
+    this.#renderer.shadowMap.needsUpdate = true;
+    this.invalidate();
+  }
+
+  #aimSun(): void {
+    const centre = this.#bounds.getCenter(new Vector3());
+    const radius = this.#bounds.getSize(new Vector3()).length() / 2 + 1;
+    this.#sun.target.position.copy(centre);
+    this.#sun.position.copy(centre).addScaledVector(SUN.clone().normalize(), radius * 2);
+    const camera = this.#sun.shadow.camera;
+    Object.assign(camera, { left: -radius, right: radius, top: radius, bottom: -radius, near: radius * 0.5, far: radius * 3.5 });
+    camera.updateProjectionMatrix();
+  }
+
+  /** Looks at the house in one of the presets, flying there unless told to jump. */
+  look(preset: PresetName, jump = false): void {
+    const from: Framing = { eye: this.camera.position.toArray(), target: this.#controls.target.toArray(), fov: this.camera.fov };
+    const goal = frame({ min: this.#bounds.min.toArray(), max: this.#bounds.max.toArray() }, PRESETS[preset], this.camera.aspect);
+    this.#preset = preset;
+    if (jump || calm()) {
+      this.#aim(goal);
+      return;
+    }
+    let flown = 0;
+    this.move((seconds) => {
+      flown = Math.min(1, flown + seconds / FLIGHT_SECONDS);
+      if (this.#preset === preset) this.#aim(blend(from, goal, flown * flown * (3 - 2 * flown)));
+      return flown < 1 && this.#preset === preset;
+    });
+  }
+
+  #aim(framing: Framing): void {
+    this.camera.fov = framing.fov;
+    this.camera.position.set(...framing.eye);
+    this.#controls.target.set(...framing.target);
+    this.camera.updateProjectionMatrix();
+    this.#controls.update();
+    this.invalidate();
+  }
+
+  /** Runs a motion once a frame until it has arrived. */
+  move(motion: Motion): void {
+    this.#motions.add(motion);
+    this.invalidate();
+  }
+
+  /** Called after every frame: what follows the camera, such as labels. */
+  onFrame(listener: () => void): void {
+    this.#afterFrame.push(listener);
+  }
+
+  /** Asks for one frame. */
+  invalidate(): void {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame((now) => this.#draw(now));
+  }
+
+  #draw(now: number): void {
+    this.#asked = false;
+    const seconds = Math.min(LONGEST_STEP, Math.max(0, (now - this.#last) / 1000));
+    this.#last = now;
+    for (const motion of this.#motions) if (!motion(seconds)) this.#motions.delete(motion);
+    this.#controls.update();
+    this.#clip();
+    this.#renderer.render(this.#scene, this.camera);
+    this.frames += 1;
+    for (const listener of this.#afterFrame) listener();
+    if (this.#motions.size > 0) this.invalidate();
+  }
+
+  /** Keeps the depth range tight around the house: from far away a millimetre must still be told apart. */
+  #clip(): void {
+    const centre = this.#bounds.getCenter(new Vector3());
+    const radius = this.#bounds.getSize(new Vector3()).length() / 2 + 4;
+    const distance = this.camera.position.distanceTo(centre);
+    this.camera.near = Math.max(0.1, distance - radius);
+    this.camera.far = distance + radius;
+    this.camera.updateProjectionMatrix();
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (width === 0 || height === 0) return;
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.#renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (this.#preset) this.look(this.#preset, true);
+    this.invalidate();
+  }
+
+  /** The ray under a point of the window [CSS pixels]. */
+  rayAt(clientX: number, clientY: number): Raycaster {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const at = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.camera);
+    return ray;
+  }
+
+  /** Where a point of the house is seen [CSS pixels of the host], or null behind the camera. */
+  project(point: Vector3): { x: number; y: number } | null {
+    const seen = point.clone().project(this.camera);
+    if (seen.z > 1) return null;
+    return { x: ((seen.x + 1) / 2) * this.host.clientWidth, y: ((1 - seen.y) / 2) * this.host.clientHeight };
+  }
+
+  /** How far north is turned clockwise from the top of the screen [rad]. */
+  get heading(): number {
+    return this.#controls.getAzimuthalAngle();
+  }
+
+  /** Draw calls of the last frame. */
+  get drawCalls(): number {
+    return this.#renderer.info.render.calls;
+  }
+}

@@ -1,0 +1,35 @@
+import { describe, expect, it } from "vitest";
+import { anotherSeed, DEFAULTS, numberOrText, queryFromRequest, requestFromQuery } from "../src/address";
+
+describe("the address", () => {
+  it("when bare asks for the defaults, spine and outdoor on", () => {
+    expect(requestFromQuery("")).toEqual(DEFAULTS);
+    expect(DEFAULTS).toMatchObject({ use_spine: true, outdoor: true, width: 20, depth: 15, min_room_size: 3, max_depth: 5 });
+  });
+
+  it("gives back every request written to it", () => {
+    for (const request of [DEFAULTS, { ...DEFAULTS, seed: 2 ** 53 - 1, width: 12.5, use_spine: false, outdoor: false }]) {
+      expect(requestFromQuery(queryFromRequest(request))).toEqual(request);
+    }
+  });
+
+  it("passes on what is no number, for the service to judge", () => {
+    expect(requestFromQuery("?width=wide&seed=-1")).toMatchObject({ width: "wide", seed: -1 });
+    expect(requestFromQuery(queryFromRequest({ ...DEFAULTS, width: "<b>" })).width).toBe("<b>");
+    expect(numberOrText("")).toBe("");
+    expect(numberOrText("Infinity")).toBe("Infinity");
+    expect(numberOrText(" 3.5 ")).toBe(3.5);
+  });
+
+  it("ignores what it does not know", () => {
+    expect(requestFromQuery("?colour=red&__proto__=x")).toEqual(DEFAULTS);
+  });
+});
+
+describe("another seed", () => {
+  it("is a small whole number and never the same", () => {
+    expect(anotherSeed(1, () => 0.5)).toBe(500000);
+    expect(anotherSeed(500000, () => 0.5)).toBe(500001);
+    expect(anotherSeed(999999, () => 0.9999999)).toBe(0);
+  });
+});

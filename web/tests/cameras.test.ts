@@ -1,0 +1,43 @@
+import { PerspectiveCamera, Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+import { blend, cornersOfBounds, frame, PRESETS, type Bounds } from "../src/view/cameras";
+
+const BOUNDS: Bounds = { min: [0, 0, 0], max: [20, 1, 15] };
+
+function seen(preset: keyof typeof PRESETS, aspect: number): Vector3[] {
+  const { eye, target, fov } = frame(BOUNDS, PRESETS[preset], aspect);
+  const camera = new PerspectiveCamera(fov, aspect, 0.1, 1000);
+  camera.position.set(...eye);
+  camera.lookAt(new Vector3(...target));
+  camera.updateMatrixWorld();
+  return cornersOfBounds(BOUNDS).map((corner) => new Vector3(...corner).project(camera));
+}
+
+describe("a preset", () => {
+  it("shows the whole house, filling the view, whatever the window's shape", () => {
+    for (const preset of ["top", "corner"] as const) {
+      for (const aspect of [0.5, 1, 1.8]) {
+        const widest = Math.max(...seen(preset, aspect).flatMap(({ x, y }) => [Math.abs(x), Math.abs(y)]));
+        expect(widest, `${preset} ${aspect}`).toBeLessThan(1);
+        expect(widest, `${preset} ${aspect}`).toBeGreaterThan(0.85);
+      }
+    }
+  });
+
+  it("from the top has north up and east to the right", () => {
+    const { eye, target, fov } = frame(BOUNDS, PRESETS.top, 1.5);
+    const camera = new PerspectiveCamera(fov, 1.5, 0.1, 1000);
+    camera.position.set(...eye);
+    camera.lookAt(new Vector3(...target));
+    camera.updateMatrixWorld();
+    const at = (x: number, z: number): Vector3 => new Vector3(x, 0, z).project(camera);
+    expect(at(10, 0).y).toBeGreaterThan(at(10, 15).y);
+    expect(at(20, 7).x).toBeGreaterThan(at(0, 7).x);
+  });
+
+  it("flies from one framing to the other", () => {
+    const [a, b] = [frame(BOUNDS, PRESETS.top, 1), frame(BOUNDS, PRESETS.corner, 1)];
+    expect(blend(a, b, 0)).toEqual(a);
+    expect(blend(a, b, 1).eye[0]).toBeCloseTo(b.eye[0], 9);
+  });
+});

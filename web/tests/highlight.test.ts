@@ -1,0 +1,92 @@
+// @vitest-environment happy-dom
+import { describe, expect, it } from "vitest";
+import { Reading } from "../src/panel/reading";
+import { tokensOf, writeHighlighted } from "../src/panel/highlight";
+
+const LINES = [
+  "# Compose house: seed 42",
+  "floor_plan:",
+  "  size: 20 × 15m",
+  "    position: [5.7, 0.0]",
+  "    size: 5.7 × 5.6m   # 31.4 m²",
+  "      - wall: south    # → hallway_0",
+  "      - sofa: [2.85, 0.50]   # 2.2×0.9×0.85m",
+  "  - hallway_0 ↔ living_room_8",
+  "    name: \"a # in quotes\"",
+  "",
+  "   ",
+  "-",
+  "  odd: {a: <img src=x onerror=alert(1)>}",
+];
+
+const kinds = (line: string): string[] => tokensOf(line).filter((token) => token.kind !== "space").map(({ kind, text }) => `${kind} ${text}`);
+
+describe("tokens", () => {
+  it("joined are the line", () => {
+    for (const line of LINES) expect(tokensOf(line).map((token) => token.text).join("")).toBe(line);
+  });
+
+  it("tell keys, numbers, marks and comments", () => {
+    expect(kinds("      - sofa: [2.85, 0.50]   # 2.2×0.9×0.85m")).toEqual([
+      "punctuation - ", "key sofa", "punctuation :", "punctuation [", "number 2.85", "punctuation ,", "number 0.50", "punctuation ]",
+      "comment # 2.2×0.9×0.85m",
+    ]);
+    expect(kinds("  size: 20 × 15m")).toEqual(["key size", "punctuation :", "number 20", "punctuation ×", "number 15m"]);
+    expect(kinds("    type: living_room")).toEqual(["key type", "punctuation :", "text living_room"]);
+  });
+});
+
+describe("writing", () => {
+  it("never makes markup of a line", () => {
+    const line = document.createElement("div");
+    writeHighlighted("  - <img src=x onerror=alert(1)>: [1, 2]   # <b>bold</b>", line);
+    expect(line.textContent).toBe("  - <img src=x onerror=alert(1)>: [1, 2]   # <b>bold</b>");
+    expect([...line.querySelectorAll("*")].every((node) => node.tagName === "SPAN")).toBe(true);
+  });
+});
+
+describe("the reading panel", () => {
+  const text = "rooms:\n  - sofa: [1, 2]\n\n  - bed: [3, 4]\n";
+  const lines = [null, "a/sofa_1", null, "a/bed_1"];
+
+  function panel(): { host: HTMLElement; reading: Reading; chosen: string[] } {
+    const host = document.createElement("div");
+    document.body.replaceChildren(host);
+    const reading = new Reading(host);
+    const chosen: string[] = [];
+    reading.onChoose = (id) => chosen.push(id);
+    reading.show({ text, lines });
+    return { host, reading, chosen };
+  }
+
+  it("shows every line, those of bodies as buttons", () => {
+    const { host } = panel();
+    expect(host.children).toHaveLength(4);
+    expect([...host.querySelectorAll("button")].map((button) => button.dataset.id)).toEqual(["a/sofa_1", "a/bed_1"]);
+  });
+
+  it("says which line was clicked, also on a token of it", () => {
+    const { host, chosen } = panel();
+    host.querySelector<HTMLElement>("button .yaml-key")?.click();
+    expect(chosen).toEqual(["a/sofa_1"]);
+  });
+
+  it("marks the selected body's line and only that", () => {
+    const { host, reading } = panel();
+    reading.select("a/bed_1");
+    const pressed = (): string[] => [...host.querySelectorAll("button")].map((button) => button.getAttribute("aria-pressed") ?? "");
+    expect(pressed()).toEqual(["false", "true"]);
+    reading.select(null);
+    expect(pressed()).toEqual(["false", "false"]);
+  });
+
+  it("has one stop for the Tab key and goes on with the arrows", () => {
+    const { host } = panel();
+    const [first, second] = [...host.querySelectorAll("button")];
+    expect([first?.tabIndex, second?.tabIndex]).toEqual([0, -1]);
+    first?.focus();
+    first?.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowDown", bubbles: true }));
+    expect(document.activeElement).toBe(second);
+    expect([first?.tabIndex, second?.tabIndex]).toEqual([-1, 0]);
+  });
+});

@@ -1,0 +1,26 @@
+import { describe, expect, it } from "vitest";
+import { layOut } from "../src/view/label_layout";
+
+const wish = (x: number, y: number, importance: number) => ({ x, y, width: 80, height: 20, importance });
+
+describe("label layout", () => {
+  it("leaves labels that are apart where they wish to be", () => {
+    expect(layOut([wish(0, 0, 1), wish(200, 0, 2)])).toEqual([{ x: 0, y: 0 }, { x: 200, y: 0 }]);
+  });
+
+  it("nudges the less important of two that would cover each other", () => {
+    const [small, large] = layOut([wish(10, 5, 1), wish(0, 0, 2)]);
+    expect(large).toEqual({ x: 0, y: 0 });
+    expect(Math.abs((small?.y ?? 0) - 0)).toBeGreaterThanOrEqual(20);
+  });
+
+  it("never lets two labels cover each other, and drops those with no place", () => {
+    const wishes = Array.from({ length: 20 }, (_, i) => wish(i, 0, i));
+    const placed = layOut(wishes).flatMap((place) => place ?? []);
+    expect(placed.length).toBeGreaterThan(4);
+    expect(placed.length).toBeLessThan(20);
+    for (const [i, a] of placed.entries()) {
+      for (const b of placed.slice(i + 1)) expect(Math.abs(a.x - b.x) >= 80 || Math.abs(a.y - b.y) >= 20).toBe(true);
+    }
+  });
+});

@@ -1,0 +1,22 @@
+import { defineConfig } from "vitest/config";
+
+/** Where the service looks for the built page: git-ignored, packed into the wheel. */
+const STATIC_DIRECTORY = "../service/static";
+
+/** For `npm run dev`: the running service that answers the page's calls. */
+const SERVICE = "http://127.0.0.1:8000";
+const CALLS = ["/generate", "/fix", "/validate", "/view", "/catalog", "/schema", "/healthz"];
+
+export default defineConfig({
+  base: "./",
+  build: {
+    outDir: STATIC_DIRECTORY,
+    emptyOutDir: true,
+    target: "es2022",
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 900,
+  },
+  server: { proxy: Object.fromEntries(CALLS.map((call) => [call, SERVICE])) },
+  test: { include: ["tests/**/*.test.ts"], environment: "node" },
+});
