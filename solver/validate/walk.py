@@ -16,10 +16,10 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from solver.scene import EXTERIOR
 from solver.validate.lattice import Box, Edge, exact
+from solver.validate.patches import label
 from solver.validate.world import OPPOSITE, WAYS, Body, Hole, Place, World
 
 HEADROOM: Final = exact(2.0)
@@ -67,7 +67,7 @@ class Walk:
 
     places: tuple[Place, ...]
     grid: Grid
-    labels: NDArray[np.int32]
+    labels: NDArray[np.int64]
     entered: frozenset[int]
     entrances: tuple[Hole, ...]
     reach: int
@@ -114,7 +114,7 @@ def _walk(world: World, places: tuple[Place, ...]) -> Walk:
     edges = [edge.moved(place.x, place.z) for place in places for edge in place.edges]
     walls = [wall for edge in edges for wall in _walls(edge, cuts, world.half_wall, reach)]
     grid = Grid([*floors, *bridges], [*bodies, *walls])
-    labels, _ = ndimage.label(grid.free)
+    labels = label(grid.free)
     entrances = _entrances(places)
     entered = _entered(grid, labels, entrances) if entrances else _largest(grid, labels)
     return Walk(places, grid, labels, entered, tuple(hole for _, hole in entrances), reach)
@@ -171,7 +171,7 @@ def _entrances(places: Sequence[Place]) -> list[tuple[Place, Hole]]:
     return main or [way for way in ways if way[1].opening.connects_to == EXTERIOR]
 
 
-def _entered(grid: Grid, labels: NDArray[np.int32], entrances: Sequence[tuple[Place, Hole]]) -> frozenset[int]:
+def _entered(grid: Grid, labels: NDArray[np.int64], entrances: Sequence[tuple[Place, Hole]]) -> frozenset[int]:
     """Returns the labels of the free cells that lie along an entrance's wall line, inside."""
     found: set[int] = set()
     for place, hole in entrances:
@@ -180,7 +180,7 @@ def _entered(grid: Grid, labels: NDArray[np.int32], entrances: Sequence[tuple[Pl
     return frozenset(found - {0})
 
 
-def _largest(grid: Grid, labels: NDArray[np.int32]) -> frozenset[int]:
+def _largest(grid: Grid, labels: NDArray[np.int64]) -> frozenset[int]:
     areas = np.outer(np.diff(grid.xs).astype(float), np.diff(grid.zs).astype(float))
     sums = np.bincount(labels.ravel(), weights=areas.ravel(), minlength=1)
     sums[0] = 0.0
