@@ -1,0 +1,108 @@
+"""The HTTP service: every call in one page. Start reading here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final, cast
+
+from fastapi import FastAPI, Request
+from fastapi.routing import APIRouter
+from starlette.exceptions import HTTPException
+from starlette.responses import Response
+
+from catalogs import Catalogs, load_catalogs
+from service import calls, page, problems
+from service.describe import DescribedApp, described
+from service.docs import docs
+from service.documents import Document, parse
+from service.guard import Guard
+from service.wire import body_of, format_sent, format_wanted, written
+from service.workers import Workers
+from solver.pipeline.generate import VERSION
+
+router = APIRouter()
+DESCRIPTION: Final = "Lays out whole furnished homes and proves they work. JSON and YAML, in by Content-Type and out by Accept."
+
+
+@router.post("/generate", **described("Generate"))
+async def post_generate(request: Request) -> Response:
+    """Makes a furnished house, or furnishes some rooms of one anew."""
+    return await _called(request, calls.generate_house)
+
+
+@router.post("/fix", **described("Fix"))
+async def post_fix(request: Request) -> Response:
+    """Repairs a scene by moving as little as possible."""
+    return await _called(request, calls.fix_scene)
+
+
+@router.post("/validate", **described("Validate"))
+async def post_validate(request: Request) -> Response:
+    """Lists which rules a scene breaks, and by how much."""
+    return await _called(request, calls.validate_scene)
+
+
+@router.post("/view", **described("View"))
+async def post_view(request: Request) -> Response:
+    """Writes a scene as readable YAML, and which body each line is."""
+    return await _called(request, calls.view_scene)
+
+
+@router.get("/catalog", **described("Catalog"))
+async def get_catalog(request: Request) -> Response:
+    """Returns the furniture, floorings and room types the service knows."""
+    return await _asked(request, calls.catalog_document)
+
+
+@router.get("/schema", **described("Schema"))
+async def get_schema(request: Request) -> Response:
+    """Returns the JSON Schema of a scene."""
+    return await _asked(request, calls.schema_document)
+
+
+@router.get("/healthz", **described("Health"))
+async def get_healthz(request: Request) -> Response:
+    """Answers at once while the service lives."""
+    return written({"status": "ok"}, format_wanted(request))
+
+
+async def _called(request: Request, call: calls.Call) -> Response:
+    sent, wanted, catalogs = format_sent(request), format_wanted(request), _catalogs(request)
+    body = await body_of(request)
+    return await _workers(request).run(lambda: written(call(parse(body, sent), catalogs), wanted))
+
+
+async def _asked(request: Request, call: Callable[[Catalogs], Document]) -> Response:
+    wanted, catalogs = format_wanted(request), _catalogs(request)
+    return await _workers(request).run(lambda: written(call(catalogs), wanted))
+
+
+def _catalogs(request: Request) -> Catalogs:
+    return cast(Catalogs, request.app.state.catalogs)
+
+
+def _workers(request: Request) -> Workers:
+    return cast(Workers, request.app.state.workers)
+
+
+def create_app(catalogs: Catalogs | None = None) -> FastAPI:
+    """Makes the application.
+
+    Args:
+        catalogs: the data to serve; by default our own.
+
+    Raises:
+        CatalogError: our own catalogs cannot be read.
+    """
+    app = DescribedApp(title="Compose", version=VERSION, description=DESCRIPTION, docs_url=None, redoc_url=None, redirect_slashes=False)
+    app.state.catalogs = catalogs or load_catalogs()
+    app.state.workers = Workers()
+    for kind in problems.STATUS:
+        app.add_exception_handler(kind, problems.of_error)
+    app.add_exception_handler(HTTPException, problems.of_http)
+    app.include_router(router)
+    app.add_route("/", page.index, include_in_schema=False)
+    app.add_route("/docs", docs, include_in_schema=False)
+    app.mount("/assets", page.Assets())
+    app.add_middleware(Guard)
+    return app

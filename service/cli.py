@@ -1,0 +1,145 @@
+"""The command line. Reads arguments only; `commands` does the work, and is not imported before there is any."""
+
+from __future__ import annotations
+
+import os
+from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, Namespace, _SubParsersAction
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Final, TypeAlias
+
+Commands: TypeAlias = "_SubParsersAction[ArgumentParser]"
+
+THREADED: Final = ("OMP", "OPENBLAS", "MKL", "NUMEXPR")
+"""Libraries below numpy whose threads would only cost on small matrices, and whose sums must not depend on the machine."""
+STATUSES: Final = "Exit status: 0 clean, 1 errors found in the scene, 2 bad use."
+NUMBERS: Final = {
+    "seed": (int, "0 ... 2^53-1; drawn when there is none"),
+    "width": (float, "of the house, m (20)"),
+    "depth": (float, "of the house, m (15)"),
+    "min_room_size": (float, "shortest side of a room, m (3)"),
+    "max_depth": (int, "how often the plan is split (5)"),
+    "robot_width": (float, "of what must be able to walk everywhere, m (0.6)"),
+}
+SWITCHES: Final = {
+    "use_spine": "a hallway through the house (on)",
+    "outdoor": "turn rooms at the outside into a backyard and a patio (off)",
+    "decorate": "recorded for decorations (off)",
+}
+
+
+def _forced(text: str) -> tuple[str, str]:
+    index, equals, room_type = text.partition("=")
+    if not (index.isdecimal() and equals and room_type):
+        raise ArgumentTypeError(f"{text!r} is not INDEX=TYPE, such as 3=kitchen")
+    return index, room_type
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or int(text) > 65535:
+        raise ArgumentTypeError(f"{text!r} is not a port (0 ... 65535)")
+    return int(text)
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise ArgumentTypeError(f"{text!r} is not a number of houses (1 or more)")
+    return int(text)
+
+
+def _command(commands: Commands, name: str, words: str) -> ArgumentParser:
+    return commands.add_parser(name, help=words, description=words, epilog=STATUSES, allow_abbrev=False)
+
+
+def _add_output(command: ArgumentParser, what: str) -> None:
+    command.add_argument("-o", "--output", metavar="FILE", default="-", help=f"where to write {what} (standard output)")
+
+
+def _add_format(command: ArgumentParser) -> None:
+    command.add_argument("--format", choices=("yaml", "json"), help="of what is written (by the output's name, else yaml)")
+
+
+def _add_catalog(command: ArgumentParser) -> None:
+    command.add_argument("--catalog", metavar="DIR", help="a folder of your own catalog files, laid over ours")
+
+
+def _add_scene(command: ArgumentParser) -> None:
+    command.add_argument("scene", nargs="?", default="-", metavar="SCENE", help="a scene, YAML or JSON (standard input)")
+
+
+def _add_generate(commands: Commands) -> None:
+    command = _command(commands, "generate", "Make a furnished house; options win over the request file.")
+    command.add_argument("request", nargs="?", metavar="REQUEST", help="a request, YAML or JSON; - for standard input")
+    for name, (kind, words) in NUMBERS.items():
+        command.add_argument(f"--{name.replace('_', '-')}", dest=name, type=kind, metavar="N", help=words)
+    for name, words in SWITCHES.items():
+        command.add_argument(f"--{name.replace('_', '-')}", dest=name, action=BooleanOptionalAction, default=None, help=words)
+    command.add_argument("--force-type", dest="force_types", action="append", type=_forced, metavar="INDEX=TYPE", help="a room's type")
+    command.add_argument("--engine", choices=("osqp", "reference"), default="osqp", help="of the final QP (osqp)")
+    command.add_argument("-n", "--count", type=_count, metavar="N", help="make N houses of successive seeds into the folder -o")
+    _add_output(command, "the scene")
+    _add_format(command)
+    _add_catalog(command)
+
+
+def _add_fix(commands: Commands) -> None:
+    command = _command(commands, "fix", "Repair a scene by moving as little as possible.")
+    _add_scene(command)
+    command.add_argument("--lock", action="append", default=[], metavar="ID", help="a body that stays where it is; may be repeated")
+    command.add_argument("--moved", action="append", default=[], metavar="ID", help="a body that was just moved; may be repeated")
+    command.add_argument("--on-conflict", choices=("report", "remove"), default="report", help="what becomes of what cannot stand")
+    _add_output(command, "the scene")
+    _add_format(command)
+    _add_catalog(command)
+
+
+def _add_readers(commands: Commands) -> None:
+    validate = _command(commands, "validate", "List which rules a scene breaks.")
+    view = _command(commands, "view", "Write a scene for a person to read.")
+    for command, what in ((validate, "issues and metrics"), (view, "the text")):
+        _add_scene(command)
+        _add_output(command, what)
+    _add_format(validate)
+    _add_catalog(validate)
+
+
+def _add_tellers(commands: Commands) -> None:
+    catalog = _command(commands, "catalog", "Write the furniture, floorings and room types there are.")
+    schema = _command(commands, "schema", "Write the JSON Schema of a scene.")
+    for command in (catalog, schema):
+        _add_output(command, "it")
+        _add_format(command)
+    _add_catalog(catalog)
+
+
+def _add_serve(commands: Commands) -> None:
+    command = _command(commands, "serve", "Answer over HTTP, with the page at /.")
+    command.add_argument("--host", default="127.0.0.1", help="address to listen at (127.0.0.1)")
+    command.add_argument("--port", type=_port, default=8000, help="port to listen at; 0 for any free one (8000)")
+    _add_catalog(command)
+
+
+def parser() -> ArgumentParser:
+    """Returns the parser of the whole command line."""
+    words = "Lays out whole furnished homes and proves they work."
+    whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
+    commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    for add in (_add_serve, _add_generate, _add_fix, _add_readers, _add_tellers):
+        add(commands)
+    return whole
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs a command.
+
+    Args:
+        arguments: the words after the program's name; by default the process's own.
+
+    Returns:
+        The exit status: 0 clean, 1 errors found, 2 bad use.
+    """
+    options: Namespace = parser().parse_args(arguments)
+    for library in THREADED:
+        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    status: int = import_module("service.commands").run(options)
+    return status

@@ -1,0 +1,138 @@
+"""The OpenAPI document: what each call takes and answers, derived from the types that read and write it."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any, Final
+
+from fastapi import FastAPI
+from pydantic import TypeAdapter
+from starlette.responses import Response
+
+from catalogs import Catalogs
+from service.calls import ON_CONFLICT
+from service.documents import Document
+from service.problems import MEDIA_TYPE, STATUS
+from service.wire import MEDIA_TYPES
+from solver.exchange import request_schema, scene_schema
+from solver.exchange.fields import aliases
+from solver.scene import Conflict, Issue, Move, Request
+
+REFERENCES: Final = "#/components/schemas/"
+_IDS: Final = {"type": "array", "items": {"type": "string"}}
+_NUMBERS: Final = {"type": "object", "additionalProperties": {"type": "number"}}
+
+
+def _ref(name: str) -> Document:
+    return {"$ref": REFERENCES + name}
+
+
+def _list_of(name: str) -> Document:
+    return {"type": "array", "items": _ref(name)}
+
+
+def _record(required: tuple[str, ...], properties: Document) -> Document:
+    return {"type": "object", "properties": properties, "required": list(required), "additionalProperties": False}
+
+
+def _answer(**properties: Document) -> Document:
+    return _record(tuple(properties), properties)
+
+
+def _request() -> Document:
+    """The request's schema, with its defaults and its other spellings."""
+    schema = request_schema()
+    defaults = asdict(Request())
+    own = {name: {**part, "default": defaults[name]} for name, part in schema["properties"].items()}
+    camel = {spelling: {**own[name], "deprecated": True} for spelling, name in aliases(Request).items()}
+    return {**schema, "properties": own | camel}
+
+
+def _generate_body() -> Document:
+    seed = request_schema()["properties"]["seed"]
+    reroll = _record(("scene", "reroll"), {"scene": _ref("Scene"), "reroll": {**_IDS, "minItems": 1}, "seed": seed})
+    return {"anyOf": [_ref("Request"), reroll]}
+
+
+def _bodies() -> Document:
+    scene = {"scene": _ref("Scene")}
+    conflict = {"enum": list(ON_CONFLICT), "default": ON_CONFLICT[0]}
+    return {
+        "GenerateBody": _generate_body(),
+        "FixBody": _record(("scene",), {**scene, "locked": _IDS, "moved": _IDS, "on_conflict": conflict}),
+        "ValidateBody": _record(("scene",), scene),
+        "ViewBody": _record(("scene",), scene),
+    }
+
+
+def _answers() -> Document:
+    removed = {"type": "array", "items": _answer(id={"type": "string"}, reason={"type": "string"})}
+    made = {"scene": _ref("Scene"), "issues": _list_of("Issue"), "timing_ms": _NUMBERS}
+    lines = {"type": "array", "items": {"type": ["string", "null"]}}
+    return {
+        "GenerateAnswer": _answer(**made),
+        "FixAnswer": _answer(**made, moves=_list_of("Move"), removed=removed, conflicts=_list_of("Conflict")),
+        "ValidateAnswer": _answer(issues=_list_of("Issue"), metrics={"type": "object"}),
+        "ViewAnswer": _answer(text={"type": "string"}, lines=lines),
+        "SchemaAnswer": {"type": "object"},
+        "HealthAnswer": _answer(status={"const": "ok"}),
+        "Problem": _answer(
+            type={"type": "string"},
+            title={"type": "string"},
+            status={"type": "integer"},
+            detail={"type": "string"},
+            errors={"type": "array", "items": _answer(field={"type": "string"}, problem={"type": "string"}, allowed={"type": "string"})},
+        ),
+    }
+
+
+def _hoisted(name: str, schema: Document, prefix: str = "") -> Document:
+    """Moves a schema's own definitions among the document's, under a prefix, and its references with them."""
+    whole = _repointed(schema, prefix)
+    definitions = {prefix + inner: part for inner, part in whole.pop("$defs", {}).items()}
+    return {**definitions, name: {key: value for key, value in whole.items() if key not in ("$id", "$schema")}}
+
+
+def _repointed(node: Any, prefix: str) -> Any:
+    if isinstance(node, list):
+        return [_repointed(item, prefix) for item in node]
+    if not isinstance(node, dict):
+        return node
+    moved = {key: _repointed(value, prefix) for key, value in node.items()}
+    if isinstance(moved.get("$ref"), str):
+        moved["$ref"] = moved["$ref"].replace("#/$defs/", REFERENCES + prefix)
+    return moved
+
+
+def _components() -> Document:
+    types = _hoisted("CatalogAnswer", TypeAdapter(Catalogs).json_schema(mode="serialization"), "Catalog")
+    for kind in (Issue, Move, Conflict):
+        types |= _hoisted(kind.__name__, TypeAdapter(kind).json_schema(mode="serialization"))
+    return types | _hoisted("Scene", scene_schema()) | _hoisted("Request", _request()) | _bodies() | _answers()
+
+
+def _content(name: str) -> Document:
+    return {media_type: {"schema": _ref(name)} for media_type in MEDIA_TYPES}
+
+
+def _problem(title: str) -> Document:
+    return {"description": title, "content": {MEDIA_TYPE: {"schema": _ref("Problem")}}}
+
+
+def described(name: str) -> dict[str, Any]:
+    """Returns what a route declares: the schemas `<name>Body` (where there is one) and `<name>Answer`, and its problems."""
+    takes_body = f"{name}Body" in _bodies()
+    refusals = {status: _problem(title) for status, title in STATUS.values() if takes_body}
+    answers = {200: {"description": "The answer", "content": _content(f"{name}Answer")}, **refusals}
+    body = {"requestBody": {"required": True, "content": _content(f"{name}Body")}} if takes_body else {}
+    return {"response_class": Response, "responses": answers, "openapi_extra": body, "name": name.lower()}
+
+
+class DescribedApp(FastAPI):
+    """An application whose OpenAPI document also holds the schemas that its routes refer to."""
+
+    def openapi(self) -> dict[str, Any]:
+        """Returns the OpenAPI document."""
+        document = super().openapi()
+        document.setdefault("components", {}).setdefault("schemas", {}).update(_components())
+        return document

@@ -1,0 +1,77 @@
+"""Errors as RFC 9457 problem documents; the one table that maps errors to HTTP is `STATUS`."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from http import HTTPStatus
+from typing import Any, Final
+
+from starlette.exceptions import HTTPException
+from starlette.requests import Request
+from starlette.responses import Response
+
+from service.refusals import Busy, TooLarge, TooSlow, WrongMediaType
+from solver.errors import ComposeError, FieldError, SyntaxFault
+
+MEDIA_TYPE: Final = "application/problem+json"
+
+STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
+    SyntaxFault: (400, "The body cannot be read"),
+    TooSlow: (408, "The body did not arrive"),
+    TooLarge: (413, "The body is too large"),
+    WrongMediaType: (415, "The body's format is not read here"),
+    FieldError: (422, "A field is wrong"),
+    Busy: (503, "The service is busy"),
+}
+"""Status and title of every error a caller can bring about; a class stands for its children too."""
+
+RETRY_AFTER_S: Final = 2
+"""When to come back to a busy service, s. Our choice: a house takes a fraction of that."""
+
+
+def problem(status: int, title: str, detail: str, errors: list[dict[str, str]], headers: Mapping[str, str] | None = None) -> Response:
+    """Writes a problem document.
+
+    Args:
+        status: the HTTP status.
+        title: what kind of problem it is, the same for every occurrence.
+        detail: this occurrence, in words.
+        errors: the fields concerned: `field`, `problem`, and `allowed` where there is something to say.
+        headers: more headers.
+    """
+    document: dict[str, Any] = {"type": "about:blank", "title": title, "status": status, "detail": detail, "errors": errors}
+    return Response(json.dumps(document).encode(), status, headers, MEDIA_TYPE)
+
+
+def _entry(field: str, what: str, allowed: str = "") -> dict[str, str]:
+    return {"field": field, "problem": what, "allowed": allowed}
+
+
+def of_error(_: Request, error: Exception) -> Response:
+    """Turns an error of the table into its problem document."""
+    status, title = next(STATUS[kind] for kind in type(error).__mro__ if kind in STATUS)
+    if isinstance(error, FieldError):
+        entry = _entry(error.field, error.problem, error.allowed)
+    else:
+        entry = _entry("body", str(error), "one JSON or YAML document in UTF-8")
+    headers = {"Retry-After": str(RETRY_AFTER_S)} if status == HTTPStatus.SERVICE_UNAVAILABLE else None
+    return problem(status, title, str(error), [entry], headers)
+
+
+def of_http(request: Request, error: Exception) -> Response:
+    """Turns the router's own errors (unknown path, wrong method) into problem documents."""
+    status = error.status_code if isinstance(error, HTTPException) else HTTPStatus.INTERNAL_SERVER_ERROR
+    headers = dict(getattr(error, "headers", None) or {})
+    allow = {name.lower(): value for name, value in headers.items()}.get("allow", "")
+    title, path = HTTPStatus(status).phrase, request.url.path
+    if status == HTTPStatus.METHOD_NOT_ALLOWED:
+        return problem(status, title, f"{path} does not take {request.method}.", [_entry("method", request.method, allow)], headers)
+    if status == HTTPStatus.NOT_FOUND:
+        return problem(status, title, f"There is no {path}.", [_entry("path", path, "the calls listed at /docs")], headers)
+    return problem(status, title, f"{path}: {title}.", [], headers)
+
+
+def unexpected() -> Response:
+    """The answer when something is wrong with the service itself; says nothing of its insides."""
+    return problem(500, "The service failed", "This is a fault of the service, not of the request; it has been logged.", [])

@@ -1,0 +1,110 @@
+"""HTTP's side of documents: content types, the limit on bodies, JSON or YAML by what the caller accepts."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Final
+
+from starlette.requests import Request
+from starlette.responses import Response
+
+from service.documents import Document
+from service.refusals import TooLarge, TooSlow, WrongMediaType
+from solver.exchange import FORMATS, dump_text
+
+BODY_LIMIT: Final = 8 * 1024 * 1024
+"""Largest body, bytes. Our choice: a furnished house of 30 x 20 m is 0.1 MB."""
+DRAIN_LIMIT: Final = 4 * BODY_LIMIT
+"""How much of a too large body is read and dropped, bytes, so that its sender hears the answer before the line closes."""
+BODY_SECONDS: Final = 30.0
+"""How long a body may take to arrive, s. Our choice."""
+MEDIA_TYPES: Final = tuple(format.media_type for format in FORMATS.values())
+READ_AS: Final = {
+    **{format.media_type: name for name, format in FORMATS.items()},
+    "": "json",
+    "application/x-www-form-urlencoded": "json",  # what `curl -d` says of any body
+    "application/x-yaml": "yaml",
+    "text/yaml": "yaml",
+    "text/x-yaml": "yaml",
+}
+"""The format a body is read in, by its content type."""
+ACCEPTED: Final = {**READ_AS, "*/*": "json", "application/*": "json"}
+"""The format that satisfies a media range of an Accept header."""
+
+
+def format_sent(request: Request) -> str:
+    """Tells the format of a request's body.
+
+    Raises:
+        WrongMediaType: its content type or encoding is none of ours.
+    """
+    encoding = request.headers.get("content-encoding", "identity")
+    if encoding.strip().lower() not in ("", "identity"):
+        raise WrongMediaType("Content-Encoding", f"{encoding!r} is not decoded here", "identity")
+    given = request.headers.get("content-type", "")
+    found = READ_AS.get(given.partition(";")[0].strip().lower())
+    if found is None:
+        raise WrongMediaType("Content-Type", f"{given!r} is not read here", ", ".join(MEDIA_TYPES))
+    return found
+
+
+def format_wanted(request: Request) -> str:
+    """Tells the format a caller accepts: YAML where it is named and liked better than JSON, else JSON."""
+    liked = {"json": 0.0, "yaml": 0.0}
+    for item in request.headers.get("accept", "").split(","):
+        name, _, parameters = item.partition(";")
+        found = ACCEPTED.get(name.strip().lower())
+        if found is not None:
+            liked[found] = max(liked[found], _quality(parameters))
+    return "yaml" if liked["yaml"] > liked["json"] else "json"
+
+
+def _quality(parameters: str) -> float:
+    for parameter in parameters.split(";"):
+        name, _, value = parameter.partition("=")
+        if name.strip().lower() == "q":
+            try:
+                return min(max(float(value), 0.0), 1.0)
+            except ValueError:
+                return 0.0
+    return 1.0
+
+
+async def body_of(request: Request) -> bytes:
+    """Reads a request's body.
+
+    Raises:
+        TooLarge: it holds, or says it holds, more than BODY_LIMIT bytes.
+        TooSlow: it did not arrive in BODY_SECONDS.
+    """
+    announced = request.headers.get("content-length", "")
+    large = announced.isdecimal() and (len(announced) > 18 or int(announced) > BODY_LIMIT)
+    if large and (len(announced) > 18 or int(announced) > DRAIN_LIMIT or "expect" in request.headers):
+        raise _too_large()
+    try:
+        async with asyncio.timeout(BODY_SECONDS):
+            return await _received(request)
+    except TimeoutError:
+        raise TooSlow("body", f"did not arrive in {BODY_SECONDS:.0f} s") from None
+
+
+async def _received(request: Request) -> bytes:
+    chunks, size = [], 0
+    async for chunk in request.stream():
+        size += len(chunk)
+        if size > DRAIN_LIMIT:
+            break
+        if size <= BODY_LIMIT:
+            chunks.append(chunk)
+    if size > BODY_LIMIT:
+        raise _too_large()
+    return b"".join(chunks)
+
+
+def _too_large() -> TooLarge:
+    return TooLarge("body", "is larger than this service reads", f"at most {BODY_LIMIT} bytes ({BODY_LIMIT >> 20} MB)")
+
+
+def written(document: Document, format: str) -> Response:
+    """Writes a document as a response in that format."""
+    return Response(dump_text(document, format), media_type=FORMATS[format].media_type, headers={"Vary": "Accept"})
