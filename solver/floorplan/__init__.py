@@ -1,0 +1,14 @@
+"""Request -> floor plan -> typed rooms -> openings.
+
+Comes in: `Request` (with a seed), `Catalogs`. Goes out: `FloorPlan`. May import: the ground floor and catalogs; no other
+stage. Not here: furniture, wall occupancy, validation.
+
+    bsp, spine   rectangles that tile the house         access     who is entered through whom, the main entrance
+    classify     a type for every room (fitness)        doors, windows    openings on the lattice
+    plan         rooms as the scene has them, doors moved afterwards
+"""
+
+from solver.floorplan.draw import draw
+from solver.floorplan.plan import FloorPlan, door_positions, with_door_at
+
+__all__ = ["FloorPlan", "door_positions", "draw", "with_door_at"]

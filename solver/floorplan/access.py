@@ -1,0 +1,163 @@
+"""Who is entered through whom: the ways planned before rooms have types, and the tree of doors once they have.
+
+Comes in: a `Layout`, its joints, later the types. Goes out: a planned parent for every room, then the joint that gets
+each room's door. May import: the ground floor, catalogs. Not here: where in the wall a door stands (doors.py).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from heapq import heappop, heappush
+from typing import Final
+
+from catalogs.schema import RoomType
+from solver.floorplan.layout import Joint, Layout, exterior_sides, neighbours
+from solver.geometry import Rect
+from solver.scene import WALLS
+
+THROUGH_PUBLIC: Final = 1.0
+"""Cost of entering a room through a way through that is not a hallway (a hallway costs nothing)."""
+THROUGH_OWNER: Final = 1.5
+"""... through its owner, such as a bathroom through its bedroom."""
+THROUGH_OTHER: Final = 30.0
+"""... through any other room, such as an office: worse than any sane detour."""
+THROUGH_PRIVATE: Final = 300.0
+"""... through a bedroom or a bathroom."""
+THROUGH_OUTDOOR: Final = 3000.0
+"""... through a garden."""
+HOP: Final = 0.01
+"""What every door costs, so that of equal ways the one with fewer doors wins."""
+
+
+@dataclass(frozen=True)
+class Ways:
+    """The ways planned before types are known.
+
+    `parent[i]` is the room that room i is entered from (None: it is a hallway, touches one, or is the first room);
+    `through` are the rooms, not hallways, that others are entered from.
+    """
+
+    parent: tuple[int | None, ...]
+    through: frozenset[int]
+
+
+def plan_ways(layout: Layout, shared: Sequence[Joint]) -> Ways:
+    """Plans which rooms are ways through: the layout's cells, or without hallways a connected dominating set."""
+    if layout.spine:
+        parents = tuple(layout.behind.get(i) for i in range(len(layout.rooms)))
+        return Ways(parents, frozenset(layout.behind.values()))
+    return _dominating(layout, neighbours(len(layout.rooms), tuple(shared)))
+
+
+def _dominating(layout: Layout, by_room: list[list[Joint]]) -> Ways:
+    """Tries every room on the street as the root of a greedy tree (Guha and Khuller 1998) and keeps the smallest."""
+    rooms = layout.rooms
+    if len(rooms) == 1:
+        return Ways((None,), frozenset())
+    street = [i for i, rect in enumerate(rooms) if rect.z1 == layout.outline.z1]
+    spared = min(range(len(rooms)), key=lambda i: (rooms[i].area_m2, i))
+    roots = [i for i in street if i != spared][:8] or street[:1]
+    grown = [_grow(root, spared, rooms, by_room) for root in roots]
+    return min(grown, key=lambda ways: len(ways.through | {ways.parent.index(None)}))
+
+
+def _grow(root: int, spared: int, rooms: Sequence[Rect], by_room: list[list[Joint]]) -> Ways:
+    parent: list[int | None] = [None] * len(rooms)
+    seen, inner = {root}, [root]
+    edge = _open(root, parent, seen, by_room)
+    while len(seen) < len(rooms):
+        fresh = {i: sum(j.other(i) not in seen for j in by_room[i]) for i in edge}
+        chosen = max(edge, key=lambda i: (fresh[i] > 0, i != spared, fresh[i], rooms[i].area_m2, -i))
+        if fresh[chosen] == 0:
+            break
+        edge.remove(chosen)
+        inner.append(chosen)
+        edge += _open(chosen, parent, seen, by_room)
+    return Ways(tuple(parent), frozenset(p for p in parent if p is not None))
+
+
+def _open(room: int, parent: list[int | None], seen: set[int], by_room: list[list[Joint]]) -> list[int]:
+    fresh = [j.other(room) for j in by_room[room] if j.other(room) not in seen]
+    for i in fresh:
+        parent[i] = room
+        seen.add(i)
+    return fresh
+
+
+def passing_cost(through: str, entered: str, rooms: Mapping[str, RoomType]) -> float:
+    """Returns what it costs to enter a room of one type through a room of another."""
+    if through == "hallway":
+        return 0.0
+    kind = rooms[through]
+    if kind.outdoor:
+        return THROUGH_OUTDOOR
+    if kind.plan.way_through:
+        return THROUGH_PUBLIC
+    if through in rooms[entered].plan.behind:
+        return THROUGH_OWNER
+    return THROUGH_PRIVATE if is_private(through, rooms) else THROUGH_OTHER
+
+
+def is_private(name: str, rooms: Mapping[str, RoomType]) -> bool:
+    """Tells whether a type is a bedroom or a bathroom: one sleeps, bathes or uses the toilet there."""
+    wanted = {kind for line in rooms[name].requires for kind in line}
+    return bool(wanted & {"bed", "single_bed", "toilet"})
+
+
+def door_tree(entrance: int, types: Sequence[str], shared: Sequence[Joint], rooms: Mapping[str, RoomType]) -> tuple[tuple[Joint, int], ...]:
+    """Finds the cheapest way to every room (Dijkstra 1959 over passing_cost).
+
+    Args:
+        entrance: index of the room with the main entrance.
+        types: type of each room.
+        shared: the walls that take a door.
+        rooms: the catalog of room types.
+
+    Returns:
+        For every room but the entrance's: the joint of its door and its own index. Of equal ways the longest wall wins.
+    """
+    by_room = neighbours(len(types), tuple(shared))
+    best: dict[int, tuple[float, int]] = {entrance: (0.0, 0)}
+    door: dict[int, Joint] = {}
+    queue = [(0.0, 0, entrance)]
+    done: set[int] = set()
+    while queue:
+        cost, _, room = heappop(queue)
+        if room in done:
+            continue
+        done.add(room)
+        for joint in by_room[room]:
+            other = joint.other(room)
+            offer = (cost + HOP + passing_cost(types[room], types[other], rooms), -joint.length)
+            if other not in done and (other not in best or offer < best[other]):
+                best[other], door[other] = offer, joint
+                heappush(queue, (*offer, other))
+    return tuple((door[i], i) for i in sorted(door))
+
+
+def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomType]) -> tuple[int, str]:
+    """Chooses the room and the wall of the main entrance.
+
+    A hallway with a south wall, else the widest south wall of another way through, else a hallway's end, else the
+    widest outside wall of a way through, of any indoor room, of anything.
+    """
+    walls = [(i, wall) for i, rect in enumerate(layout.rooms) for wall in exterior_sides(rect, layout.outline)]
+
+    def rank(place: tuple[int, str]) -> tuple[int, int, int, int]:
+        i, wall = place
+        low, high = layout.rooms[i].along(wall)
+        name = types[i]
+        last = rooms[name].outdoor or is_private(name, rooms)
+        tier = _tier(name, wall == "south", rooms[name].plan.way_through, last)
+        return (tier, low - high, i, WALLS.index(wall))
+
+    return min(walls, key=rank)
+
+
+def _tier(name: str, south: bool, way: bool, last: bool) -> int:
+    if name == "hallway":
+        return 0 if south else 2
+    if way:
+        return 1 if south else 3
+    return 5 if last else 4

@@ -1,0 +1,119 @@
+"""The basic binary space partition: rectangles cut along their longer axis, with L-shaped corridors between siblings.
+
+Comes in: an outline, the smallest side, a depth and a seed. Goes out: a `Layout` without hallways.
+May import: the ground floor. Not here: access (access.py), the spine (spine.py).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from heapq import heappop, heappush
+from typing import Any, Final
+
+from solver.floorplan.layout import HALLWAY_MM, Layout, touching
+from solver.geometry import Rect, half_m, to_m
+from solver.streams import Stream
+
+SHARES: Final = (0.4, 0.6)
+"""A cut falls in this part of a side; with it the predecessor's room counts are met (floorplan.md's table)."""
+MAX_ROOMS: Final = 1000
+"""Cutting stops here, the largest rectangles having been cut first: more rooms than anyone furnishes in seconds."""
+ROUND_MM: Final = 50
+"""Cuts fall on multiples of 5 cm from the house's edge: dimensions a person would draw."""
+
+
+def cut_at(stream: Stream, low: int, high: int, margins: tuple[int, int]) -> int:
+    """Draws where to cut the interval [low, high], mm.
+
+    Args:
+        stream: the node's own stream.
+        low: start of the interval.
+        high: end of the interval.
+        margins: least lengths of the two parts; together at most the interval.
+    """
+    length = high - low
+    first = max(margins[0], round(length * SHARES[0]))
+    last = min(length - margins[1], round(length * SHARES[1]))
+    if last < first:
+        first, last = (margins[0], margins[0]) if last < margins[0] else (last, last)
+    drawn = round(stream.uniform(first, last) / ROUND_MM) * ROUND_MM
+    return low + min(max(drawn, margins[0]), length - margins[1])
+
+
+@dataclass(frozen=True)
+class _Node:
+    """A rectangle of the tree; its path is 0 for the west or north child, 1 for the other."""
+
+    rect: Rect
+    path: str
+    cuts_left: int
+
+
+def halves(rect: Rect, axis: str, at: int) -> tuple[Rect, Rect]:
+    """Cuts a rectangle across an axis ("x": into west and east, "z": into north and south) at a coordinate, mm."""
+    if axis == "x":
+        return Rect(rect.x0, rect.z0, at, rect.z1), Rect(at, rect.z0, rect.x1, rect.z1)
+    return Rect(rect.x0, rect.z0, rect.x1, at), Rect(rect.x0, at, rect.x1, rect.z1)
+
+
+def partition(outline: Rect, least: int, max_depth: int, seed: int) -> Layout:
+    """Cuts the house into rooms without a hallway.
+
+    Args:
+        outline: the house, mm.
+        least: smallest side of a room, mm.
+        max_depth: levels of cuts.
+        seed: the house's seed.
+
+    Returns:
+        The rooms in the tree's order, and one corridor for each cut.
+    """
+    leaves: dict[str, Rect] = {}
+    queue = [(-outline.width * outline.depth, "", _Node(outline, "", max_depth))]
+    capped = False
+    while queue:
+        node = heappop(queue)[2]
+        full = len(queue) + len(leaves) + 2 > MAX_ROOMS
+        if node.cuts_left == 0 or max(node.rect.width, node.rect.depth) < 2 * least or full:
+            capped = capped or (full and node.cuts_left > 0 and max(node.rect.width, node.rect.depth) >= 2 * least)
+            leaves[node.path] = node.rect
+            continue
+        for child in _children(node, least, seed):
+            heappush(queue, (-child.rect.width * child.rect.depth, child.path, child))
+    paths = sorted(leaves)
+    rooms = tuple(leaves[path] for path in paths)
+    notes = (f"cutting stopped at {MAX_ROOMS} rooms",) if capped else ()
+    return Layout(outline, rooms, corridors=_corridors(paths, rooms), notes=notes)
+
+
+def _children(node: _Node, least: int, seed: int) -> tuple[_Node, _Node]:
+    rect = node.rect
+    axis = "x" if rect.width >= rect.depth else "z"
+    low, high = (rect.x0, rect.x1) if axis == "x" else (rect.z0, rect.z1)
+    at = cut_at(Stream(seed, "floorplan.bsp", node.path), low, high, (least, least))
+    first, second = halves(rect, axis, at)
+    return _Node(first, node.path + "0", node.cuts_left - 1), _Node(second, node.path + "1", node.cuts_left - 1)
+
+
+def _corridors(paths: list[str], rooms: tuple[Rect, ...]) -> tuple[Mapping[str, Any], ...]:
+    """Joins the two children of every cut through the rooms that share the longest wall across it."""
+    best: dict[str, tuple[int, int, int]] = {}
+    for a, b, _, low, high in touching(rooms):
+        node = _common(paths[a], paths[b])
+        candidate = (low - high, a, b)
+        best[node] = min(best.get(node, candidate), candidate)
+    return tuple(_corridor(rooms, a, b) for _, (_, a, b) in sorted(best.items()))
+
+
+def _common(one: str, other: str) -> str:
+    length = 0
+    while length < min(len(one), len(other)) and one[length] == other[length]:
+        length += 1
+    return one[:length]
+
+
+def _corridor(rooms: tuple[Rect, ...], a: int, b: int) -> Mapping[str, Any]:
+    """An L from one room's centre along x, then along z, to the other's; m."""
+    ax, az, bx, bz = (half_m(v) for r in (rooms[a], rooms[b]) for v in (r.x0 + r.x1, r.z0 + r.z1))
+    return {"from": a, "to": b, "points": [[ax, az], [bx, az], [bx, bz]], "width": to_m(HALLWAY_MM - 100)}

@@ -1,0 +1,206 @@
+"""Gives every room its type: a deterministic sequence of rules, then the rest by fitness and variety.
+
+Comes in: a layout, its joints and planned ways, the request, the catalog of room types. Goes out: a type for every room
+and notes. May import: the ground floor, catalogs. No randomness: the plan's rooms are varied enough.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from typing import Final
+
+from catalogs.schema import RoomType
+from solver.errors import RequestError
+from solver.floorplan.access import THROUGH_OWNER
+from solver.floorplan.fitness import IMPOSSIBLE, Fitness
+from solver.scene import Request
+
+KITCHEN_M2: Final = 8.0
+MASTER_M2: Final = 12.0
+"""Least kitchen and least master bedroom where the rooms allow, m2 (the predecessor's 4.1)."""
+PROGRAMME: Final = (
+    "bathroom", "kitchen", "living_room", "bedroom_master", "bedroom", "dining_room", "bathroom", "office", "laundry",
+    "bedroom", "garage", "bathroom", "bedroom", "workshop", "office", "bedroom", "living_room", "bathroom", "bedroom",
+)  # fmt: skip
+"""What a house of n rooms holds: the first n of these, from the start again when they run out. Our choice, from what
+people build: a second bathroom by the seventh room, a garage by the eleventh, a family room in large houses."""
+ONCE: Final = ("kitchen", "bedroom_master", "dining_room", "laundry", "garage")
+"""Types of which a house wishes one, and one more for every 24 rooms."""
+OUTDOOR: Final = ("backyard", "patio")
+"""What the outdoor option makes of the largest rooms to spare, in this order."""
+
+
+def check_forced(request: Request, count: int, rooms: Mapping[str, RoomType]) -> None:
+    """Checks the request's forced types.
+
+    Raises:
+        RequestError: an index the plan does not have, or a type the catalog does not have.
+    """
+    for index, name in sorted(request.force_types.items()):
+        field = f"force_types[{index}]"
+        if not 0 <= index < count:
+            raise RequestError(field, f"this plan has no room {index}", f"0 to {count - 1}")
+        if name not in rooms:
+            raise RequestError(field, f"unknown room type {name!r}", ", ".join(sorted(rooms)))
+
+
+def classify(fitness: Fitness, request: Request) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Gives every room a type.
+
+    Args:
+        fitness: the layout's rooms and what they suit.
+        request: force_types and outdoor are read; force_types must have been checked.
+
+    Returns:
+        The types by room index, and notes.
+    """
+    draft = _Draft(fitness, request)
+    draft.essentials()
+    draft.fronts()
+    draft.rest()
+    draft.improve()
+    notes = draft.outdoors() if request.outdoor else ()
+    draft.kids()
+    return tuple(t or "hallway" for t in draft.types), notes
+
+
+class _Draft:
+    """The types given so far."""
+
+    def __init__(self, fitness: Fitness, request: Request) -> None:
+        layout = fitness.layout
+        self.fitness, self.area = fitness, [rect.area_m2 for rect in layout.rooms]
+        self.types: list[str | None] = ["hallway" if i < layout.hallways else None for i in range(len(layout.rooms))]
+        for index, name in request.force_types.items():
+            self.types[index] = name
+        self.usable = sorted((i for i, t in enumerate(self.types) if t is None), key=lambda i: (self.area[i], i))
+        self.fixed: set[int] = set()
+        self.counts = Counter(self.group(t) for t in self.types if t is not None)
+        self.wish = self._wishes(len(layout.rooms) - layout.hallways)
+        garages = {name for name, kind in fitness.rooms.items() if kind.plan.garage_door}
+        self.names = sorted({name for name in PROGRAMME if name in fitness.rooms} | garages)
+
+    def group(self, name: str) -> str:
+        """Garages of any size count as one type."""
+        return "garage" if self.fitness.rooms[name].plan.garage_door else name
+
+    def _wishes(self, count: int) -> Counter[str]:
+        wish = Counter(PROGRAMME[i % len(PROGRAMME)] for i in range(count))
+        for name in ONCE:
+            wish[name] = min(wish[name], 1 + count // 24)
+        return wish
+
+    def give(self, room: int, name: str, fixed: bool = False) -> None:
+        """Gives a room a type, in place of the one it may have had."""
+        old = self.types[room]
+        if old is not None:
+            self.counts[self.group(old)] -= 1
+        self.types[room] = name
+        self.counts[self.group(name)] += 1
+        if fixed:
+            self.fixed.add(room)
+
+    def untyped(self) -> list[int]:
+        """Returns the rooms without a type, smallest first."""
+        return [i for i in self.usable if self.types[i] is None]
+
+    def essentials(self) -> None:
+        """Bathroom, kitchen, living room and master bedroom, as far as the rooms go and nobody forced them."""
+        rooms = len(self.usable)
+        if rooms >= 2 and not self.counts["bathroom"]:
+            self.give(self.untyped()[0], "bathroom", fixed=True)
+        if rooms >= 2 and not self.counts["kitchen"]:
+            left = self.untyped()
+            self.give(next((i for i in left if self.area[i] >= KITCHEN_M2), left[-1]), "kitchen", fixed=True)
+        if rooms != 2 and self.untyped() and not self.counts["living_room"]:
+            self.give(min(self.untyped(), key=self._living), "living_room", fixed=True)
+        if rooms >= 4 and self.untyped() and not self.counts["bedroom_master"]:
+            room = min(self.untyped(), key=self._master)
+            self.give(room, "bedroom_master" if self.area[room] >= MASTER_M2 else "bedroom", fixed=True)
+
+    def _living(self, room: int) -> tuple[float, int]:
+        """A living room is the largest that is not too large; best one that others are entered through."""
+        cost = self.fitness.cost(room, "living_room", self.types) - 0.05 * self.area[room]
+        return cost - (2.0 if room in self.fitness.ways.through else 0.0), room
+
+    def _master(self, room: int) -> tuple[float, int]:
+        small = 20.0 if self.area[room] < MASTER_M2 else 0.0
+        own = 1.0 if room in self.fitness.ways.through else 0.0
+        return self.fitness.cost(room, "bedroom_master", self.types) + small - own, room
+
+    def repeated(self, name: str) -> float:
+        """Cost of one more room of a type: a bonus up to the wish, then ever steeper."""
+        over = self.counts[self.group(name)] + 1 - self.wish[self.group(name)]
+        return -0.8 if over <= 0 else 2.0 * float(over) ** 1.3
+
+    def _cost(self, room: int, name: str) -> float:
+        return self.fitness.cost(room, name, self.types) + self.repeated(name)
+
+    def best(self, room: int) -> str:
+        """Returns the type that suits the room best now."""
+        return min(self.names, key=lambda name: (self._cost(room, name), name))
+
+    def fronts(self) -> None:
+        """Rooms that others are entered through, largest first, each together with a room behind it."""
+        for room in reversed([i for i in self.untyped() if i in self.fitness.ways.through]):
+            behind = [i for i in self.fitness.children.get(room, ()) if self.types[i] is None]
+            if len(behind) == 1:
+                self._pair(room, behind[0])
+            else:
+                self.give(room, self.best(room))
+
+    def _pair(self, front: int, back: int) -> None:
+        offers: list[tuple[float, str, str]] = []
+        for name in self.names:
+            cost = self._cost(front, name)
+            if cost < IMPOSSIBLE:
+                self.types[front] = name
+                offers.extend((cost + self._cost(back, other), name, other) for other in self.names)
+        self.types[front] = None
+        if offers:
+            _, name, other = min(offers)
+            self.give(front, name)
+            self.give(back, other)
+
+    def rest(self) -> None:
+        """Rooms without an outside wall or behind others first: they suit the fewest types; then by size."""
+        fitness = self.fitness
+
+        def order(room: int) -> tuple[bool, float, int]:
+            return bool(fitness.outside[room]) and fitness.ways.parent[room] is None, -self.area[room], room
+
+        for room in sorted(self.untyped(), key=order):
+            self.give(room, self.best(room))
+
+    def improve(self) -> None:
+        """Looks at every free room once more, now that the others are known."""
+        for room in self.usable:
+            now = self.types[room]
+            if room not in self.fixed and now is not None:
+                self.counts[self.group(now)] -= 1
+                self.types[room] = None
+                self.give(room, self.best(room))
+
+    def outdoors(self) -> tuple[str, ...]:
+        """Turns the largest rooms that the house can spare into a garden and a terrace."""
+        notes = []
+        for name in OUTDOOR:
+            spare = [i for i in self.usable if self._spare(i, name)]
+            if spare:
+                self.give(max(spare, key=lambda i: (self.area[i], -i)), name, fixed=True)
+            else:
+                notes.append(f"no {name}: every room with an outside wall and {self.fitness.rooms[name].area.min[0]} m2 is needed")
+        return tuple(notes)
+
+    def _spare(self, room: int, name: str) -> bool:
+        """Tells whether the house can do without the room, and nobody walks through it or privately into it."""
+        if room in self.fixed or room in self.fitness.ways.through or not self.fitness.outside[room]:
+            return False
+        return self.fitness.access(room, name, self.types) < THROUGH_OWNER and self.area[room] >= self.fitness.rooms[name].area.min[0]
+
+    def kids(self) -> None:
+        """The smallest plain bedroom is the children's, where there is another to sleep in."""
+        plain = [i for i in self.usable if self.types[i] == "bedroom"]
+        if plain and self.counts["bedroom_master"] + len(plain) >= 2 and not self.counts["kids_bedroom"]:
+            self.give(plain[0], "kids_bedroom")

@@ -1,0 +1,74 @@
+"""draw(): the whole stage, top to bottom.
+
+Comes in: Request, Catalogs. Goes out: FloorPlan. May import: the ground floor, catalogs, the modules beside it.
+"""
+
+from __future__ import annotations
+
+from catalogs.schema import Catalogs
+from solver.errors import RequestError
+from solver.floorplan.access import THROUGH_OTHER, door_tree, entrance_of, passing_cost, plan_ways
+from solver.floorplan.bsp import partition
+from solver.floorplan.classify import check_forced, classify
+from solver.floorplan.doors import Doorways, place_doors, place_entrance, place_garage_doors
+from solver.floorplan.fitness import Fitness
+from solver.floorplan.layout import HALLWAY_MM, Joint, Layout, joints
+from solver.floorplan.plan import Drawing, FloorPlan, written
+from solver.floorplan.spine import carve
+from solver.floorplan.windows import place_windows
+from solver.geometry import Rect, to_m, to_mm
+from solver.scene import Request
+
+
+def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
+    """Draws the floor plan of a request.
+
+    Args:
+        request: what is wished; its seed must be set.
+        catalogs: the room types.
+
+    Raises:
+        RequestError: min_room_size is larger than the house, or force_types names an unknown room or type.
+    """
+    layout, notes = _layout(request, catalogs)
+    check_forced(request, len(layout.rooms), catalogs.rooms)
+    shared = joints(layout.rooms)
+    fitness = Fitness(layout, shared, plan_ways(layout, shared), catalogs.rooms)
+    types, more = classify(fitness, request)
+    room, wall = entrance_of(layout, types, catalogs.rooms)
+    tree = door_tree(room, types, shared, catalogs.rooms)
+    doorways = Doorways(layout, types, catalogs.rooms)
+    place_entrance(doorways, room, wall)
+    place_doors(doorways, tree)
+    garages = place_garage_doors(doorways)
+    place_windows(doorways)
+    drawing = Drawing(layout, types, shared, tuple(doorways.cuts), catalogs)
+    return written(drawing, (*notes, *more, *garages, *_compromises(drawing, tree)))
+
+
+def _layout(request: Request, catalogs: Catalogs) -> tuple[Layout, tuple[str, ...]]:
+    outline = Rect(0, 0, to_mm(request.width), to_mm(request.depth))
+    least, seed = to_mm(request.min_room_size), request.seed or 0
+    if least > min(outline.width, outline.depth):
+        allowed = f"at most {to_m(min(outline.width, outline.depth))}"
+        raise RequestError("min_room_size", f"{request.min_room_size} m is more than the house's shorter side", allowed)
+    if request.use_spine:
+        layout = carve(outline, least, request.max_depth, seed, catalogs.rooms["bathroom"].area.max)
+        if layout is not None:
+            return layout, layout.notes
+    layout = partition(outline, least, request.max_depth, seed)
+    if not request.use_spine:
+        return layout, layout.notes
+    half = to_m((min(outline.width, outline.depth) - HALLWAY_MM) // 2)
+    note = f"no hallway spine: beside it each half would be {half} m deep, less than min_room_size {request.min_room_size}"
+    return layout, (note, *layout.notes)
+
+
+def _compromises(drawing: Drawing, tree: tuple[tuple[Joint, int], ...]) -> tuple[str, ...]:
+    """Says which rooms can only be entered through one that should not be walked through."""
+    notes, types, ids = [], drawing.types, drawing.ids()
+    for joint, entered in tree:
+        through = joint.other(entered)
+        if passing_cost(types[through], types[entered], drawing.catalogs.rooms) >= THROUGH_OTHER:
+            notes.append(f"{ids[entered]} can only be entered through {ids[through]}")
+    return tuple(notes)

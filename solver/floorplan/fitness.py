@@ -1,0 +1,105 @@
+"""How well a room suits a type: one number, lower is better.
+
+Comes in: a layout with its joints and planned ways, the catalog of room types. Goes out: `Fitness`.
+May import: the ground floor, catalogs. All area, side and access numbers are the catalog's; the weights are our choice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import log
+from typing import Final
+
+from catalogs.schema import RoomType
+from solver.floorplan.access import THROUGH_OTHER, Ways, passing_cost
+from solver.floorplan.layout import Joint, Layout, exterior_sides, neighbours
+
+CAR_DOOR_MM: Final = 2400
+"""Width of a garage door, mm a car."""
+IMPOSSIBLE: Final = 1000.0
+"""A cost no plain preference reaches: the type cannot be there."""
+DARK: Final = 6.0
+"""Cost of a habitable room without an outside wall: more than a room half too large."""
+WET_APART: Final = 0.4
+TABLE_APART: Final = 1.0
+"""Costs of a wet room without a wet neighbour and of a dining room away from the kitchen."""
+
+
+def cars_of(kind: RoomType) -> int:
+    """Returns how many cars a room type holds, at least one."""
+    asked = [count for line in kind.requires for name, count in line.items() if name == "car"]
+    held = [piece.count for piece in kind.pieces if any(variant.kind == "car" for variant in piece.variants)]
+    return max((*asked, *held, 1))
+
+
+class Fitness:
+    """Costs of types in the rooms of one layout; remembers what it has computed."""
+
+    def __init__(self, layout: Layout, shared: Sequence[Joint], ways: Ways, rooms: Mapping[str, RoomType]) -> None:
+        self.layout, self.ways, self.rooms = layout, ways, rooms
+        by_room = neighbours(len(layout.rooms), tuple(shared))
+        self.beside = [tuple(joint.other(i) for joint in by_room[i]) for i in range(len(layout.rooms))]
+        self.outside = [exterior_sides(rect, layout.outline) for rect in layout.rooms]
+        self.children: dict[int, list[int]] = {}
+        for child, parent in enumerate(ways.parent):
+            if parent is not None:
+                self.children.setdefault(parent, []).append(child)
+        self._shape: dict[tuple[int, str], float] = {}
+
+    def shape(self, room: int, name: str) -> float:
+        """Cost of a type by the room's size, form and outside walls alone."""
+        key = (room, name)
+        if key not in self._shape:
+            self._shape[key] = self._area(room, name) + self._form(room, name) + self._outside(room, name)
+        return self._shape[key]
+
+    def least_area(self, room: int, name: str) -> float:
+        """Returns the type's minimum area, m2, for the doors this room will have."""
+        return self.rooms[name].area.min[1 if room in self.ways.through else 0]
+
+    def _area(self, room: int, name: str) -> float:
+        area, limits, least = self.layout.rooms[room].area_m2, self.rooms[name].area, self.least_area(room, name)
+        if area < least:
+            return 10.0 + 20.0 * (least - area) / least
+        over = 2.0 + 6.0 * log(area / limits.max) if area > limits.max else 0.0
+        return over + 0.7 * abs(log(area / limits.typical))
+
+    def _form(self, room: int, name: str) -> float:
+        rect, kind = self.layout.rooms[room], self.rooms[name]
+        short, long = sorted((rect.width, rect.depth))
+        return (8.0 if short < round(kind.short_side * 1000) else 0.0) + max(0.0, long / short - kind.aspect)
+
+    def _outside(self, room: int, name: str) -> float:
+        plan, rect, sides = self.rooms[name].plan, self.layout.rooms[room], self.outside[room]
+        cost = DARK if plan.habitable and not sides else 0.0
+        if plan.garage_door:
+            need = CAR_DOOR_MM * cars_of(self.rooms[name]) + 400
+            wide = [side for side in sides if rect.along(side)[1] - rect.along(side)[0] >= need]
+            return cost + (IMPOSSIBLE if not wide else 0.0 if "south" in wide else 1.5)
+        return cost + (IMPOSSIBLE if plan.street and not sides else 0.0)
+
+    def access(self, room: int, name: str, types: Sequence[str | None]) -> float:
+        """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""
+        cost, parent = 0.0, self.ways.parent[room]
+        through = types[parent] if parent is not None else None
+        if through is not None and passing_cost(through, name, self.rooms) >= THROUGH_OTHER:
+            cost += IMPOSSIBLE
+        return cost + sum(self._lets_through(name, types[child]) for child in self.children.get(room, ()))
+
+    def _lets_through(self, name: str, child: str | None) -> float:
+        if self.rooms[name].plan.way_through:
+            return 0.0
+        if child is None:
+            return 0.0 if any(name in kind.plan.behind for kind in self.rooms.values()) else IMPOSSIBLE
+        return 0.0 if passing_cost(name, child, self.rooms) < THROUGH_OTHER else IMPOSSIBLE
+
+    def company(self, room: int, name: str, types: Sequence[str | None]) -> float:
+        """Cost of a type by its neighbours: pipes together, the table by the kitchen."""
+        near = [types[i] for i in self.beside[room]]
+        dry = self.rooms[name].plan.wet and not any(t is not None and self.rooms[t].plan.wet for t in near)
+        apart = name == "dining_room" and "kitchen" not in near
+        return (WET_APART if dry else 0.0) + (TABLE_APART if apart else 0.0)
+
+    def cost(self, room: int, name: str, types: Sequence[str | None]) -> float:
+        """Returns the whole cost of a type in a room among the types known so far."""
+        return self.shape(room, name) + self.access(room, name, types) + self.company(room, name, types)

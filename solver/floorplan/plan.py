@@ -1,0 +1,202 @@
+"""The finished floor plan: rooms as the scene has them, and a door moved along its wall afterwards.
+
+Comes in: a layout, types, openings on the lattice. Goes out: `FloorPlan`. May import: the ground floor, catalogs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+from catalogs.schema import Catalogs
+from solver.floorplan.doors import CROWDED, STEP_MM, Cut, Doorways, places
+from solver.floorplan.layout import Joint, Layout, exterior_sides, touching
+from solver.floorplan.windows import pane_of
+from solver.geometry import Rect, half_m, to_m
+from solver.scene import EXTERIOR, WALLS, Flooring, Opening, Room, Sides
+
+DOOR_HEIGHT: Final = 2.1
+"""Height of doors and passages, m (contract's example)."""
+GARAGE_DOOR_HEIGHT: Final = 2.2
+"""Height of garage doors, m. Our choice."""
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What the rooms are written from: rectangles, types, shared walls and openings on the lattice."""
+
+    layout: Layout
+    types: tuple[str, ...]
+    shared: tuple[Joint, ...]
+    cuts: tuple[Cut, ...]
+    catalogs: Catalogs
+
+    def ids(self) -> tuple[str, ...]:
+        """Returns the rooms' ids."""
+        return tuple(f"{name}_{i}" for i, name in enumerate(self.types))
+
+
+@dataclass(frozen=True)
+class FloorPlan:
+    """Typed rooms with openings, without furniture.
+
+    `adjacency` are the pairs of rooms whose shared wall could take a door; `unjoined` those of them, by id, without one.
+    `notes` are for the certificate. `drawing` is what with_door_at needs.
+    """
+
+    rooms: tuple[Room, ...]
+    corridors: tuple[Mapping[str, Any], ...]
+    adjacency: tuple[tuple[int, int], ...]
+    unjoined: tuple[tuple[str, str], ...]
+    notes: tuple[str, ...]
+    spine: bool
+    drawing: Drawing
+
+
+def written(drawing: Drawing, notes: tuple[str, ...]) -> FloorPlan:
+    """Writes a drawing as a floor plan."""
+    ids = drawing.ids()
+    joined = {tuple(sorted(cut.sides)) for cut in drawing.cuts if cut.other is not None}
+    adjacency = tuple(sorted((joint.a, joint.b) for joint in drawing.shared))
+    return FloorPlan(
+        rooms=_rooms(drawing, ids),
+        corridors=drawing.layout.corridors,
+        adjacency=adjacency,
+        unjoined=tuple((ids[a], ids[b]) for a, b in adjacency if (a, b) not in joined),
+        notes=notes,
+        spine=drawing.layout.spine,
+        drawing=drawing,
+    )
+
+
+def _rooms(drawing: Drawing, ids: tuple[str, ...]) -> tuple[Room, ...]:
+    flags = _wall_flags(drawing.layout.rooms)
+    openings: dict[int, list[Opening]] = {}
+    for cut in drawing.cuts:
+        for room in cut.sides:
+            openings.setdefault(room, []).append(_opening(drawing, cut, room, ids))
+    return tuple(_room(drawing, i, flags[i], tuple(openings.get(i, ()))) for i in range(len(ids)))
+
+
+def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, ...]) -> Room:
+    rect, name = drawing.layout.rooms[index], drawing.types[index]
+    kind = drawing.catalogs.rooms[name]
+    outside = exterior_sides(rect, drawing.layout.outline)
+    return Room(
+        id=f"{name}_{index}",
+        index=index,
+        type=name,
+        x=to_m(rect.x0),
+        z=to_m(rect.z0),
+        width=to_m(rect.width),
+        depth=to_m(rect.depth),
+        outdoor=kind.outdoor,
+        flooring=Flooring(kind.flooring, drawing.catalogs.floorings[kind.flooring].color),
+        accent=kind.accent,
+        exterior_walls=Sides(**{wall: wall in outside for wall in WALLS}),
+        wall_flags=flags,
+        openings=openings,
+    )
+
+
+def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...]) -> Opening:
+    """Writes an opening as one of its rooms sees it."""
+    wall = cut.wall_of(room)
+    height, sill = _heights(drawing, cut)
+    partner = [other for other in cut.sides if other != room]
+    return Opening(
+        id=cut.id,
+        kind=cut.kind,
+        wall=wall,
+        position=half_m(sum(cut.ends) - 2 * drawing.layout.rooms[room].along(wall)[0]),
+        width=to_m(cut.width),
+        height=height,
+        sill=sill,
+        connects_to=ids[partner[0]] if partner else EXTERIOR,
+        hinge=None if cut.leaf is None else _hinge(cut, drawing.layout.rooms[cut.leaf]),
+        swing=None if cut.leaf is None else "in" if cut.leaf == room else "out",
+        main_entrance=cut.main,
+        render_panel=room == min(cut.sides),
+    )
+
+
+def _heights(drawing: Drawing, cut: Cut) -> tuple[float, float]:
+    if cut.kind == "window":
+        pane = pane_of(drawing.catalogs.rooms[drawing.types[cut.room]])
+        return to_m(pane.height), to_m(pane.sill)
+    return (GARAGE_DOOR_HEIGHT if cut.kind == "garage_door" else DOOR_HEIGHT), 0.0
+
+
+def _hinge(cut: Cut, swept: Rect) -> str:
+    """The leaf hangs at the end nearer to the corner of the room it sweeps, so that it opens against the wall there."""
+    low, high = swept.along(cut.wall)
+    return "start" if cut.centre - low <= high - cut.centre else "end"
+
+
+def _wall_flags(rooms: tuple[Rect, ...]) -> list[Sides]:
+    """A room draws a side unless rooms of lower index draw its whole length."""
+    covered: dict[tuple[int, str], int] = {}
+    for _, b, wall, low, high in touching(rooms):
+        side = (b, {"north": "south", "south": "north", "east": "west", "west": "east"}[wall])
+        covered[side] = covered.get(side, 0) + high - low
+    sides = []
+    for i, rect in enumerate(rooms):
+        drawn = {wall: covered.get((i, wall), 0) < rect.along(wall)[1] - rect.along(wall)[0] for wall in WALLS}
+        sides.append(Sides(**drawn))
+    return sides
+
+
+def _stretch(drawing: Drawing, cut: Cut) -> tuple[int, int]:
+    if cut.other is None:
+        return drawing.layout.rooms[cut.room].along(cut.wall)
+    pair = tuple(sorted(cut.sides))
+    return next((joint.low, joint.high) for joint in drawing.shared if (joint.a, joint.b) == pair)
+
+
+def _doorways(drawing: Drawing) -> Doorways:
+    return Doorways(drawing.layout, drawing.types, drawing.catalogs.rooms, drawing.cuts)
+
+
+def _cut(plan: FloorPlan, opening_id: str) -> Cut:
+    for cut in plan.drawing.cuts:
+        if cut.id == opening_id:
+            return cut
+    raise KeyError(opening_id)
+
+
+def door_positions(plan: FloorPlan, opening_id: str) -> tuple[int, ...]:
+    """Returns where else in its wall a door could stand.
+
+    Args:
+        plan: the floor plan.
+        opening_id: id of a door or passage.
+
+    Returns:
+        Positions of its centre along x (walls north and south) or z (east and west), mm in the house: the ends of the
+        shared wall first, then its quarters, then every 0.1 m. None lets a leaf or square meet another's.
+    """
+    drawing, cut = plan.drawing, _cut(plan, opening_id)
+    doorways, stretch = _doorways(drawing), _stretch(drawing, cut)
+    centres = [placed.centre for placed in places(cut, stretch)]
+    if not centres:
+        return ()
+    low, high = min(centres), max(centres)
+    quarters = [low + (high - low) // 4 // STEP_MM * STEP_MM, high - (high - low) // 4 // STEP_MM * STEP_MM]
+    order = dict.fromkeys((low, high, *quarters, *centres))
+    free = [centre for centre in order if doorways.score(replace(cut, centre=centre)) < CROWDED]
+    return tuple(centre for centre in free if centre != cut.centre)
+
+
+def with_door_at(plan: FloorPlan, opening_id: str, position_mm: int) -> FloorPlan:
+    """Returns the plan with one door moved along its wall.
+
+    Args:
+        plan: the floor plan.
+        opening_id: id of a door or passage.
+        position_mm: one of door_positions.
+    """
+    drawing = plan.drawing
+    moved = replace(_cut(plan, opening_id), centre=position_mm)
+    cuts = tuple(moved if cut.id == opening_id else cut for cut in drawing.cuts)
+    return written(replace(drawing, cuts=cuts), plan.notes)
