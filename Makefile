@@ -6,7 +6,7 @@ PORT = 8000
 PYTHON3 = python3
 # The Pythons that every pinned dependency has a wheel for.
 PYTHON_VERSIONS = >=3.11,<3.15
-WORKERS = 2
+WORKERS = auto
 PYTEST_ARGS =
 
 SHELL = /bin/sh
@@ -36,9 +36,9 @@ run: .venv/run.stamp page ## serve the page and the API on http://127.0.0.1:8000
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
 
 test: .venv/dev.stamp page chromium ## run every test: Python, page, browser
-	$(PY) -m pytest -n $(WORKERS) $(PYTEST_ARGS)
 	$(PY) scripts/page.py check
 	$(PY) scripts/page.py test
+	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 $(PYTEST_ARGS)
 
 targets: .venv/dev.stamp page ## run the long checks and benches: thousands of seeds, timings
 	$(PY) -m tests.targets
