@@ -126,6 +126,7 @@ class Piece(Entry):
     `piece` is its name inside the room type; `kinds` its size variants from wanted down to least (default: the kind of
     the same name). An optional piece is wanted only where the room has `min_area` m2, and then with probability
     `chance`. `count` copies are wanted; with `per_area`, one for every so many m2, at least one and at most `count`.
+    `approach` are sides that must stay reachable besides the kind's own use: a desk's front, before its chair comes.
     """
 
     piece: str
@@ -136,6 +137,7 @@ class Piece(Entry):
     min_area: Annotated[float, Field(ge=0)] = 0.0
     chance: Annotated[float, Field(gt=0, le=1)] = 1.0
     skip_cost: Cost = 10.0
+    approach: tuple[Side, ...] = ()
     rules: tuple[Rule, ...] = ()
 
     @model_validator(mode="after")

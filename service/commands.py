@@ -17,7 +17,7 @@ from service import calls
 from service.cli import NUMBERS, SWITCHES
 from service.documents import Document, format_of_content, format_of_name, parse
 from solver.errors import ComposeError, FieldError, SyntaxFault
-from solver.exchange import dump_text
+from solver.exchange import dump_text, read_request
 from solver.scene import MAX_SEED
 
 T = TypeVar("T")
@@ -60,10 +60,11 @@ def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Cat
     if options.output == STREAM or folder.is_file():
         raise FieldError("--output", f"{options.output} holds one document", "with --count, a folder")
     folder.mkdir(parents=True, exist_ok=True)
-    start = calls.draw_seed() if request.get("seed") is None else request["seed"]
+    given = read_request({"seed": request.get("seed")}).seed
+    start = calls.draw_seed() if given is None else given
     status, format = CLEAN, options.format or "yaml"
     for number in tqdm(range(options.count), unit="house", disable=None):
-        seed = (start + number) % (MAX_SEED + 1) if isinstance(start, int) else start
+        seed = (start + number) % (MAX_SEED + 1)
         answer = _made(options, {**request, "seed": seed}, catalogs)
         (folder / f"{seed}.{format}").write_bytes(dump_text(answer["scene"], format))
         status = max(status, _judged(answer, f"seed {seed}: "))

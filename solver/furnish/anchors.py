@@ -10,15 +10,22 @@ from catalogs.schema import Catalogs, Piece, Rule
 from solver.furnish.ask import Ask, Effect, Opened, Scope, Size
 from solver.furnish.candidates import candidates
 from solver.furnish.relations import RELATIONS, SLOTTED
+from solver.furnish.relations.places import footprint
 from solver.furnish.walls import WallOccupancy
 from solver.furnish.zones import line_of
-from solver.geometry import Rect, to_mm, turned
+from solver.geometry import rotate, to_mm
 from solver.scene import WALLS, Room, Sides
 from solver.streams import Stream
 from solver.wanted import Alternative, Link, Space, Stand, Wanted
 
+Pose = tuple[str, Size, tuple[int, int], int]
+"""Kind, size, centre (x, z) in mm and rotation of a piece where it is meant to stand."""
+TOUCH_MM = 20
+"""Overlaps up to this between meant places do not matter."""
 LIMIT = 40
 """Most alternatives a piece gets: placement's time is linear in them."""
+TAKEN_COST = 1.5
+"""What it costs a free piece to be wished where an earlier piece is meant to stand: small things do not herd."""
 WHIM = 0.3
 """Most that a wall may cost by the seed's whim alone: which of equal walls is taken differs from house to house."""
 
@@ -35,14 +42,14 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     room_type = catalogs.rooms.get(room.type)
     if room_type is None:
         return ()
-    walls = WallOccupancy(space)
-    scope = Scope(space, walls, catalogs, _openings(room), room.exterior_walls or Sides(), room.width * room.depth)
+    scope = Scope(space, WallOccupancy(space), catalogs, _openings(room), room.exterior_walls or Sides(), room.width * room.depth)
     whims = {wall: stream.uniform(0.0, WHIM) for wall in WALLS}
     pieces = sorted(room_type.pieces, key=lambda piece: not piece.required)
     draws = {piece.piece: stream.unit() for piece in room_type.pieces}
     wanted: list[Wanted] = []
     earlier: dict[str, tuple[str, ...]] = {}
     kinds: dict[str, tuple[str, ...]] = {}
+    poses: dict[str, Pose] = {}
     for piece in pieces:
         for number in range(1, _count(piece, scope.area, draws[piece.piece]) + 1):
             one = _wanted(Ask(scope, piece, number, dict(earlier), dict(kinds)), whims)
@@ -51,7 +58,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
             wanted.append(one)
             earlier[piece.piece] = (*earlier.get(piece.piece, ()), one.label)
             kinds[one.label] = tuple(variant.kind for variant in piece.variants)
-            _intend(walls, one)
+            _intend(scope.walls, one, poses)
     return tuple(wanted)
 
 
@@ -86,13 +93,14 @@ def _wanted(ask: Ask, whims: dict[str, float]) -> Wanted | None:
         return None
     alternatives.sort(key=lambda alternative: round(alternative.cost, 9))
     use = scope.entry(piece.variants[0].kind).use
+    sides = piece.approach or (use.sides if use else ())
     return Wanted(
         f"{piece.piece}_{ask.number}",
         piece.required,
         tuple(alternatives[:LIMIT]),
         links=_links(effects),
-        stands=tuple(Stand(side) for side in use.sides) if use else (),
-        need_all=bool(use and use.need == "all"),
+        stands=tuple(Stand(side) for side in sides),
+        need_all=bool(piece.approach or (use and use.need == "all")),
         skip_cost=piece.skip_cost,
     )
 
@@ -118,6 +126,8 @@ def _judged(ask: Ask, effects: Sequence[tuple[Rule, Effect]], whims: dict[str, f
     found: list[Alternative] = []
     for alternative in candidates(ask, [effect for _, effect in effects]):
         cost = alternative.cost + missed + whims.get(alternative.wall or "", 0.0)
+        if alternative.wall is None and ask.scope.walls.occupied(footprint(alternative)):
+            cost += TAKEN_COST
         cost += sum(effect.judge(alternative) for _, effect in effects if effect.judge)
         if cost < math.inf:
             pull = max(weight, alternative.weights[0])
@@ -137,14 +147,27 @@ def _best_of_each(ask: Ask, found: Sequence[Alternative]) -> list[Alternative]:
     return [alternative for group in kept.values() for alternative in group]
 
 
-def _intend(walls: WallOccupancy, wanted: Wanted) -> None:
-    """Marks where a piece would like best to stand at a wall, so that later pieces first try elsewhere."""
-    best = wanted.alternatives[0]
-    if best.wall is None or best.attach is not None:
-        return
-    walls.occupy(best.wall, _footprint(best.anchor_mm, best.size_mm, best.rotation))
+def _intend(walls: WallOccupancy, wanted: Wanted, poses: dict[str, Pose]) -> None:
+    """Marks where a piece would like best to stand, so that later pieces are first wished elsewhere."""
+    for alternative in wanted.alternatives:
+        pose = _pose(alternative, poses)
+        if pose is not None:
+            kind, size, centre, rotation = pose
+            rect = footprint(replace(alternative, kind=kind, size_mm=size, anchor_mm=centre, rotation=rotation))
+            if alternative.attach is None or not walls.occupied(rect.shrunk(TOUCH_MM)):
+                poses[wanted.label] = pose
+                if not (alternative.on or alternative.under):
+                    walls.occupy(rect)
+                return
 
 
-def _footprint(centre: tuple[int, int], size: Size, rotation: int) -> Rect:
-    width, depth = turned(size[0], size[1], rotation)
-    return Rect(centre[0] - width // 2, centre[1] - depth // 2, centre[0] + width // 2, centre[1] + depth // 2)
+def _pose(alternative: Alternative, poses: dict[str, Pose]) -> Pose | None:
+    """Returns the pose an alternative would have if the pieces before it stood where they are meant to; None if void."""
+    attach = alternative.attach
+    if attach is None:
+        return alternative.kind, alternative.size_mm, alternative.anchor_mm, alternative.rotation
+    if attach.parent not in poses or poses[attach.parent][0] != attach.parent_kind:
+        return None
+    _, _, (x, z), turn = poses[attach.parent]
+    dx, dz = rotate(sum(attach.across_mm) // 2, sum(attach.along_mm) // 2, turn)
+    return alternative.kind, alternative.size_mm, (x + dx, z + dz), (turn + alternative.rotation) % 360

@@ -17,8 +17,20 @@ INTENDED_COST = 0.3
 """What a place at a wall costs where an earlier piece is meant to stand: it may not be taken after all."""
 
 
-def candidates(ask: Ask, effects: Sequence[Effect]) -> Iterator[Alternative]:
-    """Yields the ways a piece may stand by itself, each with its variant's cost."""
+def candidates(ask: Ask, effects: Sequence[Effect]) -> list[Alternative]:
+    """Returns the ways a piece may stand by itself, each with its variant's cost.
+
+    Where no wall has a clear stretch for any variant, every wall is tried nevertheless: placement says why it is not there.
+    """
+    found = list(_standing(ask, effects))
+    return found or [
+        at_wall(ask, variant.kind, wall, sum(ask.scope.space.clear.along(wall)) // 2, variant.cost)
+        for variant in ask.piece.variants
+        for wall in WALLS
+    ]
+
+
+def _standing(ask: Ask, effects: Sequence[Effect]) -> Iterator[Alternative]:
     backs = any(effect.backs for effect in effects)
     for variant in ask.piece.variants:
         entry, size = ask.scope.entry(variant.kind), ask.scope.size(variant.kind)

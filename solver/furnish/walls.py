@@ -19,7 +19,7 @@ class WallOccupancy:
 
     def __init__(self, space: Space) -> None:
         self.space = space
-        self._taken: dict[str, list[Rect]] = {wall: [] for wall in WALLS}
+        self._taken: list[Rect] = []
 
     def stretches(self, wall: str, depth_mm: int, height_mm: int, occupied: bool = True) -> list[Stretch]:
         """Returns the clear stretches for a body of that depth and height with its back to the wall, west or north first.
@@ -30,7 +30,7 @@ class WallOccupancy:
         reach = strip(clear, wall, clear.along(wall), min(depth_mm + self.space.gap_mm, *_extents(clear)))
         blocked = [zone.rect.along(wall) for zone in self.space.zones if zone.above_mm < height_mm and zone.rect.overlaps(reach)]
         if occupied:
-            blocked += [rect.along(wall) for rect in self._taken[wall] if rect.overlaps(reach)]
+            blocked += [rect.along(wall) for rect in self._taken if rect.overlaps(reach)]
         return _gaps(clear.along(wall), sorted(blocked))
 
     def longest(self, wall: str, depth_mm: int, height_mm: int) -> int:
@@ -60,12 +60,13 @@ class WallOccupancy:
         ]  # fmt: skip
         return min(centres, key=lambda centre: abs(centre - wish), default=None)
 
-    def occupy(self, wall: str, footprint: Rect) -> None:
-        """Marks a footprint at a wall as taken, and on the walls it reaches at a corner too."""
-        for other in WALLS:
-            reach = strip(self.space.clear, other, self.space.clear.along(other), 2 * self.space.gap_mm)
-            if other == wall or footprint.overlaps(reach):
-                self._taken[other].append(footprint)
+    def occupy(self, footprint: Rect) -> None:
+        """Marks a footprint as taken; it blocks every wall whose bodies would reach into it."""
+        self._taken.append(footprint)
+
+    def occupied(self, footprint: Rect) -> bool:
+        """Tells whether a footprint meets one that is taken."""
+        return any(footprint.overlaps(rect) for rect in self._taken)
 
 
 def _extents(rect: Rect) -> tuple[int, int]:

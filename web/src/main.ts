@@ -38,6 +38,7 @@ class Page {
 
   /** Opens the house that the address holds. */
   open(): void {
+    globalThis.compose = this.#stage;
     this.#openAddress();
   }
 
@@ -109,6 +110,11 @@ class Page {
     this.#stage.select(id);
     this.#reading.select(id);
   }
+}
+
+declare global {
+  /** What is shown, for tests and the curious; nothing of the page reads it. */
+  var compose: Pick<Stage, "state" | "whereIs">;
 }
 
 new Page().open();

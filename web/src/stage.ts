@@ -1,4 +1,5 @@
 /** The canvas and what happens on it: the house shown, looked at, pointed at and clicked. */
+import { Vector3 } from "three";
 import type { Issue, Scene } from "./contract";
 import { House, type Hit } from "./house/house";
 import type { PresetName } from "./view/cameras";
@@ -17,6 +18,7 @@ export class Stage {
   readonly #labels: Labels;
   readonly #cut = within<HTMLInputElement>("cut");
   #house: House | null = null;
+  #selected: string | null = null;
 
   constructor(readonly host: HTMLElement) {
     this.#viewport = new Viewport(host);
@@ -47,6 +49,7 @@ export class Stage {
   }
 
   select(id: string | null): void {
+    this.#selected = id;
     this.#house?.mark("selected", id === null ? [] : [id]);
     this.#viewport.invalidate();
   }
@@ -83,6 +86,30 @@ export class Stage {
     if (!this.#labels.point(body)) return;
     this.#house?.mark("pointed", body ? [body.id] : []);
     this.#viewport.invalidate();
+  }
+
+  /** Where in the window a click meets a body or a door [CSS pixels]; null where something stands before it. */
+  whereIs(id: string): { x: number; y: number } | null {
+    const points = this.#house?.pointsOf(id, Number(this.#cut.value)) ?? [];
+    const { left, top } = this.host.getBoundingClientRect();
+    for (const point of points) {
+      const seen = this.#viewport.project(new Vector3(...point));
+      const at = seen && { x: Math.round(seen.x + left), y: Math.round(seen.y + top) };
+      if (at && this.#house?.idOf(this.#hitAt(at.x, at.y)) === id) return at;
+    }
+    return null;
+  }
+
+  /** What is shown, told to whoever looks into the page from outside. */
+  get state() {
+    return {
+      ...this.#viewport.state,
+      selected: this.#selected,
+      openDoors: this.#house?.doors.open ?? [],
+      doors: this.#house?.doors.leaves.map((leaf) => leaf.id) ?? [],
+      bodies: this.#house?.bodies.map((body) => body.id) ?? [],
+      marks: this.#house?.marks ?? {},
+    };
   }
 
   #turnCompass(): void {

@@ -77,8 +77,8 @@ describe("doors", () => {
     expect(doors.step(0.1)).toBe(true);
     for (let i = 0; i < 10; i += 1) doors.step(0.1);
     expect(doors.step(0.1)).toBe(false);
-    expect(doors.isOpen(0)).toBe(true);
+    expect(doors.open).toEqual(["door_1"]);
     doors.toggle(0);
-    expect(doors.isOpen(0)).toBe(false);
+    expect(doors.open).toEqual([]);
   });
 });

@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 
 from catalogs.schema import Rule
-from solver.furnish.ask import NOTHING, Ask, Effect, Judge, Opened, Scope, Size
+from solver.furnish.ask import NOTHING, Ask, Effect, Judge, Opened, Scope
 from solver.geometry import Rect, turned
 from solver.scene import WALLS
 from solver.wanted import Alternative
 
 CENTRED_REACH_MM = 1000
 """A piece this far from where it should be centred pays the full cost."""
+LONGER = 1.15
+"""A wall is long, and those beside it short, from this ratio on: a square room has neither."""
 DOOR_DISTANCE = 1.5
 """What near_door and far_from_door take for near and far where the rule names no distance, m."""
 
@@ -45,8 +47,10 @@ def against_wall(ask: Ask, rule: Rule) -> Effect:
 def _is(scope: Scope, alternative: Alternative, sort: str) -> bool:
     """Tells whether the wall behind an alternative is of a sort; only a window right behind it counts."""
     wall = alternative.wall or ""
+    clear = scope.space.clear
     here = [opening for opening in scope.openings if opening.wall == wall]
-    long_side = scope.space.clear.width >= scope.space.clear.depth
+    along_x = wall in ("north", "south")
+    own, other = (clear.width, clear.depth) if along_x else (clear.depth, clear.width)
     if sort == "window":
         a, b = footprint(alternative).along(wall)
         return any(o.kind == "window" and o.interval[0] < b and a < o.interval[1] for o in here)
@@ -54,8 +58,8 @@ def _is(scope: Scope, alternative: Alternative, sort: str) -> bool:
         "door": any(o.kind != "window" for o in here),
         "plain": not here,
         "exterior": getattr(scope.exterior, wall, False),
-        "long": (wall in ("north", "south")) == long_side,
-        "short": (wall in ("north", "south")) != long_side,
+        "long": own > LONGER * other,
+        "short": other > LONGER * own,
     }[sort]
 
 
@@ -159,8 +163,3 @@ def turned_to(ask: Ask, rule: Rule, kinds: tuple[str, ...]) -> Judge | None:
 
 def _missed(rule: Rule) -> float:
     return math.inf if rule.required else rule.cost
-
-
-def extents(size: Size, rotation: int) -> tuple[int, int]:
-    """Returns a size's extents along x and z at a rotation."""
-    return turned(size[0], size[1], rotation)

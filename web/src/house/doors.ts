@@ -58,8 +58,9 @@ export class Doors {
     if (index !== undefined && this.#wanted[index] !== undefined) this.#wanted[index] = 1 - this.#wanted[index];
   }
 
-  isOpen(index: number): boolean {
-    return this.#wanted[index] === 1;
+  /** The ids of the leaves that are open or opening. */
+  get open(): string[] {
+    return this.leaves.filter((_, i) => this.#wanted[i] === 1).map((leaf) => leaf.id);
   }
 
   /** Moves the leaves by `seconds`; true while one is under way. */

@@ -10,6 +10,7 @@ import { bodiesOf, storeysOf, type PlacedBody } from "./frame";
 import { openingsOf } from "./openings";
 import { outlinesOf } from "./outlines";
 import { runsOf } from "./plan";
+import type { Point } from "./wall_faces";
 import { Walls } from "./wall_meshes";
 import type { WallPlan } from "./walls";
 
@@ -50,7 +51,7 @@ export class House {
   readonly bounds: Box3;
   readonly #bodyMeshes: BodyMeshes;
   readonly #walls: Walls;
-  readonly #marks = new Map<Mark, Mesh>();
+  readonly #marked = new Map<Mark, { readonly mesh: Mesh; readonly ids: readonly string[] }>();
   #wallMeshes: Group | null = null;
 
   constructor(readonly scene: Scene) {
@@ -79,13 +80,19 @@ export class House {
 
   /** Frames the bodies with these ids in the colour of a mark, in place of those framed so before. */
   mark(mark: Mark, ids: readonly string[]): void {
-    const old = this.#marks.get(mark);
-    if (old) disposeOf(old);
-    this.#marks.delete(mark);
-    const mesh = outlinesOf(this.bodies.filter((body) => ids.includes(body.id)), MARK_COLORS[mark]);
+    const old = this.#marked.get(mark);
+    if (old) disposeOf(old.mesh);
+    this.#marked.delete(mark);
+    const framed = this.bodies.filter((body) => ids.includes(body.id));
+    const mesh = outlinesOf(framed, MARK_COLORS[mark]);
     if (!mesh) return;
-    this.#marks.set(mark, mesh);
+    this.#marked.set(mark, { mesh, ids: framed.map((body) => body.id) });
     this.root.add(mesh);
+  }
+
+  /** The ids of the framed bodies by mark. */
+  get marks(): Record<string, readonly string[]> {
+    return Object.fromEntries([...this.#marked].map(([mark, { ids }]) => [mark, ids]));
   }
 
   /** What a ray meets first, if that is a door or a body. */
@@ -101,8 +108,26 @@ export class House {
     return body ? { kind: "body", body } : null;
   }
 
+  /** The id of what was hit. */
+  idOf(hit: Hit | null): string | undefined {
+    return hit?.kind === "door" ? this.doors.leaves[hit.index]?.id : hit?.body.id;
+  }
+
+  /** Points in the house at which a body or a closed door may be seen, with walls cut at a height [m]. */
+  pointsOf(id: string, cut: number): Point[] {
+    const body = this.bodies.find((one) => one.id === id);
+    if (body) return [1, 0.5].map((share): Point => [body.x, body.y + body.height * share, body.z]);
+    const leaf = this.doors.leaves.find((one) => one.id === id);
+    if (!leaf) return [];
+    const [along, across] = [Math.cos(leaf.closedAngle) * leaf.width, -Math.sin(leaf.closedAngle) * leaf.width];
+    const top = Math.min(leaf.height, cut);
+    return [0.9, 0.6, 0.3].flatMap((up) => [0.5, 0.25, 0.75].map((share): Point => [
+      leaf.hinge.x + along * share, leaf.hinge.y + top * up, leaf.hinge.z + across * share,
+    ]));
+  }
+
   dispose(): void {
     disposeOf(this.root);
-    this.#marks.clear();
+    this.#marked.clear();
   }
 }

@@ -21,8 +21,6 @@ function calm(): boolean {
 export class Viewport {
   readonly canvas: HTMLCanvasElement;
   readonly camera = new PerspectiveCamera(30, 1, 0.1, 500);
-  /** Frames drawn since the page was opened: tests see from it that an idle page draws none. */
-  frames = 0;
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
   readonly #controls: OrbitControls;
@@ -31,6 +29,8 @@ export class Viewport {
   readonly #afterFrame: (() => void)[] = [];
   #bounds = new Box3(new Vector3(0, 0, 0), new Vector3(20, 1, 15));
   #preset: PresetName | null = "corner";
+  /** Frames drawn since the page was opened: an idle page draws none. */
+  #frames = 0;
   #asked = false;
   #last = 0;
 
@@ -148,7 +148,7 @@ export class Viewport {
     this.#controls.update();
     this.#clip();
     this.#renderer.render(this.#scene, this.camera);
-    this.frames += 1;
+    this.#frames += 1;
     for (const listener of this.#afterFrame) listener();
     if (this.#motions.size > 0) this.invalidate();
   }
@@ -195,8 +195,16 @@ export class Viewport {
     return this.#controls.getAzimuthalAngle();
   }
 
-  /** Draw calls of the last frame. */
-  get drawCalls(): number {
-    return this.#renderer.info.render.calls;
+  /** What the canvas costs and where it looks from. */
+  get state() {
+    const { render, memory } = this.#renderer.info;
+    return {
+      frames: this.#frames,
+      moving: this.#motions.size > 0 || this.#asked,
+      drawCalls: render.calls,
+      geometries: memory.geometries,
+      eye: this.camera.position.toArray(),
+      target: this.#controls.target.toArray(),
+    };
   }
 }

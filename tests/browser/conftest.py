@@ -1,0 +1,24 @@
+"""What the browser tests share: the real service, and a visit to its page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Page
+
+from tests.browser.service_process import ServiceProcess, running
+from tests.browser.visit import Visit
+
+
+@pytest.fixture(scope="session")
+def service() -> Iterator[ServiceProcess]:
+    """The real service, one for all tests of a run."""
+    with running() as process:
+        yield process
+
+
+@pytest.fixture
+def visit(page: Page, service: ServiceProcess) -> Visit:
+    """A browser page that has not opened anything yet."""
+    return Visit(page, service.address)

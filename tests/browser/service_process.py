@@ -1,0 +1,59 @@
+"""The real service in a process of its own, on a free port of this machine, with the built page."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "service" / "static" / "index.html"
+ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/")
+STOP_S = 15
+
+
+@dataclass
+class ServiceProcess:
+    """A running service and the address it answers at."""
+
+    process: subprocess.Popen[str]
+    address: str
+
+    def stop(self) -> None:
+        """End the process; nothing happens when it has ended."""
+        self.process.terminate()
+        self.process.communicate(timeout=STOP_S)
+
+
+@contextmanager
+def running(port: int = 0) -> Iterator[ServiceProcess]:
+    """Run the service until the block ends.
+
+    Args:
+        port: the port to listen at; 0 for a free one.
+
+    Raises:
+        RuntimeError: it ended instead of saying where it answers.
+    """
+    if not PAGE.exists():
+        subprocess.run([sys.executable, str(ROOT / "scripts" / "page.py"), "build"], check=True)
+    command = [sys.executable, "-m", "service", "serve", "--port", str(port)]
+    with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            yield ServiceProcess(process, _said_address(process))
+        finally:
+            process.terminate()
+
+
+def _said_address(process: subprocess.Popen[str]) -> str:
+    assert process.stderr is not None
+    said = []
+    for line in process.stderr:
+        said.append(line)
+        if found := ADDRESS.search(line):
+            return found.group()
+    raise RuntimeError("the service ended: " + "".join(said))

@@ -1,0 +1,134 @@
+"""The controls: another house, back and forward, cameras, the cut, the keyboard."""
+
+from __future__ import annotations
+
+from urllib.parse import parse_qs, urlparse
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser.visit import Visit
+
+
+def asked(visit: Visit) -> dict[str, str]:
+    """The request that the address holds."""
+    return {name: values[0] for name, values in parse_qs(urlparse(visit.page.url).query).items()}
+
+
+def test_generate_makes_the_house_of_the_form(visit: Visit) -> None:
+    before = visit.open("?seed=11")["scene"]
+    yaml = visit.yaml()
+    visit.page.get_by_label("Seed").fill("12")
+    visit.page.get_by_label("Width").fill("14")
+    visit.page.get_by_label("Outdoor rooms").uncheck()
+    after = visit.after(lambda: visit.page.get_by_role("button", name="Generate").click())["scene"]
+    assert (after["seed"], after["size"]["width"]) == (12, 14)
+    assert not any(room["outdoor"] for room in after["rooms"])
+    assert before != after
+    assert visit.yaml() != yaml
+    assert asked(visit) == {
+        "seed": "12", "width": "14", "depth": "15", "min_room_size": "3", "max_depth": "5", "use_spine": "true", "outdoor": "false",
+    }  # fmt: skip
+
+
+def test_a_link_is_a_house(visit: Visit) -> None:
+    first = visit.open("?seed=5&width=16&use_spine=false")
+    link = visit.page.url
+    visit.open("?seed=6")
+    again = visit.after(lambda: visit.page.goto(link))
+    assert again["scene"] == first["scene"]
+    assert again["scene"]["request"]["use_spine"] is False
+
+
+def test_back_and_forward_show_the_houses_of_before(visit: Visit) -> None:
+    visit.open("?seed=21")
+    visit.page.locator("#seed").fill("22")
+    visit.after(lambda: visit.page.keyboard.press("Enter"))
+    back = visit.after(visit.page.go_back)
+    assert back["scene"]["seed"] == 21
+    expect(visit.page.locator("#seed")).to_have_value("21")
+    forward = visit.after(visit.page.go_forward)
+    assert forward["scene"]["seed"] == 22
+
+
+def test_the_same_request_again_is_no_new_page_of_history(visit: Visit) -> None:
+    visit.open("?seed=31")
+    length = visit.page.evaluate("history.length")
+    visit.after(lambda: visit.page.get_by_role("button", name="Generate").click())
+    assert visit.page.evaluate("history.length") == length
+
+
+@pytest.mark.parametrize("how", ["key", "button"])
+def test_random_draws_another_seed(visit: Visit, how: str) -> None:
+    visit.open("?seed=41")
+    act = {"key": lambda: visit.page.keyboard.press("r"), "button": lambda: visit.page.get_by_role("button", name="Random").click()}[how]
+    drawn = visit.after(act)["scene"]["seed"]
+    assert drawn != 41
+    expect(visit.page.locator("#seed")).to_have_value(str(drawn))
+    assert asked(visit)["seed"] == str(drawn)
+
+
+def test_r_typed_into_a_field_is_not_a_command(visit: Visit) -> None:
+    visit.open("?seed=41")
+    visit.page.locator("#width").focus()
+    visit.page.keyboard.press("r")
+    visit.page.wait_for_timeout(300)
+    assert asked(visit)["seed"] == "41"
+
+
+def test_sliders_and_numbers_say_the_same(visit: Visit) -> None:
+    visit.open()
+    visit.page.get_by_label("Smallest room side, slider").fill("4")
+    expect(visit.page.locator("#min_room_size")).to_have_value("4")
+    visit.page.locator("#max_depth").fill("3")
+    expect(visit.page.get_by_label("Depth of cuts, slider")).to_have_value("3")
+
+
+@pytest.mark.parametrize(("name", "key"), [("Top down", "2"), ("3D", "3")])
+def test_camera_presets_by_button_and_key(visit: Visit, name: str, key: str) -> None:
+    visit.open()
+    other = "2" if key == "3" else "3"
+    places = []
+    for act in (lambda: visit.page.get_by_role("button", name=name, exact=True).click(), lambda: visit.page.keyboard.press(key)):
+        visit.page.keyboard.press(other)
+        visit.settle()
+        act()
+        visit.settle()
+        places.append(visit.state()["eye"])
+    assert places[0] == pytest.approx(places[1], abs=1e-3)
+    eye, target = visit.state()["eye"], visit.state()["target"]
+    aside = ((eye[0] - target[0]) ** 2 + (eye[2] - target[2]) ** 2) ** 0.5
+    assert aside < 0.1 if key == "2" else aside > 5
+
+
+def test_dragging_turns_the_house_and_the_compass(visit: Visit) -> None:
+    visit.open()
+    eye = visit.state()["eye"]
+    compass = visit.page.locator("#compass").evaluate("compass => compass.style.transform")
+    box = visit.page.locator("#stage canvas").bounding_box()
+    assert box
+    visit.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    visit.page.mouse.down()
+    visit.page.mouse.move(box["x"] + box["width"] / 2 + 160, box["y"] + box["height"] / 2, steps=4)
+    visit.page.mouse.up()
+    visit.settle()
+    assert visit.state()["eye"] != eye
+    assert visit.page.locator("#compass").evaluate("compass => compass.style.transform") != compass
+
+
+def test_the_cut_changes_what_is_seen(visit: Visit) -> None:
+    visit.open()
+    low = visit.page.locator("#stage canvas").screenshot()
+    visit.page.get_by_label("Walls up to").fill("2.8")
+    visit.settle()
+    expect(visit.page.locator("#cut_words")).to_have_text("2.8 m")
+    assert visit.page.locator("#stage canvas").screenshot() != low
+
+
+def test_every_control_has_a_name(visit: Visit) -> None:
+    visit.open()
+    nameless = visit.page.evaluate(
+        """() => [...document.querySelectorAll('input, button')]
+            .filter(one => !(one.labels?.length || one.ariaLabel || one.textContent.trim())).map(one => one.outerHTML)"""
+    )
+    assert nameless == []

@@ -1,0 +1,68 @@
+"""What the page says when the service refuses, is busy, or is gone."""
+
+from __future__ import annotations
+
+from urllib.parse import urlparse
+
+from playwright.sync_api import Page, expect
+
+from tests.browser.service_process import running
+from tests.browser.visit import Visit
+
+
+def test_a_refused_field_is_said_beside_it_and_the_house_stays(visit: Visit) -> None:
+    visit.open("?seed=3")
+    yaml = visit.yaml()
+    visit.page.locator("#width").fill("5000")
+    visit.page.get_by_role("button", name="Generate").click()
+    expect(visit.page.locator("#width_problem")).to_contain_text("1000")
+    expect(visit.page.locator("#width")).to_have_attribute("aria-invalid", "true")
+    expect(visit.page.get_by_role("alert")).to_be_visible()
+    assert visit.yaml() == yaml
+    visit.page.locator("#width").fill("12")
+    visit.after(lambda: visit.page.get_by_role("button", name="Generate").click())
+    expect(visit.page.get_by_role("alert")).to_be_hidden()
+    expect(visit.page.locator("#width")).to_have_attribute("aria-invalid", "false")
+
+
+def test_an_address_that_makes_no_sense_is_explained(visit: Visit) -> None:
+    visit.page.goto(visit.address + "?width=wide")
+    expect(visit.page.get_by_role("alert")).to_contain_text("width")
+    visit.settle()
+
+
+def test_a_busy_service_is_said_to_be_busy(visit: Visit) -> None:
+    visit.open()
+    busy = {"type": "about:blank", "title": "The service is busy", "status": 503, "detail": "Come back in 2 s.", "errors": []}
+    visit.page.route("**/generate", lambda route: route.fulfill(status=503, json=busy))
+    visit.page.keyboard.press("r")
+    expect(visit.page.get_by_role("alert")).to_contain_text("The service is busy")
+    visit.page.unroute("**/generate")
+    visit.after(lambda: visit.page.get_by_role("button", name="Try again").click())
+    expect(visit.page.get_by_role("alert")).to_be_hidden()
+
+
+def test_a_lost_service_is_said_to_be_lost_and_found_again(page: Page) -> None:
+    with running() as first:
+        visit = Visit(page, first.address)
+        visit.open("?seed=8")
+        rooms = visit.count("rooms")
+    page.keyboard.press("r")
+    expect(page.get_by_role("alert")).to_contain_text("does not answer")
+    assert visit.count("rooms") == rooms
+    with running(urlparse(first.address).port or 0):
+        visit.after(lambda: page.get_by_role("button", name="Try again").click())
+        expect(page.get_by_role("alert")).to_be_hidden()
+
+
+def test_a_newer_question_withdraws_the_older(visit: Visit) -> None:
+    visit.open("?seed=1")
+    held = []
+    visit.page.route("**/generate", lambda route: held.append(route) if not held else route.continue_())
+    visit.page.locator("#seed").fill("2")
+    visit.page.keyboard.press("Enter")
+    expect(visit.page.locator("#stage")).to_have_attribute("aria-busy", "true")
+    visit.page.locator("#seed").fill("3")
+    assert visit.after(lambda: visit.page.keyboard.press("Enter"))["scene"]["seed"] == 3
+    expect(visit.page.get_by_role("alert")).to_be_hidden()
+    assert "seed 3" in visit.yaml() or "seed: 3" in visit.yaml()

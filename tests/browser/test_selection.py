@@ -1,0 +1,88 @@
+"""Clicks: a door opens, a line of the YAML selects its body, a body its line."""
+
+from __future__ import annotations
+
+from playwright.sync_api import Route, expect
+
+from tests.browser.visit import Visit, furniture_of
+
+
+def test_a_click_opens_a_door_and_another_closes_it(visit: Visit) -> None:
+    visit.open()
+    doors = visit.state()["doors"]
+    clicked = next(door for door in doors if visit.click_on(door))
+    visit.settle()
+    assert visit.state()["openDoors"] == [clicked]
+    opened = visit.page.locator("#stage canvas").screenshot()
+    visit.page.keyboard.press("2")
+    visit.page.keyboard.press("3")
+    visit.settle()
+    assert visit.page.locator("#stage canvas").screenshot() == opened
+    assert visit.state()["selected"] is None
+
+
+def test_a_line_selects_its_body_and_only_one_at_a_time(visit: Visit) -> None:
+    first, second = furniture_of(visit.open())[:2]
+    for piece in (first, second):
+        visit.line_of(piece).click()
+        assert visit.state()["selected"] == piece
+        assert visit.state()["marks"]["selected"] == [piece]
+        expect(visit.line_of(piece)).to_have_attribute("aria-pressed", "true")
+    expect(visit.line_of(first)).to_have_attribute("aria-pressed", "false")
+    visit.page.keyboard.press("Escape")
+    assert visit.state()["selected"] is None
+    expect(visit.line_of(second)).to_have_attribute("aria-pressed", "false")
+
+
+def test_a_body_clicked_shows_its_line(visit: Visit) -> None:
+    pieces = furniture_of(visit.open())
+    visit.page.keyboard.press("2")
+    visit.settle()
+    clicked = next(piece for piece in reversed(pieces) if visit.click_on(piece))
+    assert visit.state()["selected"] == clicked
+    expect(visit.line_of(clicked)).to_have_attribute("aria-pressed", "true")
+    expect(visit.line_of(clicked)).to_be_in_viewport()
+
+
+def test_a_body_pointed_at_is_named_with_its_sizes(visit: Visit) -> None:
+    answer = visit.open()
+    visit.page.keyboard.press("2")
+    visit.settle()
+    tip = visit.page.locator(".body-tip")
+    expect(tip).to_be_hidden()
+    pieces = [piece for room in answer["scene"]["rooms"] for piece in room["furniture"]]
+    piece = next(one for one in pieces if visit.page.evaluate("id => compose.whereIs(id)", one["id"]))
+    at = visit.page.evaluate("id => compose.whereIs(id)", piece["id"])
+    visit.page.mouse.move(at["x"], at["y"])
+    expect(tip).to_be_visible()
+    expect(tip).to_contain_text(piece["name"].replace("_", " "))
+    expect(tip).to_contain_text(" × ".join(f"{piece[side]:g}" for side in ("width", "depth", "height")))
+
+
+def test_the_arrow_keys_go_through_the_lines(visit: Visit) -> None:
+    pieces = furniture_of(visit.open())
+    visit.line_of(pieces[0]).focus()
+    visit.page.keyboard.press("ArrowDown")
+    visit.page.keyboard.press("Enter")
+    assert visit.state()["selected"] == pieces[1]
+
+
+def test_pieces_in_error_are_framed_and_named_in_the_services_words(visit: Visit) -> None:
+    wronged: list[str] = []
+
+    def worsen(route: Route) -> None:
+        answer = route.fetch().json()
+        wronged[:] = furniture_of(answer)[:2]
+        answer["issues"] = [
+            {"rule": "overlap", "severity": "error", "room": None, "ids": wronged, "amount": 0.1, "message": "they share 0.1 m"},
+            {"rule": "missing_required", "severity": "warning", "room": None, "ids": [], "amount": None, "message": "no oven"},
+        ]
+        route.fulfill(json=answer)
+
+    visit.page.route("**/generate", worsen)
+    visit.open()
+    assert visit.count("issues") == 2
+    assert sorted(visit.state()["marks"]["error"]) == sorted(wronged)
+    expect(visit.page.locator("#issue_list")).to_contain_text("they share 0.1 m")
+    visit.page.get_by_role("button", name="they share 0.1 m").click()
+    assert visit.state()["selected"] == wronged[0]

@@ -1,0 +1,77 @@
+"""A visit to the page: what it shows, what it asked for, and what it said on the console."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+from playwright.sync_api import Locator, Page, Response, expect
+
+Document: TypeAlias = dict[str, Any]
+
+ANSWER_MS = 30_000
+"""How long a house may take on a busy machine without a graphics card."""
+
+
+class Visit:
+    """The page, opened at a service; `answers` holds what the service answered to each call."""
+
+    def __init__(self, page: Page, address: str) -> None:
+        self.page = page
+        self.address = address
+        self.console: list[str] = []
+        self.requests: list[str] = []
+        self.answers: list[Document] = []
+        page.on("console", lambda message: self.console.append(f"{message.type}: {message.text}"))
+        page.on("request", lambda request: self.requests.append(request.url))
+
+    def open(self, query: str = "") -> Document:
+        """Open the page and wait for its house; returns the answer to /generate."""
+        return self.after(lambda: self.page.goto(self.address + query))
+
+    def after(self, act: Callable[[], object]) -> Document:
+        """Do something that makes a house, wait until it is shown, return the answer to /generate."""
+        with self.page.expect_response(_generated, timeout=ANSWER_MS) as caught:
+            act()
+        self.settle()
+        answer: Document = caught.value.json()
+        return answer
+
+    def settle(self) -> None:
+        """Wait until no call is under way and nothing moves."""
+        expect(self.page.locator("#stage")).to_have_attribute("aria-busy", "false", timeout=ANSWER_MS)
+        self.page.wait_for_function("!compose.state.moving", timeout=ANSWER_MS)
+
+    def state(self) -> Document:
+        """What the page says it shows."""
+        shown: Document = self.page.evaluate("compose.state")
+        return shown
+
+    def click_on(self, id_of: str) -> bool:
+        """Click on a body or a door in the canvas; false where something stands before it."""
+        at = self.page.evaluate("id => compose.whereIs(id)", id_of)
+        if at is None:
+            return False
+        self.page.mouse.click(at["x"], at["y"])
+        return True
+
+    def count(self, name: str) -> int:
+        """A number of the status bar."""
+        return int(self.page.locator(f"[data-count={name}]").inner_text())
+
+    def yaml(self) -> str:
+        """The readable YAML as shown."""
+        return "\n".join(self.page.locator("#yaml > *").all_inner_texts())
+
+    def line_of(self, id_of: str) -> Locator:
+        """The line of the readable YAML that speaks of a body."""
+        return self.page.locator(f'#yaml button[data-id="{id_of}"]').first
+
+
+def furniture_of(answer: Document) -> list[str]:
+    """The ids of a scene's furniture."""
+    return [piece["id"] for room in answer["scene"]["rooms"] for piece in room["furniture"]]
+
+
+def _generated(response: Response) -> bool:
+    return response.url.endswith("/generate")

@@ -1,0 +1,224 @@
+"""Every call does what the contract says of it, in JSON and in YAML."""
+
+from __future__ import annotations
+
+import copy
+import json
+from typing import Any
+
+import pytest
+import yaml
+from starlette.testclient import TestClient
+
+from service import calls
+from tests.service.conftest import SMALL
+
+YAML = {"content-type": "application/yaml", "accept": "application/yaml"}
+
+
+def scene_bytes(answer: Any) -> str:
+    """The scene of an answer as it stands in the answer's bytes."""
+    text: str = answer.text
+    start = text.index('"scene":')
+    return text[start : text.index(',"issues":', start)]
+
+
+def test_generate_answers_a_furnished_house(house: dict[str, Any]) -> None:
+    assert set(house) == {"scene", "issues", "timing_ms"}
+    scene = house["scene"]
+    assert scene["format"] == "compose-scene/1"
+    assert scene["seed"] == 42
+    assert (scene["size"]["width"], scene["size"]["depth"]) == (10.0, 8.0)
+    assert sum(len(room["furniture"]) for room in scene["rooms"]) >= 5
+    assert [issue for issue in house["issues"] if issue["severity"] == "error"] == []
+    assert house["timing_ms"]["total"] > 0
+    assert all(isinstance(value, (int, float)) for value in house["timing_ms"].values())
+
+
+def test_the_same_request_gives_the_same_scene_bytes(client: TestClient) -> None:
+    first = client.post("/generate", json=SMALL)
+    client.post("/generate", json={**SMALL, "seed": 7})
+    again = client.post("/generate", json=SMALL)
+    assert scene_bytes(first) == scene_bytes(again)
+    assert len(scene_bytes(first)) > 2000
+
+
+def test_the_request_in_a_scene_makes_it_again(client: TestClient, scene: dict[str, Any]) -> None:
+    again = client.post("/generate", json=scene["request"])
+    assert again.json()["scene"] == scene
+
+
+def test_what_curl_sends_is_read_as_json(client: TestClient, scene: dict[str, Any]) -> None:
+    answer = client.post("/generate", content=json.dumps(SMALL), headers={"content-type": "application/x-www-form-urlencoded"})
+    assert answer.json()["scene"] == scene
+
+
+def test_a_body_without_a_content_type_is_json(client: TestClient, scene: dict[str, Any]) -> None:
+    request = client.build_request("POST", "/generate", content=json.dumps(SMALL))
+    assert "content-type" not in request.headers
+    assert client.send(request).json()["scene"] == scene
+
+
+def test_a_byte_order_mark_is_let_be(client: TestClient, scene: dict[str, Any]) -> None:
+    answer = client.post("/generate", content=b"\xef\xbb\xbf" + json.dumps(SMALL).encode())
+    assert answer.json()["scene"] == scene
+
+
+def test_camel_case_keys_mean_the_same(client: TestClient) -> None:
+    snake = client.post("/generate", json={**SMALL, "min_room_size": 2.4, "use_spine": False})
+    camel = client.post("/generate", json={**SMALL, "minRoomSize": 2.4, "useSpine": False})
+    assert snake.status_code == 200
+    assert snake.json()["scene"] == camel.json()["scene"]
+
+
+def test_yaml_in_and_out_says_the_same(client: TestClient, scene: dict[str, Any]) -> None:
+    answer = client.post("/generate", content="seed: 42\nwidth: 10.0\ndepth: 8.0\n", headers=YAML)
+    assert answer.headers["content-type"].startswith("application/yaml")
+    assert yaml.safe_load(answer.text)["scene"] == scene
+
+
+@pytest.mark.parametrize("call", ["fix", "validate", "view"])
+def test_yaml_of_a_scene_is_taken_by_every_call(client: TestClient, scene: dict[str, Any], call: str) -> None:
+    sent = client.post(f"/{call}", json={"scene": scene})
+    as_yaml = client.post(f"/{call}", content=yaml.safe_dump({"scene": scene}), headers=YAML)
+    ours, theirs = sent.json(), yaml.safe_load(as_yaml.text)
+    ours.pop("timing_ms", None)
+    theirs.pop("timing_ms", None)
+    assert (sent.status_code, as_yaml.status_code) == (200, 200)
+    assert ours == theirs
+
+
+@pytest.mark.parametrize(
+    ("accept", "expected"),
+    [
+        ("", "application/json"),
+        ("*/*", "application/json"),
+        ("application/yaml", "application/yaml"),
+        ("text/yaml;q=0.9, application/json;q=0.1", "application/yaml"),
+        ("application/yaml;q=0.5, */*", "application/json"),
+        ("application/yaml;q=0", "application/json"),
+        ("application/yaml;q=nonsense", "application/json"),
+        ("image/png", "application/json"),
+    ],
+)
+def test_accept_chooses_the_format(client: TestClient, accept: str, expected: str) -> None:
+    answer = client.get("/healthz", headers={"accept": accept})
+    assert answer.headers["content-type"].partition(";")[0] == expected
+    assert "accept" in answer.headers["vary"].lower()
+
+
+def test_a_seed_is_drawn_and_echoed(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    without = {"width": 6.0, "depth": 5.0}
+    seeds = [client.post("/generate", json=without).json()["scene"]["seed"] for _ in range(2)]
+    assert seeds[0] != seeds[1]
+    assert all(isinstance(seed, int) and 0 <= seed < 2**53 for seed in seeds)
+    again = client.post("/generate", json={**without, "seed": seeds[0]}).json()["scene"]
+    monkeypatch.setattr(calls, "draw_seed", lambda: seeds[0])
+    assert client.post("/generate", json={**without, "seed": None}).json()["scene"] == again
+
+
+def furnished_room(scene: dict[str, Any]) -> dict[str, Any]:
+    return dict(max(scene["rooms"], key=lambda room: len(room["furniture"])))
+
+
+def test_reroll_touches_only_the_named_rooms(client: TestClient, scene: dict[str, Any]) -> None:
+    named = furnished_room(scene)["id"]
+    answer = client.post("/generate", json={"scene": scene, "reroll": [named], "seed": 5})
+    assert answer.status_code == 200, answer.text
+    after = answer.json()["scene"]
+    assert [room for room in after["rooms"] if room["id"] != named] == [room for room in scene["rooms"] if room["id"] != named]
+    openings = {room["id"]: room["openings"] for room in scene["rooms"]}
+    assert {room["id"]: room["openings"] for room in after["rooms"]} == openings
+    assert client.post("/generate", json={"scene": scene, "reroll": [named], "seed": 5}).json()["scene"] == after
+    others = [client.post("/generate", json={"scene": scene, "reroll": [named], "seed": seed}).json()["scene"] for seed in range(6)]
+    assert any(furnished_room(other) != furnished_room(scene) for other in others)
+
+
+def test_fix_leaves_a_clean_scene_alone(client: TestClient, scene: dict[str, Any]) -> None:
+    answer = client.post("/fix", json={"scene": scene}).json()
+    assert set(answer) == {"scene", "moves", "removed", "conflicts", "issues", "timing_ms"}
+    assert answer["scene"] == scene
+    assert (answer["moves"], answer["removed"], answer["conflicts"]) == ([], [], [])
+
+
+def broken(scene: dict[str, Any]) -> tuple[dict[str, Any], str]:
+    """The scene with one piece pushed through a wall, and the piece's id."""
+    scene = copy.deepcopy(scene)
+    room = max(scene["rooms"], key=lambda room: len(room["furniture"]))
+    piece = next(piece for piece in room["furniture"] if piece["under"] is None and piece["on"] is None and piece["wall"])
+    piece["x"] = room["width"] + 0.3
+    return scene, piece["id"]
+
+
+def test_validate_finds_what_was_broken_and_fix_repairs_it(client: TestClient, scene: dict[str, Any]) -> None:
+    spoiled, piece = broken(scene)
+    found = client.post("/validate", json={"scene": spoiled}).json()
+    assert set(found) == {"issues", "metrics"}
+    out = [issue for issue in found["issues"] if issue["rule"] == "out_of_bounds"]
+    assert [piece in issue["ids"] for issue in out] == [True]
+    assert set(out[0]) == {"rule", "severity", "room", "ids", "amount", "message"}
+    fixed = client.post("/fix", json={"scene": spoiled}).json()
+    assert piece in [move["id"] for move in fixed["moves"]]
+    assert [issue for issue in fixed["issues"] if issue["severity"] == "error"] == []
+    assert client.post("/validate", json={"scene": fixed["scene"]}).json()["issues"] == fixed["issues"]
+
+
+def test_fix_honours_locked_and_says_what_is_impossible(client: TestClient, scene: dict[str, Any]) -> None:
+    spoiled, piece = broken(scene)
+    answer = client.post("/fix", json={"scene": spoiled, "locked": [piece]})
+    assert answer.status_code == 200
+    before = [body for room in spoiled["rooms"] for body in room["furniture"] if body["id"] == piece]
+    after = [body for room in answer.json()["scene"]["rooms"] for body in room["furniture"] if body["id"] == piece]
+    assert after == before
+    assert any(piece in conflict["ids"] for conflict in answer.json()["conflicts"])
+
+
+def test_fix_removes_only_when_asked(client: TestClient) -> None:
+    bed = {"name": "bed", "x": 1.0, "z": 1.0, "width": 1.6, "depth": 2.0, "height": 0.5}
+    room = {"id": "cell", "width": 2.0, "depth": 2.1, "furniture": [{**bed, "id": "a"}, {**bed, "id": "b"}]}
+    report, remove = (
+        client.post("/fix", json={"scene": {"rooms": [room]}, "on_conflict": word}).json() for word in ("report", "remove")
+    )
+    assert report["removed"] == []
+    assert report["conflicts"]
+    assert len(report["scene"]["rooms"][0]["furniture"]) == 2
+    assert len(remove["scene"]["rooms"][0]["furniture"]) == 1
+    assert [set(entry) for entry in remove["removed"]] == [{"id", "reason"}]
+
+
+def test_validate_measures(client: TestClient, scene: dict[str, Any]) -> None:
+    metrics = client.post("/validate", json={"scene": scene}).json()["metrics"]
+    assert metrics["counts"]["rooms"] == len(scene["rooms"])
+    assert metrics["area"] == pytest.approx(80.0)
+
+
+def test_view_says_which_body_each_line_is(client: TestClient, scene: dict[str, Any]) -> None:
+    answer = client.post("/view", json={"scene": scene}).json()
+    assert set(answer) == {"text", "lines"}
+    shown = answer["text"].splitlines()
+    assert len(shown) == len(answer["lines"])
+    bodies = {body["id"]: body["name"] for room in scene["rooms"] for body in room["furniture"]}
+    named = {name: line for line, name in zip(shown, answer["lines"], strict=True) if name}
+    assert bodies.keys() == named.keys()
+    assert all(bodies[name] in line for name, line in named.items())
+
+
+def test_the_catalog_tells_what_there_is(client: TestClient) -> None:
+    catalog = client.get("/catalog").json()
+    assert {"furniture", "floorings", "rooms", "fingerprint"} <= set(catalog)
+    assert "bed" in catalog["furniture"]
+    assert "kitchen" in catalog["rooms"]
+
+
+def test_the_schema_is_that_of_scenes(client: TestClient, scene: dict[str, Any]) -> None:
+    from jsonschema import Draft202012Validator
+
+    schema = client.get("/schema").json()
+    Draft202012Validator.check_schema(schema)
+    assert list(Draft202012Validator(schema).iter_errors(scene)) == []
+    assert list(Draft202012Validator(schema).iter_errors({"rooms": [{"id": "a"}]}))
+
+
+def test_healthz_answers(client: TestClient) -> None:
+    answer = client.get("/healthz")
+    assert (answer.status_code, answer.json()) == (200, {"status": "ok"})

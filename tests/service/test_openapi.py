@@ -1,0 +1,124 @@
+"""The OpenAPI document tells the truth: judged by jsonschema against what is really taken and answered."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from jsonschema import Draft202012Validator
+from starlette.testclient import TestClient
+
+from service.problems import STATUS
+from tests.service.conftest import SMALL
+from tests.service.test_refusals import REQUESTS
+
+FAR_SIGHTED = ("min_room_size", "force_types")
+"""What only the whole request or the catalog tells: no schema of one field can."""
+
+
+@pytest.fixture(scope="module")
+def document(client: TestClient) -> dict[str, Any]:
+    return dict(client.get("/openapi.json").json())
+
+
+def validator(document: dict[str, Any], schema: dict[str, Any]) -> Draft202012Validator:
+    return Draft202012Validator({**schema, "components": document["components"]})
+
+
+def faults(document: dict[str, Any], schema: dict[str, Any], value: object) -> list[str]:
+    return [f"{fault.json_path}: {fault.message[:200]}" for fault in validator(document, schema).iter_errors(value)]
+
+
+def body_schema(document: dict[str, Any], path: str) -> dict[str, Any]:
+    content = document["paths"][path]["post"]["requestBody"]["content"]
+    assert set(content) == {"application/json", "application/yaml"}
+    return dict(content["application/json"]["schema"])
+
+
+def answer_schema(document: dict[str, Any], path: str, status: int, method: str = "post") -> dict[str, Any]:
+    content = document["paths"][path][method]["responses"][str(status)]["content"]
+    return dict(next(iter(content.values()))["schema"])
+
+
+def test_every_schema_and_every_reference_holds(document: dict[str, Any]) -> None:
+    assert document["openapi"].startswith("3.1")
+    schemas = document["components"]["schemas"]
+    assert len(schemas) > 20
+    for schema in schemas.values():
+        Draft202012Validator.check_schema(schema)
+    references = [node["$ref"] for node in nodes(document) if isinstance(node.get("$ref"), str)]
+    assert len(references) > 40
+    assert {reference.removeprefix("#/components/schemas/") for reference in references} <= schemas.keys()
+
+
+def nodes(value: Any) -> list[dict[str, Any]]:
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return [value] * isinstance(value, dict) + [node for item in inner for node in nodes(item)]
+
+
+def test_it_lists_every_call(document: dict[str, Any]) -> None:
+    posts = {path for path, verbs in document["paths"].items() if "post" in verbs}
+    gets = {path for path, verbs in document["paths"].items() if "get" in verbs}
+    assert posts == {"/generate", "/fix", "/validate", "/view"}
+    assert gets == {"/catalog", "/schema", "/healthz"}
+    assert all(call["description"] for verbs in document["paths"].values() for call in verbs.values())
+    statuses = {str(status) for status, _ in STATUS.values()} | {"200"}
+    assert all(set(document["paths"][path]["post"]["responses"]) == statuses for path in posts)
+
+
+def test_answers_are_as_described(client: TestClient, document: dict[str, Any], house: dict[str, Any], scene: dict[str, Any]) -> None:
+    crowd = {"name": "bed", "x": 1.0, "z": 1.0, "width": 1.6, "depth": 2.0, "height": 0.5}
+    cell = {"rooms": [{"width": 2.0, "depth": 2.1, "furniture": [crowd, crowd]}]}
+    assert faults(document, answer_schema(document, "/generate", 200), house) == []
+    for path in ("/fix", "/validate", "/view"):
+        for sent in (scene, cell):
+            answer = client.post(path, json={"scene": sent})
+            assert (answer.status_code, faults(document, answer_schema(document, path, 200), answer.json())) == (200, [])
+    for path in ("/catalog", "/schema", "/healthz"):
+        assert faults(document, answer_schema(document, path, 200, "get"), client.get(path).json()) == []
+
+
+def test_an_answer_with_more_or_less_would_be_seen(document: dict[str, Any], house: dict[str, Any]) -> None:
+    schema = answer_schema(document, "/generate", 200)
+    assert faults(document, schema, {**house, "more": 1})
+    assert faults(document, schema, {"scene": house["scene"]})
+    assert faults(document, schema, {**house, "issues": [{"rule": "overlap"}]})
+
+
+def test_problems_are_as_described(client: TestClient, document: dict[str, Any]) -> None:
+    answers = [client.post("/generate", content=body) for body in (b"", b"[]", b" " * (9 << 20))]
+    answers.append(client.post("/generate", content=b"{}", headers={"content-type": "text/plain"}))
+    for answer in answers:
+        assert faults(document, answer_schema(document, "/generate", answer.status_code), answer.json()) == []
+    assert [answer.status_code for answer in answers] == [400, 422, 413, 415]
+
+
+@pytest.mark.parametrize("body", [body for body, field, _ in REQUESTS if field not in FAR_SIGHTED and body != {"width": None, "depth": True}])
+def test_what_is_refused_does_not_fit_the_schema(document: dict[str, Any], body: dict[str, Any]) -> None:
+    assert faults(document, body_schema(document, "/generate"), body)
+
+
+def test_what_is_taken_fits_the_schema(client: TestClient, document: dict[str, Any], scene: dict[str, Any]) -> None:
+    schema = body_schema(document, "/generate")
+    taken = [
+        SMALL,
+        {**SMALL, "seed": None},
+        {**SMALL, "minRoomSize": 2.4, "useSpine": False, "forceTypes": {"0": "living_room"}},
+        {"scene": scene, "reroll": [scene["rooms"][0]["id"]], "seed": 3},
+    ]
+    for body in taken:
+        assert faults(document, schema, body) == []
+        assert client.post("/generate", json=body).status_code == 200
+    fix = {"scene": scene, "locked": [], "moved": [], "on_conflict": "remove"}
+    assert faults(document, body_schema(document, "/fix"), fix) == []
+    assert faults(document, body_schema(document, "/fix"), {**fix, "on_conflict": "delete"})
+    assert faults(document, body_schema(document, "/fix"), {**fix, "on_conflit": "remove"})
+
+
+def test_every_default_is_told_and_is_taken(client: TestClient, document: dict[str, Any]) -> None:
+    properties = document["components"]["schemas"]["Request"]["properties"]
+    defaults = {name: part["default"] for name, part in properties.items() if not part.get("deprecated")}
+    assert defaults["width"] == 20.0
+    said = client.post("/generate", json={**defaults, "seed": 1, "width": 6.0, "depth": 5.0}).json()["scene"]
+    unsaid = client.post("/generate", json={"seed": 1, "width": 6.0, "depth": 5.0}).json()["scene"]
+    assert said == unsaid
