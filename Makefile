@@ -26,7 +26,8 @@ unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
 
 PY = .venv/bin/python
 PINS = pyproject.toml constraints.txt
-INSTALL = "$$($(PYTHON3) scripts/find_uv.py)" pip install --quiet --python $(PY) --constraint constraints.txt
+UV = uv="$$($(PYTHON3) scripts/find_uv.py)" && "$$uv"
+INSTALL = $(UV) pip install --quiet --python $(PY) --constraint constraints.txt
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1  /p' Makefile
@@ -61,19 +62,19 @@ chromium: .venv/dev.stamp ## bring the Chromium of the browser tests
 
 pins: ## write constraints.txt anew from pyproject.toml
 	{ echo '# Every version that pyproject.toml leads to; `make pins` writes it anew.'; \
-	  "$$($(PYTHON3) scripts/find_uv.py)" pip compile --quiet --universal --python-version 3.11 --all-extras --group dev \
+	  $(UV) pip compile --quiet --universal --python-version 3.11 --all-extras --group dev \
 	    --no-header --no-annotate pyproject.toml; } > constraints.txt.new
 	mv constraints.txt.new constraints.txt
 
 wheel: .venv/python.stamp ## build the wheel, with the page in it, into dist/
-	"$$($(PYTHON3) scripts/find_uv.py)" build --quiet --wheel --python $(PY)
+	$(UV) build --quiet --wheel --python $(PY)
 
 clean: ## remove everything that make brought or built
 	rm -rf .venv .tools dist service/static web/node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .venv/python.stamp:
-	"$$($(PYTHON3) scripts/find_uv.py)" venv --quiet --clear --python '$(PYTHON_VERSIONS)' .venv
+	$(UV) venv --quiet --clear --python '$(PYTHON_VERSIONS)' .venv
 	@touch $@
 
 .venv/run.stamp: .venv/python.stamp $(PINS)
