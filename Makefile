@@ -33,7 +33,6 @@ help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1  /p' Makefile
 
 run: .venv/run.stamp page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
-	@echo "Compose: http://$(HOST):$(PORT)/ (stop with Ctrl-C)"
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
 
 test: .venv/dev.stamp page chromium ## run every test: Python, page, browser
