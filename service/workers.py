@@ -27,8 +27,9 @@ class Workers:
         """Runs work in a thread and returns what it returns.
 
         Raises:
-            Busy: WAITING calls are waiting already.
+            Busy: RUNNING calls run and WAITING calls wait already.
         """
-        if self._limiter.statistics().tasks_waiting >= WAITING:
+        line = self._limiter.statistics()
+        if line.borrowed_tokens >= RUNNING and line.tasks_waiting >= WAITING:
             raise Busy("service", f"{RUNNING} calls run and {WAITING} wait", "another try in a moment")
         return await to_thread.run_sync(work, limiter=self._limiter)

@@ -176,9 +176,7 @@ def test_fix_honours_locked_and_says_what_is_impossible(client: TestClient, scen
 def test_fix_removes_only_when_asked(client: TestClient) -> None:
     bed = {"name": "bed", "x": 1.0, "z": 1.0, "width": 1.6, "depth": 2.0, "height": 0.5}
     room = {"id": "cell", "width": 2.0, "depth": 2.1, "furniture": [{**bed, "id": "a"}, {**bed, "id": "b"}]}
-    report, remove = (
-        client.post("/fix", json={"scene": {"rooms": [room]}, "on_conflict": word}).json() for word in ("report", "remove")
-    )
+    report, remove = (client.post("/fix", json={"scene": {"rooms": [room]}, "on_conflict": word}).json() for word in ("report", "remove"))
     assert report["removed"] == []
     assert report["conflicts"]
     assert len(report["scene"]["rooms"][0]["furniture"]) == 2

@@ -93,7 +93,9 @@ def test_problems_are_as_described(client: TestClient, document: dict[str, Any])
     assert [answer.status_code for answer in answers] == [400, 422, 413, 415]
 
 
-@pytest.mark.parametrize("body", [body for body, field, _ in REQUESTS if field not in FAR_SIGHTED and body != {"width": None, "depth": True}])
+@pytest.mark.parametrize(
+    "body", [body for body, field, _ in REQUESTS if field not in FAR_SIGHTED and body != {"width": None, "depth": True}]
+)
 def test_what_is_refused_does_not_fit_the_schema(document: dict[str, Any], body: dict[str, Any]) -> None:
     assert faults(document, body_schema(document, "/generate"), body)
 

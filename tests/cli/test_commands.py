@@ -1,0 +1,188 @@
+"""Each command in this process: options, formats, refusals."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from service import calls
+from service.cli import NUMBERS, SWITCHES, main
+from solver.scene import Request
+from tests.cli.programs import SMALL
+
+Captured = pytest.CaptureFixture[bytes]
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A house in a file."""
+    path = tmp_path_factory.mktemp("house") / "house.json"
+    assert main(["generate", *SMALL, "-o", str(path)]) == 0
+    return path
+
+
+def refused(capture: Captured, *arguments: str) -> str:
+    """Runs a command that must be refused; returns what it says."""
+    assert main(arguments) == 2
+    out, words = capture.readouterr()
+    assert out == b""
+    assert words.startswith(b"compose: ")
+    assert words.count(b"\n") == 1
+    return words.decode()
+
+
+def test_every_field_of_a_request_has_an_option() -> None:
+    assert {*NUMBERS, *SWITCHES, "force_types"} == {field.name for field in fields(Request)}
+
+
+def test_options_make_the_request(tmp_path: Path, capfdbinary: Captured) -> None:
+    numbers = ["--seed", "3", "--width", "8", "--depth", "6", "--min-room-size", "2.4", "--max-depth", "2", "--robot-width", "0.5"]
+    others = ["--no-use-spine", "--outdoor", "--decorate", "--force-type", "0=living_room"]
+    main(["generate", *numbers, *others, "--format", "json"])
+    request = json.loads(capfdbinary.readouterr().out)["request"]
+    assert request == {
+        "seed": 3, "width": 8.0, "depth": 6.0, "min_room_size": 2.4, "max_depth": 2, "robot_width": 0.5,
+        "use_spine": False, "outdoor": True, "decorate": True, "force_types": {"0": "living_room"},
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "form"), [("a.json", "json"), ("a.yaml", "yaml"), ("a.yml", "yaml"), ("a.txt", "yaml"), ("a.JSON", "json")]
+)
+def test_the_name_of_a_file_tells_its_format(house: Path, tmp_path: Path, name: str, form: str) -> None:
+    assert main(["fix", str(house), "-o", str(tmp_path / name)]) == 0
+    text = (tmp_path / name).read_text()
+    assert (json.loads if form == "json" else yaml.safe_load)(text) == json.loads(house.read_text())
+    assert text.startswith("{") == (form == "json")
+    assert main(["view", str(tmp_path / name), "-o", str(tmp_path / "view")]) == 0
+
+
+def test_format_wins_over_the_name(house: Path, tmp_path: Path) -> None:
+    assert main(["fix", str(house), "-o", str(tmp_path / "a.json"), "--format", "yaml"]) == 0
+    assert (tmp_path / "a.json").read_text().startswith("format: compose-scene/1")
+
+
+def test_an_answer_of_the_service_is_taken_for_its_scene(house: Path, tmp_path: Path, capfdbinary: Captured) -> None:
+    (tmp_path / "answer.json").write_text(json.dumps({"scene": json.loads(house.read_text()), "issues": [], "timing_ms": {}}))
+    main(["view", str(house)])
+    main(["view", str(tmp_path / "answer.json")])
+    text = capfdbinary.readouterr().out
+    assert text[: len(text) // 2] == text[len(text) // 2 :]
+
+
+def test_a_seed_is_drawn_where_there_is_none(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(calls, "draw_seed", lambda: 77)
+    main(["generate", "--width", "5", "--depth", "4"])
+    assert yaml.safe_load(capfdbinary.readouterr().out)["seed"] == 77
+
+
+def test_many_houses_go_into_a_folder(tmp_path: Path, capfdbinary: Captured) -> None:
+    small = ["--width", "6", "--depth", "5"]
+    assert main(["generate", *small, "--seed", str(2**53 - 2), "-n", "3", "-o", str(tmp_path / "set")]) in (0, 1)
+    assert sorted(path.name for path in (tmp_path / "set").iterdir()) == sorted(
+        ["9007199254740990.yaml", "9007199254740991.yaml", "0.yaml"]
+    )
+    assert capfdbinary.readouterr().out == b""
+    main(["generate", *small, "--seed", "0"])
+    assert (tmp_path / "set" / "0.yaml").read_bytes() == capfdbinary.readouterr().out
+    assert "a folder" in refused(capfdbinary, "generate", *small, "-n", "2")
+
+
+def test_locked_and_moved_reach_the_solver(house: Path, capfdbinary: Captured) -> None:
+    piece = next(body["id"] for room in json.loads(house.read_text())["rooms"] for body in room["furniture"])
+    assert main(["fix", str(house), "--lock", piece, "--moved", piece, "--on-conflict", "remove"]) == 0
+    capfdbinary.readouterr()
+    assert f"{house}: locked[0]" in refused(capfdbinary, "fix", str(house), "--lock", "throne")
+    assert "moved[1]" in refused(capfdbinary, "fix", str(house), "--moved", piece, "--moved", "throne")
+
+
+def test_conflicts_and_removals_are_told(tmp_path: Path, capfdbinary: Captured) -> None:
+    bed = {"name": "bed", "x": 1.0, "z": 1.0, "width": 1.6, "depth": 2.0, "height": 0.5}
+    path = tmp_path / "cell.yaml"
+    path.write_text(yaml.safe_dump({"rooms": [{"width": 2.0, "depth": 2.1, "furniture": [bed, bed]}]}))
+    assert main(["fix", str(path)]) == 1
+    assert b"conflict " in capfdbinary.readouterr().err
+    main(["fix", str(path), "--on-conflict", "remove"])
+    assert b"removed " in capfdbinary.readouterr().err
+
+
+def test_catalog_and_schema_are_documents(capfdbinary: Captured) -> None:
+    documents: list[Any] = []
+    for arguments in (["catalog"], ["schema"], ["catalog", "--format", "json"], ["schema", "--format", "json"]):
+        assert main(arguments) == 0
+        text = capfdbinary.readouterr().out
+        documents.append(json.loads(text) if "json" in arguments else yaml.safe_load(text))
+    assert documents[:2] == documents[2:]
+    assert "bed" in documents[0]["furniture"]
+    assert "rooms" in documents[1]["properties"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["generate", "--width", "1e9"], "width: is 1000000000.0 (allowed: a number from 2 to 1000)"),
+        (["generate", "--width", "nan"], "width: is nan"),
+        (["generate", "--max-depth", "60000"], "max_depth: is 60000"),
+        (["generate", "--force-type", "0=throne_room"], "force_types"),
+        (["generate", "no-such-request.yaml"], "no-such-request.yaml"),
+        (["validate", "no-such-scene.yaml"], "no-such-scene.yaml"),
+        (["view", "."], "directory"),
+        (["generate", "--catalog", "no-such-folder"], "no-such-folder"),
+    ],
+)
+def test_bad_use_is_told_in_one_line(capfdbinary: Captured, arguments: list[str], words: str) -> None:
+    assert words in refused(capfdbinary, *arguments)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "words"),
+    [
+        ("a.yaml", b"rooms: [\n  {width: 3\n", "a.yaml: not YAML"),
+        ("a.json", b'{"rooms": [}', "a.json: not JSON"),
+        ("a.yaml", b"", "a.yaml: the text is empty"),
+        ("a.txt", b"\xff\xfe\x00", "a.txt: "),
+        ("a.yaml", b"rooms: [{width: 3, depth: -1}]", "a.yaml: scene.rooms[0].depth: is -1"),
+        ("a.yaml", b"[]", "a.yaml: scene"),
+    ],
+)
+def test_a_bad_file_is_told_by_its_name(tmp_path: Path, capfdbinary: Captured, name: str, content: bytes, words: str) -> None:
+    (tmp_path / name).write_bytes(content)
+    for command in ("validate", "fix", "view"):
+        assert words in refused(capfdbinary, command, str(tmp_path / name))
+
+
+def test_broken_yaml_names_its_line(tmp_path: Path, capfdbinary: Captured) -> None:
+    (tmp_path / "request.yaml").write_text("width: 12\ndepth: 9\nseed: [1\noutdoor: true\n")
+    words = refused(capfdbinary, "generate", str(tmp_path / "request.yaml"))
+    assert "request.yaml" in words
+    assert "line 4" in words
+
+
+def test_standard_input_is_named_and_its_format_found(monkeypatch: pytest.MonkeyPatch, capfdbinary: Captured) -> None:
+    for content, words in ((b'{"rooms": 3}', "scene.rooms"), (b"rooms: 3", "scene.rooms"), (b"[1, 2", "not JSON"), (b"a: [", "not YAML")):
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(content)))
+        assert f"standard input: {words}" in refused(capfdbinary, "validate")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [[], ["paint"], ["generate", "--bedrooms", "3"], ["generate", "--seed", "x"], ["generate", "--force-type", "kitchen"],
+     ["generate", "-n", "0"], ["generate", "--engine", "magic"], ["serve", "--port", "99999"], ["place"], ["export"], ["fix", "--on-conflict", "x"]],
+)  # fmt: skip
+def test_unknown_words_are_bad_use(capfdbinary: Captured, arguments: list[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(arguments)
+    assert end.value.code == 2
+    assert capfdbinary.readouterr().out == b""
+
+
+def test_the_reference_engine_gives_a_house_too(capfdbinary: Captured) -> None:
+    assert main(["generate", "--seed", "1", "--width", "5", "--depth", "4", "--engine", "reference"]) == 0
+    assert yaml.safe_load(capfdbinary.readouterr().out)["rooms"]

@@ -1,0 +1,118 @@
+"""The page, its files, the description of the calls, and the headers around them."""
+
+from __future__ import annotations
+
+import re
+from base64 import b64encode
+from hashlib import sha256
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+from starlette.testclient import TestClient
+
+from service import page
+from service.app import create_app
+
+HTML = '<!doctype html><html><head><script type="module" src="./assets/index-1a2b.js"></script></head><body>ours</body></html>'
+
+
+class Tags(HTMLParser):
+    """Collects a page's tags with their attributes."""
+
+    def __init__(self, html: str) -> None:
+        super().__init__()
+        self.seen: list[tuple[str, dict[str, str | None]]] = []
+        self.feed(html)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.seen.append((tag, dict(attrs)))
+
+
+@pytest.fixture
+def built(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> TestClient:
+    """A client of an application whose page is built."""
+    (tmp_path / "assets").mkdir()
+    (tmp_path / "index.html").write_text(HTML)
+    (tmp_path / "assets" / "index-1a2b.js").write_text("export const house = 1;\n")
+    monkeypatch.setattr(page, "STATIC", tmp_path)
+    return TestClient(create_app())
+
+
+def test_the_built_page_is_served_and_asked_for_anew(built: TestClient) -> None:
+    answer = built.get("/")
+    assert (answer.status_code, answer.text) == (200, HTML)
+    assert answer.headers["content-type"].startswith("text/html")
+    assert answer.headers["cache-control"] == "no-cache"
+    assert built.head("/").status_code == 200
+
+
+def test_the_files_of_the_page_may_be_kept(built: TestClient) -> None:
+    answer = built.get("/assets/index-1a2b.js")
+    assert answer.text == "export const house = 1;\n"
+    assert re.match(r"(text|application)/javascript", answer.headers["content-type"])
+    assert "immutable" in answer.headers["cache-control"]
+    again = built.get("/assets/index-1a2b.js", headers={"if-none-match": answer.headers["etag"]})
+    assert (again.status_code, again.text) == (304, "")
+    assert built.get("/assets/%2e%2e/index.html").status_code == 404
+
+
+def test_a_page_that_is_not_built_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(page, "STATIC", tmp_path / "nothing")
+    client = TestClient(create_app())
+    answer = client.get("/")
+    assert answer.status_code == 503
+    assert answer.headers["content-type"].startswith("text/plain")
+    assert "make run" in answer.text
+    assert client.get("/assets/index.js").status_code == 404
+    assert client.get("/healthz").status_code == 200
+
+
+@pytest.mark.parametrize("path", ["/", "/assets/index-1a2b.js", "/docs", "/healthz", "/openapi.json", "/nothing"])
+def test_every_answer_carries_the_security_headers(built: TestClient, path: str) -> None:
+    headers = built.get(path).headers
+    assert headers["x-content-type-options"] == "nosniff"
+    assert headers["x-frame-options"] == "DENY"
+    assert headers["referrer-policy"] == "same-origin"
+    assert headers["cross-origin-opener-policy"] == "same-origin"
+    policy = dict(part.strip().partition(" ")[::2] for part in headers["content-security-policy"].split(";"))
+    assert policy["default-src"] == "'none'"
+    assert policy["frame-ancestors"] == "'none'"
+    assert "unsafe" not in headers["content-security-policy"]
+    assert "http" not in headers["content-security-policy"]
+
+
+def test_the_page_may_run_its_own_scripts_only(built: TestClient) -> None:
+    policy = built.get("/").headers["content-security-policy"]
+    assert "script-src 'self';" in policy
+    assert "connect-src 'self';" in policy
+
+
+def test_the_description_needs_no_script_and_nothing_from_elsewhere(client: TestClient) -> None:
+    answer = client.get("/docs")
+    tags = Tags(answer.text).seen
+    assert answer.status_code == 200
+    assert {tag for tag, _ in tags}.isdisjoint({"script", "link", "img", "iframe"})
+    assert all(not name.startswith("on") and name != "style" for _, attributes in tags for name in attributes)
+    assert not re.search(r"(src|href)=[\"']https?:", answer.text)
+    style = answer.text.partition("<style>")[2].partition("</style>")[0]
+    digest = b64encode(sha256(style.encode()).digest()).decode()
+    assert f"style-src 'sha256-{digest}'" in answer.headers["content-security-policy"]
+    assert "script-src" not in answer.headers["content-security-policy"]
+
+
+def test_the_description_shows_every_call_and_every_key(client: TestClient) -> None:
+    text = client.get("/docs").text
+    document = client.get("/openapi.json").json()
+    assert len(document["paths"]) == 7
+    assert all(f"</b> {path}</h2>" in text for path in document["paths"])
+    assert all(f"<code>{name}</code>" in text for name in document["components"]["schemas"]["Request"]["properties"])
+    targets = {attributes["id"] for _, attributes in Tags(text).seen if "id" in attributes}
+    links = {str(attributes["href"])[1:] for tag, attributes in Tags(text).seen if tag == "a" and str(attributes["href"]).startswith("#")}
+    assert len(links) > 10
+    assert links <= targets
+
+
+def test_the_description_escapes_where_it_is(client: TestClient) -> None:
+    text = client.get("/docs", headers={"host": 'a"><script>alert(1)</script>'}).text
+    assert "<script" not in text
