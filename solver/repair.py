@@ -64,6 +64,11 @@ def footprint(body: Body) -> Rect:
     return Rect(low[0], low[1], high[0], high[1])
 
 
+def all_bodies(room: Room) -> tuple[Body, ...]:
+    """Returns a room's furniture and decorations."""
+    return (*room.furniture, *room.decorations)
+
+
 def floor_bodies(room: Room) -> list[Body]:
     """Returns what the solver may move: furniture that rests on nothing else, and floor decorations that are bodies."""
     carried = carriers(room)
@@ -119,6 +124,8 @@ def wanted_as_sent(room: Room, thickness_mm: int, wishes: Wishes) -> tuple[Wante
     slack_mm = WALL_FAR_MM - thickness_mm // 2
     tucked = {body.id: table for body in bodies if (table := _table_of(body, by_id)) is not None}
     held = {table.id for chair, table in tucked.items() if wishes.is_locked(by_id[chair])}
+    above = carriers(room)
+    held |= {_root(piece.id, above) for piece in room.furniture if wishes.is_locked(piece)}
     pieces = []
     for k in sorted(range(len(bodies)), key=lambda k: _importance(bodies[k], wishes, k)):
         body, table = bodies[k], tucked.get(bodies[k].id)
@@ -140,9 +147,26 @@ def _carried(room: Room, floor: Mapping[str, Body]) -> list[Wanted]:
     for piece in room.furniture:
         root = floor.get(_root(piece.id, above))
         if piece.id in above and root is not None:
-            way = replace(_with(piece, root), on=above[piece.id], bottom_mm=round(piece.y * 1000))
+            way = replace(_with(_brought_back(piece, root), root), on=above[piece.id], bottom_mm=round(piece.y * 1000))
             pieces.append(Wanted(piece.id, True, (way,)))
     return pieces
+
+
+def _brought_back(piece: Furniture, root: Body) -> Furniture:
+    """Returns a carried piece brought back over what carries it, where its centre is not over it any more."""
+    below, own = footprint(root), footprint(piece)
+    x, z = piece.x, piece.z
+    if not below.x0 <= x * 1000 <= below.x1:
+        x = _nearest(x, below.x0, below.x1, own.width)
+    if not below.z0 <= z * 1000 <= below.z1:
+        z = _nearest(z, below.z0, below.z1, own.depth)
+    return replace(piece, x=x, z=z)
+
+
+def _nearest(at: float, low: int, high: int, extent: int) -> float:
+    """Returns the centre nearest to `at`, m, at which the extent lies within [low, high], mm, or their middle."""
+    first, last = low + extent / 2, high - extent / 2
+    return (low + high) / 2000 if first > last else min(max(at, first / 1000), last / 1000)
 
 
 def _importance(body: Body, wishes: Wishes, k: int) -> tuple[bool, bool, bool, bool, float, int]:
@@ -239,20 +263,25 @@ def _with(child: Body, parent: Body) -> Alternative:
 def written_back(room: Room, placed: Iterable[Placed], wishes: Wishes) -> Room:
     """Returns the room with the placed poses; what is carried by a piece follows it."""
     poses = {p.label: p for p in placed}
+    above = _above(room)
     moved: dict[str, tuple[Body, Body]] = {}
-    for body in floor_bodies(room):
+    for body in all_bodies(room):
         p = poses.get(body.id)
         if p is not None and not wishes.is_locked(body):
-            moved[body.id] = (body, _at(body, p))
-    above = {**carriers(room), **{thing.id: thing.parent for thing in room.decorations if thing.parent is not None}}
-    furniture = tuple(_furniture_after(piece, moved, _root(piece.id, above)) for piece in room.furniture)
-    decorations = tuple(_decoration_after(thing, moved, _root(thing.id, above)) for thing in room.decorations)
+            moved[body.id] = (body, _at(body, p, carried=body.id in above))
+    furniture = tuple(_furniture_after(piece, moved, above) for piece in room.furniture)
+    decorations = tuple(_decoration_after(thing, moved, above) for thing in room.decorations)
     return replace(room, furniture=furniture, decorations=decorations)
+
+
+def _above(room: Room) -> dict[str, str]:
+    """Returns who stands on, hangs over or lies under whom: child's id -> its parent's."""
+    return {**carriers(room), **{thing.id: thing.parent for thing in room.decorations if thing.parent is not None}}
 
 
 def without(room: Room, gone: frozenset[str]) -> Room:
     """Returns the room without the bodies of those ids and all that they carry."""
-    above = {**carriers(room), **{thing.id: thing.parent for thing in room.decorations if thing.parent is not None}}
+    above = _above(room)
     furniture = tuple(piece for piece in room.furniture if _root(piece.id, above) not in gone)
     decorations = tuple(thing for thing in room.decorations if _root(thing.id, above) not in gone)
     return replace(room, furniture=furniture, decorations=decorations)
@@ -266,31 +295,47 @@ def _root(start: str, above: Mapping[str, str]) -> str:
     return at
 
 
-def _at(body: Body, p: Placed) -> Body:
+def _at(body: Body, p: Placed, carried: bool) -> Body:
+    """Returns the body at its placed pose; what is carried keeps its own angle in the frame of what carries it."""
     x, z = half_m(p.footprint.x0 + p.footprint.x1), half_m(p.footprint.z0 + p.footprint.z1)
+    rotation: float = p.rotation
+    if carried:
+        rotation = (body.rotation + p.rotation - squared(body.rotation)) % 360
     if isinstance(body, Furniture):
-        return replace(body, x=x, z=z, rotation=p.rotation, wall=p.wall if body.wall else body.wall)
-    return replace(body, x=x, z=z, rotation=p.rotation)
+        return replace(body, x=x, z=z, rotation=rotation, wall=p.wall if body.wall and not carried else body.wall)
+    return replace(body, x=x, z=z, rotation=rotation)
 
 
-def _furniture_after(piece: Furniture, moved: Moved, root: str) -> Furniture:
-    if root not in moved:
+def _mover(start: str, above: Mapping[str, str], moved: Moved) -> str | None:
+    """Returns the nearest of a body and what carries it that has a placed pose."""
+    at, seen = start, {start}
+    while at not in moved:
+        if at not in above or above[at] in seen:
+            return None
+        at = above[at]
+        seen.add(at)
+    return at
+
+
+def _furniture_after(piece: Furniture, moved: Moved, above: Mapping[str, str]) -> Furniture:
+    mover = _mover(piece.id, above, moved)
+    if mover is None:
         return piece
-    after = moved[root][1]
-    if piece.id == root:
-        wall = after.wall if isinstance(after, Furniture) else piece.wall
-        return replace(piece, x=after.x, z=after.z, rotation=after.rotation, wall=wall)
-    x, z, rotation, _ = _carried_pose(piece, *moved[root])
+    after = moved[mover][1]
+    if mover == piece.id and isinstance(after, Furniture):
+        return after
+    x, z, rotation, _ = _carried_pose(piece, *moved[mover])
     return replace(piece, x=x, z=z, rotation=rotation)
 
 
-def _decoration_after(thing: Decoration, moved: Moved, root: str) -> Decoration:
-    if root not in moved:
+def _decoration_after(thing: Decoration, moved: Moved, above: Mapping[str, str]) -> Decoration:
+    mover = _mover(thing.id, above, moved)
+    if mover is None:
         return thing
-    after = moved[root][1]
-    if thing.id == root:
-        return replace(thing, x=after.x, z=after.z, rotation=after.rotation)
-    x, z, rotation, turn = _carried_pose(thing, *moved[root])
+    after = moved[mover][1]
+    if mover == thing.id and isinstance(after, Decoration):
+        return after
+    x, z, rotation, turn = _carried_pose(thing, *moved[mover])
     wall = thing.mounted_on_wall
     if wall is not None:
         wall = WALL_BEHIND[(ROTATION_AT_WALL[wall] + turn) % 360]
@@ -299,7 +344,7 @@ def _decoration_after(thing: Decoration, moved: Moved, root: str) -> Decoration:
 
 def _carried_pose(thing: Body, before: Body, after: Body) -> tuple[float, float, float, int]:
     """Returns x, z and rotation of a thing that keeps its place in the frame of what carries it, and the turn."""
-    turn = round(after.rotation - squared(before.rotation)) % 360
+    turn = (squared(after.rotation) - squared(before.rotation)) % 360
     tx, tz = _turned_offset(thing.x - before.x, thing.z - before.z, turn)
     rotation = (thing.rotation + turn) % 360 if turn else thing.rotation
     return round(after.x + tx, 4), round(after.z + tz, 4), rotation, turn
@@ -310,4 +355,4 @@ def _turned_offset(dx: float, dz: float, turn: int) -> tuple[float, float]:
     return dx * fz + dz * fx, dz * fz - dx * fx
 
 
-__all__ = ["Wishes", "floor_bodies", "footprint", "squared", "wanted_as_sent", "without", "written_back"]
+__all__ = ["Body", "Wishes", "all_bodies", "floor_bodies", "footprint", "squared", "wanted_as_sent", "without", "written_back"]

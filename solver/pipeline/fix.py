@@ -12,7 +12,7 @@ from catalogs import Catalogs, load_catalogs
 from solver.furnish import space_of
 from solver.pipeline.mend import Mended, mend_room
 from solver.pipeline.timing import Clock, Timing
-from solver.repair import Wishes
+from solver.repair import Wishes, all_bodies
 from solver.scene import Conflict, Fixed, Issue, Move, Scene, check_ids, robot_width_of
 from solver.validate import validate
 
@@ -43,7 +43,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         SceneError: an id is not in the scene.
     """
     known = catalogs or load_catalogs()
-    ids = [body.id for room in scene.rooms for body in (*room.furniture, *room.decorations)]
+    ids = [body.id for room in scene.rooms for body in all_bodies(room)]
     check_ids("locked", locked, ids)
     check_ids("moved", moved, ids)
     timing = Timing(clock)
@@ -85,8 +85,8 @@ def _moves(before: Scene, after: Scene) -> tuple[Move, ...]:
     """Lists what moved by more than a millimetre, or turned."""
     moves = []
     for old_room, new_room in zip(before.rooms, after.rooms, strict=True):
-        sent = {body.id: body for body in (*old_room.furniture, *old_room.decorations)}
-        for body in (*new_room.furniture, *new_room.decorations):
+        sent = {body.id: body for body in all_bodies(old_room)}
+        for body in all_bodies(new_room):
             old = sent[body.id]
             dx, dz = round(body.x - old.x, 4), round(body.z - old.z, 4)
             if abs(dx) > MOVED or abs(dz) > MOVED or (body.rotation - old.rotation) % 360:

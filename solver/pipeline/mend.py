@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from solver.geometry import to_mm
 from solver.placement import arrange, feasible, minimal_conflict, settle
-from solver.repair import Wishes, floor_bodies, wanted_as_sent, without, written_back
+from solver.repair import Wishes, all_bodies, wanted_as_sent, without, written_back
 from solver.scene import Conflict, Room
 from solver.wanted import Arrangement, Space, Wanted
 
@@ -69,7 +69,7 @@ def _settled(sent: Room, mended: Room, space: Space, wall_thickness: float, wish
 def _conflicts(room: Room, space: Space, wanted: Sequence[Wanted], arrangement: Arrangement) -> tuple[Conflict, ...]:
     """Explains every piece that found no place: a minimal set that cannot stand together, or that none was found."""
     placed = {p.label for p in arrangement.placed}
-    sizes = {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in floor_bodies(room)}
+    sizes = {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(room)}
     conflicts = []
     for label, _ in arrangement.left_out:
         group = [piece for piece in wanted if piece.label in placed or piece.label == label]

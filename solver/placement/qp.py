@@ -65,8 +65,8 @@ def _blocks(rooms: Sequence[Decided]) -> list[_Block | None]:
 
 
 def _near(room: Decided, axis: int) -> list[Row]:
-    p = room.positions[axis] * 1000
-    own: list[Floats] = [p, p]
+    p: list[float] = (room.positions[axis] * 1000).tolist()
+    own = [p, p]
     return [row for row in room.rows if row.axis == axis and row.slack(own) <= NEAR * 1000]
 
 
