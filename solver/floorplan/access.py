@@ -29,6 +29,9 @@ THROUGH_OUTDOOR: Final = 3000.0
 HOP: Final = 0.01
 """What every door costs, so that of equal ways the one with fewer doors wins."""
 
+AS_PLANNED: Final = 0.5
+"""At most this to enter a room through the one it was planned behind: its bathroom belongs to the bedroom in front."""
+
 
 @dataclass(frozen=True)
 class Ways:
@@ -105,19 +108,33 @@ def is_private(name: str, rooms: Mapping[str, RoomType]) -> bool:
     return bool(wanted & {"bed", "single_bed", "toilet"})
 
 
-def door_tree(entrance: int, types: Sequence[str], shared: Sequence[Joint], rooms: Mapping[str, RoomType]) -> tuple[tuple[Joint, int], ...]:
+@dataclass(frozen=True)
+class Typed:
+    """Rooms with types: what the door tree is grown over."""
+
+    types: tuple[str, ...]
+    shared: tuple[Joint, ...]
+    ways: Ways
+    rooms: Mapping[str, RoomType]
+
+    def cost(self, through: int, entered: int) -> float:
+        """Returns what it costs to enter one room through another; as planned is best."""
+        cost = HOP + passing_cost(self.types[through], self.types[entered], self.rooms)
+        planned = self.ways.parent[entered] == through and cost < THROUGH_OTHER
+        return min(cost, AS_PLANNED) if planned else cost
+
+
+def door_tree(entrance: int, typed: Typed) -> tuple[tuple[Joint, int], ...]:
     """Finds the cheapest way to every room (Dijkstra 1959 over passing_cost).
 
     Args:
         entrance: index of the room with the main entrance.
-        types: type of each room.
-        shared: the walls that take a door.
-        rooms: the catalog of room types.
+        typed: the rooms, their types and shared walls.
 
     Returns:
         For every room but the entrance's: the joint of its door and its own index. Of equal ways the longest wall wins.
     """
-    by_room = neighbours(len(types), tuple(shared))
+    by_room = neighbours(len(typed.types), typed.shared)
     best: dict[int, tuple[float, int]] = {entrance: (0.0, 0)}
     door: dict[int, Joint] = {}
     queue = [(0.0, 0, entrance)]
@@ -129,7 +146,7 @@ def door_tree(entrance: int, types: Sequence[str], shared: Sequence[Joint], room
         done.add(room)
         for joint in by_room[room]:
             other = joint.other(room)
-            offer = (cost + HOP + passing_cost(types[room], types[other], rooms), -joint.length)
+            offer = (cost + typed.cost(room, other), -joint.length)
             if other not in done and (other not in best or offer < best[other]):
                 best[other], door[other] = offer, joint
                 heappush(queue, (*offer, other))

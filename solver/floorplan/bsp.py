@@ -12,6 +12,7 @@ from heapq import heappop, heappush
 from typing import Any, Final
 
 from solver.floorplan.layout import HALLWAY_MM, Layout, touching
+from solver.floorplan.plots import halves
 from solver.geometry import Rect, half_m, to_m
 from solver.streams import Stream
 
@@ -48,13 +49,6 @@ class _Node:
     rect: Rect
     path: str
     cuts_left: int
-
-
-def halves(rect: Rect, axis: str, at: int) -> tuple[Rect, Rect]:
-    """Cuts a rectangle across an axis ("x": into west and east, "z": into north and south) at a coordinate, mm."""
-    if axis == "x":
-        return Rect(rect.x0, rect.z0, at, rect.z1), Rect(at, rect.z0, rect.x1, rect.z1)
-    return Rect(rect.x0, rect.z0, rect.x1, at), Rect(rect.x0, at, rect.x1, rect.z1)
 
 
 def partition(outline: Rect, least: int, max_depth: int, seed: int) -> Layout:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
-from solver.floorplan.access import THROUGH_OTHER, door_tree, entrance_of, passing_cost, plan_ways
+from solver.floorplan.access import THROUGH_OTHER, Typed, door_tree, entrance_of, passing_cost, plan_ways
 from solver.floorplan.bsp import partition
 from solver.floorplan.classify import check_forced, classify
 from solver.floorplan.doors import Doorways, place_doors, place_entrance, place_garage_doors
@@ -33,10 +33,11 @@ def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
     layout, notes = _layout(request, catalogs)
     check_forced(request, len(layout.rooms), catalogs.rooms)
     shared = joints(layout.rooms)
-    fitness = Fitness(layout, shared, plan_ways(layout, shared), catalogs.rooms)
+    ways = plan_ways(layout, shared)
+    fitness = Fitness(layout, shared, ways, catalogs.rooms)
     types, more = classify(fitness, request)
     room, wall = entrance_of(layout, types, catalogs.rooms)
-    tree = door_tree(room, types, shared, catalogs.rooms)
+    tree = door_tree(room, Typed(types, shared, ways, catalogs.rooms))
     doorways = Doorways(layout, types, catalogs.rooms)
     place_entrance(doorways, room, wall)
     place_doors(doorways, tree)

@@ -1,0 +1,197 @@
+"""Columns of a strip that has one hallway along it and room for two rooms behind each other.
+
+Comes in: a plot with one hallway side. Goes out: what stands in it: a bedroom with its own bathroom behind, a living or
+dining room with one or two rooms behind, or an alcove of hallway past a small front room to the back room.
+May import: the ground floor. Cells stand at corners of the house only, so that front and back have daylight.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from heapq import heappop, heappush
+from typing import Final
+
+from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
+from solver.floorplan.layout import HALLWAY_MM, exterior_sides
+from solver.floorplan.plots import ENDS, OTHER, Plot, halves, span
+from solver.geometry import Rect
+from solver.streams import Stream
+
+HALLWAY_SHARE: Final = 0.15
+"""Side hallways and alcoves are added up to this part of the floor (floorplan.md)."""
+ASPECT: Final = 2
+"""Longest side over shortest that a cut may leave (floorplan.md: p95 <= 2.0)."""
+SUITES: Final = 2
+"""Cells of a bedroom with its own bathroom behind it (floorplan.md)."""
+PUBLIC: Final = 2
+"""Cells of a living or dining room with rooms behind it: a house has one of each."""
+BLOCK: Final = (1.02, 1.2, 1.3)
+"""Rooms beside a side hallway: drawn between the first two, at most the third times the least width. Our choice."""
+
+
+class Books:
+    """What has been built and what may still be: rooms, hallways, plots in the queue, cells left, hallway floor left."""
+
+    def __init__(self, outline: Rect, least: int, seed: int, bath_m2: float) -> None:
+        self.outline, self.least, self.seed = outline, least, seed
+        self.suite_mm = round(bath_m2 * 1e6) // least
+        """Widest column whose back room, as shallow as may be, is still a bathroom, mm."""
+        self.hallways: list[Rect] = []
+        self.rooms: dict[str, Rect] = {}
+        self.behind: dict[str, str] = {}
+        self.left = {"suite": SUITES, "public": PUBLIC}
+        self.floor = outline.width * outline.depth * HALLWAY_SHARE
+        self.capped = False
+        self._queue: list[tuple[int, str, Plot]] = []
+
+    def push(self, plot: Plot) -> None:
+        """Puts a plot in the queue."""
+        heappush(self._queue, (-plot.rect.width * plot.rect.depth, plot.path, plot))
+
+    def plots(self) -> Iterator[Plot]:
+        """Yields the plots, the largest first, until the queue is empty."""
+        while self._queue:
+            yield heappop(self._queue)[2]
+
+    def full(self) -> bool:
+        """Tells whether no more rooms may be made."""
+        full = len(self._queue) + len(self.rooms) + len(self.hallways) + 5 > MAX_ROOMS
+        self.capped = self.capped or full
+        return full
+
+    def add_hallway(self, rect: Rect) -> None:
+        """Books a hallway."""
+        self.hallways.append(rect)
+        self.floor -= rect.width * rect.depth
+
+    def corner(self, plot: Plot, end: int) -> bool:
+        """Tells whether that end of a plot along its hallway lies on the house's outline."""
+        return ENDS[plot.run][end] in exterior_sides(plot.rect, self.outline)
+
+
+class Columns:
+    """Cuts columns off strips and builds what they were cut off for."""
+
+    def __init__(self, books: Books) -> None:
+        self.books, self.least = books, books.least
+
+    def slim(self, length: int) -> int:
+        """Returns the least side of a room whose other side is `length`, mm."""
+        return max(self.least, -(-length // ASPECT))
+
+    def cut_off(self, plot: Plot) -> bool:
+        """Cuts off an end of a strip: a cell's column at a corner, an alcove's, or a side hallway's with its rooms."""
+        stream = Stream(self.books.seed, "floorplan.column", plot.path)
+        corners = [end for end in (0, 1) if self.books.corner(plot, end)]
+        end = stream.pick(corners) if corners else stream.below(2)
+        for role in self._roles(plot, bool(corners), stream):
+            widths = self._widths(plot, role, stream)
+            rest = plot.length(plot.run) - widths[0]
+            if widths[0] <= widths[1] and rest >= self.slim(plot.length(OTHER[plot.run])):
+                self._cut(plot, self._evened(plot, widths), end, role)
+                return True
+        return False
+
+    def _roles(self, plot: Plot, corner: bool, stream: Stream) -> list[str]:
+        """The uses of a column that are still to be had, in the order in which they are tried."""
+        cells = [role for role in ("suite", "public") if corner and self.books.left[role]]
+        stream.shuffle(cells)
+        more = ["block", "alcove"]
+        stream.shuffle(more)
+        return [*cells, *more]
+
+    def _widths(self, plot: Plot, role: str, stream: Stream) -> tuple[int, int]:
+        """Returns a width drawn for a role and the greatest it may have, mm; the first is greater where it cannot be."""
+        deep, least, never = plot.length(OTHER[plot.run]), self.least, (1, 0)
+        if role == "suite":
+            low, high = max(least, -(-(deep - least) // ASPECT)), min(self.books.suite_mm, ASPECT * least)
+            return (round(stream.uniform(low, min(high, low * 1.1))), high) if low <= high else never
+        if role == "public":
+            twice = self.books.left["public"] == PUBLIC
+            low = max(2 * least, self.slim(deep - least)) if twice else self.slim(deep * 3 // 5)
+            return round(low * stream.uniform(1.0, 1.1)), min(round(low * 1.3), ASPECT * (deep - max(least, deep * 2 // 5)))
+        if role == "alcove":
+            low = max(least + HALLWAY_MM, -(-(deep - least) // ASPECT))
+            return (round(low * stream.uniform(1.0, 1.1)), round(low * 1.25)) if HALLWAY_MM * least <= self.books.floor else never
+        drawn, most = round(2 * least * stream.uniform(*BLOCK[:2])), round(2 * least * BLOCK[2])
+        return (drawn + HALLWAY_MM, most + HALLWAY_MM) if HALLWAY_MM * deep <= self.books.floor else never
+
+    def _evened(self, plot: Plot, widths: tuple[int, int]) -> int:
+        """Widens a column by what would be too little for one more column in the rest of the strip."""
+        length, column = plot.length(plot.run), self.slim(plot.length(OTHER[plot.run])) * 21 // 20
+        spare = (length - widths[0]) % column if length - widths[0] >= column else 0
+        return min(widths[0] + spare, widths[1]) // ROUND_MM * ROUND_MM if spare else widths[0]
+
+    def _cut(self, plot: Plot, wide: int, end: int, role: str) -> None:
+        if role in self.books.left:
+            self.books.left[role] -= 1
+        low, high = span(plot.rect, plot.run)
+        for k, rect in enumerate(halves(plot.rect, plot.run, high - wide if end else low + wide)):
+            self.books.push(plot.child(rect, plot.run, k, role if k == end and role != "block" else ""))
+
+    def build(self, plot: Plot) -> bool:
+        """Builds a column's role, or in a column without one the first that fits; False where it stays whole."""
+        if plot.role == "suite":
+            self.front_and_back(plot, self.slim(plot.length(plot.run)))
+            return True
+        if plot.role == "public":
+            return self._public(plot)
+        if not plot.role and self.books.left["public"] and any(self.books.corner(plot, end) for end in (0, 1)) and self._public(plot):
+            self.books.left["public"] -= 1
+            return True
+        return self._alcove(plot)
+
+    def _public(self, plot: Plot) -> bool:
+        """A living or dining room with one room behind it, or two where it is wide."""
+        wide, deep = plot.length(plot.run), plot.length(OTHER[plot.run])
+        twice = wide >= 2 * self.least and plot.most >= 3
+        back = max(self.slim(-(-wide // 2) if twice else wide), deep * 2 // 5)
+        if deep - back < self.slim(wide) or (twice and back > ASPECT * (wide // 2)):
+            return False
+        self.front_and_back(plot, back)
+        if twice:
+            rear = self.books.rooms.pop(plot.path + "1")
+            front = self.books.behind.pop(plot.path + "1")
+            at = span(rear, plot.run)[0] + wide // 2 // ROUND_MM * ROUND_MM
+            for k, rect in enumerate(halves(rear, plot.run, max(at, span(rear, plot.run)[0] + self.least))):
+                self.books.rooms[f"{plot.path}1{k}"] = rect
+                self.books.behind[f"{plot.path}1{k}"] = front
+        return True
+
+    def front_and_back(self, plot: Plot, back: int) -> Rect:
+        """Makes two rooms: one on the hallway, which is returned, and `back` mm deep behind it another."""
+        across = OTHER[plot.run]
+        low, high = span(plot.rect, across)
+        near_low = "north" in plot.halls or "west" in plot.halls
+        rects = halves(plot.rect, across, high - back if near_low else low + back)
+        front, rear = rects if near_low else rects[::-1]
+        self.books.rooms[plot.path + "0"], self.books.rooms[plot.path + "1"] = front, rear
+        self.books.behind[plot.path + "1"] = plot.path + "0"
+        return front
+
+    def _alcove(self, plot: Plot) -> bool:
+        """Leads 1.3 m of hallway past a small front room up to the back room."""
+        run = plot.run
+        wide, deep = plot.length(run), plot.length(OTHER[run])
+        front = self.slim(wide - HALLWAY_MM)
+        slim = wide - HALLWAY_MM < self.slim(front) or deep - front < self.slim(wide) or deep - front > ASPECT * wide
+        end = self._free_end(plot)
+        if slim or HALLWAY_MM * front > self.books.floor or end < 0:
+            return False
+        rect = self.front_and_back(plot, deep - front)
+        low, high = span(rect, run)
+        rects = halves(rect, run, high - HALLWAY_MM if end else low + HALLWAY_MM)
+        self.books.add_hallway(rects[end])
+        self.books.rooms[plot.path + "0"] = rects[1 - end]
+        del self.books.behind[plot.path + "1"]
+        return True
+
+    def _free_end(self, plot: Plot) -> int:
+        """Returns the end of a column where an alcove meets neither the outside nor another hallway, or -1."""
+        across = span(plot.rect, OTHER[plot.run])
+        for end, line in enumerate(span(plot.rect, plot.run)):
+            lines = [hall for hall in self.books.hallways if line in span(hall, plot.run)]
+            met = any(max(across[0], low) < min(across[1], high) for low, high in (span(hall, OTHER[plot.run]) for hall in lines))
+            if not met and not self.books.corner(plot, end):
+                return end
+        return -1
