@@ -75,6 +75,9 @@ def _kind_faults(catalogs: Catalogs, name: str, index: int, piece: Piece) -> Ite
         if variant.kind not in catalogs.furniture:
             at = ("pieces", index, "kinds", i, "kind") if piece.kinds else ("pieces", index, "piece")
             yield Fault(name, at, f"unknown kind {variant.kind!r}", "a key of furniture.yaml")
+    if piece.variants[-1].min_area:
+        at = ("pieces", index, "kinds", len(piece.kinds) - 1, "min_area")
+        yield Fault(name, at, "the least variant must suit any room", "no min_area; the piece's own min_area")
 
 
 def _rule_faults(where: Fault, room: RoomType, piece: Piece, rule: Rule) -> Iterator[Fault]:

@@ -114,10 +114,11 @@ class Rule(Entry):
 
 
 class Variant(Entry):
-    """A size variant of a wanted piece: a kind of furniture and what settling for it costs."""
+    """A size variant of a wanted piece: a kind of furniture, what settling for it costs, and the area it needs, m2."""
 
     kind: str
     cost: Cost = 0.0
+    min_area: Annotated[float, Field(ge=0)] = 0.0
 
 
 class Piece(Entry):

@@ -13,7 +13,7 @@ from solver.furnish.relations import RELATIONS, SLOTTED
 from solver.furnish.relations.places import footprint
 from solver.furnish.walls import WallOccupancy
 from solver.furnish.zones import line_of
-from solver.geometry import rotate, to_mm
+from solver.geometry import FACING, Rect, rotate, strip, to_mm
 from solver.scene import WALLS, Room, Sides
 from solver.streams import Stream
 from solver.wanted import Alternative, Link, Space, Stand, Wanted
@@ -26,6 +26,10 @@ LIMIT = 40
 """Most alternatives a piece gets: placement's time is linear in them."""
 TAKEN_COST = 1.5
 """What it costs a free piece to be wished where an earlier piece is meant to stand: small things do not herd."""
+WALL_COST, AHEAD_MM = 1.5, 1000
+"""What it costs an armchair to look at a wall nearer than this."""
+GATE_MM = 1000
+"""Depth of the floor before a garage door where only cars are wished."""
 WHIM = 0.3
 """Most that a wall may cost by the seed's whim alone: which of equal walls is taken differs from house to house."""
 
@@ -42,7 +46,10 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     room_type = catalogs.rooms.get(room.type)
     if room_type is None:
         return ()
-    scope = Scope(space, WallOccupancy(space), catalogs, _openings(room), room.exterior_walls or Sides(), room.width * room.depth)
+    openings = _openings(room)
+    scope = Scope(
+        space, WallOccupancy(space, _gates(space, openings)), catalogs, openings, room.exterior_walls or Sides(), room.width * room.depth
+    )
     whims = {wall: stream.uniform(0.0, WHIM) for wall in WALLS}
     pieces = sorted(room_type.pieces, key=lambda piece: not piece.required)
     draws = {piece.piece: stream.unit() for piece in room_type.pieces}
@@ -50,7 +57,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     earlier: dict[str, tuple[str, ...]] = {}
     kinds: dict[str, tuple[str, ...]] = {}
     poses: dict[str, Pose] = {}
-    for piece in pieces:
+    for piece in (_suited(piece, scope.area) for piece in pieces):
         for number in range(1, _count(piece, scope.area, draws[piece.piece]) + 1):
             one = _wanted(Ask(scope, piece, number, dict(earlier), dict(kinds)), whims)
             if one is None:
@@ -71,6 +78,18 @@ def _openings(room: Room) -> tuple[Opened, ...]:
             centre, half = start + to_mm(opening.position), to_mm(opening.width) // 2
             found.append(Opened(opening.kind, wall, (centre - half, centre + half), across))
     return tuple(found)
+
+
+def _gates(space: Space, openings: Sequence[Opened]) -> tuple[Rect, ...]:
+    """Returns the floor before each garage door, which its car needs."""
+    return tuple(
+        strip(space.clear, opening.wall, opening.interval, GATE_MM) for opening in openings if opening.kind == "garage_door"
+    )  # fmt: skip
+
+
+def _suited(piece: Piece, area: float) -> Piece:
+    """Returns the piece with the size variants that suit a room of that area, m2."""
+    return piece.model_copy(update={"kinds": tuple(variant for variant in piece.kinds if variant.min_area <= area)})
 
 
 def _count(piece: Piece, area: float, draw: float) -> int:
@@ -126,8 +145,8 @@ def _judged(ask: Ask, effects: Sequence[tuple[Rule, Effect]], whims: dict[str, f
     found: list[Alternative] = []
     for alternative in candidates(ask, [effect for _, effect in effects]):
         cost = alternative.cost + missed + whims.get(alternative.wall or "", 0.0)
-        if alternative.wall is None and ask.scope.walls.occupied(footprint(alternative)):
-            cost += TAKEN_COST
+        if alternative.wall is None:
+            cost += _in_the_way(ask, footprint(alternative)) + _facing_wall(ask, alternative)
         cost += sum(effect.judge(alternative) for _, effect in effects if effect.judge)
         if cost < math.inf:
             pull = max(weight, alternative.weights[0])
@@ -135,16 +154,43 @@ def _judged(ask: Ask, effects: Sequence[tuple[Rule, Effect]], whims: dict[str, f
     return _best_of_each(ask, found)
 
 
+def _in_the_way(ask: Ask, rect: Rect) -> float:
+    """Returns what a free place costs where another piece is meant to stand or a garage door opens."""
+    walls = ask.scope.walls
+    before_gate = any(rect.overlaps(gate) for gate in walls.gates) and not ask.faces(("garage_door",))
+    return TAKEN_COST * (before_gate + walls.occupied(rect))
+
+
+def _facing_wall(ask: Ask, alternative: Alternative) -> float:
+    """Returns what it costs a piece used from its front only to stand so near to a wall that it looks at nothing else."""
+    use = ask.scope.entry(alternative.kind).use
+    if use is None or use.sides != ("front",):
+        return 0.0
+    rect, clear = footprint(alternative), ask.scope.space.clear
+    dx, dz = FACING[alternative.rotation]
+    ahead = {1: clear.x1 - rect.x1, -1: rect.x0 - clear.x0}[dx] if dx else {1: clear.z1 - rect.z1, -1: rect.z0 - clear.z0}[dz]
+    return WALL_COST if ahead < AHEAD_MM else 0.0
+
+
 def _best_of_each(ask: Ask, found: Sequence[Alternative]) -> list[Alternative]:
-    """Keeps, for every variant, wall and rotation, the cheapest anchors: two for the wanted variant, one for the others."""
+    """Keeps, for every variant, wall and way round, the cheapest anchors: a few for the wanted variant, one for the others."""
     wanted_kind = ask.piece.variants[0].kind
+    corners = any(rule.type == "in_corner" for rule in ask.piece.rules)
     kept: dict[tuple[str, str | None, int], list[Alternative]] = {}
     for alternative in sorted(found, key=lambda alternative: alternative.cost):
-        group = kept.setdefault((alternative.kind, alternative.wall, alternative.rotation), [])
-        room = (2 if alternative.wall else 4) if alternative.kind == wanted_kind else (1 if alternative.wall else 2)
+        turn = alternative.rotation % (180 if _reversible(ask, alternative.kind) else 360)
+        group = kept.setdefault((alternative.kind, alternative.wall, turn), [])
+        few = 4 if corners and alternative.wall is None else 2
+        room = few if alternative.kind == wanted_kind else few // 2
         if len(group) < room and all(alternative.anchor_mm != other.anchor_mm for other in group):
             group.append(alternative)
     return [alternative for group in kept.values() for alternative in group]
+
+
+def _reversible(ask: Ask, kind: str) -> bool:
+    """Tells whether a kind is used from both of two opposite sides alike, so that turning it round changes only its looks."""
+    use = ask.scope.entry(kind).use
+    return use is not None and set(use.sides) in ({"left", "right"}, {"front", "back"})
 
 
 def _intend(walls: WallOccupancy, wanted: Wanted, poses: dict[str, Pose]) -> None:

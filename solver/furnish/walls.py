@@ -15,10 +15,11 @@ class WallOccupancy:
 
     Args:
         space: the room's clear rectangle, zones and doorways.
+        gates: the floor before garage doors; no zones by the contract, but no place for a shelf either.
     """
 
-    def __init__(self, space: Space) -> None:
-        self.space = space
+    def __init__(self, space: Space, gates: tuple[Rect, ...] = ()) -> None:
+        self.space, self.gates = space, gates
         self._taken: list[Rect] = []
 
     def stretches(self, wall: str, depth_mm: int, height_mm: int, occupied: bool = True) -> list[Stretch]:
@@ -29,6 +30,7 @@ class WallOccupancy:
         clear = self.space.clear
         reach = strip(clear, wall, clear.along(wall), min(depth_mm + self.space.gap_mm, *_extents(clear)))
         blocked = [zone.rect.along(wall) for zone in self.space.zones if zone.above_mm < height_mm and zone.rect.overlaps(reach)]
+        blocked += [gate.along(wall) for gate in self.gates if gate.overlaps(reach)]
         if occupied:
             blocked += [rect.along(wall) for rect in self._taken if rect.overlaps(reach)]
         return _gaps(clear.along(wall), sorted(blocked))
