@@ -78,7 +78,9 @@ def _rooms(scene: Scene) -> Iterator[Line]:
         yield from _room(room, people)
         yield Line("")
     strangers = [person for person in scene.dynamic if person.room not in known]
-    yield from _section("dynamic", strangers, {}, "")
+    if strangers:
+        yield from _section("dynamic", strangers, {}, "")
+        yield Line("")
 
 
 def _room(room: Room, people: Sequence[Dynamic]) -> Iterator[Line]:

@@ -28,7 +28,15 @@ def divided(gap: float, **more: Any) -> Scene:
 
 @pytest.mark.parametrize(
     ("gap", "robot", "reached"),
-    [(0.6, None, True), (0.599, None, False), (0.599, 0.599, True), (0.5995, 0.6, False), (0.45, 0.45, True), (0.65, 0.65, True), (0.65, 0.651, False)],
+    [
+        (0.6, None, True),
+        (0.599, None, False),
+        (0.599, 0.599, True),
+        (0.5995, 0.6, False),
+        (0.45, 0.45, True),
+        (0.65, 0.65, True),
+        (0.65, 0.651, False),
+    ],
 )
 def test_gaps_of_exactly_the_robots_width_pass(gap: float, robot: float | None, reached: bool) -> None:
     request = None if robot is None else {"robot_width": robot}
@@ -46,6 +54,26 @@ def test_the_gap_beside_a_wall_is_measured_from_its_face() -> None:
 
     assert told(4.0 - 0.05 - 0.6) == 0
     assert told(4.0 - 0.05 - 0.599) == 1
+
+
+def test_half_a_micrometre_less_does_not_pass() -> None:
+    """Edges lie on half micrometres where a width is odd; the finest gap there is decides."""
+    for width, found in ((1.9, []), (1.900001, [("room_0", ("sofa_1",))])):
+        west, east = piece(0.75, 2.0, 1.5, 0.5, id="west"), piece(3.05, 2.0, width, 0.5, id="east")
+        sofa = piece(3.2, 2.9, 1.5, 0.6, id="sofa_1", name="sofa")
+        house = scene(room(west, east, sofa, openings=(opening(main_entrance=True),)))
+        assert named(issues(house, "unreachable")) == found
+
+
+def test_a_reflex_corner_has_a_post() -> None:
+    """From an L's east leg to its south leg past a crate in the north-west: only the post's corner is in the way."""
+    outline = ((0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0))
+    for size, found in ((1.35, []), (1.351, [("room_0", ("sofa_1",))])):
+        crate = piece(size / 2, size / 2, size, size)
+        sofa = piece(1.0, 3.5, 1.0, 0.6, id="sofa_1", name="sofa", rotation=180)
+        door = opening("east", 1.0, main_entrance=True)
+        house = scene(room(crate, sofa, outline=outline, openings=(door,)), wall_thickness=0.1)
+        assert named(issues(house, "unreachable")) == found
 
 
 def two_rooms(wall: str, width: float, **more: Any) -> Scene:

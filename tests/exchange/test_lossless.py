@@ -1,0 +1,162 @@
+"""YAML <-> JSON <-> objects: nothing is lost, whatever is in them, and the schema agrees with the writer."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import pytest
+import yaml
+from hypothesis import given, settings
+from jsonschema import Draft202012Validator
+
+from solver.errors import FieldError, SceneError
+from solver.exchange import (
+    FORMATS,
+    dump_text,
+    load_text,
+    read_request,
+    read_scene,
+    request_schema,
+    scene_schema,
+    write_request,
+    write_scene,
+)
+from solver.scene import Furniture, Request, Room, Scene
+from tests.exchange.documents import PLAIN, SCENES, piece, room, scene
+
+SCHEMA = Draft202012Validator(scene_schema())
+
+
+@given(SCENES)
+def test_a_scene_survives_every_format(drawn: Scene) -> None:
+    document = write_scene(drawn)
+    assert read_scene(document) == drawn
+    for name in FORMATS:
+        text = dump_text(document, name)
+        assert load_text(text, name) == document
+        assert load_text(text.decode(), name) == document
+        assert read_scene(load_text(text, name)) == drawn
+        assert dump_text(write_scene(read_scene(load_text(text, name))), name) == text
+
+
+@given(SCENES)
+def test_the_schema_accepts_what_the_writer_writes(drawn: Scene) -> None:
+    assert [error.message for error in SCHEMA.iter_errors(write_scene(drawn))] == []
+
+
+@settings(max_examples=200)
+@given(PLAIN)
+def test_any_document_survives_every_format(document: Any) -> None:
+    for name in FORMATS:
+        text = dump_text(document, name)
+        assert same(load_text(text, name), document)
+        assert dump_text(load_text(text, name), name) == text
+
+
+@settings(max_examples=200)
+@given(PLAIN)
+def test_readers_of_others_understand_our_texts(document: Any) -> None:
+    """The standard library's JSON, and PyYAML, which reads YAML 1.1 with its `yes`, `on` and dates."""
+    assert same(json.loads(dump_text(document, "json")), document)
+    assert same(yaml.safe_load(dump_text(document, "yaml")), document)
+
+
+def same(one: Any, other: Any) -> bool:
+    """Equality that tells 1 from 1.0 and from True, and keys in order."""
+    if isinstance(one, dict):
+        return isinstance(other, dict) and list(one) == list(other) and all(same(one[key], other[key]) for key in one)
+    if isinstance(one, list):
+        return isinstance(other, list) and len(one) == len(other) and all(map(same, one, other))
+    return type(one) is type(other) and bool(one == other)
+
+
+def test_schemas_are_schemas() -> None:
+    for schema in (scene_schema(), request_schema()):
+        Draft202012Validator.check_schema(schema)
+        assert schema["$schema"].endswith("2020-12/schema")
+
+
+def test_the_schema_asks_for_what_the_reader_asks_for() -> None:
+    definitions = scene_schema()["$defs"]
+    assert definitions["Room"]["required"] == ["width", "depth"]
+    assert definitions["Furniture"]["required"] == ["name", "x", "z", "width", "depth", "height"]
+    assert definitions["Decoration"]["required"] == ["name", "x", "z", "width", "depth", "height"]
+    for wrong in (
+        scene({"width": 4.0}),
+        scene(room(piece(height=0))),
+        scene(room(piece(wall="up"))),
+        scene(room(piece(x="1"))),
+        scene(room(outline=[[0, 0], [1, 0], [1, 1]])),
+        scene(format="compose-scene/2"),
+        scene(wall_thickness=2.0),
+        scene(adjacency=[[1, 2, 3]]),
+    ):
+        assert not SCHEMA.is_valid(wrong)
+        with pytest.raises(SceneError):
+            read_scene(wrong)
+    assert SCHEMA.is_valid(scene(room(piece(brand="x"), light=3), by="me"))
+    assert not Draft202012Validator(request_schema()).is_valid({"sed": 1})
+
+
+def test_the_writer_keeps_the_contracts_order() -> None:
+    document = write_scene(read_scene(scene(room(piece(brand="x"), openings=[{}], decorations=[piece()]), dynamic=[{}], by="me")))
+    assert list(document) == [
+        *("format", "seed", "request", "generator", "size", "wall_thickness", "levels", "rooms", "corridors", "adjacency"),
+        *("dynamic", "certificate", "by"),
+    ]
+    (written,) = document["rooms"]
+    assert list(written) == [
+        *("id", "index", "type", "level", "x", "z", "width", "depth", "outline", "outdoor", "flooring", "accent"),
+        *("exterior_walls", "wall_flags", "openings", "furniture", "decorations"),
+    ]
+    assert list(written["openings"][0]) == [
+        *("id", "kind", "wall", "position", "width", "height", "sill", "connects_to", "hinge", "swing", "main_entrance", "render_panel"),
+    ]
+    assert list(written["furniture"][0]) == [
+        *("id", "name", "category", "x", "y", "z", "rotation", "width", "depth", "height", "color", "wall", "under", "on", "locked"),
+        "brand",
+    ]
+    assert list(written["decorations"][0]) == [
+        *("id", "name", "parent", "mounted_on_wall", "x", "y", "z", "rotation", "width", "depth", "height", "color"),
+    ]
+    assert list(document["dynamic"][0]) == ["id", "kind", "room", "x", "y", "z", "rotation", "width", "depth", "height"]
+
+
+def test_numbers_are_written_shortest_and_right_angles_whole() -> None:
+    bodies = [piece(id="a", x=0.1 + 0.2, rotation=90.0), piece(id="b", x=-0.0, rotation=9.014), piece(id="c", x=2, rotation=-90)]
+    written = write_scene(read_scene(scene(room(*bodies))))["rooms"][0]["furniture"]
+    assert json.dumps([(body["x"], body["rotation"]) for body in written]) == "[[0.30000000000000004, 90], [0.0, 9.014], [2.0, -90]]"
+    assert dump_text({"a": 1e-7, "b": 1e22, "c": 20.0, "d": 3}, "yaml") == b"{a: 1.0e-07, b: 1.0e+22, c: 20.0, d: 3}\n"
+    assert dump_text({"a": 1e-7, "b": "\u00e9"}, "json") == '{"a":1e-07,"b":"\u00e9"}\n'.encode()
+
+
+def test_yaml_reads_well() -> None:
+    document = write_scene(read_scene(scene(room(piece(color="#2e8b57"), id="den"), adjacency=[[0, 1]])))
+    lines = dump_text(document, "yaml").decode().splitlines()
+    assert lines[0] == "format: compose-scene/1"
+    assert "adjacency: [[0, 1]]" in lines
+    assert "  - id: den" in lines
+    start = "      - {id: den/sofa_1, name: sofa, category: null, x: 1.0, y: 0.0, z: 1.0, rotation: 0, width: 1.0, depth: 1.0, "
+    assert start + 'height: 1.0, color: "#2e8b57", wall: null, under: null, "on": null, locked: false}' in lines
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, {1, 2}, b"x", "\ud800", {"a": [{"b": math.nan}]}])
+def test_what_no_format_can_say_is_refused_by_place(bad: Any) -> None:
+    for name in FORMATS:
+        with pytest.raises(FieldError) as caught:
+            dump_text({"deep": [0, bad]}, name)
+        assert caught.value.field.startswith("deep[1]")
+    broken = Scene(rooms=(Room("a", width=4.0, depth=3.0, furniture=(Furniture("b", "c", x=math.nan),)),))
+    with pytest.raises(SceneError) as refused:
+        write_scene(broken)
+    assert refused.value.field == "rooms[0].furniture[0].x"
+
+
+def test_a_request_survives() -> None:
+    request = Request(seed=7, width=12.5, use_spine=False, force_types={3: "office", 0: "kitchen"})
+    document = write_request(request)
+    assert document["force_types"] == {"0": "kitchen", "3": "office"}
+    for name in FORMATS:
+        assert read_request(load_text(dump_text(document, name), name)) == request
