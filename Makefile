@@ -61,7 +61,7 @@ chromium: .venv/dev.stamp ## bring the Chromium of the browser tests
 
 pins: ## write constraints.txt anew from pyproject.toml
 	{ echo '# Every version that pyproject.toml leads to; `make pins` writes it anew.'; \
-	  $(UV) pip compile --quiet --universal --python-version 3.11 --all-extras --group dev \
+	  $(UV) pip compile --quiet --universal --python-version 3.11 --group dev \
 	    --no-header --no-annotate pyproject.toml; } > constraints.txt.new
 	mv constraints.txt.new constraints.txt
 
@@ -81,5 +81,5 @@ clean: ## remove everything that make brought or built
 	@touch $@
 
 .venv/dev.stamp: .venv/python.stamp $(PINS)
-	$(INSTALL) --editable '.[reference]' --group dev
+	$(INSTALL) --editable . --group dev
 	@touch $@ .venv/run.stamp

@@ -22,10 +22,9 @@ EXCEPTION = re.compile(r"GPL-3\.0-(?:or-later|only) WITH GCC-exception-3\.1", re
 
 
 def direct() -> list[Requirement]:
-    """The requirements of pyproject.toml: to run, to run the reference, to develop."""
-    project = PROJECT["project"]
-    groups = [*project["optional-dependencies"].values(), *PROJECT["dependency-groups"].values()]
-    return [Requirement(line) for lines in [project["dependencies"], *groups] for line in lines]
+    """The requirements of pyproject.toml: to run and to develop."""
+    groups = [PROJECT["project"]["dependencies"], *PROJECT["dependency-groups"].values()]
+    return [Requirement(line) for lines in groups for line in lines]
 
 
 def needed(requirements: Iterable[Requirement]) -> set[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import subprocess
 import sys
@@ -98,6 +99,20 @@ def test_a_reroll_leaves_the_other_rooms_untouched() -> None:
     again = reroll(scene, [chosen.id], seed=99).scene
     for before, after in zip(scene.rooms, again.rooms, strict=True):
         assert before.id == chosen.id or asdict(before) == asdict(after)
+
+
+def test_a_door_is_shifted_where_a_required_piece_would_not_fit_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
+    flow = importlib.import_module("solver.pipeline.generate")
+
+    def missing(seed: int) -> int:
+        made = generate(Request(seed=seed, width=9.0, depth=7.5, min_room_size=2.0))
+        return sum(issue.rule == "missing_required" for issue in made.issues)
+
+    shifted = {seed: missing(seed) for seed in range(24)}
+    monkeypatch.setattr(flow, "SHIFTS", 0)
+    middle = {seed: missing(seed) for seed in range(24)}
+    assert all(shifted[seed] <= middle[seed] for seed in middle)
+    assert sum(shifted.values()) < sum(middle.values())
 
 
 def test_wall_hugging_kinds_name_their_wall() -> None:
