@@ -90,9 +90,9 @@ def _open(room: int, parent: list[int | None], seen: set[int], by_room: list[lis
 
 def passing_cost(through: str, entered: str, rooms: Mapping[str, RoomType]) -> float:
     """Returns what it costs to enter a room of one type through a room of another."""
-    if through == "hallway":
-        return 0.0
     kind = rooms[through]
+    if through == "hallway" or (entered == "hallway" and kind.plan.way_through):
+        return 0.0
     if kind.outdoor:
         return THROUGH_OUTDOOR
     if kind.plan.way_through:

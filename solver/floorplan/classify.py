@@ -26,7 +26,11 @@ PROGRAMME: Final = (
 """What a house of n rooms holds: the first n of these, from the start again when they run out. Our choice, from what
 people build: a second bathroom by the seventh room, a garage by the eleventh, a family room in large houses."""
 ONCE: Final = ("kitchen", "bedroom_master", "dining_room", "laundry", "garage")
-"""Types of which a house wishes one, and one more for every 24 rooms."""
+"""Types of which a house wishes one, and one more for every 40 rooms."""
+HOUSEHOLD: Final = ("kitchen", "garage")
+"""Types whose repetition makes two households of a house: it costs thrice as much."""
+FOYER: Final = (1.5, 3.0)
+"""Cost of a hallway that is a whole room: without and with an outside wall, which a living space would want more."""
 OUTDOOR: Final = ("backyard", "patio")
 """What the outdoor option makes of the largest rooms to spare, in this order."""
 
@@ -88,7 +92,7 @@ class _Draft:
     def _wishes(self, count: int) -> Counter[str]:
         wish = Counter(PROGRAMME[i % len(PROGRAMME)] for i in range(count))
         for name in ONCE:
-            wish[name] = min(wish[name], 1 + count // 24)
+            wish[name] = min(wish[name], 1 + count // 40)
         return wish
 
     def give(self, room: int, name: str, fixed: bool = False) -> None:
@@ -131,15 +135,23 @@ class _Draft:
 
     def repeated(self, name: str) -> float:
         """Cost of one more room of a type: a bonus up to the wish, then ever steeper."""
-        over = self.counts[self.group(name)] + 1 - self.wish[self.group(name)]
-        return -0.8 if over <= 0 else 2.0 * float(over) ** 1.3
+        group = self.group(name)
+        over = self.counts[group] + 1 - self.wish[group]
+        steep = 6.0 if group in HOUSEHOLD else 2.0
+        return -0.8 if over <= 0 else steep * float(over) ** 1.3
 
     def _cost(self, room: int, name: str) -> float:
-        return self.fitness.cost(room, name, self.types) + self.repeated(name)
+        more = FOYER[bool(self.fitness.outside[room])] if name == "hallway" else self.repeated(name)
+        return self.fitness.cost(room, name, self.types) + more
+
+    def names_for(self, room: int) -> list[str]:
+        """Returns the types to choose from: a room that others are entered through may be a hallway."""
+        foyer = room in self.fitness.ways.through and not self.fitness.layout.spine
+        return [*self.names, "hallway"] if foyer else self.names
 
     def best(self, room: int) -> str:
         """Returns the type that suits the room best now."""
-        return min(self.names, key=lambda name: (self._cost(room, name), name))
+        return min(self.names_for(room), key=lambda name: (self._cost(room, name), name))
 
     def fronts(self) -> None:
         """Rooms that others are entered through, largest first, each together with a room behind it."""
@@ -152,7 +164,7 @@ class _Draft:
 
     def _pair(self, front: int, back: int) -> None:
         offers: list[tuple[float, str, str]] = []
-        for name in self.names:
+        for name in self.names_for(front):
             cost = self._cost(front, name)
             if cost < IMPOSSIBLE:
                 self.types[front] = name

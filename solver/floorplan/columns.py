@@ -13,14 +13,12 @@ from typing import Final
 
 from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
 from solver.floorplan.layout import HALLWAY_MM, exterior_sides
-from solver.floorplan.plots import ENDS, OTHER, Plot, halves, span
+from solver.floorplan.plots import ASPECT, ENDS, OTHER, Plot, halves, span
 from solver.geometry import Rect
 from solver.streams import Stream
 
 HALLWAY_SHARE: Final = 0.15
 """Side hallways and alcoves are added up to this part of the floor (floorplan.md)."""
-ASPECT: Final = 2
-"""Longest side over shortest that a cut may leave (floorplan.md: p95 <= 2.0)."""
 SUITES: Final = 2
 """Cells of a bedroom with its own bathroom behind it (floorplan.md)."""
 PUBLIC: Final = 2
@@ -34,6 +32,8 @@ class Books:
 
     def __init__(self, outline: Rect, least: int, seed: int, bath_m2: float) -> None:
         self.outline, self.least, self.seed = outline, least, seed
+        self.most = MAX_ROOMS
+        """How many rooms each side of the spine may have."""
         self.suite_mm = round(bath_m2 * 1e6) // least
         """Widest column whose back room, as shallow as may be, is still a bathroom, mm."""
         self.hallways: list[Rect] = []
@@ -42,22 +42,36 @@ class Books:
         self.left = {"suite": SUITES, "public": PUBLIC}
         self.floor = outline.width * outline.depth * HALLWAY_SHARE
         self.capped = False
-        self._queue: list[tuple[int, str, Plot]] = []
+        self._count = {"0": 0, "1": 0}
+        self._queue: list[tuple[tuple[bool, int, str], Plot]] = []
 
     def push(self, plot: Plot) -> None:
         """Puts a plot in the queue."""
-        heappush(self._queue, (-plot.rect.width * plot.rect.depth, plot.path, plot))
+        self._count[plot.half] += 1
+        heappush(self._queue, (plot.order, plot))
 
     def plots(self) -> Iterator[Plot]:
-        """Yields the plots, the largest first, until the queue is empty."""
+        """Yields the plots, the most urgent first, until the queue is empty."""
         while self._queue:
-            yield heappop(self._queue)[2]
+            plot = heappop(self._queue)[1]
+            self._count[plot.half] -= 1
+            yield plot
 
-    def full(self) -> bool:
-        """Tells whether no more rooms may be made."""
-        full = len(self._queue) + len(self.rooms) + len(self.hallways) + 5 > MAX_ROOMS
-        self.capped = self.capped or full
-        return full
+    def keep(self, path: str, rect: Rect) -> None:
+        """Makes a room."""
+        self._count[path[0]] += 1
+        self.rooms[path] = rect
+
+    def spare(self, plot: Plot) -> int:
+        """Returns how many rooms a plot that has been taken from the queue may become."""
+        total = MAX_ROOMS - len(self.hallways) - sum(self._count.values()) - 1
+        self.capped = self.capped or (total <= 1 and self.most >= MAX_ROOMS // 2)
+        return min(total, self.most - self._count[plot.half])
+
+    def unit(self, deep: int) -> int:
+        """Returns the least width of what stands on one side of a side hallway: where three rooms follow each other
+        along it there are two at its head, since they cost no more hallway."""
+        return 2 * self.least if deep >= 3 * self.least else self.least
 
     def add_hallway(self, rect: Rect) -> None:
         """Books a hallway."""
@@ -113,7 +127,8 @@ class Columns:
         if role == "alcove":
             low = max(least + HALLWAY_MM, -(-(deep - least) // ASPECT))
             return (round(low * stream.uniform(1.0, 1.1)), round(low * 1.25)) if HALLWAY_MM * least <= self.books.floor else never
-        drawn, most = round(2 * least * stream.uniform(*BLOCK[:2])), round(2 * least * BLOCK[2])
+        unit = self.books.unit(deep)
+        drawn, most = round(2 * unit * stream.uniform(*BLOCK[:2])), round(2 * unit * BLOCK[2])
         return (drawn + HALLWAY_MM, most + HALLWAY_MM) if HALLWAY_MM * deep <= self.books.floor else never
 
     def _evened(self, plot: Plot, widths: tuple[int, int]) -> int:
@@ -132,11 +147,13 @@ class Columns:
     def build(self, plot: Plot) -> bool:
         """Builds a column's role, or in a column without one the first that fits; False where it stays whole."""
         if plot.role == "suite":
-            self.front_and_back(plot, self.slim(plot.length(plot.run)))
+            front, rear = self._front_and_back(plot, self.slim(plot.length(plot.run)))
+            self._cell(plot, front, [rear])
             return True
         if plot.role == "public":
             return self._public(plot)
-        if not plot.role and self.books.left["public"] and any(self.books.corner(plot, end) for end in (0, 1)) and self._public(plot):
+        corner = self.books.corner(plot, 0) or self.books.corner(plot, 1)
+        if not plot.role and corner and self.books.left["public"] and self._public(plot):
             self.books.left["public"] -= 1
             return True
         return self._alcove(plot)
@@ -144,30 +161,29 @@ class Columns:
     def _public(self, plot: Plot) -> bool:
         """A living or dining room with one room behind it, or two where it is wide."""
         wide, deep = plot.length(plot.run), plot.length(OTHER[plot.run])
-        twice = wide >= 2 * self.least and plot.most >= 3
+        twice = wide >= 2 * self.least and self.books.spare(plot) >= 3
         back = max(self.slim(-(-wide // 2) if twice else wide), deep * 2 // 5)
         if deep - back < self.slim(wide) or (twice and back > ASPECT * (wide // 2)):
             return False
-        self.front_and_back(plot, back)
-        if twice:
-            rear = self.books.rooms.pop(plot.path + "1")
-            front = self.books.behind.pop(plot.path + "1")
-            at = span(rear, plot.run)[0] + wide // 2 // ROUND_MM * ROUND_MM
-            for k, rect in enumerate(halves(rear, plot.run, max(at, span(rear, plot.run)[0] + self.least))):
-                self.books.rooms[f"{plot.path}1{k}"] = rect
-                self.books.behind[f"{plot.path}1{k}"] = front
+        front, rear = self._front_and_back(plot, back)
+        at = span(rear, plot.run)[0] + max(wide // 2 // ROUND_MM * ROUND_MM, self.least)
+        self._cell(plot, front, list(halves(rear, plot.run, at)) if twice else [rear])
         return True
 
-    def front_and_back(self, plot: Plot, back: int) -> Rect:
-        """Makes two rooms: one on the hallway, which is returned, and `back` mm deep behind it another."""
+    def _cell(self, plot: Plot, front: Rect, rears: list[Rect]) -> None:
+        """Makes a room on the hallway and the rooms behind it."""
+        self.books.keep(plot.path + "0", front)
+        for k, rear in enumerate(rears):
+            self.books.keep(f"{plot.path}1{k}", rear)
+            self.books.behind[f"{plot.path}1{k}"] = plot.path + "0"
+
+    def _front_and_back(self, plot: Plot, back: int) -> tuple[Rect, Rect]:
+        """Divides a column into the part on its hallway and the `back` mm behind it."""
         across = OTHER[plot.run]
         low, high = span(plot.rect, across)
         near_low = "north" in plot.halls or "west" in plot.halls
-        rects = halves(plot.rect, across, high - back if near_low else low + back)
-        front, rear = rects if near_low else rects[::-1]
-        self.books.rooms[plot.path + "0"], self.books.rooms[plot.path + "1"] = front, rear
-        self.books.behind[plot.path + "1"] = plot.path + "0"
-        return front
+        one, two = halves(plot.rect, across, high - back if near_low else low + back)
+        return (one, two) if near_low else (two, one)
 
     def _alcove(self, plot: Plot) -> bool:
         """Leads 1.3 m of hallway past a small front room up to the back room."""
@@ -178,20 +194,20 @@ class Columns:
         end = self._free_end(plot)
         if slim or HALLWAY_MM * front > self.books.floor or end < 0:
             return False
-        rect = self.front_and_back(plot, deep - front)
-        low, high = span(rect, run)
-        rects = halves(rect, run, high - HALLWAY_MM if end else low + HALLWAY_MM)
-        self.books.add_hallway(rects[end])
-        self.books.rooms[plot.path + "0"] = rects[1 - end]
-        del self.books.behind[plot.path + "1"]
+        near, rear = self._front_and_back(plot, deep - front)
+        low, high = span(near, run)
+        parts = halves(near, run, high - HALLWAY_MM if end else low + HALLWAY_MM)
+        self.books.add_hallway(parts[end])
+        self.books.keep(plot.path + "0", parts[1 - end])
+        self.books.keep(plot.path + "1", rear)
         return True
 
     def _free_end(self, plot: Plot) -> int:
         """Returns the end of a column where an alcove meets neither the outside nor another hallway, or -1."""
         across = span(plot.rect, OTHER[plot.run])
         for end, line in enumerate(span(plot.rect, plot.run)):
-            lines = [hall for hall in self.books.hallways if line in span(hall, plot.run)]
-            met = any(max(across[0], low) < min(across[1], high) for low, high in (span(hall, OTHER[plot.run]) for hall in lines))
+            lines = [span(hall, OTHER[plot.run]) for hall in self.books.hallways if line in span(hall, plot.run)]
+            met = any(max(across[0], low) < min(across[1], high) for low, high in lines)
             if not met and not self.books.corner(plot, end):
                 return end
         return -1

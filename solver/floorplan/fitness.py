@@ -18,8 +18,10 @@ CAR_DOOR_MM: Final = 2400
 """Width of a garage door, mm a car."""
 IMPOSSIBLE: Final = 1000.0
 """A cost no plain preference reaches: the type cannot be there."""
-DARK: Final = 6.0
-"""Cost of a habitable room without an outside wall: more than a room half too large."""
+DARK: Final = 9.0
+"""Cost of a habitable room without an outside wall: more than one of twice its largest area."""
+MISFIT: Final = 6.0
+"""From this cost on a type is no use of a room: it is too small, or half too large."""
 WET_APART: Final = 0.4
 TABLE_APART: Final = 1.0
 """Costs of a wet room without a wet neighbour and of a dining room away from the kitchen."""
@@ -61,7 +63,7 @@ class Fitness:
         area, limits, least = self.layout.rooms[room].area_m2, self.rooms[name].area, self.least_area(room, name)
         if area < least:
             return 10.0 + 20.0 * (least - area) / least
-        over = 2.0 + 6.0 * log(area / limits.max) if area > limits.max else 0.0
+        over = 2.0 + 8.0 * log(area / limits.max) if area > limits.max else 0.0
         return over + 0.7 * abs(log(area / limits.typical))
 
     def _form(self, room: int, name: str) -> float:
@@ -84,14 +86,18 @@ class Fitness:
         through = types[parent] if parent is not None else None
         if through is not None and passing_cost(through, name, self.rooms) >= THROUGH_OTHER:
             cost += IMPOSSIBLE
-        return cost + sum(self._lets_through(name, types[child]) for child in self.children.get(room, ()))
+        children = self.children.get(room)
+        if not children or self.rooms[name].plan.way_through:
+            return cost
+        return cost + sum(0.0 if self._may_own(name, child, types[child]) else IMPOSSIBLE for child in children)
 
-    def _lets_through(self, name: str, child: str | None) -> float:
-        if self.rooms[name].plan.way_through:
-            return 0.0
-        if child is None:
-            return 0.0 if any(name in kind.plan.behind for kind in self.rooms.values()) else IMPOSSIBLE
-        return 0.0 if passing_cost(name, child, self.rooms) < THROUGH_OTHER else IMPOSSIBLE
+    def _may_own(self, name: str, child: int, given: str | None) -> bool:
+        """Tells whether the room behind is, or could well be, one that may lie behind the type; it must lead no further."""
+        if child in self.ways.through:
+            return False
+        if given is not None:
+            return passing_cost(name, given, self.rooms) < THROUGH_OTHER
+        return any(name in kind.plan.behind and self.shape(child, own) < MISFIT for own, kind in self.rooms.items())
 
     def company(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by its neighbours: pipes together, the table by the kitchen."""

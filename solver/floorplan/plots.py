@@ -15,6 +15,8 @@ ENDS: Final = {"x": ("west", "east"), "z": ("north", "south")}
 """The two sides at the ends of an axis: a cut across it gives one to each child."""
 ACROSS: Final = {"x": ("north", "south"), "z": ("west", "east")}
 """The two sides that a cut across an axis crosses: both children keep a part of each."""
+ASPECT: Final = 2
+"""Longest side over shortest that a cut may leave (floorplan.md: p95 <= 2.0)."""
 OTHER: Final = {"x": "z", "z": "x"}
 
 
@@ -34,15 +36,25 @@ def halves(rect: Rect, axis: str, at: int) -> tuple[Rect, Rect]:
 class Plot:
     """A rectangle still to be cut.
 
-    `halls` are its sides that lie on a hallway over their whole length; `most` is how many rooms it may become; `role`
-    says what a column was cut off for: "suite", "public", "alcove" or nothing yet.
+    `halls` are its sides that lie on a hallway over their whole length; `path` is 0 or 1 for every cut that led to it;
+    `role` says what a column was cut off for: "suite", "public", "alcove" or nothing yet.
     """
 
     rect: Rect
     halls: frozenset[str]
     path: str
-    most: int
     role: str = ""
+
+    @property
+    def half(self) -> str:
+        """Which side of the spine it lies on."""
+        return self.path[0]
+
+    @property
+    def order(self) -> tuple[bool, int, str]:
+        """What is cut first: what others rely on being cut (a role, a slim plot), then the largest."""
+        short, long = sorted((self.rect.width, self.rect.depth))
+        return not self.role and long <= ASPECT * short, -short * long, self.path
 
     @property
     def run(self) -> str:
@@ -58,15 +70,10 @@ class Plot:
         halls = self.halls
         return any(side in halls for side in ACROSS[axis]) or all(side in halls for side in ENDS[axis])
 
-    def share(self, rect: Rect) -> int:
-        """Returns how many rooms a part may become: by area, so that equal halves have half each."""
-        exact = self.most * (rect.width * rect.depth) / (self.rect.width * self.rect.depth)
-        return min(max(1, round(exact)), self.most - 1)
-
     def child(self, rect: Rect, axis: str, end: int, role: str = "") -> Plot:
         """Returns the child at one end (0: west or north) of a cut across the axis."""
-        return Plot(rect, self.halls - {ENDS[axis][1 - end]}, self.path + str(end), self.share(rect), role)
+        return Plot(rect, self.halls - {ENDS[axis][1 - end]}, self.path + str(end), role)
 
     def beside_hallway(self, rect: Rect, axis: str, end: int) -> Plot:
         """Returns the child at one end of a cut whose line becomes a hallway."""
-        return Plot(rect, self.halls | {ENDS[axis][1 - end]}, self.path + str(end), self.share(rect))
+        return Plot(rect, self.halls | {ENDS[axis][1 - end]}, self.path + str(end))

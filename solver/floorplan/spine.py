@@ -12,9 +12,9 @@ from __future__ import annotations
 from typing import Final
 
 from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
-from solver.floorplan.columns import ASPECT, Books, Columns
+from solver.floorplan.columns import Books, Columns
 from solver.floorplan.layout import HALLWAY_MM, Layout, exterior_sides
-from solver.floorplan.plots import ENDS, OTHER, Plot, halves, span
+from solver.floorplan.plots import ASPECT, ENDS, OTHER, Plot, halves, span
 from solver.geometry import Rect
 from solver.streams import Stream
 
@@ -22,8 +22,10 @@ SLIM: Final = 1.3
 """Rooms beside a side hallway are at most this much wider than they must be. Our choice."""
 DARK_SLIM: Final = 1.12
 """A room without daylight is at most this much longer than it must be: it becomes a bathroom. Our choice."""
-ROOMY_M2: Final = 24.0
-"""A room with daylight is larger than this before a room without is cut off it, m2: no bedroom is larger. Our choice."""
+ROOMY: Final = 2.6
+"""A room with daylight is larger than so many of the smallest rooms before one without is cut off it. Our choice."""
+SWAY: Final = 0.7
+"""A side hallway strays from the middle by up to this part of what its rooms can spare. Our choice."""
 JITTER: Final = 0.25
 """A cut strays from an equal division into rooms by up to this part of a room. Our choice."""
 
@@ -38,8 +40,8 @@ class _Carver:
     def run(self) -> None:
         """Cuts until every plot is a room."""
         for plot in self.books.plots():
-            if plot.most == 1 or self.books.full() or not self.cut(plot):
-                self.books.rooms[plot.path] = plot.rect
+            if self.books.spare(plot) < 2 or not self.cut(plot):
+                self.books.keep(plot.path, plot.rect)
 
     def cut(self, plot: Plot) -> bool:
         """Cuts a plot in the first way that fits; False where it stays whole."""
@@ -49,7 +51,8 @@ class _Carver:
             return any(plot.keeps(axis) and self.plain(plot, axis) for axis in axes)
         if plot.role:
             return self.columns.build(plot)
-        narrow = plot.length(run) <= round(2 * SLIM * self.least) + HALLWAY_MM
+        unit = self.books.unit(plot.length(OTHER[run]))
+        narrow = 2 * unit <= plot.length(run) - HALLWAY_MM <= round(2 * SLIM * unit)
         return (
             (narrow and self.side_hallway(plot, run))
             or self.columns.cut_off(plot)
@@ -62,8 +65,7 @@ class _Carver:
         """Least length of a child along the axis: so that it is not too slim, unless it can be cut the other way."""
         across = plot.length(OTHER[axis])
         rows = -(-across // (ASPECT * self.least))
-        enough = plot.most * self.least >= max(2, rows) * plot.length(axis)
-        if enough and across >= 2 * self.least and plot.child(plot.rect, axis, end).keeps(OTHER[axis]):
+        if self.books.spare(plot) > 2 * rows and across >= 2 * self.least and plot.child(plot.rect, axis, end).keeps(OTHER[axis]):
             return self.least
         return max(self.least, -(-across // ASPECT))
 
@@ -81,7 +83,7 @@ class _Carver:
             return False
         dark = [not exterior_sides(rect, self.outline) for rect in self.part(plot, axis, length // 2, margins)]
         shapely = length <= ASPECT * plot.length(OTHER[axis])
-        if dark[0] != dark[1] and plot.rect.area_m2 < ROOMY_M2 and shapely:
+        if dark[0] != dark[1] and plot.rect.width * plot.rect.depth < ROOMY * self.least**2 and shapely:
             return False
         rects = self.part(plot, axis, self.first_length(plot, axis, margins, dark), margins)
         for end, rect in enumerate(rects):
@@ -105,7 +107,9 @@ class _Carver:
             rooms = max(2, int(length / (1.15 * max(margins))))
             first = rooms // 2 + (rooms % 2 and stream.below(2))
             return round(length * (first + stream.uniform(-JITTER, JITTER)) / rooms)
-        short = round(margins[end] * stream.uniform(1.0, stretch))
+        wide = self.books.unit(plot.length(OTHER[axis])) if stretch == SLIM else 0
+        base = wide if length - wide >= margins[1 - end] else margins[end]
+        short = round(max(base, margins[end]) * stream.uniform(1.0, stretch))
         return short if end == 0 else length - short
 
     def side_hallway(self, plot: Plot, axis: str) -> bool:
@@ -114,7 +118,9 @@ class _Carver:
         if room < 2 * self.least or HALLWAY_MM * plot.length(OTHER[axis]) > self.books.floor:
             return False
         stream = Stream(self.books.seed, "floorplan.side", plot.path)
-        first = round(room * stream.uniform(0.35, 0.65) / ROUND_MM) * ROUND_MM
+        unit = self.books.unit(plot.length(OTHER[axis]))
+        spare = room // 2 - (unit if room >= 2 * unit else self.least)
+        first = round((room / 2 + stream.uniform(-SWAY, SWAY) * spare) / ROUND_MM) * ROUND_MM
         at = span(plot.rect, axis)[0] + min(max(first, self.least), room - self.least)
         one, rest = halves(plot.rect, axis, at)
         hallway, two = halves(rest, axis, at + HALLWAY_MM)
@@ -143,11 +149,12 @@ def carve(outline: Rect, least: int, max_depth: int, seed: int, bath_m2: float) 
     if at - low < least:
         return None
     carver = _Carver(Books(outline, least, seed, bath_m2))
+    carver.books.most = 1 << max_depth
     first, rest = halves(outline, axis, at)
     spine, second = halves(rest, axis, at + HALLWAY_MM)
     carver.books.add_hallway(spine)
-    carver.books.push(Plot(first, frozenset({ENDS[axis][1]}), "0", 1 << max_depth))
-    south = Plot(second, frozenset({ENDS[axis][0]}), "1", 1 << max_depth)
+    carver.books.push(Plot(first, frozenset({ENDS[axis][1]}), "0"))
+    south = Plot(second, frozenset({ENDS[axis][0]}), "1")
     if axis == "x" or max_depth == 0 or not carver.side_hallway(south, "x"):
         carver.books.push(south)
     carver.run()
