@@ -7,7 +7,7 @@ back, what stands on or hangs over a piece moved and turned with it. May import:
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from solver.geometry import FACING, OPPOSITE, ROTATION_AT_WALL, WALL_BEHIND, Rect, half_m, rotate, turned
@@ -125,7 +125,7 @@ def wanted_as_sent(room: Room, thickness_mm: int, wishes: Wishes) -> tuple[Wante
     tucked = {body.id: table for body in bodies if (table := _table_of(body, by_id)) is not None}
     held = {table.id for chair, table in tucked.items() if wishes.is_locked(by_id[chair])}
     above = carriers(room)
-    held |= {_root(piece.id, above) for piece in room.furniture if wishes.is_locked(piece)}
+    held |= {_climb(piece.id, above) for piece in room.furniture if wishes.is_locked(piece)}
     pieces = []
     for k in sorted(range(len(bodies)), key=lambda k: _importance(bodies[k], wishes, k)):
         body, table = bodies[k], tucked.get(bodies[k].id)
@@ -145,7 +145,7 @@ def _carried(room: Room, floor: Mapping[str, Body]) -> list[Wanted]:
     above = carriers(room)
     pieces = []
     for piece in room.furniture:
-        root = floor.get(_root(piece.id, above))
+        root = floor.get(_climb(piece.id, above))
         if piece.id in above and root is not None:
             way = replace(_with(_brought_back(piece, root), root), on=above[piece.id], bottom_mm=round(piece.y * 1000))
             pieces.append(Wanted(piece.id, True, (way,)))
@@ -282,14 +282,15 @@ def _above(room: Room) -> dict[str, str]:
 def without(room: Room, gone: frozenset[str]) -> Room:
     """Returns the room without the bodies of those ids and all that they carry."""
     above = _above(room)
-    furniture = tuple(piece for piece in room.furniture if _root(piece.id, above) not in gone)
-    decorations = tuple(thing for thing in room.decorations if _root(thing.id, above) not in gone)
+    furniture = tuple(piece for piece in room.furniture if _climb(piece.id, above) not in gone)
+    decorations = tuple(thing for thing in room.decorations if _climb(thing.id, above) not in gone)
     return replace(room, furniture=furniture, decorations=decorations)
 
 
-def _root(start: str, above: Mapping[str, str]) -> str:
+def _climb(start: str, above: Mapping[str, str], stop: Container[str] = ()) -> str:
+    """Returns the first in `stop` of a body and those that carry it, or the last of them."""
     at, seen = start, {start}
-    while at in above and above[at] not in seen:
+    while at not in stop and at in above and above[at] not in seen:
         at = above[at]
         seen.add(at)
     return at
@@ -306,20 +307,9 @@ def _at(body: Body, p: Placed, carried: bool) -> Body:
     return replace(body, x=x, z=z, rotation=rotation)
 
 
-def _mover(start: str, above: Mapping[str, str], moved: Moved) -> str | None:
-    """Returns the nearest of a body and what carries it that has a placed pose."""
-    at, seen = start, {start}
-    while at not in moved:
-        if at not in above or above[at] in seen:
-            return None
-        at = above[at]
-        seen.add(at)
-    return at
-
-
 def _furniture_after(piece: Furniture, moved: Moved, above: Mapping[str, str]) -> Furniture:
-    mover = _mover(piece.id, above, moved)
-    if mover is None:
+    mover = _climb(piece.id, above, moved)
+    if mover not in moved:
         return piece
     after = moved[mover][1]
     if mover == piece.id and isinstance(after, Furniture):
@@ -329,8 +319,8 @@ def _furniture_after(piece: Furniture, moved: Moved, above: Mapping[str, str]) -
 
 
 def _decoration_after(thing: Decoration, moved: Moved, above: Mapping[str, str]) -> Decoration:
-    mover = _mover(thing.id, above, moved)
-    if mover is None:
+    mover = _climb(thing.id, above, moved)
+    if mover not in moved:
         return thing
     after = moved[mover][1]
     if mover == thing.id and isinstance(after, Decoration):
