@@ -11,6 +11,8 @@ OPENINGS = ("door", "garage_door", "window")
 """What `of` may name besides pieces."""
 BETWEEN = ("beside", "in_front_of", "opposite", "around", "aligned_with", "in_row", "on", "under")
 """Relations that hold between two pieces: `of` must name one."""
+PULLS = ("near", "far_from", "aligned_with")
+"""Relations of degree: between pieces they cost, they do not forbid."""
 TO_SOMETHING = ("facing", "near", "far_from")
 """Relations to a piece or an opening."""
 
@@ -87,6 +89,8 @@ def _rule_faults(where: Fault, room: RoomType, piece: Piece, rule: Rule) -> Iter
         yield Fault(where.room, where.at, f"{rule.type} needs `of`", ", ".join(known))
     elif rule.type not in BETWEEN + TO_SOMETHING and rule.of:
         yield Fault(where.room, (*where.at, "of"), f"{rule.type} takes no `of`", "no key `of`")
+    if rule.required and rule.type in PULLS and rule.wall is None and not set(rule.of) & set(OPENINGS):
+        yield Fault(where.room, (*where.at, "required"), f"{rule.type} of a piece is a matter of degree", "a cost or a weight")
     for other in rule.of:
         openings = OPENINGS if rule.type in TO_SOMETHING else ()
         if other not in known and other not in openings:

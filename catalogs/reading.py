@@ -110,8 +110,9 @@ def _read(path: Path, adapter: TypeAdapter[Any]) -> Any:
         raise _broken(path, error) from error
     except ValidationError as error:
         first = error.errors(include_url=False)[0]
-        message = first["msg"].removeprefix("Value error, ")
-        allowed = str(first.get("ctx", {}).get("expected", ""))
+        unknown = first["type"] == "extra_forbidden"
+        message = "unknown key" if unknown else first["msg"].removeprefix("Value error, ")
+        allowed = "the keys that schema.py describes" if unknown else str(first.get("ctx", {}).get("expected", ""))
         at = tuple(part for part in first["loc"] if part != "[key]")
         raise _located(path, Fault("", at, message, allowed)) from error
 

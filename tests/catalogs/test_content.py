@@ -1,0 +1,114 @@
+"""What our own catalogs hold: sizes on the lattice, floors that can take the furniture, the contract's lists."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import get_args
+
+import pytest
+
+from catalogs import load_catalogs
+from catalogs.schema import Category, Relation
+
+KNOWN = load_catalogs()
+BEDS = [{"bed": 1, "single_bed": 1}]
+REQUIRED = {
+    "bedroom": BEDS, "bedroom_master": BEDS, "kids_bedroom": BEDS,
+    "kitchen": [{"counter": 1}, {"sink": 1}, {"stove": 1}, {"refrigerator": 1}],
+    "bathroom": [{"toilet": 1}, {"sink": 1, "vanity": 1}],
+    "living_room": [{"sofa": 1}], "dining_room": [{"dining_table": 1}, {"dining_chair": 2}],
+    "office": [{"desk": 1}, {"office_chair": 1}], "laundry": [{"washer": 1}],
+    "garage": [{"workbench": 1, "car": 1}], "garage_2car": [{"workbench": 1, "car": 2}],
+    "garage_3car": [{"workbench": 1, "car": 3}],
+    "hallway": [], "workshop": [], "patio": [], "outdoor_deck": [], "backyard": [], "balcony": [],
+}  # fmt: skip
+"""The contract's list "Required, by type"."""
+FLOORS = {
+    "bedroom": "wood", "bedroom_master": "wood", "living_room": "wood", "dining_room": "wood", "office": "wood", "hallway": "wood",
+    "kids_bedroom": "wood", "kitchen": "tile", "bathroom": "tile", "laundry": "tile", "balcony": "tile", "garage": "concrete",
+    "garage_2car": "concrete", "garage_3car": "concrete", "workshop": "concrete", "patio": "stone", "outdoor_deck": "deck",
+    "backyard": "grass",
+}  # fmt: skip
+OUTDOORS = {"patio", "outdoor_deck", "backyard", "balcony"}
+rooms = pytest.mark.parametrize("name", sorted(KNOWN.rooms))
+kinds = pytest.mark.parametrize("kind", sorted(KNOWN.furniture))
+
+
+def test_the_eighteen_room_types_and_what_they_require() -> None:
+    assert {name: [dict(line) for line in room.requires] for name, room in KNOWN.rooms.items()} == REQUIRED
+
+
+def test_floors_and_outdoors() -> None:
+    assert {name: room.flooring for name, room in KNOWN.rooms.items()} == FLOORS
+    assert {name for name, room in KNOWN.rooms.items() if room.outdoor} == OUTDOORS
+
+
+def test_every_category_has_furniture_and_every_relation_a_use() -> None:
+    assert {entry.category for entry in KNOWN.furniture.values()} == set(get_args(Category))
+    used = {rule.type for room in KNOWN.rooms.values() for piece in room.pieces for rule in piece.rules}
+    assert used == set(get_args(Relation))
+
+
+@kinds
+def test_sizes_lie_on_the_lattice_and_are_those_of_furniture(kind: str) -> None:
+    entry = KNOWN.furniture[kind]
+    for length in entry.size:
+        assert Fraction(str(length)) * 100 % 1 == 0
+    width, depth, height = entry.size
+    assert 0.1 <= width <= 12 and 0.1 <= depth <= 5 and 0.2 <= height <= 3
+    if entry.category not in ("vehicle", "water", "dynamic", "structure"):
+        assert 5 < entry.mass / (width * depth * height) < 1100
+    assert len(entry.variants) >= 1
+
+
+@kinds
+def test_surfaces_lie_within_their_piece(kind: str) -> None:
+    entry = KNOWN.furniture[kind]
+    heights = [surface.height for surface in entry.surfaces]
+    assert heights == sorted(heights) and all(height <= entry.size[2] for height in heights)
+    for surface, above in zip(entry.surfaces, heights[1:], strict=False):
+        assert surface.clearance is not None and surface.height + surface.clearance <= above
+
+
+def test_surfaces_are_where_things_are_put() -> None:
+    surfaces = {kind: [surface.height for surface in entry.surfaces] for kind, entry in KNOWN.furniture.items()}
+    assert surfaces["bed"][0] < KNOWN.furniture["bed"].size[2] - 0.3
+    assert surfaces["sofa"][0] < KNOWN.furniture["sofa"].size[2] - 0.3
+    assert len(surfaces["bookshelf"]) == 4
+
+
+@rooms
+def test_variants_go_from_wanted_down_to_least(name: str) -> None:
+    for piece in KNOWN.rooms[name].pieces:
+        costs = [variant.cost for variant in piece.variants]
+        areas = [KNOWN.furniture[variant.kind].size[0] * KNOWN.furniture[variant.kind].size[1] for variant in piece.variants]
+        assert costs == sorted(costs), piece.piece
+        assert areas == sorted(areas, reverse=True), piece.piece
+
+
+@rooms
+def test_the_smallest_room_has_floor_for_what_it_requires(name: str) -> None:
+    """Twice the least footprints, and a door's square, must fit the clear floor of the minimum area."""
+    room = KNOWN.rooms[name]
+    least = sum(
+        piece.count * KNOWN.furniture[piece.variants[-1].kind].size[0] * KNOWN.furniture[piece.variants[-1].kind].size[1]
+        for piece in room.pieces
+        if piece.required
+    )
+    side = room.area.min[0] ** 0.5
+    clear = (side - 0.1) ** 2
+    assert least <= clear - 0.81
+    if "car" not in {kind for line in room.requires for kind in line}:
+        assert 2 * least <= clear
+
+
+@rooms
+def test_required_pieces_bear_the_names_that_are_required(name: str) -> None:
+    room = KNOWN.rooms[name]
+    supply: dict[str, int] = {}
+    for piece in room.pieces:
+        if piece.required:
+            for kind in {KNOWN.name_of(variant.kind) for variant in piece.variants}:
+                supply[kind] = supply.get(kind, 0) + piece.count
+    for line in room.requires:
+        assert any(supply.get(kind, 0) >= count for kind, count in line.items())

@@ -1,0 +1,181 @@
+"""Reading the catalogs: what is wrong is named with its file, key and line."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from pydantic import ValidationError
+
+import catalogs
+from catalogs import CatalogError, load_catalogs
+
+OURS = Path(catalogs.__file__).parent
+Mend = Callable[[str, str, str], Path]
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    for name in ("furniture.yaml", "floorings.yaml", "rooms"):
+        source = OURS / name
+        (shutil.copytree if source.is_dir() else shutil.copy)(source, tmp_path / name)
+    return tmp_path
+
+
+@pytest.fixture
+def edit(copy: Path) -> Mend:
+    def change(file: str, old: str, new: str) -> Path:
+        path = copy / file
+        text = path.read_text()
+        assert old in text
+        path.write_text(text.replace(old, new, 1))
+        return copy
+
+    return change
+
+
+def lines_of(directory: Path, file: str, word: str) -> list[int]:
+    lines = (directory / file).read_text().splitlines()
+    return [i for i, line in enumerate(lines, 1) if word in line]
+
+
+def fault(directory: Path) -> CatalogError:
+    with pytest.raises(CatalogError) as caught:
+        load_catalogs(directory)
+    return caught.value
+
+
+def test_the_default_is_read_once_and_frozen() -> None:
+    known = load_catalogs()
+    assert load_catalogs() is known
+    with pytest.raises(ValidationError):
+        known.furniture["bed"].mass = 1.0  # type: ignore[misc]
+
+
+def test_a_copy_has_the_same_fingerprint(copy: Path) -> None:
+    known = load_catalogs(copy)
+    assert known == load_catalogs()
+    assert len(known.fingerprint) == 12 and int(known.fingerprint, 16) >= 0
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("furniture.yaml", "mass: 65", "mass: 66"),
+        ("floorings.yaml", "#b08d57", "#b08d58"),
+        ("rooms/bedroom.yaml", "typical: 11.5", "typical: 11.6"),
+    ],
+)
+def test_the_fingerprint_follows_every_file(edit: Mend, file: str, old: str, new: str) -> None:
+    assert load_catalogs(edit(file, old, new)).fingerprint != load_catalogs().fingerprint
+
+
+def test_a_comment_leaves_the_fingerprint_alone(edit: Mend) -> None:
+    directory = edit("rooms/bedroom.yaml", "area:", "# said differently\narea:")
+    assert load_catalogs(directory).fingerprint == load_catalogs().fingerprint
+
+
+@dataclass(frozen=True)
+class Slip:
+    """A slip of the pen in a file, and what the error must name: a key, the line that holds a word, a word of the reason."""
+
+    file: str
+    old: str
+    new: str
+    key: str
+    word: str
+    says: str
+
+    def __str__(self) -> str:
+        return f"{self.file} {self.new}"
+
+
+BEDROOM, KITCHEN, OFFICE, LAUNDRY = (f"rooms/{name}.yaml" for name in ("bedroom", "kitchen", "office", "laundry"))
+FURNITURE, FLOORINGS = "furniture.yaml", "floorings.yaml"
+SLIPS = [
+    Slip(BEDROOM, "flooring: wood", "flooring: lava", "flooring", "lava", "wood"),
+    Slip(BEDROOM, "short_side: 2.4", "short_sid: 2.4", "short_sid", "short_sid", "unknown key"),
+    Slip(BEDROOM, "{kind: small_bed, cost: 2}", "{kind: small_bad, cost: 2}", "pieces.0.kinds.1.kind", "small_bad", "unknown kind"),
+    Slip(BEDROOM, "of: desk,", "of: dask,", "pieces.4.rules.0.of", "of: dask", "nightstand"),
+    Slip(BEDROOM, "type: under", "type: below", "pieces.4.rules.0.type", "type: below", "against_wall"),
+    Slip(BEDROOM, "min: [7.0,", "min: [17.0,", "area", "17.0", "ordered"),
+    Slip(BEDROOM, "single_bed: 1}]", "single_bad: 1}]", "requires.0.single_bad", "single_bad", "unknown kind"),
+    Slip(BEDROOM, "  - piece: nightstand", "  - piece: bed", "pieces.1.piece", "piece: bed", "twice"),
+    Slip(KITCHEN, "{stove: 1}", "{stove: 2}", "requires.2", "stove: 2", "required"),
+    Slip(LAUNDRY, "behind: [bedroom,", "behind: [castle,", "plan.behind.0", "castle", "unknown room type"),
+    Slip(OFFICE, "of: desk, gap: -0.3", "of: plant, gap: -0.3", "pieces.1.rules.0.of", "of: plant, gap", "circle"),
+    Slip(OFFICE, "gap: -0.3", "gap: [0.3, 0.1]", "pieces.1.rules.0", "gap: [0.3", "least"),
+    Slip(OFFICE, "armchair, weight: 0.05}", "armchair, required: true}", "required", "armchair, required", "degree"),
+    Slip(OFFICE, "{type: at_window,", "{type: at_window, of: desk,", "pieces.0.rules.0.of", "at_window, of", "takes no"),
+    Slip(OFFICE, "type: under, of: desk, gap", "type: under, gap", "pieces.1.rules.0", "type: under", "needs"),
+    Slip(FURNITURE, "height: 0.5, inset", "height: 0.95, inset", "bed.surfaces.0.height", "height: 0.95", "above"),
+    Slip(FURNITURE, "size: [1.6, 2.0, 0.9]", "size: [1.605, 2.0, 0.9]", "bed.size.0", "1.605", "centimetres"),
+    Slip(FURNITURE, "size: [1.6, 2.0, 0.9]", "size: [-1.6, 2.0, 0.9]", "bed.size.0", "-1.6", "greater"),
+    Slip(FURNITURE, "size: [1.6, 2.0, 0.9]", "size: [.nan, 2.0, 0.9]", "bed.size.0", ".nan", "finite"),
+    Slip(FURNITURE, 'color: "#4169e1"', 'color: "blue"', "bed.color", "blue", "pattern"),
+    Slip(FURNITURE, "name: bed,", "name: bad,", "king_bed.name", "name: bad", "category"),
+    Slip(FLOORINGS, '"#d9d9d4"', "12", "tile.color", "tile", "string"),
+]
+
+
+@pytest.mark.parametrize("slip", SLIPS, ids=str)
+def test_a_fault_names_file_key_and_line(edit: Mend, slip: Slip) -> None:
+    directory = edit(slip.file, slip.old, slip.new)
+    error = fault(directory)
+    assert error.file == str(directory / slip.file)
+    assert error.key.endswith(slip.key)
+    # A slip that repeats a word is meant at its last place.
+    assert error.line in lines_of(directory, slip.file, slip.word)
+    assert slip.says in f"{error.problem} {error.allowed}"
+    assert f"{slip.file}:{error.line}" in str(error)
+
+
+BROKEN = [
+    Slip(BEDROOM, "flooring: wood", "flooring: [wood", "accent", "accent", "YAML"),
+    Slip(BEDROOM, "flooring: wood", "flooring: wood\nflooring: tile", "flooring", "flooring: tile", "twice"),
+    Slip(FURNITURE, "bench:\n", "bench:\n\t- x\n", "bench", "\t- x", "YAML"),
+]
+
+
+@pytest.mark.parametrize("slip", BROKEN, ids=str)
+def test_broken_yaml_names_file_key_and_line(edit: Mend, slip: Slip) -> None:
+    directory = edit(slip.file, slip.old, slip.new)
+    error = fault(directory)
+    assert error.file == str(directory / slip.file)
+    assert error.line in lines_of(directory, slip.file, slip.word)
+    assert error.key == slip.key
+    assert slip.says in error.problem
+
+
+def test_a_missing_file_is_named(copy: Path) -> None:
+    (copy / "floorings.yaml").unlink()
+    assert fault(copy).file == str(copy / "floorings.yaml")
+
+
+def test_no_room_types_are_a_fault(copy: Path) -> None:
+    shutil.rmtree(copy / "rooms")
+    assert "room type" in fault(copy).problem
+
+
+def test_a_file_that_is_no_mapping_is_a_fault(copy: Path) -> None:
+    (copy / "rooms" / "bedroom.yaml").write_text("- a\n- b\n")
+    assert fault(copy).file.endswith("bedroom.yaml")
+
+
+def test_a_new_room_type_is_one_file(copy: Path) -> None:
+    text = """
+    area: {min: [3, 4], typical: 5, max: 8}
+    flooring: wood
+    accent: "#aa8866"
+    pieces:
+      - piece: hall_bench
+        rules: [{type: against_wall}]
+      - piece: laundry_basket
+        rules: [{type: on, of: hall_bench, cost: 1}]
+    """
+    (copy / "rooms" / "sauna.yaml").write_text(text)
+    sauna = load_catalogs(copy).rooms["sauna"]
+    assert [piece.rules[0].type for piece in sauna.pieces] == ["against_wall", "on"]
