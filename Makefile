@@ -38,7 +38,7 @@ run: .venv/run.stamp page ## serve the page and the API on http://127.0.0.1:8000
 test: .venv/dev.stamp page chromium ## run every test: Python, page, browser
 	$(PY) scripts/page.py check
 	$(PY) scripts/page.py test
-	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 $(PYTEST_ARGS)
+	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 --dist loadgroup $(PYTEST_ARGS)
 
 targets: .venv/dev.stamp page ## run the long checks and benches: thousands of seeds, timings
 	$(PY) -m tests.targets
