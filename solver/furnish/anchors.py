@@ -64,7 +64,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
                 break
             wanted.append(one)
             earlier[piece.piece] = (*earlier.get(piece.piece, ()), one.label)
-            kinds[one.label] = tuple(variant.kind for variant in piece.variants)
+            kinds[one.label] = tuple(dict.fromkeys(alternative.kind for alternative in one.alternatives))
             _intend(scope.walls, one, poses)
     return tuple(wanted)
 

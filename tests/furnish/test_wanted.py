@@ -1,0 +1,144 @@
+"""What a room wants: order, number, chance, and what every alternative must be."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from catalogs import load_catalogs
+from solver.furnish import space_of, wanted_pieces
+from solver.furnish.anchors import LIMIT
+from solver.furnish.relations import RELATIONS
+from solver.scene import Opening, Room
+from solver.streams import Stream
+from solver.wanted import Stand, Wanted
+from tests.furnish.worlds import DOOR, WINDOW, ask, box_of, clear_of_zones, den, piece
+
+KNOWN = load_catalogs()
+types = pytest.mark.parametrize("room_type", sorted(KNOWN.rooms))
+
+
+def furnished(room_type: str, area: float, aspect: float, seed: int = 3) -> tuple[Room, tuple[Wanted, ...]]:
+    width, depth = round(math.sqrt(area * aspect), 2), round(math.sqrt(area / aspect), 2)
+    openings = (
+        Opening("door_1", "door", "south", round(width / 2, 3), 0.9, connects_to="hall"),
+        Opening("door_2", "door", "west", round(depth - 0.6, 3), 0.9, connects_to="hall"),
+        Opening("window_1", "window", "north", round(width / 2, 3), 1.2, 1.4, 0.9),
+    )
+    room = Room("r", 0, room_type, width=width, depth=depth, openings=openings)
+    return room, wanted_pieces(room, space_of(room, 0.1), KNOWN, Stream(seed, "furnish", 0))
+
+
+def test_the_vocabulary_is_whole() -> None:
+    assert list(RELATIONS) == [
+        "against_wall", "in_corner", "beside", "in_front_of", "opposite", "facing", "near", "far_from", "around",
+        "aligned_with", "centred", "in_row", "at_window", "near_door", "far_from_door", "on", "under",
+    ]  # fmt: skip
+
+
+def test_an_unknown_type_wants_nothing() -> None:
+    room = Room("r", 0, "observatory", width=5.0, depth=4.0)
+    assert wanted_pieces(room, space_of(room, 0.1), KNOWN, Stream(1, "furnish", 0)) == ()
+
+
+def test_required_pieces_come_first_then_importance() -> None:
+    labels = [one.label for one in ask(den(), piece("pot"), piece("table", required=True, count=2), piece("shelf"))]
+    assert labels == ["table_1", "table_2", "pot_1", "shelf_1"]
+
+
+@pytest.mark.parametrize(("more", "number"), [
+    ({"count": 3}, 3), ({"min_area": 21}, 0), ({"min_area": 20}, 1), ({"count": 5, "per_area": 6}, 3),
+    ({"count": 2, "per_area": 6}, 2), ({"per_area": 60}, 1),
+])  # fmt: skip
+def test_the_number_of_optional_pieces_follows_the_area(more: dict[str, float], number: int) -> None:
+    assert len(ask(den(), piece("pot", **more))) == number
+
+
+def test_chance_is_drawn_from_the_seed() -> None:
+    there = [len(ask(den(), piece("pot", chance=0.3), seed=seed)) for seed in range(400)]
+    assert 80 < sum(there) < 160
+    assert there == [len(ask(den(), piece("pot", chance=0.3), seed=seed)) for seed in range(400)]
+
+
+def test_variants_may_need_an_area() -> None:
+    couch = piece("couch", kinds=[{"kind": "couch", "min_area": 21}, {"kind": "short_couch", "cost": 1}])
+    assert {a.kind for a in ask(den(), couch)[0].alternatives} == {"short_couch"}
+    assert {a.kind for a in ask(den(width=6.0), couch)[0].alternatives} == {"couch", "short_couch"}
+
+
+def test_use_sides_and_approach_are_handed_over() -> None:
+    couch, table = ask(den(), piece("couch", skip_cost=7), piece("table", approach=["front", "back"]))
+    assert (couch.stands, couch.need_all, couch.skip_cost) == ((Stand("front"),), False, 7)
+    assert (table.stands, table.need_all) == ((Stand("front"), Stand("back")), True)
+
+
+def test_equal_walls_differ_by_the_seed() -> None:
+    best = {min(ask(den(), piece("shelf"), seed=seed)[0].alternatives, key=lambda a: a.cost).wall for seed in range(40)}
+    assert best == {"north", "south", "east", "west"}
+
+
+def test_small_things_are_wished_apart() -> None:
+    corners = [min(one.alternatives, key=lambda a: a.cost).anchor_mm for one in ask(den(), piece("pot", {"type": "in_corner"}, count=4))]
+    assert len(set(corners)) == 4
+
+
+def test_wall_pieces_are_first_wished_where_none_is_meant_to_stand() -> None:
+    couch, shelf = ask(den(DOOR), piece("couch"), piece("shelf"))
+    taken = box_of(couch.alternatives[0])
+    west, north, east, south = box_of(shelf.alternatives[0])
+    assert west >= taken[2] or taken[0] >= east or north >= taken[3] or taken[1] >= south
+
+
+def test_a_piece_too_long_for_every_wall_keeps_alternatives() -> None:
+    (shelf,) = ask(den(DOOR, width=1.2, depth=1.1), piece("shelf", required=True))
+    assert {alternative.wall for alternative in shelf.alternatives} == {"north", "south", "east", "west"}
+
+
+@types
+@pytest.mark.parametrize("aspect", [1.0, 1.5, 2.0])
+@pytest.mark.parametrize("size", ["min", "typical", "max"])
+def test_what_every_alternative_of_every_type_must_be(room_type: str, size: str, aspect: float) -> None:
+    area = KNOWN.rooms[room_type].area
+    room, wanted = furnished(room_type, {"min": area.min[1], "typical": area.typical, "max": area.max}[size], aspect)
+    space = space_of(room, 0.1)
+    seen: dict[str, set[str]] = {}
+    for one in wanted:
+        assert 1 <= len(one.alternatives) <= LIMIT
+        for alternative in one.alternatives:
+            assert alternative.cost >= 0 and math.isfinite(alternative.cost)
+            assert all(0.02 <= weight <= 20 for weight in alternative.weights)
+            assert alternative.size_mm == tuple(round(length * 1000) for length in KNOWN.furniture[alternative.kind].size)
+            if alternative.attach is None:
+                assert KNOWN.furniture[alternative.kind].stands == "free" or alternative.wall is not None
+            else:
+                assert alternative.attach.parent_kind in seen[alternative.attach.parent]
+                assert alternative.wall is None
+            assert {alternative.under, alternative.on} <= {None, *seen}
+        assert all(link.of in seen for link in one.links)
+        assert one.label not in seen
+        seen[one.label] = {alternative.kind for alternative in one.alternatives}
+    required = [piece.piece for piece in KNOWN.rooms[room_type].pieces if piece.required for _ in range(piece.count)]
+    assert [one.label.rsplit("_", 1)[0] for one in wanted if one.required] == required
+    at_walls = [a for one in wanted for a in one.alternatives if a.wall and not a.attach]
+    if size != "min":
+        assert all(clear_of_zones(space, alternative) for alternative in at_walls)
+
+
+@types
+def test_the_same_room_wants_the_same(room_type: str) -> None:
+    area = KNOWN.rooms[room_type].area.typical
+    assert furnished(room_type, area, 1.3) == furnished(room_type, area, 1.3)
+
+
+def test_large_rooms_want_more() -> None:
+    for room_type, room in KNOWN.rooms.items():
+        few, many = (len(furnished(room_type, area, 1.5)[1]) for area in (room.area.min[1], room.area.max))
+        assert many > few, room_type
+
+
+def test_a_den_with_everything_is_clear_of_its_zones() -> None:
+    room = den(DOOR, WINDOW)
+    for one in ask(room, piece("shelf", {"type": "in_corner"}), piece("couch", {"type": "centred"}, {"type": "at_window"})):
+        for alternative in one.alternatives:
+            assert clear_of_zones(space_of(room, 0.1), alternative), alternative
