@@ -20,5 +20,6 @@ def service() -> Iterator[ServiceProcess]:
 
 @pytest.fixture
 def visit(page: Page, service: ServiceProcess) -> Visit:
-    """A browser page that has not opened anything yet."""
+    """A browser page that has not opened anything yet; small, since without a graphics card every pixel counts."""
+    page.set_viewport_size({"width": 1000, "height": 600})
     return Visit(page, service.address)

@@ -7,7 +7,7 @@ from urllib.parse import parse_qs, urlparse
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser.visit import Visit
+from tests.browser.visit import SMALL, Visit
 
 
 def asked(visit: Visit) -> dict[str, str]:
@@ -16,7 +16,7 @@ def asked(visit: Visit) -> dict[str, str]:
 
 
 def test_generate_makes_the_house_of_the_form(visit: Visit) -> None:
-    before = visit.open("?seed=11")["scene"]
+    before = visit.open(SMALL.format(11))["scene"]
     yaml = visit.yaml()
     visit.page.get_by_label("Seed").fill("12")
     visit.page.get_by_label("Width").fill("14")
@@ -27,21 +27,21 @@ def test_generate_makes_the_house_of_the_form(visit: Visit) -> None:
     assert before != after
     assert visit.yaml() != yaml
     assert asked(visit) == {
-        "seed": "12", "width": "14", "depth": "15", "min_room_size": "3", "max_depth": "5", "use_spine": "true", "outdoor": "false",
+        "seed": "12", "width": "14", "depth": "9", "min_room_size": "3", "max_depth": "5", "use_spine": "true", "outdoor": "false",
     }  # fmt: skip
 
 
 def test_a_link_is_a_house(visit: Visit) -> None:
-    first = visit.open("?seed=5&width=16&use_spine=false")
+    first = visit.open("?seed=5&width=11&depth=9&use_spine=false")
     link = visit.page.url
-    visit.open("?seed=6")
+    visit.open(SMALL.format(6))
     again = visit.after(lambda: visit.page.goto(link))
     assert again["scene"] == first["scene"]
     assert again["scene"]["request"]["use_spine"] is False
 
 
 def test_back_and_forward_show_the_houses_of_before(visit: Visit) -> None:
-    visit.open("?seed=21")
+    visit.open(SMALL.format(21))
     visit.page.locator("#seed").fill("22")
     visit.after(lambda: visit.page.keyboard.press("Enter"))
     back = visit.after(visit.page.go_back)
@@ -52,7 +52,7 @@ def test_back_and_forward_show_the_houses_of_before(visit: Visit) -> None:
 
 
 def test_the_same_request_again_is_no_new_page_of_history(visit: Visit) -> None:
-    visit.open("?seed=31")
+    visit.open(SMALL.format(31))
     length = visit.page.evaluate("history.length")
     visit.after(lambda: visit.page.get_by_role("button", name="Generate").click())
     assert visit.page.evaluate("history.length") == length
@@ -60,7 +60,7 @@ def test_the_same_request_again_is_no_new_page_of_history(visit: Visit) -> None:
 
 @pytest.mark.parametrize("how", ["key", "button"])
 def test_random_draws_another_seed(visit: Visit, how: str) -> None:
-    visit.open("?seed=41")
+    visit.open(SMALL.format(41))
     act = {"key": lambda: visit.page.keyboard.press("r"), "button": lambda: visit.page.get_by_role("button", name="Random").click()}[how]
     drawn = visit.after(act)["scene"]["seed"]
     assert drawn != 41
@@ -69,7 +69,7 @@ def test_random_draws_another_seed(visit: Visit, how: str) -> None:
 
 
 def test_r_typed_into_a_field_is_not_a_command(visit: Visit) -> None:
-    visit.open("?seed=41")
+    visit.open(SMALL.format(41))
     visit.page.locator("#width").focus()
     visit.page.keyboard.press("r")
     visit.page.wait_for_timeout(300)
@@ -77,7 +77,7 @@ def test_r_typed_into_a_field_is_not_a_command(visit: Visit) -> None:
 
 
 def test_sliders_and_numbers_say_the_same(visit: Visit) -> None:
-    visit.open()
+    visit.open(SMALL.format(40))
     visit.page.get_by_label("Smallest room side, slider").fill("4")
     expect(visit.page.locator("#min_room_size")).to_have_value("4")
     visit.page.locator("#max_depth").fill("3")
@@ -86,7 +86,7 @@ def test_sliders_and_numbers_say_the_same(visit: Visit) -> None:
 
 @pytest.mark.parametrize(("name", "key"), [("Top down", "2"), ("3D", "3")])
 def test_camera_presets_by_button_and_key(visit: Visit, name: str, key: str) -> None:
-    visit.open()
+    visit.open(SMALL.format(40))
     other = "2" if key == "3" else "3"
     places = []
     for act in (lambda: visit.page.get_by_role("button", name=name, exact=True).click(), lambda: visit.page.keyboard.press(key)):
@@ -102,7 +102,7 @@ def test_camera_presets_by_button_and_key(visit: Visit, name: str, key: str) -> 
 
 
 def test_dragging_turns_the_house_and_the_compass(visit: Visit) -> None:
-    visit.open()
+    visit.open(SMALL.format(40))
     eye = visit.state()["eye"]
     compass = visit.page.locator("#compass").evaluate("compass => compass.style.transform")
     box = visit.page.locator("#stage canvas").bounding_box()
@@ -117,7 +117,7 @@ def test_dragging_turns_the_house_and_the_compass(visit: Visit) -> None:
 
 
 def test_the_cut_changes_what_is_seen(visit: Visit) -> None:
-    visit.open()
+    visit.open(SMALL.format(40))
     low = visit.page.locator("#stage canvas").screenshot()
     visit.page.get_by_label("Walls up to").fill("2.8")
     visit.settle()
@@ -126,7 +126,7 @@ def test_the_cut_changes_what_is_seen(visit: Visit) -> None:
 
 
 def test_every_control_has_a_name(visit: Visit) -> None:
-    visit.open()
+    visit.open(SMALL.format(40))
     nameless = visit.page.evaluate(
         """() => [...document.querySelectorAll('input, button')]
             .filter(one => !(one.labels?.length || one.ariaLabel || one.textContent.trim())).map(one => one.outerHTML)"""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from playwright.sync_api import Route, expect
 
-from tests.browser.visit import Visit, furniture_of
+from tests.browser.visit import SMALL, Visit, furniture_of
 
 MAX_DRAW_CALLS = 400
 IDLE_MS = 600
@@ -29,14 +29,14 @@ def test_a_bare_address_shows_a_house(visit: Visit) -> None:
 
 
 def test_page_defaults_have_spine_and_outdoor_rooms(visit: Visit) -> None:
-    scene = visit.open()["scene"]
+    scene = visit.open(SMALL.format(6))["scene"]
     assert scene["request"]["use_spine"] is True
     assert scene["request"]["outdoor"] is True
     assert any(room["outdoor"] for room in scene["rooms"])
 
 
 def test_every_body_and_door_leaf_of_the_scene_is_drawn(visit: Visit) -> None:
-    answer = visit.open("?seed=7&outdoor=false")
+    answer = visit.open(SMALL.format(7))
     rooms = answer["scene"]["rooms"]
     state = visit.state()
     bodies = [body["id"] for room in rooms for body in (*room["furniture"], *room["decorations"])]
@@ -49,7 +49,7 @@ def test_every_room_is_named(visit: Visit) -> None:
     rooms = visit.open()["scene"]["rooms"]
     visit.page.get_by_role("button", name="Top down").click()
     visit.settle()
-    shown = visit.page.locator(".room-label:not(.crowded-out)").all_inner_texts()
+    shown = visit.page.locator(".room-label").all_inner_texts()
     assert sorted(shown) == sorted(room["type"].replace("_", " ") for room in rooms)
 
 
@@ -67,14 +67,14 @@ def test_labels_do_not_cover_each_other(visit: Visit) -> None:
 
 def test_the_readable_yaml_is_the_services_own(visit: Visit) -> None:
     with visit.page.expect_response(lambda response: response.url.endswith("/view")) as viewed:
-        visit.open()
+        visit.open(SMALL.format(6))
     lines = viewed.value.json()["text"].rstrip("\n").split("\n")
     shown = visit.page.locator("#yaml > *").all_text_contents()
     assert [line.replace("\u00a0", "") for line in shown] == lines
 
 
 def test_the_console_is_silent_and_nobody_else_is_asked(visit: Visit) -> None:
-    visit.open()
+    visit.open(SMALL.format(6))
     visit.page.keyboard.press("r")
     visit.settle()
     visit.page.get_by_role("button", name="Top down").click()
@@ -86,7 +86,7 @@ def test_the_console_is_silent_and_nobody_else_is_asked(visit: Visit) -> None:
 
 
 def test_an_idle_page_draws_no_frames(visit: Visit) -> None:
-    visit.open()
+    visit.open(SMALL.format(6))
     before = visit.state()["frames"]
     visit.page.wait_for_timeout(IDLE_MS)
     assert visit.state()["frames"] == before > 0
@@ -95,7 +95,7 @@ def test_an_idle_page_draws_no_frames(visit: Visit) -> None:
 def test_few_draw_calls_and_nothing_left_behind(visit: Visit) -> None:
     visit.open("?seed=1&width=30&depth=20")
     assert 0 < visit.state()["drawCalls"] <= MAX_DRAW_CALLS
-    visit.open("?seed=1")
+    visit.open(SMALL.format(1))
     kept = visit.state()["geometries"]
     for seed in (2, 3, 1):
         visit.page.locator("#seed").fill(str(seed))
@@ -105,7 +105,7 @@ def test_few_draw_calls_and_nothing_left_behind(visit: Visit) -> None:
 
 def test_a_narrow_screen_shows_all_without_scrolling_sideways(visit: Visit) -> None:
     visit.page.set_viewport_size({"width": 390, "height": 800})
-    visit.open()
+    visit.open(SMALL.format(6))
     assert visit.page.evaluate("document.documentElement.scrollWidth") <= 390
     for part in ("#stage canvas", "#generate", "#yaml"):
         expect(visit.page.locator(part)).to_be_visible()
@@ -122,7 +122,7 @@ def test_names_from_a_scene_are_text(visit: Visit) -> None:
 
     visit.page.route("**/generate", disguise)
     visit.page.route("**/view", lambda route: route.fulfill(json={"text": f"- {trap}: 1\n", "lines": ["x"]}))
-    visit.open()
+    visit.open(SMALL.format(6))
     assert visit.page.locator("main img, aside img").count() == 0
     assert trap in visit.yaml()
     assert visit.console == []

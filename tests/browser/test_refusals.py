@@ -7,11 +7,11 @@ from urllib.parse import urlparse
 from playwright.sync_api import Page, expect
 
 from tests.browser.service_process import running
-from tests.browser.visit import Visit
+from tests.browser.visit import SMALL, Visit
 
 
 def test_a_refused_field_is_said_beside_it_and_the_house_stays(visit: Visit) -> None:
-    visit.open("?seed=3")
+    visit.open(SMALL.format(3))
     yaml = visit.yaml()
     visit.page.locator("#width").fill("5000")
     visit.page.get_by_role("button", name="Generate").click()
@@ -32,7 +32,7 @@ def test_an_address_that_makes_no_sense_is_explained(visit: Visit) -> None:
 
 
 def test_a_busy_service_is_said_to_be_busy(visit: Visit) -> None:
-    visit.open()
+    visit.open(SMALL.format(3))
     busy = {"type": "about:blank", "title": "The service is busy", "status": 503, "detail": "Come back in 2 s.", "errors": []}
     visit.page.route("**/generate", lambda route: route.fulfill(status=503, json=busy))
     visit.page.keyboard.press("r")
@@ -45,7 +45,7 @@ def test_a_busy_service_is_said_to_be_busy(visit: Visit) -> None:
 def test_a_lost_service_is_said_to_be_lost_and_found_again(page: Page) -> None:
     with running() as first:
         visit = Visit(page, first.address)
-        visit.open("?seed=8")
+        visit.open(SMALL.format(8))
         rooms = visit.count("rooms")
     page.keyboard.press("r")
     expect(page.get_by_role("alert")).to_contain_text("does not answer")
@@ -56,7 +56,7 @@ def test_a_lost_service_is_said_to_be_lost_and_found_again(page: Page) -> None:
 
 
 def test_a_newer_question_withdraws_the_older(visit: Visit) -> None:
-    visit.open("?seed=1")
+    visit.open(SMALL.format(1))
     held = []
     visit.page.route("**/generate", lambda route: held.append(route) if not held else route.continue_())
     visit.page.locator("#seed").fill("2")

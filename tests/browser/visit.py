@@ -13,6 +13,11 @@ ANSWER_MS = 30_000
 """How long a house may take on a busy machine without a graphics card."""
 
 
+POLL_MS = 40
+SMALL = "?width=12&depth=9&seed={}"
+"""A house that is made and drawn fast, by its seed."""
+
+
 class Visit:
     """The page, opened at a service; `answers` holds what the service answered to each call."""
 
@@ -40,7 +45,11 @@ class Visit:
     def settle(self) -> None:
         """Wait until no call is under way and nothing moves."""
         expect(self.page.locator("#stage")).to_have_attribute("aria-busy", "false", timeout=ANSWER_MS)
-        self.page.wait_for_function("!compose.state.moving", timeout=ANSWER_MS)
+        for _ in range(ANSWER_MS // POLL_MS):
+            if not self.state()["moving"]:
+                return
+            self.page.wait_for_timeout(POLL_MS)
+        raise AssertionError("the canvas does not come to rest")
 
     def state(self) -> Document:
         """What the page says it shows."""

@@ -63,6 +63,13 @@ export class Doors {
     return this.leaves.filter((_, i) => this.#wanted[i] === 1).map((leaf) => leaf.id);
   }
 
+  /** How far a leaf is turned from the direction of +x now [rad]. */
+  angleOf(index: number): number {
+    const leaf = this.leaves[index];
+    const open = leaf?.motion === "swing" ? eased(this.#open[index] ?? 0) : 0;
+    return leaf ? leaf.closedAngle + open * leaf.turn : 0;
+  }
+
   /** Moves the leaves by `seconds`; true while one is under way. */
   step(seconds: number): boolean {
     let moving = false;

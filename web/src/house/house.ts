@@ -113,13 +113,15 @@ export class House {
     return hit?.kind === "door" ? this.doors.leaves[hit.index]?.id : hit?.body.id;
   }
 
-  /** Points in the house at which a body or a closed door may be seen, with walls cut at a height [m]. */
+  /** Points in the house at which a body or a door leaf may be seen, with walls cut at a height [m]. */
   pointsOf(id: string, cut: number): Point[] {
     const body = this.bodies.find((one) => one.id === id);
     if (body) return [1, 0.5].map((share): Point => [body.x, body.y + body.height * share, body.z]);
-    const leaf = this.doors.leaves.find((one) => one.id === id);
+    const index = this.doors.leaves.findIndex((one) => one.id === id);
+    const leaf = this.doors.leaves[index];
     if (!leaf) return [];
-    const [along, across] = [Math.cos(leaf.closedAngle) * leaf.width, -Math.sin(leaf.closedAngle) * leaf.width];
+    const angle = this.doors.angleOf(index);
+    const [along, across] = [Math.cos(angle) * leaf.width, -Math.sin(angle) * leaf.width];
     const top = Math.min(leaf.height, cut);
     return [0.9, 0.6, 0.3].flatMap((up) => [0.5, 0.25, 0.75].map((share): Point => [
       leaf.hinge.x + along * share, leaf.hinge.y + top * up, leaf.hinge.z + across * share,

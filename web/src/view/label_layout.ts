@@ -17,7 +17,7 @@ export interface LabelPlace {
 
 const GAP = 3;
 /** Tried in turn, in label heights. */
-const NUDGES = [0, -1, 1, -2, 2, -3, 3, -4, 4];
+const NUDGES = [0, -0.5, 0.5, -1, 1, -1.5, 1.5, -2, 2];
 
 function covers(a: LabelWish & LabelPlace, b: LabelWish & LabelPlace): boolean {
   return Math.abs(a.x - b.x) < (a.width + b.width) / 2 + GAP && Math.abs(a.y - b.y) < (a.height + b.height) / 2 + GAP;

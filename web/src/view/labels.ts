@@ -7,6 +7,9 @@ import type { Viewport } from "./viewport";
 
 interface RoomLabel {
   readonly element: HTMLElement;
+  /** Its size when the name is shown [CSS pixels]. */
+  width: number;
+  height: number;
   readonly at: Vector3;
   readonly area: number;
 }
@@ -28,6 +31,8 @@ function roomLabel(room: Room, elevation: number): RoomLabel {
   element.append(dot, name);
   return {
     element,
+    width: 0,
+    height: 0,
     at: new Vector3(room.x + room.width / 2, elevation, room.z + room.depth / 2),
     area: room.width * room.depth,
   };
@@ -54,6 +59,7 @@ export class Labels {
     for (const label of this.#rooms) label.element.remove();
     this.#rooms = scene.rooms.map((room) => roomLabel(room, storeys.get(room.level)?.elevation ?? 0));
     this.layer.append(...this.#rooms.map((label) => label.element));
+    for (const label of this.#rooms) [label.width, label.height] = [label.element.offsetWidth, label.element.offsetHeight];
     this.point(null);
   }
 
@@ -70,11 +76,12 @@ export class Labels {
   #follow(): void {
     const seen = this.#rooms.map((label) => ({ label, at: this.viewport.project(label.at) }));
     const places = layOut(seen.map(({ label, at }) => ({
-      x: at?.x ?? -1e6, y: at?.y ?? -1e6, width: label.element.offsetWidth, height: label.element.offsetHeight, importance: label.area,
+      x: at?.x ?? -1e6, y: at?.y ?? -1e6, width: label.width, height: label.height, importance: label.area,
     })));
     seen.forEach(({ label, at }, i) => {
-      const place = at ? places[i] : null;
-      label.element.classList.toggle("crowded-out", !place);
+      const place = places[i] ?? at;
+      label.element.hidden = !at;
+      label.element.classList.toggle("crowded-out", !places[i]);
       if (place) moveTo(label.element, place.x, place.y);
     });
     this.#followPointed();

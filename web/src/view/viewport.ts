@@ -11,7 +11,11 @@ export type Motion = (seconds: number) => boolean;
 
 const BACKGROUND = "#10141b";
 const FLIGHT_SECONDS = 0.6;
-const LONGEST_STEP = 0.05;
+/** After a long frame things go on from where they were rather than jump [s]. */
+const LONGEST_STEP = 0.25;
+const SHORT_STEP = 1 / 60;
+/** How fast a turned house comes to rest, by time and not by frames: slow machines must not turn for longer [1/s]. */
+const DAMPING = 8;
 const SUN = new Vector3(-0.55, 1, 0.5);
 
 function calm(): boolean {
@@ -32,6 +36,8 @@ export class Viewport {
   /** Frames drawn since the page was opened: an idle page draws none. */
   #frames = 0;
   #asked = false;
+  /** Whether nothing moved before the frame under way. */
+  #resting = true;
   #last = 0;
 
   constructor(readonly host: HTMLElement) {
@@ -65,7 +71,6 @@ export class Viewport {
   #orbit(): OrbitControls {
     const controls = new OrbitControls(this.camera, this.canvas);
     controls.enableDamping = true;
-    controls.dampingFactor = 0.12;
     controls.maxPolarAngle = Math.PI * 0.49;
     controls.zoomToCursor = true;
     controls.addEventListener("change", () => this.invalidate());
@@ -142,8 +147,9 @@ export class Viewport {
 
   #draw(now: number): void {
     this.#asked = false;
-    const seconds = Math.min(LONGEST_STEP, Math.max(0, (now - this.#last) / 1000));
+    const seconds = this.#resting ? SHORT_STEP : Math.min(LONGEST_STEP, Math.max(0, (now - this.#last) / 1000));
     this.#last = now;
+    this.#controls.dampingFactor = 1 - Math.exp(-seconds * DAMPING);
     for (const motion of this.#motions) if (!motion(seconds)) this.#motions.delete(motion);
     this.#controls.update();
     this.#clip();
@@ -151,6 +157,7 @@ export class Viewport {
     this.#frames += 1;
     for (const listener of this.#afterFrame) listener();
     if (this.#motions.size > 0) this.invalidate();
+    this.#resting = !this.#asked;
   }
 
   /** Keeps the depth range tight around the house: from far away a millimetre must still be told apart. */
