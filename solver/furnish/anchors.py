@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from catalogs.schema import Catalogs, Piece, Rule
 from solver.furnish.ask import Ask, Effect, Opened, Scope, Size
-from solver.furnish.candidates import candidates
+from solver.furnish.candidates import DRAW, candidates
 from solver.furnish.relations import RELATIONS, SLOTTED
 from solver.furnish.relations.places import footprint
 from solver.furnish.walls import WallOccupancy
@@ -135,23 +135,23 @@ def _slotted(effects: Sequence[tuple[Rule, Effect]]) -> Iterator[Alternative]:
         if must and i not in must:
             continue
         missed = sum(other.cost for j, (other, theirs) in enumerate(effects) if j != i and theirs.slots)
-        yield from (replace(slot, cost=round(slot.cost + missed, 6)) for slot in effect.slots)
+        yield from (replace(slot, cost=round(slot.cost + missed, 6)) if missed else slot for slot in effect.slots)
 
 
 def _judged(ask: Ask, effects: Sequence[tuple[Rule, Effect]], whims: dict[str, float]) -> list[Alternative]:
     """Returns the ways to stand at walls and in the room, costed by every rule, the best few of each sort."""
     missed = sum(rule.cost for rule, effect in effects if effect.slots)
     weight = max((effect.weight for _, effect in effects), default=0.0)
-    found: list[Alternative] = []
+    found: list[tuple[float, Alternative]] = []
     for alternative in candidates(ask, [effect for _, effect in effects]):
         cost = alternative.cost + missed + whims.get(alternative.wall or "", 0.0)
         if alternative.wall is None:
             cost += _in_the_way(ask, footprint(alternative)) + _facing_wall(ask, alternative)
         cost += sum(effect.judge(alternative) for _, effect in effects if effect.judge)
         if cost < math.inf:
-            pull = max(weight, alternative.weights[0])
-            found.append(replace(alternative, cost=round(cost, 6), weights=(pull, pull)))
-    return _best_of_each(ask, found)
+            found.append((round(cost, 6), alternative))
+    pull = max(weight, DRAW)
+    return [replace(alternative, cost=cost, weights=(pull, pull)) for cost, alternative in _best_of_each(ask, found)]
 
 
 def _in_the_way(ask: Ask, rect: Rect) -> float:
@@ -172,19 +172,19 @@ def _facing_wall(ask: Ask, alternative: Alternative) -> float:
     return WALL_COST if ahead < AHEAD_MM else 0.0
 
 
-def _best_of_each(ask: Ask, found: Sequence[Alternative]) -> list[Alternative]:
+def _best_of_each(ask: Ask, found: Sequence[tuple[float, Alternative]]) -> list[tuple[float, Alternative]]:
     """Keeps, for every variant, wall and way round, the cheapest anchors: a few for the wanted variant, one for the others."""
     wanted_kind = ask.piece.variants[0].kind
     corners = any(rule.type == "in_corner" for rule in ask.piece.rules)
-    kept: dict[tuple[str, str | None, int], list[Alternative]] = {}
-    for alternative in sorted(found, key=lambda alternative: alternative.cost):
+    kept: dict[tuple[str, str | None, int], list[tuple[float, Alternative]]] = {}
+    for cost, alternative in sorted(found, key=lambda entry: entry[0]):
         turn = alternative.rotation % (180 if _reversible(ask, alternative.kind) else 360)
         group = kept.setdefault((alternative.kind, alternative.wall, turn), [])
         few = 4 if corners and alternative.wall is None else 2
         room = few if alternative.kind == wanted_kind else few // 2
-        if len(group) < room and all(alternative.anchor_mm != other.anchor_mm for other in group):
-            group.append(alternative)
-    return [alternative for group in kept.values() for alternative in group]
+        if len(group) < room and all(alternative.anchor_mm != other.anchor_mm for _, other in group):
+            group.append((cost, alternative))
+    return [entry for group in kept.values() for entry in group]
 
 
 def _reversible(ask: Ask, kind: str) -> bool:
