@@ -12,7 +12,6 @@ from typing import Final
 
 from catalogs.schema import RoomType
 from solver.errors import RequestError
-from solver.floorplan.access import THROUGH_OWNER
 from solver.floorplan.fitness import IMPOSSIBLE, Fitness
 from solver.scene import Request
 
@@ -209,7 +208,7 @@ class _Draft:
         """Tells whether the house can do without the room, and nobody walks through it or privately into it."""
         if room in self.fixed or room in self.fitness.ways.through or not self.fitness.outside[room]:
             return False
-        return self.fitness.access(room, name, self.types) < THROUGH_OWNER and self.area[room] >= self.fitness.rooms[name].area.min[0]
+        return self.fitness.access(room, name, self.types) < IMPOSSIBLE and self.area[room] >= self.fitness.rooms[name].area.min[0]
 
     def kids(self) -> None:
         """The smallest plain bedroom is the children's, where there is another to sleep in."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from heapq import heappop, heappush
+from math import sqrt
 from typing import Final
 
 from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
@@ -25,6 +26,8 @@ PUBLIC: Final = 2
 """Cells of a living or dining room with rooms behind it: a house has one of each."""
 BLOCK: Final = (1.02, 1.2, 1.3)
 """Rooms beside a side hallway: drawn between the first two, at most the third times the least width. Our choice."""
+FAIR: Final = 0.7
+"""A room's side is at least this part of that of a square of its fair share of the floor. Our choice."""
 
 
 class Books:
@@ -68,10 +71,18 @@ class Books:
         self.capped = self.capped or (total <= 1 and self.most >= MAX_ROOMS // 2)
         return min(total, self.most - self._count[plot.half])
 
-    def unit(self, deep: int) -> int:
-        """Returns the least width of what stands on one side of a side hallway: where three rooms follow each other
-        along it there are two at its head, since they cost no more hallway."""
-        return 2 * self.least if deep >= 3 * self.least else self.least
+    def side(self, plot: Plot) -> int:
+        """Returns the least side a room of a plot should have, mm: more than the least where few rooms may be made."""
+        fair = plot.rect.width * plot.rect.depth / max(1, self.spare(plot))
+        return max(self.least, round(FAIR * sqrt(fair)))
+
+    def unit(self, plot: Plot, run: str) -> int:
+        """Returns the least width of what stands on one side of a side hallway, mm.
+
+        Where three rooms follow each other along it, two stand side by side at its head: they cost no more hallway.
+        """
+        side = self.side(plot)
+        return 2 * side if plot.length(OTHER[run]) >= 3 * side else side
 
     def add_hallway(self, rect: Rect) -> None:
         """Books a hallway."""
@@ -127,7 +138,7 @@ class Columns:
         if role == "alcove":
             low = max(least + HALLWAY_MM, -(-(deep - least) // ASPECT))
             return (round(low * stream.uniform(1.0, 1.1)), round(low * 1.25)) if HALLWAY_MM * least <= self.books.floor else never
-        unit = self.books.unit(deep)
+        unit = self.books.unit(plot, plot.run)
         drawn, most = round(2 * unit * stream.uniform(*BLOCK[:2])), round(2 * unit * BLOCK[2])
         return (drawn + HALLWAY_MM, most + HALLWAY_MM) if HALLWAY_MM * deep <= self.books.floor else never
 

@@ -46,14 +46,17 @@ class Fitness:
         for child, parent in enumerate(ways.parent):
             if parent is not None:
                 self.children.setdefault(parent, []).append(child)
+        self.cars = {name: cars_of(kind) for name, kind in rooms.items() if kind.plan.garage_door}
+        self.wet = frozenset(name for name, kind in rooms.items() if kind.plan.wet)
         self._shape: dict[tuple[int, str], float] = {}
 
     def shape(self, room: int, name: str) -> float:
         """Cost of a type by the room's size, form and outside walls alone."""
-        key = (room, name)
-        if key not in self._shape:
-            self._shape[key] = self._area(room, name) + self._form(room, name) + self._outside(room, name)
-        return self._shape[key]
+        known = self._shape.get((room, name))
+        if known is None:
+            known = self._area(room, name) + self._form(room, name) + self._outside(room, name)
+            self._shape[room, name] = known
+        return known
 
     def least_area(self, room: int, name: str) -> float:
         """Returns the type's minimum area, m2, for the doors this room will have."""
@@ -75,18 +78,16 @@ class Fitness:
         plan, rect, sides = self.rooms[name].plan, self.layout.rooms[room], self.outside[room]
         cost = DARK if plan.habitable and not sides else 0.0
         if plan.garage_door:
-            need = CAR_DOOR_MM * cars_of(self.rooms[name]) + 400
+            need = CAR_DOOR_MM * self.cars[name] + 400
             wide = [side for side in sides if rect.along(side)[1] - rect.along(side)[0] >= need]
             return cost + (IMPOSSIBLE if not wide else 0.0 if "south" in wide else 1.5)
         return cost + (IMPOSSIBLE if plan.street and not sides else 0.0)
 
     def access(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""
-        cost, parent = 0.0, self.ways.parent[room]
+        parent, children = self.ways.parent[room], self.children.get(room)
         through = types[parent] if parent is not None else None
-        if through is not None and passing_cost(through, name, self.rooms) >= THROUGH_OTHER:
-            cost += IMPOSSIBLE
-        children = self.children.get(room)
+        cost = IMPOSSIBLE if through is not None and passing_cost(through, name, self.rooms) >= THROUGH_OTHER else 0.0
         if not children or self.rooms[name].plan.way_through:
             return cost
         return cost + sum(0.0 if self._may_own(name, child, types[child]) else IMPOSSIBLE for child in children)
@@ -101,11 +102,13 @@ class Fitness:
 
     def company(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by its neighbours: pipes together, the table by the kitchen."""
-        near = [types[i] for i in self.beside[room]]
-        dry = self.rooms[name].plan.wet and not any(t is not None and self.rooms[t].plan.wet for t in near)
-        apart = name == "dining_room" and "kitchen" not in near
-        return (WET_APART if dry else 0.0) + (TABLE_APART if apart else 0.0)
+        if name in self.wet:
+            return 0.0 if any(types[i] in self.wet for i in self.beside[room]) else WET_APART
+        if name == "dining_room":
+            return 0.0 if any(types[i] == "kitchen" for i in self.beside[room]) else TABLE_APART
+        return 0.0
 
     def cost(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Returns the whole cost of a type in a room among the types known so far."""
-        return self.shape(room, name) + self.access(room, name, types) + self.company(room, name, types)
+        shape = self.shape(room, name)
+        return shape if shape >= IMPOSSIBLE else shape + self.access(room, name, types) + self.company(room, name, types)

@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from solver.geometry import Rect
-from solver.scene import WALLS
 
 HALLWAY_MM: Final = 1300
 """Width of a hallway between wall lines: 1.2 m clear between walls of 0.1 m (floorplan.md)."""
@@ -64,8 +63,16 @@ class Layout:
 
 def exterior_sides(rect: Rect, outline: Rect) -> tuple[str, ...]:
     """Returns the walls of a room that lie on the house's outline, in the order of WALLS."""
-    on = (rect.z0 == outline.z0, rect.z1 == outline.z1, rect.x1 == outline.x1, rect.x0 == outline.x0)
-    return tuple(wall for wall, outside in zip(WALLS, on, strict=True) if outside)
+    sides = []
+    if rect.z0 == outline.z0:
+        sides.append("north")
+    if rect.z1 == outline.z1:
+        sides.append("south")
+    if rect.x1 == outline.x1:
+        sides.append("east")
+    if rect.x0 == outline.x0:
+        sides.append("west")
+    return tuple(sides)
 
 
 def touching(rooms: tuple[Rect, ...]) -> list[tuple[int, int, str, int, int]]:

@@ -114,8 +114,8 @@ def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...]) -> Ope
         height=height,
         sill=sill,
         connects_to=ids[partner[0]] if partner else EXTERIOR,
-        hinge=None if cut.leaf is None else _hinge(cut, drawing.layout.rooms[cut.leaf]),
-        swing=None if cut.leaf is None else "in" if cut.leaf == room else "out",
+        hinge=_hinge(cut, drawing.layout.rooms[cut.room if cut.leaf is None else cut.leaf]) if cut.kind == "door" else None,
+        swing=("in" if cut.leaf == room else "out") if cut.kind == "door" else None,
         main_entrance=cut.main,
         render_panel=room == min(cut.sides),
     )
@@ -178,13 +178,13 @@ def door_positions(plan: FloorPlan, opening_id: str) -> tuple[int, ...]:
     """
     drawing, cut = plan.drawing, _cut(plan, opening_id)
     doorways, stretch = _doorways(drawing), _stretch(drawing, cut)
-    centres = [placed.centre for placed in places(cut, stretch)]
+    centres = list(places(cut.width, stretch))
     if not centres:
         return ()
     low, high = min(centres), max(centres)
     quarters = [low + (high - low) // 4 // STEP_MM * STEP_MM, high - (high - low) // 4 // STEP_MM * STEP_MM]
     order = dict.fromkeys((low, high, *quarters, *centres))
-    free = [centre for centre in order if doorways.score(replace(cut, centre=centre)) < CROWDED]
+    free = [centre for centre in order if doorways.score(cut.at(centre)) < CROWDED]
     return tuple(centre for centre in free if centre != cut.centre)
 
 
@@ -197,6 +197,6 @@ def with_door_at(plan: FloorPlan, opening_id: str, position_mm: int) -> FloorPla
         position_mm: one of door_positions.
     """
     drawing = plan.drawing
-    moved = replace(_cut(plan, opening_id), centre=position_mm)
+    moved = _cut(plan, opening_id).at(position_mm)
     cuts = tuple(moved if cut.id == opening_id else cut for cut in drawing.cuts)
     return written(replace(drawing, cuts=cuts), plan.notes)

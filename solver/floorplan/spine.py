@@ -51,7 +51,7 @@ class _Carver:
             return any(plot.keeps(axis) and self.plain(plot, axis) for axis in axes)
         if plot.role:
             return self.columns.build(plot)
-        unit = self.books.unit(plot.length(OTHER[run]))
+        unit = self.books.unit(plot, run)
         narrow = 2 * unit <= plot.length(run) - HALLWAY_MM <= round(2 * SLIM * unit)
         return (
             (narrow and self.side_hallway(plot, run))
@@ -64,9 +64,9 @@ class _Carver:
     def margin(self, plot: Plot, axis: str, end: int) -> int:
         """Least length of a child along the axis: so that it is not too slim, unless it can be cut the other way."""
         across = plot.length(OTHER[axis])
-        rows = -(-across // (ASPECT * self.least))
-        if self.books.spare(plot) > 2 * rows and across >= 2 * self.least and plot.child(plot.rect, axis, end).keeps(OTHER[axis]):
-            return self.least
+        side = self.books.side(plot)
+        if self.books.spare(plot) > 2 and across >= 2 * side and plot.child(plot.rect, axis, end).keeps(OTHER[axis]):
+            return side
         return max(self.least, -(-across // ASPECT))
 
     def part(self, plot: Plot, axis: str, first: int, margins: tuple[int, int]) -> tuple[Rect, Rect]:
@@ -107,7 +107,7 @@ class _Carver:
             rooms = max(2, int(length / (1.15 * max(margins))))
             first = rooms // 2 + (rooms % 2 and stream.below(2))
             return round(length * (first + stream.uniform(-JITTER, JITTER)) / rooms)
-        wide = self.books.unit(plot.length(OTHER[axis])) if stretch == SLIM else 0
+        wide = self.books.unit(plot, axis) if stretch == SLIM else 0
         base = wide if length - wide >= margins[1 - end] else margins[end]
         short = round(max(base, margins[end]) * stream.uniform(1.0, stretch))
         return short if end == 0 else length - short
@@ -118,7 +118,7 @@ class _Carver:
         if room < 2 * self.least or HALLWAY_MM * plot.length(OTHER[axis]) > self.books.floor:
             return False
         stream = Stream(self.books.seed, "floorplan.side", plot.path)
-        unit = self.books.unit(plot.length(OTHER[axis]))
+        unit = self.books.unit(plot, axis)
         spare = room // 2 - (unit if room >= 2 * unit else self.least)
         first = round((room / 2 + stream.uniform(-SWAY, SWAY) * spare) / ROUND_MM) * ROUND_MM
         at = span(plot.rect, axis)[0] + min(max(first, self.least), room - self.least)

@@ -5,11 +5,12 @@ Comes in: the doors placed so far. Goes out: windows as `Cut`s beside them. May 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Final
 
 from catalogs.schema import RoomType
-from solver.floorplan.doors import COLLISION, Cut, Doorways
+from solver.floorplan.doors import Cut, Doorways
 from solver.floorplan.layout import exterior_sides
 
 
@@ -46,33 +47,31 @@ def place_windows(doorways: Doorways) -> None:
         kind = doorways.plan_of(room)
         if kind.outdoor or not kind.plan.windows:
             continue
+        width = pane_of(kind).width
         for wall in exterior_sides(rect, doorways.layout.outline):
-            for window in _windows(doorways, room, wall):
+            for centre in _centres(doorways, room, wall, width):
                 number += 1
-                doorways.add(replace(window, id=f"window_{number}"))
+                doorways.add(Cut(f"window_{number}", "window", room, wall, None, centre, width))
 
 
-def _windows(doorways: Doorways, room: int, wall: str) -> list[Cut]:
+def _centres(doorways: Doorways, room: int, wall: str, width: int) -> list[int]:
     """Finds places for a wall's windows, each in its own equal part of the wall."""
     low, high = doorways.layout.rooms[room].along(wall)
-    width = pane_of(doorways.plan_of(room)).width
     parts = 2 if high - low >= TWO_MM and width == PANE.width else 1
     found = []
     for k in range(parts):
-        part = low + (high - low) * k // parts, low + (high - low) * (k + 1) // parts
-        inner = max(part[0], low + EDGE_MM), min(part[1], high - EDGE_MM)
-        window = _fitted(doorways, Cut("window", "window", room, wall, None, sum(part) // 2, width), inner)
-        if window is not None:
-            found.append(window)
+        start, end = low + (high - low) * k // parts, low + (high - low) * (k + 1) // parts
+        inner = max(start, low + EDGE_MM) + width // 2, min(end, high - EDGE_MM) - width // 2
+        for centre in _tried((start + end) // 2, inner):
+            if doorways.free(room, wall, centre - width // 2, centre + width // 2):
+                found.append(centre)
+                break
     return found
 
 
-def _fitted(doorways: Doorways, window: Cut, part: tuple[int, int]) -> Cut | None:
-    """Shifts a window away from the middle of its part until it is clear of doors."""
-    reach = (part[1] - part[0] - window.width) // 2
-    for shift in range(0, reach + 1, SHIFT_MM):
-        for centre in (window.centre + shift, window.centre - shift):
-            moved = replace(window, centre=centre)
-            if part[0] <= moved.ends[0] and moved.ends[1] <= part[1] and doorways.score(moved) < COLLISION:
-                return moved
-    return None
+def _tried(middle: int, inner: tuple[int, int]) -> Iterator[int]:
+    """Yields places in the interval, ever farther from the middle."""
+    for shift in range(0, max(inner[1] - middle, middle - inner[0]) + 1, SHIFT_MM):
+        for centre in (middle + shift, middle - shift):
+            if inner[0] <= centre <= inner[1]:
+                yield centre

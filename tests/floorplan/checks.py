@@ -124,15 +124,20 @@ def reached(rooms: Sequence[Room], without: str | None = None) -> set[str]:
 
 
 def entrance(rooms: Sequence[Room]) -> list[str]:
-    """One door is the main entrance; every room is reached from it, none of them through a garden."""
+    """One door is the main entrance; every room is reached from it."""
     mains = entrances(rooms)
     if len(mains) != 1 or mains[0][1].kind != "door" or mains[0][1].connects_to != "EXTERIOR":
         return [f"{len(mains)} main entrances"]
-    faults = [f"{room.id} cannot be reached" for room in rooms if room.id not in reached(rooms)]
+    found = reached(rooms)
+    return [f"{room.id} cannot be reached" for room in rooms if room.id not in found]
+
+
+def gardens(rooms: Sequence[Room]) -> list[str]:
+    """No room is reached only through an outdoor room."""
+    faults = []
     for garden in rooms:
-        if garden.outdoor:
-            lost = len(rooms) - len(reached(rooms, garden.id))
-            faults += [f"{lost} rooms are only reached through {garden.id}"] if lost else []
+        lost = len(rooms) - len(reached(rooms, garden.id)) if garden.outdoor else 0
+        faults += [f"{lost} rooms are only reached through {garden.id}"] if lost else []
     return faults
 
 
