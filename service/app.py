@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from typing import Final, cast
 
-from fastapi import FastAPI, Request
+from fastapi import Request
 from fastapi.routing import APIRouter
+from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
@@ -14,9 +16,10 @@ from catalogs import Catalogs, load_catalogs
 from service import calls, page, problems
 from service.describe import DescribedApp, described
 from service.docs import docs
-from service.documents import Document, parse
+from service.documents import Document
 from service.guard import Guard
 from service.wire import body_of, format_sent, format_wanted, written
+from service.work import Failure, Job, do_alone, packed, warm
 from service.workers import Workers
 from solver.pipeline.generate import VERSION
 
@@ -27,25 +30,25 @@ DESCRIPTION: Final = "Lays out whole furnished homes and proves they work. JSON 
 @router.post("/generate", **described("Generate"))
 async def post_generate(request: Request) -> Response:
     """Makes a furnished house, or furnishes some rooms of one anew."""
-    return await _called(request, calls.generate_house)
+    return await _called(request, "generate")
 
 
 @router.post("/fix", **described("Fix"))
 async def post_fix(request: Request) -> Response:
     """Repairs a scene by moving as little as possible."""
-    return await _called(request, calls.fix_scene)
+    return await _called(request, "fix")
 
 
 @router.post("/validate", **described("Validate"))
 async def post_validate(request: Request) -> Response:
     """Lists which rules a scene breaks, and by how much."""
-    return await _called(request, calls.validate_scene)
+    return await _called(request, "validate")
 
 
 @router.post("/view", **described("View"))
 async def post_view(request: Request) -> Response:
     """Writes a scene as readable YAML, and which body each line is."""
-    return await _called(request, calls.view_scene)
+    return await _called(request, "view")
 
 
 @router.get("/catalog", **described("Catalog"))
@@ -66,26 +69,44 @@ async def get_healthz(request: Request) -> Response:
     return written({"status": "ok"}, format_wanted(request))
 
 
-async def _called(request: Request, call: calls.Call) -> Response:
-    sent, wanted, catalogs = format_sent(request), format_wanted(request), _catalogs(request)
-    body = await body_of(request)
-    return await _workers(request).run(lambda: written(call(parse(body, sent), catalogs), wanted))
+async def _called(request: Request, call: str) -> Response:
+    sent, wanted, app = format_sent(request), format_wanted(request), cast(ComposeApp, request.app)
+    job = Job(call, await body_of(request), sent, wanted, app.packed_catalogs)
+    done = await app.workers.run(do_alone, job)
+    if isinstance(done, Failure):
+        raise RuntimeError(f"/{call} failed in its worker:\n{done.trace}")
+    return done
 
 
 async def _asked(request: Request, call: Callable[[Catalogs], Document]) -> Response:
-    wanted, catalogs = format_wanted(request), _catalogs(request)
-    return await _workers(request).run(lambda: written(call(catalogs), wanted))
+    wanted, app = format_wanted(request), cast(ComposeApp, request.app)
+    return await run_in_threadpool(lambda: written(call(app.catalogs), wanted))
 
 
-def _catalogs(request: Request) -> Catalogs:
-    return cast(Catalogs, request.app.state.catalogs)
+class ComposeApp(DescribedApp):
+    """The application with what its calls share.
+
+    Args:
+        catalogs: the data to serve.
+    """
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        super().__init__(
+            title="Compose", version=VERSION, description=DESCRIPTION,
+            docs_url=None, redoc_url=None, redirect_slashes=False, lifespan=_started,
+        )  # fmt: skip
+        self.catalogs = catalogs
+        self.packed_catalogs = packed(catalogs)
+        self.workers = Workers()
 
 
-def _workers(request: Request) -> Workers:
-    return cast(Workers, request.app.state.workers)
+@asynccontextmanager
+async def _started(app: ComposeApp) -> AsyncIterator[None]:
+    await app.workers.start(warm, app.packed_catalogs)
+    yield
 
 
-def create_app(catalogs: Catalogs | None = None) -> FastAPI:
+def create_app(catalogs: Catalogs | None = None) -> ComposeApp:
     """Makes the application.
 
     Args:
@@ -94,9 +115,7 @@ def create_app(catalogs: Catalogs | None = None) -> FastAPI:
     Raises:
         CatalogError: our own catalogs cannot be read.
     """
-    app = DescribedApp(title="Compose", version=VERSION, description=DESCRIPTION, docs_url=None, redoc_url=None, redirect_slashes=False)
-    app.state.catalogs = catalogs or load_catalogs()
-    app.state.workers = Workers()
+    app = ComposeApp(catalogs or load_catalogs())
     for kind in problems.STATUS:
         app.add_exception_handler(kind, problems.of_error)
     app.add_exception_handler(HTTPException, problems.of_http)

@@ -108,6 +108,10 @@ def schema_document(_: Catalogs | None = None) -> Document:
     return scene_schema()
 
 
+CALLS: Final[Mapping[str, Call]] = {"generate": generate_house, "fix": fix_scene, "validate": validate_scene, "view": view_scene}
+"""The calls that take a body, by the last word of their path."""
+
+
 def draw_seed() -> int:
     """Draws a seed for a request that has none."""
     return secrets.randbelow(MAX_SEED + 1)

@@ -11,7 +11,7 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.refusals import Busy, TooLarge, TooSlow, WrongMediaType
+from service.refusals import Busy, TooLarge, TooMuch, TooSlow, WrongMediaType
 from solver.errors import ComposeError, FieldError, SyntaxFault
 
 MEDIA_TYPE: Final = "application/problem+json"
@@ -21,6 +21,7 @@ STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
     TooSlow: (408, "The body did not arrive"),
     TooLarge: (413, "The body is too large"),
     WrongMediaType: (415, "The body's format is not read here"),
+    TooMuch: (422, "The work is too much"),
     FieldError: (422, "A field is wrong"),
     Busy: (503, "The service is busy"),
 }
@@ -48,7 +49,7 @@ def _entry(field: str, what: str, allowed: str = "") -> dict[str, str]:
     return {"field": field, "problem": what, "allowed": allowed}
 
 
-def of_error(_: Request, error: Exception) -> Response:
+def of_error(_: Request | None, error: Exception) -> Response:
     """Turns an error of the table into its problem document."""
     status, title = next(STATUS[kind] for kind in type(error).__mro__ if kind in STATUS)
     if isinstance(error, FieldError):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from solver.errors import FieldError
 
 
@@ -19,6 +21,12 @@ class TooSlow(FieldError):
 
 class WrongMediaType(FieldError):
     """A body in a format that is not read here."""
+
+
+class TooMuch(FieldError):
+    """Work that is not finished within this service's bounds."""
+
+    SMALLER: Final = "a smaller house or scene; the command line has no such bound"
 
 
 class Busy(FieldError):

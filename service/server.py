@@ -32,7 +32,7 @@ def serve(host: str, port: int, catalogs: Catalogs) -> None:
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     with socket.create_server((host, port), family=family, backlog=CONNECTIONS) as listener:
         config = Config(
-            app, http="h11", ws="none", lifespan="off", log_level="warning", server_header=False,
+            app, http="h11", ws="none", lifespan="on", log_level="warning", server_header=False,
             limit_concurrency=CONNECTIONS, timeout_graceful_shutdown=GRACE_S,
         )  # fmt: skip
         shown = f"[{host}]" if family == socket.AF_INET6 else host

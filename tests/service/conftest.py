@@ -10,7 +10,7 @@ from starlette.testclient import TestClient
 
 from service.app import create_app
 
-SMALL = {"seed": 42, "width": 10.0, "depth": 8.0}
+SMALL = {"seed": 42, "width": 8.0, "depth": 6.0}
 """A request whose house is made quickly."""
 
 

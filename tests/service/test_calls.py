@@ -10,7 +10,6 @@ import pytest
 import yaml
 from starlette.testclient import TestClient
 
-from service import calls
 from tests.service.conftest import SMALL
 
 YAML = {"content-type": "application/yaml", "accept": "application/yaml"}
@@ -28,7 +27,7 @@ def test_generate_answers_a_furnished_house(house: dict[str, Any]) -> None:
     scene = house["scene"]
     assert scene["format"] == "compose-scene/1"
     assert scene["seed"] == 42
-    assert (scene["size"]["width"], scene["size"]["depth"]) == (10.0, 8.0)
+    assert (scene["size"]["width"], scene["size"]["depth"]) == (8.0, 6.0)
     assert sum(len(room["furniture"]) for room in scene["rooms"]) >= 5
     assert [issue for issue in house["issues"] if issue["severity"] == "error"] == []
     assert house["timing_ms"]["total"] > 0
@@ -72,7 +71,7 @@ def test_camel_case_keys_mean_the_same(client: TestClient) -> None:
 
 
 def test_yaml_in_and_out_says_the_same(client: TestClient, scene: dict[str, Any]) -> None:
-    answer = client.post("/generate", content="seed: 42\nwidth: 10.0\ndepth: 8.0\n", headers=YAML)
+    answer = client.post("/generate", content="seed: 42\nwidth: 8.0\ndepth: 6.0\n", headers=YAML)
     assert answer.headers["content-type"].startswith("application/yaml")
     assert yaml.safe_load(answer.text)["scene"] == scene
 
@@ -107,14 +106,14 @@ def test_accept_chooses_the_format(client: TestClient, accept: str, expected: st
     assert "accept" in answer.headers["vary"].lower()
 
 
-def test_a_seed_is_drawn_and_echoed(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
-    without = {"width": 6.0, "depth": 5.0}
-    seeds = [client.post("/generate", json=without).json()["scene"]["seed"] for _ in range(2)]
-    assert seeds[0] != seeds[1]
-    assert all(isinstance(seed, int) and 0 <= seed < 2**53 for seed in seeds)
-    again = client.post("/generate", json={**without, "seed": seeds[0]}).json()["scene"]
-    monkeypatch.setattr(calls, "draw_seed", lambda: seeds[0])
-    assert client.post("/generate", json={**without, "seed": None}).json()["scene"] == again
+def test_a_seed_is_drawn_and_echoed(client: TestClient) -> None:
+    drawn = [client.post("/generate", json={"width": 5.0, "depth": 4.0, **seed}).json()["scene"] for seed in ({}, {"seed": None})]
+    assert drawn[0]["seed"] != drawn[1]["seed"]
+    for scene in drawn:
+        assert isinstance(scene["seed"], int)
+        assert 0 <= scene["seed"] < 2**53
+        assert scene["request"]["seed"] == scene["seed"]
+        assert client.post("/generate", json={"width": 5.0, "depth": 4.0, "seed": scene["seed"]}).json()["scene"] == scene
 
 
 def furnished_room(scene: dict[str, Any]) -> dict[str, Any]:
@@ -187,7 +186,7 @@ def test_fix_removes_only_when_asked(client: TestClient) -> None:
 def test_validate_measures(client: TestClient, scene: dict[str, Any]) -> None:
     metrics = client.post("/validate", json={"scene": scene}).json()["metrics"]
     assert metrics["counts"]["rooms"] == len(scene["rooms"])
-    assert metrics["area"] == pytest.approx(80.0)
+    assert metrics["area"] == pytest.approx(48.0)
 
 
 def test_view_says_which_body_each_line_is(client: TestClient, scene: dict[str, Any]) -> None:

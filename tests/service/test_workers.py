@@ -1,74 +1,150 @@
-"""Solver calls run beside the service, a bounded number at once; the rest waits or is turned away."""
+"""Calls run beside the service: a bounded number at once, each in bounded time and memory."""
 
 from __future__ import annotations
 
-import threading
+import os
 import time
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
+import anyio
 import pytest
 from starlette.testclient import TestClient
 
+from catalogs import load_catalogs
 from service import calls, workers
-from tests.service.problems import entry_of
+from service.refusals import Busy, TooMuch
+from service.work import Failure, Job, do, packed
+from service.workers import RUNNING, Workers
+from tests.service import heavy
+from tests.service.problems import entry_of, problem_of
 
-PATIENCE_S = 10.0
-
-
-class Gate:
-    """Stands in for the solver: every call waits until the gate opens; counts those inside."""
-
-    def __init__(self) -> None:
-        self.opened = threading.Event()
-        self.inside = self.most = 0
-        self._lock = threading.Lock()
-
-    def __call__(self, *_: object) -> tuple[str, tuple[str, ...]]:
-        with self._lock:
-            self.inside += 1
-            self.most = max(self.most, self.inside)
-        assert self.opened.wait(PATIENCE_S)
-        with self._lock:
-            self.inside -= 1
-        return "", ()
+LONG = {"seed": 1, "width": 1000, "depth": 1000, "min_room_size": 1.5, "max_depth": 16}
+"""A request within its ranges that no machine answers in seconds."""
 
 
-@pytest.fixture
-def gate(monkeypatch: pytest.MonkeyPatch) -> Gate:
-    gate = Gate()
-    monkeypatch.setattr(calls, "view", gate)
-    return gate
+async def until(condition: Callable[[], bool]) -> None:
+    with anyio.fail_after(heavy.PATIENCE_S):
+        while not condition():
+            await anyio.sleep(0.01)
 
 
-def wait_until(condition: object) -> None:
-    assert callable(condition)
-    deadline = time.monotonic() + PATIENCE_S
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.005)
+def is_alive(process: int) -> bool:
+    return Path(f"/proc/{process}").exists() if Path("/proc/self").exists() else not _is_gone(process)
 
 
-def test_the_service_answers_while_all_threads_are_busy(client: TestClient, gate: Gate) -> None:
-    body = {"scene": {"rooms": []}}
-    with ThreadPoolExecutor(16) as callers:
-        running = [callers.submit(client.post, "/view", json=body) for _ in range(workers.RUNNING + 3)]
-        wait_until(lambda: gate.inside == workers.RUNNING)
+def _is_gone(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return True
+    return False
+
+
+def test_as_many_run_as_may_the_next_waits_and_one_more_is_turned_away(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "WAITING", 1)
+    processes: list[int] = []
+
+    async def scene() -> None:
+        bench = Workers()
+
+        async def call() -> None:
+            processes.append(await bench.run(heavy.process, str(tmp_path)))
+
+        async with anyio.create_task_group() as group:
+            for _ in range(RUNNING + 1):
+                group.start_soon(call)
+            await until(lambda: len(list(tmp_path.glob("inside-*"))) == RUNNING)
+            with pytest.raises(Busy):
+                await bench.run(heavy.process, str(tmp_path))
+            (tmp_path / "gate").touch()
+
+    anyio.run(scene)
+    assert len(processes) == RUNNING + 1
+    assert len(set(processes)) == RUNNING
+    assert os.getpid() not in processes
+
+
+def test_what_takes_too_long_is_ended_and_the_next_call_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    note = tmp_path / "process"
+
+    async def scene() -> None:
+        bench = Workers()
+        (tmp_path / "gate").touch()
+        first = await bench.run(heavy.process, str(tmp_path))
+        monkeypatch.setattr(workers, "SECONDS", 1.5)
+        with pytest.raises(TooMuch, match=r"longer than 1\.5 s"):
+            await bench.run(heavy.endless, str(note))
+        monkeypatch.setattr(workers, "SECONDS", heavy.PATIENCE_S)
+        assert await bench.run(heavy.process, str(tmp_path)) != first == int(note.read_text())
+
+    anyio.run(scene)
+    assert not is_alive(int(note.read_text()))
+
+
+def test_memory_is_bounded() -> None:
+    async def scene() -> str:
+        return await Workers().run(heavy.hungry)
+
+    assert anyio.run(scene) == "200 refused"
+
+
+def test_the_service_answers_while_all_workers_are_busy(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "SECONDS", 3.0)
+    with ThreadPoolExecutor(RUNNING) as callers:
+        running = [callers.submit(client.post, "/generate", json=LONG) for _ in range(RUNNING)]
+        time.sleep(0.5)
         assert client.get("/healthz").status_code == 200
         assert client.get("/docs").status_code == 200
-        gate.opened.set()
-        assert [call.result().status_code for call in running] == [200] * len(running)
-    assert gate.most == workers.RUNNING
+        assert not any(call.done() for call in running)
+        for call in running:
+            assert "3 s" in entry_of(call.result(), 422)["problem"]
+    monkeypatch.setattr(workers, "SECONDS", heavy.PATIENCE_S)
+    assert client.post("/view", json={"scene": {"rooms": []}}).status_code == 200
 
 
-def test_a_long_line_turns_the_next_away(client: TestClient, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_busy_service_says_when_to_come_back(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "RUNNING", 0)
     monkeypatch.setattr(workers, "WAITING", 0)
-    body = {"scene": {"rooms": []}}
-    with ThreadPoolExecutor(16) as callers:
-        running = [callers.submit(client.post, "/view", json=body) for _ in range(workers.RUNNING)]
-        wait_until(lambda: gate.inside == workers.RUNNING)
-        refused = client.post("/view", json=body)
-        gate.opened.set()
-        assert [call.result().status_code for call in running] == [200] * len(running)
-    entry_of(refused, 503)
+    refused = client.post("/view", json={"scene": {"rooms": []}})
+    assert entry_of(refused, 503)["field"] == "service"
     assert int(refused.headers["retry-after"]) >= 1
-    assert client.post("/view", json=body).status_code == 200
+
+
+def test_a_failure_says_nothing_of_its_insides(
+    client: TestClient, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr("service.app.do_alone", heavy.fails)
+    answer = client.post("/generate", json={})
+    assert answer.status_code == 500
+    assert problem_of(answer)["errors"] == []
+    assert "secret" not in answer.text
+    assert "content-security-policy" in answer.headers
+    logged = [record for record in caplog.records if record.exc_info and "POST /generate failed" in record.getMessage()]
+    assert ["secret insides" in str(record.exc_info) for record in logged] == [True]
+
+
+def job(body: bytes) -> Job:
+    return Job("view", body, "json", "json", packed(load_catalogs()))
+
+
+def test_a_fault_of_ours_is_told_from_a_fault_of_the_request(monkeypatch: pytest.MonkeyPatch) -> None:
+    def breaks(*_: object) -> dict[str, object]:
+        raise ZeroDivisionError("ours")
+
+    def swells(*_: object) -> dict[str, object]:
+        raise MemoryError
+
+    refused = do(job(b"[]"))
+    assert not isinstance(refused, Failure)
+    assert refused.status_code == 422
+    monkeypatch.setattr(calls, "CALLS", {"view": breaks})
+    failed = do(job(b"{}"))
+    assert isinstance(failed, Failure)
+    assert "ZeroDivisionError: ours" in failed.trace
+    monkeypatch.setattr(calls, "CALLS", {"view": swells})
+    refused = do(job(b"{}"))
+    assert not isinstance(refused, Failure)
+    assert refused.status_code == 422
+    assert b"2 GB" in bytes(refused.body)

@@ -1,0 +1,87 @@
+"""One call from bytes to answer, in a process of its own: what comes in and what goes out can be sent between processes."""
+
+from __future__ import annotations
+
+import pickle
+import sys
+from dataclasses import dataclass
+from functools import lru_cache
+from traceback import format_exc
+from typing import Final, cast
+
+from starlette.responses import Response
+
+from catalogs import Catalogs
+from service import calls, problems
+from service.documents import parse
+from service.refusals import TooMuch
+from service.wire import written
+from solver.errors import ComposeError
+
+if sys.platform != "win32":
+    import resource
+
+MEMORY_LIMIT: Final = 2 << 30
+"""Address space of a worker, bytes. Our choice: a house of 20 x 15 m takes a tenth of that."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """A call to be made.
+
+    Args:
+        call: one of `calls.CALLS`.
+        body: the request's body.
+        sent: the body's format.
+        wanted: the answer's format.
+        catalogs: the catalogs, packed by `packed`.
+    """
+
+    call: str
+    body: bytes
+    sent: str
+    wanted: str
+    catalogs: bytes
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A fault of ours: its trace, for the log."""
+
+    trace: str
+
+
+def packed(catalogs: Catalogs) -> bytes:
+    """Packs catalogs for the way to a worker."""
+    return pickle.dumps(catalogs, pickle.HIGHEST_PROTOCOL)
+
+
+@lru_cache(maxsize=1)
+def _unpacked(catalogs: bytes) -> Catalogs:
+    return cast(Catalogs, pickle.loads(catalogs))
+
+
+def do(job: Job) -> Response | Failure:
+    """Makes a call; what is wrong with the request becomes a problem document."""
+    try:
+        document = parse(job.body, job.sent)
+        return written(calls.CALLS[job.call](document, _unpacked(job.catalogs)), job.wanted)
+    except ComposeError as error:
+        return problems.of_error(None, error)
+    except MemoryError:
+        return problems.of_error(None, TooMuch("body", f"takes more than {MEMORY_LIMIT >> 30} GB of memory", TooMuch.SMALLER))
+    except Exception:
+        return Failure(format_exc())
+
+
+def do_alone(job: Job) -> Response | Failure:
+    """Makes a call in a process that does nothing else, with bounded memory."""
+    if sys.platform != "win32":
+        _, most = resource.getrlimit(resource.RLIMIT_AS)
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, most))
+    return do(job)
+
+
+def warm(catalogs: bytes) -> None:
+    """Does nothing but load what calls need."""
+    _unpacked(catalogs)

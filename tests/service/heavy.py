@@ -1,0 +1,51 @@
+"""Work for the tests of the workers: it runs in processes of its own, so it stands in a module of its own."""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+if TYPE_CHECKING:
+    from service.work import Failure, Job
+
+PATIENCE_S = 20.0
+
+
+def process(folder: str) -> int:
+    """Waits until the gate file is there; leaves a file that says so meanwhile; returns its process."""
+    inside = Path(folder) / f"inside-{os.getpid()}"
+    inside.touch()
+    deadline = time.monotonic() + PATIENCE_S
+    while not (Path(folder) / "gate").exists() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    inside.unlink()
+    return os.getpid()
+
+
+def endless(note: str) -> NoReturn:
+    """Notes its process and never ends."""
+    Path(note).write_text(str(os.getpid()))
+    while True:
+        pass
+
+
+def hungry() -> str:
+    """Takes more memory than a call may, after one; returns what became of it."""
+    from catalogs import load_catalogs
+    from service.work import Failure, Job, do_alone, packed
+
+    done = do_alone(Job("view", b'{"scene": {"rooms": []}}', "json", "json", packed(load_catalogs())))
+    assert not isinstance(done, Failure)
+    try:
+        return f"{done.status_code} took {len(bytearray(3 << 30))}"
+    except MemoryError:
+        return f"{done.status_code} refused"
+
+
+def fails(_: Job) -> Failure:
+    """A call that breaks."""
+    from service.work import Failure
+
+    return Failure("Traceback: secret insides")
