@@ -10,10 +10,11 @@ from typing import Any
 
 from catalogs import Catalogs
 from solver.scene import Scene
+from solver.validate.grid import Grid, boxes_of
 from solver.validate.kinds import Kinds
 from solver.validate.lattice import PER_METRE, Box
 from solver.validate.reaching import LEAST_FLOOR, missed_sides
-from solver.validate.walk import HEADROOM, Grid, Walk, walks
+from solver.validate.walk import HEADROOM, Walk, walks
 from solver.validate.world import WAYS, Place, World, world_of
 
 
@@ -27,14 +28,15 @@ def metrics(scene: Scene, catalogs: Catalogs | None = None) -> dict[str, Any]:
         used from a side, and how many of them can be.
     """
     world = world_of(scene)
-    measured = {place.room.id: _room(world, walk, place) for walk in walks(world) for place in walk.places}
+    walked = walks(world)
+    measured = {place.room.id: _room(world, walk, place) for walk in walked for place in walk.places}
     rooms = {room.id: measured[room.id] for room in scene.rooms}
     totals = {key: sum(room[key] for room in rooms.values()) for key in ("area", "clear", "covered", "walked")}
     answer = {"counts": _counts(scene), "area": round(totals["area"], 4), **_shares(totals)}
     answer["reached"] = sum(room["reached"] for room in rooms.values())
     answer["rooms"] = {name: _published(room) for name, room in rooms.items()}
     if catalogs is not None:
-        answer["use_sides"] = _use_sides(world, Kinds(catalogs))
+        answer["use_sides"] = _use_sides(walked, Kinds(catalogs))
     return answer
 
 
@@ -75,18 +77,18 @@ def _room(world: World, walk: Walk, place: Place) -> dict[str, Any]:
 
 
 def _free_area(place: Place, obstacles: list[Box]) -> float:
-    grid = Grid(place.outline.inside, obstacles)
+    grid = Grid(boxes_of(list(place.outline.inside)), boxes_of(obstacles))
     return grid.area(grid.free, (slice(None), slice(None))) / PER_METRE**2
 
 
-def _use_sides(world: World, kinds: Kinds) -> dict[str, int]:
-    met = list(_met(world, kinds))
+def _use_sides(walked: tuple[Walk, ...], kinds: Kinds) -> dict[str, int]:
+    met = list(_met(walked, kinds))
     return {"wanted": len(met), "reached": sum(met)}
 
 
-def _met(world: World, kinds: Kinds) -> Iterator[bool]:
+def _met(walked: tuple[Walk, ...], kinds: Kinds) -> Iterator[bool]:
     """Tells for each piece that is used from a side whether it can be."""
-    for walk in walks(world):
+    for walk in walked:
         for place in walk.places:
             entered = walk.floor(place) >= LEAST_FLOOR
             for body in place.bodies:

@@ -5,6 +5,8 @@ Comes in: a grid of free and taken cells. Goes out: each free cell's patch. May 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -26,11 +28,11 @@ def label(free: NDArray[np.bool_]) -> NDArray[np.int64]:
     above, below = runs[:-1], runs[1:]
     meet = (above > 0) & (below > 0)
     meet[:, 1:] &= (above[:, 1:] != above[:, :-1]) | (below[:, 1:] != below[:, :-1])
-    patches = _joined(int(starts.sum()), zip(above[meet].tolist(), below[meet].tolist(), strict=True))
+    patches = joined(int(starts.sum()), zip(above[meet].tolist(), below[meet].tolist(), strict=True))
     return np.array(patches, dtype=np.int64)[runs]
 
 
-def _joined(count: int, pairs: zip[tuple[int, int]]) -> list[int]:
+def joined(count: int, pairs: Iterable[tuple[int, int]]) -> list[int]:
     """Returns each run's patch, for runs 1 to count; runs of a pair are of one patch. Entry 0 is 0."""
     first = list(range(count + 1))
     for pair in pairs:

@@ -67,7 +67,8 @@ def _issue(rule: str, room: str | None, found: Finding) -> Issue:
 
 def _homeless(scene: Scene) -> Iterator[Issue]:
     """People and pets that are in no room of the scene leave every room's floor."""
+    known = {room.id for room in scene.rooms}
     for person in scene.dynamic:
-        if home_of(scene, person) is None:
+        if home_of(scene, person) not in known:
             message = f"{person.id} is in no room of the scene ({person.room or 'none given'})"
             yield _issue("out_of_bounds", None, Finding((person.id,), 0, message))

@@ -60,16 +60,19 @@ def _outside(place: Place, box: Box) -> tuple[int, str]:
 
 def overlap(_: World, place: Place) -> Iterator[Finding]:
     """Two bodies share space; but a chair may be tucked under its table, and a thing may stand on another."""
-    ranked = sorted(range(len(place.bodies)), key=lambda index: place.bodies[index].box.x0)
-    pairs: list[tuple[int, int]] = []
+    bounds = place.outline.bounds
+    axis = 0 if bounds.x1 - bounds.x0 >= bounds.z1 - bounds.z0 else 1
+    ranked = sorted(range(len(place.bodies)), key=lambda index: place.bodies[index].box[axis])
+    found: list[tuple[tuple[int, int], Finding]] = []
     for position, index in enumerate(ranked):
-        end = place.bodies[index].box.x1
-        for other in ranked[position + 1 :]:
-            if place.bodies[other].box.x0 >= end:
+        end = place.bodies[index].box[axis + 2]
+        for later in range(position + 1, len(ranked)):
+            other = ranked[later]
+            if place.bodies[other].box[axis] >= end:
                 break
-            pairs.append((min(index, other), max(index, other)))
-    for first, second in sorted(pairs):
-        yield from _collision(place.bodies[first], place.bodies[second])
+            first, second = sorted((index, other))
+            found += (((first, second), finding) for finding in _collision(place.bodies[first], place.bodies[second]))
+    yield from (finding for _, finding in sorted(found))
 
 
 def _collision(a: Body, b: Body) -> Iterator[Finding]:
@@ -140,12 +143,10 @@ def squares(world: World, place: Place) -> Iterator[Square]:
         if hole.opening.kind in DOOR_KINDS:
             yield Square(hole, hole.edge.strip(hole.start, hole.end, _square_depth(hole)))
     own = {opening.id for opening in place.room.openings}
-    for other in world.places:
-        for hole in other.holes:
-            leads_here = other is not place and hole.opening.connects_to == place.room.id and hole.opening.id not in own
-            if leads_here and hole.opening.kind in DOOR_KINDS:
-                box = hole.edge.strip(hole.start, hole.end, 0, outwards=_square_depth(hole))
-                yield Square(hole, box.moved(other.x - place.x, other.z - place.z))
+    for other, hole in world.leading_to.get(place.room.id, ()):
+        if other is not place and hole.opening.id not in own and hole.opening.kind in DOOR_KINDS:
+            box = hole.edge.strip(hole.start, hole.end, 0, outwards=_square_depth(hole))
+            yield Square(hole, box.moved(other.x - place.x, other.z - place.z))
 
 
 def _square_depth(hole: Hole) -> int:

@@ -95,21 +95,29 @@ class World:
         """The rooms by id."""
         return {place.room.id: place for place in self.places}
 
+    @cached_property
+    def leading_to(self) -> Mapping[str, Sequence[tuple[Place, Hole]]]:
+        """Every opening, with the room that lists it, by the id of what it connects to."""
+        found: dict[str, list[tuple[Place, Hole]]] = {}
+        for place in self.places:
+            for hole in place.holes:
+                if hole.opening.connects_to is not None:
+                    found.setdefault(hole.opening.connects_to, []).append((place, hole))
+        return found
+
 
 def world_of(scene: Scene) -> World:
     """Reads a scene into exact numbers."""
-    people: dict[str, list[Dynamic]] = {}
+    people: dict[str | None, list[Dynamic]] = {}
     for person in scene.dynamic:
-        people.setdefault(home_of(scene, person) or "", []).append(person)
+        people.setdefault(home_of(scene, person), []).append(person)
     places = tuple(_place(room, people.get(room.id, [])) for room in scene.rooms)
     return World(scene, exact(scene.wall_thickness) // 2, exact(_robot_width(scene)), places)
 
 
 def home_of(scene: Scene, person: Dynamic) -> str | None:
-    """Returns the id of the room a person or pet is in; None where the scene has no such room."""
-    if person.room is None and len(scene.rooms) == 1:
-        return scene.rooms[0].id
-    return next((room.id for room in scene.rooms if room.id == person.room), None)
+    """Returns the id of the room that a person or pet says it is in; the only room's where it does not say."""
+    return scene.rooms[0].id if person.room is None and len(scene.rooms) == 1 else person.room
 
 
 def _robot_width(scene: Scene) -> float:
