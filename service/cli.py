@@ -60,7 +60,7 @@ def _add_format(command: ArgumentParser) -> None:
 
 
 def _add_catalog(command: ArgumentParser) -> None:
-    command.add_argument("--catalog", metavar="DIR", help="a folder of your own catalog files, laid over ours")
+    command.add_argument("--catalog", metavar="DIR", help="a folder of catalog files to use")
 
 
 def _add_scene(command: ArgumentParser) -> None:
