@@ -58,6 +58,7 @@ export class Stage {
     const height = Number(this.#cut.value);
     within("cut_words").textContent = `${height.toFixed(1)} m`;
     this.#house?.cutAt(height);
+    this.#labels.raiseTo(height);
     this.#viewport.castShadows();
   }
 

@@ -11,6 +11,7 @@ interface RoomLabel {
   width: number;
   height: number;
   readonly at: Vector3;
+  readonly elevation: number;
   readonly area: number;
 }
 
@@ -34,6 +35,7 @@ function roomLabel(room: Room, elevation: number): RoomLabel {
     width: 0,
     height: 0,
     at: new Vector3(room.x + room.width / 2, elevation, room.z + room.depth / 2),
+    elevation,
     area: room.width * room.depth,
   };
 }
@@ -52,6 +54,12 @@ export class Labels {
     this.#tip.hidden = true;
     layer.append(this.#tip);
     viewport.onFrame(() => this.#follow());
+  }
+
+  /** Puts the rooms' names where their walls end [m]: there they are seen over the room they belong to. */
+  raiseTo(height: number): void {
+    for (const { at, elevation } of this.#rooms) at.y = Math.max(elevation, height);
+    this.viewport.invalidate();
   }
 
   show(scene: Scene): void {
