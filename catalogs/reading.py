@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Hashable
+from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import blake2b
 from pathlib import Path
@@ -63,35 +64,60 @@ _Loader.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile(r"^(?:true|Tr
 
 
 def load_catalogs(directory: Path | None = None) -> Catalogs:
-    """Reads and checks the catalogs of a directory (default: ours, read once).
+    """Reads and checks our catalogs (once), or those with a directory's own laid over them.
 
     Args:
-        directory: holds furniture.yaml, floorings.yaml and rooms/*.yaml (a file's stem is the room type's name).
+        directory: holds any of furniture.yaml, floorings.yaml and rooms/*.yaml (a file's stem is the room type's name).
+            What it names anew is added; what ours has too is replaced.
 
     Raises:
-        CatalogError: a file is missing, not YAML, or says something that cannot be; the first fault found.
+        CatalogError: a file cannot be read, is not YAML, or says something that cannot be; the first fault found.
     """
-    return _default() if directory is None else _load(directory)
+    return _default() if directory is None else _checked(_laid_over(_layer(HERE), _layer(directory)))
 
 
 @lru_cache(maxsize=1)
 def _default() -> Catalogs:
-    return _load(HERE)
+    return _checked(_layer(HERE))
 
 
-def _load(directory: Path) -> Catalogs:
-    furniture_file, floorings_file = directory / "furniture.yaml", directory / "floorings.yaml"
+@dataclass(frozen=True)
+class _Layer:
+    """What one directory says, and by (section, name) which file says it."""
+
+    furniture: dict[str, Furniture]
+    floorings: dict[str, FlooringSpec]
+    rooms: dict[str, RoomType]
+    files: dict[tuple[str, str], Path]
+
+
+def _layer(directory: Path) -> _Layer:
     room_files = {path.stem: path for path in sorted((directory / "rooms").glob("*.yaml"))}
-    if not room_files:
-        raise CatalogError(str(directory / "rooms"), "", 1, "there is no room type", "at least one file <type>.yaml")
-    catalogs = Catalogs(
-        furniture=_read(furniture_file, _FURNITURE),
-        floorings=_read(floorings_file, _FLOORINGS),
-        rooms={name: _read(path, _ROOM) for name, path in room_files.items()},
-        fingerprint="",
+    paths = {"furniture": directory / "furniture.yaml", "floorings": directory / "floorings.yaml"}
+    if not room_files and not any(path.exists() for path in paths.values()):
+        raise CatalogError(str(directory), "", 1, "holds no catalog", "furniture.yaml, floorings.yaml, rooms/<type>.yaml")
+    furniture = _read(paths["furniture"], _FURNITURE) if paths["furniture"].exists() else {}
+    floorings = _read(paths["floorings"], _FLOORINGS) if paths["floorings"].exists() else {}
+    files = {("rooms", name): path for name, path in room_files.items()}
+    files |= {("furniture", kind): paths["furniture"] for kind in furniture}
+    return _Layer(furniture, floorings, {name: _read(path, _ROOM) for name, path in room_files.items()}, files)
+
+
+def _laid_over(below: _Layer, above: _Layer) -> _Layer:
+    return _Layer(
+        below.furniture | above.furniture,
+        below.floorings | above.floorings,
+        below.rooms | above.rooms,
+        below.files | above.files,
     )
+
+
+def _checked(layer: _Layer) -> Catalogs:
+    """Checks that everything fits together and gives it its fingerprint."""
+    catalogs = Catalogs(furniture=layer.furniture, floorings=layer.floorings, rooms=layer.rooms, fingerprint="")
     for fault in faults(catalogs):
-        raise _located(room_files[fault.room] if fault.room else furniture_file, fault)
+        section = ("rooms", fault.room) if fault.room else ("furniture", str(fault.at[0]))
+        raise _located(layer.files[section], fault)
     return catalogs.model_copy(update={"fingerprint": fingerprint(catalogs)})
 
 

@@ -150,14 +150,29 @@ def test_broken_yaml_names_file_key_and_line(edit: Mend, slip: Slip) -> None:
     assert slip.says in error.problem
 
 
-def test_a_missing_file_is_named(copy: Path) -> None:
-    (copy / "floorings.yaml").unlink()
-    assert fault(copy).file == str(copy / "floorings.yaml")
+@pytest.mark.parametrize("name", ["nowhere", "."])
+def test_a_directory_without_catalogs_is_named(tmp_path: Path, name: str) -> None:
+    assert fault(tmp_path / name).file == str(tmp_path / name)
 
 
-def test_no_room_types_are_a_fault(copy: Path) -> None:
-    shutil.rmtree(copy / "rooms")
-    assert "room type" in fault(copy).problem
+def test_what_a_directory_says_lies_over_ours(tmp_path: Path) -> None:
+    (tmp_path / "furniture.yaml").write_text(
+        "bed: {category: bed, size: [1.5, 2.0, 0.8], color: '#112233', mass: 50, stands: wall}\n"
+        "throne: {category: seating, size: [1.0, 1.0, 1.5], color: '#ddaa00', mass: 80, stands: free}\n"
+    )
+    ours, known = load_catalogs(), load_catalogs(tmp_path)
+    assert known.furniture["bed"].size == (1.5, 2.0, 0.8)
+    assert set(known.furniture) == {*ours.furniture, "throne"}
+    assert (known.rooms, known.floorings) == (ours.rooms, ours.floorings)
+    assert known.fingerprint != ours.fingerprint
+
+
+def test_a_fault_between_the_layers_names_the_file_that_causes_it(tmp_path: Path) -> None:
+    (tmp_path / "rooms").mkdir()
+    path = tmp_path / "rooms" / "den.yaml"
+    path.write_text("area: {min: [4, 4], typical: 5, max: 9}\nflooring: wood\naccent: '#112233'\npieces:\n  - piece: trone\n")
+    error = fault(tmp_path)
+    assert (error.file, error.key, error.line) == (str(path), "pieces.0.piece", 5)
 
 
 def test_a_file_that_is_no_mapping_is_a_fault(copy: Path) -> None:
@@ -165,7 +180,7 @@ def test_a_file_that_is_no_mapping_is_a_fault(copy: Path) -> None:
     assert fault(copy).file.endswith("bedroom.yaml")
 
 
-def test_a_new_room_type_is_one_file(copy: Path) -> None:
+def test_a_new_room_type_is_one_file(tmp_path: Path) -> None:
     text = """
     area: {min: [3, 4], typical: 5, max: 8}
     flooring: wood
@@ -176,6 +191,7 @@ def test_a_new_room_type_is_one_file(copy: Path) -> None:
       - piece: laundry_basket
         rules: [{type: on, of: hall_bench, cost: 1}]
     """
-    (copy / "rooms" / "sauna.yaml").write_text(text)
-    sauna = load_catalogs(copy).rooms["sauna"]
+    (tmp_path / "rooms").mkdir()
+    (tmp_path / "rooms" / "sauna.yaml").write_text(text)
+    sauna = load_catalogs(tmp_path).rooms["sauna"]
     assert [piece.rules[0].type for piece in sauna.pieces] == ["against_wall", "on"]
