@@ -10,12 +10,16 @@ from dataclasses import replace
 
 from catalogs import Catalogs, load_catalogs
 from solver.furnish import space_of
-from solver.pipeline.mend import Mended, mend_room
+from solver.pipeline.mend import Mended, Terms, mend_room
 from solver.pipeline.timing import Clock, Timing
+from solver.placement import ROOM_WORK
 from solver.repair import Wishes, all_bodies
 from solver.scene import Conflict, Fixed, Issue, Move, Scene, check_ids, robot_width_of
 from solver.validate import validate
 
+SCENE_WORK = 400_000.0
+"""Work one scene may cost, in QPs of a small room, dealt to its rooms alike: by their number, not by how many are broken,
+so that a repaired scene is repaired on the same terms again."""
 MOVED = 0.001
 """A body that moved by more, m, is listed in `moves` (contract)."""
 
@@ -50,11 +54,12 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     broken = {issue.room for issue in validate(scene, known) if issue.severity == "error"}
     timing.lap("validate")
     wishes = Wishes(frozenset(locked), frozenset(moved), _required_kinds(known))
+    terms = Terms(wishes, scene.wall_thickness, on_conflict, min(ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1)))
     mended = []
     for room in scene.rooms:
         if room.id in broken:
             space = space_of(room, scene.wall_thickness, robot_width_of(scene))
-            mended.append(mend_room(room, space, scene.wall_thickness, wishes, on_conflict))
+            mended.append(mend_room(room, space, terms))
         else:
             mended.append(Mended(room))
     fixed = replace(scene, rooms=tuple(result.room for result in mended)) if broken else scene

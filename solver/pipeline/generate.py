@@ -28,6 +28,8 @@ WALL_THICKNESS = 0.1
 """Thickness of the walls of generated houses, m (contract)."""
 STOREY_HEIGHT = 2.8
 """Height of a storey, m (contract's example)."""
+SHIFTED_ROOMS = 40
+"""Rooms of a house whose doors are tried elsewhere; a house with more rooms too small for their type keeps the rest."""
 SHIFTS = 6
 """Places tried for each door of a room whose required piece does not fit."""
 
@@ -80,9 +82,9 @@ def generate(
 def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
     """Furnishes all rooms, shifting a door where a required piece would not fit otherwise."""
     arrangements = _arrangements(plan.rooms, setting)
-    for room in plan.rooms:
-        if _missing(arrangements[room.id], room, setting.catalogs):
-            plan = _shift_doors(plan, room.id, arrangements, setting)
+    lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting.catalogs)]
+    for room_id in lacking[:SHIFTED_ROOMS]:
+        plan = _shift_doors(plan, room_id, arrangements, setting)
     return plan, arrangements
 
 
@@ -111,13 +113,26 @@ def _shift_doors(plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangem
             continue
         for position in door_positions(plan, opening.id)[:SHIFTS]:
             shifted = with_door_at(plan, opening.id, position)
-            sides = [other for other in shifted.rooms if any(o.id == opening.id for o in other.openings)]
-            tried = _arrangements(sides, setting)
-            before = sum(_missing(arrangements[side.id], side, setting.catalogs) for side in sides)
-            if sum(_missing(tried[side.id], side, setting.catalogs) for side in sides) < before:
+            tried = _improved(shifted, room_id, opening.id, arrangements, setting)
+            if tried is not None:
                 arrangements.update(tried)
                 return shifted
     return plan
+
+
+def _improved(
+    shifted: FloorPlan, room_id: str, door: str, arrangements: Mapping[str, Arrangement], setting: _Setting
+) -> dict[str, Arrangement] | None:
+    """Furnishes both sides of a shifted door anew; returns them if more required pieces stand, both sides counted."""
+    sides = [room for room in shifted.rooms if any(opening.id == door for opening in room.openings)]
+    sides.sort(key=lambda side: side.id != room_id)
+    gained, tried = 0, dict[str, Arrangement]()
+    for side in sides:
+        tried |= _arrangements([side], setting)
+        gained += _missing(arrangements[side.id], side, setting.catalogs) - _missing(tried[side.id], side, setting.catalogs)
+        if gained <= 0:
+            return None
+    return tried
 
 
 def _written(rooms: Iterable[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> tuple[Room, ...]:

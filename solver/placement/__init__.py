@@ -4,8 +4,9 @@ Comes in: rooms as (Space, wanted pieces). Goes out: Arrangements on the millime
 left out. May import: the ground floor. Not here: rules of room types (furnish), the contract's rules (validate).
 """
 
-from solver.placement.arrange import arrange, feasible
+from solver.placement.arrange import arrange_as_wished, feasible
 from solver.placement.explain import minimal_conflict
 from solver.placement.settle import place, settle
+from solver.placement.states import ROOM_WORK, Budget
 
-__all__ = ["arrange", "feasible", "minimal_conflict", "place", "settle"]
+__all__ = ["ROOM_WORK", "Budget", "arrange_as_wished", "feasible", "minimal_conflict", "place", "settle"]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from solver.geometry import WALL_BEHIND, Rect, strip
 from solver.placement.arrange import feasible
+from solver.placement.states import Budget
 from solver.wanted import Alternative, Placed, Space, Wanted
 
 _WALLS = tuple(WALL_BEHIND.values())
@@ -47,7 +48,7 @@ def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
     return f"{size} and a free way to it; the room is {_size(space.clear)} and holds {len(placed)} pieces"
 
 
-def minimal_conflict(space: Space, pieces: Sequence[Wanted], missing: str) -> tuple[str, ...] | None:
+def minimal_conflict(space: Space, pieces: Sequence[Wanted], missing: str, budget: Budget | None = None) -> tuple[str, ...] | None:
     """Finds a minimal set of pieces that cannot stand together.
 
     Pieces are added, `missing` first, until they are infeasible; then a deletion filter: a piece whose absence
@@ -57,9 +58,10 @@ def minimal_conflict(space: Space, pieces: Sequence[Wanted], missing: str) -> tu
         Labels, in the order given, such that they alone are infeasible and without any one of them the rest of them is
         feasible; None where a limit left a question open or all can stand.
     """
+    allowed = budget or Budget()
 
     def verdict(labels: set[str]) -> bool | None:
-        return feasible(space, [piece for piece in pieces if piece.label in labels])
+        return feasible(space, [piece for piece in pieces if piece.label in labels], allowed)
 
     members: set[str] = set()
     for label in (missing, *(piece.label for piece in pieces)):

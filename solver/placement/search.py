@@ -32,6 +32,7 @@ class Outcome:
 
     `positions` (m, per axis and variable) and `rows` (the option each choice took) are None
     and empty when nothing was found. `proven`: the tree was exhausted, so this is the optimum, or there is none.
+    `turned_down` counts the placements that the last test refused: with any, "none" speaks of these anchors alone.
     """
 
     cost: float
@@ -39,6 +40,7 @@ class Outcome:
     rows: tuple[Row, ...]
     proven: bool
     solves: int
+    turned_down: int = 0
 
 
 @dataclass(frozen=True)
@@ -87,7 +89,7 @@ class Search:
         self.table = _Table(problem)
         self.best_cost = ceiling
         self.best: _Node | None = None
-        self.solves = 0
+        self.solves = self.turned_down = 0
 
     def run(self) -> Outcome:
         """Runs the search to its end or limit."""
@@ -106,6 +108,8 @@ class Search:
                 stack.extend(reversed(self._branch(node, violated)))
             elif self.accept is None or self.accept(node.positions):
                 self.best, self.best_cost = node, node.cost
+            else:
+                self.turned_down += 1
         return self._outcome(exhausted)
 
     def _root(self) -> _Node | None:
@@ -155,9 +159,9 @@ class Search:
 
     def _outcome(self, exhausted: bool) -> Outcome:
         if self.best is None:
-            return Outcome(float("inf"), None, (), exhausted, self.solves)
+            return Outcome(float("inf"), None, (), exhausted, self.solves, self.turned_down)
         taken = self._taken(self.best) if self.problem.choices else ()
-        return Outcome(self.best.cost, self.best.positions, taken, exhausted, self.solves)
+        return Outcome(self.best.cost, self.best.positions, taken, exhausted, self.solves, self.turned_down)
 
     def _taken(self, node: _Node) -> tuple[Row, ...]:
         """Returns the option each choice took: the one branched on, else the one that holds with most slack."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.geometry import Rect
-from solver.placement.arrange import Draft, arrange, walkable_at
+from solver.placement.arrange import Draft, arrange
 from solver.placement.explain import why_left_out
 from solver.placement.qp import Decided, solve_house
 from solver.placement.snap import snap
+from solver.placement.states import walkable_at
 from solver.placement.terms import Floats
 from solver.wanted import Arrangement, Placed, Space, Wanted
 

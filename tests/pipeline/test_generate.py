@@ -63,9 +63,7 @@ def test_the_same_request_gives_the_same_bytes_in_new_processes() -> None:
         "sys.stdout.buffer.write(dump_text(write_scene(generate(Request(seed=42)).scene), 'json'))"
     )
     for hash_seed in ("1", "2"):
-        run = subprocess.run(
-            [sys.executable, "-c", code], capture_output=True, check=True, env={"PYTHONHASHSEED": hash_seed}
-        )
+        run = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, env={"PYTHONHASHSEED": hash_seed})
         assert run.stdout == scene_bytes(seed=42)
 
 

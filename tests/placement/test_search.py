@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import Bounds, LinearConstraint, milp
 
 from solver.geometry import Rect
-from solver.placement.arrange import options
+from solver.placement.states import options
 from solver.placement.assemble import Assembly, Impossible
 from solver.placement.problem import Problem
 from solver.placement.search import solve
