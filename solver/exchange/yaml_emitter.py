@@ -12,7 +12,7 @@ from typing import Any, Final
 _PLAIN: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_./|@+-]*( [A-Za-z0-9_./|@+-]+)*")
 _RESERVED: Final = frozenset({"null", "true", "false", "yes", "no", "on", "off"})
 """Words that YAML 1.1 or 1.2 takes for something else than a text."""
-_UNPRINTABLE: Final = re.compile("[^ -~\u00a1-\u1fff\u2030-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]|[\"\\\\]")
+_UNPRINTABLE: Final = re.compile('[^ -~\u00a1-\u1fff\u2030-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]|["\\\\]')
 _SHORT: Final = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t"}
 
 

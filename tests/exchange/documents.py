@@ -59,9 +59,7 @@ FURNITURE = record(
     locked=st.booleans(),
     **pose(),
 )
-DECORATIONS = record(
-    types.Decoration, name=TEXTS, parent=st.none() | TEXTS, mounted_on_wall=WALLS, color=st.none() | TEXTS, **pose()
-)
+DECORATIONS = record(types.Decoration, name=TEXTS, parent=st.none() | TEXTS, mounted_on_wall=WALLS, color=st.none() | TEXTS, **pose())
 DYNAMIC = record(types.Dynamic, kind=TEXTS, room=st.none() | TEXTS, **pose())
 OPENINGS = record(
     types.Opening,
@@ -80,9 +78,7 @@ OPENINGS = record(
     edge=st.none() | st.integers(0, 3),
 )
 SIDES = st.none() | st.builds(types.Sides, *[st.booleans()] * 4)
-OUTLINE = st.tuples(SIZES, SIZES).filter(lambda size: min(size) > 1e-3).map(
-    lambda size: ((0.0, 0.0), (size[0], 0.0), size, (0.0, size[1]))
-)
+OUTLINE = st.tuples(SIZES, SIZES).filter(lambda size: min(size) > 1e-3).map(lambda size: ((0.0, 0.0), (size[0], 0.0), size, (0.0, size[1])))
 
 
 @st.composite
