@@ -26,8 +26,8 @@ PROGRAMME: Final = (
 people build: a second bathroom by the seventh room, a garage by the eleventh, a family room in large houses."""
 ONCE: Final = ("kitchen", "bedroom_master", "dining_room", "laundry", "garage")
 """Types of which a house wishes one, and one more for every 40 rooms."""
-HOUSEHOLD: Final = ("kitchen", "garage")
-"""Types whose repetition makes two households of a house: it costs thrice as much."""
+HOUSEHOLD: Final = ("kitchen", "garage", "laundry", "workshop")
+"""Types whose repetition makes two households of a house, or looks odd in a home: it costs thrice as much."""
 FOYER: Final = (1.5, 3.0)
 """Cost of a hallway that is a whole room: without and with an outside wall, which a living space would want more."""
 OUTDOOR: Final = ("backyard", "patio")
