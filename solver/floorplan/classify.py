@@ -73,7 +73,7 @@ class _Draft:
 
     def __init__(self, fitness: Fitness, request: Request) -> None:
         layout = fitness.layout
-        self.fitness, self.area = fitness, [rect.area_m2 for rect in layout.rooms]
+        self.fitness, self.area = fitness, fitness.area
         self.types: list[str | None] = ["hallway" if i < layout.hallways else None for i in range(len(layout.rooms))]
         for index, name in request.force_types.items():
             self.types[index] = name

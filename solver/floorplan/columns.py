@@ -26,6 +26,8 @@ PUBLIC: Final = 2
 """Cells of a living or dining room with rooms behind it: a house has one of each."""
 BLOCK: Final = (1.02, 1.2, 1.3)
 """Rooms beside a side hallway: drawn between the first two, at most the third times the least width. Our choice."""
+FRONT: Final = 1.1
+"""The front room of a cell is at least this much deeper than the back: the smallest room is never walked through."""
 FAIR: Final = 0.7
 """A room's side is at least this part of that of a square of its fair share of the floor. Our choice."""
 
@@ -128,6 +130,8 @@ class Columns:
     def _widths(self, plot: Plot, role: str, stream: Stream) -> tuple[int, int]:
         """Returns a width drawn for a role and the greatest it may have, mm; the first is greater where it cannot be."""
         deep, least, never = plot.length(OTHER[plot.run]), self.least, (1, 0)
+        if role in self.books.left and deep < (1 + FRONT) * least:
+            return never
         if role == "suite":
             low, high = max(least, -(-(deep - least) // ASPECT)), min(self.books.suite_mm, ASPECT * least)
             return (round(stream.uniform(low, min(high, low * 1.1))), high) if low <= high else never
@@ -158,9 +162,7 @@ class Columns:
     def build(self, plot: Plot) -> bool:
         """Builds a column's role, or in a column without one the first that fits; False where it stays whole."""
         if plot.role == "suite":
-            front, rear = self._front_and_back(plot, self.slim(plot.length(plot.run)))
-            self._cell(plot, front, [rear])
-            return True
+            return self._suite(plot)
         if plot.role == "public":
             return self._public(plot)
         corner = self.books.corner(plot, 0) or self.books.corner(plot, 1)
@@ -169,12 +171,21 @@ class Columns:
             return True
         return self._alcove(plot)
 
+    def _suite(self, plot: Plot) -> bool:
+        """A bedroom with a bathroom behind it."""
+        back = self.slim(plot.length(plot.run))
+        if plot.length(OTHER[plot.run]) < (1 + FRONT) * back:
+            return False
+        front, rear = self._front_and_back(plot, back)
+        self._cell(plot, front, [rear])
+        return True
+
     def _public(self, plot: Plot) -> bool:
         """A living or dining room with one room behind it, or two where it is wide."""
         wide, deep = plot.length(plot.run), plot.length(OTHER[plot.run])
         twice = wide >= 2 * self.least and self.books.spare(plot) >= 3
         back = max(self.slim(-(-wide // 2) if twice else wide), deep * 2 // 5)
-        if deep - back < self.slim(wide) or (twice and back > ASPECT * (wide // 2)):
+        if deep - back < max(self.slim(wide), FRONT * back) or (twice and back > ASPECT * (wide // 2)):
             return False
         front, rear = self._front_and_back(plot, back)
         at = span(rear, plot.run)[0] + max(wide // 2 // ROUND_MM * ROUND_MM, self.least)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Final
 
 from catalogs.schema import RoomType
@@ -24,6 +25,8 @@ WIDE_WALL_MM: Final = 3000
 """Shared wall from which a passage is wide: what is left takes a sofa's end. Our choice."""
 JAMB_MM: Final = 100
 """Least wall between an opening and the end of its stretch of wall (floorplan.md: ends + 0.55 m)."""
+LEAST_JAMB_MM: Final = 50
+"""Least jamb of an opening as wide as its wall allows: half a wall, or it would cut into the wall at the corner."""
 STEP_MM: Final = 100
 """Distance of the places tried along a wall (floorplan.md)."""
 SQUARE_MM: Final = 900
@@ -32,6 +35,10 @@ COLLISION: Final = 1000.0
 """Score of a leaf that meets a leaf or another door's square, or of two openings in one place."""
 CROWDED: Final = 10.0
 """Score of two doors' squares that overlap in a furnished room (floorplan.md)."""
+EJECTIONS: Final = 3
+"""How many doors in a row may give way to one another in a house too small for doors in the middle of walls."""
+TRIES: Final = 2000
+"""Places tried in all for them: a count, so that the same request always ends the same way."""
 SHIFTED: Final = 0.5
 """Score of a place other than the middle (floorplan.md)."""
 
@@ -101,15 +108,23 @@ class Doorways:
         for room in cut.sides:
             self._by_room.setdefault(room, []).append(self._side(cut, room))
 
-    def move(self, old: Cut, new: Cut) -> None:
-        """Puts an opening in the place of another of the same rooms."""
-        self.cuts[self.cuts.index(old)] = new
-        for room in old.sides:
-            self._by_room[room] = [self._side(new, room) if side.cut is old else side for side in self._by_room[room]]
+    def remove(self, cut: Cut) -> None:
+        """Takes an opening out again."""
+        self.cuts.remove(cut)
+        for room in cut.sides:
+            self._by_room[room] = [side for side in self._by_room[room] if side.cut is not cut]
 
-    def walkable(self, rooms: Sequence[int]) -> list[Cut]:
-        """Returns the doors and passages of some rooms."""
-        return list(dict.fromkeys(side.cut for room in rooms for side in self._by_room.get(room, ()) if side.square is not None))
+    def restore(self, cuts: Sequence[Cut]) -> None:
+        """Goes back to the openings there were."""
+        for cut in [cut for cut in self.cuts if cut not in cuts]:
+            self.remove(cut)
+        for cut in [cut for cut in cuts if cut not in self.cuts]:
+            self.add(cut)
+
+    def colliding(self, cut: Cut) -> list[Cut]:
+        """Returns the openings that this one cannot stand together with."""
+        others = dict.fromkeys(side.cut for room in cut.sides for side in self._by_room.get(room, ()) if side.cut.id != cut.id)
+        return [other for other in others if sum(self._against(cut, room, other) for room in cut.sides) >= COLLISION]
 
     def plan_of(self, room: int) -> RoomType:
         """Returns the type of a room."""
@@ -125,16 +140,20 @@ class Doorways:
         return sum(self._score_in(cut, room) for room in cut.sides)
 
     def _score_in(self, cut: Cut, room: int) -> float:
-        side, total = self._side(cut, room), 0.0
-        for other in self._by_room.get(room, ()):
-            if other.cut.id == cut.id:
-                continue
-            if side.wall == other.wall and max(side.low, other.low) < min(side.high, other.high) + JAMB_MM:
-                total += COLLISION
-            elif side.square is not None and other.square is not None and side.square.overlaps(other.square):
-                swept = room in (cut.leaf, other.cut.leaf)
-                total += COLLISION if swept else 0.0 if self.types[room] == "hallway" else CROWDED
-        return total
+        side = self._side(cut, room)
+        return sum(self._meeting(side, other, room) for other in self._by_room.get(room, ()) if other.cut.id != cut.id)
+
+    def _against(self, cut: Cut, room: int, other: Cut) -> float:
+        return self._meeting(self._side(cut, room), self._side(other, room), room) if room in other.sides else 0.0
+
+    def _meeting(self, side: _Side, other: _Side, room: int) -> float:
+        if side.wall == other.wall and max(side.low, other.low) < min(side.high, other.high) + JAMB_MM:
+            return COLLISION
+        if side.square is None or other.square is None or not side.square.overlaps(other.square):
+            return 0.0
+        if room in (side.cut.leaf, other.cut.leaf):
+            return COLLISION
+        return 0.0 if self.types[room] == "hallway" else CROWDED
 
     def free(self, room: int, wall: str, low: int, high: int) -> bool:
         """Tells whether a stretch of an outside wall holds no opening."""
@@ -143,7 +162,7 @@ class Doorways:
 
     def best(self, cut: Cut, stretch: tuple[int, int]) -> tuple[float, Cut]:
         """Returns the best place of an opening in a stretch of wall, with its score."""
-        best = (2 * COLLISION, cut)
+        best = (inf, cut)
         for k, centre in enumerate(places(cut.width, stretch)):
             placed = cut.at(centre)
             score = self.score(placed) + SHIFTED * (k > 0)
@@ -169,7 +188,7 @@ def _square(rect: Rect, wall: str, low: int, high: int) -> Rect:
 def places(width: int, stretch: tuple[int, int]) -> Iterator[int]:
     """Yields the centres an opening may have in a stretch of wall: the middle, both ends, then every STEP_MM."""
     jamb = min(JAMB_MM, (stretch[1] - stretch[0] - width) // 2)
-    if jamb < 0:
+    if jamb < LEAST_JAMB_MM:
         return
     first, last = stretch[0] + jamb + width // 2, stretch[1] - jamb - width // 2
     middle = (first + last) // 2
@@ -189,11 +208,15 @@ def place_doors(doorways: Doorways, tree: Sequence[tuple[Joint, int]]) -> None:
     """Places the doors and passages of the tree, the shortest shared wall first."""
     walls = {(joint.a, joint.b): (joint.low, joint.high) for joint, _ in tree}
     for number, (joint, entered) in enumerate(sorted(tree, key=lambda item: (item[0].length, item[0])), start=1):
-        offers = [doorways.best(cut, (joint.low, joint.high)) for cut in _forms(doorways, joint, entered, number)]
-        fit = next((placed for score, placed in offers if score < COLLISION), None)
-        if fit is None:
-            fit = _make_room(doorways, joint, [placed for _, placed in offers], walls) or min(offers, key=lambda offer: offer[0])[1]
-        doorways.add(fit)
+        forms = tuple(_forms(doorways, joint, entered, number))
+        offers: list[tuple[float, Cut]] = []
+        for form in forms:
+            offers.append(doorways.best(form, (joint.low, joint.high)))
+            if offers[-1][0] < COLLISION:
+                break
+        score, placed = min(offers, key=lambda offer: offer[0])
+        if score < COLLISION or not any(_Shuffle(doorways, walls).add(form) for form in forms):
+            doorways.add(placed)
 
 
 def _forms(doorways: Doorways, joint: Joint, entered: int, number: int) -> Iterator[Cut]:
@@ -208,30 +231,39 @@ def _forms(doorways: Doorways, joint: Joint, entered: int, number: int) -> Itera
     yield replace(_passage(doorways, joint, number), width=LEAF_MM)
 
 
-def _make_room(doorways: Doorways, joint: Joint, forms: Sequence[Cut], walls: Mapping[tuple[int, int], tuple[int, int]]) -> Cut | None:
-    """Moves or turns one earlier door so that a new one fits; None where no single one helps."""
-    for old in doorways.walkable((joint.a, joint.b)):
-        stretch = doorways.layout.rooms[old.room].along(old.wall) if old.other is None else walls[min(old.sides), max(old.sides)]
-        current = old
-        for moved in _elsewhere(old, stretch):
-            doorways.move(current, moved)
-            current = moved
-            if doorways.score(moved) < COLLISION:
-                offers = (doorways.best(form, (joint.low, joint.high)) for form in forms)
-                fit = next((placed for score, placed in offers if score < COLLISION), None)
-                if fit is not None:
-                    return fit
-        doorways.move(current, old)
-    return None
+class _Shuffle:
+    """Adds an opening wherever the few others in its way can be added elsewhere in the same manner."""
 
+    def __init__(self, doorways: Doorways, walls: Mapping[tuple[int, int], tuple[int, int]]) -> None:
+        self.doorways, self.walls, self.tries = doorways, walls, TRIES
 
-def _elsewhere(cut: Cut, stretch: tuple[int, int]) -> Iterator[Cut]:
-    """Yields a door at every place of its wall, with its leaf as it is, then the other way."""
-    others = [room if room != cut.leaf else None for room in cut.sides] if cut.kind == "door" else []
-    leaves = [cut.leaf, *others[:1]] if cut.other is None else [cut.leaf, *(room for room in others if room is not None)]
-    for leaf in leaves:
-        for centre in places(cut.width, stretch):
-            yield replace(cut, centre=centre, leaf=leaf)
+    def add(self, cut: Cut, depth: int = EJECTIONS) -> bool:
+        """Adds the opening; False, and nothing changed, where none of a bounded number of tries works."""
+        for moved in self._variants(cut):
+            self.tries -= 1
+            if self.tries < 0:
+                return False
+            ejected = self.doorways.colliding(moved)
+            if len(ejected) > min(depth, 2) or any(other.kind not in ("door", "passage") for other in ejected):
+                continue
+            before = list(self.doorways.cuts)
+            for other in ejected:
+                self.doorways.remove(other)
+            self.doorways.add(moved)
+            if all(self.add(other, depth - 1) for other in ejected):
+                return True
+            self.doorways.restore(before)
+        return False
+
+    def _variants(self, cut: Cut) -> Iterator[Cut]:
+        """Yields an opening everywhere in its wall: as it is, with its leaf the other way, and at last without a leaf."""
+        stretch = self.doorways.layout.rooms[cut.room].along(cut.wall) if cut.other is None else self.walls[min(cut.sides), max(cut.sides)]
+        forms = [cut]
+        if cut.kind == "door":
+            forms += [replace(cut, leaf=leaf) for leaf in (cut.room, cut.other) if leaf != cut.leaf]
+        if cut.kind == "door" and cut.other is not None:
+            forms.append(replace(cut, id=cut.id.replace("door", "passage"), kind="passage", leaf=None))
+        return (form.at(centre) for form in forms for centre in places(cut.width, stretch))
 
 
 def _swings(doorways: Doorways, joint: Joint, entered: int) -> list[int]:

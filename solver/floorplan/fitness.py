@@ -18,8 +18,8 @@ CAR_DOOR_MM: Final = 2400
 """Width of a garage door, mm a car."""
 IMPOSSIBLE: Final = 1000.0
 """A cost no plain preference reaches: the type cannot be there."""
-DARK: Final = 9.0
-"""Cost of a habitable room without an outside wall: more than one of twice its largest area."""
+DARK: Final = 12.0
+"""Cost of a habitable room without an outside wall: more than one of three times its largest area."""
 MISFIT: Final = 6.0
 """From this cost on a type is no use of a room: it is too small, or half too large."""
 WET_APART: Final = 0.4
@@ -48,6 +48,8 @@ class Fitness:
                 self.children.setdefault(parent, []).append(child)
         self.cars = {name: cars_of(kind) for name, kind in rooms.items() if kind.plan.garage_door}
         self.wet = frozenset(name for name, kind in rooms.items() if kind.plan.wet)
+        self.area = [rect.area_m2 for rect in layout.rooms]
+        self._sides = [(min(rect.width, rect.depth), max(rect.width, rect.depth)) for rect in layout.rooms]
         self._shape: dict[tuple[int, str], float] = {}
 
     def shape(self, room: int, name: str) -> float:
@@ -58,20 +60,16 @@ class Fitness:
             self._shape[room, name] = known
         return known
 
-    def least_area(self, room: int, name: str) -> float:
-        """Returns the type's minimum area, m2, for the doors this room will have."""
-        return self.rooms[name].area.min[1 if room in self.ways.through else 0]
-
     def _area(self, room: int, name: str) -> float:
-        area, limits, least = self.layout.rooms[room].area_m2, self.rooms[name].area, self.least_area(room, name)
+        area, limits = self.area[room], self.rooms[name].area
+        least = limits.min[1 if room in self.ways.through else 0]
         if area < least:
             return 10.0 + 20.0 * (least - area) / least
         over = 2.0 + 8.0 * log(area / limits.max) if area > limits.max else 0.0
         return over + 0.7 * abs(log(area / limits.typical))
 
     def _form(self, room: int, name: str) -> float:
-        rect, kind = self.layout.rooms[room], self.rooms[name]
-        short, long = sorted((rect.width, rect.depth))
+        kind, (short, long) = self.rooms[name], self._sides[room]
         return (8.0 if short < round(kind.short_side * 1000) else 0.0) + max(0.0, long / short - kind.aspect)
 
     def _outside(self, room: int, name: str) -> float:
@@ -87,7 +85,7 @@ class Fitness:
         """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""
         parent, children = self.ways.parent[room], self.children.get(room)
         through = types[parent] if parent is not None else None
-        cost = IMPOSSIBLE if through is not None and passing_cost(through, name, self.rooms) >= THROUGH_OTHER else 0.0
+        cost = IMPOSSIBLE if through is not None and not self._leads(through, name) else 0.0
         if not children or self.rooms[name].plan.way_through:
             return cost
         return cost + sum(0.0 if self._may_own(name, child, types[child]) else IMPOSSIBLE for child in children)
@@ -97,8 +95,13 @@ class Fitness:
         if child in self.ways.through:
             return False
         if given is not None:
-            return passing_cost(name, given, self.rooms) < THROUGH_OTHER
+            return self._leads(name, given)
         return any(name in kind.plan.behind and self.shape(child, own) < MISFIT for own, kind in self.rooms.items())
+
+    def _leads(self, through: str, entered: str) -> bool:
+        """Tells whether one type may be entered through another, even where that bedroom becomes the children's."""
+        becomes = (through, "kids_bedroom") if through == "bedroom" else (through,)
+        return all(passing_cost(name, entered, self.rooms) < THROUGH_OTHER for name in becomes)
 
     def company(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by its neighbours: pipes together, the table by the kitchen."""
