@@ -10,11 +10,11 @@ import pytest
 from scipy.optimize import Bounds, LinearConstraint, milp
 
 from solver.geometry import Rect
-from solver.placement.states import options
 from solver.placement.assemble import Assembly, Impossible
 from solver.placement.problem import Problem
 from solver.placement.search import solve
 from solver.placement.snap import snap
+from solver.placement.states import options
 from solver.streams import Stream
 from tests.placement.rooms import random_size, random_space, random_wanted
 
