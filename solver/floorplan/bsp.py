@@ -18,7 +18,7 @@ from solver.streams import Stream
 
 SHARES: Final = (0.4, 0.6)
 """A cut falls in this part of a side; with it the predecessor's room counts are met (floorplan.md's table)."""
-MAX_ROOMS: Final = 1000
+MAX_ROOMS: Final = 256
 """Cutting stops here, the largest rectangles having been cut first: more rooms than anyone furnishes in seconds."""
 ROUND_MM: Final = 50
 """Cuts fall on multiples of 5 cm from the house's edge: dimensions a person would draw."""

@@ -70,11 +70,10 @@ def test_any_request_gives_a_sound_plan(request: Request) -> None:
 )
 def test_huge_houses_are_capped_and_whole(fields: dict[str, float]) -> None:
     plan = drawn(**fields)
-    assert 400 < len(plan.rooms) <= 1000
+    assert 240 < len(plan.rooms) <= 256
     assert checks.tiling(plan.rooms, fields["width"], fields["depth"]) == []
     assert len(checks.reached(plan.rooms)) == len(plan.rooms)
-    if len(plan.rooms) > 900:
-        assert any("1000 rooms" in note for note in plan.notes)
+    assert any("256 rooms" in note for note in plan.notes)
 
 
 def test_a_tiny_house_is_a_living_room_with_a_front_door() -> None:
