@@ -12,6 +12,7 @@ from starlette.requests import Request
 
 from service import wire
 from service.app import create_app
+from tests.service import apart
 
 Message = dict[str, Any]
 
@@ -35,7 +36,7 @@ def spoken(receive: Callable[[], Awaitable[Message]], **headers: str) -> tuple[l
     async def call() -> None:
         await create_app()(scope, counted, send)
 
-    anyio.run(call)
+    apart.run(call)
     return received, answered
 
 
@@ -92,4 +93,4 @@ def test_a_length_that_is_no_number_is_let_be(length: str) -> None:
         return {"type": "http.request", "body": b"{}", "more_body": False}
 
     lines = [(b"content-length", length.encode("latin-1"))]
-    assert anyio.run(wire.body_of, Request({"type": "http", "headers": lines}, small)) == b"{}"
+    assert apart.run(wire.body_of, Request({"type": "http", "headers": lines}, small)) == b"{}"

@@ -17,7 +17,7 @@ from service import calls, workers
 from service.refusals import Busy, TooMuch
 from service.work import Failure, Job, do, packed
 from service.workers import RUNNING, Workers
-from tests.service import heavy
+from tests.service import apart, heavy
 from tests.service.problems import entry_of, problem_of
 
 LONG = {"seed": 1, "width": 1000, "depth": 1000, "min_room_size": 1.5, "max_depth": 16}
@@ -60,7 +60,7 @@ def test_as_many_run_as_may_the_next_waits_and_one_more_is_turned_away(tmp_path:
                 await bench.run(heavy.process, str(tmp_path))
             (tmp_path / "gate").touch()
 
-    anyio.run(scene)
+    apart.run(scene)
     assert len(processes) == RUNNING + 1
     assert len(set(processes)) == RUNNING
     assert os.getpid() not in processes
@@ -79,7 +79,7 @@ def test_what_takes_too_long_is_ended_and_the_next_call_runs(tmp_path: Path, mon
         monkeypatch.setattr(workers, "SECONDS", heavy.PATIENCE_S)
         assert await bench.run(heavy.process, str(tmp_path)) != first == int(note.read_text())
 
-    anyio.run(scene)
+    apart.run(scene)
     assert not is_alive(int(note.read_text()))
 
 
@@ -87,7 +87,7 @@ def test_memory_is_bounded() -> None:
     async def scene() -> str:
         return await Workers().run(heavy.hungry)
 
-    assert anyio.run(scene) == "200 refused"
+    assert apart.run(scene) == "200 refused"
 
 
 def test_the_service_answers_while_all_workers_are_busy(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
