@@ -1,8 +1,8 @@
 # Compose: `make run` serves it, `make test` tests it. Both bring what they need into .tools/, .venv/ and web/node_modules/;
 # this machine needs python3, make and git, and `make test` may ask apt-get for Chromium. `make help` lists the rest.
 
-HOST = 127.0.0.1
-PORT = 8000
+HOST ?= 127.0.0.1
+PORT ?= 8000
 PYTHON3 = python3
 # The Pythons that every pinned dependency has a wheel for.
 PYTHON_VERSIONS = >=3.11,<3.15
