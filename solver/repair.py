@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any, TypeVar
 
 from solver.geometry import FACING, OPPOSITE, ROTATION_AT_WALL, WALL_BEHIND, Rect, half_m, rotate, turned
 from solver.scene import Decoration, Furniture, Room
@@ -31,6 +32,7 @@ FREE_COST = 1.0
 """What leaving its table costs a tucked chair."""
 
 Body = Furniture | Decoration
+T = TypeVar("T", Furniture, Decoration)
 Moved = Mapping[str, tuple[Body, Body]]
 
 
@@ -269,8 +271,8 @@ def written_back(room: Room, placed: Iterable[Placed], wishes: Wishes) -> Room:
         p = poses.get(body.id)
         if p is not None and not wishes.is_locked(body):
             moved[body.id] = (body, _at(body, p, carried=body.id in above))
-    furniture = tuple(_furniture_after(piece, moved, above) for piece in room.furniture)
-    decorations = tuple(_decoration_after(thing, moved, above) for thing in room.decorations)
+    furniture = tuple(_after(piece, moved, above) for piece in room.furniture)
+    decorations = tuple(_after(thing, moved, above) for thing in room.decorations)
     return replace(room, furniture=furniture, decorations=decorations)
 
 
@@ -307,29 +309,19 @@ def _at(body: Body, p: Placed, carried: bool) -> Body:
     return replace(body, x=x, z=z, rotation=rotation)
 
 
-def _furniture_after(piece: Furniture, moved: Moved, above: Mapping[str, str]) -> Furniture:
-    mover = _climb(piece.id, above, moved)
-    if mover not in moved:
-        return piece
-    after = moved[mover][1]
-    if mover == piece.id and isinstance(after, Furniture):
-        return after
-    x, z, rotation, _ = _carried_pose(piece, *moved[mover])
-    return replace(piece, x=x, z=z, rotation=rotation)
-
-
-def _decoration_after(thing: Decoration, moved: Moved, above: Mapping[str, str]) -> Decoration:
+def _after(thing: T, moved: Moved, above: Mapping[str, str]) -> T:
+    """Returns a thing where it was placed, or where what carries it took it."""
     mover = _climb(thing.id, above, moved)
     if mover not in moved:
         return thing
     after = moved[mover][1]
-    if mover == thing.id and isinstance(after, Decoration):
+    if mover == thing.id and isinstance(after, type(thing)):
         return after
     x, z, rotation, turn = _carried_pose(thing, *moved[mover])
-    wall = thing.mounted_on_wall
-    if wall is not None:
-        wall = WALL_BEHIND[(ROTATION_AT_WALL[wall] + turn) % 360]
-    return replace(thing, x=x, z=z, rotation=rotation, mounted_on_wall=wall)
+    pose: dict[str, Any] = {"x": x, "z": z, "rotation": rotation}
+    if isinstance(thing, Decoration) and thing.mounted_on_wall is not None:
+        pose["mounted_on_wall"] = WALL_BEHIND[(ROTATION_AT_WALL[thing.mounted_on_wall] + turn) % 360]
+    return replace(thing, **pose)
 
 
 def _carried_pose(thing: Body, before: Body, after: Body) -> tuple[float, float, float, int]:

@@ -136,6 +136,17 @@ def test_things_follow_what_carries_them() -> None:
     assert (carried.x, carried.z) == (pytest.approx(1.8 + dx), pytest.approx(2.2 + dz))
 
 
+def test_what_hangs_over_a_piece_goes_to_its_new_wall_with_it() -> None:
+    shelf = body("shelf_1", 2.0, 0.2, (2.0, 0.4, 1.0), wall="north")
+    art = Decoration("room_0/art_1", "art", "room_0/shelf_1", "north", 2.0, 1.5, 0.02, 0, 0.6, 0.04, 0.5)
+    locked = body("chest_1", 2.0, 0.6, (3.9, 1.0, 1.0), locked=True)
+    fixed = fix(room_of(shelf, locked, decorations=(art,)))
+    moved, hung = pieces(fixed.scene)["room_0/shelf_1"], fixed.scene.rooms[0].decorations[0]
+    assert hung.mounted_on_wall == moved.wall != "north"
+    assert hung.rotation == moved.rotation
+    assert ((hung.x - moved.x) ** 2 + (hung.z - moved.z) ** 2) ** 0.5 == pytest.approx(0.18, abs=1e-3)
+
+
 def too_much() -> Scene:
     return room_of(
         body("bed_1", 1.0, 1.0, (1.8, 1.8, 0.5)),

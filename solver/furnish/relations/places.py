@@ -125,21 +125,16 @@ def far_from_door(ask: Ask, rule: Rule) -> Effect:
 
 def nearness(ask: Ask, rule: Rule, kinds: tuple[str, ...]) -> Effect:
     """Cost of being farther than `distance` from the nearest opening of some kinds."""
-    points = [opening.centre for kind in kinds for opening in ask.scope.opened(kind)]
-    wished = DOOR_DISTANCE if rule.distance is None else max(rule.distance, 0.01)
-    if not points:
-        return NOTHING
-
-    def judge(alternative: Alternative) -> float:
-        rect = footprint(alternative)
-        beyond = min(distance_m(rect, point) for point in points) - wished
-        return _missed(rule) * min(1.0, beyond / wished) if beyond > 0 else 0.0
-
-    return Effect(judge=judge)
+    return _off_distance(ask, rule, kinds, 1)
 
 
 def remoteness(ask: Ask, rule: Rule, kinds: tuple[str, ...]) -> Effect:
     """Cost of being nearer than `distance` to any opening of some kinds."""
+    return _off_distance(ask, rule, kinds, -1)
+
+
+def _off_distance(ask: Ask, rule: Rule, kinds: tuple[str, ...], sign: int) -> Effect:
+    """Cost of being beyond (sign 1) or short of (-1) the wished distance to the nearest opening."""
     points = [opening.centre for kind in kinds for opening in ask.scope.opened(kind)]
     wished = DOOR_DISTANCE if rule.distance is None else max(rule.distance, 0.01)
     if not points:
@@ -147,8 +142,8 @@ def remoteness(ask: Ask, rule: Rule, kinds: tuple[str, ...]) -> Effect:
 
     def judge(alternative: Alternative) -> float:
         rect = footprint(alternative)
-        short = wished - min(distance_m(rect, point) for point in points)
-        return _missed(rule) * min(1.0, short / wished) if short > 0 else 0.0
+        off = sign * (min(distance_m(rect, point) for point in points) - wished)
+        return _missed(rule) * min(1.0, off / wished) if off > 0 else 0.0
 
     return Effect(judge=judge)
 
