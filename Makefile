@@ -8,11 +8,12 @@ PYTHON3 = python3
 PYTHON_VERSIONS = >=3.11,<3.15
 WORKERS = auto
 PYTEST_ARGS =
+BENCH_ARGS =
 
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets lint format page chromium pins wheel clean
+.PHONY: help run test targets bench lint format page chromium pins wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -42,6 +43,9 @@ test: .venv/dev.stamp page chromium ## run every test: Python, page, browser
 
 targets: .venv/dev.stamp page ## run the long checks and benches: thousands of seeds, timings
 	$(PY) -m tests.targets
+
+bench: .venv/dev.stamp ## measure the placement core: against exact oracles, OSQP with heuristics, and the clock
+	$(PY) -m tests.bench $(BENCH_ARGS)
 
 lint: .venv/dev.stamp ## check style and types: ruff, mypy, tsc
 	$(PY) -m ruff check .

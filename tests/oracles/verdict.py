@@ -1,0 +1,137 @@
+"""Can a problem's choices all be met? A big-M mixed-integer programme in HiGHS, its answer checked in integers.
+
+Comes in: a `Problem`, read as data. Goes out: True, False, or None where the time limit came first. One binary an option;
+M is the least that the bounds allow for each row, so that nothing is lost and little is loose.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy import sparse
+from scipy.optimize import Bounds, LinearConstraint, milp
+
+from solver.placement.problem import Problem
+
+SECONDS = 30.0
+"""Time limit of one verdict."""
+_OPTIMAL, _LIMIT, _INFEASIBLE = 0, 1, 2
+_CHOSEN = 0.5
+
+
+@dataclass
+class Programme:
+    """A mixed-integer programme under construction: minimise cost'x, rows >= lower, bounds, integrality."""
+
+    low: list[float] = field(default_factory=list)
+    high: list[float] = field(default_factory=list)
+    whole: list[int] = field(default_factory=list)
+    cost: list[float] = field(default_factory=list)
+    entries: list[tuple[int, int, float]] = field(default_factory=list)
+    lower: list[float] = field(default_factory=list)
+
+    def variable(self, low: float, high: float, whole: bool = False, cost: float = 0.0) -> int:
+        """Adds a variable and returns its index."""
+        self.low.append(low)
+        self.high.append(high)
+        self.whole.append(int(whole))
+        self.cost.append(cost)
+        return len(self.low) - 1
+
+    def binary(self, cost: float = 0.0) -> int:
+        """Adds a variable that is 0 or 1."""
+        return self.variable(0, 1, whole=True, cost=cost)
+
+    def at_least(self, entries: Sequence[tuple[int, float]], lower: float) -> None:
+        """Adds a row: the sum of coefficient times variable is at least `lower`."""
+        row = len(self.lower)
+        self.entries += [(row, variable, coefficient) for variable, coefficient in entries]
+        self.lower.append(lower)
+
+    def least(self, entries: Sequence[tuple[int, float]]) -> float:
+        """Returns the least value the bounds allow an expression."""
+        return sum(c * (self.low[i] if c > 0 else self.high[i]) for i, c in entries)
+
+    def solve(self, seconds: float) -> tuple[bool | None, np.ndarray]:
+        """Returns whether it can be met, None where the time ran out first, and the solution."""
+        if not self.low:
+            return all(lower <= 0 for lower in self.lower), np.zeros(0)
+        if any(a > b for a, b in zip(self.low, self.high, strict=True)):
+            return False, np.zeros(0)
+        rows, columns, values = zip(*self.entries, strict=True) if self.entries else ((), (), ())
+        shape = (len(self.lower), len(self.low))
+        matrix = sparse.csr_matrix((np.array(values, dtype=float), (np.array(rows, dtype=int), np.array(columns, dtype=int))), shape)
+        rules = LinearConstraint(matrix, np.array(self.lower), np.inf) if self.lower else ()
+        result = milp(
+            np.array(self.cost), integrality=np.array(self.whole), bounds=Bounds(np.array(self.low), np.array(self.high)),
+            constraints=rules, options={"time_limit": seconds, "mip_rel_gap": 1e9},
+        )  # fmt: skip
+        if result.x is not None:
+            return True, result.x
+        if result.status not in (_LIMIT, _INFEASIBLE):
+            raise RuntimeError(f"HiGHS: {result.message}")
+        return (False if result.status == _INFEASIBLE else None), np.zeros(0)
+
+
+def verdict(problem: Problem, seconds: float = SECONDS) -> bool | None:
+    """Tells whether positions exist at which every bound, row and choice holds; None where the time ran out first."""
+    return _search(problem, seconds)[0]
+
+
+def witness(problem: Problem, seconds: float = SECONDS) -> tuple[list[int], list[int]] | None:
+    """Returns integer positions at which everything holds, or None where there are none or the time ran out first."""
+    return _search(problem, seconds)[1]
+
+
+def _search(problem: Problem, seconds: float) -> tuple[bool | None, tuple[list[int], list[int]] | None]:
+    programme = Programme()
+    columns = [[programme.variable(a, b) for a, b in zip(problem.low[k], problem.high[k], strict=True)] for k in (0, 1)]
+    binaries = []
+
+    def expression(row: tuple[int, int, int, int]) -> list[tuple[int, float]]:
+        axis, i, j, _ = row
+        if i == j:
+            return []
+        return [(columns[axis][v], sign) for v, sign in ((j, 1.0), (i, -1.0)) if v >= 0]
+
+    for row in problem.rows:
+        programme.at_least(expression(row), row.s)
+    for choice in problem.choices:
+        own = [(programme.binary(), row) for row in choice.options]
+        for binary, row in own:
+            terms = expression(row)
+            big = max(row.s - programme.least(terms), 0)
+            programme.at_least([*terms, (binary, -big)], row.s - big)
+        programme.at_least([(binary, 1.0) for binary, _ in own], 1)
+        binaries += own
+    found, x = programme.solve(seconds)
+    if not found:
+        return found, None
+    taken = [row for binary, row in binaries if x[binary] > _CHOSEN]
+    positions = [earliest(problem.low[k], problem.high[k], [r for r in (*problem.rows, *taken) if r[0] == k]) for k in (0, 1)]
+    if positions[0] is None or positions[1] is None:
+        return None, None  # the solver's tolerance spoke, not the numbers
+    return True, (positions[0], positions[1])
+
+
+def earliest(low: Sequence[int], high: Sequence[int], rows: Sequence[tuple[int, int, int, int]]) -> list[int] | None:
+    """Returns the least integer positions within the bounds that hold rows p_j - p_i >= s of one axis, or None.
+
+    Bellman-Ford from the lower bounds; index -1 is the constant 0.
+    """
+    p = [*low, 0]
+    for _ in range(len(p) + 1):
+        changed = False
+        for _, i, j, s in rows:
+            if p[j] < p[i] + s:
+                if j < 0 or i == j:
+                    return None
+                p[j] = p[i] + s
+                changed = True
+        if any(a > b for a, b in zip(p, high, strict=False)):
+            return None
+        if not changed:
+            return p[:-1]
+    return None

@@ -1,0 +1,38 @@
+"""The search against general solvers: a slice of `make bench` (tests/bench), with its rooms and its oracles."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.bench.__main__ import gap
+from tests.bench.measure import found
+from tests.bench.rooms import room_problem
+from tests.oracles.optimum import optimum
+from tests.oracles.verdict import verdict, witness
+
+ROOMS = 40
+CLOSED = 12
+
+
+@pytest.mark.parametrize("seed", range(ROOMS))
+def test_the_verdict_is_the_oracles(seed: int) -> None:
+    problem = room_problem(seed)
+    ours = found(problem)
+    assert ours.sound
+    assert ours.proven
+    assert ours.found == verdict(problem)
+
+
+def test_what_the_oracle_calls_possible_it_can_show() -> None:
+    shown = {seed: witness(room_problem(seed)) for seed in range(ROOMS)}
+    assert {positions is None for positions in shown.values()} == {True, False}
+    for seed, positions in shown.items():
+        assert positions is None or room_problem(seed).violations(positions) == []
+
+
+@pytest.mark.parametrize("seed", range(CLOSED))
+def test_the_optimum_is_the_oracles(seed: int) -> None:
+    problem = room_problem(seed)
+    ours, theirs = found(problem), optimum(problem, seconds=3)
+    assert gap(ours.cost, theirs.cost) <= 1e-5 or not theirs.closed
+    assert ours.cost <= theirs.cost + 1e-5
