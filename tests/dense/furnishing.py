@@ -1,0 +1,115 @@
+"""One dense room, furnished as a house's rooms are and judged by what shares no code with that.
+
+empty room -> space_of -> wanted_pieces -> place -> furnished -> a scene of one room -> validate, once from each door.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+
+from catalogs import Catalogs, load_catalogs
+from solver.furnish import space_of, wanted_pieces
+from solver.furnished import furnished
+from solver.geometry import Rect
+from solver.placement import place
+from solver.scene import Room, Scene
+from solver.streams import Stream
+from solver.validate import validate
+from solver.wanted import Arrangement, Space, Wanted
+from tests.dense.rooms import dense_room
+from tests.oracles.walk import missed, side_towards
+
+CATALOG = Path(__file__).parent / "catalog"
+WALL_M = 0.1
+HEADROOM_MM = 2000
+
+
+@cache
+def catalogs() -> Catalogs:
+    """Our catalogs with the dense room types laid over them."""
+    return load_catalogs(CATALOG)
+
+
+@dataclass(frozen=True)
+class Result:
+    """A furnished room.
+
+    `cover` is the floor covered by pieces that stand on it, where two overlap (a chair under its table) counted once, over the
+    area between the wall lines. `walkable`: from either door the validator comes to everything, and so does a flood of its
+    own to both doors and all use sides. `faults` are the validator's errors besides `unreachable`. `cpu` counts place() alone.
+    """
+
+    name: str
+    seed: int
+    cover: float
+    faults: tuple[str, ...]
+    walkable: bool
+    required: bool
+    left_out: int
+    pieces: int
+    cpu: float
+
+
+def wishes(name: str, seed: int, tight: bool = False) -> tuple[Room, Space, tuple[Wanted, ...]]:
+    """Returns a seed's empty room, its space and what it wants."""
+    room = dense_room(name, seed, tight)
+    space = space_of(room, WALL_M)
+    return room, space, wanted_pieces(room, space, catalogs(), Stream(seed, "furnish", name))
+
+
+def result(job: tuple[str, int]) -> Result:
+    """Furnishes the room of a type and seed and judges it."""
+    name, seed = job
+    room, space, wanted = wishes(name, seed)
+    start = time.process_time()
+    (arrangement,) = place([(space, wanted)])
+    cpu = time.process_time() - start
+    done = furnished(room, arrangement, catalogs(), Stream(seed, "colour", name))
+    rules = [issue.rule for door in _doors(done) for issue in validate(_scene(done, door), catalogs())]
+    placed = {piece.label for piece in arrangement.placed}
+    return Result(
+        name, seed, covered(arrangement) / (room.width * room.depth),
+        tuple(rule for rule in rules if rule not in ("unreachable", "missing_required")),
+        "unreachable" not in rules and not unreached(space, wanted, arrangement),
+        "missing_required" not in rules and all(piece.label in placed for piece in wanted if piece.required),
+        len(wanted) - len(placed), len(placed), cpu,
+    )  # fmt: skip
+
+
+def _doors(room: Room) -> list[str]:
+    return [opening.id for opening in room.openings if opening.kind == "door"]
+
+
+def _scene(room: Room, entrance: str) -> Scene:
+    """Returns the house of this one room, entered through one of its doors."""
+    openings = tuple(replace(opening, main_entrance=opening.id == entrance) for opening in room.openings)
+    return Scene(seed=0, wall_thickness=WALL_M, rooms=(replace(room, openings=openings),))
+
+
+def covered(arrangement: Arrangement) -> float:
+    """Returns the floor that pieces standing on it cover, m2, no spot counted twice."""
+    rects = [piece.footprint for piece in arrangement.placed if piece.chosen.bottom_mm == 0]
+    xs = sorted({x for rect in rects for x in (rect.x0, rect.x1)})
+    total = 0
+    for low, high in zip(xs, xs[1:], strict=False):
+        end = -1
+        for a, b in sorted((rect.z0, rect.z1) for rect in rects if rect.x0 <= low and high <= rect.x1):
+            total += (high - low) * max(b - max(a, end), 0)
+            end = max(end, b)
+    return total / 1e6
+
+
+def unreached(space: Space, wanted: tuple[Wanted, ...], arrangement: Arrangement) -> list[str]:
+    """Lists the doors and pieces that cannot be come to from the first door."""
+    by_label = {piece.label: piece for piece in wanted}
+    solids: list[Rect] = [piece.footprint for piece in arrangement.placed if piece.chosen.bottom_mm < HEADROOM_MM]
+    uses = []
+    for piece in arrangement.placed:
+        asked = by_label[piece.label]
+        if asked.stands:
+            walls = [side_towards(stand.side, piece.rotation) for stand in asked.stands]
+            uses.append((piece.label, piece.footprint, walls, asked.need_all))
+    return missed(space, solids, uses)
