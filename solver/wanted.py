@@ -49,6 +49,8 @@ class Space:
     doorways: tuple[Doorway, ...]
     robot_mm: int = 600
     gap_mm: int = 30
+    cover_mm2: int = 0
+    """Optional pieces are added while less floor than this is covered, mm2; 0: whatever is covered."""
 
 
 @dataclass(frozen=True)
@@ -149,6 +151,7 @@ class Wanted:
         links: conditions and terms against pieces earlier in the list.
         stands: its use sides; `need_all` tells whether all of them must be reachable or any one.
         skip_cost: what leaving it out costs (optional pieces).
+        with_next: an optional piece that stands only together with the next one.
     """
 
     label: str
@@ -158,6 +161,7 @@ class Wanted:
     stands: tuple[Stand, ...] = ()
     need_all: bool = False
     skip_cost: float = 10.0
+    with_next: bool = False
 
 
 @dataclass(frozen=True)

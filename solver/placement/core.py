@@ -1,0 +1,215 @@
+"""The compiled kernel behind one room: what is asked of it, and its answers as plain data.
+
+Comes in: an `Encoded` room or a hand-made `Problem`. Goes out: decisions, outcomes, problems. Here end the arrays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.placement.budget import Budget
+from solver.placement.constraints import Choice, Part, Row
+from solver.placement.encode import Encoded
+from solver.placement.kernel import layout
+from solver.placement.kernel.assembly import assemble
+from solver.placement.kernel.fill import arrange_room
+from solver.placement.kernel.grid import walkable
+from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, best_first, evaluate
+from solver.placement.kernel.layout import Engine, Floats, Ints
+from solver.placement.outcome import Outcome
+from solver.placement.problem import Problem
+from solver.placement.terms import Anchor, Pull, Term
+
+
+@dataclass(frozen=True)
+class Limits:
+    """How much each step may try; counts, never times.
+
+    Args:
+        required: evaluations (searches of placements) on the required pieces before the dive, and as many after it.
+        required_qps: QPs of each.
+        optional: evaluations on one optional piece.
+        optional_qps: QPs of each.
+        moves: evaluations on moving one other piece so that an optional one fits.
+        final_qps: QPs of the final search over all choices of a room.
+    """
+
+    required: int = 3000
+    required_qps: int = 2000
+    optional: int = 40
+    optional_qps: int = 400
+    moves: int = 30
+    final_qps: int = 6000
+
+    @property
+    def row(self) -> Ints:
+        """As the kernel takes them."""
+        return np.array(
+            [self.required, self.required_qps, self.optional, self.optional_qps, self.moves, self.final_qps], dtype=np.int64
+        )
+
+
+@dataclass(frozen=True)
+class Arranged:
+    """A room's decisions: by piece 8 * alternative + choice of sides, or -1; `fates` of the optional pieces (see fill.py)."""
+
+    decisions: Ints
+    cost: float
+    preference: float
+    fates: Ints
+    complete: bool
+    closed: bool
+    proven: bool
+    solves: int
+    deepest: int
+
+
+class Core:
+    """The kernel's work space of one room.
+
+    Args:
+        encoded: the room.
+    """
+
+    def __init__(self, encoded: Encoded) -> None:
+        self.encoded = encoded
+        self.engine: Engine = encoded.engine
+
+    def arrange(self, limits: Limits, budget: Budget, walk: bool) -> Arranged:
+        """Arranges required and optional pieces; the final placement stays in the work space."""
+        count = len(self.encoded.wanted)
+        decisions, fates = np.full(count, layout.ABSENT, dtype=np.int64), np.zeros(count, dtype=np.int64)
+        costs, report = np.zeros(3), np.zeros(4, dtype=np.int64)
+        self.engine.tree.budget[0] = budget.left
+        arrange_room(self.engine, decisions, costs, fates, limits.row, report, walk)
+        budget.left = float(self.engine.tree.budget[0])
+        complete, closed, proven, solves = (int(value) for value in report)
+        return Arranged(
+            decisions, float(costs[0]), float(costs[1]), fates, bool(complete), bool(closed), bool(proven), solves, self._deepest()
+        )
+
+    def stand_together(self, limits: Limits, budget: Budget, walk: bool) -> tuple[Ints | None, bool]:
+        """Asks for all pieces at once, whatever is required.
+
+        Returns:
+            Decisions of the best way for all to stand, or None; and whether that answer is exact.
+        """
+        count, tree = len(self.encoded.wanted), self.engine.tree
+        start, group = np.full(count, layout.ABSENT, dtype=np.int64), np.array([0, count], dtype=np.int64)
+        tree.budget[0] = budget.left
+        own = np.array([limits.required, limits.required_qps], dtype=np.int64)
+        found = best_first(self.engine, start, np.array([0.0, 0.0, 1e12]), group, own, walk)
+        budget.left = float(tree.budget[0])
+        closed = bool(tree.counters[CLOSED])
+        if not found:
+            complete = tree.counters[DEEPEST] >= 0 and self._deepest() == count
+            return (tree.decisions[tree.counters[DEEPEST]].copy(), False) if complete else (None, closed)
+        return tree.decisions[tree.counters[BEST]].copy(), closed
+
+    def _deepest(self) -> int:
+        """Returns how many pieces the deepest prefix of the last best-first search holds."""
+        tree = self.engine.tree
+        at = int(tree.counters[DEEPEST])
+        return 0 if at < 0 else int((tree.decisions[at] != layout.ABSENT).sum())
+
+    def deepest_decisions(self) -> Ints:
+        """Returns the decisions of the deepest prefix of the last best-first search."""
+        tree = self.engine.tree
+        at = int(tree.counters[DEEPEST])
+        return np.full(len(self.encoded.wanted), layout.ABSENT, dtype=np.int64) if at < 0 else tree.decisions[at].copy()
+
+    def evaluate(self, decisions: Ints, limit: int, budget: Budget, walk: bool, ceiling: float = np.inf) -> bool:
+        """Searches a placement of the decisions; it stays in the work space."""
+        self.engine.tree.budget[0] = budget.left
+        found = bool(evaluate(self.engine, np.ascontiguousarray(decisions), limit, ceiling, walk))
+        budget.left = float(self.engine.tree.budget[0])
+        return found
+
+    def assembles(self, decisions: Ints) -> bool:
+        """Writes the decisions' problem into the work space; False where the bounds alone rule them out."""
+        return bool(assemble(self.engine.room, self.engine.work, np.ascontiguousarray(decisions)))
+
+    def walkable_at(self, p: Sequence[Sequence[int]]) -> bool:
+        """Tells whether doors and use sides are joined with the assembled bodies at integer positions p[axis][variable], mm."""
+        positions = self.engine.grid.positions
+        for axis in (0, 1):
+            positions[axis, : len(p[axis])] = p[axis]
+        return bool(walkable(self.engine.room, self.engine.work, self.engine.grid, positions))
+
+    def rotation(self, piece: int) -> int:
+        """Returns the absolute rotation of an assembled piece."""
+        return int(self.engine.work.rotation[piece])
+
+    def problem(self) -> Problem:
+        """Returns the assembled problem, for reading, for the final solve, and for other solvers."""
+        work = self.engine.work
+        found = Problem()
+        for axis in (0, 1):
+            n = work.sizes[axis]
+            found.low[axis].extend(work.low[axis, :n].tolist())
+            found.high[axis].extend(work.high[axis, :n].tolist())
+        found.terms.extend(self._terms())
+        found.rows.extend(Row(*row) for row in work.rows[: work.counts[layout.N_ROWS]].tolist())
+        found.parts.extend(self._parts())
+        for c in range(work.counts[layout.N_CHOICES]):
+            options = work.options[4 * c : 4 * c + work.choice_size[c]].tolist()
+            first, second = work.choice_parts[c].tolist()
+            name = found.parts[second].label if second >= 0 else self.encoded.space.zones[-1 - second].cause
+            found.choices.append(Choice(found.parts[first].label, name, tuple(Row(*row) for row in options)))
+        return found
+
+    def _terms(self) -> list[Term]:
+        work = self.engine.work
+        terms: list[Term] = []
+        for axis in (0, 1):
+            for v in range(work.sizes[axis]):
+                if work.anchor_weight[axis, v] > 0:
+                    terms.append(Anchor(axis, v, float(work.anchor_at[axis, v]), float(work.anchor_weight[axis, v])))
+        for k in range(work.counts[layout.N_PULLS]):
+            axis, i, j = work.pulls[k].tolist()
+            terms.append(Pull(axis, i, j, *work.pull_costs[k].tolist()))
+        return terms
+
+    def _parts(self) -> list[Part]:
+        work, found = self.engine.work, []
+        for row in work.parts[: work.counts[layout.N_PARTS]].tolist():
+            piece, stand, x, z, off_x, off_z, ext_x, ext_z, low, high = row
+            label = self.encoded.wanted[piece].label
+            found.append(Part(label, bool(stand), (x, z), (off_x, off_z), (ext_x, ext_z), low, high))
+        return found
+
+    def outcome(self) -> Outcome:
+        """Returns what the last search found."""
+        return outcome_of(self.engine)
+
+
+def outcome_of(engine: Engine) -> Outcome:
+    """Returns what the last search of a work space found."""
+    work, nodes = engine.work, engine.nodes
+    result = nodes.result
+    exhausted, solves, turned_down = bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES]), int(result[layout.TURNED_DOWN])
+    if not result[layout.FOUND]:
+        return Outcome(float("inf"), None, (), exhausted, solves, turned_down)
+    best = nodes.best
+    positions: tuple[Floats, Floats] = (best[0, : work.sizes[0]].copy(), best[1, : work.sizes[1]].copy())
+    picks = nodes.best_picks[: result[layout.PICKS]].tolist()
+    return Outcome(float(nodes.best_cost[0]), positions, _taken(engine, picks), exhausted, solves, turned_down)
+
+
+def _taken(engine: Engine, picks: list[int]) -> tuple[Row, ...]:
+    """Returns the option each choice took, the one branched on, else the one that holds with most slack; then the wider rows."""
+    work, best = engine.work, engine.nodes.best
+    count, capacity = int(work.counts[layout.N_CHOICES]), len(work.options)
+    branched = {pick // 4: pick for pick in picks if pick < capacity}
+    options = work.options[: 4 * count]
+    axis, i, j, s = (options[:, k] for k in range(4))
+    own = np.arange(4 * count) % 4 < np.repeat(work.choice_size[:count], 4)
+    slack = np.full(4 * count, -np.inf)
+    slack[own] = best[axis[own], j[own]] - best[axis[own], i[own]] - s[own] / 1000
+    widest = slack.reshape(count, 4).argmax(axis=1) if count else np.zeros(0, dtype=np.int64)
+    rows = [Row(*work.options[branched.get(c, 4 * c + int(widest[c]))].tolist()) for c in range(count)]
+    rows += [Row(*work.wide[pick - capacity].tolist()) for pick in reversed(picks) if pick >= capacity]
+    return tuple(rows)

@@ -1,0 +1,210 @@
+"""A room and its wanted pieces -> the kernel's arrays, once a room; and hand-made problems -> the same arrays.
+
+Comes in: Space and Wanted pieces, or a Problem. Goes out: `Encoded`. Not here: solving.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.geometry import Rect
+from solver.placement.kernel import layout
+from solver.placement.kernel.layout import Engine, Ints, Room
+from solver.placement.kernel.space import Sizes, new_engine
+from solver.wanted import Alternative, Doorway, Link, Space, Wanted
+
+WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
+SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
+_RELATIONS = {
+    None: layout.ANY_WALLS,
+    "same": layout.SAME,
+    "opposite": layout.OPPOSITE,
+    "other": layout.OTHER,
+    "adjacent": layout.ADJACENT,
+}
+OTHER_SIDE_COST = 0.05
+"""What using the second of several allowed sides costs: order, not preference."""
+LEAST_FLOOR_MM2 = 255_000
+"""Free centres a room must have for the person (contract: 0.25 m2), and a little for the snap."""
+MOST_STATES = 6500
+"""Prefixes the best-first search may keep."""
+
+
+@dataclass(frozen=True)
+class Encoded:
+    """A room as the kernel sees it; labels and alternatives by number."""
+
+    space: Space
+    wanted: tuple[Wanted, ...]
+    alternatives: tuple[Alternative, ...]
+    side_names: tuple[tuple[str, ...], ...]
+    engine: Engine
+
+
+def _side_choices(wanted: Wanted, walk: str) -> list[tuple[tuple[str, ...], int, int, float]]:
+    """Returns the choices of use sides: names, bits that get a stand, bits of which any counts, cost."""
+    if not wanted.stands or walk == "none":
+        return [((), 0, 0, 0.0)]
+    names = tuple(stand.side for stand in wanted.stands)
+    bits = [SIDES[name] for name in names]
+    if wanted.need_all:
+        return [(names, sum(bits), 0, 0.0)]
+    if walk == "any":
+        return [(names, 0, sum(bits), 0.0)] if len(bits) > 1 else [(names, bits[0], 0, 0.0)]
+    return [((name,), bit, 0, OTHER_SIDE_COST * k) for k, (name, bit) in enumerate(zip(names, bits, strict=True))]
+
+
+def door_target(space: Space, door: Doorway) -> tuple[int, int, int, int]:
+    """Returns where the person's centre is when it has just come through a door, doubled mm."""
+    square, clear, robot = door.square, space.clear, space.robot_mm
+    along = (square.x0, square.x1, clear.x0, clear.x1)
+    if door.wall in ("east", "west"):
+        along = (square.z0, square.z1, clear.z0, clear.z1)
+    start, end = 2 * max(along[0], along[2]), 2 * min(along[1], along[3])
+    a, b = start + robot, end - robot
+    if a > b:
+        a = b = (start + end) // 4 * 2 + robot % 2
+    return {
+        "north": (a, 2 * clear.z0 + robot, b, 2 * clear.z0 + robot),
+        "south": (a, 2 * clear.z1 - robot, b, 2 * clear.z1 - robot),
+        "west": (2 * clear.x0 + robot, a, 2 * clear.x0 + robot, b),
+        "east": (2 * clear.x1 - robot, a, 2 * clear.x1 - robot, b),
+    }[door.wall]
+
+
+def kin(alternative: Alternative) -> Hashable:
+    """Returns what decides feasibility: alternatives that agree here differ only in their anchor and cost."""
+    a = alternative
+    return (a.kind, a.size_mm, a.rotation, a.wall, a.within, a.attach, a.bottom_mm, a.slack_mm, a.under, a.on)
+
+
+def _matrix(rows: Sequence[Sequence[int]], columns: int) -> Ints:
+    return np.array(rows, dtype=np.int64).reshape(len(rows), columns)
+
+
+def _values(rows: Sequence[Sequence[float]], columns: int) -> layout.Floats:
+    return np.array(rows, dtype=np.float64).reshape(len(rows), columns)
+
+
+class _Tables:
+    """Numbers for names: pieces by label, kinds, slots."""
+
+    def __init__(self, space: Space, wanted: Sequence[Wanted]) -> None:
+        self.space = space
+        self.piece = {piece.label: k for k, piece in enumerate(wanted)}
+        self.kinds: dict[str, int] = {}
+        self.slots: dict[str, int] = {}
+
+    def alternative(self, a: Alternative, number: int) -> list[int]:
+        """Returns an alternative's row."""
+        within: Rect = a.within or self.space.clear
+        kind = self.kinds.setdefault(a.kind, len(self.kinds))
+        slack = -1 if a.slack_mm is None else a.slack_mm
+        if a.attach is None:
+            attach = [-1, -1, 0, 0, 0, 0, -1]
+        else:
+            parent, slot = self.piece.get(a.attach.parent, -1), -1
+            if a.attach.slot:
+                slot = self.slots.setdefault(a.attach.slot, len(self.slots))
+            parent_kind = self.kinds.setdefault(a.attach.parent_kind, len(self.kinds))
+            attach = [parent, parent_kind, *a.attach.across_mm, *a.attach.along_mm, slot]
+        under, on = self.piece.get(a.under or "", -1), self.piece.get(a.on or "", -1)
+        inside = (within.x0, within.z0, within.x1, within.z1)
+        own = [kind, *a.size_mm, a.rotation % 360, WALLS[a.wall], *a.anchor_mm, *inside, a.bottom_mm]
+        return [*own, *attach, under, on, slack, number]
+
+    def link(self, link: Link) -> tuple[list[int], list[float]]:
+        """Returns a link's rows."""
+        turn = -1 if link.turn is None else link.turn % 360
+        numbers = [self.piece[link.of], turn, _RELATIONS[link.walls], int(link.required)]
+        return numbers, [link.cost, link.align, link.near, link.apart_m, link.apart_cost]
+
+
+def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Encoded:
+    """Lays a room out for the kernel.
+
+    Args:
+        space: where the room's furniture may stand.
+        wanted: pieces, parents before what is attached to them.
+        walk: "stands" gives every use side a person's square; "any" only where there is no choice of sides; "none" asks
+            for no use sides at all.
+    """
+    tables = _Tables(space, wanted)
+    pieces, alts, alt_costs, links, link_costs = [], [], [], [], []
+    sides: list[list[int]] = []
+    side_costs: list[float] = []
+    names: list[tuple[str, ...]] = []
+    chosen: list[Alternative] = []
+    for piece in wanted:
+        starts = (len(alts), len(links), len(sides))
+        numbers: dict[Hashable, int] = {}
+        for a in piece.alternatives:
+            if a.attach is not None and a.attach.parent not in tables.piece:
+                continue
+            alts.append(tables.alternative(a, numbers.setdefault(kin(a), len(numbers))))
+            alt_costs.append([*a.weights, a.cost])
+            chosen.append(a)
+        for link in piece.links:
+            if link.of in tables.piece:
+                row, costs = tables.link(link)
+                links.append(row)
+                link_costs.append(costs)
+        for side_names, stands, any_of, cost in _side_choices(piece, walk):
+            names.append(side_names)
+            sides.append([stands, any_of])
+            side_costs.append(cost)
+        pieces.append([int(piece.required), starts[0], len(alts), starts[1], len(links), starts[2], len(sides), len(pieces) + 1])
+    _group(pieces, wanted)
+    room = Room(
+        _space_row(space, walk),
+        _matrix([[zone.rect.x0, zone.rect.z0, zone.rect.x1, zone.rect.z1, zone.above_mm, int(zone.cause == "outline")] for zone in space.zones], 6),
+        _matrix([door_target(space, door) for door in space.doorways], 4),
+        _matrix(pieces, 8),
+        np.array([piece.skip_cost for piece in wanted], dtype=np.float64),
+        _matrix(sides, 2),
+        np.array(side_costs, dtype=np.float64),
+        _matrix(alts, 24),
+        _values(alt_costs, 3),
+        _matrix(links, 4),
+        _values(link_costs, 5),
+    )
+    return Encoded(space, tuple(wanted), tuple(chosen), tuple(names), new_engine(room, _sizes(room)))
+
+
+def _group(pieces: list[list[int]], wanted: Sequence[Wanted]) -> None:
+    """Joins optional pieces that stand only together with the one after them."""
+    for k in range(len(wanted) - 2, -1, -1):
+        if wanted[k].with_next and not wanted[k].required:
+            pieces[k][layout.GROUP_END] = pieces[k + 1][layout.GROUP_END]
+
+
+def _space_row(space: Space, walk: str) -> Ints:
+    clear = space.clear
+    least_floor = 0 if walk == "none" else LEAST_FLOOR_MM2
+    row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor]
+    return np.array(row, dtype=np.int64)
+
+
+def _sizes(room: Room) -> Sizes:
+    """Returns bounds of what the room's problem can need."""
+    stands = most_ways = 0
+    for piece in room.pieces:
+        sides = room.sides[piece[layout.SIDES_0] : piece[layout.SIDES_1], layout.STANDS]
+        stands += max(int(bits).bit_count() for bits in sides)
+        most_ways = max(most_ways, int((piece[layout.ALT_1] - piece[layout.ALT_0]) * len(sides)))
+    count = len(room.pieces)
+    parts = count + stands
+    return Sizes(
+        pieces=max(count, 1),
+        variables=max(parts, 1),
+        choices=parts * (parts - 1) // 2 + parts * len(room.zones) + 1,
+        rows=4 * count + 2 * stands + 4,
+        pulls=2 * count + stands + 2 * len(room.links) + 1,
+        walls=len(room.zones),
+        doors=len(room.doors),
+        ways=max(most_ways, 1),
+        states=MOST_STATES,
+    )

@@ -1,0 +1,199 @@
+"""Optional pieces, by importance, with everything movable: each joins as cheaply as it can, else one other piece makes room.
+
+A group (a desk and its chair) joins as a whole or not at all. Pieces are added while the floor covered is below the target.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from solver.placement.kernel.grow import BEST, CLOSED, EVALUATED, SOLVED_QPS, best_first, evaluate
+from solver.placement.kernel.jit import compiled
+from solver.placement.kernel.layout import (
+    ABSENT,
+    ALT_0,
+    ALT_1,
+    BOTTOM,
+    COVER,
+    DEPTH,
+    EXHAUSTED,
+    GROUP_END,
+    KIN,
+    REQUIRED,
+    SIDES_0,
+    SIDES_1,
+    UNDER,
+    WIDTH,
+    Engine,
+    Floats,
+    Ints,
+    Room,
+)
+from solver.placement.kernel.options import total_preference
+
+PLACED, NO_WAY, COVERED, SPENT, WITHOUT = range(5)
+"""What became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent, not asked for."""
+MOVES: Final = 48
+"""Other ways of other pieces that are looked at before the cheapest are tried."""
+# limits of a room
+REQUIRED_EVALUATIONS, REQUIRED_QPS, OPTIONAL_EVALUATIONS, OPTIONAL_QPS, MOVE_EVALUATIONS, FINAL_QPS = range(6)
+
+
+@compiled(lambda t: t.i8(t.Room, t.ints))
+def covered(room: Room, decisions: Ints) -> int:
+    """Returns the floor that the decided pieces cover, mm2."""
+    area = 0
+    for piece in range(len(decisions)):
+        if decisions[piece] != ABSENT:
+            alt = room.alts[decisions[piece] // 8]
+            if alt[BOTTOM] == 0 and alt[UNDER] < 0:
+                area += alt[WIDTH] * alt[DEPTH]
+    return area
+
+
+@compiled(lambda t: t.b1(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
+def _join(engine: Engine, start: Ints, costs: Floats, group: Ints, limits: Ints, walk: bool) -> bool:  # noqa: PLR0913
+    """Adds a group to the decisions where it can stand for less than leaving it out costs; changes `start` and `costs`."""
+    tree = engine.tree
+    if not best_first(engine, start, costs, group, limits, walk):
+        return False
+    best = tree.counters[BEST]
+    for piece in range(len(start)):
+        start[piece] = tree.decisions[best, piece]
+    costs[0], costs[1] = tree.costs[best], tree.preferences[best]
+    return True
+
+
+@compiled(lambda t: t.i8(t.Engine, t.ints, t.floats))
+def _moves(engine: Engine, decisions: Ints, costs: Floats) -> int:
+    """Lists other ways of the pieces that stand, by what they add to the preferences; returns how many."""
+    room, tree, count = engine.room, engine.tree, 0
+    for piece in range(len(decisions)):
+        kept = decisions[piece]
+        if kept == ABSENT:
+            continue
+        first, last = room.pieces[piece, SIDES_0], room.pieces[piece, SIDES_1]
+        for alt in range(room.pieces[piece, ALT_0], room.pieces[piece, ALT_1]):
+            for side in range(first, last):
+                decision = 8 * alt + side - first
+                if decision == kept or (room.alts[alt, KIN] == room.alts[kept // 8, KIN] and decision % 8 == kept % 8):
+                    continue
+                decisions[piece] = decision
+                cost = total_preference(room, decisions)
+                if cost < 0:
+                    continue
+                at = min(count, MOVES)
+                while at > 0 and tree.move_cost[at - 1] > cost:
+                    at -= 1
+                if at == MOVES:
+                    continue
+                count = min(count + 1, MOVES)
+                for k in range(count - 1, at, -1):
+                    tree.moves[k, 0], tree.moves[k, 1] = tree.moves[k - 1, 0], tree.moves[k - 1, 1]
+                    tree.move_cost[k] = tree.move_cost[k - 1]
+                tree.moves[at, 0], tree.moves[at, 1], tree.move_cost[at] = piece, decision, cost
+        decisions[piece] = kept
+    return count
+
+
+@compiled(lambda t: t.b1(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
+def _join_by_move(engine: Engine, decisions: Ints, costs: Floats, group: Ints, limits: Ints, walk: bool) -> bool:  # noqa: PLR0913
+    """Moves one other piece so that the group can join; the first success counts."""
+    tree, left = engine.tree, limits[MOVE_EVALUATIONS]
+    count = _moves(engine, decisions, costs)
+    terms, ceiling = costs[0] - costs[1], costs[2]
+    own = tree.own_limits
+    for k in range(count):
+        if left <= 0 or tree.budget[0] <= 0:
+            return False
+        if terms + tree.move_cost[k] >= ceiling:
+            return False
+        for piece in range(len(decisions)):
+            tree.shifted[piece] = decisions[piece]
+        tree.shifted[tree.moves[k, 0]] = tree.moves[k, 1]
+        tree.shifted_cost[0], tree.shifted_cost[1], tree.shifted_cost[2] = terms + tree.move_cost[k], tree.move_cost[k], ceiling
+        own[0], own[1] = min(left, 6), limits[OPTIONAL_QPS]
+        joined = _join(engine, tree.shifted, tree.shifted_cost, group, own, walk)
+        left -= max(tree.counters[EVALUATED], 1)
+        if joined:
+            for piece in range(len(decisions)):
+                decisions[piece] = tree.shifted[piece]
+            costs[0], costs[1] = tree.shifted_cost[0], tree.shifted_cost[1]
+            return True
+    return False
+
+
+@compiled(lambda t: t.none(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
+def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: Ints, walk: bool) -> None:  # noqa: PLR0913
+    """Adds the optional pieces to the decisions of the required ones.
+
+    Args:
+        engine: the work space.
+        decisions: changed in place.
+        costs: total and preference cost of the decisions; changed in place. The third is scratch.
+        fates: what becomes of each optional piece; written.
+        limits: see the constants above.
+        walk: whether the room must stay walkable.
+    """
+    room, tree, group = engine.room, engine.tree, engine.tree.group
+    piece = 0
+    while piece < len(decisions):
+        end = room.pieces[piece, GROUP_END]
+        if room.pieces[piece, REQUIRED]:
+            piece = end
+            continue
+        group[0], group[1] = piece, end
+        fate, skip = NO_WAY, 0.0
+        for member in range(piece, end):
+            skip += room.skip_costs[member]
+        if tree.budget[0] <= 0:
+            fate = SPENT
+        elif room.space[COVER] > 0 and covered(room, decisions) >= room.space[COVER]:
+            fate = COVERED
+        else:
+            costs[2] = costs[0] + skip
+            tree.own_limits[0], tree.own_limits[1] = limits[OPTIONAL_EVALUATIONS], limits[OPTIONAL_QPS]
+            if _join(engine, decisions, costs, group, tree.own_limits, walk) or (
+                limits[MOVE_EVALUATIONS] > 0 and _join_by_move(engine, decisions, costs, group, limits, walk)
+            ):
+                fate = PLACED
+        for member in range(piece, end):
+            fates[member] = fate
+        piece = end
+
+
+@compiled(lambda t: t.none(t.Engine, t.ints, t.floats, t.ints, t.ints, t.ints, t.b1))
+def arrange_room(  # noqa: PLR0913
+    engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: Ints, report: Ints, walk: bool
+) -> None:
+    """Arranges a whole room: required pieces, optional pieces, and a final search over all choices.
+
+    Args:
+        engine: the work space; the final placement is left in `work` and `nodes`.
+        decisions: written; ABSENT where a piece is left out.
+        costs: written: total and preference cost.
+        fates: written for optional pieces.
+        limits: see the constants above.
+        report: written: whether all required pieces stand, whether the arrangement of the required ones is exact, whether the
+            final placement is proven, QPs.
+        walk: whether doors and use sides must be joined.
+    """
+    room, tree = engine.room, engine.tree
+    required = 0
+    while required < len(room.pieces) and room.pieces[required, REQUIRED]:
+        required += 1
+    decisions[:] = ABSENT
+    tree.counters[SOLVED_QPS] = 0
+    tree.group[0], tree.group[1] = 0, required
+    tree.own_limits[0], tree.own_limits[1] = limits[REQUIRED_EVALUATIONS], limits[REQUIRED_QPS]
+    costs[0], costs[1], costs[2] = 0.0, 0.0, 1e12
+    report[:] = 0
+    if required > 0 and not _join(engine, decisions, costs, tree.group, tree.own_limits, walk):
+        report[1] = tree.counters[CLOSED]
+        report[3] = tree.counters[SOLVED_QPS]
+        return
+    report[0], report[1] = 1, tree.counters[CLOSED] if required > 0 else 1
+    fill(engine, decisions, costs, fates, limits, walk)
+    evaluate(engine, decisions, limits[FINAL_QPS], costs[0] - costs[1] + 1e-6, walk)
+    report[2] = engine.nodes.result[EXHAUSTED]
+    report[3] = tree.counters[SOLVED_QPS]

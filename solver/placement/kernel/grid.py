@@ -1,0 +1,253 @@
+"""Can a square person get from the doors to every use side? Exact, on the compressed grid; and what blocks the way.
+
+Bodies are inflated by half the person and the walls moved in by as much; cuts at the inflated edges make cells that are wholly
+free or wholly blocked. Lengths are doubled millimetres, so that halves stay integers, and the person is 1 mm smaller than
+asked, so that a gap of exactly its size counts. Targets then never lie on a cut.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from solver.placement.kernel.assembly import facing
+from solver.placement.kernel.jit import compiled
+from solver.placement.kernel.layout import (
+    ABSENT,
+    ANY_OF,
+    EAST,
+    EXT_X,
+    LEAST_FLOOR,
+    LOW,
+    N_PARTS,
+    NORTH,
+    OFF_X,
+    ROBOT,
+    STAND,
+    STANDS,
+    VAR_X,
+    WALL_ZONE,
+    WEST,
+    X0,
+    X1,
+    Grid,
+    Ints,
+    Room,
+    Work,
+)
+
+HEADROOM_MM: Final = 2000
+"""What hangs higher is walked under (as the validator has it)."""
+# Grid.areas of the walk: number of blocks, of targets, of cuts along x and z, of components, of target numbers, the door's component
+BLOCKS, TARGETS, CUTS_X, CUTS_Z, COMPONENTS, NUMBERS, ENTERED = range(7)
+
+
+@compiled(lambda t: t.none(t.Grid, t.i8, t.i8, t.i8, t.i8, t.i8))
+def _block(grid: Grid, x0: int, z0: int, x1: int, z1: int, part: int) -> None:  # noqa: PLR0913
+    k = grid.state[BLOCKS]
+    block = grid.blocks[k]
+    block[0], block[1], block[2], block[3], block[4] = x0, z0, x1, z1, part
+    grid.state[BLOCKS] = k + 1
+
+
+@compiled(lambda t: t.none(t.Grid, t.i8, t.i8, t.i8, t.i8, t.i8))
+def _target(grid: Grid, x0: int, z0: int, x1: int, z1: int, number: int) -> None:  # noqa: PLR0913
+    k = grid.state[TARGETS]
+    target = grid.targets[k]
+    target[0], target[1], target[2], target[3], target[4] = x0, z0, x1, z1, number
+    grid.state[TARGETS] = k + 1
+
+
+@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows, t.i8, t.i8))
+def _side_target(room: Room, work: Work, grid: Grid, p: Ints, piece: int, side: int) -> None:  # noqa: PLR0913
+    """Adds where the person's centre is while it touches a side of a piece, p in mm."""
+    body, wall = work.body_part[piece], facing(side, work.rotation[piece])
+    parts, robot = work.parts, room.space[ROBOT]
+    x0 = 2 * (p[0, parts[body, VAR_X]] + parts[body, OFF_X])
+    z0 = 2 * (p[1, parts[body, VAR_X + 1]] + parts[body, OFF_X + 1])
+    x1, z1 = x0 + 2 * parts[body, EXT_X], z0 + 2 * parts[body, EXT_X + 1]
+    number = grid.state[NUMBERS]
+    if wall == NORTH:
+        _target(grid, x0, z0 - robot, x1, z0 - robot, number)
+    elif wall == WEST:
+        _target(grid, x0 - robot, z0, x0 - robot, z1, number)
+    elif wall == EAST:
+        _target(grid, x1 + robot, z0, x1 + robot, z1, number)
+    else:
+        _target(grid, x0, z1 + robot, x1, z1 + robot, number)
+
+
+@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows))
+def _gather(room: Room, work: Work, grid: Grid, p: Ints) -> None:
+    """Collects what blocks and what is to be reached: doors first, then use sides."""
+    grow, parts = room.space[ROBOT] - 1, work.parts
+    grid.state[BLOCKS] = grid.state[TARGETS] = 0
+    for k in range(work.counts[N_PARTS]):
+        if parts[k, STAND] == 0 and parts[k, LOW] < HEADROOM_MM:
+            x = 2 * (p[0, parts[k, VAR_X]] + parts[k, OFF_X])
+            z = 2 * (p[1, parts[k, VAR_X + 1]] + parts[k, OFF_X + 1])
+            _block(grid, x - grow, z - grow, x + 2 * parts[k, EXT_X] + grow, z + 2 * parts[k, EXT_X + 1] + grow, k)
+    for k in range(len(room.zones)):
+        if room.zones[k, WALL_ZONE]:
+            zone = room.zones[k]
+            _block(grid, 2 * zone[0] - grow, 2 * zone[1] - grow, 2 * zone[2] + grow, 2 * zone[3] + grow, -1 - k)
+    for k in range(len(room.doors)):
+        door = room.doors[k]
+        _target(grid, door[0], door[1], door[2], door[3], k)
+    grid.state[NUMBERS] = len(room.doors)
+    for piece in range(len(room.pieces)):
+        if work.taken_alt[piece] == ABSENT:
+            continue
+        side = work.taken_side[piece]
+        for bit in range(4):
+            if room.sides[side, STANDS] & (1 << bit):
+                _side_target(room, work, grid, p, piece, 1 << bit)
+                grid.state[NUMBERS] += 1
+        for bit in range(4):
+            if room.sides[side, ANY_OF] & (1 << bit):
+                _side_target(room, work, grid, p, piece, 1 << bit)
+        if room.sides[side, ANY_OF]:
+            grid.state[NUMBERS] += 1
+
+
+@compiled(lambda t: t.i8(t.Grid, t.i8, t.i8, t.i8))
+def _cut(grid: Grid, axis: int, low: int, high: int) -> int:
+    """Writes the sorted cuts of an axis, without repeats; returns how many."""
+    cuts, n = grid.cuts[axis], 2
+    cuts[0], cuts[1] = low, high
+    for k in range(grid.state[BLOCKS]):
+        for end in range(2):
+            edge = grid.blocks[k, axis + 2 * end]
+            if edge <= low or edge >= high:
+                continue
+            at = n
+            while cuts[at - 1] > edge:
+                at -= 1
+            if cuts[at - 1] == edge:
+                continue
+            for move in range(n, at, -1):
+                cuts[move] = cuts[move - 1]
+            cuts[at] = edge
+            n += 1
+    return n
+
+
+@compiled(lambda t: t.i8(t.ints, t.i8, t.i8))
+def first_cell(cuts: Ints, n: int, value: int) -> int:
+    """Returns the number of the first cut at or above a value."""
+    low, high = 0, n
+    while low < high:
+        middle = (low + high) // 2
+        if cuts[middle] < value:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+@compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
+def _mark(grid: Grid, nx: int, nz: int) -> None:
+    """Labels cells 0 where free, -1 where blocked."""
+    for k in range(nx * nz):
+        grid.labels[k] = 0
+    for k in range(grid.state[BLOCKS]):
+        block = grid.blocks[k]
+        x0, x1 = first_cell(grid.cuts[0], nx + 1, block[0]), first_cell(grid.cuts[0], nx + 1, block[2])
+        z0, z1 = first_cell(grid.cuts[1], nz + 1, block[1]), first_cell(grid.cuts[1], nz + 1, block[3])
+        for i in range(x0, min(x1, nx)):
+            for j in range(z0, min(z1, nz)):
+                grid.labels[i * nz + j] = -1
+
+
+@compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
+def _flood(grid: Grid, nx: int, nz: int) -> None:
+    """Numbers the components of free cells from 1 and sums their areas, doubled millimetres squared."""
+    count = 0
+    for start in range(nx * nz):
+        if grid.labels[start] != 0:
+            continue
+        count += 1
+        grid.labels[start] = count
+        grid.queue[0] = start
+        size, area = 1, 0
+        while size > 0:
+            size -= 1
+            cell = grid.queue[size]
+            i, j = cell // nz, cell % nz
+            area += (grid.cuts[0, i + 1] - grid.cuts[0, i]) * (grid.cuts[1, j + 1] - grid.cuts[1, j])
+            for way in range(4):
+                u = i + (1 if way == 0 else -1 if way == 1 else 0)
+                v = j + (1 if way == 2 else -1 if way == 3 else 0)
+                if 0 <= u < nx and 0 <= v < nz and grid.labels[u * nz + v] == 0:
+                    grid.labels[u * nz + v] = count
+                    grid.queue[size] = u * nz + v
+                    size += 1
+        grid.areas[count] = area
+    grid.state[COMPONENTS] = count
+
+
+@compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
+def _reach(grid: Grid, nx: int, nz: int) -> None:
+    """Counts, for every component, how many target numbers it meets."""
+    count = grid.state[COMPONENTS]
+    for c in range(count + 1):
+        grid.reached[c, 0] = 0
+        grid.reached[c, 1] = -1
+    for k in range(grid.state[TARGETS]):
+        target = grid.targets[k]
+        x0, x1 = first_cell(grid.cuts[0], nx + 1, target[0]) - 1, first_cell(grid.cuts[0], nx + 1, target[2])
+        z0, z1 = first_cell(grid.cuts[1], nz + 1, target[1]) - 1, first_cell(grid.cuts[1], nz + 1, target[3])
+        for i in range(max(x0, 0), min(x1, nx)):
+            for j in range(max(z0, 0), min(z1, nz)):
+                label = grid.labels[i * nz + j]
+                if label > 0 and grid.reached[label, 1] != target[4]:
+                    grid.reached[label, 1] = target[4]
+                    grid.reached[label, 0] += 1
+
+
+@compiled(lambda t: t.i8(t.Room, t.Grid, t.i8, t.i8))
+def _entered(room: Room, grid: Grid, nx: int, nz: int) -> int:
+    """Returns the component one walks in: of those at the first door the one that meets most; without doors the largest."""
+    best = 0
+    if len(room.doors) == 0:
+        for c in range(1, grid.state[COMPONENTS] + 1):
+            if best == 0 or grid.areas[c] > grid.areas[best]:
+                best = c
+        return best
+    target = grid.targets[0]
+    x0, x1 = first_cell(grid.cuts[0], nx + 1, target[0]) - 1, first_cell(grid.cuts[0], nx + 1, target[2])
+    z0, z1 = first_cell(grid.cuts[1], nz + 1, target[1]) - 1, first_cell(grid.cuts[1], nz + 1, target[3])
+    for i in range(max(x0, 0), min(x1, nx)):
+        for j in range(max(z0, 0), min(z1, nz)):
+            c = grid.labels[i * nz + j]
+            if c > 0 and (best == 0 or grid.reached[c, 0] > grid.reached[best, 0]):
+                best = c
+    return best
+
+
+@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_rows))
+def walkable(room: Room, work: Work, grid: Grid, p: Ints) -> bool:
+    """Tells whether all doors and use sides are joined, with the bodies at integer positions p (2, variables), mm.
+
+    Leaves labels, cuts and the entered component in `grid`.
+    """
+    _gather(room, work, grid, p)
+    grow, space = room.space[ROBOT] - 1, room.space
+    grid.state[ENTERED] = 0
+    low_x, low_z = 2 * space[X0] + grow, 2 * space[X0 + 1] + grow
+    high_x, high_z = 2 * space[X1] - grow, 2 * space[X1 + 1] - grow
+    grid.state[CUTS_X] = grid.state[CUTS_Z] = 0
+    if low_x >= high_x or low_z >= high_z:
+        return grid.state[NUMBERS] <= min(len(room.doors), 1) and space[LEAST_FLOOR] == 0
+    grid.state[CUTS_X] = _cut(grid, 0, low_x, high_x)
+    grid.state[CUTS_Z] = _cut(grid, 1, low_z, high_z)
+    nx, nz = grid.state[CUTS_X] - 1, grid.state[CUTS_Z] - 1
+    _mark(grid, nx, nz)
+    _flood(grid, nx, nz)
+    _reach(grid, nx, nz)
+    entered = _entered(room, grid, nx, nz)
+    grid.state[ENTERED] = entered
+    if entered == 0:
+        return grid.state[NUMBERS] == 0 and space[LEAST_FLOOR] == 0
+    return grid.reached[entered, 0] == grid.state[NUMBERS] and grid.areas[entered] >= 4 * space[LEAST_FLOOR]
+
+

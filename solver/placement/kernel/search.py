@@ -1,0 +1,302 @@
+"""Exact search over the choices: branch only on violated ones, bound by the QP of the rows taken so far.
+
+Root = bounds and fixed rows. At a node the most violated choices are tried: each option appends one row to one axis and that
+axis is solved on from the parent's active set; the choice whose cheapest child is dearest is branched on. What is infeasible
+or dearer than the incumbent is pruned; ties go to the lowest number. A placement at which every choice holds must also pass
+the walk, where one is asked for; what blocks it is widened. The search stops on a count of QPs, never on time.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from solver.placement.kernel.dual import SOLVED
+from solver.placement.kernel.grid import walkable
+from solver.placement.kernel.jit import compiled
+from solver.placement.kernel.layout import (
+    AXIS,
+    CANDIDATES,
+    EXHAUSTED,
+    FOUND,
+    N_CHOICES,
+    N_WIDE,
+    OPTIONS,
+    PICKS,
+    SOLVES,
+    TURNED_DOWN,
+    WIDE_CHILDREN,
+    WIDENINGS,
+    Engine,
+    I,
+    J,
+    Nodes,
+    Programs,
+    S,
+    Work,
+)
+from solver.placement.kernel.program import append_row, prepare, solve_axis, spread
+from solver.placement.kernel.widen import links
+
+COST_TOLERANCE: Final = 1e-9
+VIOLATED: Final = 1e-8
+"""An option holds when it misses by less than this, m."""
+STEPS: Final = 1e9
+"""Costs and slacks are compared in steps of a nanometre or its like, so that rounding decides no tie."""
+# Nodes.state
+OPEN, SPARE, PICKED = range(3)
+
+
+@compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8))
+def _open_node(work: Work, programs: Programs, nodes: Nodes, slot: int) -> None:
+    """Brings a node's path back: its rows to the programmes, its positions to nodes.positions."""
+    seen_x, seen_z = 0, 0
+    pick = nodes.last_pick[slot]
+    while pick >= 0:
+        option = nodes.pick_option[pick]
+        row = work.options[option] if option < len(work.options) else work.wide[option - len(work.options)]
+        axis = row[AXIS]
+        seen = seen_x if axis == 0 else seen_z
+        at = programs.fixed_rows[axis] + nodes.row_count[slot, axis] - 1 - seen
+        append_row(work, programs, axis, at, row[I], row[J], row[S])
+        if axis == 0:
+            seen_x += 1
+        else:
+            seen_z += 1
+        pick = nodes.pick_before[pick]
+    for axis in range(2):
+        spread(programs, axis, work.sizes[axis], nodes.x[slot, axis], nodes.positions)
+
+
+@compiled(lambda t: t.i8(t.Work, t.Nodes))
+def _violated(work: Work, nodes: Nodes) -> int:
+    """Writes the most violated choices to nodes.worst, worst first, ties by lowest number; returns how many."""
+    p, count = nodes.positions, 0
+    for c in range(work.counts[N_CHOICES]):
+        slack = -np.inf
+        for k in range(4 * c, 4 * c + work.choice_size[c]):
+            axis = work.options[k, AXIS]
+            slack = max(slack, p[axis, work.options[k, J]] - p[axis, work.options[k, I]] - work.options[k, S] / 1000)
+            if slack >= -VIOLATED:
+                break
+        if slack >= -VIOLATED:
+            continue
+        key = np.int64(slack * STEPS)
+        at = min(count, CANDIDATES)
+        while at > 0 and nodes.worst[at - 1, 1] > key:
+            at -= 1
+        if at < CANDIDATES:
+            count = min(count + 1, CANDIDATES)
+            for move in range(count - 1, at, -1):
+                nodes.worst[move, 0] = nodes.worst[move - 1, 0]
+                nodes.worst[move, 1] = nodes.worst[move - 1, 1]
+            nodes.worst[at, 0], nodes.worst[at, 1] = c, key
+    return count
+
+
+@compiled(lambda t: t.i8(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
+def _child(work: Work, programs: Programs, nodes: Nodes, parent: int, option: int, ceiling: float) -> int:  # noqa: PLR0913
+    """Solves the parent with one row more; returns the child's slot, or -1 where it is infeasible or too dear."""
+    row = work.options[option] if option < len(work.options) else work.wide[option - len(work.options)]
+    axis = row[AXIS]
+    at = programs.fixed_rows[axis] + nodes.row_count[parent, axis]
+    if at >= programs.rows.shape[2]:
+        return -1
+    nodes.result[SOLVES] += 1
+    if not append_row(work, programs, axis, at, row[I], row[J], row[S]):
+        return -1
+    slot = nodes.spare[nodes.state[SPARE] - 1]
+    for a in range(2):
+        n, q = programs.size[a], nodes.active_size[parent, a]
+        for k in range(n):
+            nodes.x[slot, a, k] = nodes.x[parent, a, k]
+        for k in range(q):
+            nodes.active[slot, a, k] = nodes.active[parent, a, k]
+            nodes.multiplier[slot, a, k] = nodes.multiplier[parent, a, k]
+        nodes.active_size[slot, a] = q
+        nodes.cost[slot, a] = nodes.cost[parent, a]
+        nodes.row_count[slot, a] = nodes.row_count[parent, a]
+    first = 2 * programs.size[axis] + at
+    status = solve_axis(programs, nodes, slot, axis, at + 1, first, ceiling - nodes.cost[parent, 1 - axis])
+    if status != SOLVED or nodes.cost[slot, 0] + nodes.cost[slot, 1] >= ceiling:
+        return -1
+    nodes.row_count[slot, axis] += 1
+    nodes.last_pick[slot] = option  # becomes a pick when the child is kept
+    nodes.widened[slot] = nodes.widened[parent]
+    nodes.state[SPARE] -= 1
+    return slot
+
+
+@compiled(lambda t: t.none(t.Nodes, t.i8, t.i8, t.i8))
+def _free(nodes: Nodes, first: int, last: int, keep: int) -> None:
+    """Gives back the slots of a family's members first ... last - 1."""
+    for k in range(first, last):
+        if k >= keep:
+            nodes.spare[nodes.state[SPARE]] = nodes.family[k, 0]
+            nodes.state[SPARE] += 1
+
+
+@compiled(lambda t: t.none(t.Nodes, t.i8, t.i8))
+def _sort(nodes: Nodes, first: int, last: int) -> None:
+    """Sorts a family's members by cost, stably."""
+    for k in range(first + 1, last):
+        slot, key = nodes.family[k, 0], nodes.family[k, 1]
+        at = k
+        while at > first and nodes.family[at - 1, 1] > key:
+            nodes.family[at, 0], nodes.family[at, 1] = nodes.family[at - 1, 0], nodes.family[at - 1, 1]
+            at -= 1
+        nodes.family[at, 0], nodes.family[at, 1] = slot, key
+
+
+@compiled(lambda t: t.none(t.Nodes, t.i8, t.i8, t.i8))
+def _push(nodes: Nodes, parent: int, first: int, last: int) -> None:
+    """Opens a family's members, the cheapest on top."""
+    for k in range(last - 1, first - 1, -1):
+        slot, pick = nodes.family[k, 0], nodes.state[PICKED]
+        nodes.pick_option[pick] = nodes.last_pick[slot]
+        nodes.pick_before[pick] = nodes.last_pick[parent]
+        nodes.last_pick[slot] = pick
+        nodes.state[PICKED] = pick + 1
+        nodes.stack[nodes.state[OPEN]] = slot
+        nodes.state[OPEN] += 1
+
+
+@compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
+def _branch(work: Work, programs: Programs, nodes: Nodes, parent: int, count: int, ceiling: float) -> None:  # noqa: PLR0913
+    """Opens the children of the choice whose cheapest child is dearest."""
+    first, last, dearest = 0, 0, np.int64(-1)
+    for w in range(count):
+        c, start, cheapest = nodes.worst[w, 0], last, np.int64(-1)
+        for o in range(work.choice_size[c]):
+            slot = _child(work, programs, nodes, parent, 4 * c + o, ceiling)
+            if slot >= 0:
+                key = np.int64((nodes.cost[slot, 0] + nodes.cost[slot, 1]) * STEPS)
+                nodes.family[last, 0], nodes.family[last, 1] = slot, key
+                last += 1
+                cheapest = key if cheapest < 0 else min(cheapest, key)
+        if last == start:
+            _free(nodes, 0, last, 0)
+            return
+        if cheapest > dearest:
+            _free(nodes, first, start, 0)
+            for k in range(start, last):
+                nodes.family[k - start, 0], nodes.family[k - start, 1] = nodes.family[k, 0], nodes.family[k, 1]
+            first, last, dearest = 0, last - start, cheapest
+        else:
+            _free(nodes, start, last, 0)
+            last = start
+    _sort(nodes, first, last)
+    _push(nodes, parent, first, last)
+
+
+@compiled(lambda t: t.none(t.Engine, t.i8, t.f8))
+def _widen(engine: Engine, parent: int, ceiling: float) -> None:
+    """Opens the placements in which one of the pairs that block the way leaves room for a person."""
+    work, nodes = engine.work, engine.nodes
+    last = 0
+    for k in range(links(engine.room, work, engine.grid), work.counts[N_WIDE]):
+        slot = _child(work, engine.programs, nodes, parent, len(work.options) + k, ceiling)
+        if slot < 0:
+            continue
+        nodes.widened[slot] += 1
+        nodes.family[last, 0] = slot
+        nodes.family[last, 1] = np.int64((nodes.cost[slot, 0] + nodes.cost[slot, 1]) * STEPS)
+        last += 1
+        if last == len(nodes.family) or nodes.state[SPARE] < CANDIDATES * OPTIONS:
+            break
+    _sort(nodes, 0, last)
+    _free(nodes, 0, last, WIDE_CHILDREN)
+    _push(nodes, parent, 0, min(last, WIDE_CHILDREN))
+
+
+@compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8))
+def _keep_best(work: Work, programs: Programs, nodes: Nodes, slot: int) -> None:
+    for axis in range(2):
+        for v in range(work.sizes[axis]):
+            nodes.best[axis, v] = nodes.positions[axis, v]
+    nodes.best_cost[0] = nodes.cost[slot, 0] + nodes.cost[slot, 1]
+    pick, count = nodes.last_pick[slot], 0
+    while pick >= 0:
+        nodes.best_picks[count] = nodes.pick_option[pick]
+        count += 1
+        pick = nodes.pick_before[pick]
+    nodes.result[FOUND], nodes.result[PICKS] = 1, count
+
+
+@compiled(lambda t: t.b1(t.Work, t.Programs, t.Nodes))
+def _root(work: Work, programs: Programs, nodes: Nodes) -> bool:
+    """Opens the root; False where it is infeasible."""
+    for c in range(work.counts[N_CHOICES]):
+        if work.choice_size[c] == 0:
+            return False
+    if not prepare(work, programs, nodes):
+        return False
+    slot = nodes.spare[nodes.state[SPARE] - 1]
+    for axis in range(2):
+        for k in range(programs.size[axis]):
+            nodes.x[slot, axis, k] = programs.start[axis, k]
+        nodes.active_size[slot, axis] = nodes.row_count[slot, axis] = 0
+        nodes.cost[slot, axis] = programs.start_cost[axis]
+        nodes.result[SOLVES] += 1
+        if solve_axis(programs, nodes, slot, axis, programs.fixed_rows[axis], -1, np.inf) != SOLVED:
+            return False
+    nodes.last_pick[slot], nodes.widened[slot] = -1, 0
+    nodes.state[SPARE] -= 1
+    nodes.stack[0] = slot
+    nodes.state[OPEN] = 1
+    return True
+
+
+@compiled(lambda t: t.b1(t.Engine))
+def _passes(engine: Engine) -> bool:
+    """Tells whether the open node's placement, rounded to millimetres, is walkable."""
+    nodes, grid, work = engine.nodes, engine.grid, engine.work
+    for axis in range(2):
+        for v in range(work.sizes[axis]):
+            grid.positions[axis, v] = np.int64(np.floor(nodes.positions[axis, v] * 1000 + 0.5))
+    return walkable(engine.room, work, grid, grid.positions)
+
+
+@compiled(lambda t: t.none(t.Engine, t.i8, t.f8, t.b1))
+def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
+    """Finds the cheapest placement of the problem in `work` at which every choice holds.
+
+    Args:
+        engine: the work space; the outcome is left in nodes.result, best_cost, best and best_picks.
+        limit: QPs after which to stop; EXHAUSTED is then 0.
+        ceiling: only placements cheaper than this count.
+        walk: whether doors and use sides must be joined.
+    """
+    work, programs, nodes = engine.work, engine.programs, engine.nodes
+    nodes.result[:] = 0
+    nodes.state[OPEN], nodes.state[SPARE], nodes.state[PICKED] = 0, len(nodes.spare), 0
+    for k in range(len(nodes.spare)):
+        nodes.spare[k] = k
+    work.counts[N_WIDE] = 0
+    nodes.best_cost[0] = ceiling
+    nodes.result[EXHAUSTED] = 1
+    if not _root(work, programs, nodes):
+        return
+    room_for = CANDIDATES * OPTIONS + WIDE_CHILDREN
+    while nodes.state[OPEN] > 0:
+        nodes.state[OPEN] -= 1
+        slot = nodes.stack[nodes.state[OPEN]]
+        cost, best = nodes.cost[slot, 0] + nodes.cost[slot, 1], nodes.best_cost[0] - COST_TOLERANCE
+        if cost < best:
+            full = nodes.state[SPARE] <= room_for or nodes.state[PICKED] + room_for >= len(nodes.pick_option)
+            if nodes.result[SOLVES] >= limit or full:
+                nodes.result[EXHAUSTED] = 0
+                return
+            _open_node(work, programs, nodes, slot)
+            count = _violated(work, nodes)
+            if count > 0:
+                _branch(work, programs, nodes, slot, count, best)
+            elif not walk or _passes(engine):
+                _keep_best(work, programs, nodes, slot)
+            else:
+                nodes.result[TURNED_DOWN] += 1
+                if nodes.widened[slot] < WIDENINGS:
+                    _widen(engine, slot, best)
+        nodes.spare[nodes.state[SPARE]] = slot
+        nodes.state[SPARE] += 1
