@@ -5,8 +5,8 @@ left out. May import: the ground floor. Not here: rules of room types (furnish),
 """
 
 from solver.placement.arrange import arrange_as_wished, feasible
+from solver.placement.budget import ROOM_WORK, Budget
 from solver.placement.explain import minimal_conflict
 from solver.placement.settle import place, settle
-from solver.placement.states import ROOM_WORK, Budget
 
 __all__ = ["ROOM_WORK", "Budget", "arrange_as_wished", "feasible", "minimal_conflict", "place", "settle"]

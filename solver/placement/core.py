@@ -5,6 +5,7 @@ Comes in: an `Encoded` room or a hand-made `Problem`. Goes out: decisions, outco
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -14,14 +15,15 @@ from solver.placement.budget import Budget
 from solver.placement.constraints import Choice, Part, Row
 from solver.placement.encode import Encoded
 from solver.placement.kernel import layout
-from solver.placement.kernel.assembly import assemble
 from solver.placement.kernel.fill import arrange_room
 from solver.placement.kernel.grid import walkable
-from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, best_first, evaluate
+from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, DOUBTED, best_first, evaluate
 from solver.placement.kernel.layout import Engine, Floats, Ints
+from solver.placement.kernel.options import total_preference, ways
 from solver.placement.outcome import Outcome
 from solver.placement.problem import Problem
 from solver.placement.terms import Anchor, Pull, Term
+from solver.wanted import Alternative
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,7 @@ class Core:
     def arrange(self, limits: Limits, budget: Budget, walk: bool) -> Arranged:
         """Arranges required and optional pieces; the final placement stays in the work space."""
         count = len(self.encoded.wanted)
-        decisions, fates = np.full(count, layout.ABSENT, dtype=np.int64), np.zeros(count, dtype=np.int64)
+        decisions, fates = self.blank(), np.zeros(count, dtype=np.int64)
         costs, report = np.zeros(3), np.zeros(4, dtype=np.int64)
         self.engine.tree.budget[0] = budget.left
         arrange_room(self.engine, decisions, costs, fates, limits.row, report, walk)
@@ -98,7 +100,7 @@ class Core:
             Decisions of the best way for all to stand, or None; and whether that answer is exact.
         """
         count, tree = len(self.encoded.wanted), self.engine.tree
-        start, group = np.full(count, layout.ABSENT, dtype=np.int64), np.array([0, count], dtype=np.int64)
+        start, group = self.blank(), np.array([0, count], dtype=np.int64)
         tree.budget[0] = budget.left
         own = np.array([limits.required, limits.required_qps], dtype=np.int64)
         found = best_first(self.engine, start, np.array([0.0, 0.0, 1e12]), group, own, walk)
@@ -106,7 +108,7 @@ class Core:
         closed = bool(tree.counters[CLOSED])
         if not found:
             complete = tree.counters[DEEPEST] >= 0 and self._deepest() == count
-            return (tree.decisions[tree.counters[DEEPEST]].copy(), False) if complete else (None, closed)
+            return (tree.decisions[tree.counters[DEEPEST]].copy(), False) if complete else (None, closed and not tree.counters[DOUBTED])
         return tree.decisions[tree.counters[BEST]].copy(), closed
 
     def _deepest(self) -> int:
@@ -119,7 +121,36 @@ class Core:
         """Returns the decisions of the deepest prefix of the last best-first search."""
         tree = self.engine.tree
         at = int(tree.counters[DEEPEST])
-        return np.full(len(self.encoded.wanted), layout.ABSENT, dtype=np.int64) if at < 0 else tree.decisions[at].copy()
+        return self.blank() if at < 0 else tree.decisions[at].copy()
+
+    def blank(self) -> Ints:
+        """Returns the decisions of an empty room."""
+        return np.full(len(self.encoded.wanted), layout.ABSENT, dtype=np.int64)
+
+    def first_ways(self) -> Ints | None:
+        """Returns every piece's cheapest way beside the ones before it, or None where one has none."""
+        tree, decisions = self.engine.tree, self.blank()
+        for piece in range(len(decisions)):
+            count = ways(self.engine.room, decisions, piece, tree.found, tree.found_cost)
+            if not count:
+                return None
+            decisions[piece] = tree.found[int(tree.found_cost[:count].round(9).argmin())]
+        return decisions
+
+    def preference(self, decisions: Ints) -> float:
+        """Returns the preference cost of decisions that can stand together."""
+        return float(total_preference(self.engine.room, decisions))
+
+    def decided(self, piece: int, decision: int) -> tuple[Alternative, tuple[str, ...]]:
+        """Returns the alternative and the use sides that a decision of a piece means."""
+        first = int(self.engine.room.pieces[piece, layout.SIDES_0])
+        return self.encoded.alternatives[decision // 8], self.encoded.side_names[first + decision % 8]
+
+    def walkable_near(self, outcome: Outcome) -> bool:
+        """Tells whether an outcome, rounded to millimetres, is walkable."""
+        if outcome.positions is None:
+            return False
+        return self.walkable_at([[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in outcome.positions])
 
     def evaluate(self, decisions: Ints, limit: int, budget: Budget, walk: bool, ceiling: float = np.inf) -> bool:
         """Searches a placement of the decisions; it stays in the work space."""
@@ -127,10 +158,6 @@ class Core:
         found = bool(evaluate(self.engine, np.ascontiguousarray(decisions), limit, ceiling, walk))
         budget.left = float(self.engine.tree.budget[0])
         return found
-
-    def assembles(self, decisions: Ints) -> bool:
-        """Writes the decisions' problem into the work space; False where the bounds alone rule them out."""
-        return bool(assemble(self.engine.room, self.engine.work, np.ascontiguousarray(decisions)))
 
     def walkable_at(self, p: Sequence[Sequence[int]]) -> bool:
         """Tells whether doors and use sides are joined with the assembled bodies at integer positions p[axis][variable], mm."""

@@ -44,17 +44,17 @@ class Encoded:
     engine: Engine
 
 
-def _side_choices(wanted: Wanted, walk: str) -> list[tuple[tuple[str, ...], int, int, float]]:
-    """Returns the choices of use sides: names, bits that get a stand, bits of which any counts, cost."""
+def _side_choices(wanted: Wanted, walk: str) -> list[tuple[tuple[str, ...], tuple[int, int, int], float]]:
+    """Returns the choices of use sides: names; bits that get a stand, of which any, and of which all count; cost."""
     if not wanted.stands or walk == "none":
-        return [((), 0, 0, 0.0)]
+        return [((), (0, 0, 0), 0.0)]
     names = tuple(stand.side for stand in wanted.stands)
     bits = [SIDES[name] for name in names]
+    if walk == "test":
+        return [(names, (0, 0, sum(bits)) if wanted.need_all else (0, sum(bits), 0), 0.0)]
     if wanted.need_all:
-        return [(names, sum(bits), 0, 0.0)]
-    if walk == "any":
-        return [(names, 0, sum(bits), 0.0)] if len(bits) > 1 else [(names, bits[0], 0, 0.0)]
-    return [((name,), bit, 0, OTHER_SIDE_COST * k) for k, (name, bit) in enumerate(zip(names, bits, strict=True))]
+        return [(names, (sum(bits), 0, 0), 0.0)]
+    return [((name,), (bit, 0, 0), OTHER_SIDE_COST * k) for k, (name, bit) in enumerate(zip(names, bits, strict=True))]
 
 
 def door_target(space: Space, door: Doorway) -> tuple[int, int, int, int]:
@@ -129,12 +129,12 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
     Args:
         space: where the room's furniture may stand.
         wanted: pieces, parents before what is attached to them.
-        walk: "stands" gives every use side a person's square; "any" only where there is no choice of sides; "none" asks
-            for no use sides at all.
+        walk: "stands" gives every use side to be reached a person's square; "test" only asks the walk for them; "none"
+            asks for no use sides at all.
     """
     tables = _Tables(space, wanted)
     pieces, alts, alt_costs, links, link_costs = [], [], [], [], []
-    sides: list[list[int]] = []
+    sides: list[tuple[int, int, int]] = []
     side_costs: list[float] = []
     names: list[tuple[str, ...]] = []
     chosen: list[Alternative] = []
@@ -152,9 +152,9 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
                 row, costs = tables.link(link)
                 links.append(row)
                 link_costs.append(costs)
-        for side_names, stands, any_of, cost in _side_choices(piece, walk):
+        for side_names, bits, cost in _side_choices(piece, walk):
             names.append(side_names)
-            sides.append([stands, any_of])
+            sides.append(bits)
             side_costs.append(cost)
         pieces.append([int(piece.required), starts[0], len(alts), starts[1], len(links), starts[2], len(sides), len(pieces) + 1])
     _group(pieces, wanted)
@@ -164,7 +164,7 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
         _matrix([door_target(space, door) for door in space.doorways], 4),
         _matrix(pieces, 8),
         np.array([piece.skip_cost for piece in wanted], dtype=np.float64),
-        _matrix(sides, 2),
+        _matrix(sides, 3),
         np.array(side_costs, dtype=np.float64),
         _matrix(alts, 24),
         _values(alt_costs, 3),

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from solver.geometry import WALL_BEHIND, Rect, strip
 from solver.placement.arrange import feasible
-from solver.placement.states import Budget
+from solver.placement.budget import Budget
 from solver.wanted import Alternative, Placed, Space, Wanted
 
 _WALLS = tuple(WALL_BEHIND.values())

@@ -1,182 +1,83 @@
-"""Exact search over the choices: branch only on violated ones, bound by the QP of the rows taken so far.
+"""The compiled search over a problem's choices, for problems made by hand; rooms go through `core`.
 
-Root = bounds and fixed rows. At a node the most violated choices are tried: each option appends one row to one axis and
-that axis is solved again; the choice whose cheapest child is dearest is branched on. What is infeasible or dearer than
-the incumbent is pruned. The search stops on a count of QPs, never on time; then the result is not proven.
+Comes in: a Problem. Goes out: an Outcome. `twin.solve` is the same search in Python over DAQP.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-
 import numpy as np
 
-from solver.placement.axis import ROW_TOLERANCE, AxisProgram
-from solver.placement.constraints import ORIGIN, Row
+from solver.placement.core import outcome_of
+from solver.placement.kernel import layout
+from solver.placement.kernel.layout import Engine, Room, Work
+from solver.placement.kernel.search import search
+from solver.placement.kernel.space import Sizes, new_engine
+from solver.placement.outcome import Outcome
 from solver.placement.problem import Problem
-from solver.placement.terms import Floats
+from solver.placement.terms import Anchor
 
-CANDIDATES = 4
-"""How many of the most violated choices are tried at a node (placement.md: K = 4)."""
 LIMIT = 4000
-"""QPs after which the search gives up proving."""
-COST_TOLERANCE = 1e-9
-
-Accept = Callable[[tuple[Floats, Floats]], bool]
+"""QPs after which the search gives up proving (placement.md)."""
 
 
-@dataclass(frozen=True)
-class Outcome:
-    """What the search found.
-
-    `positions` (m, per axis and variable) and `rows` (the option each choice took) are None
-    and empty when nothing was found. `proven`: the tree was exhausted, so this is the optimum, or there is none.
-    `turned_down` counts the placements that the last test refused: with any, "none" speaks of these anchors alone.
-    """
-
-    cost: float
-    positions: tuple[Floats, Floats] | None
-    rows: tuple[Row, ...]
-    proven: bool
-    solves: int
-    turned_down: int = 0
-
-
-@dataclass(frozen=True)
-class _Node:
-    picks: tuple[tuple[int, Row], ...]
-    """The choices branched on so far, each with the option taken."""
-    rows: tuple[tuple[Row, ...], tuple[Row, ...]]
-    costs: tuple[float, float]
-    positions: tuple[Floats, Floats]
-
-    @property
-    def cost(self) -> float:
-        return self.costs[0] + self.costs[1]
-
-
-class _Table:
-    """The choices' options as arrays, so that all slacks come from one expression."""
-
-    def __init__(self, problem: Problem) -> None:
-        n_x = len(problem.low[0])
-        self.origin = n_x + len(problem.low[1])
-        count = len(problem.choices)
-        self.before = np.full((count, 4), self.origin)
-        self.after = np.full((count, 4), self.origin)
-        self.s = np.full((count, 4), np.inf)
-        for c, choice in enumerate(problem.choices):
-            for o, row in enumerate(choice.options):
-                shift = n_x if row.axis else 0
-                self.before[c, o] = self.origin if row.i == ORIGIN else row.i + shift
-                self.after[c, o] = self.origin if row.j == ORIGIN else row.j + shift
-                self.s[c, o] = row.s / 1000
-
-    def slacks(self, positions: tuple[Floats, Floats]) -> Floats:
-        """Returns the slack of every option, m, shape (choices, 4)."""
-        p = np.concatenate([positions[0], positions[1], [0.0]])
-        slack: Floats = p[self.after] - p[self.before] - self.s
-        return slack
-
-
-class Search:
-    """One search. Use `solve`."""
-
-    def __init__(self, problem: Problem, limit: int, ceiling: float, accept: Accept | None) -> None:
-        self.problem, self.limit, self.accept = problem, limit, accept
-        self.programs = (AxisProgram(problem, 0), AxisProgram(problem, 1))
-        self.table = _Table(problem)
-        self.best_cost = ceiling
-        self.best: _Node | None = None
-        self.solves = self.turned_down = 0
-
-    def run(self) -> Outcome:
-        """Runs the search to its end or limit."""
-        root = self._root()
-        stack = [root] if root else []
-        exhausted = True
-        while stack:
-            node = stack.pop()
-            if node.cost >= self.best_cost - COST_TOLERANCE:
-                continue
-            if self.solves >= self.limit:
-                exhausted = False
-                break
-            violated = self._violated(node)
-            if violated:
-                stack.extend(reversed(self._branch(node, violated)))
-            elif self.accept is None or self.accept(node.positions):
-                self.best, self.best_cost = node, node.cost
-            else:
-                self.turned_down += 1
-        return self._outcome(exhausted)
-
-    def _root(self) -> _Node | None:
-        if any(not choice.options for choice in self.problem.choices):
-            return None
-        solved = [program.solve(()) for program in self.programs]
-        self.solves += 2
-        if solved[0] is None or solved[1] is None:
-            return None
-        return _Node((), ((), ()), (solved[0][0], solved[1][0]), (solved[0][1], solved[1][1]))
-
-    def _violated(self, node: _Node) -> list[int]:
-        """Returns the most violated choices, worst first, ties by lowest index."""
-        if not self.problem.choices:
-            return []
-        slack = self.table.slacks(node.positions).max(axis=1)
-        worst = np.argsort(slack.round(9), kind="stable")[:CANDIDATES]
-        return [int(c) for c in worst if slack[c] < -ROW_TOLERANCE]
-
-    def _branch(self, node: _Node, violated: Sequence[int]) -> list[_Node]:
-        """Returns the children of the choice whose cheapest child is dearest, cheapest first."""
-        chosen: list[_Node] = []
-        dearest = -1.0
-        for c in violated:
-            children = [child for row in self.problem.choices[c].options if (child := self._child(node, c, row))]
-            if not children:
-                return []
-            cheapest = min(child.cost for child in children)
-            if cheapest > dearest + COST_TOLERANCE:
-                chosen, dearest = children, cheapest
-        return sorted(chosen, key=lambda child: round(child.cost, 9))
-
-    def _child(self, node: _Node, c: int, row: Row) -> _Node | None:
-        axis = row.axis
-        rows = (*node.rows[axis], row)
-        self.solves += 1
-        solved = self.programs[axis].solve(rows)
-        if solved is None:
-            return None
-        cost, positions = solved
-        if cost + node.costs[1 - axis] >= self.best_cost - COST_TOLERANCE:
-            return None
-        picks = (*node.picks, (c, row))
-        if axis == 0:
-            return _Node(picks, (rows, node.rows[1]), (cost, node.costs[1]), (positions, node.positions[1]))
-        return _Node(picks, (node.rows[0], rows), (node.costs[0], cost), (node.positions[0], positions))
-
-    def _outcome(self, exhausted: bool) -> Outcome:
-        if self.best is None:
-            return Outcome(float("inf"), None, (), exhausted, self.solves, self.turned_down)
-        taken = self._taken(self.best) if self.problem.choices else ()
-        return Outcome(self.best.cost, self.best.positions, taken, exhausted, self.solves, self.turned_down)
-
-    def _taken(self, node: _Node) -> tuple[Row, ...]:
-        """Returns the option each choice took: the one branched on, else the one that holds with most slack."""
-        branched = dict(node.picks)
-        widest = self.table.slacks(node.positions).argmax(axis=1)
-        return tuple(branched.get(c) or choice.options[o] for c, (choice, o) in enumerate(zip(self.problem.choices, widest, strict=True)))
-
-
-def solve(problem: Problem, *, limit: int = LIMIT, ceiling: float = float("inf"), accept: Accept | None = None) -> Outcome:
+def solve(problem: Problem, *, limit: int = LIMIT, ceiling: float = float("inf")) -> Outcome:
     """Finds the cheapest positions at which every choice holds.
 
     Args:
-        problem: the room's problem.
+        problem: bounds, terms, rows and choices; every variable needs a term.
         limit: QPs after which to stop; the outcome is then not proven.
         ceiling: only placements cheaper than this count.
-        accept: a last test of a placement that satisfies every choice, positions in m; what it refuses is not taken.
+
+    Raises:
+        ValueError: a variable has two anchors.
     """
-    return Search(problem, limit, ceiling, accept).run()
+    engine = laid_out(problem)
+    search(engine, limit, ceiling, False)
+    return outcome_of(engine)
+
+
+def laid_out(problem: Problem) -> Engine:
+    """Returns a work space with the problem in it, ready for the kernel's `search`."""
+    count = max(len(problem.low[0]), len(problem.low[1]), 1)
+    pulls = sum(not isinstance(term, Anchor) for term in problem.terms)
+    sizes = Sizes(1, count, len(problem.choices) + 1, len(problem.rows) + 1, pulls + 1, 0, 0, 1, 1)
+    engine = new_engine(_nowhere(), sizes)
+    work = engine.work
+    work.counts[:] = 0
+    for axis in (0, 1):
+        n = len(problem.low[axis])
+        work.sizes[axis] = n
+        work.low[axis, :n], work.high[axis, :n] = problem.low[axis], problem.high[axis]
+        work.anchor_weight[axis], work.anchor_at[axis] = 0.0, 0.0
+    _write_terms(problem, work)
+    work.counts[layout.N_ROWS] = len(problem.rows)
+    if problem.rows:
+        work.rows[: len(problem.rows)] = problem.rows
+    work.counts[layout.N_CHOICES] = len(problem.choices)
+    for c, choice in enumerate(problem.choices):
+        work.choice_size[c] = len(choice.options)
+        if choice.options:
+            work.options[4 * c : 4 * c + len(choice.options)] = choice.options
+    return engine
+
+
+def _write_terms(problem: Problem, work: Work) -> None:
+    """Writes anchors and pulls."""
+    for term in problem.terms:
+        if isinstance(term, Anchor):
+            if work.anchor_weight[term.axis, term.i] > 0:
+                raise ValueError(f"variable {term.i} of axis {term.axis} has two anchors")
+            work.anchor_at[term.axis, term.i], work.anchor_weight[term.axis, term.i] = term.wish, term.weight
+        else:
+            k = work.counts[layout.N_PULLS]
+            work.pulls[k] = term.axis, term.i, term.j
+            work.pull_costs[k] = term.offset, term.weight
+            work.counts[layout.N_PULLS] += 1
+
+
+def _nowhere() -> Room:
+    rows, none = np.zeros((0, 5), dtype=np.int64), np.zeros(0)
+    return Room(np.zeros(8, dtype=np.int64), rows, rows, rows, none, rows, none, rows, np.zeros((0, 3)), rows, np.zeros((0, 5)))
+
+
+__all__ = ["LIMIT", "Outcome", "laid_out", "solve"]

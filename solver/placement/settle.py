@@ -9,7 +9,6 @@ from solver.placement.arrange import Draft, arrange
 from solver.placement.explain import why_left_out
 from solver.placement.qp import Decided, solve_house
 from solver.placement.snap import snap
-from solver.placement.states import walkable_at
 from solver.placement.terms import Floats
 from solver.wanted import Arrangement, Placed, Space, Wanted
 
@@ -47,26 +46,25 @@ def _solve(rooms: Sequence[Decided], engine: str) -> list[tuple[Floats, Floats]]
 
 def decided(draft: Draft) -> Decided:
     """Returns the draft's problem with its choices made, as the final solve takes it."""
-    outcome = draft.state.outcome
-    if outcome.positions is None:
+    if draft.outcome.positions is None:
         raise ValueError(f"{draft.space.room}: an unsolved draft cannot be settled")
-    return Decided(draft.state.assembly.problem, outcome.rows, outcome.positions)
+    return Decided(draft.problem, draft.outcome.rows, draft.outcome.positions)
 
 
 def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> Arrangement:
     p, walkable = _snapped(draft, room, positions)
-    state = draft.state
+    bodies = {part.label: part for part in draft.problem.parts if not part.stand}
     placed: list[Placed] = []
-    for c in state.assembly.chosen:
+    for c in draft.chosen:
         label = c.wanted.label
-        rect = state.assembly.bodies[label].rect(p)
+        rect = bodies[label].rect(p)
         wall = c.alternative.wall
         if wall is None and c.alternative.attach is not None and c.alternative.bottom_mm == 0:
             wall = _wall_behind(draft.space, c.alternative.attach.parent, placed, rect)
-        placed.append(Placed(label, c.alternative, state.assembly.rotations[label], wall, rect))
+        placed.append(Placed(label, c.alternative, c.rotation, wall, rect))
     reasons = tuple((piece.label, f"{why}; {why_left_out(draft.space, piece, placed)}") for piece, why in draft.left_out)
     notes = () if walkable else ("no walkable arrangement of the required pieces was found",)
-    return Arrangement(draft.space.room, tuple(placed), reasons, round(state.cost, 6), draft.proven, draft.solves, notes)
+    return Arrangement(draft.space.room, tuple(placed), reasons, round(draft.cost, 6), draft.proven, draft.solves, notes)
 
 
 def _snapped(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> tuple[tuple[list[int], list[int]], bool]:
@@ -79,7 +77,7 @@ def _snapped(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> t
         broken = room.problem.violations(candidate)
         if broken:
             raise AssertionError(f"{draft.space.room}: {broken[0]}")
-        if draft.walkable and walkable_at(draft.state.assembly, candidate):
+        if draft.walkable and draft.core.walkable_at(candidate):
             return candidate, True
     return p, False
 

@@ -13,6 +13,7 @@ from solver.placement.kernel.assembly import facing
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     ABSENT,
+    ALL_OF,
     ANY_OF,
     EAST,
     EXT_X,
@@ -99,7 +100,7 @@ def _gather(room: Room, work: Work, grid: Grid, p: Ints) -> None:
             continue
         side = work.taken_side[piece]
         for bit in range(4):
-            if room.sides[side, STANDS] & (1 << bit):
+            if (room.sides[side, STANDS] | room.sides[side, ALL_OF]) & (1 << bit):
                 _side_target(room, work, grid, p, piece, 1 << bit)
                 grid.state[NUMBERS] += 1
         for bit in range(4):

@@ -31,7 +31,7 @@ from solver.placement.kernel.options import ways
 from solver.placement.kernel.search import STEPS, search
 
 # Tree.counters
-STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, SOLVED_QPS = range(10)
+STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, SOLVED_QPS = range(11)
 # Tree.heap
 RANK, BOUND, AGE, STATE, DECISION = range(5)
 EXPANDED: Final = -1
@@ -189,6 +189,8 @@ def _try_entry(engine: Engine, entry: int, piece: int, limits: Ints, walk: bool)
     if not evaluate(engine, tree.trial, limits[1], np.inf, walk):
         if result[TURNED_DOWN] == 0 and result[EXHAUSTED] == 1:
             refused(tree, number, True)
+        if result[TURNED_DOWN] > 0:
+            tree.counters[DOUBTED] = 1
         if result[EXHAUSTED] == 0:
             tree.counters[CLOSED] = 0
         return True
@@ -207,7 +209,8 @@ def best_first(engine: Engine, start: Ints, start_cost: Floats, group: Ints, lim
 
     Args:
         engine: the work space. The answer's number is left in tree.counters[BEST] (-1: none), the deepest prefix in
-            DEEPEST (-1: none); CLOSED tells whether the answer is exact within the search.
+            DEEPEST (-1: none); CLOSED tells whether the answer is exact within the search, DOUBTED whether a placement was
+            turned down for the walk alone, so that "none" is strong evidence, not proof.
         start: decisions so far.
         start_cost: their cost, of it the preferences, and the cost above which no answer counts.
         group: first piece, and the one after the last.

@@ -24,8 +24,8 @@ X0, Z0, X1, Z1, GAP, ROBOT, COVER, LEAST_FLOOR = range(8)
 ABOVE, WALL_ZONE = 4, 5
 # Room.pieces
 REQUIRED, ALT_0, ALT_1, LINK_0, LINK_1, SIDES_0, SIDES_1, GROUP_END = range(8)
-# Room.sides: bits of the use sides that get a stand, bits of those of which any may be reached without one
-STANDS, ANY_OF = 0, 1
+# Room.sides: bits of the use sides that get a stand; without one: bits of which any, and of which all must be reached
+STANDS, ANY_OF, ALL_OF = 0, 1, 2
 FRONT, BACK, LEFT, RIGHT = 1, 2, 4, 8
 # Room.alts
 (

@@ -1,0 +1,169 @@
+"""Why pieces cannot stand together, in lengths that a person can check with a ruler.
+
+Comes in: a space and pieces that are infeasible in it. Goes out: by how much the room is too short, proven, and the chain
+of lengths from wall to wall that says so. Not here: which pieces are to blame (explain), what to do about it.
+
+The room is made longer at its east or south end; what hangs on that wall goes along. At the least length at which the pieces
+can stand, those of one chain of touching things from wall to wall have no millimetre left: that chain is the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from solver.geometry import Rect
+from solver.placement.chain import Length, chain
+from solver.wanted import Arrangement, Space, Wanted, Zone
+
+Verdict = Callable[[Space, Sequence[Wanted]], bool | None]
+"""Can the pieces stand in the space? None where a limit was hit first."""
+Placing = Callable[[Space, Sequence[Wanted]], Arrangement]
+"""Places pieces that can stand."""
+NEAR_MM = 200
+"""What stands still this near to the far wall goes along with it."""
+WALKING_MM = 900
+"""Deepest square before an opening, mm (contract): room that a longer room may need besides its pieces."""
+ALONG = ("from west to east", "from north to south")
+
+
+@dataclass(frozen=True)
+class Shortfall:
+    """By how much a room is too short for some pieces.
+
+    Args:
+        axis: 0 for x, 1 for z: along which it is least.
+        missing_mm: the least whole millimetres by which it must be longer.
+        clear_mm: what is clear along that axis.
+        lengths: from wall to wall, which add up to clear_mm + missing_mm; empty where no single chain says why.
+    """
+
+    axis: int
+    missing_mm: int
+    clear_mm: int
+    lengths: tuple[Length, ...] = ()
+
+
+def shortfall(space: Space, pieces: Sequence[Wanted], can_stand: Verdict, placing: Placing) -> Shortfall | None:
+    """Finds the least length by which a room must grow along one axis for infeasible pieces to be feasible.
+
+    Args:
+        space: the room's.
+        pieces: infeasible in it.
+        can_stand: the search's verdict.
+        placing: the search's placement, asked for at most once.
+
+    Returns:
+        The shorter of both axes' (x where equal); None where growing along one axis does not help or a limit was hit.
+    """
+    best: tuple[int, int] | None = None
+    for axis in (0, 1):
+        most = best[1] - 1 if best else _enough(space, pieces)
+        missing = _least(space, pieces, axis, most, can_stand)
+        if missing is not None:
+            best = axis, missing
+    if best is None:
+        return None
+    axis, missing = best
+    longer, moved = longer_space(space, axis, missing), longer_pieces(space, pieces, axis, missing)
+    arrangement = placing(longer, moved)
+    clear_mm = _span(space.clear, axis)
+    lengths = () if arrangement.left_out else chain(longer, moved, arrangement.placed, axis, going=_going(space, axis))
+    exact = sum(length.mm for length in lengths) == clear_mm + missing
+    return Shortfall(axis, missing, clear_mm, lengths if exact else ())
+
+
+def sentence(found: Shortfall) -> str:
+    """Says a shortfall in metres and centimetres."""
+    along, missing = ALONG[found.axis], centimetres(found.missing_mm)
+    if not found.lengths:
+        return f"the {metres(found.clear_mm)} m that are clear {along} are {missing} short"
+    clear = metres(found.clear_mm)
+    if len(found.lengths) == 1:
+        only = found.lengths[0]
+        return f"{only.name} is {metres(only.mm)} m long, {clear} m are clear {along}: {missing} too long"
+    total = metres(found.clear_mm + found.missing_mm)
+    terms = " + ".join(f"{length.name} {metres(length.mm)}" for length in found.lengths)
+    wall = _common_wall(found.lengths)
+    return f"{terms} = {total} > {clear} m {f'along the {wall} wall' if wall else along}: {missing} short"
+
+
+def metres(mm: int) -> str:
+    """Writes millimetres as metres with two decimals, or three where needed."""
+    return f"{mm / 1000:.3f}" if mm % 10 else f"{mm / 1000:.2f}"
+
+
+def centimetres(mm: int) -> str:
+    """Writes millimetres as centimetres, exactly."""
+    return f"{mm / 10:.1f} cm" if mm % 10 else f"{mm // 10} cm"
+
+
+def _common_wall(lengths: Sequence[Length]) -> str | None:
+    walls = {length.wall for length in lengths if length.label}
+    return walls.pop() if len(walls) == 1 else None
+
+
+def _span(rect: Rect, axis: int) -> int:
+    return rect.depth if axis else rect.width
+
+
+def _enough(space: Space, pieces: Sequence[Wanted]) -> int:
+    """Returns a growth that would hold all pieces one after the other beyond everything that is there."""
+    longest = [max((max(a.size_mm[:2]) for a in piece.alternatives), default=0) for piece in pieces]
+    stands = sum(len(piece.stands) for piece in pieces)
+    return sum(longest) + stands * space.robot_mm + 2 * (space.gap_mm + NEAR_MM + WALKING_MM)
+
+
+def _least(space: Space, pieces: Sequence[Wanted], axis: int, most: int, can_stand: Verdict) -> int | None:
+    """Bisects for the least growth along an axis, up to `most`; None where that does not do or a limit was hit."""
+
+    def stands(by: int) -> bool | None:
+        return can_stand(longer_space(space, axis, by), longer_pieces(space, pieces, axis, by))
+
+    if most < 1 or not stands(most):
+        return None
+    low, high = 0, most
+    while high - low > 1:
+        middle = (low + high) // 2
+        verdict = stands(middle)
+        if verdict is None:
+            return None
+        low, high = (low, middle) if verdict else (middle, high)
+    return high
+
+
+def longer_space(space: Space, axis: int, by: int) -> Space:
+    """Returns a space longer at its east (axis 0) or south (axis 1) end; zones at that wall go along."""
+    going = _going(space, axis)
+    zones = tuple(_shifted_zone(zone, axis, by, going) for zone in space.zones)
+    doorways = tuple(replace(doorway, square=_shifted(doorway.square, axis, by, going)) for doorway in space.doorways)
+    return replace(space, clear=_shifted(space.clear, axis, by, going), zones=zones, doorways=doorways)
+
+
+def longer_pieces(space: Space, pieces: Sequence[Wanted], axis: int, by: int) -> tuple[Wanted, ...]:
+    """Returns the pieces for the longer space: where they must stay near the far wall they go along with it."""
+    going = _going(space, axis)
+    found = []
+    for piece in pieces:
+        ways = (replace(way, within=_shifted(way.within, axis, by, going)) if way.within else way for way in piece.alternatives)
+        found.append(replace(piece, alternatives=tuple(ways)))
+    return tuple(found)
+
+
+def _going(space: Space, axis: int) -> tuple[int, int]:
+    """Returns where things begin to touch the near wall, and from where on they are at the far one."""
+    clear = space.clear
+    return (clear.z0, clear.z1 - NEAR_MM) if axis else (clear.x0, clear.x1 - NEAR_MM)
+
+
+def _shifted_zone(zone: Zone, axis: int, by: int, going: tuple[int, int]) -> Zone:
+    return replace(zone, rect=_shifted(zone.rect, axis, by, going))
+
+
+def _shifted(rect: Rect, axis: int, by: int, going: tuple[int, int]) -> Rect:
+    """Moves a rectangle at the far wall; stretches one that reaches from wall to wall; leaves the others."""
+    low, high = (rect.z0, rect.z1) if axis else (rect.x0, rect.x1)
+    if high < going[1]:
+        return rect
+    start = low if low <= going[0] else low + by
+    return Rect(rect.x0, start, rect.x1, high + by) if axis else Rect(start, rect.z0, high + by, rect.z1)
