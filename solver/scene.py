@@ -266,6 +266,16 @@ class Move:
 
 
 @dataclass(frozen=True)
+class Pose:
+    """Where a body was in the last answer of /fix: its footprint's centre in its room, m, and its rotation, degrees."""
+
+    id: str
+    x: float = field(metadata={"required": True})
+    z: float = field(metadata={"required": True})
+    rotation: float = 0
+
+
+@dataclass(frozen=True)
 class Generated:
     """The answer of generate: the scene, what the validator says, and stage times in ms."""
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from itertools import pairwise
 
-from solver.geometry import Rect, to_mm
+from solver.geometry import OPPOSITE, Rect, to_mm
 from solver.scene import Opening, Room
 from solver.wanted import Doorway, Space, Zone
 
@@ -17,16 +19,16 @@ Line = tuple[str, int, int, int]
 """A stretch of wall line: the wall it is part of, its coordinate across, and its ends along, mm."""
 
 
-def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6) -> Space:
+def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others: Sequence[Room] = ()) -> Space:
     """Returns where a room's furniture may stand.
 
     Args:
-        room: with its openings; an outline, if there is one, must be rectilinear and clockwise.
+        room: with its openings; an outline, if there is one, must be rectilinear.
         wall_thickness: of inner walls, m; half of it lies inside the room.
         robot_width: side, m, of the square that must be able to walk everywhere.
+        others: rooms whose doors into this one keep their squares here too, should this one not list them.
     """
-    lines = Rect(0, 0, to_mm(room.width), to_mm(room.depth))
-    half = (to_mm(wall_thickness) + 1) // 2
+    lines, half = bounds_of(room), (to_mm(wall_thickness) + 1) // 2
     zones = [Zone(rect, -1, "outline") for rect in missing_parts(room, half)]
     doorways: list[Doorway] = []
     for opening in room.openings:
@@ -38,47 +40,86 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6) -> Spa
             zones.append(zone)
             if opening.kind in ("door", "passage"):
                 doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or ""))
-    return Space(room.id, lines.shrunk(half), tuple(zones), tuple(doorways), to_mm(robot_width))
+    beyond = doorways_of_others(room, others)
+    zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
+    return Space(room.id, lines.shrunk(half), tuple(zones), (*doorways, *beyond), to_mm(robot_width))
+
+
+def bounds_of(room: Room) -> Rect:
+    """Returns the rectangle of a room's wall lines, mm, rounded inwards by less than a millimetre."""
+    corners = room.outline or ((0.0, 0.0), (room.width, room.depth))
+    xs, zs = [x * 1000 for x, _ in corners], [z * 1000 for _, z in corners]
+    return Rect(_up(min(xs)), _up(min(zs)), _down(max(xs)), _down(max(zs)))
+
+
+def _up(mm: float) -> int:
+    return math.ceil(mm - 1e-4)
+
+
+def _down(mm: float) -> int:
+    return math.floor(mm + 1e-4)
+
+
+def doorways_of_others(room: Room, others: Sequence[Room]) -> list[Doorway]:
+    """Returns the doors into a room that only the room on the other side lists, with their squares inside this one."""
+    own, lines = {opening.id for opening in room.openings}, bounds_of(room)
+    found = []
+    for other in others:
+        for opening in other.openings:
+            listed = opening.connects_to != room.id or opening.id in own or other.id == room.id
+            line = None if listed or opening.kind not in ("door", "passage") else line_of(other, opening)
+            if line is None:
+                continue
+            dx, dz = to_mm(other.x) - to_mm(room.x), to_mm(other.z) - to_mm(room.z)
+            across, along = (dz, dx) if line[0] in ("north", "south") else (dx, dz)
+            beyond = (OPPOSITE[line[0]], line[1] + across, line[2] + along, line[3] + along)
+            zone = opening_zone(opening, beyond, lines)
+            if zone is not None:
+                found.append(Doorway(opening.id, beyond[0], zone.rect, other.id))
+    return found
 
 
 def line_of(room: Room, opening: Opening) -> Line | None:
     """Returns the stretch of wall line an opening is in, or None where it names no wall or edge of the room."""
+    edges = outline_edges(room)
     if opening.edge is not None:
-        edges = outline_edges(room)
         return edges[opening.edge] if opening.edge < len(edges) else None
-    width, depth = to_mm(room.width), to_mm(room.depth)
-    return {
-        "north": ("north", 0, 0, width),
-        "south": ("south", depth, 0, width),
-        "west": ("west", 0, 0, depth),
-        "east": ("east", width, 0, depth),
-    }.get(opening.wall or "")
+    lines, wall = bounds_of(room), opening.wall or ""
+    at = to_mm(opening.position)
+    bound = {"north": lines.z0, "south": lines.z1, "west": lines.x0, "east": lines.x1}.get(wall)
+    if bound is None:
+        return None
+    here = [line for name, line, start, end in edges if name == wall and start <= at <= end and start < end]
+    across = min(here, key=lambda line: abs(line - bound), default=bound)
+    return (wall, across, 0, lines.along(wall)[1])
 
 
 def outline_edges(room: Room) -> list[Line]:
-    """Returns the edges of a room's outline, clockwise from its first point; empty without an outline."""
+    """Returns the edges of a room's outline, from its first point on; empty without an outline."""
     points = [(to_mm(x), to_mm(z)) for x, z in room.outline or ()]
+    following = points[1:] + points[:1]
+    clockwise = sum(x0 * z1 - z0 * x1 for (x0, z0), (x1, z1) in zip(points, following, strict=True)) > 0
     edges: list[Line] = []
-    for (x0, z0), (x1, z1) in zip(points, points[1:] + points[:1], strict=True):
+    for (x0, z0), (x1, z1) in zip(points, following, strict=True):
         if z0 == z1:
-            edges.append(("north" if x1 > x0 else "south", z0, min(x0, x1), max(x0, x1)))
+            edges.append(("north" if (x1 > x0) == clockwise else "south", z0, min(x0, x1), max(x0, x1)))
         else:
-            edges.append(("east" if z1 > z0 else "west", x0, min(z0, z1), max(z0, z1)))
+            edges.append(("east" if (z1 > z0) == clockwise else "west", x0, min(z0, z1), max(z0, z1)))
     return edges
 
 
 def opening_zone(opening: Opening, line: Line, room: Rect) -> Zone | None:
-    """Returns what an opening keeps free of the room, or None if nothing."""
-    _, _, start, _ = line
-    centre, width = start + to_mm(opening.position), to_mm(opening.width)
+    """Returns what an opening keeps free of the room, or None if nothing; rounded outwards by less than a millimetre."""
+    start, width = line[2], opening.width * 1000
     if opening.kind in ("door", "passage"):
-        depth, side, above = min(width, DOOR_SQUARE_MM), 0, -1
+        depth, side, above = min(_up(width), DOOR_SQUARE_MM), 0, -1
     elif opening.kind == "window":
-        depth, side, above = WINDOW_DEPTH_MM, WINDOW_SIDE_MM, to_mm(opening.sill)
+        depth, side, above = WINDOW_DEPTH_MM, WINDOW_SIDE_MM, _down(opening.sill * 1000)
     else:
         return None
-    low = centre - width // 2 - side
-    rect = _clipped(_inward(line, (low, low + width + 2 * side), depth), room)
+    centre = start + opening.position * 1000
+    low, high = _down(centre - width / 2) - side, _up(centre + width / 2) + side
+    rect = _clipped(_inward(line, (low, high), depth), room)
     return Zone(rect, above, opening.id) if rect else None
 
 
@@ -100,13 +141,17 @@ def _clipped(rect: Rect, room: Rect) -> Rect | None:
 
 
 def missing_parts(room: Room, half: int) -> list[Rect]:
-    """Returns the parts of the bounding rectangle outside the outline, grown by half a wall, as maximal columns."""
+    """Returns the parts of the bounding rectangle outside the outline, grown by half a wall, as maximal columns.
+
+    Where a corner lies between two millimetres they are grown by one more.
+    """
     if not room.outline:
         return []
     points = [(to_mm(x), to_mm(z)) for x, z in room.outline]
-    lines = Rect(0, 0, to_mm(room.width), to_mm(room.depth))
-    xs = sorted({0, lines.x1, *(x for x, _ in points)})
-    zs = sorted({0, lines.z1, *(z for _, z in points)})
+    between = any(abs(v * 1000 - to_mm(v)) > 1e-4 for corner in room.outline for v in corner)
+    lines = bounds_of(room)
+    xs = sorted({x for x, _ in points})
+    zs = sorted({z for _, z in points})
     columns: list[Rect] = []
     for x0, x1 in pairwise(xs):
         for z0, z1 in pairwise(zs):
@@ -116,7 +161,7 @@ def missing_parts(room: Room, half: int) -> list[Rect]:
                 columns[-1] = Rect(x0, columns[-1].z0, x1, z1)
             else:
                 columns.append(Rect(x0, z0, x1, z1))
-    grown = (_clipped(rect.shrunk(-half), lines) for rect in _rows_joined(columns))
+    grown = (_clipped(rect.shrunk(-half - between), lines) for rect in _rows_joined(columns))
     return [rect for rect in grown if rect]
 
 

@@ -5,17 +5,20 @@ Comes in: a Scene. Goes out: Fixed. May import: every stage. Not here: what a st
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 
 from catalogs import Catalogs, load_catalogs
 from solver.furnish import space_of
-from solver.pipeline.mend import Mended, Terms, mend_room
+from solver.pipeline.attempt import Terms
+from solver.pipeline.mend import Mended, mend_room
+from solver.pipeline.people import People, mend_people
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK
-from solver.repair import Wishes, all_bodies
-from solver.scene import Conflict, Fixed, Issue, Move, Scene, check_ids, robot_width_of
+from solver.repair import Body, Sides, Wishes, all_bodies
+from solver.scene import Conflict, Dynamic, Fixed, Issue, Move, Pose, Room, Scene, check_ids, robot_width_of
 from solver.validate import validate
+from solver.wanted import Space
 
 SCENE_WORK = 400_000.0
 """Work one scene may cost, in QPs of a small room, dealt to its rooms alike: by their number, not by how many are broken,
@@ -24,12 +27,22 @@ MOVED = 0.001
 """A body that moved by more, m, is listed in `moves` (contract)."""
 
 
+@dataclass(frozen=True)
+class _Answers:
+    """What became of a scene's rooms and people."""
+
+    scene: Scene
+    rooms: tuple[Mended, ...]
+    people: People
+
+
 def fix(  # noqa: PLR0913 - keyword-only options of the public door
     scene: Scene,
     *,
     locked: Sequence[str] = (),
     moved: Sequence[str] = (),
     on_conflict: str = "report",
+    previous: Sequence[Pose] = (),
     catalogs: Catalogs | None = None,
     clock: Clock | None = None,
 ) -> Fixed:
@@ -40,6 +53,8 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         locked: ids that stay to the millimetre, besides those with `locked: true`.
         moved: ids that are held most strongly.
         on_conflict: "report" leaves what cannot stand as sent and names it; "remove" takes the least important out.
+        previous: poses of the last answer, while something is dragged: pieces stay near them, at the same sides and walls,
+            unless elsewhere is clearly better. Ids that are not in the scene are passed over.
         catalogs: whose kinds and room types are known; ours by default.
         clock: a clock in seconds, to fill `timing_ms`.
 
@@ -47,53 +62,94 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         SceneError: an id is not in the scene.
     """
     known = catalogs or load_catalogs()
-    ids = [body.id for room in scene.rooms for body in all_bodies(room)]
+    ids = [body.id for room in scene.rooms for body in all_bodies(room)] + [person.id for person in scene.dynamic]
     check_ids("locked", locked, ids)
     check_ids("moved", moved, ids)
     timing = Timing(clock)
-    broken = {issue.room for issue in validate(scene, known) if issue.severity == "error"}
+    errors = [issue for issue in validate(scene, known) if issue.severity == "error"]
     timing.lap("validate")
     wishes = Wishes(frozenset(locked), frozenset(moved), _required_kinds(known))
-    terms = Terms(wishes, scene.wall_thickness, on_conflict, min(ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1)))
-    mended = []
-    for room in scene.rooms:
-        if room.id in broken:
-            space = space_of(room, scene.wall_thickness, robot_width_of(scene))
-            mended.append(mend_room(room, space, terms))
-        else:
-            mended.append(Mended(room))
-    fixed = replace(scene, rooms=tuple(result.room for result in mended)) if broken else scene
+    work = min(ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1))
+    terms = Terms(wishes, scene.wall_thickness, on_conflict, work, {pose.id: pose for pose in previous})
+    answers = _repaired(scene, terms, errors, known)
     timing.lap("placement")
-    issues = validate(fixed, known)
+    issues = validate(answers.scene, known)
     timing.lap("validate_again")
-    removed = tuple(removal for result in mended for removal in result.removed)
-    conflicts = tuple(conflict for result in mended for conflict in result.conflicts)
-    unsolved = _unsolved(issues, conflicts)
-    return Fixed(fixed, _moves(scene, fixed), removed, (*conflicts, *unsolved), issues, timing.ms)
+    removed = (*(removal for room in answers.rooms for removal in room.removed), *answers.people.removed)
+    conflicts = (*(conflict for room in answers.rooms for conflict in room.conflicts), *answers.people.conflicts)
+    unsolved = _unsolved(issues, conflicts, _locked_ids(scene, wishes))
+    return Fixed(answers.scene, _moves(scene, answers.scene), removed, (*conflicts, *unsolved), issues, timing.ms)
 
 
-def _unsolved(issues: Sequence[Issue], conflicts: Sequence[Conflict]) -> tuple[Conflict, ...]:
+def _repaired(scene: Scene, terms: Terms, errors: Sequence[Issue], known: Catalogs) -> _Answers:
+    """Repairs the rooms that break a rule without their people, then the people who are in the way."""
+    people = {person.id for person in scene.dynamic}
+    broken = {issue.room for issue in errors if not people & set(issue.ids)}
+    if not errors:
+        return _Answers(scene, (), People(scene.dynamic))
+    mended = tuple(_mended(scene, room, terms, errors) if room.id in broken else Mended(room) for room in scene.rooms)
+    furnished = replace(scene, rooms=tuple(result.room for result in mended)) if broken else scene
+    if not people:
+        return _Answers(furnished, mended, People(()))
+    left = validate(furnished, known) if broken else errors
+    moved = mend_people(furnished, {room.id: _space(scene, room) for room in scene.rooms}, terms, left)
+    return _Answers(replace(furnished, dynamic=moved.people), mended, moved)
+
+
+def _mended(scene: Scene, room: Room, terms: Terms, errors: Sequence[Issue]) -> Mended:
+    return mend_room(room, _space(scene, room), terms, [issue for issue in errors if issue.room == room.id])
+
+
+def _space(scene: Scene, room: Room) -> Space:
+    return space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
+
+
+def _unsolved(issues: Iterable[Issue], conflicts: Iterable[Conflict], locked: frozenset[str]) -> tuple[Conflict, ...]:
     """Names every error that is left and that no conflict explains."""
     named = {member for conflict in conflicts for member in conflict.ids}
-    return tuple(
-        Conflict(issue.ids, f"not found: no repair for this: {issue.message}")
-        for issue in issues
-        if issue.severity == "error" and not named & set(issue.ids)
-    )
+    left = [issue for issue in issues if issue.severity == "error" and not named & set(issue.ids)]
+    return tuple(Conflict(issue.ids, _words(issue, locked)) for issue in left)
+
+
+def _words(issue: Issue, locked: frozenset[str]) -> str:
+    if issue.ids and locked.issuperset(issue.ids):
+        return f"locked where it cannot stand: {issue.message}"
+    if issue.rule == "unreachable" and issue.ids:
+        return f"not found: it can stand, but no way was found to reach it: {issue.message}"
+    return f"not found: no repair for this: {issue.message}"
+
+
+def _locked_ids(scene: Scene, wishes: Wishes) -> frozenset[str]:
+    own = (body.id for room in scene.rooms for body in all_bodies(room) if wishes.is_locked(body))
+    return wishes.locked.union(own)
 
 
 def _required_kinds(catalogs: Catalogs) -> frozenset[str]:
     return frozenset(kind for room in catalogs.rooms.values() for either in room.requires for kind in either)
 
 
+def use_sides(catalogs: Catalogs) -> dict[str, Sides]:
+    """Returns from which sides the pieces of each name are used, and whether all of them are needed.
+
+    A kind that is called by its own name goes before size variants of the same name.
+    """
+    named = {entry.name or kind: entry for kind, entry in reversed(catalogs.furniture.items())}
+    named |= {kind: entry for kind, entry in catalogs.furniture.items() if entry.name in (None, kind)}
+    return {name: (entry.use.sides, entry.use.need == "all") for name, entry in named.items() if entry.use}
+
+
 def _moves(before: Scene, after: Scene) -> tuple[Move, ...]:
     """Lists what moved by more than a millimetre, or turned."""
-    moves = []
-    for old_room, new_room in zip(before.rooms, after.rooms, strict=True):
-        sent = {body.id: body for body in all_bodies(old_room)}
-        for body in all_bodies(new_room):
-            old = sent[body.id]
-            dx, dz = round(body.x - old.x, 4), round(body.z - old.z, 4)
-            if abs(dx) > MOVED or abs(dz) > MOVED or (body.rotation - old.rotation) % 360:
-                moves.append(Move(body.id, dx, dz, body.rotation))
-    return tuple(moves)
+    pairs = zip(before.rooms, after.rooms, strict=True)
+    found = [move for old, new in pairs for move in _steps(all_bodies(old), all_bodies(new))]
+    return (*found, *_steps(before.dynamic, after.dynamic))
+
+
+def _steps(before: Iterable[Body | Dynamic], after: Iterable[Body | Dynamic]) -> list[Move]:
+    sent, moves = {body.id: body for body in before}, []
+    for body in after:
+        old = sent[body.id]
+        dx, dz = round(body.x - old.x, 4), round(body.z - old.z, 4)
+        if abs(dx) > MOVED or abs(dz) > MOVED or (body.rotation - old.rotation) % 360:
+            moves.append(Move(body.id, dx, dz, body.rotation))
+    return moves

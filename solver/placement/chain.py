@@ -59,7 +59,7 @@ def chain(space: Space, pieces: Sequence[Wanted], placed: Sequence[Placed], axis
     things = [*_bodies(pieces, placed, axis), *_zones(space, axis)]
     things += list(_stands(space, pieces, placed, axis))
     low, high = _interval(space.clear, axis)
-    paths = deque((thing,) for thing in things if _starts(thing, low, space.gap_mm, going[1], axis))
+    paths = deque[tuple[_Thing, ...]]((thing,) for thing in things if _starts(thing, low, space.gap_mm, going[1], axis))
     seen = {path[0].label for path in paths}
     while paths:
         path = paths.popleft()

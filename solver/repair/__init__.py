@@ -1,0 +1,34 @@
+"""A sent room -> wanted pieces whose anchors are the sent poses, and placed poses back: /fix is no second solver.
+
+Comes in: a Room and what is locked, moved and known of kinds. Goes out: Wanted pieces in order of importance; the room with
+the placed poses, what stands on or hangs over a piece moved and turned with it. May import: the ground floor. Not here:
+solving (placement), where a room's furniture may stand (furnish).
+"""
+
+from solver.repair.as_sent import holders, wanted_as_sent
+from solver.repair.bodies import Body, all_bodies, floor_bodies, footprint, squared
+from solver.repair.changes import applied
+from solver.repair.people import Crowd, placed_people
+from solver.repair.previous import near_previous
+from solver.repair.ways import Walls
+from solver.repair.wishes import Sides, Wishes
+from solver.repair.written import without, written_back
+
+__all__ = [
+    "Body",
+    "Crowd",
+    "Sides",
+    "Walls",
+    "Wishes",
+    "all_bodies",
+    "applied",
+    "floor_bodies",
+    "footprint",
+    "holders",
+    "near_previous",
+    "placed_people",
+    "squared",
+    "wanted_as_sent",
+    "without",
+    "written_back",
+]

@@ -1,0 +1,129 @@
+"""The bodies of a sent room: footprints, who is on the floor, who is carried by whom.
+
+Comes in: a Room in metres. Goes out: rectangles in integer millimetres, ids. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Container, Mapping, Sequence
+
+from solver.geometry import Rect, turned
+from solver.scene import Decoration, Dynamic, Furniture, Room
+
+BODY_MM = 20
+"""Furniture or a floor decoration is a body when it is higher than this (contract, Rules)."""
+RESTS_MM = 20
+"""How far a body's underside may be from the top it rests on."""
+UNTUCKED_MM = 150
+"""Depth of a tucked chair that stays outside its table (contract, rule overlap)."""
+
+Body = Furniture | Decoration
+
+
+def squared(rotation: float) -> int:
+    """Returns the nearest right angle in [0, 360)."""
+    return round(rotation / 90) * 90 % 360
+
+
+def footprint(body: Body | Dynamic) -> Rect:
+    """Returns the bounding rectangle of a sent body, mm, rounded outwards by less than a millimetre."""
+    angle = math.radians(body.rotation % 360)
+    c, s = abs(math.cos(angle)), abs(math.sin(angle))
+    if body.rotation % 90 == 0:
+        c, s = round(c), round(s)
+    width, depth = body.width * c + body.depth * s, body.width * s + body.depth * c
+    sides = (body.x - width / 2, body.z - depth / 2, body.x + width / 2, body.z + depth / 2)
+    low, high = [math.floor(v * 1000 + 1e-6) for v in sides[:2]], [math.ceil(v * 1000 - 1e-6) for v in sides[2:]]
+    return Rect(low[0], low[1], high[0], high[1])
+
+
+def size_of(body: Body) -> tuple[int, int, int]:
+    """Returns the unrotated extents, mm, rounded up."""
+    return (
+        math.ceil(body.width * 1000 - 1e-6),
+        math.ceil(body.depth * 1000 - 1e-6),
+        math.ceil(body.height * 1000 - 1e-6),
+    )
+
+
+def bounding_size(body: Body, rect: Rect) -> tuple[int, int, int]:
+    """Returns the unrotated size whose footprint at the squared rotation is the rectangle."""
+    width, depth = turned(rect.width, rect.depth, squared(body.rotation))
+    return width, depth, size_of(body)[2]
+
+
+def all_bodies(room: Room) -> tuple[Body, ...]:
+    """Returns a room's furniture and decorations."""
+    return (*room.furniture, *room.decorations)
+
+
+def floor_bodies(room: Room) -> list[Body]:
+    """Returns what the solver may move: bodies that rest on nothing else, no rugs or mats among them."""
+    carried = carriers(room)
+    bodies: list[Body] = [piece for piece in room.furniture if piece.id not in carried and piece.height * 1000 > BODY_MM]
+    for thing in room.decorations:
+        loose = thing.parent is None and thing.mounted_on_wall is None and thing.y < RESTS_MM / 1000
+        if loose and thing.height * 1000 > BODY_MM:
+            bodies.append(thing)
+    return bodies
+
+
+def carriers(room: Room) -> dict[str, str]:
+    """Returns who carries whom: the id of each piece that stands on another -> that other's id."""
+    known = {piece.id for piece in room.furniture}
+    carried = {piece.id: piece.on for piece in room.furniture if piece.on in known and piece.on != piece.id}
+    for piece in room.furniture:
+        if piece.id not in carried and piece.y * 1000 > RESTS_MM:
+            below = _resting_on(piece, room.furniture)
+            if below is not None:
+                carried[piece.id] = below.id
+    return {child: parent for child, parent in carried.items() if parent is not None and not _loops(child, carried)}
+
+
+def _resting_on(piece: Furniture, others: Sequence[Furniture]) -> Furniture | None:
+    for other in others:
+        top = other.y + other.height
+        inside = abs(piece.x - other.x) * 2 < other.width and abs(piece.z - other.z) * 2 < other.depth
+        if other.id != piece.id and inside and other.y < piece.y and abs(top - piece.y) * 1000 <= RESTS_MM:
+            return other
+    return None
+
+
+def _loops(start: str, carried: Mapping[str, str | None]) -> bool:
+    seen, at = {start}, carried.get(start)
+    while at is not None:
+        if at in seen:
+            return True
+        seen.add(at)
+        at = carried.get(at)
+    return False
+
+
+def above(room: Room) -> dict[str, str]:
+    """Returns who stands on, hangs over or lies under whom: child's id -> its parent's."""
+    return {**carriers(room), **{thing.id: thing.parent for thing in room.decorations if thing.parent is not None}}
+
+
+def climb(start: str, parents: Mapping[str, str], stop: Container[str] = ()) -> str:
+    """Returns the first in `stop` of a body and those that carry it, or the last of them."""
+    at, seen = start, {start}
+    while at not in stop and at in parents and parents[at] not in seen:
+        at = parents[at]
+        seen.add(at)
+    return at
+
+
+def tables_of(bodies: Sequence[Body]) -> dict[str, Body]:
+    """Returns under which table each tucked chair stands: by at most its depth less 0.15 m (contract, rule overlap)."""
+    by_id = {body.id: body for body in bodies}
+    return {body.id: table for body in bodies if (table := _table_of(body, by_id)) is not None}
+
+
+def _table_of(chair: Body, others: Mapping[str, Body]) -> Body | None:
+    table = others.get(chair.under or "") if isinstance(chair, Furniture) else None
+    if table is None or table.id == chair.id:
+        return None
+    a, b = footprint(chair), footprint(table)
+    deep = min(min(a.x1, b.x1) - max(a.x0, b.x0), min(a.z1, b.z1) - max(a.z0, b.z0))
+    return table if deep <= round(chair.depth * 1000) - UNTUCKED_MM else None
