@@ -13,7 +13,7 @@ from service.documents import Document
 from service.refusals import BodyError
 from solver import fix, generate, reroll, validate
 from solver.errors import SceneError
-from solver.exchange import read_request, read_scene, scene_schema, write_scene
+from solver.exchange import read_poses, read_request, read_scene, scene_schema, write_scene
 from solver.scene import MAX_SEED, Generated, Scene
 from solver.validate import metrics
 from solver.view import view
@@ -48,19 +48,23 @@ def fix_scene(document: object, catalogs: Catalogs) -> Document:
     """Repairs a scene with least movement.
 
     Args:
-        document: `scene`, and if wanted `locked`, `moved` (ids of bodies) and `on_conflict` (report or remove).
+        document: `scene`, and if wanted `locked`, `moved` (ids of bodies), `on_conflict` (report or remove) and `previous`
+            (poses of the last answer, while something is dragged).
         catalogs: what the pieces' kinds are.
 
     Raises:
         FieldError: a field is wrong.
     """
-    body = _body(document, ("scene", "locked", "moved", "on_conflict"))
+    body = _body(document, ("scene", "locked", "moved", "on_conflict", "previous"))
     scene = _scene(body)
     locked, moved = _ids(body, "locked"), _ids(body, "moved")
     on_conflict = body.get("on_conflict", ON_CONFLICT[0])
     if on_conflict not in ON_CONFLICT:
         raise BodyError("on_conflict", f"is {on_conflict!r}", " or ".join(ON_CONFLICT))
-    fixed = fix(scene, locked=locked, moved=moved, on_conflict=on_conflict, catalogs=catalogs, clock=perf_counter)
+    previous = read_poses(body.get("previous", []))
+    fixed = fix(
+        scene, locked=locked, moved=moved, on_conflict=on_conflict, previous=previous, catalogs=catalogs, clock=perf_counter
+    )  # fmt: skip
     return {
         "scene": write_scene(fixed.scene),
         "moves": _listed(fixed.moves),

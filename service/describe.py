@@ -16,7 +16,7 @@ from service.problems import MEDIA_TYPE, STATUS
 from service.wire import MEDIA_TYPES
 from solver.exchange import request_schema, scene_schema
 from solver.exchange.fields import aliases
-from solver.scene import Conflict, Issue, Move, Request
+from solver.scene import Conflict, Issue, Move, Pose, Request
 
 REFERENCES: Final = "#/components/schemas/"
 _IDS: Final = {"type": "array", "items": {"type": "string"}}
@@ -59,7 +59,7 @@ def _bodies() -> Document:
     conflict = {"enum": list(ON_CONFLICT), "default": ON_CONFLICT[0]}
     return {
         "GenerateBody": _generate_body(),
-        "FixBody": _record(("scene",), {**scene, "locked": _IDS, "moved": _IDS, "on_conflict": conflict}),
+        "FixBody": _record(("scene",), {**scene, "locked": _IDS, "moved": _IDS, "on_conflict": conflict, "previous": _list_of("Pose")}),
         "ValidateBody": _record(("scene",), scene),
         "ViewBody": _record(("scene",), scene),
     }
@@ -108,6 +108,7 @@ def _components() -> Document:
     types = _hoisted("CatalogAnswer", TypeAdapter(Catalogs).json_schema(mode="serialization"), "Catalog")
     for kind in (Issue, Move, Conflict):
         types |= _hoisted(kind.__name__, TypeAdapter(kind).json_schema(mode="serialization"))
+    types |= _hoisted("Pose", {**TypeAdapter(Pose).json_schema(), "additionalProperties": False})
     return types | _hoisted("Scene", scene_schema()) | _hoisted("Request", _request()) | _bodies() | _answers()
 
 

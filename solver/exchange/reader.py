@@ -31,7 +31,7 @@ from solver.exchange.fields import (
 from solver.exchange.identity import identified, indexed
 from solver.exchange.outlines import check_outline
 from solver.exchange.plain import Wrong, is_text, plain
-from solver.scene import Request, Room, Scene
+from solver.scene import Pose, Request, Room, Scene
 
 
 def read_scene(document: object) -> Scene:
@@ -55,6 +55,23 @@ def read_request(document: object) -> Request:
         RequestError: a field is wrong; names it, with what is allowed.
     """
     return cast(Request, _named(RequestError, "request", lambda: _request(document)))
+
+
+def read_poses(document: object) -> tuple[Pose, ...]:
+    """Reads `previous` of /fix: a list of poses, each with its body's id.
+
+    Raises:
+        SceneError: a field is wrong; names it, with what is allowed.
+    """
+
+    def read() -> tuple[Pose, ...]:
+        poses = _at("previous", _several, Several(Record(Pose)), document)
+        for index, pose in enumerate(poses):
+            if not pose.id:
+                raise Wrong("is missing", "the id of a body").inside(ID).inside(index).inside("previous")
+        return cast(tuple[Pose, ...], poses)
+
+    return cast(tuple[Pose, ...], _named(SceneError, "previous", read))
 
 
 def _request(document: object) -> Request:
