@@ -34,9 +34,9 @@ def _interval(value: Any) -> Any:
     return (value, value) if isinstance(value, int | float) and not isinstance(value, bool) else value
 
 
-Words = Annotated[tuple[str, ...], BeforeValidator(_words)]
+Words = Annotated[tuple[str, ...], BeforeValidator(_words, json_schema_input_type=str | tuple[str, ...])]
 Gap = Annotated[float, Field(ge=-2, le=20, allow_inf_nan=False)]
-Interval = Annotated[tuple[Gap, Gap], BeforeValidator(_interval)]
+Interval = Annotated[tuple[Gap, Gap], BeforeValidator(_interval, json_schema_input_type=Gap | tuple[Gap, Gap])]
 
 
 class Entry(BaseModel):

@@ -39,6 +39,12 @@ async def post_fix(request: Request) -> Response:
     return await _called(request, "fix")
 
 
+@router.post("/place", **described("Place"))
+async def post_place(request: Request) -> Response:
+    """Places a list of pieces, with their relations, in a room of the caller's own."""
+    return await _called(request, "place")
+
+
 @router.post("/validate", **described("Validate"))
 async def post_validate(request: Request) -> Response:
     """Lists which rules a scene breaks, and by how much."""

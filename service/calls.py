@@ -10,10 +10,12 @@ from typing import Any, Final, TypeAlias
 
 from catalogs import Catalogs
 from service.documents import Document
+from service.placing import read_place
 from service.refusals import BodyError
-from solver import fix, generate, reroll, validate
+from solver import fix, generate, place, reroll, validate
 from solver.errors import SceneError
 from solver.exchange import read_poses, read_request, read_scene, scene_schema, write_scene
+from solver.requested import Placement
 from solver.scene import MAX_SEED, Generated, Scene
 from solver.validate import metrics
 from solver.view import view
@@ -75,6 +77,40 @@ def fix_scene(document: object, catalogs: Catalogs) -> Document:
     }
 
 
+def place_pieces(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
+    """Places a list of pieces in a room.
+
+    Args:
+        document: `room`, `pieces`, and if wanted `alternatives`, `wall_thickness`, `robot_width`.
+        catalogs: what pieces are whose sizes are not given.
+        engine: the engine of the final QP.
+
+    Raises:
+        FieldError: a field is wrong.
+    """
+    room, wishes, terms = read_place(_body(document))
+    answer = place(
+        room, wishes, alternatives=terms.alternatives, wall_thickness=terms.wall_thickness, robot_width=terms.robot_width,
+        catalogs=catalogs, engine=engine, clock=perf_counter,
+    )  # fmt: skip
+    others = [{**_placed(other), "issues": _listed(other.issues), "cost": other.cost} for other in answer.alternatives]
+    return {
+        **_placed(answer.best),
+        "alternatives": others,
+        "conflicts": _listed(answer.conflicts),
+        "issues": _listed(answer.best.issues),
+        "timing_ms": dict(answer.timing_ms),
+    }
+
+
+def _placed(placement: Placement) -> Document:
+    return {
+        "scene": write_scene(placement.scene),
+        "relations": _listed(placement.relations),
+        "unplaced": _listed(placement.unplaced),
+    }
+
+
 def validate_scene(document: object, catalogs: Catalogs) -> Document:
     """Lists what breaks the rules in a scene, and measures it.
 
@@ -112,7 +148,9 @@ def schema_document(_: Catalogs | None = None) -> Document:
     return scene_schema()
 
 
-CALLS: Final[Mapping[str, Call]] = {"generate": generate_house, "fix": fix_scene, "validate": validate_scene, "view": view_scene}
+CALLS: Final[Mapping[str, Call]] = {
+    "generate": generate_house, "fix": fix_scene, "place": place_pieces, "validate": validate_scene, "view": view_scene,
+}  # fmt: skip
 """The calls that take a body, by the last word of their path."""
 
 

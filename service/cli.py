@@ -43,7 +43,7 @@ def _port(text: str) -> int:
 
 def _count(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
-        raise ArgumentTypeError(f"{text!r} is not a number of houses (1 or more)")
+        raise ArgumentTypeError(f"{text!r} is not a number (1 or more)")
     return int(text)
 
 
@@ -93,6 +93,16 @@ def _add_fix(commands: Commands) -> None:
     _add_catalog(command)
 
 
+def _add_place(commands: Commands) -> None:
+    command = _command(commands, "place", "Place a list of pieces in a room; writes the placement with its relations and reasons.")
+    command.add_argument("request", nargs="?", default="-", metavar="REQUEST", help="room and pieces, YAML or JSON (standard input)")
+    command.add_argument("-n", "--alternatives", type=_count, metavar="N", help="find up to N truly different placements")
+    command.add_argument("--engine", choices=("osqp", "reference"), default="osqp", help="of the final QP (osqp)")
+    _add_output(command, "the answer")
+    _add_format(command)
+    _add_catalog(command)
+
+
 def _add_readers(commands: Commands) -> None:
     validate = _command(commands, "validate", "List which rules a scene breaks.")
     view = _command(commands, "view", "Write a scene for a person to read.")
@@ -124,7 +134,7 @@ def parser() -> ArgumentParser:
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_serve, _add_generate, _add_fix, _add_readers, _add_tellers):
+    for add in (_add_serve, _add_generate, _add_fix, _add_place, _add_readers, _add_tellers):
         add(commands)
     return whole
 

@@ -78,9 +78,29 @@ def _fix(options: Namespace) -> int:
     _say(f"{len(answer['moves'])} moved, {len(answer['removed'])} removed, {len(answer['conflicts'])} in conflict")
     for entry in answer["removed"]:
         _say(f"removed {entry['id']}: {entry['reason']}")
+    _contested(answer)
+    return _judged(answer)
+
+
+def _place(options: Namespace) -> int:
+    given = _read(options.request)
+    more = {} if options.alternatives is None else {"alternatives": options.alternatives}
+    body = {**given, **more} if isinstance(given, dict) else given
+    answer = _checked(options.request, lambda: calls.place_pieces(body, _catalogs(options), options.engine))
+    _write(answer, options)
+    for relation in answer["relations"]:
+        if not relation["held"]:
+            _say(f"not held: {relation['piece']} {relation['type']} {relation['of'] or ''}".rstrip())
+    for entry in answer["unplaced"]:
+        _say(f"unplaced {entry['id']}: {entry['reason']}")
+    return max(_judged(answer), _contested(answer))
+
+
+def _contested(answer: Mapping[str, Any]) -> int:
+    """Says what cannot stand together and returns the exit status."""
     for conflict in answer["conflicts"]:
         _say(f"conflict {', '.join(conflict['ids'])}: {conflict['message']}")
-    return _judged(answer)
+    return ERRORS_FOUND if answer["conflicts"] else CLEAN
 
 
 def _validate(options: Namespace) -> int:
@@ -116,6 +136,7 @@ COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
     "serve": _serve,
     "generate": _generate,
     "fix": _fix,
+    "place": _place,
     "validate": _validate,
     "view": _view,
     "catalog": _catalog,

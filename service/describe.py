@@ -7,15 +7,18 @@ from typing import Any, Final
 
 from fastapi import FastAPI
 from pydantic import TypeAdapter
+from pydantic.alias_generators import to_camel
 from starlette.responses import Response
 
 from catalogs import Catalogs
 from service.calls import ON_CONFLICT
 from service.documents import Document
+from service.placing import PlaceTerms
 from service.problems import MEDIA_TYPE, STATUS
 from service.wire import MEDIA_TYPES
 from solver.exchange import request_schema, scene_schema
 from solver.exchange.fields import aliases
+from solver.requested import Held, Unplaced
 from solver.scene import Conflict, Issue, Move, Pose, Request
 
 REFERENCES: Final = "#/components/schemas/"
@@ -65,13 +68,26 @@ def _bodies() -> Document:
     }
 
 
+def _place_body() -> Document:
+    """The schema of the type that reads the body, in both spellings; the room is a scene's."""
+    schema = TypeAdapter(PlaceTerms).json_schema(by_alias=False)
+    own = {**schema["properties"], "room": _ref("Room")}
+    camel = {to_camel(name): {**part, "deprecated": True} for name, part in own.items() if to_camel(name) != name}
+    return {**schema, "properties": own | camel}
+
+
 def _answers() -> Document:
     removed = {"type": "array", "items": _answer(id={"type": "string"}, reason={"type": "string"})}
     made = {"scene": _ref("Scene"), "issues": _list_of("Issue"), "timing_ms": _NUMBERS}
+    placed = {"scene": _ref("Scene"), "relations": _list_of("Held"), "unplaced": _list_of("Unplaced")}
+    others = {"type": "array", "items": _answer(**placed, issues=_list_of("Issue"), cost={"type": "number"})}
     lines = {"type": "array", "items": {"type": ["string", "null"]}}
     return {
         "GenerateAnswer": _answer(**made),
         "FixAnswer": _answer(**made, moves=_list_of("Move"), removed=removed, conflicts=_list_of("Conflict")),
+        "PlaceAnswer": _answer(
+            **made, relations=_list_of("Held"), unplaced=_list_of("Unplaced"), conflicts=_list_of("Conflict"), alternatives=others
+        ),
         "ValidateAnswer": _answer(issues=_list_of("Issue"), metrics={"type": "object"}),
         "ViewAnswer": _answer(text={"type": "string"}, lines=lines),
         "SchemaAnswer": {"type": "object"},
@@ -106,8 +122,9 @@ def _repointed(node: Any, prefix: str) -> Any:
 
 def _components() -> Document:
     types = _hoisted("CatalogAnswer", TypeAdapter(Catalogs).json_schema(mode="serialization"), "Catalog")
-    for kind in (Issue, Move, Conflict):
+    for kind in (Issue, Move, Conflict, Held, Unplaced):
         types |= _hoisted(kind.__name__, TypeAdapter(kind).json_schema(mode="serialization"))
+    types |= _hoisted("PlaceBody", _place_body(), "Place")
     types |= _hoisted("Pose", {**TypeAdapter(Pose).json_schema(), "additionalProperties": False})
     return types | _hoisted("Scene", scene_schema()) | _hoisted("Request", _request()) | _bodies() | _answers()
 
@@ -122,7 +139,7 @@ def _problem(title: str) -> Document:
 
 def described(name: str) -> dict[str, Any]:
     """Returns what a route declares: the schemas `<name>Body` (where there is one) and `<name>Answer`, and its problems."""
-    takes_body = f"{name}Body" in _bodies()
+    takes_body = name == "Place" or f"{name}Body" in _bodies()
     refusals = {status: _problem(title) for status, title in STATUS.values() if takes_body}
     answers = {200: {"description": "The answer", "content": _content(f"{name}Answer")}, **refusals}
     body = {"requestBody": {"required": True, "content": _content(f"{name}Body")}} if takes_body else {}

@@ -32,6 +32,7 @@ POLICY: Final = (
 EXAMPLES: Final = {
     "/generate": """curl -d '{"seed": 42}' {base}generate""",
     "/fix": """curl -d @body.json {base}fix        # body.json: {"scene": {...}, "locked": [], "moved": []}""",
+    "/place": """curl -d @body.json {base}place      # body.json: {"room": {...}, "pieces": [{"id": "desk", "name": "desk"}]}""",
     "/validate": """curl -d @body.json {base}validate   # body.json: {"scene": {...}}""",
     "/view": """curl -d @body.json {base}view       # body.json: {"scene": {...}}""",
     "/catalog": """curl {base}catalog""",

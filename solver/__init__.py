@@ -1,10 +1,12 @@
 """Compose's solver: request -> scene, and scene -> repaired scene.
 
-Comes in: a Request or a Scene. Goes out: Generated, Fixed, issues. May import: catalogs. Not here: HTTP and files' names.
+Comes in: a Request, a Scene, or a Room and Wishes. Goes out: Generated, Fixed, Answered, issues.
+May import: catalogs. Not here: HTTP and files' names.
 """
 
-from solver.pipeline import fix, generate, reroll
+from solver.pipeline import fix, generate, place, reroll
+from solver.requested import Wish
 from solver.scene import Request, Scene
 from solver.validate import validate
 
-__all__ = ["Request", "Scene", "fix", "generate", "reroll", "validate"]
+__all__ = ["Request", "Scene", "Wish", "fix", "generate", "place", "reroll", "validate"]

@@ -9,11 +9,11 @@ from dataclasses import replace
 from catalogs.schema import Catalogs, Piece, Rule
 from solver.furnish.ask import Ask, Effect, Opened, Scope, Size
 from solver.furnish.candidates import DRAW, candidates
+from solver.furnish.openings import openings_of
 from solver.furnish.relations import RELATIONS, SLOTTED
 from solver.furnish.relations.places import footprint
 from solver.furnish.walls import WallOccupancy
-from solver.furnish.zones import line_of
-from solver.geometry import FACING, Rect, rotate, strip, to_mm
+from solver.geometry import FACING, Rect, rotate, strip
 from solver.scene import WALLS, Room, Sides
 from solver.streams import Stream
 from solver.wanted import Alternative, Link, Space, Stand, Wanted
@@ -46,7 +46,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     room_type = catalogs.rooms.get(room.type)
     if room_type is None:
         return ()
-    openings = _openings(room)
+    openings = openings_of(room)
     scope = Scope(
         space, WallOccupancy(space, _gates(space, openings)), catalogs, openings, room.exterior_walls or Sides(), room.width * room.depth
     )
@@ -67,17 +67,6 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
             kinds[one.label] = tuple(dict.fromkeys(alternative.kind for alternative in one.alternatives))
             _intend(scope.walls, one, poses)
     return tuple(wanted)
-
-
-def _openings(room: Room) -> tuple[Opened, ...]:
-    found: list[Opened] = []
-    for opening in room.openings:
-        line = line_of(room, opening)
-        if line is not None:
-            wall, across, start, _ = line
-            centre, half = start + to_mm(opening.position), to_mm(opening.width) // 2
-            found.append(Opened(opening.kind, wall, (centre - half, centre + half), across))
-    return tuple(found)
 
 
 def _gates(space: Space, openings: Sequence[Opened]) -> tuple[Rect, ...]:

@@ -1,9 +1,11 @@
 """The flows, top to bottom; the only place where two stages meet. Start reading here.
 
-Comes in: Request or Scene. Goes out: Generated or Fixed. May import: every stage. Not here: what a stage does inside.
+Comes in: Request, Scene, or a Room and Wishes. Goes out: Generated, Fixed or Answered.
+May import: every stage. Not here: what a stage does inside.
 """
 
 from solver.pipeline.fix import fix
 from solver.pipeline.generate import generate, reroll
+from solver.pipeline.place import place
 
-__all__ = ["fix", "generate", "reroll"]
+__all__ = ["fix", "generate", "place", "reroll"]

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from starlette.testclient import TestClient
 
+from catalogs.schema import Relation
 from solver.scene import Furniture, Opening, Request, Room
 from tests.service.problems import problem_of
 
-POSTS = ["/generate", "/fix", "/validate", "/view"]
+POSTS = ["/generate", "/fix", "/place", "/validate", "/view"]
 BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
+RELATED = get_args(Relation)
 
 SCALARS = st.one_of(
     st.none(),
@@ -63,10 +65,29 @@ ROOMS = st.builds(
     st.just({}) | keys(Room),
 )
 SCENES = st.fixed_dictionaries({"rooms": st.lists(ROOMS, max_size=2) | VALUES}) | VALUES
+RELATIONS = st.lists(
+    st.fixed_dictionaries(
+        {"type": st.sampled_from([*RELATED, "beyond"])},
+        optional={
+            "of": st.sampled_from(["a", "b", "door", "window", "x"]) | VALUES,
+            "distance": st.floats(-1, 4),
+            "required": st.booleans(),
+        },
+    ),
+    max_size=2,
+)
+ASKED = st.fixed_dictionaries(
+    {"id": st.sampled_from(["a", "b", "c"]), "name": st.sampled_from(["bed", "sofa", "x"])},
+    optional={"width": SIZES, "depth": SIZES, "height": SIZES | VALUES, "count": st.integers(-1, 3), "relations": RELATIONS | VALUES},
+)
 IDS = st.lists(st.text(max_size=4), max_size=2) | VALUES
 BODIES = {
     "/generate": keys(Request) | st.fixed_dictionaries({"scene": SCENES, "reroll": IDS}),
     "/fix": st.fixed_dictionaries({"scene": SCENES}, optional={"locked": IDS, "moved": IDS, "on_conflict": VALUES}),
+    "/place": st.fixed_dictionaries(
+        {"room": ROOMS | VALUES, "pieces": st.lists(ASKED | VALUES, max_size=3) | VALUES},
+        optional={"alternatives": st.integers(-1, 3) | VALUES, "wall_thickness": st.floats(-0.1, 0.3) | VALUES, "robot_width": SIZES},
+    ),
     "/validate": st.fixed_dictionaries({"scene": SCENES}),
     "/view": st.fixed_dictionaries({"scene": SCENES}),
 }
