@@ -9,11 +9,12 @@ PYTHON_VERSIONS = >=3.11,<3.15
 WORKERS = auto
 PYTEST_ARGS =
 BENCH_ARGS =
+FUZZ_ARGS =
 
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets bench lint format page chromium pins wheel clean
+.PHONY: help run test targets bench fuzz lint format page chromium pins wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -46,6 +47,9 @@ targets: .venv/dev.stamp page ## run the long checks and benches: thousands of s
 
 bench: .venv/dev.stamp ## measure the placement core: against exact oracles, OSQP with heuristics, and the clock
 	$(PY) -m tests.bench $(BENCH_ARGS)
+
+fuzz: .venv/dev.stamp ## place 100,000 random rooms and check each in exact integers
+	$(PY) -m tests.bench.fuzz $(FUZZ_ARGS)
 
 lint: .venv/dev.stamp ## check style and types: ruff, mypy, tsc
 	$(PY) -m ruff check .

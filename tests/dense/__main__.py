@@ -15,7 +15,7 @@ from concurrent.futures import ProcessPoolExecutor
 
 from tqdm import tqdm
 
-from tests.dense.furnishing import Result, result
+from tests.dense.furnishing import Result, Tight, result, tight
 from tests.dense.rooms import KINDS
 
 COVER = {"bedroom": 0.42, "bathroom": 0.44, "kitchen": 0.41, "living": 0.33}
@@ -70,16 +70,32 @@ def report(rooms: Sequence[Result]) -> None:
         print(f"  {room.name} {room.seed}: {dict(Counter(room.faults))} walkable {room.walkable} required {room.required}")
 
 
+def report_tight(rooms: Sequence[Tight]) -> bool:
+    """Prints how the verdicts on tight rooms compare; returns whether they agree wherever the oracle closes."""
+    closed = [room for room in rooms if room.oracle is not None]
+    wrong = [room for room in closed if room.ours != room.oracle]
+    possible = sum(room.oracle is True for room in closed)
+    print(f"\nrequired pieces of {len(rooms)} tight rooms: the oracle closes {len(closed)}, possible {possible}", end="")
+    print(f"; our verdict is the oracle's in {len(closed) - len(wrong)} of {len(closed)}")
+    for room in wrong[:20]:
+        print(f"  {room.name} {room.seed}: ours {room.ours}, oracle {room.oracle} ({room.how})")
+    return not wrong
+
+
 def main() -> int:
     """Runs the measurement."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rooms", type=int, default=2000)
+    parser.add_argument("--tight", type=int, default=300)
     parser.add_argument("--workers", type=int, default=2)
     asked = parser.parse_args()
     with ProcessPoolExecutor(asked.workers) as pool:
         rooms = list(tqdm(pool.map(result, jobs(asked.rooms), chunksize=8), "rooms", asked.rooms, file=sys.stderr))
-    report(rooms)
-    return 0 if good(rooms) else 1
+        tights = list(tqdm(pool.map(tight, jobs(asked.tight), chunksize=4), "tight", asked.tight, file=sys.stderr))
+    if rooms:
+        report(rooms)
+    agreed = report_tight(tights)
+    return 0 if agreed and good(rooms) else 1
 
 
 if __name__ == "__main__":

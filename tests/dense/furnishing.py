@@ -8,23 +8,23 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
 from catalogs import Catalogs, load_catalogs
 from solver.furnish import space_of, wanted_pieces
 from solver.furnished import furnished
-from solver.geometry import Rect
 from solver.placement import place
 from solver.scene import Room, Scene
 from solver.streams import Stream
 from solver.validate import validate
 from solver.wanted import Arrangement, Space, Wanted
 from tests.dense.rooms import dense_room
-from tests.oracles.walk import missed, side_towards
+from tests.oracles.paths import stand_and_walk
+from tests.oracles.rules import faults, unreached
 
 CATALOG = Path(__file__).parent / "catalog"
 WALL_M = 0.1
-HEADROOM_MM = 2000
 
 
 @cache
@@ -94,7 +94,7 @@ def covered(arrangement: Arrangement) -> float:
     rects = [piece.footprint for piece in arrangement.placed if piece.chosen.bottom_mm == 0]
     xs = sorted({x for rect in rects for x in (rect.x0, rect.x1)})
     total = 0
-    for low, high in zip(xs, xs[1:], strict=False):
+    for low, high in pairwise(xs):
         end = -1
         for a, b in sorted((rect.z0, rect.z1) for rect in rects if rect.x0 <= low and high <= rect.x1):
             total += (high - low) * max(b - max(a, end), 0)
@@ -102,14 +102,23 @@ def covered(arrangement: Arrangement) -> float:
     return total / 1e6
 
 
-def unreached(space: Space, wanted: tuple[Wanted, ...], arrangement: Arrangement) -> list[str]:
-    """Lists the doors and pieces that cannot be come to from the first door."""
-    by_label = {piece.label: piece for piece in wanted}
-    solids: list[Rect] = [piece.footprint for piece in arrangement.placed if piece.chosen.bottom_mm < HEADROOM_MM]
-    uses = []
-    for piece in arrangement.placed:
-        asked = by_label[piece.label]
-        if asked.stands:
-            walls = [side_towards(stand.side, piece.rotation) for stand in asked.stands]
-            uses.append((piece.label, piece.footprint, walls, asked.need_all))
-    return missed(space, solids, uses)
+@dataclass(frozen=True)
+class Tight:
+    """The required pieces of a tight room: do they all stand, walkable, by us and by the oracle (None: not closed)?"""
+
+    name: str
+    seed: int
+    ours: bool
+    oracle: bool | None
+    how: str
+
+
+def tight(job: tuple[str, int]) -> Tight:
+    """Asks us and the oracle about the required pieces of a type's and seed's tight room."""
+    name, seed = job
+    _, space, wanted = wishes(name, seed, tight=True)
+    required = tuple(piece for piece in wanted if piece.required)
+    (arrangement,) = place([(space, required)])
+    ours = not arrangement.left_out and not faults(space, required, arrangement) and not unreached(space, required, arrangement)
+    answer = stand_and_walk(space, required)
+    return Tight(name, seed, ours, answer.verdict, answer.how)

@@ -9,10 +9,11 @@ import pytest
 from solver.geometry import Rect
 from solver.wanted import Alternative, Arrangement, Placed
 from tests.dense.__main__ import COVER, jobs
-from tests.dense.furnishing import catalogs, covered, result
+from tests.dense.furnishing import catalogs, covered, result, tight
 from tests.dense.rooms import KINDS, dense_room
 
 ROOMS = 24
+TIGHT = 16
 SPREAD = 0.04
 """How far below the median of 500 rooms that of six may lie."""
 
@@ -24,6 +25,12 @@ def test_dense_rooms_are_valid_walkable_complete_and_full(name: str) -> None:
     assert [room.seed for room in rooms if not room.walkable] == []
     assert [room.seed for room in rooms if not room.required] == []
     assert statistics.median(room.cover for room in rooms) >= COVER[name] - SPREAD
+
+
+def test_the_verdict_on_tight_rooms_is_the_oracles() -> None:
+    rooms = [tight(job) for job in jobs(TIGHT)]
+    assert [room for room in rooms if room.oracle is not None and room.ours != room.oracle] == []
+    assert {room.oracle for room in rooms} == {True, False}
 
 
 def test_the_rooms_keep_their_ranges() -> None:
