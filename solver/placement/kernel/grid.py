@@ -42,20 +42,12 @@ HEADROOM_MM: Final = 2000
 BLOCKS, TARGETS, CUTS_X, CUTS_Z, COMPONENTS, NUMBERS, ENTERED = range(7)
 
 
-@compiled(lambda t: t.none(t.Grid, t.i8, t.i8, t.i8, t.i8, t.i8))
-def _block(grid: Grid, x0: int, z0: int, x1: int, z1: int, part: int) -> None:  # noqa: PLR0913
-    k = grid.state[BLOCKS]
-    block = grid.blocks[k]
-    block[0], block[1], block[2], block[3], block[4] = x0, z0, x1, z1, part
-    grid.state[BLOCKS] = k + 1
-
-
-@compiled(lambda t: t.none(t.Grid, t.i8, t.i8, t.i8, t.i8, t.i8))
-def _target(grid: Grid, x0: int, z0: int, x1: int, z1: int, number: int) -> None:  # noqa: PLR0913
-    k = grid.state[TARGETS]
-    target = grid.targets[k]
-    target[0], target[1], target[2], target[3], target[4] = x0, z0, x1, z1, number
-    grid.state[TARGETS] = k + 1
+@compiled(lambda t: t.none(t.int_rows, t.ints, t.i8, t.i8, t.i8, t.i8, t.i8, t.i8))
+def _add(table: Ints, state: Ints, kind: int, x0: int, z0: int, x1: int, z1: int, number: int) -> None:  # noqa: PLR0913
+    """Adds a rectangle with a number to a table whose length is state[kind]."""
+    k = state[kind]
+    table[k, 0], table[k, 1], table[k, 2], table[k, 3], table[k, 4] = x0, z0, x1, z1, number
+    state[kind] = k + 1
 
 
 @compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows, t.i8, t.i8))
@@ -66,58 +58,58 @@ def _side_target(room: Room, work: Work, grid: Grid, p: Ints, piece: int, side: 
     x0 = 2 * (p[0, parts[body, VAR_X]] + parts[body, OFF_X])
     z0 = 2 * (p[1, parts[body, VAR_X + 1]] + parts[body, OFF_X + 1])
     x1, z1 = x0 + 2 * parts[body, EXT_X], z0 + 2 * parts[body, EXT_X + 1]
-    number = grid.state[NUMBERS]
+    table, state, number = grid.targets, grid.state, grid.state[NUMBERS]
     if wall == NORTH:
-        _target(grid, x0, z0 - robot, x1, z0 - robot, number)
+        _add(table, state, TARGETS, x0, z0 - robot, x1, z0 - robot, number)
     elif wall == WEST:
-        _target(grid, x0 - robot, z0, x0 - robot, z1, number)
+        _add(table, state, TARGETS, x0 - robot, z0, x0 - robot, z1, number)
     elif wall == EAST:
-        _target(grid, x1 + robot, z0, x1 + robot, z1, number)
+        _add(table, state, TARGETS, x1 + robot, z0, x1 + robot, z1, number)
     else:
-        _target(grid, x0, z1 + robot, x1, z1 + robot, number)
+        _add(table, state, TARGETS, x0, z1 + robot, x1, z1 + robot, number)
 
 
 @compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows))
 def _gather(room: Room, work: Work, grid: Grid, p: Ints) -> None:
     """Collects what blocks and what is to be reached: doors first, then use sides."""
-    grow, parts = room.space[ROBOT] - 1, work.parts
-    grid.state[BLOCKS] = grid.state[TARGETS] = 0
+    grow, parts, zones, doors, sides = room.space[ROBOT] - 1, work.parts, room.zones, room.doors, room.sides
+    blocks, table, state = grid.blocks, grid.targets, grid.state
+    state[BLOCKS] = state[TARGETS] = 0
     for k in range(work.counts[N_PARTS]):
         if parts[k, STAND] == 0 and parts[k, LOW] < HEADROOM_MM:
             x = 2 * (p[0, parts[k, VAR_X]] + parts[k, OFF_X])
             z = 2 * (p[1, parts[k, VAR_X + 1]] + parts[k, OFF_X + 1])
-            _block(grid, x - grow, z - grow, x + 2 * parts[k, EXT_X] + grow, z + 2 * parts[k, EXT_X + 1] + grow, k)
-    for k in range(len(room.zones)):
-        if room.zones[k, WALL_ZONE]:
-            zone = room.zones[k]
-            _block(grid, 2 * zone[0] - grow, 2 * zone[1] - grow, 2 * zone[2] + grow, 2 * zone[3] + grow, -1 - k)
-    for k in range(len(room.doors)):
-        door = room.doors[k]
-        _target(grid, door[0], door[1], door[2], door[3], k)
-    grid.state[NUMBERS] = len(room.doors)
+            _add(blocks, state, BLOCKS, x - grow, z - grow, x + 2 * parts[k, EXT_X] + grow, z + 2 * parts[k, EXT_X + 1] + grow, k)
+    for k in range(len(zones)):
+        if zones[k, WALL_ZONE]:
+            x0, z0, x1, z1 = 2 * zones[k, 0], 2 * zones[k, 1], 2 * zones[k, 2], 2 * zones[k, 3]
+            _add(blocks, state, BLOCKS, x0 - grow, z0 - grow, x1 + grow, z1 + grow, -1 - k)
+    for k in range(len(doors)):
+        _add(table, state, TARGETS, doors[k, 0], doors[k, 1], doors[k, 2], doors[k, 3], k)
+    state[NUMBERS] = len(doors)
     for piece in range(len(room.pieces)):
         if work.taken_alt[piece] == ABSENT:
             continue
         side = work.taken_side[piece]
         for bit in range(4):
-            if (room.sides[side, STANDS] | room.sides[side, ALL_OF]) & (1 << bit):
+            if (sides[side, STANDS] | sides[side, ALL_OF]) & (1 << bit):
                 _side_target(room, work, grid, p, piece, 1 << bit)
-                grid.state[NUMBERS] += 1
+                state[NUMBERS] += 1
         for bit in range(4):
-            if room.sides[side, ANY_OF] & (1 << bit):
+            if sides[side, ANY_OF] & (1 << bit):
                 _side_target(room, work, grid, p, piece, 1 << bit)
-        if room.sides[side, ANY_OF]:
-            grid.state[NUMBERS] += 1
+        if sides[side, ANY_OF]:
+            state[NUMBERS] += 1
 
 
 @compiled(lambda t: t.i8(t.Grid, t.i8, t.i8, t.i8))
 def _cut(grid: Grid, axis: int, low: int, high: int) -> int:
     """Writes the sorted cuts of an axis, without repeats; returns how many."""
-    cuts, n = grid.cuts[axis], 2
+    cuts, blocks, n = grid.cuts[axis], grid.blocks, 2
     cuts[0], cuts[1] = low, high
     for k in range(grid.state[BLOCKS]):
         for end in range(2):
-            edge = grid.blocks[k, axis + 2 * end]
+            edge = blocks[k, axis + 2 * end]
             if edge <= low or edge >= high:
                 continue
             at = n
@@ -148,61 +140,59 @@ def first_cell(cuts: Ints, n: int, value: int) -> int:
 @compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
 def _mark(grid: Grid, nx: int, nz: int) -> None:
     """Labels cells 0 where free, -1 where blocked."""
+    labels, blocks, xs, zs = grid.labels, grid.blocks, grid.cuts[0], grid.cuts[1]
     for k in range(nx * nz):
-        grid.labels[k] = 0
+        labels[k] = 0
     for k in range(grid.state[BLOCKS]):
-        block = grid.blocks[k]
-        x0, x1 = first_cell(grid.cuts[0], nx + 1, block[0]), first_cell(grid.cuts[0], nx + 1, block[2])
-        z0, z1 = first_cell(grid.cuts[1], nz + 1, block[1]), first_cell(grid.cuts[1], nz + 1, block[3])
+        x0, x1 = first_cell(xs, nx + 1, blocks[k, 0]), first_cell(xs, nx + 1, blocks[k, 2])
+        z0, z1 = first_cell(zs, nz + 1, blocks[k, 1]), first_cell(zs, nz + 1, blocks[k, 3])
         for i in range(x0, min(x1, nx)):
             for j in range(z0, min(z1, nz)):
-                grid.labels[i * nz + j] = -1
+                labels[i * nz + j] = -1
 
 
 @compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
 def _flood(grid: Grid, nx: int, nz: int) -> None:
     """Numbers the components of free cells from 1 and sums their areas, doubled millimetres squared."""
-    count = 0
+    labels, queue, cuts, areas, count = grid.labels, grid.queue, grid.cuts, grid.areas, 0
     for start in range(nx * nz):
-        if grid.labels[start] != 0:
+        if labels[start] != 0:
             continue
         count += 1
-        grid.labels[start] = count
-        grid.queue[0] = start
+        labels[start] = count
+        queue[0] = start
         size, area = 1, 0
         while size > 0:
             size -= 1
-            cell = grid.queue[size]
+            cell = queue[size]
             i, j = cell // nz, cell % nz
-            area += (grid.cuts[0, i + 1] - grid.cuts[0, i]) * (grid.cuts[1, j + 1] - grid.cuts[1, j])
+            area += (cuts[0, i + 1] - cuts[0, i]) * (cuts[1, j + 1] - cuts[1, j])
             for way in range(4):
                 u = i + (1 if way == 0 else -1 if way == 1 else 0)
                 v = j + (1 if way == 2 else -1 if way == 3 else 0)
-                if 0 <= u < nx and 0 <= v < nz and grid.labels[u * nz + v] == 0:
-                    grid.labels[u * nz + v] = count
-                    grid.queue[size] = u * nz + v
+                if 0 <= u < nx and 0 <= v < nz and labels[u * nz + v] == 0:
+                    labels[u * nz + v] = count
+                    queue[size] = u * nz + v
                     size += 1
-        grid.areas[count] = area
+        areas[count] = area
     grid.state[COMPONENTS] = count
 
 
 @compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
 def _reach(grid: Grid, nx: int, nz: int) -> None:
     """Counts, for every component, how many target numbers it meets."""
-    count = grid.state[COMPONENTS]
-    for c in range(count + 1):
-        grid.reached[c, 0] = 0
-        grid.reached[c, 1] = -1
+    reached, targets, labels, xs, zs = grid.reached, grid.targets, grid.labels, grid.cuts[0], grid.cuts[1]
+    for c in range(grid.state[COMPONENTS] + 1):
+        reached[c, 0], reached[c, 1] = 0, -1
     for k in range(grid.state[TARGETS]):
-        target = grid.targets[k]
-        x0, x1 = first_cell(grid.cuts[0], nx + 1, target[0]) - 1, first_cell(grid.cuts[0], nx + 1, target[2])
-        z0, z1 = first_cell(grid.cuts[1], nz + 1, target[1]) - 1, first_cell(grid.cuts[1], nz + 1, target[3])
+        x0, x1 = first_cell(xs, nx + 1, targets[k, 0]) - 1, first_cell(xs, nx + 1, targets[k, 2])
+        z0, z1 = first_cell(zs, nz + 1, targets[k, 1]) - 1, first_cell(zs, nz + 1, targets[k, 3])
         for i in range(max(x0, 0), min(x1, nx)):
             for j in range(max(z0, 0), min(z1, nz)):
-                label = grid.labels[i * nz + j]
-                if label > 0 and grid.reached[label, 1] != target[4]:
-                    grid.reached[label, 1] = target[4]
-                    grid.reached[label, 0] += 1
+                label = labels[i * nz + j]
+                if label > 0 and reached[label, 1] != targets[k, 4]:
+                    reached[label, 1] = targets[k, 4]
+                    reached[label, 0] += 1
 
 
 @compiled(lambda t: t.i8(t.Room, t.Grid, t.i8, t.i8))

@@ -31,7 +31,7 @@ from solver.placement.kernel.options import ways
 from solver.placement.kernel.search import STEPS, search
 
 # Tree.counters
-STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, SOLVED_QPS = range(11)
+STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, INCUMBENT, SOLVED_QPS = range(12)
 # Tree.heap
 RANK, BOUND, AGE, STATE, DECISION = range(5)
 EXPANDED: Final = -1
@@ -173,9 +173,12 @@ def _expand(engine: Engine, state: int, piece: int, depth: int) -> bool:
     return True
 
 
-@compiled(lambda t: t.b1(t.Engine, t.i8, t.i8, t.ints, t.b1))
-def _try_entry(engine: Engine, entry: int, piece: int, limits: Ints, walk: bool) -> bool:
-    """Evaluates a way; pushes the grown state. False where there is no room to store it."""
+@compiled(lambda t: t.b1(t.Engine, t.i8, t.i8, t.i8, t.ints, t.b1))
+def _try_entry(engine: Engine, entry: int, piece: int, total: int, limits: Ints, walk: bool) -> bool:  # noqa: PLR0913
+    """Evaluates a way; pushes the grown state. False where there is no room to store it.
+
+    What costs more than the best complete state found so far is cut off: costs only grow.
+    """
     tree, result = engine.tree, engine.nodes.result
     state, depth = tree.heap[entry, STATE], tree.depths[tree.heap[entry, STATE]]
     for k in range(len(tree.trial)):
@@ -185,9 +188,10 @@ def _try_entry(engine: Engine, entry: int, piece: int, limits: Ints, walk: bool)
     if refused(tree, number, False):
         return True
     tree.counters[EVALUATED] += 1
-    chosen = tree.preferences[state] + tree.heap_cost[entry]
-    if not evaluate(engine, tree.trial, limits[1], np.inf, walk):
-        if result[TURNED_DOWN] == 0 and result[EXHAUSTED] == 1:
+    chosen, incumbent = tree.preferences[state] + tree.heap_cost[entry], tree.counters[INCUMBENT]
+    ceiling = tree.costs[incumbent] - chosen if incumbent >= 0 else np.inf
+    if not evaluate(engine, tree.trial, limits[1], ceiling, walk):
+        if result[TURNED_DOWN] == 0 and result[EXHAUSTED] == 1 and incumbent < 0:
             refused(tree, number, True)
         if result[TURNED_DOWN] > 0:
             tree.counters[DOUBTED] = 1
@@ -197,6 +201,8 @@ def _try_entry(engine: Engine, entry: int, piece: int, limits: Ints, walk: bool)
     grown = _state(tree, tree.trial, engine.nodes.best_cost[0] + chosen, chosen, depth + 1)
     if grown < 0:
         return False
+    if depth + 1 == total and (incumbent < 0 or tree.costs[grown] < tree.costs[incumbent]):
+        tree.counters[INCUMBENT] = grown
     deepest = tree.counters[DEEPEST]
     if deepest < 0 or depth + 1 > tree.depths[deepest]:
         tree.counters[DEEPEST] = grown
@@ -221,7 +227,7 @@ def best_first(engine: Engine, start: Ints, start_cost: Floats, group: Ints, lim
     counters = tree.counters
     for k in range(SOLVED_QPS):
         counters[k] = 0
-    counters[CLOSED], counters[BEST], counters[DEEPEST] = 1, -1, -1
+    counters[CLOSED], counters[BEST], counters[DEEPEST], counters[INCUMBENT] = 1, -1, -1, -1
     tree.refused[:] = 0
     limit = limits[0]
     root = _state(tree, start, start_cost[0], start_cost[1], 0)
@@ -235,7 +241,7 @@ def best_first(engine: Engine, start: Ints, start_cost: Floats, group: Ints, lim
                 continue
             return False
         if tree.heap[entry, DECISION] != EXPANDED:
-            stored = _try_entry(engine, entry, first + depth, limits, walk)
+            stored = _try_entry(engine, entry, first + depth, total, limits, walk)
         elif depth == total:
             counters[BEST] = state
             return True

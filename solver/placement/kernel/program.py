@@ -8,42 +8,44 @@ from __future__ import annotations
 
 from solver.placement.kernel.dual import FEASIBLE, continue_dual
 from solver.placement.kernel.jit import compiled
-from solver.placement.kernel.layout import AXIS, N_PULLS, N_ROWS, ORIGIN, PULL_OFFSET, PULL_WEIGHT, Floats, I, J, Nodes, Programs, S, Work
+from solver.placement.kernel.layout import AXIS, N_PULLS, N_ROWS, ORIGIN, PULL_OFFSET, PULL_WEIGHT, Floats, I, Ints, J, Nodes, Programs, S, Work
 
 
-@compiled(lambda t: t.b1(t.Work, t.Programs, t.i8, t.i8, t.i8, t.i8, t.i8))
-def append_row(work: Work, programs: Programs, axis: int, at: int, i: int, j: int, s: int) -> bool:  # noqa: PLR0913
-    """Writes row number `at` of an axis, p_j - p_i >= s (mm) over all variables; False where it can never hold."""
+@compiled(lambda t: t.b1(t.ints, t.floats, t.int_rows, t.floats, t.i8, t.i8, t.i8, t.i8))
+def append_row(column: Ints, value: Floats, rows: Ints, row_s: Floats, at: int, i: int, j: int, s: int) -> bool:  # noqa: PLR0913
+    """Writes row number `at` of an axis, p_j - p_i >= s (mm) over all variables; False where it can never hold.
+
+    The arrays are the axis's own of `Programs`.
+    """
     rest = s / 1000
     column_i, column_j = -1, -1
     if j != ORIGIN and i != j:
-        column_j = programs.column[axis, j]
+        column_j = column[j]
         if column_j < 0:
-            rest -= programs.value[axis, j]
+            rest -= value[j]
     if i != ORIGIN and i != j:
-        column_i = programs.column[axis, i]
+        column_i = column[i]
         if column_i < 0:
-            rest += programs.value[axis, i]
-    programs.rows[axis, 0, at] = column_i
-    programs.rows[axis, 1, at] = column_j
-    programs.row_s[axis, at] = rest
+            rest += value[i]
+    rows[0, at], rows[1, at], row_s[at] = column_i, column_j, rest
     return column_i >= 0 or column_j >= 0 or rest <= FEASIBLE
 
 
 @compiled(lambda t: t.none(t.Work, t.Programs, t.i8))
 def _split(work: Work, programs: Programs, axis: int) -> None:
     """Numbers the free variables of an axis and fixes the others."""
+    lows, highs, value, column, bounds = work.low, work.high, programs.value, programs.column, programs.bounds
     n = 0
     for v in range(work.sizes[axis]):
-        low, high = work.low[axis, v], work.high[axis, v]
-        programs.value[axis, v] = low / 1000
+        low, high = lows[axis, v], highs[axis, v]
+        value[axis, v] = low / 1000
         if low < high:
-            programs.column[axis, v] = n
-            programs.bounds[axis, 0, n] = low / 1000
-            programs.bounds[axis, 1, n] = high / 1000
+            column[axis, v] = n
+            bounds[axis, 0, n] = low / 1000
+            bounds[axis, 1, n] = high / 1000
             n += 1
         else:
-            programs.column[axis, v] = -1
+            column[axis, v] = -1
     programs.size[axis] = n
 
 
@@ -52,6 +54,7 @@ def _objective(work: Work, programs: Programs, axis: int) -> None:
     """Writes H into `inverse` and f into `start`."""
     n = programs.size[axis]
     H, f, column, value = programs.inverse, programs.start, programs.column, programs.value
+    weight, at, pulls, pull_costs = work.anchor_weight, work.anchor_at, work.pulls, work.pull_costs
     for a in range(n):
         f[axis, a] = 0.0
         for b in range(n):
@@ -59,12 +62,12 @@ def _objective(work: Work, programs: Programs, axis: int) -> None:
     for v in range(work.sizes[axis]):
         a = column[axis, v]
         if a >= 0:
-            H[axis, a, a] += 2 * work.anchor_weight[axis, v]
-            f[axis, a] -= 2 * work.anchor_weight[axis, v] * work.anchor_at[axis, v]
+            H[axis, a, a] += 2 * weight[axis, v]
+            f[axis, a] -= 2 * weight[axis, v] * at[axis, v]
     for k in range(work.counts[N_PULLS]):
-        if work.pulls[k, AXIS] == axis:
-            i, j = work.pulls[k, I], work.pulls[k, J]
-            w, offset = 2 * work.pull_costs[k, PULL_WEIGHT], work.pull_costs[k, PULL_OFFSET]
+        if pulls[k, AXIS] == axis:
+            i, j = pulls[k, I], pulls[k, J]
+            w, offset = 2 * pull_costs[k, PULL_WEIGHT], pull_costs[k, PULL_OFFSET]
             a, b = column[axis, i], column[axis, j]
             if a >= 0:
                 H[axis, a, a] += w
@@ -85,7 +88,7 @@ def _objective(work: Work, programs: Programs, axis: int) -> None:
 def _invert(programs: Programs, axis: int) -> None:
     """Inverts H in place (Gauss-Jordan; H is positive definite) and writes the unconstrained optimum to `start`."""
     n = programs.size[axis]
-    A, f = programs.inverse, programs.start
+    A, f, vectors = programs.inverse, programs.start, programs.vectors
     for k in range(n):
         pivot = 1 / A[axis, k, k]
         A[axis, k, k] = 1.0
@@ -98,58 +101,59 @@ def _invert(programs: Programs, axis: int) -> None:
                 for b in range(n):
                     A[axis, a, b] -= factor * A[axis, k, b]
     for a in range(n):
-        programs.vectors[axis, 0, a] = f[axis, a]
+        vectors[axis, 0, a] = f[axis, a]
     for a in range(n):
         value = 0.0
         for b in range(n):
             if A[axis, a, b] != 0.0:
-                value -= A[axis, a, b] * programs.vectors[axis, 0, b]
+                value -= A[axis, a, b] * vectors[axis, 0, b]
         f[axis, a] = value
 
 
-@compiled(lambda t: t.f8(t.Work, t.Programs, t.i8, t.float_rows))
-def cost_at(work: Work, programs: Programs, axis: int, positions: Floats) -> float:
+@compiled(lambda t: t.f8(t.Work, t.i8, t.float_rows))
+def cost_at(work: Work, axis: int, positions: Floats) -> float:
     """Returns the terms' value along an axis at positions (2, variables), m."""
+    weight, at, pulls, pull_costs = work.anchor_weight, work.anchor_at, work.pulls, work.pull_costs
     total = 0.0
     for v in range(work.sizes[axis]):
-        weight = work.anchor_weight[axis, v]
-        if weight > 0.0:
-            off = positions[axis, v] - work.anchor_at[axis, v]
-            total += weight * off * off
+        if weight[axis, v] > 0.0:
+            off = positions[axis, v] - at[axis, v]
+            total += weight[axis, v] * off * off
     for k in range(work.counts[N_PULLS]):
-        if work.pulls[k, AXIS] == axis:
-            off = positions[axis, work.pulls[k, J]] - positions[axis, work.pulls[k, I]] - work.pull_costs[k, PULL_OFFSET]
-            total += work.pull_costs[k, PULL_WEIGHT] * off * off
+        if pulls[k, AXIS] == axis:
+            off = positions[axis, pulls[k, J]] - positions[axis, pulls[k, I]] - pull_costs[k, PULL_OFFSET]
+            total += pull_costs[k, PULL_WEIGHT] * off * off
     return total
 
 
-@compiled(lambda t: t.none(t.Programs, t.i8, t.i8, t.floats, t.float_rows))
-def spread(programs: Programs, axis: int, count: int, x: Floats, positions: Floats) -> None:
+@compiled(lambda t: t.none(t.ints, t.floats, t.i8, t.floats, t.floats))
+def spread(column: Ints, value: Floats, count: int, x: Floats, positions: Floats) -> None:
     """Writes the positions of all `count` variables of an axis from those of the free ones."""
     for v in range(count):
-        column = programs.column[axis, v]
-        positions[axis, v] = programs.value[axis, v] if column < 0 else x[column]
+        positions[v] = value[v] if column[v] < 0 else x[column[v]]
 
 
 @compiled(lambda t: t.b1(t.Work, t.Programs, t.Nodes))
 def prepare(work: Work, programs: Programs, nodes: Nodes) -> bool:
     """Builds both programmes; False where bounds or fixed rows can never hold."""
+    low, high, rows, fixed_rows = work.low, work.high, work.rows, programs.fixed_rows
     for axis in range(2):
         for v in range(work.sizes[axis]):
-            if work.low[axis, v] > work.high[axis, v]:
+            if low[axis, v] > high[axis, v]:
                 return False
         _split(work, programs, axis)
         _objective(work, programs, axis)
         _invert(programs, axis)
-        spread(programs, axis, work.sizes[axis], programs.start[axis], nodes.positions)
-        programs.start_cost[axis] = cost_at(work, programs, axis, nodes.positions)
-        programs.fixed_rows[axis] = 0
-    for k in range(work.counts[N_ROWS]):
-        axis = work.rows[k, AXIS]
-        at = programs.fixed_rows[axis]
-        if not append_row(work, programs, axis, at, work.rows[k, I], work.rows[k, J], work.rows[k, S]):
-            return False
-        programs.fixed_rows[axis] += 1
+        spread(programs.column[axis], programs.value[axis], work.sizes[axis], programs.start[axis], nodes.positions[axis])
+        programs.start_cost[axis] = cost_at(work, axis, nodes.positions)
+        fixed_rows[axis] = 0
+    for axis in range(2):
+        column, value, own, own_s = programs.column[axis], programs.value[axis], programs.rows[axis], programs.row_s[axis]
+        for k in range(work.counts[N_ROWS]):
+            if rows[k, AXIS] == axis:
+                if not append_row(column, value, own, own_s, fixed_rows[axis], rows[k, I], rows[k, J], rows[k, S]):
+                    return False
+                fixed_rows[axis] += 1
     return True
 
 

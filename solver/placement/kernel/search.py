@@ -51,80 +51,89 @@ OPEN, SPARE, PICKED = range(3)
 @compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8))
 def _open_node(work: Work, programs: Programs, nodes: Nodes, slot: int) -> None:
     """Brings a node's path back: its rows to the programmes, its positions to nodes.positions."""
-    seen_x, seen_z = 0, 0
-    pick = nodes.last_pick[slot]
-    while pick >= 0:
-        option = nodes.pick_option[pick]
-        row = work.options[option] if option < len(work.options) else work.wide[option - len(work.options)]
-        axis = row[AXIS]
-        seen = seen_x if axis == 0 else seen_z
-        at = programs.fixed_rows[axis] + nodes.row_count[slot, axis] - 1 - seen
-        append_row(work, programs, axis, at, row[I], row[J], row[S])
-        if axis == 0:
-            seen_x += 1
-        else:
-            seen_z += 1
-        pick = nodes.pick_before[pick]
+    options, wide, option_of, before = work.options, work.wide, nodes.pick_option, nodes.pick_before
     for axis in range(2):
-        spread(programs, axis, work.sizes[axis], nodes.x[slot, axis], nodes.positions)
+        column, value, rows, row_s = programs.column[axis], programs.value[axis], programs.rows[axis], programs.row_s[axis]
+        at = programs.fixed_rows[axis] + nodes.row_count[slot, axis]
+        pick = nodes.last_pick[slot]
+        while pick >= 0:
+            option = option_of[pick]
+            if option < len(options):
+                if options[option, AXIS] == axis:
+                    at -= 1
+                    append_row(column, value, rows, row_s, at, options[option, I], options[option, J], options[option, S])
+            elif wide[option - len(options), AXIS] == axis:
+                at -= 1
+                option -= len(options)
+                append_row(column, value, rows, row_s, at, wide[option, I], wide[option, J], wide[option, S])
+            pick = before[pick]
+        spread(column, value, work.sizes[axis], nodes.x[slot, axis], nodes.positions[axis])
 
 
 @compiled(lambda t: t.i8(t.Work, t.Nodes))
 def _violated(work: Work, nodes: Nodes) -> int:
     """Writes the most violated choices to nodes.worst, worst first, ties by lowest number; returns how many."""
-    p, count = nodes.positions, 0
+    p, worst, options, choice_size, count = nodes.positions, nodes.worst, work.options, work.choice_size, 0
     for c in range(work.counts[N_CHOICES]):
         slack = -np.inf
-        for k in range(4 * c, 4 * c + work.choice_size[c]):
-            axis = work.options[k, AXIS]
-            slack = max(slack, p[axis, work.options[k, J]] - p[axis, work.options[k, I]] - work.options[k, S] / 1000)
+        for k in range(4 * c, 4 * c + choice_size[c]):
+            axis = options[k, AXIS]
+            slack = max(slack, p[axis, options[k, J]] - p[axis, options[k, I]] - options[k, S] / 1000)
             if slack >= -VIOLATED:
                 break
         if slack >= -VIOLATED:
             continue
         key = np.int64(slack * STEPS)
-        at = min(count, CANDIDATES)
-        while at > 0 and nodes.worst[at - 1, 1] > key:
+        at = count
+        while at > 0 and worst[at - 1, 1] > key:
             at -= 1
         if at < CANDIDATES:
             count = min(count + 1, CANDIDATES)
             for move in range(count - 1, at, -1):
-                nodes.worst[move, 0] = nodes.worst[move - 1, 0]
-                nodes.worst[move, 1] = nodes.worst[move - 1, 1]
-            nodes.worst[at, 0], nodes.worst[at, 1] = c, key
+                worst[move, 0], worst[move, 1] = worst[move - 1, 0], worst[move - 1, 1]
+            worst[at, 0], worst[at, 1] = c, key
     return count
+
+
+@compiled(lambda t: t.none(t.Nodes, t.i8, t.i8, t.i8, t.i8))
+def _copy_node(nodes: Nodes, parent: int, slot: int, axis: int, n: int) -> None:
+    """Copies what a node knows of an axis with n free variables."""
+    x, active, multiplier, q = nodes.x, nodes.active, nodes.multiplier, nodes.active_size[parent, axis]
+    for k in range(n):
+        x[slot, axis, k] = x[parent, axis, k]
+    for k in range(q):
+        active[slot, axis, k] = active[parent, axis, k]
+        multiplier[slot, axis, k] = multiplier[parent, axis, k]
+    nodes.active_size[slot, axis] = q
+    nodes.cost[slot, axis] = nodes.cost[parent, axis]
+    nodes.row_count[slot, axis] = nodes.row_count[parent, axis]
 
 
 @compiled(lambda t: t.i8(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
 def _child(work: Work, programs: Programs, nodes: Nodes, parent: int, option: int, ceiling: float) -> int:  # noqa: PLR0913
     """Solves the parent with one row more; returns the child's slot, or -1 where it is infeasible or too dear."""
-    row = work.options[option] if option < len(work.options) else work.wide[option - len(work.options)]
-    axis = row[AXIS]
+    capacity = len(work.options)
+    table = work.options if option < capacity else work.wide
+    k = option if option < capacity else option - capacity
+    axis = table[k, AXIS]
     at = programs.fixed_rows[axis] + nodes.row_count[parent, axis]
     if at >= programs.rows.shape[2]:
         return -1
     nodes.result[SOLVES] += 1
-    if not append_row(work, programs, axis, at, row[I], row[J], row[S]):
+    rows, row_s = programs.rows[axis], programs.row_s[axis]
+    if not append_row(programs.column[axis], programs.value[axis], rows, row_s, at, table[k, I], table[k, J], table[k, S]):
         return -1
-    slot = nodes.spare[nodes.state[SPARE] - 1]
-    for a in range(2):
-        n, q = programs.size[a], nodes.active_size[parent, a]
-        for k in range(n):
-            nodes.x[slot, a, k] = nodes.x[parent, a, k]
-        for k in range(q):
-            nodes.active[slot, a, k] = nodes.active[parent, a, k]
-            nodes.multiplier[slot, a, k] = nodes.multiplier[parent, a, k]
-        nodes.active_size[slot, a] = q
-        nodes.cost[slot, a] = nodes.cost[parent, a]
-        nodes.row_count[slot, a] = nodes.row_count[parent, a]
-    first = 2 * programs.size[axis] + at
-    status = solve_axis(programs, nodes, slot, axis, at + 1, first, ceiling - nodes.cost[parent, 1 - axis])
-    if status != SOLVED or nodes.cost[slot, 0] + nodes.cost[slot, 1] >= ceiling:
+    slot, state = nodes.spare[nodes.state[SPARE] - 1], nodes.state
+    _copy_node(nodes, parent, slot, axis, programs.size[axis])
+    first, other = 2 * programs.size[axis] + at, nodes.cost[parent, 1 - axis]
+    status = solve_axis(programs, nodes, slot, axis, at + 1, first, ceiling - other)
+    if status != SOLVED or nodes.cost[slot, axis] + other >= ceiling:
         return -1
+    _copy_node(nodes, parent, slot, 1 - axis, programs.size[1 - axis])
     nodes.row_count[slot, axis] += 1
     nodes.last_pick[slot] = option  # becomes a pick when the child is kept
     nodes.widened[slot] = nodes.widened[parent]
-    nodes.state[SPARE] -= 1
+    state[SPARE] -= 1
     return slot
 
 
@@ -212,9 +221,10 @@ def _widen(engine: Engine, parent: int, ceiling: float) -> None:
 
 @compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8))
 def _keep_best(work: Work, programs: Programs, nodes: Nodes, slot: int) -> None:
+    best, positions = nodes.best, nodes.positions
     for axis in range(2):
         for v in range(work.sizes[axis]):
-            nodes.best[axis, v] = nodes.positions[axis, v]
+            best[axis, v] = positions[axis, v]
     nodes.best_cost[0] = nodes.cost[slot, 0] + nodes.cost[slot, 1]
     pick, count = nodes.last_pick[slot], 0
     while pick >= 0:
@@ -227,8 +237,9 @@ def _keep_best(work: Work, programs: Programs, nodes: Nodes, slot: int) -> None:
 @compiled(lambda t: t.b1(t.Work, t.Programs, t.Nodes))
 def _root(work: Work, programs: Programs, nodes: Nodes) -> bool:
     """Opens the root; False where it is infeasible."""
+    choice_size = work.choice_size
     for c in range(work.counts[N_CHOICES]):
-        if work.choice_size[c] == 0:
+        if choice_size[c] == 0:
             return False
     if not prepare(work, programs, nodes):
         return False
@@ -252,9 +263,10 @@ def _root(work: Work, programs: Programs, nodes: Nodes) -> bool:
 def _passes(engine: Engine) -> bool:
     """Tells whether the open node's placement, rounded to millimetres, is walkable."""
     nodes, grid, work = engine.nodes, engine.grid, engine.work
+    rounded, positions = grid.positions, nodes.positions
     for axis in range(2):
         for v in range(work.sizes[axis]):
-            grid.positions[axis, v] = np.int64(np.floor(nodes.positions[axis, v] * 1000 + 0.5))
+            rounded[axis, v] = np.int64(np.floor(positions[axis, v] * 1000 + 0.5))
     return walkable(engine.room, work, grid, grid.positions)
 
 
@@ -271,8 +283,9 @@ def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
     work, programs, nodes = engine.work, engine.programs, engine.nodes
     nodes.result[:] = 0
     nodes.state[OPEN], nodes.state[SPARE], nodes.state[PICKED] = 0, len(nodes.spare), 0
-    for k in range(len(nodes.spare)):
-        nodes.spare[k] = k
+    spare = nodes.spare
+    for k in range(len(spare)):
+        spare[k] = k
     work.counts[N_WIDE] = 0
     nodes.best_cost[0] = ceiling
     nodes.result[EXHAUSTED] = 1

@@ -33,11 +33,12 @@ def _divides(grid: Grid, x0: int, z0: int, x1: int, z1: int) -> bool:
     nx, nz = grid.state[CUTS_X] - 1, grid.state[CUTS_Z] - 1
     i0, i1 = first_cell(grid.cuts[0], nx + 1, x0), first_cell(grid.cuts[0], nx + 1, x1)
     j0, j1 = first_cell(grid.cuts[1], nz + 1, z0), first_cell(grid.cuts[1], nz + 1, z1)
+    labels, entered = grid.labels, grid.state[ENTERED]
     inside, outside = False, False
     for i in range(max(i0 - 1, 0), min(i1 + 1, nx)):
         for j in range(max(j0 - 1, 0), min(j1 + 1, nz)):
-            label = grid.labels[i * nz + j]
-            if label == grid.state[ENTERED]:
+            label = labels[i * nz + j]
+            if label == entered:
                 inside = True
             elif label > 0:
                 outside = True
