@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from solver.placement.encode import Encoded
 from solver.placement.kernel import layout
 from solver.placement.kernel.fill import arrange_room
 from solver.placement.kernel.grid import walkable
-from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, DOUBTED, best_first, evaluate
+from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, DOUBTED, MANY, best_first, evaluate
 from solver.placement.kernel.layout import Engine, Floats, Ints
 from solver.placement.kernel.options import total_preference, ways
 from solver.placement.outcome import Outcome
@@ -35,6 +35,7 @@ class Limits:
         required_qps: QPs of each.
         optional: evaluations on one optional piece.
         optional_qps: QPs of each.
+        optional_lapses: of these evaluations, how many may end at their limit before the piece is given up.
         moves: evaluations on moving one other piece so that an optional one fits.
         final_qps: QPs of the final search over all choices of a room.
     """
@@ -42,16 +43,15 @@ class Limits:
     required: int = 3000
     required_qps: int = 2000
     optional: int = 40
-    optional_qps: int = 400
+    optional_qps: int = 100
+    optional_lapses: int = 3
     moves: int = 30
     final_qps: int = 6000
 
     @property
     def row(self) -> Ints:
         """As the kernel takes them."""
-        return np.array(
-            [self.required, self.required_qps, self.optional, self.optional_qps, self.moves, self.final_qps], dtype=np.int64
-        )
+        return np.array(astuple(self), dtype=np.int64)
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class Core:
         count, tree = len(self.encoded.wanted), self.engine.tree
         start, group = self.blank(), np.array([0, count], dtype=np.int64)
         tree.budget[0] = budget.left
-        own = np.array([limits.required, limits.required_qps], dtype=np.int64)
+        own = np.array([limits.required, limits.required_qps, MANY], dtype=np.int64)
         found = best_first(self.engine, start, np.array([0.0, 0.0, 1e12]), group, own, walk)
         budget.left = float(tree.budget[0])
         closed = bool(tree.counters[CLOSED])

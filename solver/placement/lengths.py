@@ -84,7 +84,7 @@ def sentence(found: Shortfall) -> str:
         return f"{only.name} is {metres(only.mm)} m long, {clear} m are clear {along}: {missing} too long"
     total = metres(found.clear_mm + found.missing_mm)
     terms = " + ".join(f"{length.name} {metres(length.mm)}" for length in found.lengths)
-    wall = _common_wall(found.lengths)
+    wall = _common_wall(found.lengths, found.axis)
     return f"{terms} = {total} > {clear} m {f'along the {wall} wall' if wall else along}: {missing} short"
 
 
@@ -98,9 +98,10 @@ def centimetres(mm: int) -> str:
     return f"{mm / 10:.1f} cm" if mm % 10 else f"{mm // 10} cm"
 
 
-def _common_wall(lengths: Sequence[Length]) -> str | None:
+def _common_wall(lengths: Sequence[Length], axis: int) -> str | None:
+    """Returns the wall that runs along the axis and that all bodies stand at, if there is one."""
     walls = {length.wall for length in lengths if length.label}
-    return walls.pop() if len(walls) == 1 else None
+    return next((wall for wall in (("east", "west") if axis else ("north", "south")) if walls == {wall}), None)
 
 
 def _span(rect: Rect, axis: int) -> int:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from solver.placement.kernel.grow import BEST, CLOSED, EVALUATED, SOLVED_QPS, best_first, evaluate
+from solver.placement.kernel.grow import BEST, CLOSED, EVALUATED, LAPSED, MANY, SOLVED_QPS, best_first, evaluate
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     ABSENT,
@@ -36,7 +36,7 @@ PLACED, NO_WAY, COVERED, SPENT, WITHOUT = range(5)
 MOVES: Final = 48
 """Other ways of other pieces that are looked at before the cheapest are tried."""
 # limits of a room
-REQUIRED_EVALUATIONS, REQUIRED_QPS, OPTIONAL_EVALUATIONS, OPTIONAL_QPS, MOVE_EVALUATIONS, FINAL_QPS = range(6)
+REQUIRED_EVALUATIONS, REQUIRED_QPS, OPTIONAL_EVALUATIONS, OPTIONAL_QPS, OPTIONAL_LAPSES, MOVE_EVALUATIONS, FINAL_QPS = range(7)
 
 
 @compiled(lambda t: t.i8(t.Room, t.ints))
@@ -112,9 +112,9 @@ def _join_by_move(engine: Engine, decisions: Ints, costs: Floats, group: Ints, l
             tree.shifted[piece] = decisions[piece]
         tree.shifted[tree.moves[k, 0]] = tree.moves[k, 1]
         tree.shifted_cost[0], tree.shifted_cost[1], tree.shifted_cost[2] = terms + tree.move_cost[k], tree.move_cost[k], ceiling
-        own[0], own[1] = min(left, 6), limits[OPTIONAL_QPS]
+        own[0], own[1], own[2] = min(left, 6), limits[OPTIONAL_QPS], 1
         joined = _join(engine, tree.shifted, tree.shifted_cost, group, own, walk)
-        left -= max(tree.counters[EVALUATED], 1)
+        left -= max(tree.counters[EVALUATED], 1) + 5 * tree.counters[LAPSED]
         if joined:
             for piece in range(len(decisions)):
                 decisions[piece] = tree.shifted[piece]
@@ -153,6 +153,7 @@ def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: In
         else:
             costs[2] = costs[0] + skip
             tree.own_limits[0], tree.own_limits[1] = limits[OPTIONAL_EVALUATIONS], limits[OPTIONAL_QPS]
+            tree.own_limits[2] = limits[OPTIONAL_LAPSES]
             if _join(engine, decisions, costs, group, tree.own_limits, walk) or (
                 limits[MOVE_EVALUATIONS] > 0 and _join_by_move(engine, decisions, costs, group, limits, walk)
             ):
@@ -185,7 +186,7 @@ def arrange_room(  # noqa: PLR0913
     decisions[:] = ABSENT
     tree.counters[SOLVED_QPS] = 0
     tree.group[0], tree.group[1] = 0, required
-    tree.own_limits[0], tree.own_limits[1] = limits[REQUIRED_EVALUATIONS], limits[REQUIRED_QPS]
+    tree.own_limits[0], tree.own_limits[1], tree.own_limits[2] = limits[REQUIRED_EVALUATIONS], limits[REQUIRED_QPS], MANY
     costs[0], costs[1], costs[2] = 0.0, 0.0, 1e12
     report[:] = 0
     if required > 0 and not _join(engine, decisions, costs, tree.group, tree.own_limits, walk):

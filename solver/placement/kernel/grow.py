@@ -31,12 +31,14 @@ from solver.placement.kernel.options import ways
 from solver.placement.kernel.search import STEPS, search
 
 # Tree.counters
-STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, INCUMBENT, SOLVED_QPS = range(12)
+STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, INCUMBENT, LAPSED, SOLVED_QPS = range(13)
 # Tree.heap
 RANK, BOUND, AGE, STATE, DECISION = range(5)
 EXPANDED: Final = -1
 """Decision of a heap entry that stands for the state itself."""
 MODULUS: Final = 2147483647
+MANY: Final = 1_000_000
+"""A limit that is none."""
 
 
 @compiled(lambda t: t.b1(t.Engine, t.ints, t.i8, t.f8, t.b1))
@@ -191,12 +193,13 @@ def _try_entry(engine: Engine, entry: int, piece: int, total: int, limits: Ints,
     chosen, incumbent = tree.preferences[state] + tree.heap_cost[entry], tree.counters[INCUMBENT]
     ceiling = tree.costs[incumbent] - chosen if incumbent >= 0 else np.inf
     if not evaluate(engine, tree.trial, limits[1], ceiling, walk):
-        if result[TURNED_DOWN] == 0 and result[EXHAUSTED] == 1 and incumbent < 0:
+        if incumbent < 0 and (limits[2] < MANY or (result[TURNED_DOWN] == 0 and result[EXHAUSTED] == 1)):
             refused(tree, number, True)
         if result[TURNED_DOWN] > 0:
             tree.counters[DOUBTED] = 1
         if result[EXHAUSTED] == 0:
             tree.counters[CLOSED] = 0
+            tree.counters[LAPSED] += 1
         return True
     grown = _state(tree, tree.trial, engine.nodes.best_cost[0] + chosen, chosen, depth + 1)
     if grown < 0:
@@ -220,7 +223,8 @@ def best_first(engine: Engine, start: Ints, start_cost: Floats, group: Ints, lim
         start: decisions so far.
         start_cost: their cost, of it the preferences, and the cost above which no answer counts.
         group: first piece, and the one after the last.
-        limits: evaluations before the dive, QPs an evaluation.
+        limits: evaluations before the dive, QPs an evaluation, evaluations that may end at that limit before the search gives
+            up (then a way that failed also speaks for those that differ from it only in their anchor).
         walk: whether doors and use sides must be joined.
     """
     tree, first, total = engine.tree, group[0], group[1] - group[0]
@@ -250,9 +254,11 @@ def best_first(engine: Engine, start: Ints, start_cost: Floats, group: Ints, lim
         if not stored or tree.budget[0] <= 0:
             counters[CLOSED] = 0
             return False
-        if counters[EVALUATED] >= limit:
-            if counters[DIVING]:
-                return False
+        if counters[EVALUATED] >= limit or counters[LAPSED] > limits[2]:
+            if counters[DIVING] or limits[2] < MANY:
+                counters[CLOSED] = 0
+                counters[BEST] = counters[INCUMBENT]
+                return counters[INCUMBENT] >= 0
             _dive(tree)
             limit *= 2
     return False

@@ -150,7 +150,7 @@ def new_tree(sizes: Sizes) -> Tree:
         shifted=_ints(p),
         shifted_cost=_floats(3),
         group=_ints(2),
-        own_limits=_ints(2),
+        own_limits=_ints(3),
     )
 
 
