@@ -115,12 +115,14 @@ def _shared(a: Rect, b: Rect) -> tuple[int, int]:
 def locked_wrongly(room: Room, space: Space, terms: Terms, issues: Sequence[Issue]) -> tuple[Conflict, ...]:
     """Names the bodies that break a rule all by themselves where they are locked: outside the room, or far from their wall."""
     locked = holders(room, terms.wishes)
-    found = []
+    reasons: dict[str, list[str]] = {}
     for issue in issues:
         if issue.rule in ("out_of_bounds", "wall_far") and issue.room == room.id and set(issue.ids) <= locked.keys():
-            everyone = tuple(piece.label for piece in wanted_of(room, space, terms))
-            case = Case((room,), space, terms, everyone, Budget(terms.work))
-            repairs = [repair for label in issue.ids if (repair := unlocked(case, label))]
-            leave = {"action": "leave_out", "id": issue.ids[0]}
-            found.append(Conflict(issue.ids, f"locked where it cannot stand: {issue.message}", (*repairs, leave)))
+            reasons.setdefault(issue.ids[0], []).append(issue.message)
+    everyone = tuple(piece.label for piece in wanted_of(room, space, terms)) if reasons else ()
+    found = []
+    for label, messages in reasons.items():
+        repair = unlocked(Case((room,), space, terms, everyone, Budget(terms.work)), label)
+        repairs = (*([repair] if repair else []), {"action": "leave_out", "id": label})
+        found.append(Conflict((label,), f"locked where it cannot stand: {' and '.join(messages)}", repairs))
     return tuple(found)

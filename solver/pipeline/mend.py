@@ -14,7 +14,7 @@ from solver.pipeline.conflicts import Unplaced, conflicts_of, locked_wrongly
 from solver.placement import Budget
 from solver.repair import all_bodies, without, written_back
 from solver.scene import Conflict, Issue, Room
-from solver.wanted import Space
+from solver.wanted import Arrangement, Space, Wanted
 
 ROUNDS = 3
 """Times a room that cannot be repaired whole is repaired again, until nothing changes any more."""
@@ -39,28 +39,42 @@ def mend_room(room: Room, space: Space, terms: Terms, issues: Sequence[Issue] = 
         issues: what the validator says of the room.
     """
     wrong = locked_wrongly(room, space, terms, issues)
+    reasons = {label: conflict.message for conflict in wrong for label in conflict.ids}
     if terms.on_conflict == "report" or not wrong:
-        mended = _mended(room, space, terms)
+        mended = _mended(room, space, terms, frozenset(reasons))
         return replace(mended, conflicts=(*wrong, *mended.conflicts))
-    fewer, removed = _taken_out(room, {label: conflict.message for conflict in wrong for label in conflict.ids})
+    fewer, removed = _taken_out(room, reasons)
     mended = _mended(fewer, space, terms)
     return Mended(mended.room, (*wrong, *mended.conflicts), (*removed, *mended.removed))
 
 
-def _mended(room: Room, space: Space, terms: Terms) -> Mended:
-    wanted = wanted_of(room, space, terms)
-    arrangement = attempt(space, wanted, terms)
+def _mended(room: Room, space: Space, terms: Terms, wrong: frozenset[str] = frozenset()) -> Mended:
+    """Repairs a room around those who are wrong where they are locked; where they leave no way, as if they were not there."""
+    wanted, arrangement = _attempt(room, space, terms, wrong)
     stuck = [label for label, _ in arrangement.left_out]
     mended = written_back(room, arrangement.placed, terms.wishes)
-    if not stuck:
+    if not stuck and not wrong:
         return Mended(mended)
-    answer = _settled(room, mended, space, terms)
+    answer = _settled(room, mended, space, replace(terms, previous={}), wrong)
     conflicts = conflicts_of(Unplaced(room, answer, space, wanted, stuck), terms, Budget(terms.work))
     if terms.on_conflict == "remove":
         reasons = {label: next(c.message for c in conflicts if label in c.ids) for label in stuck}
         fewer, removed = _taken_out(mended, reasons)
         return Mended(fewer, conflicts, removed)
     return Mended(answer, conflicts)
+
+
+def _attempt(room: Room, space: Space, terms: Terms, wrong: frozenset[str]) -> tuple[Sequence[Wanted], Arrangement]:
+    wanted = wanted_of(room, space, terms)
+    arrangement = attempt(space, wanted, terms)
+    if arrangement.left_out and wrong:
+        wanted = tuple(piece for piece in wanted if piece.label not in wrong and not _only_with(piece, wrong))
+        arrangement = attempt(space, wanted, terms)
+    return wanted, arrangement
+
+
+def _only_with(piece: Wanted, parents: frozenset[str]) -> bool:
+    return all(way.attach is not None and way.attach.parent in parents for way in piece.alternatives)
 
 
 def _taken_out(room: Room, reasons: Mapping[str, str]) -> tuple[Room, tuple[Mapping[str, str], ...]]:
@@ -72,11 +86,10 @@ def _taken_out(room: Room, reasons: Mapping[str, str]) -> tuple[Room, tuple[Mapp
     return fewer, tuple({"id": label, "reason": reasons.get(label, carried)} for label in gone)
 
 
-def _settled(sent: Room, mended: Room, space: Space, terms: Terms) -> Room:
+def _settled(sent: Room, mended: Room, space: Space, terms: Terms, wrong: frozenset[str]) -> Room:
     """Returns a partly repaired room that a further repair leaves alone, or the room as sent."""
-    alone = replace(terms, previous={})
     for _ in range(ROUNDS):
-        again = attempt(space, wanted_of(mended, space, alone), alone)
+        _, again = _attempt(mended, space, terms, wrong)
         next_room = written_back(mended, again.placed, terms.wishes)
         if next_room == mended:
             return mended

@@ -49,11 +49,12 @@ def mend_people(scene: Scene, spaces: Mapping[str, Space], terms: Terms, issues:
 
 
 def _covered(scene: Scene, terms: Terms, issues: Sequence[Issue]) -> set[str]:
-    """Returns who has to move: of two people in one place the later, unless that one is locked."""
+    """Returns who has to move: who breaks a rule alone, and of two left in one place the later, unless that one is locked."""
     rank = {person.id: k for k, person in enumerate(scene.dynamic)}
+    broken = [[label for label in issue.ids if label in rank] for issue in issues if issue.severity == "error"]
     found: set[str] = set()
-    for issue in issues:
-        free = [label for label in issue.ids if label in rank and label not in terms.wishes.locked]
-        if issue.severity == "error" and free and not found & set(free):
+    for people in sorted(broken, key=len):
+        free = [label for label in people if label not in terms.wishes.locked]
+        if free and not found & set(people):
             found.add(max(free, key=lambda label: rank[label]))
     return found

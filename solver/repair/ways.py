@@ -5,6 +5,7 @@ Comes in: a body as sent. Goes out: alternatives. May import: the ground floor.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 from solver.geometry import OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, turned
@@ -89,7 +90,7 @@ def loose(body: Body, walls: Walls, wishes: Wishes) -> tuple[Alternative, ...]:
 
 def _as_sent(body: Body, wishes: Wishes) -> Alternative:
     weight = MOVED_WEIGHT if body.id in wishes.moved else 1.0
-    anchor = (round(body.x * 1000), round(body.z * 1000))
+    anchor = (math.floor(body.x * 1000 + 0.5), math.floor(body.z * 1000 + 0.5))  # the snap takes halves down again
     weights = (weight, weight)
     return Alternative(body.name, size_of(body), squared(body.rotation), None, anchor, weights, bottom_mm=round(body.y * 1000))
 

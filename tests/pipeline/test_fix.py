@@ -6,30 +6,12 @@ from dataclasses import replace
 
 import pytest
 
-from catalogs import load_catalogs
-from solver import Request, Scene, fix, generate, validate
+from solver import Request, Scene, fix, generate
 from solver.errors import SceneError
 from solver.exchange import dump_text, write_scene
-from solver.scene import Decoration, Furniture, Opening, Room
+from solver.scene import Decoration, Opening
 from solver.streams import Stream
-
-
-def body(name: str, x: float, z: float, size: tuple[float, float, float], **more: object) -> Furniture:
-    width, depth, height = size
-    return Furniture(f"room_0/{name}", name.rstrip("_0123456789"), None, x, 0.0, z, 0, width, depth, height, **more)  # type: ignore[arg-type]
-
-
-def room_of(*furniture: Furniture, width: float = 4.0, depth: float = 4.0, **more: object) -> Scene:
-    room = Room("room_0", 0, "room", 0, 0.0, 0.0, width, depth, furniture=furniture, **more)  # type: ignore[arg-type]
-    return Scene(rooms=(room,))
-
-
-def errors(scene: Scene) -> list[str]:
-    return [issue.message for issue in validate(scene, load_catalogs()) if issue.severity == "error"]
-
-
-def pieces(scene: Scene) -> dict[str, Furniture]:
-    return {piece.id: piece for room in scene.rooms for piece in room.furniture}
+from tests.pipeline.fix_rooms import body, errors, pieces, room_of
 
 
 def stirred(scene: Scene, seed: int, share: float = 0.5) -> Scene:
@@ -188,14 +170,3 @@ def test_a_piece_is_taken_out_of_a_doorway_and_from_a_window() -> None:
 def test_an_unknown_id_is_refused_by_name(field: str) -> None:
     with pytest.raises(SceneError, match=rf"{field}\[0\].*nothing in the scene has the id 'ghost'"):
         fix(room_of(), **{field: ["ghost"]})  # type: ignore[arg-type]
-
-
-L_SHAPE = ((0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0))
-
-
-def test_the_missing_part_of_an_l_shaped_room_stays_empty() -> None:
-    scene = room_of(body("sofa_1", 3.0, 2.1, (1.6, 0.8, 0.8)), outline=L_SHAPE)
-    assert errors(scene)
-    fixed = fix(scene)
-    assert errors(fixed.scene) == []
-    assert fixed.moves[0].dz == pytest.approx(-0.5, abs=1e-3)

@@ -1,0 +1,104 @@
+"""Dragging: with the poses of the last answer fewer neighbours jump; without them nothing changes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from itertools import pairwise
+
+import pytest
+
+from catalogs import load_catalogs
+from service.calls import fix_scene
+from solver import Request, Scene, fix, generate
+from solver.errors import SceneError
+from solver.exchange import write_scene
+from solver.scene import Pose
+from tests.pipeline.fix_rooms import body, errors, pieces, room_of
+
+JUMP = 0.3
+Poses = dict[str, tuple[float, float, float]]
+
+
+@cache
+def living_room(seed: int) -> Scene:
+    """A furnished living room of a generated house, alone."""
+    house = generate(Request(seed=seed, width=11, depth=9)).scene
+    room = next(room for room in house.rooms if room.type == "living_room" and len(room.furniture) >= 4)
+    return Scene(rooms=(room,), wall_thickness=house.wall_thickness)
+
+
+def sofa_at(scene: Scene, share: float) -> tuple[Scene, str]:
+    """The room with its sofa on the way to the opposite place of the room, free of its wall."""
+    room = scene.rooms[0]
+    sofa = next(piece for piece in room.furniture if piece.name == "sofa")
+    x = round(sofa.x + share * (room.width - 2 * sofa.x), 3)
+    z = round(sofa.z + share * (room.depth - 2 * sofa.z), 3)
+    furniture = tuple(replace(piece, x=x, z=z, wall=None) if piece is sofa else piece for piece in room.furniture)
+    return replace(scene, rooms=(replace(room, furniture=furniture),)), sofa.id
+
+
+def poses(scene: Scene) -> Poses:
+    return {piece.id: (piece.x, piece.z, piece.rotation) for piece in pieces(scene).values()}
+
+
+def dragged(scene: Scene, frames: int, hold: bool) -> list[Poses]:
+    answers: list[Poses] = []
+    for k in range(frames):
+        sent, sofa = sofa_at(scene, k / (frames - 1))
+        last = tuple(Pose(label, *pose) for label, pose in answers[-1].items()) if hold and answers else ()
+        fixed = fix(sent, moved=[sofa], previous=last)
+        assert bool(errors(fixed.scene)) == bool(fixed.conflicts)
+        answers.append({label: pose for label, pose in poses(fixed.scene).items() if label != sofa})
+    return answers
+
+
+def jumps(answers: list[Poses]) -> int:
+    """Frames in which some neighbour goes farther than JUMP."""
+    steps = pairwise(answers)
+    return sum(any((a[i][0] - b[i][0]) ** 2 + (a[i][1] - b[i][1]) ** 2 > JUMP**2 for i in a) for a, b in steps)
+
+
+def test_fewer_neighbours_jump_while_a_sofa_is_dragged() -> None:
+    free = [jumps(dragged(living_room(seed), 120, False)) for seed in range(3)]
+    held = [jumps(dragged(living_room(seed), 120, True)) for seed in range(3)]
+    assert sum(free) > 0
+    assert all(h <= f for h, f in zip(held, free, strict=True))
+    assert sum(held) < sum(free)
+
+
+def between() -> Scene:
+    """A box in the middle of a narrow way: it gives way north or south, alike but for a centimetre."""
+    return room_of(body("sofa_1", 2.0, 2.0, (1.0, 1.0, 0.8)), body("box_1", 2.0, 1.995, (0.4, 0.4, 0.4)), width=4.0)
+
+
+def test_a_piece_stays_on_its_side_unless_the_other_is_clearly_better() -> None:
+    north = fix(between(), moved=["room_0/sofa_1"])
+    assert pieces(north.scene)["room_0/box_1"].z < 1.9
+    last = Pose("room_0/box_1", 2.0, 2.7, 0)
+    south = fix(between(), moved=["room_0/sofa_1"], previous=[last])
+    assert pieces(south.scene)["room_0/box_1"].z > 2.1
+    assert errors(south.scene) == []
+    nearer = replace(between().rooms[0], furniture=tuple(replace(p, z=1.9) if "box" in p.id else p for p in between().rooms[0].furniture))
+    clearly = fix(replace(between(), rooms=(nearer,)), moved=["room_0/sofa_1"], previous=[last])
+    assert pieces(clearly.scene)["room_0/box_1"].z < 1.9
+
+
+def test_poses_of_what_is_gone_are_passed_over() -> None:
+    scene = between()
+    assert fix(scene, previous=[Pose("room_0/ghost", 1.0, 1.0, 0)]).scene == fix(scene).scene
+
+
+def test_a_clean_scene_stays_clean_whatever_was_before() -> None:
+    scene = living_room(0)
+    assert fix(scene, previous=[Pose(label, 1.0, 1.0, 0) for label in pieces(scene)]).scene == scene
+
+
+def test_the_call_takes_previous_and_names_what_is_wrong_in_it() -> None:
+    sent = {"scene": write_scene(between()), "moved": ["room_0/sofa_1"], "previous": [{"id": "room_0/box_1", "x": 2.0, "z": 2.7}]}
+    answer = fix_scene(sent, load_catalogs())
+    box = next(piece for piece in answer["scene"]["rooms"][0]["furniture"] if piece["id"] == "room_0/box_1")
+    assert box["z"] > 2.1
+    for pose, field in (({"id": "a", "x": 1.0}, r"previous\[0\]\.z"), ({"x": 1.0, "z": 1.0}, r"previous\[0\]\.id")):
+        with pytest.raises(SceneError, match=field):
+            fix_scene({**sent, "previous": [pose]}, load_catalogs())
