@@ -19,7 +19,7 @@ from solver.scene import Room, Scene
 from solver.streams import Stream
 from solver.validate import validate
 from solver.wanted import Arrangement, Space, Wanted
-from tests.dense.rooms import dense_room
+from tests.dense.rooms import cover_wish, dense_room
 from tests.oracles.paths import stand_and_walk
 from tests.oracles.rules import faults, unreached
 
@@ -39,7 +39,8 @@ class Result:
 
     `cover` is the floor covered by pieces that stand on it, where two overlap (a chair under its table) counted once, over the
     area between the wall lines. `walkable`: from either door the validator comes to everything, and so does a flood of its
-    own to both doors and all use sides. `faults` are the validator's errors besides `unreachable`. `cpu` counts place() alone.
+    own to both doors and all use sides. `faults` are the validator's errors besides `unreachable`. `left_out` counts what found
+    no place, not what was one piece too many for the cover wished for. `cpu` counts place() alone.
     """
 
     name: str
@@ -54,9 +55,10 @@ class Result:
 
 
 def wishes(name: str, seed: int, tight: bool = False) -> tuple[Room, Space, tuple[Wanted, ...]]:
-    """Returns a seed's empty room, its space and what it wants."""
+    """Returns a seed's empty room, its space with the cover wished for, and what it wants."""
     room = dense_room(name, seed, tight)
-    space = space_of(room, WALL_M)
+    cover_mm2 = round(1e6 * room.width * room.depth * cover_wish(name, seed))
+    space = replace(space_of(room, WALL_M), cover_mm2=cover_mm2)
     return room, space, wanted_pieces(room, space, catalogs(), Stream(seed, "furnish", name))
 
 
@@ -75,8 +77,16 @@ def result(job: tuple[str, int]) -> Result:
         tuple(rule for rule in rules if rule not in ("unreachable", "missing_required")),
         "unreachable" not in rules and not unreached(space, wanted, arrangement),
         "missing_required" not in rules and all(piece.label in placed for piece in wanted if piece.required),
-        len(wanted) - len(placed), len(placed), cpu,
+        refused(space, wanted, arrangement), len(placed), cpu,
     )  # fmt: skip
+
+
+def refused(space: Space, wanted: tuple[Wanted, ...], arrangement: Arrangement) -> int:
+    """Returns how many pieces found no place: those left out before the last that stands, or all where less is covered than wished."""
+    stands = [piece.label in {placed.label for placed in arrangement.placed} for piece in wanted]
+    full = covered(arrangement) * 1e6 >= space.cover_mm2 > 0
+    tried = max((k for k, there in enumerate(stands) if there), default=-1) if full else len(stands)
+    return stands[:tried].count(False)
 
 
 def _doors(room: Room) -> list[str]:

@@ -23,7 +23,8 @@ TRIES = 50
 class Kind:
     """A type of room: its ranges of area, m2, dense and tight, what two doors need, m2, and the width of its doors, mm.
 
-    `windows` are the least and greatest width of a window, mm; `sill` its height, m.
+    `cover` is how much of the floor people cover: a room's wish is drawn from it. `windows` are the least and greatest width
+    of a window, mm; `sill` its height, m.
     """
 
     room_type: str
@@ -31,16 +32,17 @@ class Kind:
     tight: tuple[float, float]
     two_doors: float
     short_side: float
+    cover: tuple[float, float]
     door: int = 900
     windows: tuple[int, int] = (900, 1800)
     sill: float = 0.9
 
 
 KINDS = {
-    "bedroom": Kind("dense_bedroom", (9.0, 14.0), (6.5, 8.0), 7.5, 2.4),
-    "bathroom": Kind("dense_bathroom", (4.0, 7.0), (3.5, 7.0), 7.0, 2.0, door=800, windows=(500, 900), sill=1.3),
-    "kitchen": Kind("dense_kitchen", (8.0, 14.0), (6.0, 9.0), 9.0, 2.4, windows=(800, 1400), sill=1.0),
-    "living": Kind("dense_living_room", (15.0, 30.0), (9.0, 10.0), 9.0, 2.4),
+    "bedroom": Kind("dense_bedroom", (9.0, 14.0), (6.5, 8.0), 7.5, 2.4, (0.40, 0.48)),
+    "bathroom": Kind("dense_bathroom", (4.0, 7.0), (3.5, 7.0), 7.0, 2.0, (0.43, 0.49), door=800, windows=(500, 900), sill=1.3),
+    "kitchen": Kind("dense_kitchen", (8.0, 14.0), (6.0, 9.0), 9.0, 2.4, (0.40, 0.47), windows=(800, 1400), sill=1.0),
+    "living": Kind("dense_living_room", (15.0, 30.0), (9.0, 10.0), 9.0, 2.4, (0.31, 0.39)),
 }
 
 
@@ -56,6 +58,11 @@ def dense_room(name: str, seed: int, tight: bool = False) -> Room:
     doors = 1 + (stream.chance(0.5) and (tight or area >= kind.two_doors))
     openings = _openings(Rect(0, 0, round(1000 * width), round(1000 * depth)), kind, stream, doors)
     return Room(f"{name}_{seed}", 0, kind.room_type, width=width, depth=depth, openings=openings)
+
+
+def cover_wish(name: str, seed: int) -> float:
+    """Returns the share of its floor that a seed's room wishes covered."""
+    return Stream(seed, "dense", f"{name}/cover").uniform(*KINDS[name].cover)
 
 
 def _openings(lines: Rect, kind: Kind, stream: Stream, doors: int) -> tuple[Opening, ...]:
