@@ -5,8 +5,8 @@ Comes in: a room whose pieces did not all find a place. Goes out: Conflicts. Not
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from solver.geometry import Rect
 from solver.pipeline.attempt import Terms, placed, wanted_of
@@ -16,6 +16,8 @@ from solver.placement.lengths import Shortfall, centimetres, metres, sentence, s
 from solver.repair import Body, all_bodies, holders
 from solver.scene import Conflict, Issue, Room
 from solver.wanted import Space, Wanted
+
+STANDING = ("cannot stand anywhere", "cannot stand together")
 
 
 @dataclass(frozen=True)
@@ -27,7 +29,7 @@ class Unplaced:
         answer: the room as it will be answered.
         space: where its furniture may stand.
         wanted: its pieces, as sent.
-        stuck: those without a place.
+        stuck: those without a place, or out of reach.
     """
 
     sent: Room
@@ -36,23 +38,45 @@ class Unplaced:
     wanted: Sequence[Wanted]
     stuck: Sequence[str]
 
+    @property
+    def rooms(self) -> tuple[Room, ...]:
+        """The room that is answered, and the room as sent where it differs."""
+        return (self.answer,) if self.answer == self.sent else (self.answer, self.sent)
+
 
 def conflicts_of(unplaced: Unplaced, terms: Terms, budget: Budget) -> tuple[Conflict, ...]:
     """Explains every piece that found no place: a minimal set that cannot stand together, or that none was found."""
     found = []
-    names, both = names_of(unplaced.sent), (unplaced.answer, unplaced.sent)
-    rooms = both[:1] if both[0] == both[1] else both
     for label in unplaced.stuck:
         group = [piece for piece in unplaced.wanted if piece.label == label or piece.label not in unplaced.stuck]
-        members = minimal_conflict(unplaced.space, group, label, budget)
-        if members is None:
-            message = f"not found: the search for a place for {names[label]} in {unplaced.sent.id} ended at its limit"
-            found.append(Conflict((label,), message))
-            continue
-        short = _shortfall(unplaced, members, budget)
-        case = Case(rooms, unplaced.space, terms, tuple(piece.label for piece in group), budget)
-        found.append(Conflict(members, _message(unplaced, members, names, short), repairs_of(case, members, short)))
+        found.append(_conflict(unplaced, group, label, Case(unplaced.rooms, unplaced.space, terms, _labels(group), budget)))
     return tuple(found)
+
+
+def unreached(unplaced: Unplaced, terms: Terms, budget: Budget) -> tuple[Conflict, ...]:
+    """Explains pieces that stand where nobody can come to use them: a minimal set that cannot be used together."""
+    found: list[Conflict] = []
+    case = Case(unplaced.rooms, unplaced.space, terms, _labels(unplaced.wanted), budget, walk=True)
+    for label in unplaced.stuck:
+        if not any(label in conflict.ids for conflict in found):
+            found.append(_conflict(unplaced, unplaced.wanted, label, case))
+    return tuple(found)
+
+
+def _conflict(unplaced: Unplaced, group: Sequence[Wanted], label: str, case: Case) -> Conflict:
+    names = names_of(unplaced.sent)
+    members = minimal_conflict(unplaced.space, group, label, case.budget, case.walk)
+    if members is None:
+        missing = f"a way to {names[label]}, which can stand," if case.walk else f"a place for {names[label]}"
+        message = f"not found: the search for {missing} in {unplaced.sent.id} ended at its limit"
+        return Conflict((label,), message)
+    pieces = [piece if case.walk else replace(piece, stands=()) for piece in unplaced.wanted if piece.label in members]
+    short = _shortfall(unplaced.space, pieces, case)
+    return Conflict(members, _message(unplaced, members, case.walk, short), repairs_of(case, members, short))
+
+
+def _labels(pieces: Sequence[Wanted]) -> tuple[str, ...]:
+    return tuple(piece.label for piece in pieces)
 
 
 def names_of(room: Room) -> dict[str, str]:
@@ -64,19 +88,21 @@ def _name(body: Body) -> str:
     return f"{body.name} {body.width:.2f} x {body.depth:.2f} m"
 
 
-def _shortfall(unplaced: Unplaced, members: Sequence[str], budget: Budget) -> Shortfall | None:
-    pieces = [piece for piece in unplaced.wanted if piece.label in members]
+def _shortfall(space: Space, pieces: Sequence[Wanted], case: Case) -> Shortfall | None:
     if all(_still(piece) is not None for piece in pieces):
         return None
+    budget = case.budget
     return shortfall(
-        unplaced.space, pieces, lambda space, some: feasible(space, some, budget), lambda space, some: placed(space, some, budget)
+        space, pieces, lambda longer, some: feasible(longer, some, budget, case.walk), lambda longer, some: placed(longer, some, budget)
     )
 
 
-def _message(unplaced: Unplaced, members: Sequence[str], names: Mapping[str, str], short: Shortfall | None) -> str:
-    how = "cannot stand anywhere in" if len(members) == 1 else "cannot stand together in"
-    what = f"{' and '.join(names[member] for member in members)} {how} {unplaced.sent.id}"
-    fixed = _where_they_stay(unplaced, members)
+def _message(unplaced: Unplaced, members: Sequence[str], walk: bool, short: Shortfall | None) -> str:
+    names = names_of(unplaced.sent)
+    alone, together = ("can stand but cannot be reached", "can stand but cannot all be reached") if walk else STANDING
+    how = alone if len(members) == 1 else together
+    what = f"{' and '.join(names[member] for member in members)} {how} in {unplaced.sent.id}"
+    fixed = "" if walk else _where_they_stay(unplaced, members)
     if fixed:
         return f"{what}: {fixed}"
     clear = unplaced.space.clear

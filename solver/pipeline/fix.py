@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 from catalogs import Catalogs, load_catalogs
 from solver.furnish import space_of
 from solver.pipeline.attempt import Terms
-from solver.pipeline.mend import Mended, mend_room
+from solver.pipeline.mend import Mended, explain_unreached, mend_room, settle_room
 from solver.pipeline.people import People, mend_people
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK
 from solver.repair import Body, Sides, Wishes, all_bodies
 from solver.scene import Conflict, Dynamic, Fixed, Issue, Move, Pose, Room, Scene, check_ids, robot_width_of
-from solver.validate import validate
+from solver.validate import RULES, validate
 from solver.wanted import Space
 
 SCENE_WORK = 400_000.0
@@ -66,9 +66,9 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     check_ids("locked", locked, ids)
     check_ids("moved", moved, ids)
     timing = Timing(clock)
-    errors = [issue for issue in validate(scene, known) if issue.severity == "error"]
+    errors = _errors(scene, known)
     timing.lap("validate")
-    wishes = Wishes(frozenset(locked), frozenset(moved), _required_kinds(known))
+    wishes = Wishes(frozenset(locked), frozenset(moved), _required_kinds(known), use_sides(known) if _walks() else {})
     work = min(ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1))
     terms = Terms(wishes, scene.wall_thickness, on_conflict, work, {pose.id: pose for pose in previous})
     answers = _repaired(scene, terms, errors, known)
@@ -77,7 +77,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     timing.lap("validate_again")
     removed = (*(removal for room in answers.rooms for removal in room.removed), *answers.people.removed)
     conflicts = (*(conflict for room in answers.rooms for conflict in room.conflicts), *answers.people.conflicts)
-    unsolved = _unsolved(issues, conflicts, _locked_ids(scene, wishes))
+    unsolved = _unsolved(issues, conflicts, answers.scene, _locked_ids(scene, wishes))
     return Fixed(answers.scene, _moves(scene, answers.scene), removed, (*conflicts, *unsolved), issues, timing.ms)
 
 
@@ -88,10 +88,10 @@ def _repaired(scene: Scene, terms: Terms, errors: Sequence[Issue], known: Catalo
     if not errors:
         return _Answers(scene, (), People(scene.dynamic))
     mended = tuple(_mended(scene, room, terms, errors) if room.id in broken else Mended(room) for room in scene.rooms)
-    furnished = replace(scene, rooms=tuple(result.room for result in mended)) if broken else scene
-    if not people:
-        return _Answers(furnished, mended, People(()))
-    left = validate(furnished, known) if broken else errors
+    furnished, left = _with(scene, mended), errors
+    if broken:
+        mended, left = _settled(scene, mended, terms, known)
+        furnished = _with(scene, mended)
     moved = mend_people(furnished, {room.id: _space(scene, room) for room in scene.rooms}, terms, left)
     return _Answers(replace(furnished, dynamic=moved.people), mended, moved)
 
@@ -100,20 +100,52 @@ def _mended(scene: Scene, room: Room, terms: Terms, errors: Sequence[Issue]) -> 
     return mend_room(room, _space(scene, room), terms, [issue for issue in errors if issue.room == room.id])
 
 
+def _settled(scene: Scene, mended: Sequence[Mended], terms: Terms, known: Catalogs) -> tuple[tuple[Mended, ...], list[Issue]]:
+    """Settles the rooms that still break a rule although all their pieces found a place, and says what is out of reach."""
+    furnished = _with(scene, mended)
+    left = _errors(furnished, known)
+    open_rooms = {issue.room for issue in left}
+    settles = [result.whole and not result.conflicts and result.room.id in open_rooms for result in mended]
+    if not any(settles):
+        return tuple(mended), left
+    spaces = [_space(scene, room) for room in scene.rooms]
+    every = list(zip(settles, scene.rooms, mended, spaces, strict=True))
+    settled = tuple(settle_room(room, result, space, terms) if does else result for does, room, result, space in every)
+    left = _errors(_with(scene, settled), known)
+    explained = []
+    for (does, room, _, space), result in zip(every, settled, strict=True):
+        here = [issue for issue in left if issue.room == room.id]
+        explained.append(explain_unreached(room, result, space, terms, here) if does else result)
+    return tuple(explained), left
+
+
+def _errors(scene: Scene, known: Catalogs) -> list[Issue]:
+    return [issue for issue in validate(scene, known) if issue.severity == "error"]
+
+
+def _with(scene: Scene, mended: Sequence[Mended]) -> Scene:
+    return replace(scene, rooms=tuple(result.room for result in mended))
+
+
 def _space(scene: Scene, room: Room) -> Space:
     return space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
 
 
-def _unsolved(issues: Iterable[Issue], conflicts: Iterable[Conflict], locked: frozenset[str]) -> tuple[Conflict, ...]:
-    """Names every error that is left and that no conflict explains."""
+def _unsolved(issues: Iterable[Issue], conflicts: Iterable[Conflict], scene: Scene, locked: frozenset[str]) -> tuple[Conflict, ...]:
+    """Names every error that is left and that no conflict explains; one of a whole room any conflict in that room explains."""
     named = {member for conflict in conflicts for member in conflict.ids}
+    rooms = {room.id for room in scene.rooms if any(body.id in named for body in all_bodies(room))}
     left = [issue for issue in issues if issue.severity == "error" and not named & set(issue.ids)]
-    return tuple(Conflict(issue.ids, _words(issue, locked)) for issue in left)
+    told = [issue for issue in left if issue.ids or issue.room not in rooms]
+    return tuple(Conflict(issue.ids, _words(issue, locked, issue.room in rooms)) for issue in told)
 
 
-def _words(issue: Issue, locked: frozenset[str]) -> str:
+def _words(issue: Issue, locked: frozenset[str], contested: bool) -> str:
+    """Says why an error is left; ways are only kept free where everything can be kept, so not in a contested room."""
     if issue.ids and locked.issuperset(issue.ids):
         return f"locked where it cannot stand: {issue.message}"
+    if issue.rule == "unreachable" and contested:
+        return f"out of reach as long as the room's other conflicts last: {issue.message}"
     if issue.rule == "unreachable" and issue.ids:
         return f"not found: it can stand, but no way was found to reach it: {issue.message}"
     return f"not found: no repair for this: {issue.message}"
@@ -122,6 +154,11 @@ def _words(issue: Issue, locked: frozenset[str]) -> str:
 def _locked_ids(scene: Scene, wishes: Wishes) -> frozenset[str]:
     own = (body.id for room in scene.rooms for body in all_bodies(room) if wishes.is_locked(body))
     return wishes.locked.union(own)
+
+
+def _walks() -> bool:
+    """Tells whether a repair keeps the ways to use sides free: where the rule calls it an error, it must."""
+    return RULES["unreachable"] == "error"
 
 
 def _required_kinds(catalogs: Catalogs) -> frozenset[str]:

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from solver.pipeline.attempt import Terms, attempt, wanted_of
-from solver.pipeline.conflicts import Unplaced, conflicts_of, locked_wrongly
+from solver.pipeline.conflicts import Unplaced, conflicts_of, locked_wrongly, unreached
 from solver.placement import Budget
 from solver.repair import all_bodies, without, written_back
 from solver.scene import Conflict, Issue, Room
@@ -19,14 +19,18 @@ from solver.wanted import Arrangement, Space, Wanted
 ROUNDS = 3
 """Times a room that cannot be repaired whole is repaired again, until nothing changes any more."""
 
+WALKING_SHARE = 16
+"""Why pieces are out of reach may cost this part of a room's work: it is said, not mended."""
+
 
 @dataclass(frozen=True)
 class Mended:
-    """The answer for one room."""
+    """The answer for one room; `whole` if every piece found its place."""
 
     room: Room
     conflicts: tuple[Conflict, ...] = ()
     removed: tuple[Mapping[str, str], ...] = ()
+    whole: bool = True
 
 
 def mend_room(room: Room, space: Space, terms: Terms, issues: Sequence[Issue] = ()) -> Mended:
@@ -45,7 +49,32 @@ def mend_room(room: Room, space: Space, terms: Terms, issues: Sequence[Issue] = 
         return replace(mended, conflicts=(*wrong, *mended.conflicts))
     fewer, removed = _taken_out(room, reasons)
     mended = _mended(fewer, space, terms)
-    return Mended(mended.room, (*wrong, *mended.conflicts), (*removed, *mended.removed))
+    return replace(mended, conflicts=(*wrong, *mended.conflicts), removed=(*removed, *mended.removed))
+
+
+def settle_room(sent: Room, mended: Mended, space: Space, terms: Terms) -> Mended:
+    """Returns the repair of a room that still breaks a rule as a further repair leaves it."""
+    return replace(mended, room=_settled(sent, mended.room, space, replace(terms, previous={}), frozenset()), whole=False)
+
+
+def explain_unreached(sent: Room, mended: Mended, space: Space, terms: Terms, issues: Sequence[Issue]) -> Mended:
+    """Adds to a settled repair which pieces stand but cannot be used together.
+
+    Args:
+        sent: the room as sent.
+        mended: its repair.
+        space: where its furniture may stand.
+        terms: on what terms.
+        issues: what the validator says of the repaired room.
+    """
+    wanted = wanted_of(mended.room, space, terms)
+    labels = {piece.label for piece in wanted}
+    blocked = [issue for issue in issues if issue.rule == "unreachable"]
+    stuck = [label for issue in blocked for label in issue.ids if label in labels]
+    if blocked and wanted and not stuck:
+        stuck = [wanted[-1].label]  # nobody can walk in the room at all: whoever comes last closes it
+    conflicts = unreached(Unplaced(sent, mended.room, space, wanted, stuck), terms, Budget(terms.work / WALKING_SHARE))
+    return replace(mended, conflicts=(*mended.conflicts, *conflicts))
 
 
 def _mended(room: Room, space: Space, terms: Terms, wrong: frozenset[str] = frozenset()) -> Mended:
@@ -60,8 +89,8 @@ def _mended(room: Room, space: Space, terms: Terms, wrong: frozenset[str] = froz
     if terms.on_conflict == "remove":
         reasons = {label: next(c.message for c in conflicts if label in c.ids) for label in stuck}
         fewer, removed = _taken_out(mended, reasons)
-        return Mended(fewer, conflicts, removed)
-    return Mended(answer, conflicts)
+        return Mended(fewer, conflicts, removed, whole=not conflicts)
+    return Mended(answer, conflicts, whole=False)
 
 
 def _attempt(room: Room, space: Space, terms: Terms, wrong: frozenset[str]) -> tuple[Sequence[Wanted], Arrangement]:

@@ -34,6 +34,7 @@ class Case:
         terms: of the repair.
         group: labels of the pieces that must all be able to stand.
         budget: what trying may cost.
+        walk: whether they must be within reach too.
     """
 
     rooms: tuple[Room, ...]
@@ -41,6 +42,7 @@ class Case:
     terms: Terms
     group: tuple[str, ...]
     budget: Budget
+    walk: bool = False
 
 
 def repairs_of(case: Case, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
@@ -97,7 +99,7 @@ def _distance(repair: Repair) -> float:
 
 def _tried(case: Case, repair: Repair) -> Repair | None:
     """Returns the repair if all the pieces of the case can stand with it, in every room of the case."""
-    helps = all(feasible(case.space, _wanted(case, room, repair), case.budget) for room in case.rooms)
+    helps = all(feasible(case.space, _wanted(case, room, repair), case.budget, case.walk) for room in case.rooms)
     return repair if helps else None
 
 

@@ -48,8 +48,10 @@ def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
     return f"{size} and a free way to it; the room is {_size(space.clear)} and holds {len(placed)} pieces"
 
 
-def minimal_conflict(space: Space, pieces: Sequence[Wanted], missing: str, budget: Budget | None = None) -> tuple[str, ...] | None:
-    """Finds a minimal set of pieces that cannot stand together.
+def minimal_conflict(
+    space: Space, pieces: Sequence[Wanted], missing: str, budget: Budget | None = None, walk: bool = False
+) -> tuple[str, ...] | None:
+    """Finds a minimal set of pieces that cannot stand together, or with `walk` cannot be used together.
 
     Pieces are added, `missing` first, until they are infeasible; then a deletion filter: a piece whose absence
     leaves the rest infeasible is not part of the reason.
@@ -61,7 +63,7 @@ def minimal_conflict(space: Space, pieces: Sequence[Wanted], missing: str, budge
     allowed = budget or Budget()
 
     def verdict(labels: set[str]) -> bool | None:
-        return feasible(space, [piece for piece in pieces if piece.label in labels], allowed)
+        return feasible(space, [piece for piece in pieces if piece.label in labels], allowed, walk)
 
     members: set[str] = set()
     for label in (missing, *(piece.label for piece in pieces)):

@@ -1,0 +1,79 @@
+"""fix() where the rule `unreachable` is an error: ways are kept free, and what cannot be used together is named."""
+
+from __future__ import annotations
+
+import pytest
+
+from catalogs import load_catalogs
+from solver import Scene, fix, validate
+from solver.scene import Opening
+from solver.streams import Stream
+from solver.validate import RULES
+from tests.pipeline.fix_rooms import BACK_TO, WALLS, body, errors, pieces, room_of, with_repair
+
+DOOR = Opening("door", "door", "south", 1.5, 0.8, connects_to="EXTERIOR", main_entrance=True)
+
+
+@pytest.fixture(autouse=True)
+def _strict(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(RULES, "unreachable", "error")  # type: ignore[arg-type]
+
+
+def test_a_way_to_a_wardrobe_is_made() -> None:
+    wardrobe = body("wardrobe_1", 1.5, 0.33, (1.2, 0.6, 2.0), wall="north")
+    fixed = fix(room_of(wardrobe, body("box_1", 1.5, 1.05, (1.6, 0.7, 0.5)), width=3.0, depth=3.0, openings=(DOOR,)))
+    assert fixed.conflicts == ()
+    assert errors(fixed.scene) == []
+    assert pieces(fixed.scene)["room_0/wardrobe_1"].wall is not None
+
+
+def narrow() -> Scene:
+    wardrobe = body("wardrobe_1", 1.0, 0.33, (1.8, 0.6, 2.0))
+    return room_of(wardrobe, body("bed_1", 1.0, 1.15, (2.0, 0.9, 0.5)), width=2.0, depth=2.6)
+
+
+def test_what_can_stand_but_not_be_reached_is_a_conflict_with_the_place_to_stand_in_its_chain() -> None:
+    fixed = fix(narrow())
+    assert {issue.rule for issue in fixed.issues if issue.severity == "error"} == {"unreachable"}
+    conflict = fixed.conflicts[0]
+    assert conflict.ids == ("room_0/bed_1",)
+    assert "can stand but cannot be reached in room_0" in conflict.message
+    assert conflict.message.endswith("bed 2.00 + to stand 0.60 = 2.60 > 2.00 m from west to east: 60 cm short")
+    assert {repair["action"] for repair in conflict.repairs} == {"shrink", "leave_out"}
+    for repair in conflict.repairs:
+        assert errors(fix(with_repair(narrow(), repair)).scene) == [], repair
+    assert [other.message[:12] for other in fixed.conflicts[1:]] == ["out of reach"]
+
+
+def test_no_place_to_stand_is_looked_for_where_geometry_cannot_be_repaired() -> None:
+    scene = room_of(body("bed_1", 1.0, 1.0, (1.8, 1.8, 0.5)), body("wardrobe_1", 1.0, 1.0, (1.8, 0.6, 2.0)), width=2.0, depth=2.0)
+    messages = [conflict.message for conflict in fix(scene).conflicts]
+    assert any("cannot stand together" in message for message in messages)
+
+
+def furnished(seed: int) -> Scene:
+    """A bedroom of 2.8-3.6 m with pieces thrown in at its walls."""
+    stream = Stream(seed, "walked bedrooms")
+    width, depth = 2.8 + stream.below(800) / 1000, 2.8 + stream.below(800) / 1000
+    kinds = (("bed_1", (1.6, 2.0, 0.5)), ("wardrobe_1", (1.2, 0.6, 2.0)), ("desk_1", (1.0, 0.5, 0.75)), ("chest_1", (0.8, 0.4, 0.8)))
+    found = []
+    for name, size in kinds:
+        wall = WALLS[stream.below(4)]
+        x, z = round(stream.unit() * width, 3), round(stream.unit() * depth, 3)
+        piece = body(name, x, z, size, wall=wall)
+        found.append(type(piece)(**{**vars(piece), "rotation": BACK_TO[wall]}))
+    return room_of(*found, width=round(width, 3), depth=round(depth, 3), openings=(DOOR,))
+
+
+@pytest.mark.parametrize("seed", range(16))
+def test_an_answer_is_clean_or_explained_and_repaired_to_itself(seed: int) -> None:
+    fixed = fix(furnished(seed))
+    named = {label for conflict in fixed.conflicts for label in conflict.ids}
+    broken = [issue for issue in validate(fixed.scene, load_catalogs()) if issue.severity == "error"]
+    assert bool(broken) == bool(fixed.conflicts)
+    assert all(named & set(issue.ids) or not issue.ids for issue in broken)
+    assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_most_of_the_rooms_above_are_repaired() -> None:
+    assert sum(not fix(furnished(seed)).conflicts for seed in range(16)) >= 12
