@@ -83,7 +83,7 @@ def optimum_lines(pairs: Sequence[tuple[Found, float, Optimum]]) -> list[Line]:
     beaten = sum(theirs.cost < ours.cost - GAP for ours, _, theirs in pairs if not theirs.closed and ours.proven)
     ratio = statistics.median(theirs.cpu / cpu for _, cpu, theirs in pairs)
     standing = [theirs.cpu / cpu for ours, cpu, theirs in pairs if ours.found]
-    share = f"{ratio:,.0f}; where there is an answer {statistics.median(standing):,.0f}"
+    share = f"{ratio:,.0f}" + (f"; where there is an answer {statistics.median(standing):,.0f}" if standing else "")
     return [
         ("SCIP closes", f"{len(closed)} of {len(pairs)}", "", None),
         ("cost gap to SCIP where both prove, max", f"{worst:.1e} in {len(both)} rooms", "<= 1e-5", worst <= GAP),

@@ -7,8 +7,8 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from solver.placement.problem import Problem
 from solver.placement.kernel.search import search
+from solver.placement.problem import Problem
 from solver.placement.search import laid_out, solve
 from tests.bench.baseline import Guess, guess
 from tests.bench.rooms import house_problems, room_problem

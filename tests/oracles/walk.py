@@ -91,6 +91,12 @@ class Flood:
                     queue.append(step)
         return seen
 
+    def area(self, cells: Iterable[Cell]) -> float:
+        """Returns the area of some pieces, m2: of those that are open intervals along both axes."""
+        xs, zs = self.cuts
+        whole = [(x // 2, z // 2) for x, z in cells if x % 2 and z % 2]
+        return sum((xs[x + 1] - xs[x]) * (zs[z + 1] - zs[z]) for x, z in whole) / 4e6
+
 
 def entry(space: Space, door: Doorway) -> tuple[int, int, int, int]:
     """Returns where the centre is when the person has just come through a door, doubled mm."""
@@ -116,6 +122,9 @@ def contact(body: Rect, wall: str, person: int) -> tuple[int, int, int, int]:
     }[wall]
 
 
+FLOOR = "the room"
+"""What `missed` says where the person can come to less than LEAST_M2 of free centres."""
+LEAST_M2 = 0.25
 TURNED = ("south", "east", "north", "west")
 
 
@@ -126,7 +135,7 @@ def side_towards(side: str, rotation: int) -> str:
 
 
 def missed(space: Space, solids: Sequence[Rect], uses: Sequence[tuple[str, Rect, Sequence[str], bool]]) -> list[str]:
-    """Lists what cannot be come to from the first door (without doors: from the largest part by number of uses).
+    """Lists what cannot be come to from the first door (without doors: from the part where least is missed).
 
     Args:
         space: the room.
@@ -134,7 +143,7 @@ def missed(space: Space, solids: Sequence[Rect], uses: Sequence[tuple[str, Rect,
         uses: label, footprint, the walls its use sides look at, and whether all of them are needed.
 
     Returns:
-        Ids of doors and labels of uses; empty where all are joined.
+        Ids of doors and labels of uses, and FLOOR; empty where all are joined.
     """
     flood = Flood(space, solids, [rect for _, rect, _, _ in uses] + [door.square for door in space.doorways])
     goals: list[tuple[str, list[set[Cell]], bool]] = [(door.id, [flood.line(entry(space, door))], True) for door in space.doorways]
@@ -152,6 +161,7 @@ def missed(space: Space, solids: Sequence[Rect], uses: Sequence[tuple[str, Rect,
             there = flood.reached([start])
             seen |= there
             short = [name for name, sides, need_all in goals if not _met(sides, need_all, there)]
+            short += [FLOOR] if flood.area(there) < LEAST_M2 else []
             if best is None or len(short) < len(best):
                 best = short
     return [name for name, _, _ in goals] if best is None else best
