@@ -77,16 +77,42 @@ def result(job: tuple[str, int]) -> Result:
         tuple(rule for rule in rules if rule not in ("unreachable", "missing_required")),
         "unreachable" not in rules and not unreached(space, wanted, arrangement),
         "missing_required" not in rules and all(piece.label in placed for piece in wanted if piece.required),
-        refused(space, wanted, arrangement), len(placed), cpu,
+        len(refused(space, wanted, arrangement)), len(placed), cpu,
     )  # fmt: skip
 
 
-def refused(space: Space, wanted: tuple[Wanted, ...], arrangement: Arrangement) -> int:
-    """Returns how many pieces found no place: those left out before the last that stands, or all where less is covered than wished."""
-    stands = [piece.label in {placed.label for placed in arrangement.placed} for piece in wanted]
+def refused(space: Space, wanted: tuple[Wanted, ...], arrangement: Arrangement) -> list[str]:
+    """Returns what found no place: what was left out before the last that stands, or all where less is covered than wished."""
+    there = {placed.label for placed in arrangement.placed}
+    stands = [piece.label in there for piece in wanted]
     full = covered(arrangement) * 1e6 >= space.cover_mm2 > 0
-    tried = max((k for k, there in enumerate(stands) if there), default=-1) if full else len(stands)
-    return stands[:tried].count(False)
+    tried = max((k for k, stand in enumerate(stands) if stand), default=-1) if full else len(stands)
+    return [piece.label for piece, stand in zip(wanted[:tried], stands, strict=False) if not stand]
+
+
+@dataclass(frozen=True)
+class Spare:
+    """A room's optional pieces that found no place: all, those that the oracle adds to what stands, those it cannot decide."""
+
+    name: str
+    refused: tuple[str, ...]
+    possible: tuple[str, ...]
+    undecided: tuple[str, ...]
+
+
+def spare(job: tuple[str, int]) -> Spare:
+    """Asks the oracle about every piece that found no place, each with all that stands, everything movable."""
+    name, seed = job
+    _, space, wanted = wishes(name, seed)
+    (arrangement,) = place([(space, wanted)])
+    there = {placed.label for placed in arrangement.placed}
+    out = refused(space, wanted, arrangement)
+    verdicts = {}
+    for label in out:
+        pieces = [piece for piece in wanted if piece.label in there or piece.label == label]
+        verdicts[label] = stand_and_walk(space, pieces, seconds=10).verdict
+    possible = tuple(label for label in out if verdicts[label])
+    return Spare(name, tuple(out), possible, tuple(label for label in out if verdicts[label] is None))
 
 
 def _doors(room: Room) -> list[str]:
