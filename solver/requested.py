@@ -68,7 +68,7 @@ class Wish:
 
 
 def checked(room: Room, wishes: Sequence[Wish], catalogs: Catalogs) -> tuple[Wish, ...]:
-    """Returns the wishes with every size filled in.
+    """Returns the wishes with every size and every relation's worth filled in.
 
     Raises:
         RequestError: names the field and what is allowed.
@@ -125,7 +125,7 @@ def _some(known: Sequence[str]) -> str:
 
 def _sized(field: str, wish: Wish, catalogs: Catalogs) -> Wish:
     kind = catalogs.furniture.get(wish.name)
-    sizes: dict[str, float] = {}
+    sizes: list[float] = []
     for axis, key in enumerate(("width", "depth", "height")):
         given = getattr(wish, key)
         if given is None and kind is None:
@@ -133,8 +133,9 @@ def _sized(field: str, wish: Wish, catalogs: Catalogs) -> Wish:
         value = kind.size[axis] if given is None and kind else given
         if not LEAST_LENGTH <= value <= MOST_LENGTH:
             raise RequestError(f"{field}.{key}", f"is {value!r}", _range())
-        sizes[key] = round(value * 1000) / 1000
-    return replace(wish, **sizes)  # type: ignore[arg-type]
+        sizes.append(round(value * 1000) / 1000)
+    width, depth, height = sizes
+    return replace(wish, relations=tuple(map(_weighed, wish.relations)), width=width, depth=depth, height=height)
 
 
 def _range() -> str:
@@ -151,10 +152,17 @@ def in_order(wishes: Sequence[Wish]) -> tuple[Wish, ...]:
     ordered: list[Wish] = []
     while waiting:
         names = {wish.id for wish in waiting}
-        free = _first_free(waiting, names, FIRM + tuple(BETWEEN + TO_SOMETHING)) or _first_free(waiting, names, FIRM) or waiting[0]
+        free = _first_free(waiting, names, FIRM + tuple(BETWEEN + TO_SOMETHING)) or _most_wanted(waiting, names)
         ordered.append(free)
         waiting.remove(free)
     return tuple(ordered)
+
+
+def _most_wanted(waiting: Sequence[Wish], names: set[str]) -> Wish:
+    """Returns where to cut a circle: the piece that most others refer to, of those that have no place at a waiting one."""
+    refers = [other for wish in waiting for other in {name for rule in wish.relations for name in rule.of} - {wish.id}]
+    free = [wish for wish in waiting if _first_free([wish], names, FIRM)] or waiting
+    return max(free, key=lambda wish: refers.count(wish.id))
 
 
 def _first_free(waiting: Sequence[Wish], names: set[str], kinds: Sequence[str]) -> Wish | None:
@@ -204,7 +212,7 @@ def pieces_of(wishes: Sequence[Wish]) -> tuple[Piece, ...]:
             piece=wish.id,
             kinds=(Variant.model_construct(kind=kind_of(wish.id), cost=0.0, min_area=0.0),),
             required=wish.required, count=wish.count, per_area=None, min_area=0.0, chance=1.0,
-            skip_cost=100.0, approach=(), rules=tuple(map(_weighed, wish.relations)),
+            skip_cost=100.0, approach=(), rules=wish.relations,
         )
         for wish in wishes
     )  # fmt: skip
@@ -248,7 +256,7 @@ class Unplaced:
 
 @dataclass(frozen=True)
 class Placement:
-    """One placement: the scene, which relations it holds, who is missing, what it costs and what the validator says."""
+    """One placement: the scene, which relations it holds, who is missing, what the relations it misses are worth, and issues."""
 
     scene: Scene
     relations: tuple[Held, ...]

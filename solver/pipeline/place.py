@@ -6,50 +6,17 @@ Comes in: a Room and Wishes. Goes out: Answered. May import: every stage. Not he
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 
 from catalogs import Catalogs, load_catalogs
-from solver.certificate import room_certificate
 from solver.errors import RequestError
-from solver.furnish import asked_pieces, space_of
-from solver.furnished import furnished
-from solver.pipeline.obstacles import obstacles
+from solver.pipeline.asked import Terms, terms_of
+from solver.pipeline.others import other_placements
+from solver.pipeline.rounds import best_placement
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, minimal_conflict
-from solver.placement import place as arranged
-from solver.relations_held import held, judged
-from solver.requested import (
-    MOST_ALTERNATIVES,
-    Answered,
-    Held,
-    Placement,
-    Unplaced,
-    Wish,
-    checked,
-    in_order,
-    kinds_for,
-    labels_by_name,
-    pieces_of,
-    relations_of,
-)
-from solver.scene import ROBOT_WIDTH, Conflict, Furniture, Room, Scene
-from solver.streams import Stream
-from solver.validate import RULES, validate
-from solver.wanted import Arrangement, Space, Wanted
-
-
-@dataclass(frozen=True)
-class Terms:
-    """What every placement of one request shares."""
-
-    room: Room
-    wishes: tuple[Wish, ...]
-    catalogs: Catalogs
-    wall_thickness: float
-    robot_width: float
-    engine: str
-    space: Space
-    wanted: tuple[Wanted, ...]
+from solver.requested import MOST_ALTERNATIVES, Answered, Placement, Wish
+from solver.scene import ROBOT_WIDTH, Conflict, Room
+from solver.wanted import Wanted
 
 
 def place(  # noqa: PLR0913 - keyword-only options of the public door
@@ -81,70 +48,16 @@ def place(  # noqa: PLR0913 - keyword-only options of the public door
     if not 1 <= alternatives <= MOST_ALTERNATIVES:
         raise RequestError("alternatives", f"is {alternatives}", f"a whole number from 1 to {MOST_ALTERNATIVES}")
     timing = Timing(clock)
-    terms = _terms(room, pieces, catalogs or load_catalogs(), (wall_thickness, robot_width, engine))
+    terms = terms_of(room, pieces, catalogs or load_catalogs(), (wall_thickness, robot_width, engine))
     timing.lap("furnish")
-    best = _placement(terms, terms.wanted)
+    found = best_placement(terms, terms.wanted)
+    best = found.placement
     timing.lap("placement")
+    others = other_placements(terms, found, alternatives - 1)
+    timing.lap("alternatives")
     conflicts = _conflicts(terms, best)
     timing.lap("reasons")
-    return Answered(best, (), conflicts, timing.ms)
-
-
-def _terms(room: Room, pieces: Sequence[Wish], known: Catalogs, setting: tuple[float, float, str]) -> Terms:
-    wall_thickness, robot_width, engine = setting
-    wishes = in_order(checked(room, pieces, known))
-    catalogs = kinds_for(room, wishes, known)
-    space, standing = obstacles(room, space_of(room, wall_thickness, robot_width), catalogs)
-    wanted = asked_pieces(room, space, catalogs, pieces_of(wishes), standing)
-    return Terms(room, wishes, catalogs, wall_thickness, robot_width, engine, space, wanted)
-
-
-def _placement(terms: Terms, wanted: Sequence[Wanted]) -> Placement:
-    return _finished(terms, arranged([(terms.space, wanted)], terms.engine)[0])
-
-
-def _finished(terms: Terms, arrangement: Arrangement) -> Placement:
-    """Writes an arrangement down and judges it."""
-    room = _written(terms, arrangement)
-    scene = Scene(
-        request={"robot_width": terms.robot_width},
-        wall_thickness=terms.wall_thickness,
-        rooms=(room,),
-        certificate={"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement)}},
-    )
-    stands = {piece.id for piece in terms.room.furniture}
-    unplaced = tuple(Unplaced(label, reason) for label, reason in arrangement.left_out if label not in stands)
-    return Placement(scene, relations_report(terms, room), unplaced, arrangement.cost, validate(scene, terms.catalogs))
-
-
-def _written(terms: Terms, arrangement: Arrangement) -> Room:
-    stream = Stream(0, "colour", terms.room.index)
-    made = furnished(terms.room, arrangement, terms.catalogs, stream).furniture
-    labels = {piece.id: placed.label for piece, placed in zip(made, arrangement.placed, strict=True)}
-    stands = {piece.id for piece in terms.room.furniture}
-    fresh = [_called(piece, labels) for piece in made if labels[piece.id] not in stands]
-    return replace(terms.room, furniture=(*terms.room.furniture, *fresh))
-
-
-def _called(piece: Furniture, labels: dict[str, str]) -> Furniture:
-    under, on = labels.get(piece.under or ""), labels.get(piece.on or "")
-    return replace(piece, id=labels[piece.id], under=under, on=on)
-
-
-def relations_report(terms: Terms, room: Room) -> tuple[Held, ...]:
-    """Judges every relation that was asked for in a finished room."""
-    surfaces = {
-        piece.id: [surface.height for surface in terms.catalogs.furniture[f"asked {name}"].surfaces]
-        for name, labels in labels_by_name(terms.room, terms.wishes).items()
-        for piece in room.furniture
-        if piece.id in labels
-    }
-    seen = judged(room, terms.wall_thickness, labels_by_name(terms.room, terms.wishes), surfaces)
-    report = []
-    for label, rule in relations_of(terms.wishes):
-        holds, of = held(seen, label, rule)
-        report.append(Held(label, rule.type, of, holds))
-    return tuple(report)
+    return Answered(best, tuple(other.placement for other in others), conflicts, timing.ms)
 
 
 def _conflicts(terms: Terms, placement: Placement) -> tuple[Conflict, ...]:

@@ -6,9 +6,10 @@ lie a little inside what is asked for.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, Literal
 
 from catalogs.schema import Rule
 from solver.furnish.relations.slots import TOWARDS
@@ -55,11 +56,16 @@ def near(fit: Fit) -> list[Box]:
 
 
 def far_from(fit: Fit) -> list[Box]:
-    """Beyond the distance at any of four sides."""
+    """Beyond the distance at any of four sides, or off any corner by less along each axis."""
     distance = to_mm(FAR if fit.rule.distance is None else fit.rule.distance) + EXACT_MM
-    x, z = (int(half) + 1 + distance for half in fit.reach)
+    x, z = (int(half) + 1 for half in fit.reach)
     low, high = ANYWHERE
-    return [((low, -x), ANYWHERE), ((x, high), ANYWHERE), (ANYWHERE, (low, -z)), (ANYWHERE, (z, high))]
+    d = distance
+    found: list[Box] = [((low, -x - d), ANYWHERE), ((x + d, high), ANYWHERE), (ANYWHERE, (low, -z - d)), (ANYWHERE, (z + d, high))]
+    for part, rest in ((0.924, 0.383), (0.383, 0.924)):
+        a, b = x + math.ceil(part * d), z + math.ceil(rest * d)
+        found += [(across, along) for across in ((low, -a), (a, high)) for along in ((low, -b), (b, high))]
+    return found
 
 
 def aligned_with(_: Fit) -> list[Box]:
@@ -72,7 +78,7 @@ def facing(fit: Fit) -> list[Box]:
     x, z = fit.reach
     ahead = z if fit.turn % 180 == 0 else x
     aside = (fit.parent[0] if fit.turn % 180 == 0 else fit.parent[1]) / 2 - EXACT_MM
-    ranges = [(ahead, aside), (600.0, 590.0), (1000.0, 990.0), (1800.0, 1790.0)]
+    ranges = [(ahead, aside), (250.0, 240.0), (700.0, 690.0), (1500.0, 1490.0)]
     return [_before(fit.turn, least, half) for least, half in ranges if half > 0]
 
 
@@ -93,13 +99,15 @@ def opposite(fit: Fit) -> list[Box]:
 
 
 def beside(fit: Fit) -> list[Box]:
-    """At a side, lined up as the rule says."""
-    return [_at_side(fit, side, _gap(fit.rule)) for side in fit.rule.sides or ("left", "right")]
+    """At a side, lined up as the rule says; exactly, backs in line and close, or sliding."""
+    sides = fit.rule.sides or ("left", "right")
+    return [box for side in sides for box in (*_exact(fit, side, "back", 0.02), _at_side(fit, side, _gap(fit.rule)))]
 
 
 def in_front_of(fit: Fit) -> list[Box]:
-    """Before the front."""
-    return [_at_side(fit, side, _gap(fit.rule)) for side in fit.rule.sides or ("front",)]
+    """Before the front; exactly in the middle, or sliding."""
+    sides = fit.rule.sides or ("front",)
+    return [box for side in sides for box in (*_exact(fit, side, "centre", 0.4), _at_side(fit, side, _gap(fit.rule)))]
 
 
 def in_row(fit: Fit) -> list[Box]:
@@ -125,6 +133,14 @@ def under(fit: Fit) -> list[Box]:
     low = max(low, least)
     sides = [side for side in fit.rule.sides or ("front",) if TOWARDS[side] == fit.turn]
     return [_at_side(fit, side, (low, high)) for side in sides] if low <= high < 0 else []
+
+
+def _exact(fit: Fit, side: str, align: Literal["back", "centre"], gap: float) -> list[Box]:
+    """Returns the place where a rule that leaves gap and alignment open looks best."""
+    if fit.rule.gap is not None or fit.rule.align is not None or (align == "back" and fit.turn):
+        return []
+    box = _at_side(Fit(fit.rule.model_copy(update={"align": align}), fit.parent, fit.own, fit.turn), side, (to_mm(gap), to_mm(gap)))
+    return [(box[0] if box[0][0] == box[0][1] else (0, 0), box[1] if box[1][0] == box[1][1] else (0, 0))]
 
 
 def _gap(rule: Rule) -> Interval:

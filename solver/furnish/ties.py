@@ -1,0 +1,218 @@
+"""Ways to stand in another piece's frame: a box there for the relations to it, a rectangle in the room for those to the room."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from catalogs.schema import Rule
+from solver.furnish.relations import SLOTTED
+from solver.furnish.relations.boxes import ANYWHERE, BOXES, Box, Fit, shared
+from solver.furnish.relations.regions import within_both
+from solver.furnish.relations.slots import on
+from solver.furnish.stances import Asking, Kept, Stance, best_places, kept, missed, stance_of, stances, variant
+from solver.geometry import OPPOSITE, WALL_BEHIND, Rect, rotate, turned
+from solver.wanted import Alternative, Attach, Placed
+
+SLIDING_COST = 0.04
+"""What a place that slides along an axis costs more than an exact one: pieces line up where they can."""
+UNSURE = 0.25
+FIRM, LOOSE = 0.3, 0.03
+"""Pull, m^-2, to the middle of a box: of a place beside, before or around a piece, and of any other."""
+SLACK_MM = 2
+"""What halves of odd extents may add up to."""
+BOXES_KEPT = 14
+"""Most boxes of one stance that differ in what they hold."""
+BETWEEN_WAYS = 12
+"""Most ways of a piece between others that stand."""
+PLACES = 6
+"""Most ways of one stance beside one way of another piece."""
+
+
+def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]]) -> Iterator[Alternative]:
+    """Yields the ways tied to another piece, each for one way that piece stands.
+
+    Args:
+        asking: the piece and its rules.
+        every: its stances, each with the rectangles that hold relations to the room.
+    """
+    names = tuple(dict.fromkeys(name for rule in asking.to_pieces for name in rule.of))
+    for label, parent in asking.ask.parents(names):
+        rules = tuple(rule for rule in asking.to_pieces if label in asking.ask.labels(rule.of))
+        others = sum(rule.cost * (1.0 if rule.type in SLOTTED else UNSURE) for rule in asking.to_pieces if rule not in rules)
+        if any(rule.type == "on" for rule in rules):
+            yield from _upon(asking, label, parent)
+            continue
+        for stance, found in every:
+            boxes = _at_the_wall(asking, parent, stance, _boxes(asking, rules, parent, stance))
+            room = found[0][1] + sum(rule.cost * UNSURE for rule in asking.to_room if rule.type != "against_wall") if found else math.inf
+            ways = [
+                (cost + room, box) for box, cost in boxes if any(_meet(asking, stance, (label, parent), (box, rect)) for rect, _ in found)
+            ]
+            for cost, box in ways[:PLACES]:
+                if cost < math.inf:
+                    yield _tied(asking, stance, (label, parent), box, (cost + others, rules))
+
+
+def _at_the_wall(asking: Asking, parent: str, stance: Stance, boxes: list[tuple[Box, float]]) -> list[tuple[Box, float]]:
+    """Keeps, of the boxes of a stance at a wall, the part where its back is in line with the other's at the same wall."""
+    if stance.wall is None:
+        return boxes
+    base, turn, at_wall = stance_of(parent)
+    if not at_wall or turn != stance.rotation:
+        return []
+    back = (asking.size[1] - asking.ask.scope.size(base)[1]) // 2
+    line: Box = (ANYWHERE, (back, back))
+    return [(both, cost) for box, cost in boxes if (both := shared(box, line))]
+
+
+def ways_between(asking: Asking, poses: Mapping[str, Placed]) -> list[Alternative]:
+    """Returns ways to stand where as many relations as can be hold together with the other pieces where they are.
+
+    Args:
+        asking: the piece and its rules.
+        poses: where the other pieces stand, by label.
+    """
+    found: list[tuple[float, Stance, Rect]] = []
+    for stance in stances(asking):
+        places = kept(asking, stance)
+        for rule in asking.to_pieces:
+            held = _held_at(asking, rule, stance, poses)
+            both = [(cut, cost) for rect, cost in places for other in held if (cut := within_both(rect, other, stance.extent))]
+            places = best_places([*both, *((rect, cost + missed(rule)) for rect, cost in places)])
+        found += [(cost, stance, rect) for rect, cost in places[:PLACES]]
+    found.sort(key=lambda entry: entry[0])
+    tucked = next((rule.of[0] for rule in asking.to_pieces if _tucks(rule)), None)
+    return [
+        Alternative(
+            variant(asking.kind, stance.rotation, stance.wall), asking.size, stance.rotation, stance.wall,
+            ((rect.x0 + rect.x1) // 2, (rect.z0 + rect.z1) // 2), (LOOSE, LOOSE), within=rect, cost=round(cost, 6),
+            under=next(iter(asking.ask.labels((tucked,))), None) if tucked else None,
+        )
+        for cost, stance, rect in found[:BETWEEN_WAYS]
+    ]  # fmt: skip
+
+
+def _held_at(asking: Asking, rule: Rule, stance: Stance, poses: Mapping[str, Placed]) -> list[Rect]:
+    """Returns the rectangles within which a footprint holds a rule with any of the pieces it names, where they stand."""
+    found: list[Rect] = []
+    for label in asking.ask.labels(rule.of):
+        other = poses.get(label)
+        if other is None or rule.type == "on":
+            continue
+        width, depth = stance.extent
+        x, z = other.footprint.x0 + other.footprint.x1, other.footprint.z0 + other.footprint.z1
+        for (across, along), cost in _boxes(asking, (rule,), other.chosen.kind, stance):
+            if cost < rule.cost:
+                (x0, z0), (x1, z1) = (rotate(across[k], along[k], other.rotation) for k in (0, 1))
+                low_x, low_z = (x - width) // 2 + min(x0, x1), (z - depth) // 2 + min(z0, z1)
+                high_x, high_z = (x + width + 1) // 2 + max(x0, x1), (z + depth + 1) // 2 + max(z0, z1)
+                found.append(Rect(low_x, low_z, high_x, high_z))
+    return found
+
+
+def _tucks(rule: Rule) -> bool:
+    return rule.type == "under" or (rule.gap is not None and rule.gap[0] < 0)
+
+
+def _meet(asking: Asking, stance: Stance, to: tuple[str, str], at: tuple[Box, Rect]) -> bool:
+    """Tells whether a place in the other's frame and one in the room can be the same, wherever the other may be."""
+    (across, along), rect = at
+    other = asking.reach.get(to)
+    if other is None:
+        return True
+    turn = stance_of(to[1])[1]
+    (x0, z0), (x1, z1) = rotate(across[0], along[0], turn), rotate(across[1], along[1], turn)
+    width, depth = stance.extent
+    low_x, low_z = other.x0 + min(x0, x1) - SLACK_MM, other.z0 + min(z0, z1) - SLACK_MM
+    high_x, high_z = other.x1 + max(x0, x1) + SLACK_MM, other.z1 + max(z0, z1) + SLACK_MM
+    return (
+        low_x <= rect.x1 - width // 2
+        and rect.x0 + width // 2 <= high_x
+        and low_z <= rect.z1 - depth // 2
+        and rect.z0 + depth // 2 <= high_z
+    )
+
+
+def _boxes(asking: Asking, rules: Sequence[Rule], parent: str, stance: Stance) -> list[tuple[Box, float]]:
+    """Returns boxes in the other's frame, each holding at least one of the rules, cheapest first."""
+    base, turn, at_wall = stance_of(parent)
+    size = asking.ask.scope.size(base)
+    relative = (stance.rotation - turn) % 360
+    own = turned(asking.size[0], asking.size[1], relative)
+    found: list[tuple[Box, float]] = [((ANYWHERE, ANYWHERE), 0.0)]
+    for rule in rules:
+        suits = _walls_suit(rule, stance, WALL_BEHIND[turn] if at_wall else None)
+        boxes = BOXES[rule.type](Fit(rule, (size[0], size[1]), own, relative)) if suits else []
+        held = [(both, cost + _sliding(rule, other)) for box, cost in found for other in boxes if (both := shared(box, other))]
+        found = _best([*held, *((box, cost + missed(rule)) for box, cost in found)])
+    return [(box, cost) for box, cost in found if box != (ANYWHERE, ANYWHERE)]
+
+
+def _best(found: Sequence[tuple[Box, float]]) -> list[tuple[Box, float]]:
+    """Sorts by cost and drops what lies within a box that costs no more."""
+    best: list[tuple[Box, float]] = []
+    for box, cost in sorted(found, key=lambda entry: (entry[1], -_size(entry[0]))):
+        if cost < math.inf and not any(shared(box, other) == box for other, _ in best):
+            best.append((box, cost))
+    return best[:BOXES_KEPT]
+
+
+def _size(box: Box) -> int:
+    return (box[0][1] - box[0][0]) * (box[1][1] - box[1][0])
+
+
+def _sliding(rule: Rule, box: Box) -> float:
+    return SLIDING_COST * sum(low < high for low, high in box) if rule.type in SLOTTED else 0.0
+
+
+def _walls_suit(rule: Rule, stance: Stance, theirs: str | None) -> bool:
+    """Tells whether a stance and the wall of the other piece suit a rule that speaks of walls."""
+    mine = stance.wall
+    if rule.type == "opposite" and theirs is not None and mine != OPPOSITE[theirs]:
+        return False
+    if rule.wall is None:
+        return True
+    if mine is None or theirs is None:
+        return False
+    found = "same" if mine == theirs else "opposite" if OPPOSITE[mine] == theirs else "adjacent"
+    return found == rule.wall or (rule.wall == "other" and found != "same")
+
+
+def _tied(asking: Asking, stance: Stance, to: tuple[str, str], box: Box, worth: tuple[float, Sequence[Rule]]) -> Alternative:
+    (label, parent), (cost, rules) = to, worth
+    clear = asking.ask.scope.space.clear
+    across, along = (_clipped(interval, max(clear.width, clear.depth)) for interval in box)
+    pull = FIRM if any(rule.type in SLOTTED for rule in rules) else LOOSE
+    return Alternative(
+        variant(asking.kind, stance.rotation, stance.wall), asking.size, (stance.rotation - stance_of(parent)[1]) % 360,
+        weights=(pull, pull), cost=round(cost, 6), attach=Attach(label, parent, across, along),
+        under=label if any(map(_tucks, rules)) else None,
+    )  # fmt: skip
+
+
+def _upon(asking: Asking, label: str, parent: str) -> Iterator[Alternative]:
+    """Yields the places on another piece's surface; it stands as that piece does."""
+    base, turn, _ = stance_of(parent)
+    bare = replace(
+        asking.ask, kinds={one: tuple(dict.fromkeys(stance_of(kind)[0] for kind in asking.ask.kinds[one])) for one in asking.ask.kinds}
+    )
+    for rule in asking.to_pieces:
+        for slot in on(bare, rule).slots if rule.type == "on" else ():
+            attach = slot.attach
+            if attach is not None and (attach.parent, attach.parent_kind) == (label, base):
+                place = Attach(label, parent, attach.across_mm, attach.along_mm, attach.slot)
+                yield Alternative(
+                    variant(asking.kind, turn, None), asking.size, 0, weights=(FIRM, FIRM), attach=place, on=label, bottom_mm=slot.bottom_mm
+                )
+
+
+def _clipped(interval: tuple[int, int], far: int) -> tuple[int, int]:
+    """Cuts an interval without an end off where the room ends, so that its middle means something."""
+    low, high = interval
+    if low <= ANYWHERE[0]:
+        low = min(-far, high)
+    if high >= ANYWHERE[1]:
+        high = max(far, low)
+    return low, high

@@ -1,0 +1,157 @@
+"""From the ways that pieces may stand to the placement that holds most: the placement stage, asked several times.
+
+A round places the pieces one after the other, each where it costs least beside those before it, everything movable. Then
+pieces whose relations are not held are taken out and put in again between the others; where that does not help they come
+earlier, behind what they refer to (squeaky-wheel optimisation; Joslin and Clements, 1999), and more of the first pieces are
+decided together. The judge says which round was best, not the solver.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from solver.pipeline.asked import Terms, finished
+from solver.placement import place
+from solver.requested import Placement, relations_of
+from solver.wanted import Arrangement, Placed, Wanted
+
+ROUNDS = 10
+"""Most rounds of one placement."""
+FIRST_TOGETHER, TOGETHER = 3, 5
+"""How many of the first pieces have their ways chosen together, best of all combinations: from the second round on, and most."""
+KEPT_COST = 1000.0
+"""What leaving a piece out costs while others could still move for it: more than any relation."""
+
+Score = tuple[int, int, float, float]
+
+
+@dataclass(frozen=True)
+class Found:
+    """A placement with the arrangement behind it and its rank, less being better.
+
+    The rank: required pieces that are missing, errors, the cost of relations that are not held, the solver's cost.
+    """
+
+    placement: Placement
+    arrangement: Arrangement
+    score: Score
+
+
+def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
+    """Returns the best placement of all rounds.
+
+    Args:
+        terms: the request.
+        wanted: the pieces, each after those it refers to.
+    """
+    blame = {piece.label: 0 for piece in wanted}
+    best = _round(terms, wanted, 0)
+    rounds, together = 1, FIRST_TOGETHER
+    while best.score[:3] != (0, 0, 0.0) and rounds < ROUNDS and together <= TOGETHER:
+        for label in _squeaking(best.placement):
+            blame[label] += 1
+        found, spent = _mended(terms, wanted, best)
+        if found.score >= best.score:
+            found, spent = _round(terms, _ordered(wanted, blame), together), spent + 1
+            together += 1
+        rounds += spent
+        best = min(best, found, key=lambda one: one.score)
+    if best.score[0]:
+        whole = _judged(terms, place([(terms.space, wanted)], terms.engine)[0])
+        best = whole if whole.score < best.score else best
+    return best
+
+
+def quick_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
+    """Returns a good placement in at most three rounds.
+
+    Args:
+        terms: the request.
+        wanted: the pieces, perhaps with fewer ways to stand.
+    """
+    found = _round(terms, wanted, 0)
+    return found if found.score[:3] == (0, 0, 0.0) else min(found, _mended(terms, wanted, found)[0], key=lambda one: one.score)
+
+
+def _round(terms: Terms, order: Sequence[Wanted], together: int) -> Found:
+    """Places the pieces in an order, the first ones best of all their combinations."""
+    pieces = [
+        replace(piece, required=k < together, skip_cost=KEPT_COST if piece.required else piece.skip_cost) for k, piece in enumerate(order)
+    ]
+    return _judged(terms, place([(terms.space, pieces)], terms.engine)[0])
+
+
+def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> tuple[Found, int]:
+    """Takes pieces that miss a relation out and puts them in again, the others standing as they do; alone, then with others.
+
+    Returns:
+        The first that is better, or the last; and the rounds it took.
+    """
+    squeaking = _squeaking(found.placement)
+    refers = {piece.label: set(_refers_to(piece)) for piece in wanted}
+    targets = {label for one in squeaking for label in refers[one]}
+    alone = _round(terms, _reopened(terms, wanted, found, set(squeaking)), 0)
+    if alone.score < found.score:
+        return alone, 1
+    return _round(terms, _reopened(terms, wanted, found, {*squeaking, *targets}), 0), 2
+
+
+def _reopened(terms: Terms, wanted: Sequence[Wanted], found: Found, loose: set[str]) -> list[Wanted]:
+    """Returns the pieces with all ways for the loose ones and their dependants, which come last, and one way for the others."""
+    stands = {one.label: one for one in found.arrangement.placed}
+    allowed = {(piece.label, way.kind) for piece in wanted for way in piece.alternatives}
+    pieces = [
+        replace(piece, alternatives=tuple(way for way in piece.alternatives if (piece.label, way.kind) in allowed))
+        for piece in terms.asked.between(found.arrangement.placed, loose)
+    ]
+    free = set(loose) | {piece.label for piece in pieces if piece.label not in stands}
+    for piece in pieces:
+        if free & set(_refers_to(piece)) and stands.get(piece.label) and stands[piece.label].chosen.attach:
+            free.add(piece.label)
+    first = [_as_it_stands(piece, stands[piece.label]) for piece in pieces if piece.label not in free]
+    rank = {piece.label: int(piece.label not in free) for piece in pieces}
+    return _ordered([*first, *(piece for piece in pieces if piece.label in free)], rank)
+
+
+def _as_it_stands(piece: Wanted, placed: Placed) -> Wanted:
+    """Leaves a piece the way it has, wished where it is; it may still slide."""
+    rect = placed.footprint
+    middle = ((rect.x0 + rect.x1) // 2, (rect.z0 + rect.z1) // 2)
+    return replace(piece, alternatives=(replace(placed.chosen, anchor_mm=middle, cost=0.0),))
+
+
+def _judged(terms: Terms, arrangement: Arrangement) -> Found:
+    placement = finished(terms, arrangement)
+    required = {piece.label for piece in terms.wanted if piece.required}
+    missing = sum(entry.id in required for entry in placement.unplaced)
+    errors = sum(issue.severity == "error" for issue in placement.issues)
+    worth = [rule.cost for _, rule in relations_of(terms.wishes)]
+    lost = sum(cost for relation, cost in zip(placement.relations, worth, strict=True) if not relation.held)
+    return Found(replace(placement, cost=round(lost, 6)), arrangement, (missing, errors, lost, arrangement.cost))
+
+
+def _squeaking(placement: Placement) -> list[str]:
+    """Returns the pieces that are missing or miss a relation."""
+    return list(dict.fromkeys([*(u.id for u in placement.unplaced), *(r.piece for r in placement.relations if not r.held)]))
+
+
+def _ordered(wanted: Sequence[Wanted], blame: Mapping[str, int]) -> list[Wanted]:
+    """Returns the most blamed first, each behind what it refers to; ties in the order given."""
+    by_label = {piece.label: piece for piece in wanted}
+    ordered: dict[str, Wanted] = {}
+
+    def add(piece: Wanted) -> None:
+        for label in _refers_to(piece):
+            if label in by_label and label not in ordered:
+                add(by_label[label])
+        ordered.setdefault(piece.label, piece)
+
+    for piece in sorted(wanted, key=lambda piece: -blame[piece.label]):
+        add(piece)
+    return list(ordered.values())
+
+
+def _refers_to(piece: Wanted) -> list[str]:
+    tied = [way.attach.parent for way in piece.alternatives if way.attach is not None]
+    return list(dict.fromkeys([*tied, *(link.of for link in piece.links)]))
