@@ -15,12 +15,13 @@ from solver.certificate import certificate, room_certificate
 from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
 from solver.furnish import space_of, wanted_pieces
 from solver.furnished import furnished
+from solver.pipeline.reasons import with_lengths
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place
 from solver.scene import MAX_SEED, ROBOT_WIDTH, Generated, Level, Request, Room, Scene, Size, check_ids, robot_width_of
 from solver.streams import Stream
 from solver.validate import RULES, validate
-from solver.wanted import Arrangement
+from solver.wanted import Arrangement, Space, Wanted
 
 VERSION = "0.1.0"
 """Version of the generator; a seed means something only with it and the catalog's fingerprint."""
@@ -30,6 +31,8 @@ STOREY_HEIGHT = 2.8
 """Height of a storey, m (contract's example)."""
 SHIFTED_ROOMS = 40
 """Rooms of a house whose doors are tried elsewhere; a house with more rooms too small for their type keeps the rest."""
+EXPLAINED_ROOMS = 40
+"""Rooms of a house whose missing pieces are explained in lengths."""
 SHIFTS = 6
 """Places tried for each door of a room whose required piece does not fit."""
 
@@ -80,21 +83,28 @@ def generate(
 
 
 def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
-    """Furnishes all rooms, shifting a door where a required piece would not fit otherwise."""
+    """Furnishes all rooms, shifting a door where a required piece would not fit otherwise, and says why one does not."""
     arrangements = _arrangements(plan.rooms, setting)
     lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting.catalogs)]
     for room_id in lacking[:SHIFTED_ROOMS]:
         plan = _shift_doors(plan, room_id, arrangements, setting)
-    return plan, arrangements
+    return plan, _explained(plan.rooms, arrangements, setting)
+
+
+def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Wanted, ...]]:
+    space = space_of(room, setting.thickness, setting.robot_width)
+    return space, wanted_pieces(room, space, setting.catalogs, Stream(setting.seed, "furnish", room.index))
 
 
 def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:
-    wishes = []
-    for room in rooms:
-        space = space_of(room, setting.thickness, setting.robot_width)
-        stream = Stream(setting.seed, "furnish", room.index)
-        wishes.append((space, wanted_pieces(room, space, setting.catalogs, stream)))
+    wishes = [_wished(room, setting) for room in rooms]
     return {room.id: done for room, done in zip(rooms, place(wishes, setting.engine), strict=True)}
+
+
+def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Arrangement]:
+    """Says in lengths why required pieces are missing, in the first EXPLAINED_ROOMS rooms that miss some."""
+    lacking = [room for room in rooms if _missing(arrangements[room.id], room, setting.catalogs)][:EXPLAINED_ROOMS]
+    return {**arrangements, **{room.id: with_lengths(*_wished(room, setting), arrangements[room.id]) for room in lacking}}
 
 
 def _missing(arrangement: Arrangement, room: Room, catalogs: Catalogs) -> int:
@@ -192,7 +202,7 @@ def reroll(
     drawn = scene.seed if seed is None else seed
     setting = _Setting(drawn or 0, known, "osqp", scene.wall_thickness, robot_width_of(scene))
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
-    arrangements = _arrangements(chosen, setting)
+    arrangements = _explained(chosen, _arrangements(chosen, setting), setting)
     done = {room.id: room for room in _written(chosen, arrangements, setting)}
     document = dict(scene.certificate or {})
     reports = {room.id: room_certificate(arrangements[room.id]) for room in chosen}

@@ -1,0 +1,44 @@
+"""Why a generated room lacks a required piece, in lengths.
+
+Comes in: a room's space, its wanted pieces, its arrangement. Goes out: the arrangement with better reasons. Not here: how the
+lengths are found (placement), conflicts of sent rooms (conflicts).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from solver.placement import Budget, arrange_as_wished, feasible, minimal_conflict, settle
+from solver.placement.lengths import sentence, shortfall
+from solver.wanted import Arrangement, Space, Wanted
+
+REASON_WORK = 4_000.0
+"""Work a reason may cost, in QPs of a small room; above it the reason says how long the free stretches of wall are."""
+
+
+def with_lengths(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement) -> Arrangement:
+    """Says of every required piece that was left out which pieces it cannot stand with, and what length is missing."""
+    reasons = []
+    for label, reason in arrangement.left_out:
+        found = _reason(space, wanted, label) if any(piece.label == label and piece.required for piece in wanted) else None
+        reasons.append((label, reason if found is None else f"{found}; {reason}"))
+    return replace(arrangement, left_out=tuple(reasons))
+
+
+def _reason(space: Space, wanted: Sequence[Wanted], label: str) -> str | None:
+    """Returns which required pieces cannot be used together with one, and why; None where a limit was hit."""
+    budget, required = Budget(REASON_WORK), [piece for piece in wanted if piece.required]
+    members = minimal_conflict(space, required, label, budget, True)
+    if members is None:
+        return None
+    pieces = [piece for piece in required if piece.label in members]
+    short = shortfall(
+        space,
+        pieces,
+        lambda longer, some: feasible(longer, some, budget, True),
+        lambda longer, some: settle([arrange_as_wished(longer, some, budget)])[0],
+    )
+    how = "anywhere" if len(members) == 1 else "together"
+    lengths = f": {sentence(short)}" if short else ""
+    return f"{' and '.join(members)} cannot stand and be used {how}{lengths}" if short or len(members) > 1 else None
