@@ -307,23 +307,33 @@ class Model:
                 self._out_of(person, zone.rect, [(used, 1.0)])
 
     def solve(self, seconds: float) -> tuple[bool | None, Arrangement | None]:
-        """Returns whether the pieces can stand, None where the time ran out first, and where."""
+        """Returns whether the pieces can stand, None where the time ran out first, and where.
+
+        Positions are continuous at first. Where the answer holds by the solver's tolerance alone, which no whole millimetres
+        meet, they are whole from the start.
+        """
         if any(not ways for ways in self.ways.values()):
             return False, None
-        found, x = self.programme.solve(seconds)
-        return (found, self._arrangement(self._settled(x, seconds))) if found else (found, None)
+        whole = self.programme.whole
+        for integers in (whole, [1] * len(whole)):
+            self.programme.whole = integers
+            found, x = self.programme.solve(seconds)
+            if not found:
+                return found, None
+            settled = self._settled(x, whole, seconds)
+            if settled is not None:
+                return True, self._arrangement(settled)
+        return None, None
 
-    def _settled(self, x: Floats, seconds: float) -> Floats:
+    def _settled(self, x: Floats, binary: Sequence[int], seconds: float) -> Floats | None:
         """Solves once more for whole millimetres, every binary kept."""
         programme = self.programme
         settled = Programme(cost=programme.cost, entries=programme.entries, lower=programme.lower)
-        settled.low = [float(round(v)) if w else a for a, v, w in zip(programme.low, x, programme.whole, strict=True)]
-        settled.high = [float(round(v)) if w else b for b, v, w in zip(programme.high, x, programme.whole, strict=True)]
+        settled.low = [float(round(v)) if b else low for low, v, b in zip(programme.low, x, binary, strict=True)]
+        settled.high = [float(round(v)) if b else high for high, v, b in zip(programme.high, x, binary, strict=True)]
         settled.whole = [1] * len(x)
         found, whole = settled.solve(seconds)
-        if not found:
-            raise RuntimeError("the solver's tolerance spoke, not the numbers")
-        return whole
+        return whole if found else None
 
     def _arrangement(self, x: Floats) -> Arrangement:
         placed = []
