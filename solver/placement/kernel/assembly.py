@@ -18,6 +18,7 @@ from solver.placement.kernel.layout import (
     ALONG_0,
     ALONG_1,
     ANCHOR_X,
+    ASSEMBLED,
     AXIS,
     BACK,
     BOTTOM,
@@ -313,13 +314,13 @@ def _clear_of(  # noqa: PLR0913
     return True
 
 
-@compiled(lambda t: t.none(t.Room, t.Work))
-def _choices(room: Room, work: Work) -> None:
-    """Writes the choices of all parts: against zones, against each other."""
+@compiled(lambda t: t.none(t.Room, t.Work, t.i8))
+def _choices(room: Room, work: Work, first: int) -> None:
+    """Appends the choices of the parts from number `first` on: against zones, against the parts before them."""
     parts, zones, alts, taken_alt = work.parts, room.zones, room.alts, work.taken_alt
     low, high, options, choice_size, choice_parts = work.low, work.high, work.options, work.choice_size, work.choice_parts
-    choice = 0
-    for b in range(work.counts[N_PARTS]):
+    choice = work.counts[N_CHOICES]
+    for b in range(first, work.counts[N_PARTS]):
         for zone in range(len(zones)):
             if zones[zone, WALL_ZONE] == 0 and (parts[b, STAND] != 0 or parts[b, HIGH] <= zones[zone, ABOVE]):
                 continue
@@ -343,31 +344,57 @@ def _bounds_hold(work: Work) -> bool:
     return True
 
 
+@compiled(lambda t: t.none(t.Work, t.i8, t.i8))
+def _mark(work: Work, piece: int, decision: int) -> None:
+    """Notes what the problem is once a piece was added, so that the next problem can go on from there."""
+    marks, bounds, counts, sizes, low, high = work.marks, work.marked_bounds, work.counts, work.sizes, work.low, work.high
+    marks[piece, 0], marks[piece, 1], marks[piece, 2] = decision, sizes[0], sizes[1]
+    for k in range(4):
+        marks[piece, 3 + k] = counts[k]
+    for axis in range(2):
+        for v in range(sizes[axis]):
+            bounds[piece, axis, v], bounds[piece, 2 + axis, v] = low[axis, v], high[axis, v]
+
+
+@compiled(lambda t: t.i8(t.Work, t.ints))
+def _go_back(work: Work, decisions: Ints) -> int:
+    """Brings back the problem of as many pieces as are decided as they were last; returns how many."""
+    marks, bounds, counts, sizes, low, high = work.marks, work.marked_bounds, work.counts, work.sizes, work.low, work.high
+    first = 0
+    while first < min(counts[ASSEMBLED], len(decisions)) and marks[first, 0] == decisions[first]:
+        first += 1
+    for k in range(4):
+        counts[k] = marks[first - 1, 3 + k] if first > 0 else 0
+    for axis in range(2):
+        sizes[axis] = marks[first - 1, 1 + axis] if first > 0 else 0
+        for v in range(sizes[axis]):
+            low[axis, v], high[axis, v] = bounds[first - 1, axis, v], bounds[first - 1, 2 + axis, v]
+    return first
+
+
 @compiled(lambda t: t.b1(t.Room, t.Work, t.ints))
 def assemble(room: Room, work: Work, decisions: Ints) -> bool:
     """Writes the problem of the decisions; False where the bounds alone rule them out.
 
-    A piece whose parent is absent is an error of the caller. Choices that the bounds settle are left out.
+    A piece whose parent is absent is an error of the caller. Choices that the bounds settle are left out. What the last
+    problem began with in the same way is kept.
     """
-    work.counts[:] = 0
-    work.sizes[:] = 0
-    taken_alt, taken_side, parents, sides = work.taken_alt, work.taken_side, room.alts, room.sides
-    for piece in range(len(decisions)):
+    taken_alt, taken_side, alts, sides = work.taken_alt, work.taken_side, room.alts, room.sides
+    for piece in range(_go_back(work, decisions), len(decisions)):
         taken_alt[piece] = ABSENT
-        if decisions[piece] == ABSENT:
-            continue
-        alt = decisions[piece] // 8
-        side = room.pieces[piece, SIDES_0] + decisions[piece] % 8
-        taken_alt[piece], taken_side[piece] = alt, side
-        if parents[alt, PARENT] == ABSENT:
-            _rooted(room, work, piece, alt)
-        else:
-            _attached(room, work, piece, alt)
-        for bit in range(4):
-            if sides[side, STANDS] & (1 << bit):
-                _stand(room, work, piece, 1 << bit)
-        _linked(room, work, piece)
-    if not _bounds_hold(work):
-        return False
-    _choices(room, work)
-    return True
+        if decisions[piece] != ABSENT:
+            alt, known = decisions[piece] // 8, work.counts[N_PARTS]
+            side = room.pieces[piece, SIDES_0] + decisions[piece] % 8
+            taken_alt[piece], taken_side[piece] = alt, side
+            if alts[alt, PARENT] == ABSENT:
+                _rooted(room, work, piece, alt)
+            else:
+                _attached(room, work, piece, alt)
+            for bit in range(4):
+                if sides[side, STANDS] & (1 << bit):
+                    _stand(room, work, piece, 1 << bit)
+            _linked(room, work, piece)
+            _choices(room, work, known)
+        _mark(work, piece, decisions[piece])
+    work.counts[ASSEMBLED] = len(decisions)
+    return _bounds_hold(work)

@@ -1,8 +1,12 @@
 """The node QP: a dual active-set method on difference rows (Goldfarb & Idnani, Mathematical Programming 27, 1983).
 
-minimise 1/2 x'Hx + f'x subject to low <= x <= high and x_j - x_i >= s. H's inverse is given; the solution, the active set
-and the multipliers of the parent node are continued, since one row more leaves them dual feasible. Constraint c < n is the
-lower bound of variable c, n <= c < 2n the upper bound of c - n, c >= 2n row c - 2n.
+minimise 1/2 x'Hx + f'x subject to low <= x <= high and x_j - x_i >= s, along one axis. H's inverse is given; the solution, the
+active set and the multipliers of the parent node are continued, since one row more leaves them dual feasible. Constraint c < n
+is the lower bound of variable c, n <= c < 2n the upper bound of c - n, c >= 2n row c - 2n.
+
+The parent's columns H^-1 N and the Cholesky factor of N'H^-1 N are built once for all its children: a child appends to them,
+and only one that drops a constraint spoils them. Arrays come whole, with the axis (and the node's slot) as first indices:
+taking slices would cost more than the arithmetic.
 """
 
 from __future__ import annotations
@@ -23,121 +27,146 @@ NEGLIGIBLE: Final = 1e-9
 SOLVED, INFEASIBLE, TOO_DEAR = 0, 1, 2
 
 
-@compiled(lambda t: t.f8(t.floats, t.int_rows, t.i8, t.i8))
-def _along(vector: Floats, rows: Ints, n: int, c: int) -> float:
-    """Returns the constraint's normal times a vector."""
+@compiled(lambda t: t.f8(t.float_cubes, t.i8, t.i8, t.int_cubes, t.i8, t.i8))
+def _along(columns: Floats, axis: int, k: int, rows: Ints, n: int, c: int) -> float:  # noqa: PLR0913
+    """Returns the normal of constraint c times column k."""
     if c < n:
-        return vector[c]
+        return columns[axis, k, c]
     if c < 2 * n:
-        return -vector[c - n]
-    i, j = rows[0, c - 2 * n], rows[1, c - 2 * n]
+        return -columns[axis, k, c - n]
+    i, j = rows[axis, 0, c - 2 * n], rows[axis, 1, c - 2 * n]
     value = 0.0
     if j >= 0:
-        value = vector[j]
+        value = columns[axis, k, j]
     if i >= 0:
-        value -= vector[i]
+        value -= columns[axis, k, i]
     return value
 
 
-@compiled(lambda t: t.f8(t.floats, t.float_rows, t.int_rows, t.floats, t.i8, t.i8))
-def _slack(x: Floats, bounds: Floats, rows: Ints, s: Floats, n: int, c: int) -> float:
+@compiled(lambda t: t.f8(t.float_cubes, t.i8, t.i8, t.float_cubes, t.int_cubes, t.float_rows, t.i8, t.i8))
+def _slack(x: Floats, slot: int, axis: int, bounds: Floats, rows: Ints, s: Floats, n: int, c: int) -> float:  # noqa: PLR0913
     """Returns how far a constraint holds, m."""
     if c < n:
-        return x[c] - bounds[0, c]
+        return x[slot, axis, c] - bounds[axis, 0, c]
     if c < 2 * n:
-        return bounds[1, c - n] - x[c - n]
-    return _along(x, rows, n, c) - s[c - 2 * n]
+        return bounds[axis, 1, c - n] - x[slot, axis, c - n]
+    i, j = rows[axis, 0, c - 2 * n], rows[axis, 1, c - 2 * n]
+    value = -s[axis, c - 2 * n]
+    if j >= 0:
+        value += x[slot, axis, j]
+    if i >= 0:
+        value -= x[slot, axis, i]
+    return value
 
 
-@compiled(lambda t: t.none(t.float_rows, t.int_rows, t.i8, t.i8, t.floats))
-def _column(inverse: Floats, rows: Ints, n: int, c: int, out: Floats) -> None:
-    """Writes H's inverse times the constraint's normal."""
+@compiled(lambda t: t.none(t.float_cubes, t.i8, t.int_cubes, t.i8, t.i8, t.float_cubes, t.i8))
+def _column(inverse: Floats, axis: int, rows: Ints, n: int, c: int, columns: Floats, at: int) -> None:  # noqa: PLR0913
+    """Writes H's inverse times the normal of constraint c to column `at`."""
     if c < n:
         for k in range(n):
-            out[k] = inverse[c, k]
+            columns[axis, at, k] = inverse[axis, c, k]
         return
     if c < 2 * n:
         for k in range(n):
-            out[k] = -inverse[c - n, k]
+            columns[axis, at, k] = -inverse[axis, c - n, k]
         return
-    i, j = rows[0, c - 2 * n], rows[1, c - 2 * n]
+    i, j = rows[axis, 0, c - 2 * n], rows[axis, 1, c - 2 * n]
     for k in range(n):
         value = 0.0
         if j >= 0:
-            value = inverse[j, k]
+            value = inverse[axis, j, k]
         if i >= 0:
-            value -= inverse[i, k]
-        out[k] = value
+            value -= inverse[axis, i, k]
+        columns[axis, at, k] = value
 
 
-@compiled(lambda t: t.none(t.int_rows, t.i8, t.ints, t.float_rows, t.float_rows, t.i8, t.i8))
-def _factorise(rows: Ints, n: int, active: Ints, columns: Floats, factor: Floats, first: int, q: int) -> None:  # noqa: PLR0913
-    """Writes rows first ... q - 1 of the Cholesky factor of N'H^-1N."""
+@compiled(lambda t: t.none(t.int_cubes, t.i8, t.i8, t.int_cubes, t.i8, t.float_cubes, t.float_cubes, t.i8, t.i8))
+def _factorise(  # noqa: PLR0913
+    rows: Ints, n: int, axis: int, active: Ints, slot: int, columns: Floats, factor: Floats, first: int, q: int
+) -> None:
+    """Writes rows first ... q - 1 of the Cholesky factor of N'H^-1 N."""
     for a in range(first, q):
         for b in range(a + 1):
-            value = _along(columns[b], rows, n, active[a])
+            value = _along(columns, axis, b, rows, n, active[slot, axis, a])
             for k in range(b):
-                value -= factor[a, k] * factor[b, k]
-            factor[a, b] = np.sqrt(value) if a == b else value / factor[b, b]
+                value -= factor[axis, a, k] * factor[axis, b, k]
+            factor[axis, a, b] = np.sqrt(value) if a == b else value / factor[axis, b, b]
 
 
-@compiled(lambda t: t.i8(t.i8, t.i8, t.floats, t.float_rows, t.int_rows, t.floats))
-def _most_violated(n: int, m: int, x: Floats, bounds: Floats, rows: Ints, s: Floats) -> int:  # noqa: PLR0913
+@compiled(
+    lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.float_cubes, t.int_cubes, t.int_cubes, t.float_cubes, t.float_cubes)
+)  # fmt: skip
+def build_base(  # noqa: PLR0913
+    axis: int, slot: int, n: int, q: int, inverse: Floats, rows: Ints, active: Ints, columns: Floats, factor: Floats
+) -> None:
+    """Writes the columns and the factor of a node's active set."""
+    for a in range(q):
+        _column(inverse, axis, rows, n, active[slot, axis, a], columns, a)
+    _factorise(rows, n, axis, active, slot, columns, factor, 0, q)
+
+
+@compiled(lambda t: t.i8(t.i8, t.i8, t.float_cubes, t.i8, t.i8, t.float_cubes, t.int_cubes, t.float_rows))
+def _most_violated(n: int, m: int, x: Floats, slot: int, axis: int, bounds: Floats, rows: Ints, s: Floats) -> int:  # noqa: PLR0913
     """Returns the constraint violated most, ties by lowest number, or -1."""
     worst, found = -FEASIBLE, -1
     for k in range(n):
-        slack = x[k] - bounds[0, k]
-        if slack < worst:
-            worst, found = slack, k
-    for k in range(n):
-        slack = bounds[1, k] - x[k]
-        if slack < worst:
-            worst, found = slack, n + k
+        value = x[slot, axis, k]
+        if value - bounds[axis, 0, k] < worst:
+            worst, found = value - bounds[axis, 0, k], k
+        if bounds[axis, 1, k] - value < worst:
+            worst, found = bounds[axis, 1, k] - value, n + k
     for r in range(m):
-        i, j = rows[0, r], rows[1, r]
-        slack = -s[r]
+        i, j = rows[axis, 0, r], rows[axis, 1, r]
+        slack = -s[axis, r]
         if j >= 0:
-            slack += x[j]
+            slack += x[slot, axis, j]
         if i >= 0:
-            slack -= x[i]
+            slack -= x[slot, axis, i]
         if slack < worst:
             worst, found = slack, 2 * n + r
     return found
 
 
-@compiled(lambda t: t.none(t.int_rows, t.i8, t.i8, t.i8, t.float_rows, t.float_rows, t.float_rows))
-def _directions(rows: Ints, n: int, q: int, c: int, columns: Floats, factor: Floats, vectors: Floats) -> None:  # noqa: PLR0913
-    """Writes y = L^-1 N'H^-1 n_c to vectors[0] and the multipliers' rates r = L^-T y to vectors[1]."""
+@compiled(lambda t: t.f8(t.i8, t.int_cubes, t.i8, t.i8, t.i8, t.float_cubes, t.float_cubes, t.float_cubes))
+def _directions(  # noqa: PLR0913
+    axis: int, rows: Ints, n: int, q: int, c: int, columns: Floats, factor: Floats, vectors: Floats
+) -> float:
+    """Writes y = L^-1 N'H^-1 n_c to vectors[0] and the multipliers' rates r = L^-T y to vectors[1]; returns y'y."""
+    square = 0.0
     for a in range(q):
-        value = _along(columns[a], rows, n, c)
+        value = _along(columns, axis, a, rows, n, c)
         for k in range(a):
-            value -= factor[a, k] * vectors[0, k]
-        vectors[0, a] = value / factor[a, a]
+            value -= factor[axis, a, k] * vectors[axis, 0, k]
+        value /= factor[axis, a, a]
+        vectors[axis, 0, a] = value
+        square += value * value
     for a in range(q - 1, -1, -1):
-        value = vectors[0, a]
+        value = vectors[axis, 0, a]
         for k in range(a + 1, q):
-            value -= factor[k, a] * vectors[1, k]
-        vectors[1, a] = value / factor[a, a]
+            value -= factor[axis, k, a] * vectors[axis, 1, k]
+        vectors[axis, 1, a] = value / factor[axis, a, a]
+    return square
 
 
-@compiled(lambda t: t.none(t.i8, t.i8, t.i8, t.ints, t.floats, t.float_rows))
-def _drop(k: int, q: int, n: int, active: Ints, multiplier: Floats, columns: Floats) -> None:  # noqa: PLR0913
+@compiled(lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.i8, t.int_cubes, t.float_cubes, t.float_cubes))
+def _drop(k: int, q: int, n: int, slot: int, axis: int, active: Ints, multiplier: Floats, columns: Floats) -> None:  # noqa: PLR0913
     """Takes active constraint number k out; the factor's rows from k on are then void."""
     for a in range(k, q - 1):
-        active[a] = active[a + 1]
-        multiplier[a] = multiplier[a + 1]
+        active[slot, axis, a] = active[slot, axis, a + 1]
+        multiplier[slot, axis, a] = multiplier[slot, axis, a + 1]
         for v in range(n):
-            columns[a, v] = columns[a + 1, v]
+            columns[axis, a, v] = columns[axis, a + 1, v]
 
 
 @compiled(
-    lambda t: t.tuple((t.i8, t.i8, t.f8))(
-        t.ints, t.float_rows, t.float_rows, t.int_rows, t.floats, t.floats, t.ints, t.floats,
-        t.floats, t.float_rows, t.float_rows, t.float_rows,
+    lambda t: t.i8(
+        t.ints, t.f8, t.float_cubes, t.float_cubes, t.int_cubes, t.float_rows, t.float_cubes, t.int_cubes, t.float_cubes,
+        t.int_rows, t.float_rows, t.float_cubes, t.float_cubes, t.float_cubes,
     )
 )  # fmt: skip
 def continue_dual(  # noqa: PLR0913
     task: Ints,
+    ceiling: float,
     inverse: Floats,
     bounds: Floats,
     rows: Ints,
@@ -145,77 +174,76 @@ def continue_dual(  # noqa: PLR0913
     x: Floats,
     active: Ints,
     multiplier: Floats,
+    active_size: Ints,
     costs: Floats,
     columns: Floats,
     factor: Floats,
     vectors: Floats,
-) -> tuple[int, int, float]:
+) -> int:
     """Continues from a dual feasible solution until no constraint is violated.
 
     Args:
-        task: number of variables n, of rows m, of active constraints q, the constraint to begin with or -1.
-        inverse: H^-1, (>= n, >= n).
-        bounds: low and high, (2, >= n).
-        rows: i and j of every row, (2, >= m), -1 for the constant 0.
-        s: of every row, m.
-        x, active, multiplier: the solution to continue; changed in place.
-        costs: its cost, and the cost at which to stop.
-        columns, factor, vectors: scratch, at least (n + 1, n), (n, n), (2, n).
+        task: axis, slot, number of variables n, of rows m, the constraint to begin with or -1; the sixth is set to 1 where
+            a constraint was dropped, which spoils the base.
+        ceiling: the cost at which to stop.
+        inverse, bounds, rows, s, columns, factor, vectors: of the programmes, by axis; the base must be built.
+        x, active, multiplier, active_size, costs: the solution to continue, by slot and axis; changed in place.
 
     Returns:
-        (SOLVED | INFEASIBLE | TOO_DEAR, size of the active set, cost).
+        SOLVED | INFEASIBLE | TOO_DEAR.
     """
-    n, m, q, c = task[0], task[1], task[2], task[3]
-    cost, ceiling = costs[0], costs[1]
-    for a in range(q):
-        _column(inverse, rows, n, active[a], columns[a])
-    _factorise(rows, n, active, columns, factor, 0, q)
+    axis, slot, n, m, c = task[0], task[1], task[2], task[3], task[4]
+    q, cost, status = active_size[slot, axis], costs[slot, axis], INFEASIBLE
     for _ in range(20 * (n + m) + 100):
         if c < 0:
-            c = _most_violated(n, m, x, bounds, rows, s)
+            c = _most_violated(n, m, x, slot, axis, bounds, rows, s)
             if c < 0:
-                return SOLVED, q, cost
-        _column(inverse, rows, n, c, columns[n])
-        own = _along(columns[n], rows, n, c)
-        added = 0.0
-        slack = _slack(x, bounds, rows, s, n, c)
+                status = SOLVED
+                break
+        _column(inverse, axis, rows, n, c, columns, n)
+        own, added, found = _along(columns, axis, n, rows, n, c), 0.0, True
+        slack = _slack(x, slot, axis, bounds, rows, s, n, c)
         while slack < -FEASIBLE:
-            _directions(rows, n, q, c, columns, factor, vectors)
-            length = own
-            for a in range(q):
-                length -= vectors[0, a] * vectors[0, a]
+            length = own - _directions(axis, rows, n, q, c, columns, factor, vectors)
             step, dropped = np.inf, -1
             for a in range(q):
-                if vectors[1, a] > NEGLIGIBLE and multiplier[a] < step * vectors[1, a]:
-                    step, dropped = multiplier[a] / vectors[1, a], a
+                rate = vectors[axis, 1, a]
+                if rate > NEGLIGIBLE and multiplier[slot, axis, a] < step * rate:
+                    step, dropped = multiplier[slot, axis, a] / rate, a
             full = -slack / length if length > DEPENDENT * own else np.inf
             if dropped < 0 and full == np.inf:
-                return INFEASIBLE, q, cost
+                found = False
+                break
             taken = min(step, full)
             if full < np.inf:
                 for v in range(n):
-                    change = columns[n, v]
+                    change = columns[axis, n, v]
                     for a in range(q):
-                        change -= vectors[1, a] * columns[a, v]
-                    x[v] += taken * change
+                        change -= vectors[axis, 1, a] * columns[axis, a, v]
+                    x[slot, axis, v] += taken * change
                 cost += taken * length * (0.5 * taken + added)
             for a in range(q):
-                multiplier[a] -= taken * vectors[1, a]
+                multiplier[slot, axis, a] -= taken * vectors[axis, 1, a]
             added += taken
             if full <= step:
                 for a in range(q):
-                    factor[q, a] = vectors[0, a]
-                factor[q, q] = np.sqrt(length)
+                    factor[axis, q, a] = vectors[axis, 0, a]
+                factor[axis, q, q] = np.sqrt(length)
                 for v in range(n):
-                    columns[q, v] = columns[n, v]
-                active[q], multiplier[q] = c, added
+                    columns[axis, q, v] = columns[axis, n, v]
+                active[slot, axis, q], multiplier[slot, axis, q] = c, added
                 q += 1
                 break
-            _drop(dropped, q, n, active, multiplier, columns)
+            task[5] = 1
+            _drop(dropped, q, n, slot, axis, active, multiplier, columns)
             q -= 1
-            _factorise(rows, n, active, columns, factor, dropped, q)
-            slack = _slack(x, bounds, rows, s, n, c)
+            _factorise(rows, n, axis, active, slot, columns, factor, dropped, q)
+            slack = _slack(x, slot, axis, bounds, rows, s, n, c)
+        if not found:
+            break
         if cost >= ceiling:
-            return TOO_DEAR, q, cost
+            status = TOO_DEAR
+            break
         c = -1
-    return INFEASIBLE, q, cost
+    active_size[slot, axis], costs[slot, axis] = q, cost
+    return status

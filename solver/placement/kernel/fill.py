@@ -19,6 +19,10 @@ from solver.placement.kernel.layout import (
     EXHAUSTED,
     GROUP_END,
     KIN,
+    LINK_0,
+    LINK_1,
+    OF,
+    PARENT,
     REQUIRED,
     SIDES_0,
     SIDES_1,
@@ -28,8 +32,9 @@ from solver.placement.kernel.layout import (
     Floats,
     Ints,
     Room,
+    Tree,
 )
-from solver.placement.kernel.options import total_preference
+from solver.placement.kernel.options import preference, total_preference
 
 PLACED, NO_WAY, COVERED, SPENT, WITHOUT = range(5)
 """What became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent, not asked for."""
@@ -64,34 +69,61 @@ def _join(engine: Engine, start: Ints, costs: Floats, group: Ints, limits: Ints,
     return True
 
 
+@compiled(lambda t: t.b1(t.Room, t.ints, t.i8))
+def _depended(room: Room, decisions: Ints, piece: int) -> bool:
+    """Tells whether the preferences of another piece that stands speak of this one."""
+    for other in range(len(decisions)):
+        if decisions[other] == ABSENT or other == piece:
+            continue
+        if room.alts[decisions[other] // 8, PARENT] == piece:
+            return True
+        for link in range(room.pieces[other, LINK_0], room.pieces[other, LINK_1]):
+            if room.links[link, OF] == piece:
+                return True
+    return False
+
+
+@compiled(lambda t: t.none(t.Tree, t.i8, t.i8, t.f8, t.i8))
+def _note_move(tree: Tree, piece: int, decision: int, cost: float, count: int) -> None:
+    """Inserts a move into the list of the cheapest, `count` long so far."""
+    moves, costs, at = tree.moves, tree.move_cost, count
+    while at > 0 and costs[at - 1] > cost:
+        at -= 1
+    if at == MOVES:
+        return
+    for k in range(min(count, MOVES - 1), at, -1):
+        moves[k, 0], moves[k, 1], costs[k] = moves[k - 1, 0], moves[k - 1, 1], costs[k - 1]
+    moves[at, 0], moves[at, 1], costs[at] = piece, decision, cost
+
+
 @compiled(lambda t: t.i8(t.Engine, t.ints, t.floats))
 def _moves(engine: Engine, decisions: Ints, costs: Floats) -> int:
-    """Lists other ways of the pieces that stand, by what they add to the preferences; returns how many."""
+    """Lists other ways of the pieces that stand, by the preference cost of all then; returns how many."""
     room, tree, count = engine.room, engine.tree, 0
+    alts, pieces = room.alts, room.pieces
     for piece in range(len(decisions)):
         kept = decisions[piece]
         if kept == ABSENT:
             continue
-        first, last = room.pieces[piece, SIDES_0], room.pieces[piece, SIDES_1]
-        for alt in range(room.pieces[piece, ALT_0], room.pieces[piece, ALT_1]):
-            for side in range(first, last):
+        first, depended = pieces[piece, SIDES_0], _depended(room, decisions, piece)
+        own = preference(room, decisions, piece, kept // 8) + room.side_costs[first + kept % 8]
+        for alt in range(pieces[piece, ALT_0], pieces[piece, ALT_1]):
+            if alts[alt, PARENT] != alts[kept // 8, PARENT]:
+                continue
+            for side in range(first, pieces[piece, SIDES_1]):
                 decision = 8 * alt + side - first
-                if decision == kept or (room.alts[alt, KIN] == room.alts[kept // 8, KIN] and decision % 8 == kept % 8):
+                if alts[alt, KIN] == alts[kept // 8, KIN] and decision % 8 == kept % 8:
                     continue
                 decisions[piece] = decision
-                cost = total_preference(room, decisions)
-                if cost < 0:
-                    continue
-                at = min(count, MOVES)
-                while at > 0 and tree.move_cost[at - 1] > cost:
-                    at -= 1
-                if at == MOVES:
-                    continue
-                count = min(count + 1, MOVES)
-                for k in range(count - 1, at, -1):
-                    tree.moves[k, 0], tree.moves[k, 1] = tree.moves[k - 1, 0], tree.moves[k - 1, 1]
-                    tree.move_cost[k] = tree.move_cost[k - 1]
-                tree.moves[at, 0], tree.moves[at, 1], tree.move_cost[at] = piece, decision, cost
+                if depended:
+                    cost = total_preference(room, decisions)
+                else:
+                    cost = preference(room, decisions, piece, alt)
+                    if cost >= 0:
+                        cost += costs[1] - own + room.side_costs[side]
+                if cost >= 0:
+                    _note_move(tree, piece, decision, cost, count)
+                    count = min(count + 1, MOVES)
         decisions[piece] = kept
     return count
 

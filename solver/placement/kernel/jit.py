@@ -58,6 +58,8 @@ def _namespace() -> SimpleNamespace:
         floats=types.float64[::1],
         int_rows=types.int64[:, ::1],
         float_rows=types.float64[:, ::1],
+        int_cubes=types.int64[:, :, ::1],
+        float_cubes=types.float64[:, :, ::1],
         tuple=types.Tuple,
     )
 
@@ -73,7 +75,7 @@ def compiled(signature: Signature) -> Callable[[Function], Function]:
         before = numba.config.CACHE_DIR
         numba.config.CACHE_DIR = str(_CACHE)
         try:
-            jitted = numba.njit(signature(_TYPES), cache=True, nogil=True, error_model="numpy")(function)
+            jitted = numba.njit(signature(_TYPES), cache=True, nogil=True, error_model="numpy", _nrt=False)(function)
         finally:
             numba.config.CACHE_DIR = before
         result: Function = jitted

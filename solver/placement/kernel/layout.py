@@ -62,7 +62,7 @@ OF, LINK_TURN, LINK_WALLS, LINK_REQUIRED = range(4)
 ANY_WALLS, SAME, OPPOSITE, OTHER, ADJACENT = range(5)
 LINK_COST, ALIGN, NEAR, APART, APART_COST = range(5)
 # Work.counts
-N_ROWS, N_PARTS, N_CHOICES, N_PULLS, N_WIDE = range(5)
+N_ROWS, N_PARTS, N_CHOICES, N_PULLS, N_WIDE, ASSEMBLED = range(6)
 # rows and options
 AXIS, I, J, S = range(4)
 # Work.parts
@@ -125,6 +125,9 @@ class Work(NamedTuple):
     rotation: Ints
     taken_alt: Ints
     taken_side: Ints
+    marks: Ints
+    """By piece: its decision, and sizes and counts once it was added."""
+    marked_bounds: Ints
 
 
 class Programs(NamedTuple):
@@ -169,7 +172,6 @@ class Nodes(NamedTuple):
     best_cost: Floats
     result: Ints
     task: Ints
-    task_cost: Floats
 
 
 class Grid(NamedTuple):

@@ -11,23 +11,25 @@ from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import AXIS, N_PULLS, N_ROWS, ORIGIN, PULL_OFFSET, PULL_WEIGHT, Floats, I, Ints, J, Nodes, Programs, S, Work
 
 
-@compiled(lambda t: t.b1(t.ints, t.floats, t.int_rows, t.floats, t.i8, t.i8, t.i8, t.i8))
-def append_row(column: Ints, value: Floats, rows: Ints, row_s: Floats, at: int, i: int, j: int, s: int) -> bool:  # noqa: PLR0913
+@compiled(lambda t: t.b1(t.int_rows, t.float_rows, t.int_cubes, t.float_rows, t.i8, t.i8, t.i8, t.i8, t.i8))
+def append_row(  # noqa: PLR0913
+    column: Ints, value: Floats, rows: Ints, row_s: Floats, axis: int, at: int, i: int, j: int, s: int
+) -> bool:
     """Writes row number `at` of an axis, p_j - p_i >= s (mm) over all variables; False where it can never hold.
 
-    The arrays are the axis's own of `Programs`.
+    The arrays are those of `Programs`.
     """
     rest = s / 1000
     column_i, column_j = -1, -1
     if j != ORIGIN and i != j:
-        column_j = column[j]
+        column_j = column[axis, j]
         if column_j < 0:
-            rest -= value[j]
+            rest -= value[axis, j]
     if i != ORIGIN and i != j:
-        column_i = column[i]
+        column_i = column[axis, i]
         if column_i < 0:
-            rest += value[i]
-    rows[0, at], rows[1, at], row_s[at] = column_i, column_j, rest
+            rest += value[axis, i]
+    rows[axis, 0, at], rows[axis, 1, at], row_s[axis, at] = column_i, column_j, rest
     return column_i >= 0 or column_j >= 0 or rest <= FEASIBLE
 
 
@@ -147,13 +149,12 @@ def prepare(work: Work, programs: Programs, nodes: Nodes) -> bool:
         spread(programs.column[axis], programs.value[axis], work.sizes[axis], programs.start[axis], nodes.positions[axis])
         programs.start_cost[axis] = cost_at(work, axis, nodes.positions)
         fixed_rows[axis] = 0
-    for axis in range(2):
-        column, value, own, own_s = programs.column[axis], programs.value[axis], programs.rows[axis], programs.row_s[axis]
-        for k in range(work.counts[N_ROWS]):
-            if rows[k, AXIS] == axis:
-                if not append_row(column, value, own, own_s, fixed_rows[axis], rows[k, I], rows[k, J], rows[k, S]):
-                    return False
-                fixed_rows[axis] += 1
+    column, value, own, own_s = programs.column, programs.value, programs.rows, programs.row_s
+    for k in range(work.counts[N_ROWS]):
+        axis = rows[k, AXIS]
+        if not append_row(column, value, own, own_s, axis, fixed_rows[axis], rows[k, I], rows[k, J], rows[k, S]):
+            return False
+        fixed_rows[axis] += 1
     return True
 
 
@@ -161,24 +162,20 @@ def prepare(work: Work, programs: Programs, nodes: Nodes) -> bool:
 def solve_axis(programs: Programs, nodes: Nodes, slot: int, axis: int, m: int, first: int, ceiling: float) -> int:  # noqa: PLR0913
     """Continues a node's programme along an axis with m rows, beginning with constraint `first` or -1."""
     task = nodes.task
-    task[0], task[1], task[2], task[3] = programs.size[axis], m, nodes.active_size[slot, axis], first
-    costs = nodes.task_cost
-    costs[0], costs[1] = nodes.cost[slot, axis], ceiling
-    status, q, cost = continue_dual(
+    task[0], task[1], task[2], task[3], task[4], task[5] = axis, slot, programs.size[axis], m, first, 0
+    return continue_dual(
         task,
-        programs.inverse[axis],
-        programs.bounds[axis],
-        programs.rows[axis],
-        programs.row_s[axis],
-        nodes.x[slot, axis],
-        nodes.active[slot, axis],
-        nodes.multiplier[slot, axis],
-        costs,
+        ceiling,
+        programs.inverse,
+        programs.bounds,
+        programs.rows,
+        programs.row_s,
+        nodes.x,
+        nodes.active,
+        nodes.multiplier,
+        nodes.active_size,
+        nodes.cost,
         programs.columns,
         programs.factor,
-        programs.vectors[axis],
+        programs.vectors,
     )
-    nodes.active_size[slot, axis] = q
-    nodes.cost[slot, axis] = cost
-    return status
-

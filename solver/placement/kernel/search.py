@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from solver.placement.kernel.dual import SOLVED
+from solver.placement.kernel.dual import SOLVED, build_base
 from solver.placement.kernel.grid import walkable
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
@@ -29,14 +29,16 @@ from solver.placement.kernel.layout import (
     WIDE_CHILDREN,
     WIDENINGS,
     Engine,
+    Floats,
     I,
+    Ints,
     J,
     Nodes,
     Programs,
     S,
     Work,
 )
-from solver.placement.kernel.program import append_row, prepare, solve_axis, spread
+from solver.placement.kernel.program import append_row, prepare, solve_axis
 from solver.placement.kernel.widen import links
 
 COST_TOLERANCE: Final = 1e-9
@@ -45,29 +47,32 @@ VIOLATED: Final = 1e-8
 STEPS: Final = 1e9
 """Costs and slacks are compared in steps of a nanometre or its like, so that rounding decides no tie."""
 # Nodes.state
-OPEN, SPARE, PICKED = range(3)
+OPEN, SPARE, PICKED, BASE = range(4)
 
 
 @compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8))
 def _open_node(work: Work, programs: Programs, nodes: Nodes, slot: int) -> None:
     """Brings a node's path back: its rows to the programmes, its positions to nodes.positions."""
-    options, wide, option_of, before = work.options, work.wide, nodes.pick_option, nodes.pick_before
+    options, wide, option_of, before, task = work.options, work.wide, nodes.pick_option, nodes.pick_before, nodes.task
+    column, value, rows, row_s = programs.column, programs.value, programs.rows, programs.row_s
+    task[0] = programs.fixed_rows[0] + nodes.row_count[slot, 0]
+    task[1] = programs.fixed_rows[1] + nodes.row_count[slot, 1]
+    pick = nodes.last_pick[slot]
+    while pick >= 0:
+        k = option_of[pick]
+        if k < len(options):
+            axis, i, j, s = options[k, AXIS], options[k, I], options[k, J], options[k, S]
+        else:
+            k -= len(options)
+            axis, i, j, s = wide[k, AXIS], wide[k, I], wide[k, J], wide[k, S]
+        task[axis] -= 1
+        append_row(column, value, rows, row_s, axis, task[axis], i, j, s)
+        pick = before[pick]
+    x, positions = nodes.x, nodes.positions
     for axis in range(2):
-        column, value, rows, row_s = programs.column[axis], programs.value[axis], programs.rows[axis], programs.row_s[axis]
-        at = programs.fixed_rows[axis] + nodes.row_count[slot, axis]
-        pick = nodes.last_pick[slot]
-        while pick >= 0:
-            option = option_of[pick]
-            if option < len(options):
-                if options[option, AXIS] == axis:
-                    at -= 1
-                    append_row(column, value, rows, row_s, at, options[option, I], options[option, J], options[option, S])
-            elif wide[option - len(options), AXIS] == axis:
-                at -= 1
-                option -= len(options)
-                append_row(column, value, rows, row_s, at, wide[option, I], wide[option, J], wide[option, S])
-            pick = before[pick]
-        spread(column, value, work.sizes[axis], nodes.x[slot, axis], nodes.positions[axis])
+        for v in range(work.sizes[axis]):
+            positions[axis, v] = value[axis, v] if column[axis, v] < 0 else x[slot, axis, column[axis, v]]
+    nodes.state[BASE] = nodes.state[BASE + 1] = 0
 
 
 @compiled(lambda t: t.i8(t.Work, t.Nodes))
@@ -95,42 +100,48 @@ def _violated(work: Work, nodes: Nodes) -> int:
     return count
 
 
-@compiled(lambda t: t.none(t.Nodes, t.i8, t.i8, t.i8, t.i8))
-def _copy_node(nodes: Nodes, parent: int, slot: int, axis: int, n: int) -> None:
+@compiled(
+    lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.float_cubes, t.int_cubes, t.float_cubes, t.int_rows, t.float_rows, t.int_rows)
+)  # fmt: skip
+def _copy_axis(  # noqa: PLR0913
+    parent: int, slot: int, axis: int, n: int, x: Floats, active: Ints, multiplier: Floats, size: Ints, cost: Floats, rows: Ints
+) -> None:
     """Copies what a node knows of an axis with n free variables."""
-    x, active, multiplier, q = nodes.x, nodes.active, nodes.multiplier, nodes.active_size[parent, axis]
     for k in range(n):
         x[slot, axis, k] = x[parent, axis, k]
-    for k in range(q):
+    for k in range(size[parent, axis]):
         active[slot, axis, k] = active[parent, axis, k]
         multiplier[slot, axis, k] = multiplier[parent, axis, k]
-    nodes.active_size[slot, axis] = q
-    nodes.cost[slot, axis] = nodes.cost[parent, axis]
-    nodes.row_count[slot, axis] = nodes.row_count[parent, axis]
+    size[slot, axis], cost[slot, axis], rows[slot, axis] = size[parent, axis], cost[parent, axis], rows[parent, axis]
 
 
 @compiled(lambda t: t.i8(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
 def _child(work: Work, programs: Programs, nodes: Nodes, parent: int, option: int, ceiling: float) -> int:  # noqa: PLR0913
     """Solves the parent with one row more; returns the child's slot, or -1 where it is infeasible or too dear."""
-    capacity = len(work.options)
+    capacity, state, size = len(work.options), nodes.state, programs.size
     table = work.options if option < capacity else work.wide
     k = option if option < capacity else option - capacity
     axis = table[k, AXIS]
-    at = programs.fixed_rows[axis] + nodes.row_count[parent, axis]
-    if at >= programs.rows.shape[2]:
+    x, active, multiplier, active_size = nodes.x, nodes.active, nodes.multiplier, nodes.active_size
+    cost, row_count, rows = nodes.cost, nodes.row_count, programs.rows
+    at = programs.fixed_rows[axis] + row_count[parent, axis]
+    if at >= rows.shape[2]:
         return -1
     nodes.result[SOLVES] += 1
-    rows, row_s = programs.rows[axis], programs.row_s[axis]
-    if not append_row(programs.column[axis], programs.value[axis], rows, row_s, at, table[k, I], table[k, J], table[k, S]):
+    i, j, s, row_s = table[k, I], table[k, J], table[k, S], programs.row_s
+    if not append_row(programs.column, programs.value, rows, row_s, axis, at, i, j, s):
         return -1
-    slot, state = nodes.spare[nodes.state[SPARE] - 1], nodes.state
-    _copy_node(nodes, parent, slot, axis, programs.size[axis])
-    first, other = 2 * programs.size[axis] + at, nodes.cost[parent, 1 - axis]
-    status = solve_axis(programs, nodes, slot, axis, at + 1, first, ceiling - other)
-    if status != SOLVED or nodes.cost[slot, axis] + other >= ceiling:
+    if state[BASE + axis] == 0:
+        q = active_size[parent, axis]
+        build_base(axis, parent, size[axis], q, programs.inverse, rows, active, programs.columns, programs.factor)
+    slot, other = nodes.spare[state[SPARE] - 1], cost[parent, 1 - axis]
+    _copy_axis(parent, slot, axis, size[axis], x, active, multiplier, active_size, cost, row_count)
+    status = solve_axis(programs, nodes, slot, axis, at + 1, 2 * size[axis] + at, ceiling - other)
+    state[BASE + axis] = 1 - nodes.task[5]
+    if status != SOLVED or cost[slot, axis] + other >= ceiling:
         return -1
-    _copy_node(nodes, parent, slot, 1 - axis, programs.size[1 - axis])
-    nodes.row_count[slot, axis] += 1
+    _copy_axis(parent, slot, 1 - axis, size[1 - axis], x, active, multiplier, active_size, cost, row_count)
+    row_count[slot, axis] += 1
     nodes.last_pick[slot] = option  # becomes a pick when the child is kept
     nodes.widened[slot] = nodes.widened[parent]
     state[SPARE] -= 1

@@ -58,6 +58,8 @@ def new_work(sizes: Sizes) -> Work:
         rotation=_ints(sizes.pieces),
         taken_alt=_ints(sizes.pieces),
         taken_side=_ints(sizes.pieces),
+        marks=_ints(sizes.pieces, 7),
+        marked_bounds=_ints(sizes.pieces, 4, v),
     )
 
 
@@ -75,8 +77,8 @@ def new_programs(sizes: Sizes) -> Programs:
         fixed_rows=_ints(2),
         rows=_ints(2, 2, r),
         row_s=_floats(2, r),
-        columns=_floats(v + 1, v),
-        factor=_floats(v + 1, v + 1),
+        columns=_floats(2, v + 1, v),
+        factor=_floats(2, v + 1, v + 1),
         vectors=_floats(2, 2, v + 1),
     )
 
@@ -85,7 +87,7 @@ def new_nodes(sizes: Sizes) -> Nodes:
     """Returns space for the tree's open nodes."""
     v, n = sizes.variables, min(MOST_NODES, 4 * sizes.choices + 128)
     return Nodes(
-        state=_ints(3),
+        state=_ints(5),
         x=_floats(n, 2, v),
         active=_ints(n, 2, v),
         multiplier=_floats(n, 2, v),
@@ -105,8 +107,7 @@ def new_nodes(sizes: Sizes) -> Nodes:
         best_picks=_ints(sizes.choices + SPARE_PATH),
         best_cost=_floats(1),
         result=np.zeros(8, dtype=np.int64),
-        task=_ints(4),
-        task_cost=_floats(2),
+        task=_ints(6),
     )
 
 
