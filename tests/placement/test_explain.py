@@ -1,0 +1,107 @@
+"""Reasons in lengths at the level of spaces and pieces: gaps, doors, what goes along with a wall, and what is not claimed."""
+
+from __future__ import annotations
+
+import pytest
+
+from solver.geometry import ROTATION_AT_WALL, Rect
+from solver.placement import Budget, arrange_as_wished, feasible, minimal_conflict, settle
+from solver.placement.lengths import Shortfall, centimetres, longer_pieces, longer_space, metres, sentence, shortfall
+from solver.wanted import Alternative, Arrangement, Space, Stand, Wanted, Zone
+
+
+def room(width: int, depth: int, *zones: Zone) -> Space:
+    return Space("room", Rect(0, 0, width, depth), zones, ())
+
+
+def free(label: str, width: int, depth: int, **more: object) -> Wanted:
+    return Wanted(label, True, (Alternative(label, (width, depth, 800), 0, None, (500, 500)),), **more)  # type: ignore[arg-type]
+
+
+def at_wall(label: str, width: int, depth: int, wall: str) -> Wanted:
+    return Wanted(label, True, (Alternative(label, (width, depth, 800), ROTATION_AT_WALL[wall], wall, (500, 500)),))
+
+
+def placed(space: Space, pieces: object) -> Arrangement:
+    return settle([arrange_as_wished(space, list(pieces), Budget())])[0]  # type: ignore[call-overload]
+
+
+def found(space: Space, *pieces: Wanted, walk: bool = False) -> Shortfall | None:
+    return shortfall(space, pieces, lambda longer, some: feasible(longer, some, Budget(), walk), placed)
+
+
+def test_two_pieces_side_by_side() -> None:
+    short = found(room(2100, 2000), free("bed", 1600, 2000), free("wardrobe", 600, 1900))
+    assert short is not None
+    assert (short.axis, short.missing_mm, short.clear_mm) == (0, 100, 2100)
+    assert sorted((length.name, length.mm) for length in short.lengths) == [("bed", 1600), ("wardrobe", 600)]
+
+
+def test_the_gap_to_the_wall_is_a_length_of_its_own() -> None:
+    short = found(room(1800, 2100), at_wall("bed", 1600, 2000, "north"), at_wall("shelf", 1500, 300, "south"))
+    assert short is not None
+    assert sentence(short) == "wall gap 0.03 + bed 2.00 + shelf 0.30 + wall gap 0.03 = 2.36 > 2.10 m from north to south: 26 cm short"
+
+
+def test_pieces_along_one_wall_name_it() -> None:
+    space = room(2000, 3000)
+    short = found(space, at_wall("desk", 1200, 600, "north"), at_wall("chest", 900, 600, "north"))
+    assert short is not None
+    assert sentence(short).endswith("= 2.10 > 2.00 m along the north wall: 10 cm short")
+
+
+def test_what_hangs_on_the_far_wall_goes_along_and_the_near_stays() -> None:
+    zones = (
+        Zone(Rect(2100, 0, 3000, 900), -1, "east_door"),
+        Zone(Rect(0, 0, 900, 900), -1, "west_door"),
+        Zone(Rect(0, 0, 3000, 90), -1, "strip"),
+    )
+    longer = longer_space(room(3000, 2000, *zones), 0, 250)
+    assert [zone.rect for zone in longer.zones] == [Rect(2350, 0, 3250, 900), Rect(0, 0, 900, 900), Rect(0, 0, 3250, 90)]
+    assert longer.clear == Rect(0, 0, 3250, 2000)
+    held = Wanted("a", True, (Alternative("a", (500, 500, 500), 0, within=Rect(2500, 0, 3000, 500)),))
+    (moved,) = longer_pieces(room(3000, 2000), [held], 0, 250)
+    assert moved.alternatives[0].within == Rect(2750, 0, 3250, 500)
+
+
+def test_a_locked_piece_begins_a_chain() -> None:
+    locked = Wanted("chest", True, (Alternative("chest", (800, 1000, 800), 0, within=Rect(0, 0, 800, 1000)),))
+    short = found(room(2000, 1000), locked, free("bed", 1300, 900))
+    assert short is not None
+    assert sentence(short) == "to the far side of chest 0.80 + bed 1.30 = 2.10 > 2.00 m from west to east: 10 cm short"
+
+
+def test_a_person_before_a_use_side_takes_up_length() -> None:
+    wardrobe = free("wardrobe", 1000, 600, stands=(Stand("front"),))
+    short = found(room(3000, 1100), wardrobe, walk=True)
+    assert short is not None
+    assert sentence(short) == "wardrobe 0.60 + to stand 0.60 = 1.20 > 1.10 m from north to south: 10 cm short"
+
+
+def test_where_no_growth_along_one_axis_helps_nothing_is_claimed() -> None:
+    assert found(room(1000, 1000), free("slab", 1200, 1200)) is None
+
+
+def test_where_the_search_ends_at_its_limit_nothing_is_claimed() -> None:
+    space, pieces = room(2100, 2000), (free("bed", 1600, 2000), free("wardrobe", 600, 1900))
+    assert shortfall(space, pieces, lambda longer, some: None, placed) is None
+
+
+def test_without_a_chain_the_sentence_only_says_how_much() -> None:
+    assert sentence(Shortfall(1, 135, 2000)) == "the 2.00 m that are clear from north to south are 13.5 cm short"
+
+
+@pytest.mark.parametrize(("mm", "words"), [(2100, "2.10"), (2105, "2.105"), (30, "0.03")])
+def test_metres_are_exact(mm: int, words: str) -> None:
+    assert metres(mm) == words
+
+
+@pytest.mark.parametrize(("mm", "words"), [(130, "13 cm"), (132, "13.2 cm"), (1, "0.1 cm")])
+def test_centimetres_are_exact(mm: int, words: str) -> None:
+    assert centimetres(mm) == words
+
+
+def test_a_conflict_leaves_out_who_has_nothing_to_do_with_it() -> None:
+    pieces = [free("stool", 300, 300), free("bed", 1600, 2000), free("wardrobe", 600, 1900)]
+    assert minimal_conflict(room(2100, 2000), pieces, "wardrobe") == ("bed", "wardrobe")
+    assert minimal_conflict(room(2600, 2000), pieces, "wardrobe") is None
