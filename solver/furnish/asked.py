@@ -138,18 +138,14 @@ def _wanted(asking: Asking, label: str) -> Wanted:
 
 
 def _ways(asking: Asking) -> list[Alternative]:
-    """Returns all ways, cheapest first; where hard relations rule all of them out, the others, so that placement can say so."""
+    """Returns all ways, cheapest first; none where the piece is too large, or hard relations rule all of them out."""
     every = [(stance, _some(kept(asking, stance))) for stance in stances(asking)]
     hard = any(rule.required for rule in asking.to_pieces)
     alone = [] if hard else list(_alone(asking, every))
     dearest = min((way.cost for way in alone), default=math.inf)
     bound = [way for way in tied(asking, every) if way.cost < dearest + _worth(asking)]
     bound.sort(key=lambda way: round(way.cost, 9))
-    ways = [*alone, *bound[:TIED]]
-    if not ways:
-        bare = Asking(asking.ask, (), (), {})
-        ways = list(_alone(bare, [(stance, kept(bare, stance)) for stance in stances(bare)]))
-    return sorted(ways, key=lambda way: round(way.cost, 9))
+    return sorted([*alone, *bound[:TIED]], key=lambda way: round(way.cost, 9))
 
 
 def _some(found: Sequence[Kept]) -> list[Kept]:

@@ -14,7 +14,7 @@ from solver.pipeline.others import other_placements
 from solver.pipeline.rounds import best_placement
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, minimal_conflict
-from solver.requested import MOST_ALTERNATIVES, Answered, Placement, Wish
+from solver.requested import MOST_ALTERNATIVES, Answered, Placement, Wish, kind_of
 from solver.scene import ROBOT_WIDTH, Conflict, Room
 from solver.wanted import Wanted
 
@@ -76,8 +76,10 @@ def _conflict(terms: Terms, pieces: Sequence[Wanted], missing: Wanted, budget: B
     members = minimal_conflict(terms.space, pieces, missing.label, budget)
     if members is None:
         if feasible(terms.space, pieces, budget):
-            return Conflict((missing.label,), f"{_sized(missing)} can stand with the others, but not where it and they can be reached")
-        return Conflict((missing.label,), f"not found: the search for a place for {_sized(missing)} ended at its limit")
+            return Conflict(
+                (missing.label,), f"{_sized(terms, missing)} can stand with the others, but not where it and they can be reached"
+            )
+        return Conflict((missing.label,), f"not found: the search for a place for {_sized(terms, missing)} ended at its limit")
     by_label = {piece.label: piece for piece in pieces}
     clear = terms.space.clear
     floor = f"the {clear.width / 1000:.2f} x {clear.depth / 1000:.2f} m of {terms.room.id}, clear of its doors and windows"
@@ -87,9 +89,13 @@ def _conflict(terms: Terms, pieces: Sequence[Wanted], missing: Wanted, budget: B
         for member in members
         if feasible(terms.space, [piece for piece in pieces if piece.label != member], budget)
     )
-    return Conflict(members, f"{' and '.join(_sized(by_label[member]) for member in members)} {how} {floor}", removals)
+    return Conflict(members, f"{' and '.join(_sized(terms, by_label[member]) for member in members)} {how} {floor}", removals)
 
 
-def _sized(piece: Wanted) -> str:
-    width, depth, _ = piece.alternatives[0].size_mm
-    return f"{piece.label} {width / 1000:.2f} x {depth / 1000:.2f} m"
+def _sized(terms: Terms, piece: Wanted) -> str:
+    entry = terms.catalogs.furniture[kind_of(_name(terms, piece.label))]
+    return f"{piece.label} {entry.size[0]:.2f} x {entry.size[1]:.2f} m"
+
+
+def _name(terms: Terms, label: str) -> str:
+    return next((wish.id for wish in terms.wishes if label in wish.labels), label)

@@ -188,3 +188,31 @@ def test_unknown_words_are_bad_use(capfdbinary: Captured, arguments: list[str]) 
 def test_the_reference_engine_gives_a_house_too(capfdbinary: Captured) -> None:
     assert main(["generate", "--seed", "1", "--width", "5", "--depth", "4", "--engine", "reference"]) == 0
     assert yaml.safe_load(capfdbinary.readouterr().out)["rooms"]
+
+
+ASKED = """
+room: {id: den_0, width: 4.0, depth: 3.5, openings: [{id: d, kind: door, wall: south, position: 1.0, width: 0.9}]}
+pieces:
+  - {id: shelf, name: bookshelf, relations: [{type: in_corner}]}
+  - {id: crate, name: crate, width: WIDE, depth: 0.5, height: 0.5, relations: [{type: beside, of: shelf}]}
+wall_thickness: 0.1
+"""
+
+
+def test_place_writes_the_answer_and_says_what_is_missing(tmp_path: Path, capfdbinary: Captured) -> None:
+    (tmp_path / "asked.yaml").write_text(ASKED.replace("WIDE", "0.5"))
+    assert main(["place", str(tmp_path / "asked.yaml"), "-o", str(tmp_path / "placed.json"), "-n", "3"]) == 0
+    answer = json.loads((tmp_path / "placed.json").read_text())
+    assert [entry["held"] for entry in answer["relations"]] == [True, True]
+    assert len(answer["alternatives"]) == 2
+    assert main(["validate", str(tmp_path / "placed.json"), "-o", str(tmp_path / "judged.json")]) == 0
+    (tmp_path / "asked.yaml").write_text(ASKED.replace("WIDE", "8.5"))
+    assert main(["place", str(tmp_path / "asked.yaml"), "--format", "json"]) == 1
+    out, words = capfdbinary.readouterr()
+    assert [entry["id"] for entry in json.loads(out)["unplaced"]] == ["crate"]
+    assert b"conflict crate: " in words and b"not held: crate beside shelf" in words
+
+
+def test_place_names_a_wrong_field(tmp_path: Path, capfdbinary: Captured) -> None:
+    (tmp_path / "asked.yaml").write_text(ASKED.replace("WIDE", "0"))
+    assert "asked.yaml: pieces[1].width: is 0" in refused(capfdbinary, "place", str(tmp_path / "asked.yaml"))

@@ -1,0 +1,190 @@
+"""place(): relations of every kind, obstacles, hard relations, alternatives, and the reason where it cannot be done."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from catalogs import load_catalogs
+from catalogs.schema import Rule
+from solver import Wish, place, validate
+from solver.errors import RequestError
+from solver.requested import Answered, in_order
+from solver.scene import Furniture, Opening, Room
+
+CATALOGS = load_catalogs()
+DOOR = Opening("door_1", "door", "south", 0.7, 0.9, connects_to="EXTERIOR")
+WINDOW = Opening("window_1", "window", "north", 2.0, 1.4, 1.2, 0.9)
+ROOM = Room("den_0", 0, "den", width=4.4, depth=4.0, openings=(DOOR, WINDOW))
+
+
+def rule(type: str, of: str | None = None, **more: Any) -> Rule:
+    return Rule.model_validate({"type": type, **({} if of is None else {"of": of}), **more})
+
+
+def wish(name: str, *relations: Rule, **more: Any) -> Wish:
+    return Wish(more.pop("id", name), name, relations=relations, **more)
+
+
+def block(name: str, *relations: Rule, size: tuple[float, float, float] = (0.5, 0.5, 0.8), **more: Any) -> Wish:
+    return wish(name, *relations, width=size[0], depth=size[1], height=size[2], **more)
+
+
+def placed(*wishes: Wish, room: Room = ROOM, **more: Any) -> Answered:
+    return place(room, wishes, wall_thickness=0.1, catalogs=CATALOGS, **more)
+
+
+def body(answer: Answered, label: str) -> Furniture:
+    return next(piece for piece in answer.best.scene.rooms[0].furniture if piece.id == label)
+
+
+def errors(answer: Answered) -> list[str]:
+    return [issue.message for issue in answer.best.issues if issue.severity == "error"]
+
+
+TABLE = block("table", size=(1.4, 0.8, 0.75))
+PAIRS = [
+    rule("beside", "table"), rule("in_front_of", "table"), rule("around", "table"), rule("under", "table"),
+    rule("near", "table", distance=0.4), rule("far_from", "table", distance=1.2), rule("facing", "table"), rule("aligned_with", "table"), rule("in_row", "table"),
+    rule("on", "table"),
+]  # fmt: skip
+ALONE = [
+    rule("against_wall"), rule("in_corner"), rule("centred"), rule("at_window"), rule("near_door", distance=0.8),
+    rule("far_from_door", distance=2.5), rule("near", "window", distance=0.4), rule("far_from", "window", distance=2.0),
+    rule("facing", "door"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("relation", [*PAIRS, *ALONE], ids=lambda one: f"{one.type} {' '.join(one.of)}")
+def test_every_relation_can_be_held(relation: Rule) -> None:
+    answer = placed(block("box", relation, size=(0.4, 0.4, 0.3)), TABLE)
+    assert [(entry.piece, entry.type, entry.held) for entry in answer.best.relations] == [("box", relation.type, True)]
+    assert (errors(answer), answer.best.unplaced, answer.conflicts) == ([], (), ())
+
+
+def test_a_piece_stands_opposite_another() -> None:
+    answer = placed(wish("tv_stand", rule("opposite", "sofa")), wish("sofa"))
+    assert answer.best.relations[0].held
+    assert (body(answer, "tv_stand").rotation - body(answer, "sofa").rotation) % 360 == 180
+
+
+def test_the_judge_agrees_with_plain_arithmetic() -> None:
+    answer = placed(block("box", rule("near", "table", distance=0.3)), replace(TABLE, relations=(rule("in_corner"),)))
+    box, table = body(answer, "box"), body(answer, "table")
+    wide, deep = (table.width, table.depth) if table.rotation % 180 == 0 else (table.depth, table.width)
+    gaps = max(abs(box.x - table.x) - (0.5 + wide) / 2, 0), max(abs(box.z - table.z) - (0.5 + deep) / 2, 0)
+    assert gaps[0] ** 2 + gaps[1] ** 2 <= 0.3**2 + 1e-9
+    assert min(table.x - wide / 2 - 0.05, 4.35 - table.x - wide / 2) <= 0.1
+    assert min(table.z - deep / 2 - 0.05, 3.95 - table.z - deep / 2) <= 0.1
+    assert [entry.held for entry in answer.best.relations] == [True, True]
+
+
+def test_relations_to_pieces_that_come_later_are_held() -> None:
+    answer = placed(block("lamp", rule("beside", "chair")), block("chair", rule("near", "table", distance=0.5)), TABLE)
+    assert all(entry.held for entry in answer.best.relations)
+    assert [one.id for one in in_order([block("a", rule("near", "b")), block("b", rule("near", "a"))])] == ["a", "b"]
+
+
+def test_what_stands_stays_and_is_in_the_way() -> None:
+    standing = Furniture("old", "wardrobe", x=1.0, z=0.4, width=1.6, depth=0.6, height=2.0, rotation=0, wall="north")
+    room = replace(ROOM, openings=(DOOR,), furniture=(standing,))
+    answer = placed(block("box", rule("beside", "old")), TABLE, room=room)
+    assert answer.best.scene.rooms[0].furniture[0] == standing
+    assert answer.best.relations[0].held
+    assert errors(answer) == []
+
+
+def test_what_stands_in_each_others_way_is_kept_clear_of() -> None:
+    one = Furniture("one", "crate", x=1.0, z=1.0, width=1.0, depth=1.0, height=1.0)
+    room = replace(ROOM, furniture=(one, replace(one, id="two", x=1.4)))
+    answer = placed(TABLE, room=room)
+    assert [set(issue.ids) for issue in answer.best.issues if issue.rule == "overlap"] == [{"one", "two"}]
+    assert [piece.id for piece in answer.best.scene.rooms[0].furniture] == ["one", "two", "table"]
+
+
+def test_copies_are_numbered_and_each_is_judged() -> None:
+    answer = placed(wish("bed"), wish("nightstand", rule("beside", "bed"), id="stand", count=2))
+    assert [(entry.piece, entry.of, entry.held) for entry in answer.best.relations] == [("stand_1", "bed", True), ("stand_2", "bed", True)]
+    assert {piece.id for piece in answer.best.scene.rooms[0].furniture} == {"bed", "stand_1", "stand_2"}
+
+
+def test_sizes_may_be_left_out_where_the_name_is_a_kind() -> None:
+    sofa = body(placed(wish("sofa")), "sofa")
+    assert (sofa.width, sofa.depth, sofa.height) == CATALOGS.furniture["sofa"].size
+
+
+def test_what_cannot_stand_together_is_a_minimal_conflict() -> None:
+    big = [block(name, size=(3.0, 2.4, 0.5)) for name in ("one", "two")]
+    answer = placed(*big, block("small"))
+    assert len(answer.best.unplaced) == 1
+    (conflict,) = answer.conflicts
+    assert set(conflict.ids) == {"one", "two"}
+    for left in big:
+        assert placed(left).conflicts == ()
+    assert {repair["id"] for repair in conflict.repairs} == {"one", "two"}
+
+
+def test_a_hard_relation_that_cannot_be_held_leaves_its_piece_out() -> None:
+    answer = placed(block("tall", rule("at_window", required=True), size=(0.6, 0.4, 2.0)), block("box"))
+    assert [entry.id for entry in answer.best.unplaced] == ["tall"]
+    assert [conflict.ids for conflict in answer.conflicts] == [("tall",)]
+    assert errors(answer) == []
+
+
+def test_a_hard_relation_to_what_the_room_lacks_leaves_its_piece_out() -> None:
+    answer = placed(block("box", rule("at_window", required=True)), room=replace(ROOM, openings=(DOOR,)))
+    assert [entry.id for entry in answer.best.unplaced] == ["box"]
+    assert [conflict.ids for conflict in answer.conflicts] == [("box",)]
+
+
+def test_an_optional_piece_gives_way() -> None:
+    answer = placed(block("one", size=(3.0, 2.4, 0.5), required=False), block("two", size=(3.0, 2.4, 0.5)))
+    assert [entry.id for entry in answer.best.unplaced] == ["one"]
+    assert answer.conflicts == ()
+
+
+def test_alternatives_differ_truly_and_are_ranked() -> None:
+    answer = placed(wish("sofa", rule("against_wall")), wish("bookshelf"), block("box", rule("in_corner")), alternatives=5)
+    every = [answer.best, *answer.alternatives]
+    assert len(every) == 5
+    assert [one.cost for one in every] == sorted(one.cost for one in every)
+    poses = [{p.id: (p.rotation, p.wall, p.x, p.z) for p in one.scene.rooms[0].furniture} for one in every]
+    for k, one in enumerate(poses):
+        for other in poses[:k]:
+            assert any(
+                one[name][:2] != other[name][:2] or max(abs(one[name][2] - other[name][2]), abs(one[name][3] - other[name][3])) > 0.5
+                for name in one
+            )
+    for one in every:
+        assert [issue for issue in validate(one.scene, CATALOGS) if issue.severity == "error"] == []
+        assert len(one.relations) == 2
+
+
+def test_the_same_request_gives_the_same_scene() -> None:
+    wishes = [wish("bed", rule("centred")), wish("desk", rule("at_window")), block("box", rule("beside", "desk"))]
+    assert placed(*wishes).best == placed(*wishes).best
+
+
+@pytest.mark.parametrize(
+    ("wishes", "more", "field"),
+    [
+        ([block("a"), block("a")], {}, "pieces[1].id"),
+        ([block("a", rule("near", "b"))], {}, "pieces[0].relations[0].of"),
+        ([block("a", rule("near"))], {}, "pieces[0].relations[0].of"),
+        ([block("a", rule("in_corner", "b")), block("b")], {}, "pieces[0].relations[0].of"),
+        ([block("a", rule("on", "a"))], {}, "pieces[0].relations[0].of"),
+        ([block("door")], {}, "pieces[0].id"),
+        ([wish("gizmo")], {}, "pieces[0].width"),
+        ([block("a", size=(0.5, 0.0, 1.0))], {}, "pieces[0].depth"),
+        ([block("a", count=0)], {}, "pieces[0].count"),
+        ([block("a", count=40), block("b", count=40)], {}, "pieces"),
+        ([block("a")], {"alternatives": 17}, "alternatives"),
+    ],
+)
+def test_bad_requests_name_the_field(wishes: list[Wish], more: dict[str, Any], field: str) -> None:
+    with pytest.raises(RequestError) as caught:
+        placed(*wishes, **more)
+    assert caught.value.field == field
+    assert caught.value.allowed

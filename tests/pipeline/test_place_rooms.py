@@ -1,0 +1,74 @@
+"""Fifty rooms of five types, as users might send them: what can be held is held, by the count of an exact oracle."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from catalogs import load_catalogs
+from service.placing import read_place
+from solver import place
+from solver.requested import Placement
+from tests.place_oracle import Oracle
+from tests.place_rooms import TYPES, place_request
+
+CATALOGS = load_catalogs()
+KINDS = {name: (entry.size, entry.stands) for name, entry in CATALOGS.furniture.items()}
+USE = {name: (entry.use.sides, entry.use.need == "all") for name, entry in CATALOGS.furniture.items() if entry.use}
+SEEDS = range(50)
+SECONDS = 20.0
+"""What the oracle may take for a room; it needs up to four."""
+
+
+@pytest.fixture(scope="module")
+def rooms() -> list[tuple[dict[str, Any], Placement]]:
+    found = []
+    for seed in SEEDS:
+        request = place_request(seed)
+        room, wishes, terms = read_place(request)
+        answer = place(room, wishes, wall_thickness=terms.wall_thickness, catalogs=CATALOGS)
+        found.append((request, answer.best))
+    return found
+
+
+def test_the_rooms_are_of_every_sort(rooms: list[tuple[dict[str, Any], Placement]]) -> None:
+    requests = [request for request, _ in rooms]
+    assert {request["room"]["type"] for request in requests} == set(TYPES)
+    assert {len(request["pieces"]) for request in requests} >= {5, 6, 7, 8, 9, 11, 12}
+    assert all(sum(opening["kind"] == "door" for opening in request["room"]["openings"]) == 2 for request in requests)
+    numbers = [len(piece["relations"]) for request in requests for piece in request["pieces"]]
+    assert max(numbers) == 4
+    assert sum(number >= 2 for number in numbers) >= 0.9 * len(numbers)
+
+
+def test_every_piece_stands_and_every_room_can_be_walked(rooms: list[tuple[dict[str, Any], Placement]]) -> None:
+    assert [entry for _, placement in rooms for entry in placement.unplaced] == []
+    wrong = [issue for _, placement in rooms for issue in placement.issues if issue.severity == "error" or issue.rule == "unreachable"]
+    assert wrong == []
+
+
+def test_what_can_be_held_is_held(rooms: list[tuple[dict[str, Any], Placement]]) -> None:
+    held = possible = 0
+    for request, placement in rooms:
+        own = sum(entry.held for entry in placement.relations)
+        word, most = "solved", own
+        if own < len(placement.relations):
+            word, more, _ = Oracle(request, KINDS, USE).most(own, SECONDS)
+            most = max(own, sum(more))
+        assert word in ("solved", "infeasible"), request["room"]["id"]
+        held, possible = held + own, possible + most
+    assert possible > 800
+    assert held >= 0.98 * possible, f"{held} of {possible}"
+
+
+def test_the_oracle_does_not_hold_what_cannot_be() -> None:
+    pieces = [
+        {"id": name, "name": "crate", "width": 0.5, "depth": 0.5, "height": 0.5, "relations": [{"type": "in_corner"}]} for name in "abcde"
+    ]
+    request = {"room": {"width": 4.0, "depth": 4.0, "openings": []}, "pieces": pieces}
+    assert Oracle(request, {}, {}).most(4, SECONDS)[0] == "infeasible"
+    word, more, _ = Oracle(request, {}, {}).most(3, SECONDS)
+    assert (word, sum(more)) == ("solved", 4)
+    far = [{**pieces[0], "relations": []}, {**pieces[1], "relations": [{"type": "far_from", "of": "a", "distance": 6.0}]}]
+    assert Oracle({**request, "pieces": far}, {}, {}).most(0, SECONDS)[0] == "infeasible"
