@@ -26,7 +26,7 @@ RULES: Final = {
     "wall_far": "error",
     "blocks_door": "error",
     "blocks_window": "error",
-    "unreachable": "warning",
+    "unreachable": "error",
     "missing_required": "warning",
 }
 """Every rule and its severity, in the order issues are listed."""
