@@ -62,4 +62,5 @@ def attempt(space: Space, wanted: Sequence[Wanted], terms: Terms) -> Arrangement
         return best
     kept = placed(space, near, Budget(terms.work))
     same = [label for label, _ in kept.left_out] == [label for label, _ in best.left_out]
-    return kept if same and kept.cost <= best.cost * (1 + CLEARLY_BETTER) + CLEARLY_CHEAPER else best
+    as_walkable = len(kept.notes) <= len(best.notes)
+    return kept if same and as_walkable and kept.cost <= best.cost * (1 + CLEARLY_BETTER) + CLEARLY_CHEAPER else best

@@ -46,7 +46,14 @@ class Case:
 
 
 def repairs_of(case: Case, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
-    """Returns what would help, cheapest first: to stand free of its wall, to unlock, to turn, to shrink, to leave out."""
+    """Returns what would help, cheapest first; where ways are kept free, what leaves all within reach, if anything does."""
+    if case.terms.wishes.uses and not case.walk:
+        return _repairs(replace(case, walk=True), members, short) or _repairs(case, members, short)
+    return _repairs(case, members, short)
+
+
+def _repairs(case: Case, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
+    """Tries to stand free of its wall, to unlock, to turn, to shrink, to leave out."""
     bodies = {body.id: body for body in all_bodies(case.rooms[0])}
     locked = holders(case.rooms[0], case.terms.wishes)
     loose = [bodies[member] for member in members if member not in locked]

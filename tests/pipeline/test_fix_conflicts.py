@@ -13,6 +13,7 @@ from solver.scene import Conflict, Opening, Room
 from tests.pipeline.fix_oracle import can_stand
 from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces, room_of, with_repair
 
+pytestmark = pytest.mark.usefixtures("geometry_alone")
 SEEDS = range(60)
 NOT_FOUND = "not found: "
 

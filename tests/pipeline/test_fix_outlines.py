@@ -11,6 +11,7 @@ from solver.scene import Opening, Room
 from solver.streams import Stream
 from tests.pipeline.fix_rooms import BACK_TO, body, errors, pieces, room_of
 
+pytestmark = pytest.mark.usefixtures("geometry_alone")
 SHAPES = {
     "L": ((0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0)),
     "T": ((0.0, 0.0), (4.5, 0.0), (4.5, 1.8), (3.0, 1.8), (3.0, 4.0), (1.2, 4.0), (1.2, 1.8), (0.0, 1.8)),

@@ -12,6 +12,7 @@ from solver.scene import Dynamic, Opening
 from solver.streams import Stream
 from tests.pipeline.fix_rooms import body, errors, room_of
 
+pytestmark = pytest.mark.usefixtures("geometry_alone")
 STEP = 0.05
 
 

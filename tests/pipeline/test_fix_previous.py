@@ -59,12 +59,18 @@ def jumps(answers: list[Poses]) -> int:
     return sum(any((a[i][0] - b[i][0]) ** 2 + (a[i][1] - b[i][1]) ** 2 > JUMP**2 for i in a) for a, b in steps)
 
 
+@pytest.mark.usefixtures("geometry_alone")
 def test_fewer_neighbours_jump_while_a_sofa_is_dragged() -> None:
     free = [jumps(dragged(living_room(seed), 120, False)) for seed in range(3)]
     held = [jumps(dragged(living_room(seed), 120, True)) for seed in range(3)]
     assert sum(free) > 0
     assert all(h <= f for h, f in zip(held, free, strict=True))
     assert sum(held) < sum(free)
+
+
+def test_no_more_neighbours_jump_where_ways_are_kept_free() -> None:
+    free, held = (jumps(dragged(living_room(1), 120, hold)) for hold in (False, True))
+    assert held <= free
 
 
 def between() -> Scene:
