@@ -47,8 +47,8 @@ def errors(answer: Answered) -> list[str]:
 TABLE = block("table", size=(1.4, 0.8, 0.75))
 PAIRS = [
     rule("beside", "table"), rule("in_front_of", "table"), rule("around", "table"), rule("under", "table"),
-    rule("near", "table", distance=0.4), rule("far_from", "table", distance=1.2), rule("facing", "table"), rule("aligned_with", "table"), rule("in_row", "table"),
-    rule("on", "table"),
+    rule("near", "table", distance=0.4), rule("far_from", "table", distance=1.2), rule("facing", "table"),
+    rule("aligned_with", "table"), rule("in_row", "table"), rule("on", "table"),
 ]  # fmt: skip
 ALONE = [
     rule("against_wall"), rule("in_corner"), rule("centred"), rule("at_window"), rule("near_door", distance=0.8),
