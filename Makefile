@@ -28,8 +28,11 @@ unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
 
 PY = .venv/bin/python
 PINS = pyproject.toml constraints.txt
+# The search is compiled when it is set up, and anew when its sources change: about a minute.
+KERNEL = $(wildcard solver/placement/kernel/*.py)
 UV = uv="$$($(PYTHON3) scripts/find_uv.py)" && "$$uv"
 INSTALL = $(UV) pip install --quiet --python $(PY) --constraint constraints.txt
+COMPILE = $(PY) -m solver.placement.kernel
 
 help: ## list the targets
 	@sed -n 's/^\([a-z]*\):.*## /  make \1  /p' Makefile
@@ -84,10 +87,12 @@ clean: ## remove everything that make brought or built
 	$(UV) venv --quiet --clear --python '$(PYTHON_VERSIONS)' .venv
 	@touch $@
 
-.venv/run.stamp: .venv/python.stamp $(PINS)
+.venv/run.stamp: .venv/python.stamp $(PINS) $(KERNEL)
 	$(INSTALL) --editable .
+	$(COMPILE)
 	@touch $@
 
-.venv/dev.stamp: .venv/python.stamp $(PINS)
+.venv/dev.stamp: .venv/python.stamp $(PINS) $(KERNEL)
 	$(INSTALL) --editable . --group dev
+	$(COMPILE)
 	@touch $@ .venv/run.stamp
