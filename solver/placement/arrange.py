@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits
-from solver.placement.encode import encode
+from solver.placement.encode import EMPTY_FLOOR, FREE_CENTRES_MM2, empty_floor, encode, spread_floor
 from solver.placement.kernel.fill import COVERED, NO_WAY, SPENT
 from solver.placement.kernel.layout import ABSENT, Ints
 from solver.placement.outcome import Outcome
@@ -19,8 +19,12 @@ from solver.placement.problem import Problem
 from solver.wanted import Alternative, Space, Wanted
 
 LIMITS = Limits()
-FIX_LIMITS = Limits(required=400, required_qps=2000)
+FIX_LIMITS = Limits(required=600, required_qps=500)
 """A repair tries fewer ways: the first is nearly always the best, and someone is dragging."""
+MARGIN_MM = 2
+"""Rounding to millimetres moves each of two bodies by less than one."""
+FLOOR_PROBES = 8
+"""Shapes of the least floor whose ends are tried before a room is said to be too full to walk in."""
 REASONS = {
     NO_WAY: "none of the ways to stand it leaves the room valid and walkable",
     COVERED: "the floor is covered as densely as wished without it",
@@ -48,6 +52,7 @@ class Draft:
 
     space: Space
     core: Core
+    decisions: Ints
     problem: Problem
     outcome: Outcome
     chosen: tuple[Chosen, ...]
@@ -78,8 +83,7 @@ def arrange(space: Space, wanted: Sequence[Wanted], walk: bool = True, budget: B
     left_out: list[tuple[Wanted, str]] = []
     solves = 0
     while True:
-        core = Core(encode(space, pieces, "stands" if walk else "none"))
-        arranged = core.arrange(limits, allowed, walk)
+        core, arranged = _attempt(space, pieces, walk, limits, allowed)
         solves += arranged.solves
         if arranged.complete:
             return _draft(core, arranged, left_out, solves, walk)
@@ -88,6 +92,17 @@ def arrange(space: Space, wanted: Sequence[Wanted], walk: bool = True, budget: B
         missing = pieces.pop(arranged.deepest)
         word = "no way to stand it is free" if arranged.closed else "no place was found for it"
         left_out.append((missing, f"{word} beside the pieces before it"))
+
+
+def _attempt(space: Space, pieces: Sequence[Wanted], walk: bool, limits: Limits, budget: Budget) -> tuple[Core, Arranged]:
+    """Arranges the pieces; where walking alone stands against the required ones, once more with empty floor asked for."""
+    core = Core(encode(space, pieces, "stands" if walk else "none"))
+    arranged = core.arrange(limits, budget, walk)
+    if arranged.complete or arranged.closed or not walk or budget.spent:
+        return core, arranged
+    with_floor = Core(encode(space, (empty_floor(space), *pieces), "stands"))
+    again = with_floor.arrange(limits, budget, walk)
+    return (with_floor, again) if again.complete else (core, arranged)
 
 
 def walkable_when_empty(space: Space) -> bool:
@@ -105,6 +120,7 @@ def _draft(core: Core, arranged: Arranged, left_out: list[tuple[Wanted, str]], s
     return Draft(
         core.encoded.space,
         core,
+        arranged.decisions,
         core.problem(),
         outcome,
         _chosen(core, arranged.decisions),
@@ -117,11 +133,22 @@ def _draft(core: Core, arranged: Arranged, left_out: list[tuple[Wanted, str]], s
     )
 
 
+def with_margin(draft: Draft) -> Draft | None:
+    """Searches a draft's placement once more for a person `MARGIN_MM` wider, so that the walk outlasts the snap; None if none."""
+    wider = replace(draft.space, robot_mm=draft.space.robot_mm + MARGIN_MM)
+    core = Core(encode(wider, draft.core.encoded.wanted, draft.core.encoded.walk))
+    if not core.evaluate(draft.decisions, LIMITS.final_qps, Budget(), True):
+        return None
+    outcome = core.outcome()
+    cost = draft.cost - draft.outcome.cost + outcome.cost
+    return replace(draft, core=core, problem=core.problem(), outcome=outcome, cost=cost, proven=False)
+
+
 def _chosen(core: Core, decisions: Ints) -> tuple[Chosen, ...]:
     return tuple(
         Chosen(piece, *core.decided(k, int(decisions[k])), core.rotation(k))
         for k, piece in enumerate(core.encoded.wanted)
-        if decisions[k] != ABSENT
+        if decisions[k] != ABSENT and not piece.label.startswith(EMPTY_FLOOR)
     )
 
 
@@ -133,7 +160,9 @@ def _cut_short(core: Core, left_out: list[tuple[Wanted, str]], solves: int, walk
     absent = [(piece, REASONS[SPENT]) for k, piece in enumerate(core.encoded.wanted) if decisions[k] == ABSENT]
     chosen = _chosen(core, decisions)
     cost = outcome.cost + preference
-    return Draft(core.encoded.space, core, core.problem(), outcome, chosen, cost, [*left_out, *absent], solves, False, False, walk)
+    return Draft(
+        core.encoded.space, core, decisions, core.problem(), outcome, chosen, cost, [*left_out, *absent], solves, False, False, walk
+    )
 
 
 def arrange_as_wished(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Draft:
@@ -145,9 +174,10 @@ def arrange_as_wished(space: Space, wanted: Sequence[Wanted], budget: Budget) ->
     together = _together(space, wanted, budget)
     others = [a.cost for piece in wanted for a in piece.alternatives[1:] if a.cost > 0]
     least = min(others, default=float("inf"))
+    choosy = any(len(piece.stands) > 1 and not piece.need_all for piece in wanted)
     if together is not None and together.walkable and together.cost <= least:
         return together
-    if others and walkable_when_empty(space):
+    if (others or choosy or together is not None) and walkable_when_empty(space):
         draft = arrange(space, wanted, budget=budget, limits=FIX_LIMITS)
         if not draft.left_out and (together is None or not together.walkable or draft.cost < together.cost):
             return draft
@@ -162,44 +192,66 @@ def arrange_as_wished(space: Space, wanted: Sequence[Wanted], budget: Budget) ->
 
 def _together(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Draft | None:
     """Searches a place for all pieces at once, each in its first way: with least movement, then walkable if it is not."""
-    least: Draft | None = None
-    for walk, mode in ((False, "test"), (True, "test"), (True, "stands")):
-        core = Core(encode(space, wanted, mode))
-        decisions = core.first_ways()
-        if decisions is None or not core.evaluate(decisions, LIMITS.final_qps, budget, walk):
-            if least is None:
-                return None
-            continue
-        outcome = core.outcome()
-        draft = Draft(
-            space,
-            core,
-            core.problem(),
-            outcome,
-            _chosen(core, decisions),
-            outcome.cost + core.preference(decisions),
-            solves=outcome.solves,
-            proven=outcome.proven,
-            walkable=walk or core.walkable_near(outcome),
-        )
-        if draft.walkable:
-            return draft
-        least = draft
-    return least
+    least = _all_at_once(space, wanted, budget, False, "test")
+    if least is None or least.walkable:
+        return least
+    modes = ("stands", "mixed") if any(len(piece.stands) > 1 for piece in wanted) else ("stands",)
+    found = [draft for mode in modes if (draft := _all_at_once(space, wanted, budget, True, mode)) is not None]
+    if not found:
+        return _all_at_once(space, wanted, budget, True, "test") or least
+    return min(found, key=lambda draft: round(draft.cost, 9))
 
 
-def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = None, walk: bool = False) -> bool | None:
+def _all_at_once(space: Space, wanted: Sequence[Wanted], budget: Budget, walk: bool, mode: str) -> Draft | None:
+    core = Core(encode(space, wanted, mode))
+    decisions = core.first_ways()
+    if decisions is None or not core.evaluate(decisions, LIMITS.final_qps, budget, walk):
+        return None
+    outcome = core.outcome()
+    return Draft(
+        space,
+        core,
+        decisions,
+        core.problem(),
+        outcome,
+        _chosen(core, decisions),
+        outcome.cost + core.preference(decisions),
+        solves=outcome.solves,
+        proven=outcome.proven,
+        walkable=walk or core.walkable_near(outcome),
+    )
+
+
+def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = None, walk: bool = False, prove: bool = True) -> bool | None:
     """Tells whether the pieces can all stand together; None where a limit was hit first.
 
     Args:
         space: the room.
         pieces: all of them are asked for, required or not.
         budget: the work it may cost.
-        walk: whether doors and use sides must be joined too. "No" is then only said where the search without the last
-            test, whether all free floor is one, is infeasible already.
+        walk: whether doors and use sides must be joined too. "No" is then only said where that is proven: where use sides
+            alone, or two far ends of the floor that a room must have, leave no place for all.
+        prove: whether "no" is worth the work of its proof to the caller.
     """
+    allowed = budget or Budget()
     core = Core(encode(space, pieces, "stands" if walk else "none"))
-    decisions, exact = core.stand_together(LIMITS, budget or Budget(), walk)
+    decisions, exact = core.stand_together(LIMITS, allowed, walk)
     if decisions is not None:
         return True
-    return False if exact else None
+    if exact or not walk:
+        return False if exact else None
+    with_floor = Core(encode(space, (empty_floor(space), *pieces), "stands"))
+    if with_floor.stand_together(LIMITS, allowed, True)[0] is not None:
+        return True
+    return False if prove and _too_little_floor(space, pieces, allowed) else None
+
+
+def _too_little_floor(space: Space, pieces: Sequence[Wanted], budget: Budget) -> bool:
+    """Tells whether the pieces, their use sides and the floor a room must have provably find no place together."""
+    for part in range(1, FLOOR_PROBES + 1):
+        reach = max((space.clear.width - space.robot_mm) * part // FLOOR_PROBES, FREE_CENTRES_MM2 // 10_000)
+        core = Core(encode(space, (*spread_floor(space, reach + part), *pieces), "stands"))
+        decisions, exact = core.stand_together(LIMITS, budget, False)
+        if decisions is None and exact:
+            return True
+    return False

@@ -12,9 +12,10 @@ import numpy as np
 
 from solver.geometry import Rect
 from solver.placement.kernel import layout
+from solver.placement.kernel.assembly import PERSON_MM
 from solver.placement.kernel.layout import Engine, Ints, Room
 from solver.placement.kernel.space import Sizes, new_engine
-from solver.wanted import Alternative, Doorway, Link, Space, Wanted
+from solver.wanted import Alternative, Attach, Doorway, Link, Space, Wanted
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
@@ -27,8 +28,12 @@ _RELATIONS = {
 }
 OTHER_SIDE_COST = 0.05
 """What using the second of several allowed sides costs: order, not preference."""
+FREE_CENTRES_MM2 = 250_000
+"""Free centres a room must have for the person (contract)."""
 LEAST_FLOOR_MM2 = 255_000
-"""Free centres a room must have for the person (contract: 0.25 m2), and a little for the snap."""
+"""The same, and a little for the snap."""
+EMPTY_FLOOR = " floor"
+"""Label of a piece that stands for floor to be kept empty; see `empty_floor`."""
 MOST_STATES = 6500
 """Prefixes the best-first search may keep."""
 
@@ -41,6 +46,7 @@ class Encoded:
     wanted: tuple[Wanted, ...]
     alternatives: tuple[Alternative, ...]
     side_names: tuple[tuple[str, ...], ...]
+    walk: str
     engine: Engine
 
 
@@ -50,7 +56,7 @@ def _side_choices(wanted: Wanted, walk: str) -> list[tuple[tuple[str, ...], tupl
         return [((), (0, 0, 0), 0.0)]
     names = tuple(stand.side for stand in wanted.stands)
     bits = [SIDES[name] for name in names]
-    if walk == "test":
+    if walk == "test" or (walk == "mixed" and len(bits) > 1):
         return [(names, (0, 0, sum(bits)) if wanted.need_all else (0, sum(bits), 0), 0.0)]
     if wanted.need_all:
         return [(names, (sum(bits), 0, 0), 0.0)]
@@ -129,8 +135,11 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
     Args:
         space: where the room's furniture may stand.
         wanted: pieces, parents before what is attached to them.
-        walk: "stands" gives every use side to be reached a person's square; "test" only asks the walk for them; "none"
-            asks for no use sides at all.
+        walk: "stands" gives every use side to be reached a person's square; "test" only asks the walk for them; "mixed"
+            does that where there are several sides; "none" asks for no use sides at all.
+
+    Raises:
+        ValueError: a piece comes before the one it is attached to.
     """
     tables = _Tables(space, wanted)
     pieces, alts, alt_costs, links, link_costs = [], [], [], [], []
@@ -139,11 +148,14 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
     names: list[tuple[str, ...]] = []
     chosen: list[Alternative] = []
     for piece in wanted:
+        empty = layout.EMPTY_FLOOR if piece.label.startswith(EMPTY_FLOOR) else 0
         starts = (len(alts), len(links), len(sides))
         numbers: dict[Hashable, int] = {}
         for a in piece.alternatives:
             if a.attach is not None and a.attach.parent not in tables.piece:
                 continue
+            if a.attach is not None and tables.piece[a.attach.parent] >= len(pieces):
+                raise ValueError(f"{piece.label} must come after {a.attach.parent}, which it is attached to")
             alts.append(tables.alternative(a, numbers.setdefault(kin(a), len(numbers))))
             alt_costs.append([*a.weights, a.cost])
             chosen.append(a)
@@ -156,13 +168,16 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
             names.append(side_names)
             sides.append(bits)
             side_costs.append(cost)
-        pieces.append([int(piece.required), starts[0], len(alts), starts[1], len(links), starts[2], len(sides), len(pieces) + 1])
+        pieces.append([int(piece.required), starts[0], len(alts), starts[1], len(links), starts[2], len(sides), len(pieces) + 1, empty])
     _group(pieces, wanted)
     room = Room(
         _space_row(space, walk),
-        _matrix([[zone.rect.x0, zone.rect.z0, zone.rect.x1, zone.rect.z1, zone.above_mm, int(zone.cause == "outline")] for zone in space.zones], 6),
+        _matrix(
+            [[zone.rect.x0, zone.rect.z0, zone.rect.x1, zone.rect.z1, zone.above_mm, int(zone.cause == "outline")] for zone in space.zones],
+            6,
+        ),
         _matrix([door_target(space, door) for door in space.doorways], 4),
-        _matrix(pieces, 8),
+        _matrix(pieces, 9),
         np.array([piece.skip_cost for piece in wanted], dtype=np.float64),
         _matrix(sides, 3),
         np.array(side_costs, dtype=np.float64),
@@ -171,7 +186,7 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
         _matrix(links, 4),
         _values(link_costs, 5),
     )
-    return Encoded(space, tuple(wanted), tuple(chosen), tuple(names), new_engine(room, _sizes(room)))
+    return Encoded(space, tuple(wanted), tuple(chosen), tuple(names), walk, new_engine(room, _sizes(room)))
 
 
 def _group(pieces: list[list[int]], wanted: Sequence[Wanted]) -> None:
@@ -201,10 +216,41 @@ def _sizes(room: Room) -> Sizes:
         pieces=max(count, 1),
         variables=max(parts, 1),
         choices=parts * (parts - 1) // 2 + parts * len(room.zones) + 1,
-        rows=4 * count + 2 * stands + 4,
+        rows=4 * count + 2 * stands + (stands + 2) * (stands + len(room.doors) + 2) + 4,
         pulls=2 * count + stands + 2 * len(room.links) + 1,
         walls=len(room.zones),
         doors=len(room.doors),
         ways=max(most_ways, 1),
         states=MOST_STATES,
     )
+
+
+FLOOR_SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760))
+"""Rectangles of floor in each of which a person of 0.6 m has the 0.25 m2 of free centres that a room must have."""
+FLOOR_PULL = 0.02
+
+
+def empty_floor(space: Space) -> Wanted:
+    """Returns a piece that stands for enough empty floor to count as a room: bodies keep out, people do not."""
+    clear, more = space.clear, space.robot_mm - 600
+    middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)
+    pull = (FLOOR_PULL, FLOOR_PULL)
+    shapes = tuple(Alternative("floor", (width + more, depth + more, PERSON_MM), 0, None, middle, pull) for width, depth in FLOOR_SHAPES_MM)
+    return Wanted(EMPTY_FLOOR, True, shapes)
+
+
+def spread_floor(space: Space, reach_mm: int) -> tuple[Wanted, Wanted]:
+    """Returns two places for a person that any 0.25 m2 of connected free centres contain: that far apart along x, or else
+    so far along z that the product is 0.25 m2 (a connected set's area is at most that of its bounding box).
+    """
+    clear, robot = space.clear, space.robot_mm
+    middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)
+    size, pull = (robot, robot, PERSON_MM), (FLOOR_PULL, FLOOR_PULL)
+    first = Wanted(EMPTY_FLOOR, True, (Alternative("floor", size, 0, None, middle, pull),))
+    other = -(-FREE_CENTRES_MM2 // reach_mm)
+    far = max(clear.width, clear.depth)
+    ways = tuple(
+        Alternative("floor", size, 0, None, weights=pull, attach=Attach(EMPTY_FLOOR, "floor", across, along))
+        for across, along in (((reach_mm, max(far, reach_mm) + 1), (-far, far)), ((-far, far), (other, max(far, other) + 1)))
+    )
+    return first, Wanted(f"{EMPTY_FLOOR} beyond", True, ways)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.geometry import Rect
-from solver.placement.arrange import Draft, arrange
+from solver.placement.arrange import Draft, arrange, with_margin
 from solver.placement.explain import why_left_out
 from solver.placement.qp import Decided, solve_house
 from solver.placement.snap import snap
@@ -53,6 +53,9 @@ def decided(draft: Draft) -> Decided:
 
 def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> Arrangement:
     p, walkable = _snapped(draft, room, positions)
+    if draft.walkable and not walkable and (wider := with_margin(draft)) is not None:
+        draft, room = wider, decided(wider)
+        p, walkable = _snapped(draft, room, room.positions)
     bodies = {part.label: part for part in draft.problem.parts if not part.stand}
     placed: list[Placed] = []
     for c in draft.chosen:

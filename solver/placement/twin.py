@@ -24,6 +24,7 @@ LIMIT = 4000
 """QPs after which the search gives up proving."""
 COST_TOLERANCE = 1e-9
 
+
 @dataclass(frozen=True)
 class _Node:
     picks: tuple[tuple[int, Row], ...]

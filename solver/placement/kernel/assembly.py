@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from solver.placement.kernel.barriers import add_barriers, add_row
+from solver.placement.kernel.frames import facing, turned_x, turned_z
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     ABOVE,
@@ -20,24 +22,21 @@ from solver.placement.kernel.layout import (
     ANCHOR_X,
     ASSEMBLED,
     AXIS,
-    BACK,
     BOTTOM,
     DEPTH,
     EAST,
+    EMPTY,
     EXT_X,
-    FRONT,
     GAP,
     HEIGHT,
     HIGH,
     IN_X0,
-    LEFT,
     LINK_0,
     LINK_1,
     LOW,
     N_CHOICES,
     N_PARTS,
     N_PULLS,
-    N_ROWS,
     NEAR,
     NORTH,
     OF,
@@ -48,7 +47,6 @@ from solver.placement.kernel.layout import (
     PIECE,
     PULL_OFFSET,
     PULL_WEIGHT,
-    RIGHT,
     ROBOT,
     SIDES_0,
     SLACK,
@@ -80,33 +78,6 @@ PERSON_MM: Final = 1800
 """Height a standing person needs free, mm."""
 
 
-@compiled(lambda t: t.i8(t.i8, t.i8, t.i8))
-def turned_x(x: int, z: int, turn: int) -> int:
-    """Returns the x of a vector turned counter-clockwise seen from above (0 faces south, 90 east)."""
-    if turn == 0:
-        return x
-    if turn == 90:
-        return z
-    return -x if turn == 180 else -z
-
-
-@compiled(lambda t: t.i8(t.i8, t.i8, t.i8))
-def turned_z(x: int, z: int, turn: int) -> int:
-    """Returns the z of a vector turned counter-clockwise seen from above."""
-    if turn == 0:
-        return z
-    if turn == 90:
-        return -x
-    return -z if turn == 180 else x
-
-
-@compiled(lambda t: t.none(t.ints, t.int_rows, t.i8, t.i8, t.i8, t.i8))
-def _row(counts: Ints, rows: Ints, axis: int, i: int, j: int, s: int) -> None:  # noqa: PLR0913
-    k = counts[N_ROWS]
-    rows[k, AXIS], rows[k, I], rows[k, J], rows[k, S] = axis, i, j, s
-    counts[N_ROWS] = k + 1
-
-
 @compiled(lambda t: t.none(t.ints, t.int_rows, t.float_rows, t.i8, t.i8, t.i8, t.f8, t.f8))
 def _pull(counts: Ints, pulls: Ints, costs: Floats, axis: int, i: int, j: int, offset: float, weight: float) -> None:  # noqa: PLR0913
     k = counts[N_PULLS]
@@ -122,7 +93,7 @@ def _rooted(room: Room, work: Work, piece: int, alt: int) -> None:
     turn, wall, slack = alts[alt, TURN], alts[alt, WALL], alts[alt, SLACK]
     body = work.counts[N_PARTS]
     work.counts[N_PARTS] = body + 1
-    parts[body, PIECE], parts[body, STAND] = piece, 0
+    parts[body, PIECE], parts[body, STAND] = piece, room.pieces[piece, EMPTY]
     across = turn == 90 or turn == 270
     near, far = (space[GAP], space[GAP]) if slack < 0 else (0, slack)
     for axis in range(2):
@@ -146,14 +117,14 @@ def _rooted(room: Room, work: Work, piece: int, alt: int) -> None:
 @compiled(lambda t: t.none(t.Room, t.Work, t.i8, t.i8))
 def _attached(room: Room, work: Work, piece: int, alt: int) -> None:
     """Adds a body that stands at a slot of its parent: with the parent's variable where the slot is rigid."""
-    alts, parts, space, sizes = room.alts, work.parts, room.space, work.sizes
+    alts, parts, sizes = room.alts, work.parts, work.sizes
     counts, lows, highs = work.counts, work.low, work.high
     parent = work.body_part[alts[alt, PARENT]]
     turn = work.rotation[alts[alt, PARENT]]
     rotation = (turn + alts[alt, TURN]) % 360
     body = counts[N_PARTS]
     counts[N_PARTS] = body + 1
-    parts[body, PIECE], parts[body, STAND] = piece, 0
+    parts[body, PIECE], parts[body, STAND] = piece, room.pieces[piece, EMPTY]
     across = rotation == 90 or rotation == 270
     for axis in range(2):
         extent = alts[alt, DEPTH] if across == (axis == 0) else alts[alt, WIDTH]
@@ -164,7 +135,7 @@ def _attached(room: Room, work: Work, piece: int, alt: int) -> None:
             first = turned_z(alts[alt, ACROSS_0], alts[alt, ALONG_0], turn)
             last = turned_z(alts[alt, ACROSS_1], alts[alt, ALONG_1], turn)
         least, most = min(first, last), max(first, last)
-        low, high = space[X0 + axis], space[X1 + axis] - extent
+        low, high = alts[alt, IN_X0 + axis], alts[alt, IN_X0 + 2 + axis] - extent
         u = parts[parent, VAR_X + axis]
         shift = (parts[parent, EXT_X + axis] - extent) // 2 + parts[parent, OFF_X + axis]
         if least == most:
@@ -178,24 +149,13 @@ def _attached(room: Room, work: Work, piece: int, alt: int) -> None:
             lows[axis, v], highs[axis, v] = low, high
             work.anchor_weight[axis, v], work.anchor_at[axis, v] = 0.0, 0.0
             parts[body, OFF_X + axis] = 0
-            _row(counts, work.rows, axis, u, v, shift + least)
-            _row(counts, work.rows, axis, v, u, -shift - most)
+            add_row(counts, work.rows, axis, u, v, shift + least)
+            add_row(counts, work.rows, axis, v, u, -shift - most)
             middle = (2 * shift + least + most) / 2000
             _pull(counts, work.pulls, work.pull_costs, axis, u, v, middle, room.alt_costs[alt, WEIGHT_X + axis])
         parts[body, VAR_X + axis], parts[body, EXT_X + axis] = v, extent
     parts[body, LOW], parts[body, HIGH] = alts[alt, BOTTOM], alts[alt, BOTTOM] + alts[alt, HEIGHT]
     work.body_part[piece], work.rotation[piece] = body, rotation
-
-
-@compiled(lambda t: t.i8(t.i8, t.i8))
-def facing(side: int, rotation: int) -> int:
-    """Returns the wall that a side of a body with that rotation looks at."""
-    x = 1 if side == RIGHT else -1 if side == LEFT else 0
-    z = 1 if side == FRONT else -1 if side == BACK else 0
-    dx, dz = turned_x(x, z, rotation), turned_z(x, z, rotation)
-    if dx == 0:
-        return SOUTH if dz > 0 else NORTH
-    return EAST if dx > 0 else WEST
 
 
 @compiled(lambda t: t.none(t.Room, t.Work, t.i8, t.i8))
@@ -219,8 +179,8 @@ def _stand(room: Room, work: Work, piece: int, side: int) -> None:
     sizes[along] = own + 1
     lows[along, own], highs[along, own] = space[X0 + along], space[X1 + along] - size
     work.anchor_weight[along, own], work.anchor_at[along, own] = 0.0, 0.0
-    _row(counts, rows, along, v, own, start - size // 2)
-    _row(counts, rows, along, own, v, size // 2 - extent - start)
+    add_row(counts, rows, along, v, own, start - size // 2)
+    add_row(counts, rows, along, own, v, size // 2 - extent - start)
     _pull(counts, work.pulls, work.pull_costs, along, v, own, (2 * start + extent - size) / 2000, STAND_WEIGHT)
     parts[part, VAR_X + along], parts[part, OFF_X + along], parts[part, EXT_X + along] = own, 0, size
     parts[part, LOW], parts[part, HIGH] = 0, PERSON_MM
@@ -394,6 +354,7 @@ def assemble(room: Room, work: Work, decisions: Ints) -> bool:
                 if sides[side, STANDS] & (1 << bit):
                     _stand(room, work, piece, 1 << bit)
             _linked(room, work, piece)
+            add_barriers(room, work, known)
             _choices(room, work, known)
         _mark(work, piece, decisions[piece])
     work.counts[ASSEMBLED] = len(decisions)

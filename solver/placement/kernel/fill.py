@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from solver.placement.kernel.grow import BEST, CLOSED, EVALUATED, LAPSED, MANY, SOLVED_QPS, best_first, evaluate
+from solver.placement.kernel.grow import BEST, CLOSED, DOUBTED, EVALUATED, LAPSED, MANY, SOLVED_QPS, best_first, evaluate
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     ABSENT,
@@ -16,6 +16,7 @@ from solver.placement.kernel.layout import (
     BOTTOM,
     COVER,
     DEPTH,
+    EMPTY,
     EXHAUSTED,
     GROUP_END,
     KIN,
@@ -51,7 +52,7 @@ def covered(room: Room, decisions: Ints) -> int:
     for piece in range(len(decisions)):
         if decisions[piece] != ABSENT:
             alt = room.alts[decisions[piece] // 8]
-            if alt[BOTTOM] == 0 and alt[UNDER] < 0:
+            if alt[BOTTOM] == 0 and alt[UNDER] < 0 and room.pieces[piece, EMPTY] == 0:
                 area += alt[WIDTH] * alt[DEPTH]
     return area
 
@@ -222,7 +223,7 @@ def arrange_room(  # noqa: PLR0913
     costs[0], costs[1], costs[2] = 0.0, 0.0, 1e12
     report[:] = 0
     if required > 0 and not _join(engine, decisions, costs, tree.group, tree.own_limits, walk):
-        report[1] = tree.counters[CLOSED]
+        report[1] = tree.counters[CLOSED] * (1 - tree.counters[DOUBTED])
         report[3] = tree.counters[SOLVED_QPS]
         return
     report[0], report[1] = 1, tree.counters[CLOSED] if required > 0 else 1

@@ -7,9 +7,8 @@ asked, so that a gap of exactly its size counts. Targets then never lie on a cut
 
 from __future__ import annotations
 
-from typing import Final
-
-from solver.placement.kernel.assembly import facing
+from solver.placement.kernel.barriers import HEADROOM_MM
+from solver.placement.kernel.frames import facing
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     ABSENT,
@@ -36,8 +35,6 @@ from solver.placement.kernel.layout import (
     Work,
 )
 
-HEADROOM_MM: Final = 2000
-"""What hangs higher is walked under (as the validator has it)."""
 # Grid.areas of the walk: number of blocks, of targets, of cuts along x and z, of components, of target numbers, the door's component
 BLOCKS, TARGETS, CUTS_X, CUTS_Z, COMPONENTS, NUMBERS, ENTERED = range(7)
 
@@ -240,5 +237,3 @@ def walkable(room: Room, work: Work, grid: Grid, p: Ints) -> bool:
     if entered == 0:
         return grid.state[NUMBERS] == 0 and space[LEAST_FLOOR] == 0
     return grid.reached[entered, 0] == grid.state[NUMBERS] and grid.areas[entered] >= 4 * space[LEAST_FLOOR]
-
-

@@ -23,7 +23,9 @@ X0, Z0, X1, Z1, GAP, ROBOT, COVER, LEAST_FLOOR = range(8)
 # Room.zones: a rectangle, above which height it counts, whether it is a wall (a part missing from the room)
 ABOVE, WALL_ZONE = 4, 5
 # Room.pieces
-REQUIRED, ALT_0, ALT_1, LINK_0, LINK_1, SIDES_0, SIDES_1, GROUP_END = range(8)
+REQUIRED, ALT_0, ALT_1, LINK_0, LINK_1, SIDES_0, SIDES_1, GROUP_END, EMPTY = range(9)
+EMPTY_FLOOR = 16
+# EMPTY is EMPTY_FLOOR for floor that is asked for empty, as if a person stood all over it: no body, but apart from all bodies
 # Room.sides: bits of the use sides that get a stand; without one: bits of which any, and of which all must be reached
 STANDS, ANY_OF, ALL_OF = 0, 1, 2
 FRONT, BACK, LEFT, RIGHT = 1, 2, 4, 8

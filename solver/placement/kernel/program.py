@@ -8,7 +8,22 @@ from __future__ import annotations
 
 from solver.placement.kernel.dual import FEASIBLE, continue_dual
 from solver.placement.kernel.jit import compiled
-from solver.placement.kernel.layout import AXIS, N_PULLS, N_ROWS, ORIGIN, PULL_OFFSET, PULL_WEIGHT, Floats, I, Ints, J, Nodes, Programs, S, Work
+from solver.placement.kernel.layout import (
+    AXIS,
+    N_PULLS,
+    N_ROWS,
+    ORIGIN,
+    PULL_OFFSET,
+    PULL_WEIGHT,
+    Floats,
+    I,
+    Ints,
+    J,
+    Nodes,
+    Programs,
+    S,
+    Work,
+)
 
 
 @compiled(lambda t: t.b1(t.int_rows, t.float_rows, t.int_cubes, t.float_rows, t.i8, t.i8, t.i8, t.i8, t.i8))
