@@ -14,12 +14,13 @@ from solver.pipeline.attempt import Terms
 from solver.pipeline.mend import Mended, explain_unreached, mend_room, settle_room
 from solver.pipeline.people import People, mend_people
 from solver.pipeline.timing import Clock, Timing
-from solver.placement import ROOM_WORK
 from solver.repair import Body, Sides, Wishes, all_bodies
 from solver.scene import Conflict, Dynamic, Fixed, Issue, Move, Pose, Room, Scene, check_ids, robot_width_of
 from solver.validate import RULES, validate
 from solver.wanted import Space
 
+MOST_ROOM_WORK = 100_000.0
+"""Work each attempt at a room, and its explanation, may cost, in QPs of a small room: about a tenth of a second."""
 SCENE_WORK = 400_000.0
 """Work one scene may cost, in QPs of a small room, dealt to its rooms alike: by their number, not by how many are broken,
 so that a repaired scene is repaired on the same terms again."""
@@ -69,7 +70,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     errors = _errors(scene, known)
     timing.lap("validate")
     wishes = Wishes(frozenset(locked), frozenset(moved), _required_kinds(known), use_sides(known) if _walks() else {})
-    work = min(ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1))
+    work = min(MOST_ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1))
     terms = Terms(wishes, scene.wall_thickness, on_conflict, work, {pose.id: pose for pose in previous})
     answers = _repaired(scene, terms, errors, known)
     timing.lap("placement")

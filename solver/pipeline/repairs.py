@@ -59,11 +59,13 @@ def _repairs(case: Case, members: Sequence[str], short: Shortfall | None) -> tup
     loose = [bodies[member] for member in members if member not in locked]
     moves = [_set_free(case, body) for body in loose if isinstance(body, Furniture) and body.wall is not None]
     unlocks = [unlocked(case, member) for member in members if member in locked]
+    removals = [_tried(case, {"action": "leave_out", "id": member}) for member in members]
+    able = {repair["id"] for repair in removals if repair}
+    loose = [body for body in loose if body.id in able]  # what does not help by leaving does not by turning or shrinking
     turns = [_tried(case, {"action": "turn", "id": body.id, "rotation": (squared(body.rotation) + 90) % 360}) for body in loose]
     shrunk = _shrunk_by_lengths(case, short) if short else []
     if not any(shrunk):
         shrunk = [_least_shrunk(case, body) for body in loose]
-    removals = [_tried(case, {"action": "leave_out", "id": member}) for member in members]
     by_way = sorted((repair for repair in (*moves, *unlocks) if repair), key=_distance)
     others = [repair for repair in (*by_way, *turns, *shrunk) if repair]
     leaving = [repair for repair in removals if repair]

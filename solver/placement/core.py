@@ -36,16 +36,16 @@ class Limits:
         optional: evaluations on one optional piece.
         optional_qps: QPs of each.
         optional_lapses: of these evaluations, how many may end at their limit before the piece is given up.
-        moves: evaluations on moving one other piece so that an optional one fits.
+        moves: evaluations in a room on moving one other piece so that an optional one fits.
         final_qps: QPs of the final search over all choices of a room.
     """
 
     required: int = 3000
     required_qps: int = 2000
-    optional: int = 40
-    optional_qps: int = 100
-    optional_lapses: int = 3
-    moves: int = 30
+    optional: int = 16
+    optional_qps: int = 80
+    optional_lapses: int = 2
+    moves: int = 8
     final_qps: int = 6000
 
     @property

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from solver.placement.kernel.grow import BEST, CLOSED, DOUBTED, EVALUATED, LAPSED, MANY, SOLVED_QPS, best_first, evaluate
+from solver.placement.kernel.grow import BEST, CLOSED, DOUBTED, EVALUATED, MANY, MOVES_LEFT, SOLVED_QPS, best_first, evaluate
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     ABSENT,
@@ -132,12 +132,13 @@ def _moves(engine: Engine, decisions: Ints, costs: Floats) -> int:
 @compiled(lambda t: t.b1(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
 def _join_by_move(engine: Engine, decisions: Ints, costs: Floats, group: Ints, limits: Ints, walk: bool) -> bool:  # noqa: PLR0913
     """Moves one other piece so that the group can join; the first success counts."""
-    tree, left = engine.tree, limits[MOVE_EVALUATIONS]
+    tree = engine.tree
+    counters = tree.counters
     count = _moves(engine, decisions, costs)
     terms, ceiling = costs[0] - costs[1], costs[2]
     own = tree.own_limits
     for k in range(count):
-        if left <= 0 or tree.budget[0] <= 0:
+        if counters[MOVES_LEFT] <= 0 or tree.budget[0] <= 0:
             return False
         if terms + tree.move_cost[k] >= ceiling:
             return False
@@ -145,9 +146,9 @@ def _join_by_move(engine: Engine, decisions: Ints, costs: Floats, group: Ints, l
             tree.shifted[piece] = decisions[piece]
         tree.shifted[tree.moves[k, 0]] = tree.moves[k, 1]
         tree.shifted_cost[0], tree.shifted_cost[1], tree.shifted_cost[2] = terms + tree.move_cost[k], tree.move_cost[k], ceiling
-        own[0], own[1], own[2] = min(left, 6), limits[OPTIONAL_QPS], 1
+        own[0], own[1], own[2] = min(counters[MOVES_LEFT], 6), limits[OPTIONAL_QPS], 1
         joined = _join(engine, tree.shifted, tree.shifted_cost, group, own, walk)
-        left -= max(tree.counters[EVALUATED], 1) + 5 * tree.counters[LAPSED]
+        counters[MOVES_LEFT] -= max(counters[EVALUATED], 1)
         if joined:
             for piece in range(len(decisions)):
                 decisions[piece] = tree.shifted[piece]
@@ -169,6 +170,7 @@ def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: In
         walk: whether the room must stay walkable.
     """
     room, tree, group = engine.room, engine.tree, engine.tree.group
+    tree.counters[MOVES_LEFT] = limits[MOVE_EVALUATIONS]
     piece = 0
     while piece < len(decisions):
         end = room.pieces[piece, GROUP_END]
@@ -188,7 +190,7 @@ def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: In
             tree.own_limits[0], tree.own_limits[1] = limits[OPTIONAL_EVALUATIONS], limits[OPTIONAL_QPS]
             tree.own_limits[2] = limits[OPTIONAL_LAPSES]
             if _join(engine, decisions, costs, group, tree.own_limits, walk) or (
-                limits[MOVE_EVALUATIONS] > 0 and _join_by_move(engine, decisions, costs, group, limits, walk)
+                tree.counters[MOVES_LEFT] > 0 and _join_by_move(engine, decisions, costs, group, limits, walk)
             ):
                 fate = PLACED
         for member in range(piece, end):

@@ -31,7 +31,7 @@ from solver.placement.kernel.options import ways
 from solver.placement.kernel.search import STEPS, search
 
 # Tree.counters
-STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, INCUMBENT, LAPSED, SOLVED_QPS = range(13)
+STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, INCUMBENT, LAPSED, SOLVED_QPS, MOVES_LEFT = range(14)
 # Tree.heap
 RANK, BOUND, AGE, STATE, DECISION = range(5)
 EXPANDED: Final = -1
