@@ -19,8 +19,8 @@ from solver.scene import Conflict, Dynamic, Fixed, Issue, Move, Pose, Room, Scen
 from solver.validate import RULES, validate
 from solver.wanted import Space
 
-MOST_ROOM_WORK = 100_000.0
-"""Work each attempt at a room, and its explanation, may cost, in QPs of a small room: about a tenth of a second."""
+MOST_ROOM_WORK = 300_000.0
+"""Work each attempt at a room, and its explanation, may cost, in QPs of a small room: about a third of a second."""
 SCENE_WORK = 400_000.0
 """Work one scene may cost, in QPs of a small room, dealt to its rooms alike: by their number, not by how many are broken,
 so that a repaired scene is repaired on the same terms again."""

@@ -22,7 +22,8 @@ def place(rooms: Sequence[tuple[Space, Sequence[Wanted]]], engine: str = "osqp")
 
     Args:
         rooms: each room's space and wanted pieces, in order of importance.
-        engine: of the final solve: "osqp", or "reference" for the cvxpy model.
+        engine: of the final solve: "osqp", "reference" for the cvxpy model, or "search" for the search's own positions, which
+            are optimal already: for trials.
 
     Returns:
         One arrangement a room, in the same order, exactly valid on the millimetre lattice.
@@ -37,6 +38,8 @@ def settle(drafts: Sequence[Draft], engine: str = "osqp") -> list[Arrangement]:
 
 
 def _solve(rooms: Sequence[Decided], engine: str) -> list[tuple[Floats, Floats]]:
+    if engine == "search":
+        return [room.positions for room in rooms]
     if engine == "reference":
         from solver.placement.reference import solve_house as reference_house  # noqa: PLC0415 - cvxpy takes 0.8 s to import
 
