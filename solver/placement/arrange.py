@@ -46,7 +46,8 @@ class Chosen:
 class Draft:
     """A room's arrangement before it is settled on the lattice.
 
-    `cost` counts terms and preferences; `proven` tells that the placement of the chosen ways is the optimum, `best` that no
+    `cost` counts terms and preferences; `proven` tells that the placement of the chosen ways is the optimum and
+    that no required piece left out could stand beside those before it, `best` that no
     other choice of ways for the required pieces is cheaper; both within the widenings tried.
     """
 
@@ -81,14 +82,16 @@ def arrange(space: Space, wanted: Sequence[Wanted], walk: bool = True, budget: B
     pieces = sorted(wanted, key=lambda piece: not piece.required)
     walk = walk and walkable_when_empty(space)
     left_out: list[tuple[Wanted, str]] = []
-    solves = 0
+    solves, sure = 0, True
     while True:
         core, arranged = _attempt(space, pieces, walk, limits, allowed)
         solves += arranged.solves
         if arranged.complete:
-            return _draft(core, arranged, left_out, solves, walk)
+            draft = _draft(core, arranged, left_out, solves, walk)
+            return replace(draft, proven=draft.proven and sure)
         if allowed.spent:
             return _cut_short(core, left_out, solves, walk)
+        sure &= arranged.closed
         missing = pieces.pop(arranged.deepest)
         word = "no way to stand it is free" if arranged.closed else "no place was found for it"
         left_out.append((missing, f"{word} beside the pieces before it"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from solver.geometry import WALL_BEHIND, Rect, strip
 from solver.placement.arrange import feasible
@@ -53,32 +53,56 @@ def minimal_conflict(
 ) -> tuple[str, ...] | None:
     """Finds a minimal set of pieces that cannot stand together, or with `walk` cannot be used together.
 
-    Pieces are added, `missing` first, until they are infeasible; then a deletion filter: a piece whose absence
-    leaves the rest infeasible is not part of the reason.
+    Pieces are added, `missing` and what carries it first, until they are infeasible; then a deletion filter: a piece whose
+    absence leaves the rest infeasible is not part of the reason. Who goes takes along what stands only attached to it.
 
     Returns:
         Labels, in the order given, such that they alone are infeasible and without any one of them the rest of them is
         feasible; None where a limit left a question open or all can stand.
     """
     allowed = budget or Budget()
+    known = {piece.label: piece for piece in pieces}
 
     def verdict(labels: set[str]) -> bool | None:
         return feasible(space, [piece for piece in pieces if piece.label in labels], allowed, walk)
 
     members: set[str] = set()
-    for label in (missing, *(piece.label for piece in pieces)):
-        members.add(label)
+    stand: bool | None = True
+    for label in (missing, *known):
+        members |= _with_carriers(known, label)
         if (stand := verdict(members)) is not True:
             break
     if stand is not False:
         return None
     for piece in pieces:
         if piece.label in members:
-            if (stand := verdict(members - {piece.label})) is None:
+            rest = members - _with_carried(known, piece.label)
+            if (stand := verdict(rest)) is None:
                 return None
             if stand is False:
-                members.remove(piece.label)
+                members = rest
     return tuple(piece.label for piece in pieces if piece.label in members)
+
+
+def _carrier(piece: Wanted) -> str | None:
+    """Returns the one piece without which a piece cannot stand, if there is one."""
+    parents = {a.attach.parent if a.attach else None for a in piece.alternatives}
+    return parents.pop() if len(parents) == 1 else None
+
+
+def _with_carriers(known: Mapping[str, Wanted], label: str) -> set[str]:
+    """Returns a piece and those it can only stand with, one upon the other."""
+    found: set[str] = set()
+    at: str | None = label
+    while at is not None and at in known and at not in found:
+        found.add(at)
+        at = _carrier(known[at])
+    return found
+
+
+def _with_carried(known: Mapping[str, Wanted], label: str) -> set[str]:
+    """Returns a piece and all that can only stand with it."""
+    return {other for other in known if label in _with_carriers(known, other)}
 
 
 def _size(rect: Rect) -> str:

@@ -110,7 +110,7 @@ def test_the_twins_rooms_are_of_both_kinds_and_some_are_hard() -> None:
     outcomes = [twin.solve(random_problem(1000 + seed, 3 + seed % 7)[1], limit=20_000) for seed in range(TWINS)]
     possible = [outcome for outcome in outcomes if outcome.positions is not None]
     assert TWINS // 4 < len(possible) < TWINS
-    assert sum(outcome.solves > 50 for outcome in possible) > 20
+    assert sum(outcome.solves > 50 for outcome in possible) > 10
 
 
 def test_a_ceiling_below_the_optimum_leaves_nothing_and_says_so() -> None:
