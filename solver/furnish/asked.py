@@ -28,7 +28,7 @@ FREE_COST = 0.2
 """What standing in the middle of the room costs a piece that may also stand at a wall."""
 UNSURE = 0.25
 """The part of a relation's cost that a way pays which neither holds nor breaks it."""
-TIED = 64
+TIED = 400
 """Most ways of a piece that are tied to another one."""
 EACH = 3
 """Most ways of one stance that differ in what they hold."""

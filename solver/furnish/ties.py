@@ -28,6 +28,8 @@ BETWEEN_WAYS = 12
 """Most ways of a piece between others that stand."""
 PLACES = 6
 """Most ways of one stance beside one way of another piece."""
+PLACES_EACH = 24
+"""Most ways of all stances beside one way of another piece."""
 
 
 def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]]) -> Iterator[Alternative]:
@@ -38,33 +40,39 @@ def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]]) -> Iter
         every: its stances, each with the rectangles that hold relations to the room.
     """
     names = tuple(dict.fromkeys(name for rule in asking.to_pieces for name in rule.of))
+    known: dict[tuple[object, ...], list[tuple[Box, float]]] = {}
     for label, parent in asking.ask.parents(names):
         rules = tuple(rule for rule in asking.to_pieces if label in asking.ask.labels(rule.of))
         others = sum(rule.cost * (1.0 if rule.type in SLOTTED else UNSURE) for rule in asking.to_pieces if rule not in rules)
         if any(rule.type == "on" for rule in rules):
             yield from _upon(asking, label, parent)
             continue
+        ways: list[tuple[float, Stance, Box, Rect]] = []
         for stance, found in every:
-            boxes = _at_the_wall(asking, parent, stance, _boxes(asking, rules, parent, stance))
-            room = found[0][1] + sum(rule.cost * UNSURE for rule in asking.to_room if rule.type != "against_wall") if found else math.inf
-            ways = [
-                (cost + room, box) for box, cost in boxes if any(_meet(asking, stance, (label, parent), (box, rect)) for rect, _ in found)
-            ]
-            for cost, box in ways[:PLACES]:
-                if cost < math.inf:
-                    yield _tied(asking, stance, (label, parent), box, (cost + others, rules))
+            base, turn, at_wall = stance_of(parent)
+            suits = tuple(_walls_suit(rule, stance, WALL_BEHIND[turn] if at_wall else None) for rule in rules)
+            key = (label, base, (stance.rotation - turn) % 360, suits)
+            if key not in known:
+                known[key] = _boxes(asking, rules, parent, stance)
+            ways += _in_both(asking, stance, (label, parent), (known[key], found))
+        ways.sort(key=lambda way: round(way[0], 9))
+        for cost, stance, box, rect in ways[:PLACES_EACH]:
+            yield _tied(asking, (stance, rect), (label, parent), box, (cost + others, rules))
 
 
-def _at_the_wall(asking: Asking, parent: str, stance: Stance, boxes: list[tuple[Box, float]]) -> list[tuple[Box, float]]:
-    """Keeps, of the boxes of a stance at a wall, the part where its back is in line with the other's at the same wall."""
-    if stance.wall is None:
-        return boxes
-    base, turn, at_wall = stance_of(parent)
-    if not at_wall or turn != stance.rotation:
-        return []
-    back = (asking.size[1] - asking.ask.scope.size(base)[1]) // 2
-    line: Box = (ANYWHERE, (back, back))
-    return [(both, cost) for box, cost in boxes if (both := shared(box, line))]
+def _in_both(
+    asking: Asking, stance: Stance, to: tuple[str, str], at: tuple[Sequence[tuple[Box, float]], Sequence[Kept]]
+) -> list[tuple[float, Stance, Box, Rect]]:
+    """Returns the cheapest pairs of a box in the other's frame and a rectangle in the room that can hold together."""
+    boxes, found = at
+    pairs = sorted((cost + more, i, j) for i, (_, cost) in enumerate(boxes) for j, (_, more) in enumerate(found))
+    ways: list[tuple[float, Stance, Box, Rect]] = []
+    for cost, i, j in pairs:
+        if len(ways) == PLACES or cost == math.inf:
+            break
+        if _meet(asking, stance, to, (boxes[i][0], found[j][0])):
+            ways.append((cost, stance, boxes[i][0], found[j][0]))
+    return ways
 
 
 def ways_between(asking: Asking, poses: Mapping[str, Placed]) -> list[Alternative]:
@@ -180,14 +188,14 @@ def _walls_suit(rule: Rule, stance: Stance, theirs: str | None) -> bool:
     return found == rule.wall or (rule.wall == "other" and found != "same")
 
 
-def _tied(asking: Asking, stance: Stance, to: tuple[str, str], box: Box, worth: tuple[float, Sequence[Rule]]) -> Alternative:
-    (label, parent), (cost, rules) = to, worth
+def _tied(asking: Asking, at: tuple[Stance, Rect], to: tuple[str, str], box: Box, worth: tuple[float, Sequence[Rule]]) -> Alternative:
+    (stance, rect), (label, parent), (cost, rules) = at, to, worth
     clear = asking.ask.scope.space.clear
     across, along = (_clipped(interval, max(clear.width, clear.depth)) for interval in box)
     pull = FIRM if any(rule.type in SLOTTED for rule in rules) else LOOSE
     return Alternative(
         variant(asking.kind, stance.rotation, stance.wall), asking.size, (stance.rotation - stance_of(parent)[1]) % 360,
-        weights=(pull, pull), cost=round(cost, 6), attach=Attach(label, parent, across, along),
+        weights=(pull, pull), within=rect, cost=round(cost, 6), attach=Attach(label, parent, across, along),
         under=label if any(map(_tucks, rules)) else None,
     )  # fmt: skip
 
