@@ -14,14 +14,16 @@ GROUND_FLOOR = {"scene", "geometry", "streams", "errors", "wanted"}
 JOINER = "pipeline"
 # By package: what else it has no business with.
 FOREIGN = {
-    "catalogs": {"numpy", "scipy", "osqp", "daqp", "cvxpy", "fastapi", "starlette", "uvicorn"},
-    "solver": {"fastapi", "starlette", "uvicorn", "pydantic", "argparse"},
-    "service": {"numpy", "scipy", "osqp", "daqp", "cvxpy"},
+    "catalogs": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "pyscipopt", "fastapi", "starlette", "uvicorn"},
+    "solver": {"pyscipopt", "fastapi", "starlette", "uvicorn", "pydantic", "argparse"},
+    "service": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "pyscipopt"},
 }
 # What differs from run to run stays out of results: one module times them, one draws the seed of a request without one.
 UNREPEATABLE = {"random", "secrets", "uuid", "time", "datetime"}
 EXCEPTED = {("solver.pipeline.timing", "time"), ("solver.pipeline.generate", "secrets")}
 REFERENCE = "solver.placement.reference"
+KERNEL = "solver.placement.kernel"
+COMPILER = f"{KERNEL}.jit"
 
 
 def part(module: str) -> str:
@@ -74,9 +76,29 @@ def test_cvxpy_is_imported_by_the_reference_alone_and_late() -> None:
 
 
 def test_the_engines_stay_inside_the_placement() -> None:
-    found = [one for one in imports("solver") if one.top in {"osqp", "daqp", "scipy"}]
-    assert found
+    found = [one for one in imports("solver") if one.top in {"numba", "osqp", "daqp", "scipy"}]
+    assert {one.top for one in found} >= {"numba", "osqp", "daqp"}
     assert places([one for one in found if part(one.importer) != "placement"]) == []
+
+
+def test_the_kernel_stands_on_itself() -> None:
+    """What is compiled asks nothing of Python objects; setting it up (`__main__`) may import who uses it."""
+    found = [one for one in imports("solver") if one.importer.startswith(f"{KERNEL}.") and not one.importer.endswith("__main__")]
+    assert len({one.importer for one in found}) > 8
+    allowed = {"__future__", "typing", "collections", "numpy", "numba"}
+    own = {"hashlib", "os", "pathlib", "types"}
+    assert places([one for one in found if not one.module.startswith(KERNEL) and one.top not in allowed and one.importer != COMPILER]) == []
+    assert places([one for one in found if one.importer == COMPILER and one.top not in allowed | own | {"solver"}]) == []
+
+
+def test_the_compiler_is_imported_in_one_place_and_only_where_it_is_asked_for() -> None:
+    found = [one for one in imports(*PACKAGES) if one.top in {"numba", "llvmlite"}]
+    assert {one.importer for one in found} == {COMPILER}
+    assert places([one for one in found if not one.lazy]) == []
+
+
+def test_the_twin_is_for_tests() -> None:
+    assert places([one for one in imports(*PACKAGES) if one.module == "solver.placement.twin"]) == []
 
 
 def test_nothing_unrepeatable_reaches_a_result() -> None:
