@@ -143,7 +143,7 @@ def _ways(asking: Asking) -> list[Alternative]:
     hard = any(rule.required for rule in asking.to_pieces)
     alone = [] if hard else list(_alone(asking, every))
     dearest = min((way.cost for way in alone), default=math.inf)
-    bound = [way for way in tied(asking, every) if way.cost < dearest + _worth(asking)]
+    bound = list(tied(asking, every, dearest + _worth(asking)))
     bound.sort(key=lambda way: round(way.cost, 9))
     return sorted([*alone, *bound[:TIED]], key=lambda way: round(way.cost, 9))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TypeAlias
 
 from catalogs.schema import Rule
@@ -57,6 +57,7 @@ def variant(kind: str, rotation: int, wall: str | None) -> str:
     return f"{kind}@{rotation}{'w' if wall else ''}"
 
 
+@lru_cache(maxsize=4096)
 def stance_of(kind: str) -> tuple[str, int, bool]:
     """Splits what `variant` joined: the kind, the rotation, whether it stands at a wall."""
     base, _, stance = kind.rpartition("@")

@@ -26,51 +26,91 @@ BOXES_KEPT = 14
 """Most boxes of one stance that differ in what they hold."""
 BETWEEN_WAYS = 12
 """Most ways of a piece between others that stand."""
-PLACES = 6
+PLACES = 3
 """Most ways of one stance beside one way of another piece."""
-PLACES_EACH = 24
+PLACES_EACH = 8
 """Most ways of all stances beside one way of another piece."""
 
 
-def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]]) -> Iterator[Alternative]:
+def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]], dearest: float) -> Iterator[Alternative]:
     """Yields the ways tied to another piece, each for one way that piece stands.
 
     Args:
         asking: the piece and its rules.
         every: its stances, each with the rectangles that hold relations to the room.
+        dearest: ways that cost as much are not sought.
     """
     names = tuple(dict.fromkeys(name for rule in asking.to_pieces for name in rule.of))
-    known: dict[tuple[object, ...], list[tuple[Box, float]]] = {}
-    for label, parent in asking.ask.parents(names):
+    for label, parents in _by_label(asking.ask.parents(names)).items():
         rules = tuple(rule for rule in asking.to_pieces if label in asking.ask.labels(rule.of))
         others = sum(rule.cost * (1.0 if rule.type in SLOTTED else UNSURE) for rule in asking.to_pieces if rule not in rules)
         if any(rule.type == "on" for rule in rules):
-            yield from _upon(asking, label, parent)
+            for parent in parents:
+                yield from _upon(asking, label, parent)
             continue
-        ways: list[tuple[float, Stance, Box, Rect]] = []
-        for stance, found in every:
-            base, turn, at_wall = stance_of(parent)
-            suits = tuple(_walls_suit(rule, stance, WALL_BEHIND[turn] if at_wall else None) for rule in rules)
-            key = (label, base, (stance.rotation - turn) % 360, suits)
-            if key not in known:
-                known[key] = _boxes(asking, rules, parent, stance)
-            ways += _in_both(asking, stance, (label, parent), (known[key], found))
-        ways.sort(key=lambda way: round(way[0], 9))
-        for cost, stance, box, rect in ways[:PLACES_EACH]:
-            yield _tied(asking, (stance, rect), (label, parent), box, (cost + others, rules))
+        frames = _Frames(asking, rules)
+        for parent in parents:
+            ways = [way for stance, found in every for way in _in_both(frames, stance, (label, parent), found)]
+            ways.sort(key=lambda way: round(way[0], 9))
+            for cost, stance, box, rect in ways[:PLACES_EACH]:
+                if cost + others < dearest:
+                    yield frames.way((stance, rect), (label, parent), box, cost + others)
 
 
-def _in_both(
-    asking: Asking, stance: Stance, to: tuple[str, str], at: tuple[Sequence[tuple[Box, float]], Sequence[Kept]]
-) -> list[tuple[float, Stance, Box, Rect]]:
+def _by_label(parents: Sequence[tuple[str, str]]) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for label, parent in parents:
+        found.setdefault(label, []).append(parent)
+    return found
+
+
+class _Frames:
+    """The boxes of a piece's rules in the frame of another piece, each kind of frame worked out once.
+
+    Args:
+        asking: the piece.
+        rules: those to the one other piece.
+    """
+
+    def __init__(self, asking: Asking, rules: Sequence[Rule]) -> None:
+        self.asking, self._rules = asking, rules
+        self._tucked = any(map(_tucks, rules))
+        pull = FIRM if any(rule.type in SLOTTED for rule in rules) else LOOSE
+        self._pulls = (pull, pull)
+        clear = asking.ask.scope.space.clear
+        self._far = max(clear.width, clear.depth)
+        self._known: dict[tuple[str, int, tuple[bool, ...]], list[tuple[Box, float]]] = {}
+
+    def boxes(self, parent: str, stance: Stance) -> list[tuple[Box, float]]:
+        """Returns boxes that each hold at least one rule, cheapest first."""
+        base, turn, at_wall = stance_of(parent)
+        theirs = WALL_BEHIND[turn] if at_wall else None
+        suits = tuple(_walls_suit(rule, stance, theirs) for rule in self._rules)
+        key = (base, (stance.rotation - turn) % 360, suits)
+        if key not in self._known:
+            self._known[key] = _boxes(self.asking, [*zip(self._rules, suits, strict=True)], base, key[1])
+        return self._known[key]
+
+    def way(self, at: tuple[Stance, Rect], to: tuple[str, str], box: Box, cost: float) -> Alternative:
+        """Returns the way to stand in a box of the other's frame and a rectangle of the room."""
+        (stance, rect), (label, parent) = at, to
+        across, along = _clipped(box[0], self._far), _clipped(box[1], self._far)
+        return Alternative(
+            variant(self.asking.kind, stance.rotation, stance.wall), self.asking.size, (stance.rotation - stance_of(parent)[1]) % 360,
+            weights=self._pulls, within=rect, cost=round(cost, 6), attach=Attach(label, parent, across, along),
+            under=label if self._tucked else None,
+        )  # fmt: skip
+
+
+def _in_both(frames: _Frames, stance: Stance, to: tuple[str, str], found: Sequence[Kept]) -> list[tuple[float, Stance, Box, Rect]]:
     """Returns the cheapest pairs of a box in the other's frame and a rectangle in the room that can hold together."""
-    boxes, found = at
+    boxes = frames.boxes(to[1], stance)
     pairs = sorted((cost + more, i, j) for i, (_, cost) in enumerate(boxes) for j, (_, more) in enumerate(found))
     ways: list[tuple[float, Stance, Box, Rect]] = []
     for cost, i, j in pairs:
         if len(ways) == PLACES or cost == math.inf:
             break
-        if _meet(asking, stance, to, (boxes[i][0], found[j][0])):
+        if _meet(frames.asking, stance, to, (boxes[i][0], found[j][0])):
             ways.append((cost, stance, boxes[i][0], found[j][0]))
     return ways
 
@@ -111,7 +151,9 @@ def _held_at(asking: Asking, rule: Rule, stance: Stance, poses: Mapping[str, Pla
             continue
         width, depth = stance.extent
         x, z = other.footprint.x0 + other.footprint.x1, other.footprint.z0 + other.footprint.z1
-        for (across, along), cost in _boxes(asking, (rule,), other.chosen.kind, stance):
+        base, turn, at_wall = stance_of(other.chosen.kind)
+        suits = _walls_suit(rule, stance, WALL_BEHIND[turn] if at_wall else None)
+        for (across, along), cost in _boxes(asking, [(rule, suits)], base, (stance.rotation - turn) % 360):
             if cost < rule.cost:
                 (x0, z0), (x1, z1) = (rotate(across[k], along[k], other.rotation) for k in (0, 1))
                 low_x, low_z = (x - width) // 2 + min(x0, x1), (z - depth) // 2 + min(z0, z1)
@@ -143,15 +185,19 @@ def _meet(asking: Asking, stance: Stance, to: tuple[str, str], at: tuple[Box, Re
     )
 
 
-def _boxes(asking: Asking, rules: Sequence[Rule], parent: str, stance: Stance) -> list[tuple[Box, float]]:
-    """Returns boxes in the other's frame, each holding at least one of the rules, cheapest first."""
-    base, turn, at_wall = stance_of(parent)
+def _boxes(asking: Asking, rules: Sequence[tuple[Rule, bool]], base: str, relative: int) -> list[tuple[Box, float]]:
+    """Returns boxes in the other's frame, each holding at least one of the rules, cheapest first.
+
+    Args:
+        asking: the piece.
+        rules: those to the other piece, each with whether the walls at their backs suit it.
+        base: the other's kind.
+        relative: the own rotation minus the other's.
+    """
     size = asking.ask.scope.size(base)
-    relative = (stance.rotation - turn) % 360
     own = turned(asking.size[0], asking.size[1], relative)
     found: list[tuple[Box, float]] = [((ANYWHERE, ANYWHERE), 0.0)]
-    for rule in rules:
-        suits = _walls_suit(rule, stance, WALL_BEHIND[turn] if at_wall else None)
+    for rule, suits in rules:
         boxes = BOXES[rule.type](Fit(rule, (size[0], size[1]), own, relative)) if suits else []
         held = [(both, cost + _sliding(rule, other)) for box, cost in found for other in boxes if (both := shared(box, other))]
         found = _best([*held, *((box, cost + missed(rule)) for box, cost in found)])
@@ -186,18 +232,6 @@ def _walls_suit(rule: Rule, stance: Stance, theirs: str | None) -> bool:
         return False
     found = "same" if mine == theirs else "opposite" if OPPOSITE[mine] == theirs else "adjacent"
     return found == rule.wall or (rule.wall == "other" and found != "same")
-
-
-def _tied(asking: Asking, at: tuple[Stance, Rect], to: tuple[str, str], box: Box, worth: tuple[float, Sequence[Rule]]) -> Alternative:
-    (stance, rect), (label, parent), (cost, rules) = at, to, worth
-    clear = asking.ask.scope.space.clear
-    across, along = (_clipped(interval, max(clear.width, clear.depth)) for interval in box)
-    pull = FIRM if any(rule.type in SLOTTED for rule in rules) else LOOSE
-    return Alternative(
-        variant(asking.kind, stance.rotation, stance.wall), asking.size, (stance.rotation - stance_of(parent)[1]) % 360,
-        weights=(pull, pull), within=rect, cost=round(cost, 6), attach=Attach(label, parent, across, along),
-        under=label if any(map(_tucks, rules)) else None,
-    )  # fmt: skip
 
 
 def _upon(asking: Asking, label: str, parent: str) -> Iterator[Alternative]:

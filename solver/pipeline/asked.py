@@ -6,7 +6,7 @@ Comes in: a Room and Wishes; an Arrangement. Goes out: Terms; a Placement. May i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from catalogs import Catalogs
@@ -15,7 +15,7 @@ from solver.furnish import Asked, asked_pieces, space_of
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND, Rect
 from solver.pipeline.obstacles import obstacles
-from solver.relations_held import held, judged
+from solver.relations_held import Judged, Standing, held, judged
 from solver.requested import (
     Held,
     Placement,
@@ -47,6 +47,12 @@ class Terms:
     engine: str
     space: Space
     asked: Asked
+    names: Mapping[str, Sequence[str]]
+    """The ids that each name of an `of` stands for."""
+    heights: Mapping[str, Sequence[float]]
+    """Heights of the surfaces of a body above its underside, by id, m."""
+    bare: Judged
+    """The room before anything is placed, to be judged."""
 
     @property
     def wanted(self) -> tuple[Wanted, ...]:
@@ -71,7 +77,14 @@ def terms_of(room: Room, pieces: Sequence[Wish], known: Catalogs, setting: tuple
     catalogs = kinds_for(room, wishes, known)
     space, standing = obstacles(room, space_of(room, wall_thickness, robot_width), catalogs)
     asked = asked_pieces(room, space, catalogs, pieces_of(wishes), standing)
-    return Terms(room, wishes, catalogs, wall_thickness, robot_width, engine, space, asked)
+    names = labels_by_name(room, wishes)
+    heights = {
+        label: tuple(surface.height for surface in catalogs.furniture[kind_of(name)].surfaces)
+        for name, labels in names.items()
+        for label in labels
+    }
+    bare = judged(room, wall_thickness, names, heights)
+    return Terms(room, wishes, catalogs, wall_thickness, robot_width, engine, space, asked, names, heights, bare)
 
 
 def finished(terms: Terms, arrangement: Arrangement) -> Placement:
@@ -117,15 +130,25 @@ def _distance(clear: Rect, rect: Rect, wall: str) -> int:
     }[wall]  # fmt: skip
 
 
+def lost(terms: Terms, arrangement: Arrangement) -> list[tuple[str, float]]:
+    """Judges an arrangement that is not written down: returns (piece, what it is worth) of every relation that is not held."""
+    seen = replace(terms.bare, bodies={**terms.bare.bodies, **{one.label: _stands(one) for one in arrangement.placed}})
+    heights = {
+        one.label: [one.chosen.bottom_mm + round(height * 1000) for height in terms.heights[one.label]]
+        for one in arrangement.placed
+        if one.label in terms.heights
+    }
+    seen = replace(seen, surfaces={**terms.bare.surfaces, **heights})
+    return [(label, rule.cost) for label, rule in relations_of(terms.wishes) if not held(seen, label, rule)[0]]
+
+
+def _stands(one: Placed) -> Standing:
+    return Standing(one.label, one.footprint, one.rotation, one.chosen.bottom_mm, one.chosen.on)
+
+
 def _report(terms: Terms, room: Room) -> tuple[Held, ...]:
     """Judges every relation that was asked for in a finished room."""
-    surfaces = {
-        piece.id: [surface.height for surface in terms.catalogs.furniture[kind_of(name)].surfaces]
-        for name, labels in labels_by_name(terms.room, terms.wishes).items()
-        for piece in room.furniture
-        if piece.id in labels
-    }
-    seen = judged(room, terms.wall_thickness, labels_by_name(terms.room, terms.wishes), surfaces)
+    seen = judged(room, terms.wall_thickness, terms.names, terms.heights)
     report = []
     for label, rule in relations_of(terms.wishes):
         holds, of = held(seen, label, rule)

@@ -11,7 +11,7 @@ from catalogs import Catalogs, load_catalogs
 from solver.errors import RequestError
 from solver.pipeline.asked import Terms, terms_of
 from solver.pipeline.others import other_placements
-from solver.pipeline.rounds import best_placement
+from solver.pipeline.rounds import best_placement, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, Placement, Wish, kind_of
@@ -51,13 +51,13 @@ def place(  # noqa: PLR0913 - keyword-only options of the public door
     terms = terms_of(room, pieces, catalogs or load_catalogs(), (wall_thickness, robot_width, engine))
     timing.lap("furnish")
     found = best_placement(terms, terms.wanted)
-    best = found.placement
+    best = settled(terms, found)
     timing.lap("placement")
     others = other_placements(terms, found, alternatives - 1)
     timing.lap("alternatives")
     conflicts = _conflicts(terms, best)
     timing.lap("reasons")
-    return Answered(best, tuple(other.placement for other in others), conflicts, timing.ms)
+    return Answered(best, tuple(settled(terms, other) for other in others), conflicts, timing.ms)
 
 
 def _conflicts(terms: Terms, placement: Placement) -> tuple[Conflict, ...]:

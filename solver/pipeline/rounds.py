@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from solver.pipeline.asked import Terms, finished
-from solver.placement import place
+from solver.pipeline.asked import Terms, finished, lost
+from solver.placement import settle
+from solver.placement.arrange import Draft, arrange
 from solver.requested import Placement, relations_of
 from solver.wanted import Arrangement, Placed, Wanted
 
@@ -28,14 +29,21 @@ Score = tuple[int, int, float, float]
 
 @dataclass(frozen=True)
 class Found:
-    """A placement with the arrangement behind it and its rank, less being better.
+    """An arrangement as it was drafted, and its rank, less being better.
 
-    The rank: required pieces that are missing, errors, the cost of relations that are not held, the solver's cost.
+    The rank: required pieces that are missing, whether it cannot be walked, the cost of relations that are not held, the
+    solver's cost. `lost` pairs a piece with the worth of a relation of it that is not held.
     """
 
-    placement: Placement
+    draft: Draft
     arrangement: Arrangement
+    lost: Sequence[tuple[str, float]]
     score: Score
+
+    @property
+    def perfect(self) -> bool:
+        """Whether all stands and all is held."""
+        return self.score[:3] == (0, 0, 0.0)
 
 
 def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
@@ -48,8 +56,8 @@ def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
     blame = {piece.label: 0 for piece in wanted}
     best = _round(terms, wanted, 0)
     rounds, together = 1, FIRST_TOGETHER
-    while best.score[:3] != (0, 0, 0.0) and rounds < ROUNDS and together <= TOGETHER:
-        for label in _squeaking(best.placement):
+    while not best.perfect and rounds < ROUNDS and together <= TOGETHER:
+        for label in _squeaking(best):
             blame[label] += 1
         found, spent = _mended(terms, wanted, best)
         if found.score >= best.score:
@@ -58,7 +66,7 @@ def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
         rounds += spent
         best = min(best, found, key=lambda one: one.score)
     if best.score[0]:
-        whole = _judged(terms, place([(terms.space, wanted)], terms.engine)[0])
+        whole = _judged(terms, arrange(terms.space, wanted))
         best = whole if whole.score < best.score else best
     return best
 
@@ -71,7 +79,7 @@ def quick_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
         wanted: the pieces, perhaps with fewer ways to stand.
     """
     found = _round(terms, wanted, 0)
-    return found if found.score[:3] == (0, 0, 0.0) else min(found, _mended(terms, wanted, found)[0], key=lambda one: one.score)
+    return found if found.perfect else min(found, _mended(terms, wanted, found)[0], key=lambda one: one.score)
 
 
 def _round(terms: Terms, order: Sequence[Wanted], together: int) -> Found:
@@ -79,7 +87,7 @@ def _round(terms: Terms, order: Sequence[Wanted], together: int) -> Found:
     pieces = [
         replace(piece, required=k < together, skip_cost=KEPT_COST if piece.required else piece.skip_cost) for k, piece in enumerate(order)
     ]
-    return _judged(terms, place([(terms.space, pieces)], terms.engine)[0])
+    return _judged(terms, arrange(terms.space, pieces))
 
 
 def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> tuple[Found, int]:
@@ -88,7 +96,7 @@ def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> tuple[Found
     Returns:
         The first that is better, or the last; and the rounds it took.
     """
-    squeaking = _squeaking(found.placement)
+    squeaking = _squeaking(found)
     refers = {piece.label: set(_refers_to(piece)) for piece in wanted}
     targets = {label for one in squeaking for label in refers[one]}
     alone = _round(terms, _reopened(terms, wanted, found, set(squeaking)), 0)
@@ -121,19 +129,26 @@ def _as_it_stands(piece: Wanted, placed: Placed) -> Wanted:
     return replace(piece, alternatives=(replace(placed.chosen, anchor_mm=middle, cost=0.0),))
 
 
-def _judged(terms: Terms, arrangement: Arrangement) -> Found:
-    placement = finished(terms, arrangement)
+def _judged(terms: Terms, draft: Draft) -> Found:
+    arrangement = settle([draft], "search")[0]
     required = {piece.label for piece in terms.wanted if piece.required}
-    missing = sum(entry.id in required for entry in placement.unplaced)
-    errors = sum(issue.severity == "error" for issue in placement.issues)
-    worth = [rule.cost for _, rule in relations_of(terms.wishes)]
-    lost = sum(cost for relation, cost in zip(placement.relations, worth, strict=True) if not relation.held)
-    return Found(replace(placement, cost=round(lost, 6)), arrangement, (missing, errors, lost, arrangement.cost))
+    missing = sum(label in required for label, _ in arrangement.left_out)
+    missed = lost(terms, arrangement)
+    score = (missing, len(arrangement.notes), round(sum(cost for _, cost in missed), 6), arrangement.cost)
+    return Found(draft, arrangement, missed, score)
 
 
-def _squeaking(placement: Placement) -> list[str]:
+def _squeaking(found: Found) -> list[str]:
     """Returns the pieces that are missing or miss a relation."""
-    return list(dict.fromkeys([*(u.id for u in placement.unplaced), *(r.piece for r in placement.relations if not r.held)]))
+    return list(dict.fromkeys([*(label for label, _ in found.arrangement.left_out), *(label for label, _ in found.lost)]))
+
+
+def settled(terms: Terms, found: Found) -> Placement:
+    """Returns the placement of an arrangement, after the final solve; as searched, where that holds more."""
+    placement = finished(terms, settle([found.draft], terms.engine)[0])
+    worth = [rule.cost for _, rule in relations_of(terms.wishes)]
+    missed = round(sum(cost for relation, cost in zip(placement.relations, worth, strict=True) if not relation.held), 6)
+    return replace(placement, cost=missed)
 
 
 def _ordered(wanted: Sequence[Wanted], blame: Mapping[str, int]) -> list[Wanted]:
