@@ -11,18 +11,22 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from solver.furnish.stances import stance_of
 from solver.pipeline.asked import Terms, finished, lost
 from solver.placement import settle
 from solver.placement.arrange import Draft, arrange
+from solver.placement.core import Limits
 from solver.requested import Placement, relations_of
-from solver.wanted import Arrangement, Placed, Wanted
+from solver.wanted import Arrangement, Placed, Space, Wanted
 
-ROUNDS = 10
+ROUNDS = 3
 """Most rounds of one placement."""
-FIRST_TOGETHER, TOGETHER = 3, 5
-"""How many of the first pieces have their ways chosen together, best of all combinations: from the second round on, and most."""
-KEPT_COST = 1000.0
-"""What leaving a piece out costs while others could still move for it: more than any relation."""
+FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=60, required_qps=100)
+"""What a first round, and what every other one, may try."""
+NEARLY_BEST = 3.0
+"""Ways that cost this much more than a piece's best one count for how free it is: half a relation."""
+SLIDES_MM = 100
+"""What every way counts for at least along each axis."""
 
 Score = tuple[int, int, float, float]
 
@@ -53,18 +57,14 @@ def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
         terms: the request.
         wanted: the pieces, each after those it refers to.
     """
-    blame = {piece.label: 0 for piece in wanted}
-    best = _round(terms, wanted, 0)
-    rounds, together = 1, FIRST_TOGETHER
-    while not best.perfect and rounds < ROUNDS and together <= TOGETHER:
-        for label in _squeaking(best):
-            blame[label] += 1
+    best = _first(terms, wanted)
+    rounds = 1
+    while not best.perfect and rounds < ROUNDS:
         found, spent = _mended(terms, wanted, best)
-        if found.score >= best.score:
-            found, spent = _round(terms, _ordered(wanted, blame), together), spent + 1
-            together += 1
         rounds += spent
-        best = min(best, found, key=lambda one: one.score)
+        if found.score >= best.score:
+            break
+        best = found
     if best.score[0]:
         whole = _judged(terms, arrange(terms.space, wanted))
         best = whole if whole.score < best.score else best
@@ -78,16 +78,28 @@ def quick_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
         terms: the request.
         wanted: the pieces, perhaps with fewer ways to stand.
     """
-    found = _round(terms, wanted, 0)
+    found = _first(terms, wanted)
     return found if found.perfect else min(found, _mended(terms, wanted, found)[0], key=lambda one: one.score)
 
 
-def _round(terms: Terms, order: Sequence[Wanted], together: int) -> Found:
-    """Places the pieces in an order, the first ones best of all their combinations."""
-    pieces = [
-        replace(piece, required=k < together, skip_cost=KEPT_COST if piece.required else piece.skip_cost) for k, piece in enumerate(order)
-    ]
-    return _judged(terms, arrange(terms.space, pieces))
+def _first(terms: Terms, wanted: Sequence[Wanted]) -> Found:
+    """Decides all pieces together, the least free ones first."""
+    rank = {piece.label: -_freedom(terms.space, piece) for piece in wanted}
+    return _judged(terms, arrange(terms.space, _ordered(wanted, rank), limits=FIRST))
+
+
+def _freedom(space: Space, piece: Wanted) -> float:
+    """Returns how much floor a piece's best ways leave it to slide on, in its own footprints."""
+    dearest = min((way.cost for way in piece.alternatives), default=0.0) + NEARLY_BEST
+    total = 0
+    for way in piece.alternatives:
+        if way.cost < dearest:
+            rect = way.within or space.clear
+            width, depth, _ = way.size_mm
+            if stance_of(way.kind)[1] % 180:
+                width, depth = depth, width
+            total += (rect.width - width + SLIDES_MM) * (rect.depth - depth + SLIDES_MM)
+    return total / (width * depth) if total else 0.0
 
 
 def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> tuple[Found, int]:
@@ -99,10 +111,10 @@ def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> tuple[Found
     squeaking = _squeaking(found)
     refers = {piece.label: set(_refers_to(piece)) for piece in wanted}
     targets = {label for one in squeaking for label in refers[one]}
-    alone = _round(terms, _reopened(terms, wanted, found, set(squeaking)), 0)
+    alone = _judged(terms, arrange(terms.space, _reopened(terms, wanted, found, set(squeaking)), limits=MENDING))
     if alone.score < found.score:
         return alone, 1
-    return _round(terms, _reopened(terms, wanted, found, {*squeaking, *targets}), 0), 2
+    return _judged(terms, arrange(terms.space, _reopened(terms, wanted, found, {*squeaking, *targets}), limits=MENDING)), 2
 
 
 def _reopened(terms: Terms, wanted: Sequence[Wanted], found: Found, loose: set[str]) -> list[Wanted]:
