@@ -15,7 +15,7 @@ from catalogs.checks import OPENINGS
 from catalogs.schema import Catalogs, Piece
 from solver.furnish.ask import Ask, Scope
 from solver.furnish.openings import openings_of
-from solver.furnish.stances import Asking, Kept, Stance, kept, stance_of, stances, variant
+from solver.furnish.stances import Asking, Kept, Stance, stance_of, variant
 from solver.furnish.ties import tied, ways_between
 from solver.furnish.walls import WallOccupancy
 from solver.geometry import Rect, turned
@@ -139,7 +139,7 @@ def _wanted(asking: Asking, label: str) -> Wanted:
 
 def _ways(asking: Asking) -> list[Alternative]:
     """Returns all ways, cheapest first; none where the piece is too large, or hard relations rule all of them out."""
-    every = [(stance, _some(kept(asking, stance))) for stance in stances(asking)]
+    every = [(stance, _some(found)) for stance, found in asking.places]
     hard = any(rule.required for rule in asking.to_pieces)
     alone = [] if hard else list(_alone(asking, every))
     dearest = min((way.cost for way in alone), default=math.inf)
@@ -176,7 +176,7 @@ def _anchor(asking: Asking, stance: Stance, place: Kept) -> tuple[int, int]:
     if stance.wall is None:
         return x, z
     low, high = rect.along(stance.wall)
-    found = asking.stretches(stance.wall)
+    found = asking.stretches[stance.wall]
     cut = [(max(a, low), min(b, high)) for a, b in found]
     a, b = max(cut, key=lambda stretch: stretch[1] - stretch[0], default=(low, high))
     middle = (a + b) // 2 if b > a else (low + high) // 2

@@ -47,9 +47,15 @@ class Asking:
         """Whether its kind hugs a wall."""
         return self.ask.scope.entry(self.kind).stands == "wall"
 
-    def stretches(self, wall: str) -> list[Stretch]:
-        """Returns the clear stretches of a wall for it."""
-        return self.ask.scope.walls.stretches(wall, self.size[1], self.size[2])
+    @cached_property
+    def stretches(self) -> Mapping[str, list[Stretch]]:
+        """The clear stretches of each wall for it."""
+        return {wall: self.ask.scope.walls.stretches(wall, self.size[1], self.size[2]) for wall in WALLS}
+
+    @cached_property
+    def places(self) -> Sequence[tuple[Stance, list[Kept]]]:
+        """Its stances, each with the rectangles that hold relations to the room."""
+        return [(stance, kept(self, stance)) for stance in stances(self)]
 
 
 def variant(kind: str, rotation: int, wall: str | None) -> str:

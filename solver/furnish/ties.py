@@ -50,11 +50,8 @@ def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]], dearest
             continue
         frames = _Frames(asking, rules)
         for parent in parents:
-            ways = [way for stance, found in every for way in _in_both(frames, stance, (label, parent), found)]
-            ways.sort(key=lambda way: round(way[0], 9))
-            for cost, stance, box, rect in ways[:PLACES_EACH]:
-                if cost + others < dearest:
-                    yield frames.way((stance, rect), (label, parent), box, cost + others)
+            for cost, stance, box, rect in _cheapest(frames, every, (label, parent), dearest - others):
+                yield frames.way((stance, rect), (label, parent), box, cost + others)
 
 
 def _by_label(parents: Sequence[tuple[str, str]]) -> dict[str, list[str]]:
@@ -91,6 +88,18 @@ class _Frames:
             self._known[key] = _boxes(self.asking, [*zip(self._rules, suits, strict=True)], base, key[1])
         return self._known[key]
 
+    def centres(self, box: Box, to: tuple[str, str]) -> tuple[int, int, int, int]:
+        """Returns low x, low z, high x and high z of where the centre may be in the room, wherever the other stands so."""
+        other = self.asking.reach.get(to)
+        if other is None:
+            return ANYWHERE[0], ANYWHERE[0], ANYWHERE[1], ANYWHERE[1]
+        turn = stance_of(to[1])[1]
+        (x0, z0), (x1, z1) = rotate(box[0][0], box[1][0], turn), rotate(box[0][1], box[1][1], turn)
+        return (
+            other.x0 + min(x0, x1) - SLACK_MM, other.z0 + min(z0, z1) - SLACK_MM,
+            other.x1 + max(x0, x1) + SLACK_MM, other.z1 + max(z0, z1) + SLACK_MM,
+        )  # fmt: skip
+
     def way(self, at: tuple[Stance, Rect], to: tuple[str, str], box: Box, cost: float) -> Alternative:
         """Returns the way to stand in a box of the other's frame and a rectangle of the room."""
         (stance, rect), (label, parent) = at, to
@@ -102,16 +111,40 @@ class _Frames:
         )  # fmt: skip
 
 
-def _in_both(frames: _Frames, stance: Stance, to: tuple[str, str], found: Sequence[Kept]) -> list[tuple[float, Stance, Box, Rect]]:
-    """Returns the cheapest pairs of a box in the other's frame and a rectangle in the room that can hold together."""
-    boxes = frames.boxes(to[1], stance)
-    pairs = sorted((cost + more, i, j) for i, (_, cost) in enumerate(boxes) for j, (_, more) in enumerate(found))
+def _cheapest(
+    frames: _Frames, every: Sequence[tuple[Stance, Sequence[Kept]]], to: tuple[str, str], dearest: float
+) -> list[tuple[float, Stance, Box, Rect]]:
+    """Returns the cheapest places of all stances beside one way of another piece, those of the likeliest stances first."""
+    likely = []
+    for stance, found in every:
+        boxes = frames.boxes(to[1], stance)
+        if boxes and found:
+            likely.append((boxes[0][1] + found[0][1], len(likely), stance, boxes, found))
+    likely.sort(key=lambda entry: entry[:2])
     ways: list[tuple[float, Stance, Box, Rect]] = []
+    for least, _, stance, boxes, found in likely:
+        if least >= dearest or (len(ways) >= PLACES_EACH and least >= ways[PLACES_EACH - 1][0]):
+            break
+        ways += [(cost, stance, box, rect) for cost, box, rect in _in_both(frames, stance, to, (boxes, found)) if cost < dearest]
+        ways.sort(key=lambda way: round(way[0], 9))
+    return ways[:PLACES_EACH]
+
+
+def _in_both(
+    frames: _Frames, stance: Stance, to: tuple[str, str], at: tuple[Sequence[tuple[Box, float]], Sequence[Kept]]
+) -> list[tuple[float, Box, Rect]]:
+    """Returns the cheapest pairs of a box in the other's frame and a rectangle in the room that can hold together."""
+    boxes, found = at
+    pairs = sorted((cost + more, i, j) for i, (_, cost) in enumerate(boxes) for j, (_, more) in enumerate(found))
+    centres = [frames.centres(box, to) for box, _ in boxes]
+    half_x, half_z = stance.extent[0] // 2, stance.extent[1] // 2
+    ways: list[tuple[float, Box, Rect]] = []
     for cost, i, j in pairs:
         if len(ways) == PLACES or cost == math.inf:
             break
-        if _meet(frames.asking, stance, to, (boxes[i][0], found[j][0])):
-            ways.append((cost, stance, boxes[i][0], found[j][0]))
+        rect, (low_x, low_z, high_x, high_z) = found[j][0], centres[i]
+        if low_x <= rect.x1 - half_x and rect.x0 + half_x <= high_x and low_z <= rect.z1 - half_z and rect.z0 + half_z <= high_z:
+            ways.append((cost, boxes[i][0], rect))
     return ways
 
 
@@ -123,8 +156,8 @@ def ways_between(asking: Asking, poses: Mapping[str, Placed]) -> list[Alternativ
         poses: where the other pieces stand, by label.
     """
     found: list[tuple[float, Stance, Rect]] = []
-    for stance in stances(asking):
-        places = kept(asking, stance)
+    for stance, in_room in asking.places:
+        places = in_room
         for rule in asking.to_pieces:
             held = _held_at(asking, rule, stance, poses)
             both = [(cut, cost) for rect, cost in places for other in held if (cut := within_both(rect, other, stance.extent))]
@@ -166,25 +199,6 @@ def _tucks(rule: Rule) -> bool:
     return rule.type == "under" or (rule.gap is not None and rule.gap[0] < 0)
 
 
-def _meet(asking: Asking, stance: Stance, to: tuple[str, str], at: tuple[Box, Rect]) -> bool:
-    """Tells whether a place in the other's frame and one in the room can be the same, wherever the other may be."""
-    (across, along), rect = at
-    other = asking.reach.get(to)
-    if other is None:
-        return True
-    turn = stance_of(to[1])[1]
-    (x0, z0), (x1, z1) = rotate(across[0], along[0], turn), rotate(across[1], along[1], turn)
-    width, depth = stance.extent
-    low_x, low_z = other.x0 + min(x0, x1) - SLACK_MM, other.z0 + min(z0, z1) - SLACK_MM
-    high_x, high_z = other.x1 + max(x0, x1) + SLACK_MM, other.z1 + max(z0, z1) + SLACK_MM
-    return (
-        low_x <= rect.x1 - width // 2
-        and rect.x0 + width // 2 <= high_x
-        and low_z <= rect.z1 - depth // 2
-        and rect.z0 + depth // 2 <= high_z
-    )
-
-
 def _boxes(asking: Asking, rules: Sequence[tuple[Rule, bool]], base: str, relative: int) -> list[tuple[Box, float]]:
     """Returns boxes in the other's frame, each holding at least one of the rules, cheapest first.
 
@@ -208,9 +222,15 @@ def _best(found: Sequence[tuple[Box, float]]) -> list[tuple[Box, float]]:
     """Sorts by cost and drops what lies within a box that costs no more."""
     best: list[tuple[Box, float]] = []
     for box, cost in sorted(found, key=lambda entry: (entry[1], -_size(entry[0]))):
-        if cost < math.inf and not any(shared(box, other) == box for other, _ in best):
+        (x0, x1), (z0, z1) = box
+        if cost == math.inf or len(best) == BOXES_KEPT:
+            break
+        for (a0, a1), (b0, b1) in (other for other, _ in best):
+            if a0 <= x0 and x1 <= a1 and b0 <= z0 and z1 <= b1:
+                break
+        else:
             best.append((box, cost))
-    return best[:BOXES_KEPT]
+    return best
 
 
 def _size(box: Box) -> int:
