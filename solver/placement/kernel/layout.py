@@ -145,6 +145,8 @@ class Programs(NamedTuple):
     fixed_rows: Ints
     rows: Ints
     row_s: Floats
+    reach: Floats
+    """By axis, least and most, variable: how far the rows let each free variable go, m."""
     columns: Floats
     factor: Floats
     vectors: Floats

@@ -39,6 +39,7 @@ from solver.placement.kernel.layout import (
     Work,
 )
 from solver.placement.kernel.program import append_row, prepare, solve_axis
+from solver.placement.kernel.reach import possible, propagate
 from solver.placement.kernel.widen import links
 
 COST_TOLERANCE: Final = 1e-9
@@ -46,6 +47,9 @@ VIOLATED: Final = 1e-8
 """An option holds when it misses by less than this, m."""
 STEPS: Final = 1e9
 """Costs and slacks are compared in steps of a nanometre or its like, so that rounding decides no tie."""
+FEWER_FIRST: Final = 1_000_000_000_000
+"""Sorts choices with fewer options within reach before those violated more; more than any slack in steps."""
+DEAD: Final = -1
 # Nodes.state
 OPEN, SPARE, PICKED, BASE = range(4)
 
@@ -75,10 +79,26 @@ def _open_node(work: Work, programs: Programs, nodes: Nodes, slot: int) -> None:
     nodes.state[BASE] = nodes.state[BASE + 1] = 0
 
 
-@compiled(lambda t: t.i8(t.Work, t.Nodes))
-def _violated(work: Work, nodes: Nodes) -> int:
-    """Writes the most violated choices to nodes.worst, worst first, ties by lowest number; returns how many."""
+@compiled(lambda t: t.i8(t.ints, t.int_rows, t.int_rows, t.float_rows, t.float_cubes, t.i8))
+def _possible_options(  # noqa: PLR0913
+    choice_size: Ints, options: Ints, column: Ints, value: Floats, reach: Floats, choice: int
+) -> int:
+    """Returns how many options of a choice are still within reach."""
+    count = 0
+    for k in range(4 * choice, 4 * choice + choice_size[choice]):
+        if possible(column, value, reach, options[k, AXIS], options[k, I], options[k, J], options[k, S]):
+            count += 1
+    return count
+
+
+@compiled(lambda t: t.i8(t.Work, t.Programs, t.Nodes, t.i8))
+def _violated(work: Work, programs: Programs, nodes: Nodes, slot: int) -> int:
+    """Writes the violated choices to try to nodes.worst; returns how many.
+
+    Those with the fewest options left within reach come first, then the most violated, then the lowest number. A choice with one option left within reach is written alone; DEAD is returned where one has none.
+    """
     p, worst, options, choice_size, count = nodes.positions, nodes.worst, work.options, work.choice_size, 0
+    column, value, reach, known = programs.column, programs.value, programs.reach, False
     for c in range(work.counts[N_CHOICES]):
         slack = -np.inf
         for k in range(4 * c, 4 * c + choice_size[c]):
@@ -88,7 +108,16 @@ def _violated(work: Work, nodes: Nodes) -> int:
                 break
         if slack >= -VIOLATED:
             continue
-        key = np.int64(slack * STEPS)
+        if not known:
+            known = True
+            for axis in range(2):
+                m = programs.fixed_rows[axis] + nodes.row_count[slot, axis]
+                propagate(axis, programs.size[axis], m, programs.bounds, programs.rows, programs.row_s, reach)
+        left = _possible_options(choice_size, options, column, value, reach, c)
+        if left <= 1:
+            worst[0, 0] = c
+            return DEAD if left == 0 else 1
+        key = left * FEWER_FIRST + np.int64(slack * STEPS)
         at = count
         while at > 0 and worst[at - 1, 1] > key:
             at -= 1
@@ -185,11 +214,14 @@ def _push(nodes: Nodes, parent: int, first: int, last: int) -> None:
 @compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
 def _branch(work: Work, programs: Programs, nodes: Nodes, parent: int, count: int, ceiling: float) -> None:  # noqa: PLR0913
     """Opens the children of the choice whose cheapest child is dearest."""
+    options, column, value, reach = work.options, programs.column, programs.value, programs.reach
     first, last, dearest = 0, 0, np.int64(-1)
     for w in range(count):
         c, start, cheapest = nodes.worst[w, 0], last, np.int64(-1)
-        for o in range(work.choice_size[c]):
-            slot = _child(work, programs, nodes, parent, 4 * c + o, ceiling)
+        for k in range(4 * c, 4 * c + work.choice_size[c]):
+            if not possible(column, value, reach, options[k, AXIS], options[k, I], options[k, J], options[k, S]):
+                continue
+            slot = _child(work, programs, nodes, parent, k, ceiling)
             if slot >= 0:
                 key = np.int64((nodes.cost[slot, 0] + nodes.cost[slot, 1]) * STEPS)
                 nodes.family[last, 0], nodes.family[last, 1] = slot, key
@@ -313,9 +345,11 @@ def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
                 nodes.result[EXHAUSTED] = 0
                 return
             _open_node(work, programs, nodes, slot)
-            count = _violated(work, nodes)
+            count = _violated(work, programs, nodes, slot)
             if count > 0:
                 _branch(work, programs, nodes, slot, count, best)
+            elif count == DEAD:
+                nodes.result[SOLVES] += 1  # costs about as much as a QP
             elif not walk or _passes(engine):
                 _keep_best(work, programs, nodes, slot)
             else:

@@ -77,6 +77,7 @@ def new_programs(sizes: Sizes) -> Programs:
         fixed_rows=_ints(2),
         rows=_ints(2, 2, r),
         row_s=_floats(2, r),
+        reach=_floats(2, 2, v),
         columns=_floats(2, v + 1, v),
         factor=_floats(2, v + 1, v + 1),
         vectors=_floats(2, 2, v + 1),
