@@ -28,7 +28,8 @@ BETWEEN_WAYS = 12
 """Most ways of a piece between others that stand."""
 PLACES = 3
 """Most ways of one stance beside one way of another piece."""
-PLACES_EACH = 8
+ANY_PLACE = Rect(ANYWHERE[0], ANYWHERE[0], ANYWHERE[1], ANYWHERE[1])
+PLACES_EACH = 5
 """Most ways of all stances beside one way of another piece."""
 
 
@@ -71,11 +72,12 @@ class _Frames:
 
     def __init__(self, asking: Asking, rules: Sequence[Rule]) -> None:
         self.asking, self._rules = asking, rules
-        self._tucked = any(map(_tucks, rules))
         pull = FIRM if any(rule.type in SLOTTED for rule in rules) else LOOSE
         self._pulls = (pull, pull)
         clear = asking.ask.scope.space.clear
         self._far = max(clear.width, clear.depth)
+        self._tucked: set[tuple[int, Box]] = set()
+        self._centres: dict[tuple[Box, str], tuple[int, int, int, int]] = {}
         self._known: dict[tuple[str, int, tuple[bool, ...]], list[tuple[Box, float]]] = {}
 
     def boxes(self, parent: str, stance: Stance) -> list[tuple[Box, float]]:
@@ -86,29 +88,44 @@ class _Frames:
         key = (base, (stance.rotation - turn) % 360, suits)
         if key not in self._known:
             self._known[key] = _boxes(self.asking, [*zip(self._rules, suits, strict=True)], base, key[1])
+            tucking = [rule for rule in self._rules if _tucks(rule)]
+            self._tucked |= {(key[1], box) for rule in tucking for box in _within(self._known[key], _fit(self.asking, rule, base, key[1]))}
         return self._known[key]
 
     def centres(self, box: Box, to: tuple[str, str]) -> tuple[int, int, int, int]:
         """Returns low x, low z, high x and high z of where the centre may be in the room, wherever the other stands so."""
-        other = self.asking.reach.get(to)
-        if other is None:
-            return ANYWHERE[0], ANYWHERE[0], ANYWHERE[1], ANYWHERE[1]
+        if (box, to[1]) in self._centres:
+            return self._centres[box, to[1]]
+        other = self.asking.reach.get(to, ANY_PLACE)
         turn = stance_of(to[1])[1]
         (x0, z0), (x1, z1) = rotate(box[0][0], box[1][0], turn), rotate(box[0][1], box[1][1], turn)
-        return (
+        self._centres[box, to[1]] = found = (
             other.x0 + min(x0, x1) - SLACK_MM, other.z0 + min(z0, z1) - SLACK_MM,
             other.x1 + max(x0, x1) + SLACK_MM, other.z1 + max(z0, z1) + SLACK_MM,
         )  # fmt: skip
+        return found
 
     def way(self, at: tuple[Stance, Rect], to: tuple[str, str], box: Box, cost: float) -> Alternative:
         """Returns the way to stand in a box of the other's frame and a rectangle of the room."""
         (stance, rect), (label, parent) = at, to
+        relative = (stance.rotation - stance_of(parent)[1]) % 360
         across, along = _clipped(box[0], self._far), _clipped(box[1], self._far)
         return Alternative(
-            variant(self.asking.kind, stance.rotation, stance.wall), self.asking.size, (stance.rotation - stance_of(parent)[1]) % 360,
+            variant(self.asking.kind, stance.rotation, stance.wall), self.asking.size, relative,
             weights=self._pulls, within=rect, cost=round(cost, 6), attach=Attach(label, parent, across, along),
-            under=label if self._tucked else None,
+            under=label if (relative, box) in self._tucked else None,
         )  # fmt: skip
+
+
+def _within(boxes: Sequence[tuple[Box, float]], fit: Fit) -> list[Box]:
+    """Returns the boxes in all of which a rule holds."""
+    held = BOXES[fit.rule.type](fit)
+    return [box for box, _ in boxes if any(shared(box, other) == box for other in held)]
+
+
+def _fit(asking: Asking, rule: Rule, base: str, relative: int) -> Fit:
+    width, depth, _ = asking.ask.scope.size(base)
+    return Fit(rule, (width, depth), turned(asking.size[0], asking.size[1], relative), relative)
 
 
 def _cheapest(
@@ -136,13 +153,12 @@ def _in_both(
     """Returns the cheapest pairs of a box in the other's frame and a rectangle in the room that can hold together."""
     boxes, found = at
     pairs = sorted((cost + more, i, j) for i, (_, cost) in enumerate(boxes) for j, (_, more) in enumerate(found))
-    centres = [frames.centres(box, to) for box, _ in boxes]
     half_x, half_z = stance.extent[0] // 2, stance.extent[1] // 2
     ways: list[tuple[float, Box, Rect]] = []
     for cost, i, j in pairs:
         if len(ways) == PLACES or cost == math.inf:
             break
-        rect, (low_x, low_z, high_x, high_z) = found[j][0], centres[i]
+        rect, (low_x, low_z, high_x, high_z) = found[j][0], frames.centres(boxes[i][0], to)
         if low_x <= rect.x1 - half_x and rect.x0 + half_x <= high_x and low_z <= rect.z1 - half_z and rect.z0 + half_z <= high_z:
             ways.append((cost, boxes[i][0], rect))
     return ways
@@ -155,29 +171,35 @@ def ways_between(asking: Asking, poses: Mapping[str, Placed]) -> list[Alternativ
         asking: the piece and its rules.
         poses: where the other pieces stand, by label.
     """
-    found: list[tuple[float, Stance, Rect]] = []
+    found: list[tuple[float, Stance, Rect, Attach | None]] = []
     for stance, in_room in asking.places:
-        places = in_room
+        places, tucked = in_room, list[tuple[Attach, Rect]]()
         for rule in asking.to_pieces:
             held = _held_at(asking, rule, stance, poses)
-            both = [(cut, cost) for rect, cost in places for other in held if (cut := within_both(rect, other, stance.extent))]
+            both = [(cut, cost) for rect, cost in places for _, other in held if (cut := within_both(rect, other, stance.extent))]
             places = best_places([*both, *((rect, cost + missed(rule)) for rect, cost in places)])
-        found += [(cost, stance, rect) for rect, cost in places[:PLACES]]
+            tucked += held if _tucks(rule) else []
+        for rect, cost in places[:PLACES]:
+            found.append((cost, stance, rect, next((attach for attach, other in tucked if other.contains(rect)), None)))
     found.sort(key=lambda entry: entry[0])
-    tucked = next((rule.of[0] for rule in asking.to_pieces if _tucks(rule)), None)
-    return [
-        Alternative(
-            variant(asking.kind, stance.rotation, stance.wall), asking.size, stance.rotation, stance.wall,
-            ((rect.x0 + rect.x1) // 2, (rect.z0 + rect.z1) // 2), (LOOSE, LOOSE), within=rect, cost=round(cost, 6),
-            under=next(iter(asking.ask.labels((tucked,))), None) if tucked else None,
-        )
-        for cost, stance, rect in found[:BETWEEN_WAYS]
-    ]  # fmt: skip
+    return [_between(asking, stance, (rect, cost), attach) for cost, stance, rect, attach in found[:BETWEEN_WAYS]]
 
 
-def _held_at(asking: Asking, rule: Rule, stance: Stance, poses: Mapping[str, Placed]) -> list[Rect]:
+def _between(asking: Asking, stance: Stance, place: Kept, attach: Attach | None) -> Alternative:
+    """Returns the way to stand at a place; tied to the piece it is tucked under, which may slide."""
+    (rect, cost), rotation, wall = place, stance.rotation, stance.wall
+    if attach is not None:
+        rotation, wall = (rotation - stance_of(attach.parent_kind)[1]) % 360, None
+    return Alternative(
+        variant(asking.kind, stance.rotation, stance.wall), asking.size, rotation, wall,
+        ((rect.x0 + rect.x1) // 2, (rect.z0 + rect.z1) // 2), (LOOSE, LOOSE), within=rect, cost=round(cost, 6),
+        attach=attach, under=attach.parent if attach else None,
+    )  # fmt: skip
+
+
+def _held_at(asking: Asking, rule: Rule, stance: Stance, poses: Mapping[str, Placed]) -> list[tuple[Attach, Rect]]:
     """Returns the rectangles within which a footprint holds a rule with any of the pieces it names, where they stand."""
-    found: list[Rect] = []
+    found: list[tuple[Attach, Rect]] = []
     for label in asking.ask.labels(rule.of):
         other = poses.get(label)
         if other is None or rule.type == "on":
@@ -191,7 +213,7 @@ def _held_at(asking: Asking, rule: Rule, stance: Stance, poses: Mapping[str, Pla
                 (x0, z0), (x1, z1) = (rotate(across[k], along[k], other.rotation) for k in (0, 1))
                 low_x, low_z = (x - width) // 2 + min(x0, x1), (z - depth) // 2 + min(z0, z1)
                 high_x, high_z = (x + width + 1) // 2 + max(x0, x1), (z + depth + 1) // 2 + max(z0, z1)
-                found.append(Rect(low_x, low_z, high_x, high_z))
+                found.append((Attach(label, other.chosen.kind, across, along), Rect(low_x, low_z, high_x, high_z)))
     return found
 
 
@@ -208,11 +230,9 @@ def _boxes(asking: Asking, rules: Sequence[tuple[Rule, bool]], base: str, relati
         base: the other's kind.
         relative: the own rotation minus the other's.
     """
-    size = asking.ask.scope.size(base)
-    own = turned(asking.size[0], asking.size[1], relative)
     found: list[tuple[Box, float]] = [((ANYWHERE, ANYWHERE), 0.0)]
     for rule, suits in rules:
-        boxes = BOXES[rule.type](Fit(rule, (size[0], size[1]), own, relative)) if suits else []
+        boxes = BOXES[rule.type](_fit(asking, rule, base, relative)) if suits else []
         held = [(both, cost + _sliding(rule, other)) for box, cost in found for other in boxes if (both := shared(box, other))]
         found = _best([*held, *((box, cost + missed(rule)) for box, cost in found)])
     return [(box, cost) for box, cost in found if box != (ANYWHERE, ANYWHERE)]
