@@ -58,11 +58,9 @@ def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
         wanted: the pieces, each after those it refers to.
     """
     best = _first(terms, wanted)
-    rounds = 1
-    while not best.perfect and rounds < ROUNDS:
-        found, spent = _mended(terms, wanted, best)
-        rounds += spent
-        if found.score >= best.score:
+    for _ in range(ROUNDS - 1):
+        found = best if best.perfect else _mended(terms, wanted, best)
+        if found.score[:3] >= best.score[:3]:
             break
         best = found
     if best.score[0]:
@@ -72,14 +70,14 @@ def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
 
 
 def quick_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
-    """Returns a good placement in at most three rounds.
+    """Returns a good placement in at most two rounds.
 
     Args:
         terms: the request.
         wanted: the pieces, perhaps with fewer ways to stand.
     """
     found = _first(terms, wanted)
-    return found if found.perfect else min(found, _mended(terms, wanted, found)[0], key=lambda one: one.score)
+    return found if found.perfect else min(found, _mended(terms, wanted, found), key=lambda one: one.score)
 
 
 def _first(terms: Terms, wanted: Sequence[Wanted]) -> Found:
@@ -102,19 +100,9 @@ def _freedom(space: Space, piece: Wanted) -> float:
     return total / (width * depth) if total else 0.0
 
 
-def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> tuple[Found, int]:
-    """Takes pieces that miss a relation out and puts them in again, the others standing as they do; alone, then with others.
-
-    Returns:
-        The first that is better, or the last; and the rounds it took.
-    """
-    squeaking = _squeaking(found)
-    refers = {piece.label: set(_refers_to(piece)) for piece in wanted}
-    targets = {label for one in squeaking for label in refers[one]}
-    alone = _judged(terms, arrange(terms.space, _reopened(terms, wanted, found, set(squeaking)), limits=MENDING))
-    if alone.score < found.score:
-        return alone, 1
-    return _judged(terms, arrange(terms.space, _reopened(terms, wanted, found, {*squeaking, *targets}), limits=MENDING)), 2
+def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> Found:
+    """Takes pieces that are missing or miss a relation out and puts them in again between the others, which may slide."""
+    return _judged(terms, arrange(terms.space, _reopened(terms, wanted, found, set(_squeaking(found))), limits=MENDING))
 
 
 def _reopened(terms: Terms, wanted: Sequence[Wanted], found: Found, loose: set[str]) -> list[Wanted]:
