@@ -10,7 +10,7 @@ within 0.1; a `gap` that is given is met within 0.02; distances are met to the m
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -274,8 +274,8 @@ def _meets(own: Standing, other: Standing) -> bool:
     return 2 * low <= own.centre[axis] <= 2 * high
 
 
-def _side(own: Standing, other: Standing, rule: Rule, sides: Sequence[str]) -> str | None:
-    """Returns the side of the other at which the own piece stands, the wished gap away."""
+def _sides(own: Standing, other: Standing, rule: Rule, sides: Sequence[str]) -> Iterator[str]:
+    """Yields the sides of the other at which the own piece stands, the wished gap away; past its edge where it reaches under it."""
     low, high = GAPS_MM[rule.type]
     if rule.gap is not None:
         low, high = round(rule.gap[0] * 1000) - GAP_MM, round(rule.gap[1] * 1000) + GAP_MM
@@ -283,9 +283,9 @@ def _side(own: Standing, other: Standing, rule: Rule, sides: Sequence[str]) -> s
         dx, dz = _normal(other, side)
         a, b = own.rect, other.rect
         gap = {1: a.x0 - b.x1, -1: b.x0 - a.x1}[dx] if dx else {1: a.z0 - b.z1, -1: b.z0 - a.z1}[dz]
-        if low <= gap <= high and _lined_up(own, other, rule, dx == 0):
-            return side
-    return None
+        reach = a.width if dx else a.depth
+        if max(low, 1 - reach) <= gap <= high and _lined_up(own, other, rule, dx == 0):
+            yield side
 
 
 def _normal(other: Standing, side: str) -> tuple[int, int]:
@@ -308,24 +308,23 @@ def _lined_up(own: Standing, other: Standing, rule: Rule, along_x: bool) -> bool
 
 def beside(_: Judged, own: Standing, other: Standing, rule: Rule) -> bool:
     """It stands at the left or right of the other, close to it."""
-    return _side(own, other, rule, ("left", "right")) is not None
+    return any(_sides(own, other, rule, ("left", "right")))
 
 
 def in_front_of(_: Judged, own: Standing, other: Standing, rule: Rule) -> bool:
     """It stands before the other's front."""
-    return _side(own, other, rule, ("front",)) is not None
+    return any(_sides(own, other, rule, ("front",)))
 
 
 def around(_: Judged, own: Standing, other: Standing, rule: Rule) -> bool:
     """It stands at a side of the other and looks at it."""
-    side = _side(own, other, rule, ("front", "back", "left", "right"))
-    return side is not None and _looks_at_side(own, other, side)
+    return any(_looks_at_side(own, other, side) for side in _sides(own, other, rule, ("front", "back", "left", "right")))
 
 
 def under(_: Judged, own: Standing, other: Standing, rule: Rule) -> bool:
     """It stands at a side of the other, looks at it and reaches under it."""
-    side = _side(own, other, rule, ("front",))
-    return side is not None and _looks_at_side(own, other, side) and own.rect.overlaps(other.rect)
+    sides = _sides(own, other, rule, ("front",))
+    return own.rect.overlaps(other.rect) and any(_looks_at_side(own, other, side) for side in sides)
 
 
 def _looks_at_side(own: Standing, other: Standing, side: str) -> bool:
@@ -338,7 +337,7 @@ def in_row(_: Judged, own: Standing, other: Standing, rule: Rule) -> bool:
     if rule.wall == "adjacent":
         return apart_mm(own.rect, other.rect) <= ROUND_CORNER_MM
     in_line = rule.model_copy(update={"align": "back"})
-    return own.rotation == other.rotation and _side(own, other, in_line, ("left", "right")) is not None
+    return own.rotation == other.rotation and any(_sides(own, other, in_line, ("left", "right")))
 
 
 def on(room: Judged, own: Standing, other: Standing, _: Rule) -> bool:

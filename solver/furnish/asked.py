@@ -84,6 +84,7 @@ def asked_pieces(room: Room, space: Space, catalogs: Catalogs, pieces: Sequence[
     earlier: dict[str, tuple[str, ...]] = {one.label: (one.label,) for one in wanted}
     kinds: dict[str, tuple[str, ...]] = {one.label: (one.alternatives[0].kind,) for one in wanted}
     askings: dict[str, Asking] = {}
+    named = {name for piece in pieces for rule in piece.rules for name in rule.of}
     reach = {key: rect for one in wanted for key, rect in _reach(one, space.clear).items()}
     for piece in pieces:
         for number in range(1, piece.count + 1):
@@ -91,7 +92,8 @@ def asked_pieces(room: Room, space: Space, catalogs: Catalogs, pieces: Sequence[
             asking = _asking(Ask(scope, piece, number, dict(earlier), dict(kinds)), reach)
             one, askings[label] = _wanted(asking, label), asking
             wanted.append(one)
-            reach |= _reach(one, space.clear)
+            if piece.piece in named:
+                reach |= _reach(one, space.clear)
             earlier[piece.piece] = (*earlier.get(piece.piece, ()), label)
             kinds[label] = tuple(dict.fromkeys(way.kind for way in one.alternatives))
     return Asked(tuple(wanted), askings)
@@ -105,22 +107,24 @@ def _standing(piece: Wanted) -> Wanted:
 
 def _reach(piece: Wanted, clear: Rect) -> dict[tuple[str, str], Rect]:
     """Returns where the centre of a piece may be, for every way it may stand."""
-    found: dict[tuple[str, str], Rect] = {}
+    kinds: dict[str, set[Rect]] = {}
     for way in piece.alternatives:
-        rotation = stance_of(way.kind)[1]
-        width, depth = turned(way.size_mm[0], way.size_mm[1], rotation)
-        rect = way.within or clear
-        if width <= rect.width and depth <= rect.depth:
-            x0, z0, x1, z1 = rect.x0 + width // 2, rect.z0 + depth // 2, rect.x1 - width // 2, rect.z1 - depth // 2
-            old = found.get((piece.label, way.kind), Rect(x0, z0, x1, z1))
-            found[piece.label, way.kind] = Rect(min(x0, old.x0), min(z0, old.z0), max(x1, old.x1), max(z1, old.z1))
+        kinds.setdefault(way.kind, set()).add(way.within or clear)
+    found: dict[tuple[str, str], Rect] = {}
+    for kind, rects in kinds.items():
+        width, depth = turned(*piece.alternatives[0].size_mm[:2], stance_of(kind)[1])
+        fits = [rect for rect in rects if width <= rect.width and depth <= rect.depth]
+        if fits:
+            x0, z0 = min(rect.x0 for rect in fits), min(rect.z0 for rect in fits)
+            x1, z1 = max(rect.x1 for rect in fits), max(rect.z1 for rect in fits)
+            found[piece.label, kind] = Rect(x0 + width // 2, z0 + depth // 2, x1 - width // 2, z1 - depth // 2)
     return found
 
 
 def _asking(ask: Ask, reach: Mapping[tuple[str, str], Rect]) -> Asking:
     rules = [rule for rule in ask.piece.rules if not rule.of or set(rule.of) & set(OPENINGS) or ask.labels(rule.of)]
     to_room = tuple(rule for rule in rules if not ask.labels(rule.of))
-    return Asking(ask, to_room, tuple(rule for rule in rules if rule not in to_room), dict(reach))
+    return Asking(ask, to_room, tuple(rule for rule in rules if rule not in to_room), reach)
 
 
 def _wanted(asking: Asking, label: str) -> Wanted:

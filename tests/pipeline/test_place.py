@@ -11,6 +11,7 @@ from catalogs import load_catalogs
 from catalogs.schema import Rule
 from solver import Wish, place, validate
 from solver.errors import RequestError
+from solver.relations_held import held, judged
 from solver.requested import Answered, in_order
 from solver.scene import Furniture, Opening, Room
 
@@ -188,3 +189,15 @@ def test_bad_requests_name_the_field(wishes: list[Wish], more: dict[str, Any], f
         placed(*wishes, **more)
     assert caught.value.field == field
     assert caught.value.allowed
+
+
+@pytest.mark.parametrize(
+    ("x", "z", "rotation", "holds"),
+    [(2.0, 1.38, 0, True), (2.0, 1.5, 0, True), (2.0, 2.62, 0, False), (2.0, 1.38, 180, False), (2.9, 2.0, 270, True), (2.9, 2.0, 90, False)],
+)
+def test_around_means_at_a_side_and_turned_to_it(x: float, z: float, rotation: int, holds: bool) -> None:
+    """A table of 1.4 x 0.8 m about (2, 2), a box of 0.4 m: from its north, tucked a little, from its south with its back, ..."""
+    table = Furniture("table", "table", x=2.0, z=2.0, width=1.4, depth=0.8, height=0.75, rotation=0)
+    box = Furniture("box", "box", x=x, z=z, width=0.4, depth=0.4, height=0.5, rotation=rotation)
+    room = judged(replace(ROOM, furniture=(table, box)), 0.1, {"table": ("table",), "box": ("box",)}, {})
+    assert held(room, "box", rule("around", "table")) == (holds, "table")
