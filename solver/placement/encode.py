@@ -15,7 +15,7 @@ from solver.placement.kernel import layout
 from solver.placement.kernel.assembly import PERSON_MM
 from solver.placement.kernel.layout import Engine, Ints, Room
 from solver.placement.kernel.space import Sizes, new_engine
-from solver.wanted import Alternative, Attach, Doorway, Link, Space, Wanted
+from solver.wanted import Alternative, Attach, Doorway, Link, Space, Wanted, Zone
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
@@ -96,15 +96,48 @@ def _values(rows: Sequence[Sequence[float]], columns: int) -> layout.Floats:
 
 
 class _Tables:
-    """Numbers for names: pieces by label, kinds, slots."""
+    """The rows of a room's tables, piece by piece, and numbers for names: pieces by label, kinds, slots."""
 
     def __init__(self, space: Space, wanted: Sequence[Wanted]) -> None:
         self.space = space
         self.piece = {piece.label: k for k, piece in enumerate(wanted)}
         self.kinds: dict[str, int] = {}
         self.slots: dict[str, int] = {}
+        self.pieces: list[list[int]] = []
+        self.alts: list[list[int]] = []
+        self.alt_costs: list[list[float]] = []
+        self.links: list[list[int]] = []
+        self.link_costs: list[list[float]] = []
+        self.sides: list[tuple[int, int, int]] = []
+        self.side_costs: list[float] = []
+        self.side_names: list[tuple[str, ...]] = []
+        self.alternatives: list[Alternative] = []
 
-    def alternative(self, a: Alternative, number: int) -> list[int]:
+    def add(self, piece: Wanted, walk: str) -> None:
+        """Adds a piece with its alternatives, links and choices of sides."""
+        starts = (len(self.alts), len(self.links), len(self.sides))
+        numbers: dict[Hashable, int] = {}
+        for a in piece.alternatives:
+            parent = -1 if a.attach is None else self.piece.get(a.attach.parent)
+            if parent is None:
+                continue
+            if parent >= len(self.pieces):
+                raise ValueError(f"{piece.label} must come after what it is attached to")
+            self.alts.append(self._alternative(a, numbers.setdefault(kin(a), len(numbers))))
+            self.alt_costs.append([*a.weights, a.cost])
+            self.alternatives.append(a)
+        for link in piece.links:
+            if link.of in self.piece:
+                self._link(link)
+        for side_names, bits, cost in _side_choices(piece, walk):
+            self.side_names.append(side_names)
+            self.sides.append(bits)
+            self.side_costs.append(cost)
+        ends = (starts[0], len(self.alts), starts[1], len(self.links), starts[2], len(self.sides))
+        empty = layout.EMPTY_FLOOR if piece.label.startswith(EMPTY_FLOOR) else 0
+        self.pieces.append([int(piece.required), *ends, len(self.pieces) + 1, empty])
+
+    def _alternative(self, a: Alternative, number: int) -> list[int]:
         """Returns an alternative's row."""
         within: Rect = a.within or self.space.clear
         kind = self.kinds.setdefault(a.kind, len(self.kinds))
@@ -122,11 +155,10 @@ class _Tables:
         own = [kind, *a.size_mm, a.rotation % 360, WALLS[a.wall], *a.anchor_mm, *inside, a.bottom_mm]
         return [*own, *attach, under, on, slack, number]
 
-    def link(self, link: Link) -> tuple[list[int], list[float]]:
-        """Returns a link's rows."""
+    def _link(self, link: Link) -> None:
         turn = -1 if link.turn is None else link.turn % 360
-        numbers = [self.piece[link.of], turn, _RELATIONS[link.walls], int(link.required)]
-        return numbers, [link.cost, link.align, link.near, link.apart_m, link.apart_cost]
+        self.links.append([self.piece[link.of], turn, _RELATIONS[link.walls], int(link.required)])
+        self.link_costs.append([link.cost, link.align, link.near, link.apart_m, link.apart_cost])
 
 
 def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Encoded:
@@ -142,51 +174,28 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
         ValueError: a piece comes before the one it is attached to.
     """
     tables = _Tables(space, wanted)
-    pieces, alts, alt_costs, links, link_costs = [], [], [], [], []
-    sides: list[tuple[int, int, int]] = []
-    side_costs: list[float] = []
-    names: list[tuple[str, ...]] = []
-    chosen: list[Alternative] = []
     for piece in wanted:
-        empty = layout.EMPTY_FLOOR if piece.label.startswith(EMPTY_FLOOR) else 0
-        starts = (len(alts), len(links), len(sides))
-        numbers: dict[Hashable, int] = {}
-        for a in piece.alternatives:
-            if a.attach is not None and a.attach.parent not in tables.piece:
-                continue
-            if a.attach is not None and tables.piece[a.attach.parent] >= len(pieces):
-                raise ValueError(f"{piece.label} must come after {a.attach.parent}, which it is attached to")
-            alts.append(tables.alternative(a, numbers.setdefault(kin(a), len(numbers))))
-            alt_costs.append([*a.weights, a.cost])
-            chosen.append(a)
-        for link in piece.links:
-            if link.of in tables.piece:
-                row, costs = tables.link(link)
-                links.append(row)
-                link_costs.append(costs)
-        for side_names, bits, cost in _side_choices(piece, walk):
-            names.append(side_names)
-            sides.append(bits)
-            side_costs.append(cost)
-        pieces.append([int(piece.required), starts[0], len(alts), starts[1], len(links), starts[2], len(sides), len(pieces) + 1, empty])
-    _group(pieces, wanted)
+        tables.add(piece, walk)
+    _group(tables.pieces, wanted)
     room = Room(
         _space_row(space, walk),
-        _matrix(
-            [[zone.rect.x0, zone.rect.z0, zone.rect.x1, zone.rect.z1, zone.above_mm, int(zone.cause == "outline")] for zone in space.zones],
-            6,
-        ),
+        _matrix([_zone_row(zone) for zone in space.zones], 6),
         _matrix([door_target(space, door) for door in space.doorways], 4),
-        _matrix(pieces, 9),
+        _matrix(tables.pieces, 9),
         np.array([piece.skip_cost for piece in wanted], dtype=np.float64),
-        _matrix(sides, 3),
-        np.array(side_costs, dtype=np.float64),
-        _matrix(alts, 24),
-        _values(alt_costs, 3),
-        _matrix(links, 4),
-        _values(link_costs, 5),
+        _matrix(tables.sides, 3),
+        np.array(tables.side_costs, dtype=np.float64),
+        _matrix(tables.alts, 24),
+        _values(tables.alt_costs, 3),
+        _matrix(tables.links, 4),
+        _values(tables.link_costs, 5),
     )
-    return Encoded(space, tuple(wanted), tuple(chosen), tuple(names), walk, new_engine(room, _sizes(room)))
+    names = tuple(tables.side_names)
+    return Encoded(space, tuple(wanted), tuple(tables.alternatives), names, walk, new_engine(room, _sizes(room)))
+
+
+def _zone_row(zone: Zone) -> list[int]:
+    return [zone.rect.x0, zone.rect.z0, zone.rect.x1, zone.rect.z1, zone.above_mm, int(zone.cause == "outline")]
 
 
 def _group(pieces: list[list[int]], wanted: Sequence[Wanted]) -> None:
@@ -240,8 +249,10 @@ def empty_floor(space: Space) -> Wanted:
 
 
 def spread_floor(space: Space, reach_mm: int) -> tuple[Wanted, Wanted]:
-    """Returns two places for a person that any 0.25 m2 of connected free centres contain: that far apart along x, or else
-    so far along z that the product is 0.25 m2 (a connected set's area is at most that of its bounding box).
+    """Returns two places for a person that any 0.25 m2 of connected free centres contain.
+
+    They are `reach_mm` apart along x, or else so far along z that the product is 0.25 m2: a connected set's area is at most
+    that of its bounding box.
     """
     clear, robot = space.clear, space.robot_mm
     middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)

@@ -79,7 +79,7 @@ PERSON_MM: Final = 1800
 
 
 @compiled(lambda t: t.none(t.ints, t.int_rows, t.float_rows, t.i8, t.i8, t.i8, t.f8, t.f8))
-def _pull(counts: Ints, pulls: Ints, costs: Floats, axis: int, i: int, j: int, offset: float, weight: float) -> None:  # noqa: PLR0913
+def _pull(counts: Ints, pulls: Ints, costs: Floats, axis: int, i: int, j: int, offset: float, weight: float) -> None:
     k = counts[N_PULLS]
     pulls[k, AXIS], pulls[k, I], pulls[k, J] = axis, i, j
     costs[k, PULL_OFFSET], costs[k, PULL_WEIGHT] = offset, weight
@@ -224,9 +224,7 @@ def _must_part(parts: Ints, alts: Ints, taken_alt: Ints, a: int, b: int) -> bool
 
 
 @compiled(lambda t: t.b1(t.int_rows, t.int_rows, t.int_rows, t.ints, t.i8, t.i8, t.i8, t.i8, t.i8))
-def _offer(  # noqa: PLR0913
-    low: Ints, high: Ints, options: Ints, choice_size: Ints, choice: int, axis: int, i: int, j: int, s: int
-) -> bool:
+def _offer(low: Ints, high: Ints, options: Ints, choice_size: Ints, choice: int, axis: int, i: int, j: int, s: int) -> bool:
     """Adds an option to a choice where the bounds allow it; True where they hold it anyway."""
     least, most = 0, 0
     if i != j:
@@ -244,9 +242,7 @@ def _offer(  # noqa: PLR0913
 
 
 @compiled(lambda t: t.b1(t.int_rows, t.int_rows, t.int_rows, t.ints, t.int_rows, t.i8, t.i8, t.i8))
-def _apart(  # noqa: PLR0913
-    low: Ints, high: Ints, options: Ints, choice_size: Ints, parts: Ints, choice: int, a: int, b: int
-) -> bool:
+def _apart(low: Ints, high: Ints, options: Ints, choice_size: Ints, parts: Ints, choice: int, a: int, b: int) -> bool:
     """Writes the options that keep two parts apart, a left of, right of, north of, south of b; False where the bounds do."""
     choice_size[choice] = 0
     for axis in range(2):
@@ -260,9 +256,7 @@ def _apart(  # noqa: PLR0913
 
 
 @compiled(lambda t: t.b1(t.int_rows, t.int_rows, t.int_rows, t.ints, t.int_rows, t.int_rows, t.i8, t.i8, t.i8))
-def _clear_of(  # noqa: PLR0913
-    low: Ints, high: Ints, options: Ints, choice_size: Ints, parts: Ints, zones: Ints, choice: int, a: int, zone: int
-) -> bool:
+def _clear_of(low: Ints, high: Ints, options: Ints, choice_size: Ints, parts: Ints, zones: Ints, choice: int, a: int, zone: int) -> bool:
     """Writes the options that keep a part out of a zone; False where the bounds do."""
     choice_size[choice] = 0
     for axis in range(2):

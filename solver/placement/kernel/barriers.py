@@ -40,7 +40,7 @@ HEADROOM_MM = 2000
 
 
 @compiled(lambda t: t.none(t.ints, t.int_rows, t.i8, t.i8, t.i8, t.i8))
-def add_row(counts: Ints, rows: Ints, axis: int, i: int, j: int, s: int) -> None:  # noqa: PLR0913
+def add_row(counts: Ints, rows: Ints, axis: int, i: int, j: int, s: int) -> None:
     """Appends a fixed row, p_j - p_i >= s along an axis."""
     k = counts[N_ROWS]
     rows[k, AXIS], rows[k, I], rows[k, J], rows[k, S] = axis, i, j, s
@@ -61,7 +61,7 @@ def _barred(space: Ints, parts: Ints, rotation: Ints, stand: int) -> int:
 
 
 @compiled(lambda t: t.none(t.ints, t.int_rows, t.int_rows, t.i8, t.i8, t.i8))
-def _keep_beside(counts: Ints, rows: Ints, parts: Ints, stand: int, other: int, wall: int) -> None:  # noqa: PLR0913
+def _keep_beside(counts: Ints, rows: Ints, parts: Ints, stand: int, other: int, wall: int) -> None:
     """Keeps another stand on the side of a body that its own stand is on."""
     axis = 0 if wall == EAST or wall == WEST else 1
     u, v = parts[stand, VAR_X + axis], parts[other, VAR_X + axis]
@@ -73,7 +73,7 @@ def _keep_beside(counts: Ints, rows: Ints, parts: Ints, stand: int, other: int, 
 
 
 @compiled(lambda t: t.none(t.ints, t.int_rows, t.int_rows, t.int_rows, t.i8, t.i8, t.i8))
-def _keep_door(counts: Ints, rows: Ints, parts: Ints, doors: Ints, stand: int, door: int, wall: int) -> None:  # noqa: PLR0913
+def _keep_door(counts: Ints, rows: Ints, parts: Ints, doors: Ints, stand: int, door: int, wall: int) -> None:
     """Keeps a body with a stand on the far side of a door; doors are in doubled millimetres."""
     axis = 0 if wall == EAST or wall == WEST else 1
     u, near, size = parts[stand, VAR_X + axis], parts[stand, OFF_X + axis], parts[stand, EXT_X + axis]

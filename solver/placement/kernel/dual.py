@@ -28,7 +28,7 @@ SOLVED, INFEASIBLE, TOO_DEAR = 0, 1, 2
 
 
 @compiled(lambda t: t.f8(t.float_cubes, t.i8, t.i8, t.int_cubes, t.i8, t.i8))
-def _along(columns: Floats, axis: int, k: int, rows: Ints, n: int, c: int) -> float:  # noqa: PLR0913
+def _along(columns: Floats, axis: int, k: int, rows: Ints, n: int, c: int) -> float:
     """Returns the normal of constraint c times column k."""
     if c < n:
         return columns[axis, k, c]
@@ -44,7 +44,7 @@ def _along(columns: Floats, axis: int, k: int, rows: Ints, n: int, c: int) -> fl
 
 
 @compiled(lambda t: t.f8(t.float_cubes, t.i8, t.i8, t.float_cubes, t.int_cubes, t.float_rows, t.i8, t.i8))
-def _slack(x: Floats, slot: int, axis: int, bounds: Floats, rows: Ints, s: Floats, n: int, c: int) -> float:  # noqa: PLR0913
+def _slack(x: Floats, slot: int, axis: int, bounds: Floats, rows: Ints, s: Floats, n: int, c: int) -> float:
     """Returns how far a constraint holds, m."""
     if c < n:
         return x[slot, axis, c] - bounds[axis, 0, c]
@@ -60,7 +60,7 @@ def _slack(x: Floats, slot: int, axis: int, bounds: Floats, rows: Ints, s: Float
 
 
 @compiled(lambda t: t.none(t.float_cubes, t.i8, t.int_cubes, t.i8, t.i8, t.float_cubes, t.i8))
-def _column(inverse: Floats, axis: int, rows: Ints, n: int, c: int, columns: Floats, at: int) -> None:  # noqa: PLR0913
+def _column(inverse: Floats, axis: int, rows: Ints, n: int, c: int, columns: Floats, at: int) -> None:
     """Writes H's inverse times the normal of constraint c to column `at`."""
     if c < n:
         for k in range(n):
@@ -81,9 +81,7 @@ def _column(inverse: Floats, axis: int, rows: Ints, n: int, c: int, columns: Flo
 
 
 @compiled(lambda t: t.none(t.int_cubes, t.i8, t.i8, t.int_cubes, t.i8, t.float_cubes, t.float_cubes, t.i8, t.i8))
-def _factorise(  # noqa: PLR0913
-    rows: Ints, n: int, axis: int, active: Ints, slot: int, columns: Floats, factor: Floats, first: int, q: int
-) -> None:
+def _factorise(rows: Ints, n: int, axis: int, active: Ints, slot: int, columns: Floats, factor: Floats, first: int, q: int) -> None:
     """Writes rows first ... q - 1 of the Cholesky factor of N'H^-1 N."""
     for a in range(first, q):
         for b in range(a + 1):
@@ -96,9 +94,7 @@ def _factorise(  # noqa: PLR0913
 @compiled(
     lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.float_cubes, t.int_cubes, t.int_cubes, t.float_cubes, t.float_cubes)
 )  # fmt: skip
-def build_base(  # noqa: PLR0913
-    axis: int, slot: int, n: int, q: int, inverse: Floats, rows: Ints, active: Ints, columns: Floats, factor: Floats
-) -> None:
+def build_base(axis: int, slot: int, n: int, q: int, inverse: Floats, rows: Ints, active: Ints, columns: Floats, factor: Floats) -> None:
     """Writes the columns and the factor of a node's active set."""
     for a in range(q):
         _column(inverse, axis, rows, n, active[slot, axis, a], columns, a)
@@ -106,7 +102,7 @@ def build_base(  # noqa: PLR0913
 
 
 @compiled(lambda t: t.i8(t.i8, t.i8, t.float_cubes, t.i8, t.i8, t.float_cubes, t.int_cubes, t.float_rows))
-def _most_violated(n: int, m: int, x: Floats, slot: int, axis: int, bounds: Floats, rows: Ints, s: Floats) -> int:  # noqa: PLR0913
+def _most_violated(n: int, m: int, x: Floats, slot: int, axis: int, bounds: Floats, rows: Ints, s: Floats) -> int:
     """Returns the constraint violated most, ties by lowest number, or -1."""
     worst, found = -FEASIBLE, -1
     for k in range(n):
@@ -128,9 +124,7 @@ def _most_violated(n: int, m: int, x: Floats, slot: int, axis: int, bounds: Floa
 
 
 @compiled(lambda t: t.f8(t.i8, t.int_cubes, t.i8, t.i8, t.i8, t.float_cubes, t.float_cubes, t.float_cubes))
-def _directions(  # noqa: PLR0913
-    axis: int, rows: Ints, n: int, q: int, c: int, columns: Floats, factor: Floats, vectors: Floats
-) -> float:
+def _directions(axis: int, rows: Ints, n: int, q: int, c: int, columns: Floats, factor: Floats, vectors: Floats) -> float:
     """Writes y = L^-1 N'H^-1 n_c to vectors[0] and the multipliers' rates r = L^-T y to vectors[1]; returns y'y."""
     square = 0.0
     for a in range(q):
@@ -149,7 +143,7 @@ def _directions(  # noqa: PLR0913
 
 
 @compiled(lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.i8, t.int_cubes, t.float_cubes, t.float_cubes))
-def _drop(k: int, q: int, n: int, slot: int, axis: int, active: Ints, multiplier: Floats, columns: Floats) -> None:  # noqa: PLR0913
+def _drop(k: int, q: int, n: int, slot: int, axis: int, active: Ints, multiplier: Floats, columns: Floats) -> None:
     """Takes active constraint number k out; the factor's rows from k on are then void."""
     for a in range(k, q - 1):
         active[slot, axis, a] = active[slot, axis, a + 1]
@@ -159,12 +153,94 @@ def _drop(k: int, q: int, n: int, slot: int, axis: int, active: Ints, multiplier
 
 
 @compiled(
+    lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.f8, t.b1, t.float_cubes, t.float_cubes, t.float_cubes, t.float_cubes)
+)  # fmt: skip
+def _move(
+    slot: int, axis: int, n: int, q: int, step: float, primal: bool, x: Floats, multiplier: Floats, columns: Floats, vectors: Floats
+) -> None:
+    """Takes a step: the multipliers always, the solution where the new constraint does not depend on the active ones."""
+    if primal:
+        for v in range(n):
+            change = columns[axis, n, v]
+            for a in range(q):
+                change -= vectors[axis, 1, a] * columns[axis, a, v]
+            x[slot, axis, v] += step * change
+    for a in range(q):
+        multiplier[slot, axis, a] -= step * vectors[axis, 1, a]
+
+
+@compiled(lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.i8, t.f8, t.int_cubes, t.float_cubes, t.float_cubes))
+def _append(slot: int, axis: int, n: int, q: int, c: int, length: float, active: Ints, columns: Floats, factor: Floats) -> None:
+    """Makes the candidate in column n active constraint number q; its row of the factor is written but for the diagonal."""
+    factor[axis, q, q] = np.sqrt(length)
+    for v in range(n):
+        columns[axis, q, v] = columns[axis, n, v]
+    active[slot, axis, q] = c
+
+
+@compiled(
+    lambda t: t.b1(
+        t.ints, t.i8, t.float_cubes, t.int_cubes, t.float_rows, t.float_cubes, t.int_cubes, t.float_cubes,
+        t.int_rows, t.float_rows, t.float_cubes, t.float_cubes, t.float_cubes,
+    )
+)  # fmt: skip
+def _enforce(
+    task: Ints,
+    c: int,
+    bounds: Floats,
+    rows: Ints,
+    s: Floats,
+    x: Floats,
+    active: Ints,
+    multiplier: Floats,
+    active_size: Ints,
+    costs: Floats,
+    columns: Floats,
+    factor: Floats,
+    vectors: Floats,
+) -> bool:
+    """Steps until constraint c, whose column is number n, holds; False where it never can. Arguments as in continue_dual."""
+    axis, slot, n, q = task[0], task[1], task[2], active_size[task[1], task[0]]
+    own, added = _along(columns, axis, n, rows, n, c), 0.0
+    slack = _slack(x, slot, axis, bounds, rows, s, n, c)
+    while slack < -FEASIBLE:
+        length = own - _directions(axis, rows, n, q, c, columns, factor, vectors)
+        step, dropped = np.inf, -1
+        for a in range(q):
+            rate = vectors[axis, 1, a]
+            if rate > NEGLIGIBLE and multiplier[slot, axis, a] < step * rate:
+                step, dropped = multiplier[slot, axis, a] / rate, a
+        full = -slack / length if length > DEPENDENT * own else np.inf
+        if dropped < 0 and full == np.inf:
+            return False
+        taken = min(step, full)
+        _move(slot, axis, n, q, taken, full < np.inf, x, multiplier, columns, vectors)
+        if full < np.inf:
+            costs[slot, axis] += taken * length * (0.5 * taken + added)
+        added += taken
+        if full <= step:
+            for a in range(q):
+                factor[axis, q, a] = vectors[axis, 0, a]
+            _append(slot, axis, n, q, c, length, active, columns, factor)
+            multiplier[slot, axis, q] = added
+            active_size[slot, axis] = q + 1
+            return True
+        task[5] = 1
+        _drop(dropped, q, n, slot, axis, active, multiplier, columns)
+        q -= 1
+        active_size[slot, axis] = q
+        _factorise(rows, n, axis, active, slot, columns, factor, dropped, q)
+        slack = _slack(x, slot, axis, bounds, rows, s, n, c)
+    return True
+
+
+@compiled(
     lambda t: t.i8(
         t.ints, t.f8, t.float_cubes, t.float_cubes, t.int_cubes, t.float_rows, t.float_cubes, t.int_cubes, t.float_cubes,
         t.int_rows, t.float_rows, t.float_cubes, t.float_cubes, t.float_cubes,
     )
 )  # fmt: skip
-def continue_dual(  # noqa: PLR0913
+def continue_dual(
     task: Ints,
     ceiling: float,
     inverse: Floats,
@@ -193,57 +269,15 @@ def continue_dual(  # noqa: PLR0913
         SOLVED | INFEASIBLE | TOO_DEAR.
     """
     axis, slot, n, m, c = task[0], task[1], task[2], task[3], task[4]
-    q, cost, status = active_size[slot, axis], costs[slot, axis], INFEASIBLE
     for _ in range(20 * (n + m) + 100):
         if c < 0:
             c = _most_violated(n, m, x, slot, axis, bounds, rows, s)
             if c < 0:
-                status = SOLVED
-                break
+                return SOLVED
         _column(inverse, axis, rows, n, c, columns, n)
-        own, added, found = _along(columns, axis, n, rows, n, c), 0.0, True
-        slack = _slack(x, slot, axis, bounds, rows, s, n, c)
-        while slack < -FEASIBLE:
-            length = own - _directions(axis, rows, n, q, c, columns, factor, vectors)
-            step, dropped = np.inf, -1
-            for a in range(q):
-                rate = vectors[axis, 1, a]
-                if rate > NEGLIGIBLE and multiplier[slot, axis, a] < step * rate:
-                    step, dropped = multiplier[slot, axis, a] / rate, a
-            full = -slack / length if length > DEPENDENT * own else np.inf
-            if dropped < 0 and full == np.inf:
-                found = False
-                break
-            taken = min(step, full)
-            if full < np.inf:
-                for v in range(n):
-                    change = columns[axis, n, v]
-                    for a in range(q):
-                        change -= vectors[axis, 1, a] * columns[axis, a, v]
-                    x[slot, axis, v] += taken * change
-                cost += taken * length * (0.5 * taken + added)
-            for a in range(q):
-                multiplier[slot, axis, a] -= taken * vectors[axis, 1, a]
-            added += taken
-            if full <= step:
-                for a in range(q):
-                    factor[axis, q, a] = vectors[axis, 0, a]
-                factor[axis, q, q] = np.sqrt(length)
-                for v in range(n):
-                    columns[axis, q, v] = columns[axis, n, v]
-                active[slot, axis, q], multiplier[slot, axis, q] = c, added
-                q += 1
-                break
-            task[5] = 1
-            _drop(dropped, q, n, slot, axis, active, multiplier, columns)
-            q -= 1
-            _factorise(rows, n, axis, active, slot, columns, factor, dropped, q)
-            slack = _slack(x, slot, axis, bounds, rows, s, n, c)
-        if not found:
-            break
-        if cost >= ceiling:
-            status = TOO_DEAR
-            break
+        if not _enforce(task, c, bounds, rows, s, x, active, multiplier, active_size, costs, columns, factor, vectors):
+            return INFEASIBLE
+        if costs[slot, axis] >= ceiling:
+            return TOO_DEAR
         c = -1
-    active_size[slot, axis], costs[slot, axis] = q, cost
-    return status
+    return INFEASIBLE

@@ -58,7 +58,7 @@ def covered(room: Room, decisions: Ints) -> int:
 
 
 @compiled(lambda t: t.b1(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
-def _join(engine: Engine, start: Ints, costs: Floats, group: Ints, limits: Ints, walk: bool) -> bool:  # noqa: PLR0913
+def _join(engine: Engine, start: Ints, costs: Floats, group: Ints, limits: Ints, walk: bool) -> bool:
     """Adds a group to the decisions where it can stand for less than leaving it out costs; changes `start` and `costs`."""
     tree = engine.tree
     if not best_first(engine, start, costs, group, limits, walk):
@@ -130,7 +130,7 @@ def _moves(engine: Engine, decisions: Ints, costs: Floats) -> int:
 
 
 @compiled(lambda t: t.b1(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
-def _join_by_move(engine: Engine, decisions: Ints, costs: Floats, group: Ints, limits: Ints, walk: bool) -> bool:  # noqa: PLR0913
+def _join_by_move(engine: Engine, decisions: Ints, costs: Floats, group: Ints, limits: Ints, walk: bool) -> bool:
     """Moves one other piece so that the group can join; the first success counts."""
     tree = engine.tree
     counters = tree.counters
@@ -158,7 +158,7 @@ def _join_by_move(engine: Engine, decisions: Ints, costs: Floats, group: Ints, l
 
 
 @compiled(lambda t: t.none(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
-def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: Ints, walk: bool) -> None:  # noqa: PLR0913
+def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: Ints, walk: bool) -> None:
     """Adds the optional pieces to the decisions of the required ones.
 
     Args:
@@ -199,9 +199,7 @@ def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: In
 
 
 @compiled(lambda t: t.none(t.Engine, t.ints, t.floats, t.ints, t.ints, t.ints, t.b1))
-def arrange_room(  # noqa: PLR0913
-    engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: Ints, report: Ints, walk: bool
-) -> None:
+def arrange_room(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: Ints, report: Ints, walk: bool) -> None:
     """Arranges a whole room: required pieces, optional pieces, and a final search over all choices.
 
     Args:

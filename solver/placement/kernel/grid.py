@@ -40,7 +40,7 @@ BLOCKS, TARGETS, CUTS_X, CUTS_Z, COMPONENTS, NUMBERS, ENTERED = range(7)
 
 
 @compiled(lambda t: t.none(t.int_rows, t.ints, t.i8, t.i8, t.i8, t.i8, t.i8, t.i8))
-def _add(table: Ints, state: Ints, kind: int, x0: int, z0: int, x1: int, z1: int, number: int) -> None:  # noqa: PLR0913
+def _add(table: Ints, state: Ints, kind: int, x0: int, z0: int, x1: int, z1: int, number: int) -> None:
     """Adds a rectangle with a number to a table whose length is state[kind]."""
     k = state[kind]
     table[k, 0], table[k, 1], table[k, 2], table[k, 3], table[k, 4] = x0, z0, x1, z1, number
@@ -48,7 +48,7 @@ def _add(table: Ints, state: Ints, kind: int, x0: int, z0: int, x1: int, z1: int
 
 
 @compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows, t.i8, t.i8))
-def _side_target(room: Room, work: Work, grid: Grid, p: Ints, piece: int, side: int) -> None:  # noqa: PLR0913
+def _side_target(room: Room, work: Work, grid: Grid, p: Ints, piece: int, side: int) -> None:
     """Adds where the person's centre is while it touches a side of a piece, p in mm."""
     body, wall = work.body_part[piece], facing(side, work.rotation[piece])
     parts, robot = work.parts, room.space[ROBOT]

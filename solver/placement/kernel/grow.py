@@ -52,7 +52,8 @@ def evaluate(engine: Engine, decisions: Ints, limit: int, ceiling: float, walk: 
     size = (work.sizes[0] + work.sizes[1]) / 40
     scale = 1 + size * size  # a dense QP grows with its square
     left = engine.tree.budget[0]
-    search(engine, min(limit, np.int64(max(left / scale, 0.0))), ceiling, walk)
+    allowed = int(max(left / scale, 0.0))
+    search(engine, limit if limit < allowed else allowed, ceiling, walk)
     engine.tree.budget[0] = left - nodes.result[SOLVES] * scale - work.counts[N_CHOICES] / 4  # reading the choices costs too
     engine.tree.counters[SOLVED_QPS] += nodes.result[SOLVES]
     return nodes.result[FOUND] == 1
@@ -109,7 +110,7 @@ def _sift_up(tree: Tree, at: int) -> None:
 
 
 @compiled(lambda t: t.b1(t.Tree, t.f8, t.i8, t.i8, t.f8, t.i8))
-def _push(tree: Tree, bound: float, state: int, decision: int, cost: float, depth: int) -> bool:  # noqa: PLR0913
+def _push(tree: Tree, bound: float, state: int, decision: int, cost: float, depth: int) -> bool:
     """Adds an entry; False where the heap is full."""
     at = tree.counters[HEAPED]
     if at >= len(tree.heap):
@@ -176,7 +177,7 @@ def _expand(engine: Engine, state: int, piece: int, depth: int) -> bool:
 
 
 @compiled(lambda t: t.b1(t.Engine, t.i8, t.i8, t.i8, t.ints, t.b1))
-def _try_entry(engine: Engine, entry: int, piece: int, total: int, limits: Ints, walk: bool) -> bool:  # noqa: PLR0913
+def _try_entry(engine: Engine, entry: int, piece: int, total: int, limits: Ints, walk: bool) -> bool:
     """Evaluates a way; pushes the grown state. False where there is no room to store it.
 
     What costs more than the best complete state found so far is cut off: costs only grow.
@@ -213,7 +214,7 @@ def _try_entry(engine: Engine, entry: int, piece: int, total: int, limits: Ints,
 
 
 @compiled(lambda t: t.b1(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
-def best_first(engine: Engine, start: Ints, start_cost: Floats, group: Ints, limits: Ints, walk: bool) -> bool:  # noqa: PLR0913
+def best_first(engine: Engine, start: Ints, start_cost: Floats, group: Ints, limits: Ints, walk: bool) -> bool:
     """Finds the cheapest way for the pieces group[0] ... group[1] - 1 to join the decisions `start`.
 
     Args:

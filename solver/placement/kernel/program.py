@@ -27,9 +27,7 @@ from solver.placement.kernel.layout import (
 
 
 @compiled(lambda t: t.b1(t.int_rows, t.float_rows, t.int_cubes, t.float_rows, t.i8, t.i8, t.i8, t.i8, t.i8))
-def append_row(  # noqa: PLR0913
-    column: Ints, value: Floats, rows: Ints, row_s: Floats, axis: int, at: int, i: int, j: int, s: int
-) -> bool:
+def append_row(column: Ints, value: Floats, rows: Ints, row_s: Floats, axis: int, at: int, i: int, j: int, s: int) -> bool:
     """Writes row number `at` of an axis, p_j - p_i >= s (mm) over all variables; False where it can never hold.
 
     The arrays are those of `Programs`.
@@ -174,7 +172,7 @@ def prepare(work: Work, programs: Programs, nodes: Nodes) -> bool:
 
 
 @compiled(lambda t: t.i8(t.Programs, t.Nodes, t.i8, t.i8, t.i8, t.i8, t.f8))
-def solve_axis(programs: Programs, nodes: Nodes, slot: int, axis: int, m: int, first: int, ceiling: float) -> int:  # noqa: PLR0913
+def solve_axis(programs: Programs, nodes: Nodes, slot: int, axis: int, m: int, first: int, ceiling: float) -> int:
     """Continues a node's programme along an axis with m rows, beginning with constraint `first` or -1."""
     task = nodes.task
     task[0], task[1], task[2], task[3], task[4], task[5] = axis, slot, programs.size[axis], m, first, 0

@@ -17,7 +17,7 @@ PASSES: Final = 6
 
 
 @compiled(lambda t: t.none(t.i8, t.i8, t.i8, t.float_cubes, t.int_cubes, t.float_rows, t.float_cubes))
-def propagate(axis: int, n: int, m: int, bounds: Floats, rows: Ints, s: Floats, reach: Floats) -> None:  # noqa: PLR0913
+def propagate(axis: int, n: int, m: int, bounds: Floats, rows: Ints, s: Floats, reach: Floats) -> None:
     """Writes the least and greatest positions of an axis's n free variables that its m rows leave."""
     for v in range(n):
         reach[axis, 0, v], reach[axis, 1, v] = bounds[axis, 0, v], bounds[axis, 1, v]
@@ -38,7 +38,7 @@ def propagate(axis: int, n: int, m: int, bounds: Floats, rows: Ints, s: Floats, 
 
 
 @compiled(lambda t: t.b1(t.int_rows, t.float_rows, t.float_cubes, t.i8, t.i8, t.i8, t.i8))
-def possible(column: Ints, value: Floats, reach: Floats, axis: int, i: int, j: int, s: int) -> bool:  # noqa: PLR0913
+def possible(column: Ints, value: Floats, reach: Floats, axis: int, i: int, j: int, s: int) -> bool:
     """Tells whether p_j - p_i >= s (mm, over all variables) is within reach."""
     if i == j:
         return s <= 0

@@ -80,9 +80,7 @@ def _open_node(work: Work, programs: Programs, nodes: Nodes, slot: int) -> None:
 
 
 @compiled(lambda t: t.i8(t.ints, t.int_rows, t.int_rows, t.float_rows, t.float_cubes, t.i8))
-def _possible_options(  # noqa: PLR0913
-    choice_size: Ints, options: Ints, column: Ints, value: Floats, reach: Floats, choice: int
-) -> int:
+def _possible_options(choice_size: Ints, options: Ints, column: Ints, value: Floats, reach: Floats, choice: int) -> int:
     """Returns how many options of a choice are still within reach."""
     count = 0
     for k in range(4 * choice, 4 * choice + choice_size[choice]):
@@ -95,7 +93,8 @@ def _possible_options(  # noqa: PLR0913
 def _violated(work: Work, programs: Programs, nodes: Nodes, slot: int) -> int:
     """Writes the violated choices to try to nodes.worst; returns how many.
 
-    Those with the fewest options left within reach come first, then the most violated, then the lowest number. A choice with one option left within reach is written alone; DEAD is returned where one has none.
+    Those with the fewest options left within reach come first, then the most violated, then the lowest number. A choice with
+    one option left is written alone; DEAD is returned where one has none.
     """
     p, worst, options, choice_size, count = nodes.positions, nodes.worst, work.options, work.choice_size, 0
     column, value, reach, known = programs.column, programs.value, programs.reach, False
@@ -132,7 +131,7 @@ def _violated(work: Work, programs: Programs, nodes: Nodes, slot: int) -> int:
 @compiled(
     lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.float_cubes, t.int_cubes, t.float_cubes, t.int_rows, t.float_rows, t.int_rows)
 )  # fmt: skip
-def _copy_axis(  # noqa: PLR0913
+def _copy_axis(
     parent: int, slot: int, axis: int, n: int, x: Floats, active: Ints, multiplier: Floats, size: Ints, cost: Floats, rows: Ints
 ) -> None:
     """Copies what a node knows of an axis with n free variables."""
@@ -145,7 +144,7 @@ def _copy_axis(  # noqa: PLR0913
 
 
 @compiled(lambda t: t.i8(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
-def _child(work: Work, programs: Programs, nodes: Nodes, parent: int, option: int, ceiling: float) -> int:  # noqa: PLR0913
+def _child(work: Work, programs: Programs, nodes: Nodes, parent: int, option: int, ceiling: float) -> int:
     """Solves the parent with one row more; returns the child's slot, or -1 where it is infeasible or too dear."""
     capacity, state, size = len(work.options), nodes.state, programs.size
     table = work.options if option < capacity else work.wide
@@ -212,7 +211,7 @@ def _push(nodes: Nodes, parent: int, first: int, last: int) -> None:
 
 
 @compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
-def _branch(work: Work, programs: Programs, nodes: Nodes, parent: int, count: int, ceiling: float) -> None:  # noqa: PLR0913
+def _branch(work: Work, programs: Programs, nodes: Nodes, parent: int, count: int, ceiling: float) -> None:
     """Opens the children of the choice whose cheapest child is dearest."""
     options, column, value, reach = work.options, programs.column, programs.value, programs.reach
     first, last, dearest = 0, 0, np.int64(-1)
