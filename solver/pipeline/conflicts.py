@@ -93,7 +93,10 @@ def _shortfall(space: Space, pieces: Sequence[Wanted], case: Case) -> Shortfall 
         return None
     budget = case.budget
     return shortfall(
-        space, pieces, lambda longer, some: feasible(longer, some, budget, case.walk, prove=False), lambda longer, some: placed(longer, some, budget)
+        space,
+        pieces,
+        lambda longer, some: feasible(longer, some, budget, case.walk, prove=False),
+        lambda longer, some: placed(longer, some, budget),
     )
 
 
