@@ -8,7 +8,7 @@ frame (boxes), for each way that other piece may be turned. What a way does not 
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from catalogs.checks import OPENINGS
@@ -32,6 +32,8 @@ TIED = 400
 """Most ways of a piece that are tied to another one."""
 EACH = 3
 """Most ways of one stance that differ in what they hold."""
+DEAR = 5.0
+"""What a way costs more than a piece's best that is too unlikely for others to be tied to it: less than a relation."""
 NEAR_PULL, ALIGN_PULL = 0.2, 0.5
 """Weights, m^-2, of the pulls towards pieces that a way is not tied to."""
 FAR = 2.0
@@ -85,15 +87,17 @@ def asked_pieces(room: Room, space: Space, catalogs: Catalogs, pieces: Sequence[
     kinds: dict[str, tuple[str, ...]] = {one.label: (one.alternatives[0].kind,) for one in wanted}
     askings: dict[str, Asking] = {}
     named = {name for piece in pieces for rule in piece.rules for name in rule.of}
+    dear: set[tuple[str, str]] = set()
     reach = {key: rect for one in wanted for key, rect in _reach(one, space.clear).items()}
     for piece in pieces:
         for number in range(1, piece.count + 1):
             label = piece.piece if piece.count == 1 else f"{piece.piece}_{number}"
-            asking = _asking(Ask(scope, piece, number, dict(earlier), dict(kinds)), reach)
+            asking = _asking(Ask(scope, piece, number, dict(earlier), dict(kinds)), reach, dear)
             one, askings[label] = _wanted(asking, label), asking
             wanted.append(one)
             if piece.piece in named:
                 reach |= _reach(one, space.clear)
+                dear |= _dear(one)
             earlier[piece.piece] = (*earlier.get(piece.piece, ()), label)
             kinds[label] = tuple(dict.fromkeys(way.kind for way in one.alternatives))
     return Asked(tuple(wanted), askings)
@@ -121,10 +125,19 @@ def _reach(piece: Wanted, clear: Rect) -> dict[tuple[str, str], Rect]:
     return found
 
 
-def _asking(ask: Ask, reach: Mapping[tuple[str, str], Rect]) -> Asking:
+def _dear(piece: Wanted) -> set[tuple[str, str]]:
+    """Returns the ways that cost at least `DEAR` more than the cheapest."""
+    kinds: dict[str, float] = {}
+    for way in piece.alternatives:
+        kinds[way.kind] = min(way.cost, kinds.get(way.kind, math.inf))
+    least = min(kinds.values(), default=0.0) + DEAR
+    return {(piece.label, kind) for kind, cost in kinds.items() if cost >= least}
+
+
+def _asking(ask: Ask, reach: Mapping[tuple[str, str], Rect], dear: Collection[tuple[str, str]]) -> Asking:
     rules = [rule for rule in ask.piece.rules if not rule.of or set(rule.of) & set(OPENINGS) or ask.labels(rule.of)]
     to_room = tuple(rule for rule in rules if not ask.labels(rule.of))
-    return Asking(ask, to_room, tuple(rule for rule in rules if rule not in to_room), reach)
+    return Asking(ask, to_room, tuple(rule for rule in rules if rule not in to_room), reach, frozenset(dear))
 
 
 def _wanted(asking: Asking, label: str) -> Wanted:

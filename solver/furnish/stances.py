@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import TypeAlias
@@ -31,6 +31,8 @@ class Asking:
     to_pieces: tuple[Rule, ...]
     reach: Mapping[tuple[str, str], Rect]
     """Where the centre of another piece may be, by its label and the way it stands, mm."""
+    dear: Collection[tuple[str, str]]
+    """Ways of other pieces that miss a relation which others of their ways hold: too unlikely to seek places beside them."""
 
     @cached_property
     def kind(self) -> str:

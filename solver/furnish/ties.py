@@ -50,6 +50,8 @@ def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]], dearest
                 yield from _upon(asking, label, parent)
             continue
         frames = _Frames(asking, rules)
+        if not any(rule.required for rule in rules):
+            parents = [parent for parent in parents if (label, parent) not in asking.dear] or parents
         for parent in parents:
             for cost, stance, box, rect in _cheapest(frames, every, (label, parent), dearest - others):
                 yield frames.way((stance, rect), (label, parent), box, cost + others)
