@@ -22,7 +22,7 @@ def outdated(current: Path) -> list[Path]:
 
 def main() -> None:
     """Says where the compiled code is, on stderr, once it is there and nothing else is."""
-    current = jit._CACHE
+    current = jit.FOLDER
     if current is None:
         print("placement kernel: runs uncompiled, nothing to prepare", file=sys.stderr)
         return

@@ -1,18 +1,17 @@
 """Compiled by numba with explicit signatures and an on-disk cache, or run as it stands: the same source.
 
 `COMPOSE_KERNEL=plain` in the environment runs the kernel uncompiled, some hundred times slower and to the same bytes:
-floats are added in the order written, nothing is fused. The cache lies beside the sources, or where `NUMBA_CACHE_DIR`
-says, in a folder named after a digest of the kernel's sources, so that no stale code is ever loaded.
+floats are added in the order written, nothing is fused. Where the cache lies is cache.py's.
 """
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Callable
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, Final, TypeVar
+
+from solver.placement.kernel.cache import folder
 
 PLAIN: Final = os.environ.get("COMPOSE_KERNEL") == "plain"
 """Whether the kernel runs uncompiled."""
@@ -21,19 +20,12 @@ Signature = Callable[[Any], Any]
 """Takes the namespace of types (i8, f8, vectors, matrices, the layout's tuples) and returns a numba signature."""
 
 
-def _digest() -> str:
-    here = Path(__file__).parent
-    return hashlib.sha256(b"".join(path.read_bytes() for path in sorted(here.glob("*.py")))).hexdigest()[:16]
+def machine() -> tuple[str, ...]:
+    """Returns what compiled code is for: the compiler and the processor."""
+    import llvmlite.binding
+    import numba
 
-
-def _cache_folder() -> Path:
-    root = os.environ.get("NUMBA_CACHE_DIR")
-    if root:
-        return Path(root) / "compose" / _digest()
-    here = Path(__file__).parent / "__pycache__"
-    if os.access(here.parent, os.W_OK):
-        return here / _digest()
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "compose" / _digest()
+    return numba.__version__, llvmlite.binding.get_host_cpu_name(), llvmlite.binding.get_host_cpu_features().flatten()
 
 
 def _namespace() -> SimpleNamespace:
@@ -73,9 +65,9 @@ def compiled(signature: Signature) -> Callable[[Function], Function]:
 
     def compile_it(function: Function) -> Function:
         before = numba.config.CACHE_DIR
-        numba.config.CACHE_DIR = str(_CACHE)
+        numba.config.CACHE_DIR = str(FOLDER or "")
         try:
-            jitted = numba.njit(signature(_TYPES), cache=True, nogil=True, error_model="numpy", _nrt=False)(function)
+            jitted = numba.njit(signature(_TYPES), cache=FOLDER is not None, nogil=True, error_model="numpy", _nrt=False)(function)
         finally:
             numba.config.CACHE_DIR = before
         result: Function = jitted
@@ -84,5 +76,6 @@ def compiled(signature: Signature) -> Callable[[Function], Function]:
     return compile_it
 
 
-_CACHE: Final = None if PLAIN else _cache_folder()
+FOLDER: Final = None if PLAIN else folder()
+"""Where compiled code is kept; None: nowhere."""
 _TYPES: Final = None if PLAIN else _namespace()
