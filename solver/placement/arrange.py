@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits
-from solver.placement.encode import EMPTY_FLOOR, FREE_CENTRES_MM2, empty_floor, encode, spread_floor
+from solver.placement.encode import EMPTY_FLOOR, FREE_CENTRES_MM2, empty_floor, encode, walked_floor
 from solver.placement.kernel.fill import COVERED, NO_WAY, SPENT
 from solver.placement.kernel.layout import ABSENT, Ints
 from solver.placement.outcome import Outcome
@@ -250,11 +250,23 @@ def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = Non
 
 
 def _too_little_floor(space: Space, pieces: Sequence[Wanted], budget: Budget) -> bool:
-    """Tells whether the pieces, their use sides and the floor a room must have provably find no place together."""
+    """Tells whether the pieces, their use sides and the floor a room must have provably find no place together.
+
+    The area of connected free centres is at most that of their bounding box: whatever the length, either they reach that far
+    along x, or so far along z that the product is the least area.
+    """
+    widest = space.clear.width - space.robot_mm
     for part in range(1, FLOOR_PROBES + 1):
-        reach = max((space.clear.width - space.robot_mm) * part // FLOOR_PROBES, FREE_CENTRES_MM2 // 10_000)
-        core = Core(encode(space, (*spread_floor(space, reach + part), *pieces), "stands"))
-        decisions, exact = core.stand_together(LIMITS, budget, False)
-        if decisions is None and exact:
+        reach = max(widest * part // FLOOR_PROBES + 1, 50)
+        if all(
+            _no_place(space, (*walked_floor(space, along_x, length), *pieces), budget)
+            for along_x, length in ((True, reach), (False, -(-FREE_CENTRES_MM2 // reach)))
+        ):
             return True
     return False
+
+
+def _no_place(space: Space, pieces: Sequence[Wanted], budget: Budget) -> bool:
+    """Tells whether pieces provably cannot all stand with their use sides free."""
+    decisions, exact = Core(encode(space, pieces, "stands")).stand_together(LIMITS, budget, False)
+    return decisions is None and exact

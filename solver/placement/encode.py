@@ -237,6 +237,8 @@ def _sizes(room: Room) -> Sizes:
 FLOOR_SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760))
 """Rectangles of floor in each of which a person of 0.6 m has the 0.25 m2 of free centres that a room must have."""
 FLOOR_PULL = 0.02
+STRIDE_MM = 200
+"""From one place of `walked_floor` to the next, at most."""
 
 
 def empty_floor(space: Space) -> Wanted:
@@ -248,20 +250,18 @@ def empty_floor(space: Space) -> Wanted:
     return Wanted(EMPTY_FLOOR, True, shapes)
 
 
-def spread_floor(space: Space, reach_mm: int) -> tuple[Wanted, Wanted]:
-    """Returns two places for a person that any 0.25 m2 of connected free centres contain.
+def walked_floor(space: Space, along_x: bool, length_mm: int) -> tuple[Wanted, ...]:
+    """Returns places for a person that connected free centres contain which reach that far along an axis.
 
-    They are `reach_mm` apart along x, or else so far along z that the product is 0.25 m2: a connected set's area is at most
-    that of its bounding box.
+    A connected set that reaches from one coordinate to another has a point at every coordinate between them.
     """
     clear, robot = space.clear, space.robot_mm
     middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)
-    size, pull = (robot, robot, PERSON_MM), (FLOOR_PULL, FLOOR_PULL)
-    first = Wanted(EMPTY_FLOOR, True, (Alternative("floor", size, 0, None, middle, pull),))
-    other = -(-FREE_CENTRES_MM2 // reach_mm)
-    far = max(clear.width, clear.depth)
-    ways = tuple(
-        Alternative("floor", size, 0, None, weights=pull, attach=Attach(EMPTY_FLOOR, "floor", across, along))
-        for across, along in (((reach_mm, max(far, reach_mm) + 1), (-far, far)), ((-far, far), (other, max(far, other) + 1)))
-    )
-    return first, Wanted(f"{EMPTY_FLOOR} beyond", True, ways)
+    size, pull, far = (robot, robot, PERSON_MM), (FLOOR_PULL, FLOOR_PULL), max(clear.width, clear.depth)
+    steps = -(-length_mm // STRIDE_MM)
+    places = [Wanted(EMPTY_FLOOR, True, (Alternative("floor", size, 0, None, middle, pull),))]
+    for step in range(1, steps + 1):
+        ahead, aside = (length_mm * step // steps,) * 2, (-far, far)
+        attach = Attach(EMPTY_FLOOR, "floor", *((ahead, aside) if along_x else (aside, ahead)))
+        places.append(Wanted(f"{EMPTY_FLOOR} {step}", True, (Alternative("floor", size, 0, weights=pull, attach=attach),)))
+    return tuple(places)
