@@ -11,7 +11,7 @@ from solver.furnish.relations import SLOTTED
 from solver.furnish.relations.boxes import ANYWHERE, BOXES, Box, Fit, shared
 from solver.furnish.relations.regions import within_both
 from solver.furnish.relations.slots import on
-from solver.furnish.stances import Asking, Kept, Stance, best_places, kept, missed, stance_of, stances, variant
+from solver.furnish.stances import Asking, Kept, Stance, best_places, missed, stance_of, variant
 from solver.geometry import OPPOSITE, WALL_BEHIND, Rect, rotate, turned
 from solver.wanted import Alternative, Attach, Placed
 
@@ -50,9 +50,8 @@ def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]], dearest
                 yield from _upon(asking, label, parent)
             continue
         frames = _Frames(asking, rules)
-        if not any(rule.required for rule in rules):
-            parents = [parent for parent in parents if (label, parent) not in asking.dear] or parents
-        for parent in parents:
+        hard = any(rule.required for rule in rules)
+        for parent in (parent for parent in parents if hard or (label, parent) not in asking.dear):
             for cost, stance, box, rect in _cheapest(frames, every, (label, parent), dearest - others):
                 yield frames.way((stance, rect), (label, parent), box, cost + others)
 
@@ -134,7 +133,7 @@ def _cheapest(
     frames: _Frames, every: Sequence[tuple[Stance, Sequence[Kept]]], to: tuple[str, str], dearest: float
 ) -> list[tuple[float, Stance, Box, Rect]]:
     """Returns the cheapest places of all stances beside one way of another piece, those of the likeliest stances first."""
-    likely = []
+    likely: list[tuple[float, int, Stance, list[tuple[Box, float]], Sequence[Kept]]] = []
     for stance, found in every:
         boxes = frames.boxes(to[1], stance)
         if boxes and found:

@@ -151,7 +151,7 @@ def settled(terms: Terms, found: Found) -> Placement:
     return replace(placement, cost=missed)
 
 
-def _ordered(wanted: Sequence[Wanted], blame: Mapping[str, int]) -> list[Wanted]:
+def _ordered(wanted: Sequence[Wanted], blame: Mapping[str, float]) -> list[Wanted]:
     """Returns the most blamed first, each behind what it refers to; ties in the order given."""
     by_label = {piece.label: piece for piece in wanted}
     ordered: dict[str, Wanted] = {}

@@ -193,7 +193,14 @@ def test_bad_requests_name_the_field(wishes: list[Wish], more: dict[str, Any], f
 
 @pytest.mark.parametrize(
     ("x", "z", "rotation", "holds"),
-    [(2.0, 1.38, 0, True), (2.0, 1.5, 0, True), (2.0, 2.62, 0, False), (2.0, 1.38, 180, False), (2.9, 2.0, 270, True), (2.9, 2.0, 90, False)],
+    [
+        (2.0, 1.38, 0, True),
+        (2.0, 1.5, 0, True),
+        (2.0, 2.62, 0, False),
+        (2.0, 1.38, 180, False),
+        (2.9, 2.0, 270, True),
+        (2.9, 2.0, 90, False),
+    ],
 )
 def test_around_means_at_a_side_and_turned_to_it(x: float, z: float, rotation: int, holds: bool) -> None:
     """A table of 1.4 x 0.8 m about (2, 2), a box of 0.4 m: from its north, tucked a little, from its south with its back, ..."""
