@@ -1,9 +1,8 @@
 """From the ways that pieces may stand to the placement that holds most: the placement stage, asked several times.
 
-A round places the pieces one after the other, each where it costs least beside those before it, everything movable. Then
-pieces whose relations are not held are taken out and put in again between the others; where that does not help they come
-earlier, behind what they refer to (squeaky-wheel optimisation; Joslin and Clements, 1999), and more of the first pieces are
-decided together. The judge says which round was best, not the solver.
+The first round decides the ways of all pieces together, best-first, those with the least freedom first. Then pieces that are
+missing or miss a relation are taken out and put in again between the others, for as long as more is held. The judge of the
+relations says which round is better; only the last goes through the final solve.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from solver.wanted import Arrangement, Placed, Space, Wanted
 
 ROUNDS = 3
 """Most rounds of one placement."""
-FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=60, required_qps=100)
+FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=40, required_qps=60)
 """What a first round, and what every other one, may try."""
 NEARLY_BEST = 3.0
 """Ways that cost this much more than a piece's best one count for how free it is: half a relation."""
@@ -144,7 +143,7 @@ def _squeaking(found: Found) -> list[str]:
 
 
 def settled(terms: Terms, found: Found) -> Placement:
-    """Returns the placement of an arrangement, after the final solve; as searched, where that holds more."""
+    """Returns the placement of an arrangement after the final solve."""
     placement = finished(terms, settle([found.draft], terms.engine)[0])
     worth = [rule.cost for _, rule in relations_of(terms.wishes)]
     missed = round(sum(cost for relation, cost in zip(placement.relations, worth, strict=True) if not relation.held), 6)
