@@ -22,6 +22,8 @@ ROUNDS = 3
 """Most rounds of one placement."""
 FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=40, required_qps=60)
 """What a first round, and what every other one, may try."""
+THOROUGH = Limits(required=300, required_qps=300)
+"""What is tried next where a required piece is missing; then all that the stage tries for a house."""
 NEARLY_BEST = 3.0
 """Ways that cost this much more than a piece's best one count for how free it is: half a relation."""
 SLIDES_MM = 100
@@ -56,15 +58,15 @@ def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
         terms: the request.
         wanted: the pieces, each after those it refers to.
     """
-    best = _first(terms, wanted)
+    best = _first(terms, wanted, FIRST)
     for _ in range(ROUNDS - 1):
         found = best if best.perfect else _mended(terms, wanted, best)
         if found.score[:3] >= best.score[:3]:
             break
         best = found
-    if best.score[0]:
-        whole = _judged(terms, arrange(terms.space, wanted))
-        best = whole if whole.score < best.score else best
+    for limits in (THOROUGH, Limits()):
+        if best.score[0]:
+            best = min(best, _first(terms, wanted, limits), key=lambda one: one.score)
     return best
 
 
@@ -75,14 +77,14 @@ def quick_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
         terms: the request.
         wanted: the pieces, perhaps with fewer ways to stand.
     """
-    found = _first(terms, wanted)
+    found = _first(terms, wanted, FIRST)
     return found if found.perfect else min(found, _mended(terms, wanted, found), key=lambda one: one.score)
 
 
-def _first(terms: Terms, wanted: Sequence[Wanted]) -> Found:
+def _first(terms: Terms, wanted: Sequence[Wanted], limits: Limits) -> Found:
     """Decides all pieces together, the least free ones first."""
     rank = {piece.label: -_freedom(terms.space, piece) for piece in wanted}
-    return _judged(terms, arrange(terms.space, _ordered(wanted, rank), limits=FIRST))
+    return _judged(terms, arrange(terms.space, _ordered(wanted, rank), limits=limits))
 
 
 def _freedom(space: Space, piece: Wanted) -> float:
