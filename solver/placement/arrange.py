@@ -119,21 +119,28 @@ def _draft(core: Core, arranged: Arranged, left_out: list[tuple[Wanted, str]], s
     for k, piece in enumerate(core.encoded.wanted):
         if arranged.decisions[k] == ABSENT:
             absent.append((piece, REASONS[int(arranged.fates[k])]))
+    found = _found(core, arranged.decisions, arranged.preference, walk)
+    best = arranged.closed and not left_out
+    return replace(found, left_out=absent, solves=solves, proven=arranged.proven, best=best)
+
+
+def _found(core: Core, decisions: Ints, preference: float, walkable: bool) -> Draft:
+    """Returns what the last search of a core found, and lets the core go of what it took."""
     outcome = core.outcome()
-    return Draft(
+    draft = Draft(
         core.encoded.space,
         core,
-        arranged.decisions,
+        decisions,
         core.problem(),
         outcome,
-        _chosen(core, arranged.decisions),
-        outcome.cost + arranged.preference,
-        absent,
-        solves,
-        arranged.proven,
-        arranged.closed and not left_out,
-        walk,
+        _chosen(core, decisions),
+        outcome.cost + preference,
+        solves=outcome.solves,
+        proven=outcome.proven,
+        walkable=walkable or core.walkable_near(outcome),
     )
+    core.release()
+    return draft
 
 
 def with_margin(draft: Draft) -> Draft | None:
@@ -142,9 +149,8 @@ def with_margin(draft: Draft) -> Draft | None:
     core = Core(encode(wider, draft.core.encoded.wanted, draft.core.encoded.walk))
     if not core.evaluate(draft.decisions, LIMITS.final_qps, Budget(), True):
         return None
-    outcome = core.outcome()
-    cost = draft.cost - draft.outcome.cost + outcome.cost
-    return replace(draft, core=core, problem=core.problem(), outcome=outcome, cost=cost, proven=False)
+    found = _found(core, draft.decisions, draft.cost - draft.outcome.cost, True)
+    return replace(found, left_out=draft.left_out, solves=draft.solves, proven=False, best=False)
 
 
 def _chosen(core: Core, decisions: Ints) -> tuple[Chosen, ...]:
@@ -159,13 +165,9 @@ def _cut_short(core: Core, left_out: list[tuple[Wanted, str]], solves: int, walk
     """Returns the deepest prefix of the required pieces, where the budget ended before all stood."""
     decisions = core.deepest_decisions()
     core.evaluate(decisions, LIMITS.required_qps, Budget(), walk)
-    outcome, preference = core.outcome(), core.preference(decisions)
     absent = [(piece, REASONS[SPENT]) for k, piece in enumerate(core.encoded.wanted) if decisions[k] == ABSENT]
-    chosen = _chosen(core, decisions)
-    cost = outcome.cost + preference
-    return Draft(
-        core.encoded.space, core, decisions, core.problem(), outcome, chosen, cost, [*left_out, *absent], solves, False, False, walk
-    )
+    found = _found(core, decisions, core.preference(decisions), walk)
+    return replace(found, left_out=[*left_out, *absent], solves=solves, proven=False, best=False)
 
 
 def arrange_as_wished(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Draft:
@@ -210,19 +212,7 @@ def _all_at_once(space: Space, wanted: Sequence[Wanted], budget: Budget, walk: b
     decisions = core.first_ways()
     if decisions is None or not core.evaluate(decisions, LIMITS.final_qps, budget, walk):
         return None
-    outcome = core.outcome()
-    return Draft(
-        space,
-        core,
-        decisions,
-        core.problem(),
-        outcome,
-        _chosen(core, decisions),
-        outcome.cost + core.preference(decisions),
-        solves=outcome.solves,
-        proven=outcome.proven,
-        walkable=walk or core.walkable_near(outcome),
-    )
+    return _found(core, decisions, core.preference(decisions), walk)
 
 
 def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = None, walk: bool = False, prove: bool = True) -> bool | None:

@@ -20,10 +20,13 @@ from solver.placement.kernel.grid import walkable
 from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, DOUBTED, MANY, best_first, evaluate
 from solver.placement.kernel.layout import Engine, Floats, Ints
 from solver.placement.kernel.options import total_preference, ways
+from solver.placement.kernel.space import example_engine
 from solver.placement.outcome import Outcome
 from solver.placement.problem import Problem
 from solver.placement.terms import Anchor, Pull, Term
 from solver.wanted import Alternative
+
+_SMALL = example_engine()
 
 
 @dataclass(frozen=True)
@@ -211,6 +214,10 @@ class Core:
     def outcome(self) -> Outcome:
         """Returns what the last search found."""
         return outcome_of(self.engine)
+
+    def release(self) -> None:
+        """Gives back what only a search needs; the assembled problem and the walk stay."""
+        self.engine = self.engine._replace(programs=_SMALL.programs, nodes=_SMALL.nodes, tree=_SMALL.tree)
 
 
 def outcome_of(engine: Engine) -> Outcome:

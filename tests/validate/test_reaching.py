@@ -42,7 +42,7 @@ def test_gaps_of_exactly_the_robots_width_pass(gap: float, robot: float | None, 
     request = None if robot is None else {"robot_width": robot}
     told = issues(divided(gap, request=request), "unreachable")
     assert named(told) == ([] if reached else [("room_0", ("sofa_1",))])
-    assert all(issue.severity == "warning" for issue in told)
+    assert all(issue.severity == "error" for issue in told)
 
 
 def test_the_gap_beside_a_wall_is_measured_from_its_face() -> None:
