@@ -7,7 +7,7 @@ relations says which round is better; only the last goes through the final solve
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from solver.furnish.stances import stance_of
@@ -109,11 +109,10 @@ def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> Found:
 def _reopened(terms: Terms, wanted: Sequence[Wanted], found: Found, loose: set[str]) -> list[Wanted]:
     """Returns the pieces with all ways for the loose ones and their dependants, which come last, and one way for the others."""
     stands = {one.label: one for one in found.arrangement.placed}
-    allowed = {(piece.label, way.kind) for piece in wanted for way in piece.alternatives}
-    pieces = [
-        replace(piece, alternatives=tuple(way for way in piece.alternatives if (piece.label, way.kind) in allowed))
-        for piece in terms.asked.between(found.arrangement.placed, loose)
-    ]
+    pieces = terms.asked.between(found.arrangement.placed, loose)
+    if wanted is not terms.wanted:
+        allowed = {(piece.label, way.kind) for piece in wanted for way in piece.alternatives}
+        pieces = tuple(_only(piece, allowed) for piece in pieces)
     free = set(loose) | {piece.label for piece in pieces if piece.label not in stands}
     for piece in pieces:
         if free & set(_refers_to(piece)) and stands.get(piece.label) and stands[piece.label].chosen.attach:
@@ -121,6 +120,10 @@ def _reopened(terms: Terms, wanted: Sequence[Wanted], found: Found, loose: set[s
     first = [_as_it_stands(piece, stands[piece.label]) for piece in pieces if piece.label not in free]
     rank = {piece.label: int(piece.label not in free) for piece in pieces}
     return _ordered([*first, *(piece for piece in pieces if piece.label in free)], rank)
+
+
+def _only(piece: Wanted, allowed: Container[tuple[str, str]]) -> Wanted:
+    return replace(piece, alternatives=tuple(way for way in piece.alternatives if (piece.label, way.kind) in allowed))
 
 
 def _as_it_stands(piece: Wanted, placed: Placed) -> Wanted:
