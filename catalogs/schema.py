@@ -128,6 +128,7 @@ class Piece(Entry):
     the same name). An optional piece is wanted only where the room has `min_area` m2, and then with probability
     `chance`. `count` copies are wanted; with `per_area`, one for every so many m2, at least one and at most `count`.
     `approach` are sides that must stay reachable besides the kind's own use: a desk's front, before its chair comes.
+    `with_next`: an optional piece that is left out where the piece after it, which only stands with it, finds no place.
     """
 
     piece: str
@@ -139,6 +140,7 @@ class Piece(Entry):
     chance: Annotated[float, Field(gt=0, le=1)] = 1.0
     skip_cost: Cost = 10.0
     approach: tuple[Side, ...] = ()
+    with_next: bool = False
     rules: tuple[Rule, ...] = ()
 
     @model_validator(mode="after")

@@ -110,6 +110,7 @@ def _wanted(ask: Ask, whims: dict[str, float]) -> Wanted | None:
         stands=tuple(Stand(side) for side in sides),
         need_all=bool(piece.approach or (use and use.need == "all")),
         skip_cost=piece.skip_cost,
+        with_next=piece.with_next,
     )
 
 

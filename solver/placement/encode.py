@@ -199,9 +199,11 @@ def _zone_row(zone: Zone) -> list[int]:
 
 
 def _group(pieces: list[list[int]], wanted: Sequence[Wanted]) -> None:
-    """Joins optional pieces that stand only together with the one after them."""
+    """Joins optional pieces that stand only together with the one after them, if that one can only stand with them."""
     for k in range(len(wanted) - 2, -1, -1):
-        if wanted[k].with_next and not wanted[k].required:
+        own = wanted[k]
+        carried = all(a.attach is not None and a.attach.parent == own.label for a in wanted[k + 1].alternatives)
+        if own.with_next and carried and not own.required:
             pieces[k][layout.GROUP_END] = pieces[k + 1][layout.GROUP_END]
 
 

@@ -123,3 +123,13 @@ def test_wall_hugging_kinds_name_their_wall() -> None:
         for room in generate(Request(seed=seed)).scene.rooms:
             for piece in room.furniture:
                 assert piece.wall is not None or piece.name not in hugging or piece.on, piece.id
+
+
+def test_no_desk_stands_without_a_chair() -> None:
+    desks = 0
+    for seed in range(12):
+        for room in generate(Request(seed=seed)).scene.rooms:
+            names = [piece.name for piece in room.furniture]
+            desks += "desk" in names
+            assert "desk" not in names or {"office_chair", "dining_chair"} & set(names), room.id
+    assert desks > 20
