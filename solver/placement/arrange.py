@@ -119,6 +119,8 @@ def _draft(core: Core, arranged: Arranged, left_out: list[tuple[Wanted, str]], s
     for k, piece in enumerate(core.encoded.wanted):
         if arranged.decisions[k] == ABSENT:
             absent.append((piece, REASONS[int(arranged.fates[k])]))
+    if core.outcome().positions is None:  # the budget ended with the last piece: once more, for the placement alone
+        core.evaluate(arranged.decisions, LIMITS.required_qps, Budget(), walk)
     found = _found(core, arranged.decisions, arranged.preference, walk)
     best = arranged.closed and not left_out
     return replace(found, left_out=absent, solves=solves, proven=arranged.proven, best=best)
