@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits
-from solver.placement.encode import EMPTY_FLOOR, FREE_CENTRES_MM2, empty_floor, encode, walked_floor
+from solver.placement.encode import EMPTY_FLOOR, FREE_CENTRES_MM2, LEAST_FLOOR_MM2, door_target, empty_floor, encode, walked_floor
 from solver.placement.kernel.fill import COVERED, NO_WAY, SPENT
 from solver.placement.kernel.layout import ABSENT, Ints
 from solver.placement.outcome import Outcome
@@ -110,8 +110,15 @@ def _attempt(space: Space, pieces: Sequence[Wanted], walk: bool, limits: Limits,
 
 def walkable_when_empty(space: Space) -> bool:
     """Tells whether a person can walk through all doors of the empty room."""
-    core = Core(encode(space, ()))
-    return core.evaluate(core.blank(), 10, Budget(), True)
+    if any(zone.cause == "outline" for zone in space.zones):
+        core = Core(encode(space, ()))
+        return core.evaluate(core.blank(), 10, Budget(), True)
+    clear, half = space.clear, space.robot_mm - 1  # all free centres are one rectangle, in doubled millimetres
+    x0, z0, x1, z1 = 2 * clear.x0 + half, 2 * clear.z0 + half, 2 * clear.x1 - half, 2 * clear.z1 - half
+    if x1 <= x0 or z1 <= z0 or (x1 - x0) * (z1 - z0) < 4 * LEAST_FLOOR_MM2:
+        return False
+    targets = [door_target(space, door) for door in space.doorways]
+    return all(a <= x1 and b <= z1 and c >= x0 and d >= z0 for a, b, c, d in targets)
 
 
 def _draft(core: Core, arranged: Arranged, left_out: list[tuple[Wanted, str]], solves: int, walk: bool) -> Draft:
