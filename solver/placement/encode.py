@@ -236,15 +236,16 @@ def _sizes(room: Room) -> Sizes:
     )
 
 
-FLOOR_SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760))
-"""Rectangles of floor in each of which a person of 0.6 m has the 0.25 m2 of free centres that a room must have."""
+FLOOR_SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760), (900, 900), (750, 1200), (1200, 750))
+"""Rectangles of floor. In each of the first five a person of 0.6 m has the 0.25 m2 of free centres that a room must have; the others
+leave room for floor that goes round a corner, whose area the walk measures."""
 FLOOR_PULL = 0.02
 STRIDE_MM = 200
 """From one place of `walked_floor` to the next, at most."""
 
 
 def empty_floor(space: Space) -> Wanted:
-    """Returns a piece that stands for enough empty floor to count as a room: bodies keep out, people do not."""
+    """Returns a piece that stands for floor kept empty: bodies keep out, people do not."""
     clear, more = space.clear, space.robot_mm - 600
     middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)
     pull = (FLOOR_PULL, FLOOR_PULL)
