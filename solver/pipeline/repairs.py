@@ -130,9 +130,9 @@ def _shrunk_by_lengths(case: Case, short: Shortfall) -> list[Repair | None]:
 
 def _least_shrunk(case: Case, body: Body) -> Repair | None:
     """Bisects for the least that must be taken off a body's width, or else off its depth."""
+    one = replace(case, rooms=case.rooms[:1])
     for side in ("width", "depth"):
         most = round(getattr(body, side) * 1000 * (1 - LEAST_SHARE))
-        one = replace(case, rooms=case.rooms[:1])
         least = _least(most, lambda by, side=side: _helps(one, _shrunk(body, side, by)))  # type: ignore[misc]
         repair = _shrunk(body, side, least) if least else None
         if repair is not None and _tried(case, repair):
