@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
 
 import numpy as np
 
@@ -218,6 +218,7 @@ class Core:
     def release(self) -> None:
         """Gives back what only a search needs; the assembled problem and the walk stay."""
         self.engine = self.engine._replace(programs=_SMALL.programs, nodes=_SMALL.nodes, tree=_SMALL.tree)
+        self.encoded = replace(self.encoded, engine=self.engine)
 
 
 def outcome_of(engine: Engine) -> Outcome:

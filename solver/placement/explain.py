@@ -74,13 +74,16 @@ def minimal_conflict(
             break
     if stand is not False:
         return None
-    for piece in pieces:
-        if piece.label in members:
-            rest = members - _with_carried(known, piece.label)
-            if (stand := verdict(rest)) is None:
-                return None
-            if stand is False:
-                members = rest
+    before: set[str] = set()
+    while members != before:  # who lost what it could have been attached to may count no more
+        before = members
+        for label in known:
+            if label in members:
+                rest = members - _with_carried(known, members, label)
+                if (stand := verdict(rest)) is None:
+                    return None
+                if stand is False:
+                    members = rest
     return tuple(piece.label for piece in pieces if piece.label in members)
 
 
@@ -100,9 +103,19 @@ def _with_carriers(known: Mapping[str, Wanted], label: str) -> set[str]:
     return found
 
 
-def _with_carried(known: Mapping[str, Wanted], label: str) -> set[str]:
-    """Returns a piece and all that can only stand with it."""
-    return {other for other in known if label in _with_carriers(known, other)}
+def _with_carried(known: Mapping[str, Wanted], members: set[str], label: str) -> set[str]:
+    """Returns a member and all members that have nothing left to stand with once it is gone."""
+    gone = {label}
+    while True:
+        left = members - gone
+        more = {
+            other
+            for other in left
+            if known[other].alternatives and not any(a.attach is None or a.attach.parent in left for a in known[other].alternatives)
+        }
+        if not more:
+            return gone
+        gone |= more
 
 
 def _size(rect: Rect) -> str:

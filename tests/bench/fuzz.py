@@ -122,12 +122,14 @@ def not_minimal(space: Space, members: Sequence[Wanted], oracle: bool) -> list[s
 
 
 def without(members: Sequence[Wanted], gone: Wanted) -> list[Wanted]:
-    """Returns the members but one and all that can only stand attached to it."""
-    out = {gone.label}
+    """Returns the members but one and all that then have nothing left to be attached to."""
+    kept: list[Wanted] = []
     for piece in members:  # parents come first
-        if piece.alternatives and all(a.attach is not None and a.attach.parent in out for a in piece.alternatives):
-            out.add(piece.label)
-    return [piece for piece in members if piece.label not in out]
+        there = {other.label for other in kept}
+        hangs = bool(piece.alternatives) and all(a.attach is not None and a.attach.parent not in there for a in piece.alternatives)
+        if piece.label != gone.label and not hangs:
+            kept.append(piece)
+    return kept
 
 
 def fuzz(first: int, rooms: int, oracle: int, workers: int = 1) -> Tally:
