@@ -49,6 +49,8 @@ STEPS: Final = 1e9
 """Costs and slacks are compared in steps of a nanometre or its like, so that rounding decides no tie."""
 FEWER_FIRST: Final = 1_000_000_000_000
 """Sorts choices with fewer options within reach before those violated more; more than any slack in steps."""
+MANY_CHOICES: Final = 500
+"""With more choices than this the most violated come first whatever is left to them: nothing is proven there anyway."""
 DEAD: Final = -1
 # Nodes.state
 OPEN, SPARE, PICKED, BASE = range(4)
@@ -98,6 +100,7 @@ def _violated(work: Work, programs: Programs, nodes: Nodes, slot: int) -> int:
     """
     p, worst, options, choice_size, count = nodes.positions, nodes.worst, work.options, work.choice_size, 0
     column, value, reach, known = programs.column, programs.value, programs.reach, False
+    few = work.counts[N_CHOICES] <= MANY_CHOICES
     for c in range(work.counts[N_CHOICES]):
         slack = -np.inf
         for k in range(4 * c, 4 * c + choice_size[c]):
@@ -116,7 +119,7 @@ def _violated(work: Work, programs: Programs, nodes: Nodes, slot: int) -> int:
         if left <= 1:
             worst[0, 0] = c
             return DEAD if left == 0 else 1
-        key = left * FEWER_FIRST + np.int64(slack * STEPS)
+        key = (left * FEWER_FIRST if few else 0) + np.int64(slack * STEPS)
         at = count
         while at > 0 and worst[at - 1, 1] > key:
             at -= 1
