@@ -233,19 +233,19 @@ def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = Non
         budget: the work it may cost.
         walk: whether doors and use sides must be joined too. "No" is then only said where that is proven: where use sides
             alone, or two far ends of the floor that a room must have, leave no place for all.
-        prove: whether an answer is worth more work to the caller where walking alone is in the way.
+        prove: whether "no" is worth the work of its proof to the caller.
     """
     allowed = budget or Budget()
     core = Core(encode(space, pieces, "stands" if walk else "none"))
     decisions, exact = core.stand_together(LIMITS, allowed, walk)
     if decisions is not None:
         return True
-    if exact or not walk or not prove:
+    if exact or not walk:
         return False if exact else None
     with_floor = Core(encode(space, (empty_floor(space), *pieces), "stands"))
     if with_floor.stand_together(LIMITS, allowed, True)[0] is not None:
         return True
-    return False if _too_little_floor(space, pieces, allowed) else None
+    return False if prove and _too_little_floor(space, pieces, allowed) else None
 
 
 def _too_little_floor(space: Space, pieces: Sequence[Wanted], budget: Budget) -> bool:
