@@ -45,6 +45,7 @@ def room_certificate(arrangement: Arrangement) -> dict[str, Any]:
     return {
         "cost": arrangement.cost,
         "proven": arrangement.proven,
+        "best": arrangement.best,
         "left_out": [{"piece": label, "reason": reason} for label, reason in arrangement.left_out],
         "notes": list(arrangement.notes),
     }

@@ -179,8 +179,9 @@ class Placed:
 class Arrangement:
     """A room's result.
 
-    `cost` counts terms and preferences; `proven` tells that the search for these alternatives closed below its limit;
-    `left_out` pairs a label with the reason, for a person.
+    `cost` counts terms and preferences; `proven` tells that the search for these alternatives closed below its limit; `best`
+    that no other alternatives of the required pieces are cheaper, within the widenings tried; `left_out` pairs a label with
+    the reason, for a person.
     """
 
     room: str
@@ -190,3 +191,4 @@ class Arrangement:
     proven: bool = True
     solves: int = 0
     notes: tuple[str, ...] = field(default=())
+    best: bool = True

@@ -98,14 +98,17 @@ def arrange(space: Space, wanted: Sequence[Wanted], walk: bool = True, budget: B
 
 
 def _attempt(space: Space, pieces: Sequence[Wanted], walk: bool, limits: Limits, budget: Budget) -> tuple[Core, Arranged]:
-    """Arranges the pieces; where walking alone stands against the required ones, once more with empty floor asked for."""
+    """Arranges the pieces; where walking alone stands against the required ones, once more with empty floor asked for.
+
+    That floor is one way to be walkable among others, so what is found with it is not proven best.
+    """
     core = Core(encode(space, pieces, "stands" if walk else "none"))
     arranged = core.arrange(limits, budget, walk)
     if arranged.complete or arranged.closed or not walk or budget.spent:
         return core, arranged
     with_floor = Core(encode(space, (empty_floor(space), *pieces), "stands"))
     again = with_floor.arrange(limits, budget, walk)
-    return (with_floor, again) if again.complete else (core, arranged)
+    return (with_floor, replace(again, closed=False, proven=False)) if again.complete else (core, arranged)
 
 
 def walkable_when_empty(space: Space) -> bool:

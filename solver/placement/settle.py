@@ -70,7 +70,7 @@ def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) 
         placed.append(Placed(label, c.alternative, c.rotation, wall, rect))
     reasons = tuple((piece.label, f"{why}; {why_left_out(draft.space, piece, placed)}") for piece, why in draft.left_out)
     notes = () if walkable else ("no walkable arrangement of the required pieces was found",)
-    return Arrangement(draft.space.room, tuple(placed), reasons, round(draft.cost, 6), draft.proven, draft.solves, notes)
+    return Arrangement(draft.space.room, tuple(placed), reasons, round(draft.cost, 6), draft.proven, draft.solves, notes, draft.best)
 
 
 def _snapped(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> tuple[tuple[list[int], list[int]], bool]:

@@ -7,6 +7,7 @@ import pytest
 from solver.geometry import Rect
 from solver.placement import feasible, minimal_conflict, place
 from solver.placement.arrange import arrange
+from solver.placement.core import Limits
 from solver.placement.qp import solve_house
 from solver.placement.reference import solve_house as reference_house
 from solver.placement.settle import decided
@@ -90,3 +91,10 @@ def test_what_is_left_out_comes_with_lengths() -> None:
     ((label, reason),) = arrangement.left_out
     assert label == "large"
     assert "1.60 x 0.60 m" in reason
+
+
+def test_what_a_limit_cut_short_is_not_called_best() -> None:
+    rooms = [room(seed) for seed in range(40)]
+    assert all(arrange(*each).best for each in rooms[:10] if not arrange(*each).left_out)
+    few = Limits(required=1, required_qps=6)
+    assert not all(arrange(*each, limits=few).best for each in rooms)
