@@ -19,12 +19,18 @@ TO_SOMETHING = ("facing", "near", "far_from")
 
 @dataclass(frozen=True)
 class Fault:
-    """Something that cannot be: in which room type's file (empty: furniture.yaml), at which key, what, what is allowed."""
+    """Something that cannot be: in which file (its path without `.yaml`), at which key, what, what is allowed."""
 
-    room: str
+    file: str
     at: tuple[str | int, ...]
     problem: str
     allowed: str = ""
+
+    @property
+    def entry(self) -> tuple[str, str]:
+        """The section it is in and the name of the entry."""
+        section, _, name = self.file.partition("/")
+        return section, name or str(self.at[0])
 
 
 def faults(catalogs: Catalogs) -> Iterator[Fault]:
@@ -35,79 +41,79 @@ def faults(catalogs: Catalogs) -> Iterator[Fault]:
             catalogs.furniture.get(catalogs.name_of(kind), entry).category != entry.category
             or catalogs.name_of(kind) not in catalogs.furniture
         ):
-            yield Fault("", (kind, "name"), f"{entry.name!r} is no kind of the same category", "a key of furniture.yaml")
+            yield Fault("furniture", (kind, "name"), f"{entry.name!r} is no kind of the same category", "a key of furniture.yaml")
     for name, room in catalogs.rooms.items():
-        yield from _room_faults(catalogs, name, room)
+        yield from _room_faults(catalogs, f"rooms/{name}", room)
 
 
 def _furniture_faults(kind: str, entry: Furniture) -> Iterator[Fault]:
     for i, length in enumerate(entry.size):
         if round(length * 1000) % 10 or abs(length * 100 - round(length * 100)) > 1e-9:
-            yield Fault("", (kind, "size", i), f"{length} m is not a whole number of centimetres", "steps of 0.01")
+            yield Fault("furniture", (kind, "size", i), f"{length} m is not a whole number of centimetres", "steps of 0.01")
     for i, surface in enumerate(entry.surfaces):
         if surface.height > entry.size[2] + 1e-9:
             yield Fault(
-                "", (kind, "surfaces", i, "height"),
+                "furniture", (kind, "surfaces", i, "height"),
                 f"the surface {surface.name!r} lies at {surface.height} m, above the piece", f"at most {entry.size[2]}",
             )  # fmt: skip
         if 2 * surface.inset >= min(entry.size[:2]):
-            yield Fault("", (kind, "surfaces", i, "inset"), f"the surface {surface.name!r} has no area left", "a smaller inset")
+            yield Fault("furniture", (kind, "surfaces", i, "inset"), f"the surface {surface.name!r} has no area left", "a smaller inset")
 
 
-def _room_faults(catalogs: Catalogs, name: str, room: RoomType) -> Iterator[Fault]:
+def _room_faults(catalogs: Catalogs, file: str, room: RoomType) -> Iterator[Fault]:
     if room.flooring not in catalogs.floorings:
-        yield Fault(name, ("flooring",), f"unknown flooring {room.flooring!r}", ", ".join(catalogs.floorings))
+        yield Fault(file, ("flooring",), f"unknown flooring {room.flooring!r}", ", ".join(catalogs.floorings))
     for i, other in enumerate(room.plan.behind):
         if other not in catalogs.rooms:
-            yield Fault(name, ("plan", "behind", i), f"unknown room type {other!r}", ", ".join(catalogs.rooms))
+            yield Fault(file, ("plan", "behind", i), f"unknown room type {other!r}", ", ".join(catalogs.rooms))
     names: list[str] = []
     for i, piece in enumerate(room.pieces):
         if piece.piece in names:
-            yield Fault(name, ("pieces", i, "piece"), f"the piece {piece.piece!r} stands twice", "one entry with a count")
+            yield Fault(file, ("pieces", i, "piece"), f"the piece {piece.piece!r} stands twice", "one entry with a count")
         names.append(piece.piece)
-        yield from _kind_faults(catalogs, name, i, piece)
+        yield from _kind_faults(catalogs, file, i, piece)
         for j, rule in enumerate(piece.rules):
-            yield from _rule_faults(Fault(name, ("pieces", i, "rules", j), ""), room, piece, rule)
-    yield from _required_faults(catalogs, name, room)
-    yield from _order_faults(name, room)
+            yield from _rule_faults(Fault(file, ("pieces", i, "rules", j), ""), room, piece, rule)
+    yield from _required_faults(catalogs, file, room)
+    yield from _order_faults(file, room)
 
 
-def _kind_faults(catalogs: Catalogs, name: str, index: int, piece: Piece) -> Iterator[Fault]:
+def _kind_faults(catalogs: Catalogs, file: str, index: int, piece: Piece) -> Iterator[Fault]:
     for i, variant in enumerate(piece.variants):
         if variant.kind not in catalogs.furniture:
             at = ("pieces", index, "kinds", i, "kind") if piece.kinds else ("pieces", index, "piece")
-            yield Fault(name, at, f"unknown kind {variant.kind!r}", "a key of furniture.yaml")
+            yield Fault(file, at, f"unknown kind {variant.kind!r}", "a key of furniture.yaml")
     if piece.variants[-1].min_area:
         at = ("pieces", index, "kinds", len(piece.kinds) - 1, "min_area")
-        yield Fault(name, at, "the least variant must suit any room", "no min_area; the piece's own min_area")
+        yield Fault(file, at, "the least variant must suit any room", "no min_area; the piece's own min_area")
 
 
 def _rule_faults(where: Fault, room: RoomType, piece: Piece, rule: Rule) -> Iterator[Fault]:
     """Checks what a rule's `of` names; `where` holds the room and the key."""
     known = [other.piece for other in room.pieces]
     if rule.type in BETWEEN + TO_SOMETHING and not rule.of:
-        yield Fault(where.room, where.at, f"{rule.type} needs `of`", ", ".join(known))
+        yield Fault(where.file, where.at, f"{rule.type} needs `of`", ", ".join(known))
     elif rule.type not in BETWEEN + TO_SOMETHING and rule.of:
-        yield Fault(where.room, (*where.at, "of"), f"{rule.type} takes no `of`", "no key `of`")
+        yield Fault(where.file, (*where.at, "of"), f"{rule.type} takes no `of`", "no key `of`")
     if rule.required and rule.type in PULLS and rule.wall is None and not set(rule.of) & set(OPENINGS):
-        yield Fault(where.room, (*where.at, "required"), f"{rule.type} of a piece is a matter of degree", "a cost or a weight")
+        yield Fault(where.file, (*where.at, "required"), f"{rule.type} of a piece is a matter of degree", "a cost or a weight")
     for other in rule.of:
         openings = OPENINGS if rule.type in TO_SOMETHING else ()
         if other not in known and other not in openings:
-            yield Fault(where.room, (*where.at, "of"), f"unknown piece {other!r}", ", ".join([*known, *openings]))
+            yield Fault(where.file, (*where.at, "of"), f"unknown piece {other!r}", ", ".join([*known, *openings]))
         if other == piece.piece and (piece.count == 1 or rule.type not in ("in_row", "near", "far_from")):
-            yield Fault(where.room, (*where.at, "of"), f"{rule.type} of itself", "in_row, near or far_from, with count > 1")
+            yield Fault(where.file, (*where.at, "of"), f"{rule.type} of itself", "in_row, near or far_from, with count > 1")
 
 
-def _required_faults(catalogs: Catalogs, name: str, room: RoomType) -> Iterator[Fault]:
+def _required_faults(catalogs: Catalogs, file: str, room: RoomType) -> Iterator[Fault]:
     """Checks that the required pieces are enough for every line of `requires`."""
     names = [catalogs.name_of(kind) for kind in catalogs.furniture]
     for i, line in enumerate(room.requires):
         for kind in line:
             if kind not in names:
-                yield Fault(name, ("requires", i, kind), f"unknown kind {kind!r}", "a name of furniture.yaml")
+                yield Fault(file, ("requires", i, kind), f"unknown kind {kind!r}", "a name of furniture.yaml")
         if not any(_supplied(catalogs, room, kind) >= count for kind, count in line.items()) and not _mixed(catalogs, room, line):
-            yield Fault(name, ("requires", i), "the required pieces do not meet this line", "a piece with `required: true`")
+            yield Fault(file, ("requires", i), "the required pieces do not meet this line", "a piece with `required: true`")
 
 
 def _supplied(catalogs: Catalogs, room: RoomType, kind: str) -> int:
@@ -126,7 +132,7 @@ def _mixed(catalogs: Catalogs, room: RoomType, line: dict[str, int]) -> bool:
     )  # fmt: skip
 
 
-def _order_faults(name: str, room: RoomType) -> Iterator[Fault]:
+def _order_faults(file: str, room: RoomType) -> Iterator[Fault]:
     """Rules may only refer to pieces that come earlier, required ones first: so no two wait for each other."""
     order = [piece.piece for piece in sorted(room.pieces, key=lambda piece: not piece.required)]
     for i, piece in enumerate(room.pieces):
@@ -134,7 +140,7 @@ def _order_faults(name: str, room: RoomType) -> Iterator[Fault]:
             for other in rule.of:
                 if other in order and order.index(other) > order.index(piece.piece):
                     yield Fault(
-                        name, ("pieces", i, "rules", j, "of"),
+                        file, ("pieces", i, "rules", j, "of"),
                         f"{piece.piece!r} refers to {other!r}, which comes later: rules must not go round in a circle",
                         "a piece named earlier; an optional piece may refer to any required one",
                     )  # fmt: skip

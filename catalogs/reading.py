@@ -9,18 +9,29 @@ from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import blake2b
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Final
 
 import yaml
 from pydantic import TypeAdapter, ValidationError
 
 from catalogs.checks import Fault, faults
+from catalogs.dressing import DecorationKind, Dressing
+from catalogs.programmes import Preset
 from catalogs.schema import Catalogs, FlooringSpec, Furniture, RoomType
+from catalogs.styles import Style
 
 HERE = Path(__file__).parent
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-_FURNITURE = TypeAdapter(dict[str, Furniture])
-_FLOORINGS = TypeAdapter(dict[str, FlooringSpec])
+_ROOMS = "rooms"
+_SECTIONS: Final[dict[str, TypeAdapter[Any]]] = {
+    "furniture": TypeAdapter(dict[str, Furniture]),
+    "floorings": TypeAdapter(dict[str, FlooringSpec]),
+    "decorations": TypeAdapter(dict[str, DecorationKind]),
+    "dressing": TypeAdapter(dict[str, Dressing]),
+    "styles": TypeAdapter(dict[str, Style]),
+    "presets": TypeAdapter(dict[str, Preset]),
+}
+"""What each file of a catalog holds: `<section>.yaml`."""
 _ROOM = TypeAdapter(RoomType)
 
 
@@ -83,41 +94,34 @@ def _default() -> Catalogs:
 
 @dataclass(frozen=True)
 class _Layer:
-    """What one directory says, and by (section, name) which file says it."""
+    """What one directory says by section, and by (section, name) which file says it."""
 
-    furniture: dict[str, Furniture]
-    floorings: dict[str, FlooringSpec]
-    rooms: dict[str, RoomType]
+    entries: dict[str, dict[str, Any]]
     files: dict[tuple[str, str], Path]
 
 
 def _layer(directory: Path) -> _Layer:
-    room_files = {path.stem: path for path in sorted((directory / "rooms").glob("*.yaml"))}
-    paths = {"furniture": directory / "furniture.yaml", "floorings": directory / "floorings.yaml"}
+    paths = {section: directory / f"{section}.yaml" for section in _SECTIONS}
+    room_files = {path.stem: path for path in sorted((directory / _ROOMS).glob("*.yaml"))}
     if not room_files and not any(path.exists() for path in paths.values()):
-        raise CatalogError(str(directory), "", 1, "holds no catalog", "furniture.yaml, floorings.yaml, rooms/<type>.yaml")
-    furniture = _read(paths["furniture"], _FURNITURE) if paths["furniture"].exists() else {}
-    floorings = _read(paths["floorings"], _FLOORINGS) if paths["floorings"].exists() else {}
-    files = {("rooms", name): path for name, path in room_files.items()}
-    files |= {("furniture", kind): paths["furniture"] for kind in furniture}
-    return _Layer(furniture, floorings, {name: _read(path, _ROOM) for name, path in room_files.items()}, files)
+        known = ", ".join([*(path.name for path in paths.values()), "rooms/<type>.yaml"])
+        raise CatalogError(str(directory), "", 1, "holds no catalog", known)
+    entries = {section: _read(path, _SECTIONS[section]) if path.exists() else {} for section, path in paths.items()}
+    entries[_ROOMS] = {name: _read(path, _ROOM) for name, path in room_files.items()}
+    files = {(section, name): paths[section] for section in paths for name in entries[section]}
+    return _Layer(entries, files | {(_ROOMS, name): path for name, path in room_files.items()})
 
 
 def _laid_over(below: _Layer, above: _Layer) -> _Layer:
-    return _Layer(
-        below.furniture | above.furniture,
-        below.floorings | above.floorings,
-        below.rooms | above.rooms,
-        below.files | above.files,
-    )
+    merged = {section: named | above.entries[section] for section, named in below.entries.items()}
+    return _Layer(merged, below.files | above.files)
 
 
 def _checked(layer: _Layer) -> Catalogs:
     """Checks that everything fits together and gives it its fingerprint."""
-    catalogs = Catalogs(furniture=layer.furniture, floorings=layer.floorings, rooms=layer.rooms, fingerprint="")
+    catalogs = Catalogs(**layer.entries, fingerprint="")
     for fault in faults(catalogs):
-        section = ("rooms", fault.room) if fault.room else ("furniture", str(fault.at[0]))
-        raise _located(layer.files[section], fault)
+        raise _located(layer.files[fault.entry], fault)
     return catalogs.model_copy(update={"fingerprint": fingerprint(catalogs)})
 
 

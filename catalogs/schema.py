@@ -6,43 +6,23 @@ faces south: `front` is south (+z), `back` north, `left` west (-x), `right` east
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
+
+from catalogs.dressing import DecorationKind, Dressing
+from catalogs.entries import Colour, Cost, Entry, Interval, Length, Side, Surface, Words
+from catalogs.programmes import Preset
+from catalogs.styles import Style
 
 Category = Literal[
     "bed", "seating", "table", "storage", "appliance", "bathroom", "lighting",
     "decor", "electronics", "vehicle", "structure", "water", "dynamic", "misc",
 ]  # fmt: skip
-Side = Literal["front", "back", "left", "right"]
 Relation = Literal[
     "against_wall", "in_corner", "beside", "in_front_of", "opposite", "facing", "near", "far_from", "around",
     "aligned_with", "centred", "in_row", "at_window", "near_door", "far_from_door", "on", "under",
 ]  # fmt: skip
-Colour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
-Length = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
-Cost = Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)]
-
-
-def _words(value: Any) -> Any:
-    """Lets a single word stand for a list of one."""
-    return (value,) if isinstance(value, str) else value
-
-
-def _interval(value: Any) -> Any:
-    """Lets a single number stand for an interval of one value."""
-    return (value, value) if isinstance(value, int | float) and not isinstance(value, bool) else value
-
-
-Words = Annotated[tuple[str, ...], BeforeValidator(_words, json_schema_input_type=str | tuple[str, ...])]
-Gap = Annotated[float, Field(ge=-2, le=20, allow_inf_nan=False)]
-Interval = Annotated[tuple[Gap, Gap], BeforeValidator(_interval, json_schema_input_type=Gap | tuple[Gap, Gap])]
-
-
-class Entry(BaseModel):
-    """Base of every catalog entry."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid")
 
 
 class Use(Entry):
@@ -51,19 +31,6 @@ class Use(Entry):
     sides: tuple[Side, ...] = Field(min_length=1)
     need: Literal["any", "all"] = "any"
     clearance: Length = 0.6
-
-
-class Surface(Entry):
-    """A surface that carries things.
-
-    Its height above the piece's underside, how far in from the footprint's edges it starts, and the free height above
-    it, m (None: open above).
-    """
-
-    name: str
-    height: Length
-    inset: Annotated[float, Field(ge=0, le=1)] = 0.02
-    clearance: Length | None = None
 
 
 class Furniture(Entry):
@@ -103,7 +70,7 @@ class Rule(Entry):
     gap: Interval | None = None
     sides: tuple[Side, ...] = ()
     align: Literal["back", "centre", "front", "any"] | None = None
-    walls: dict[Literal["door", "window", "exterior", "plain", "short", "long"], Cost] = {}
+    walls: dict[Literal["door", "window", "exterior", "plain", "short", "long"], Cost] = Field(default_factory=dict)
     wall: Literal["same", "opposite", "adjacent", "other"] | None = None
 
     @model_validator(mode="after")
@@ -219,6 +186,10 @@ class Catalogs(Entry):
     furniture: dict[str, Furniture]
     floorings: dict[str, FlooringSpec]
     rooms: dict[str, RoomType]
+    decorations: dict[str, DecorationKind] = Field(default_factory=dict)
+    dressing: dict[str, Dressing] = Field(default_factory=dict)
+    styles: dict[str, Style] = Field(default_factory=dict)
+    presets: dict[str, Preset] = Field(default_factory=dict)
     fingerprint: str
 
     def name_of(self, kind: str) -> str:

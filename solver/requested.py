@@ -13,8 +13,9 @@ from typing import Final
 
 from catalogs import Catalogs
 from catalogs.checks import BETWEEN, OPENINGS, TO_SOMETHING
+from catalogs.entries import Surface
 from catalogs.schema import Furniture as Kind
-from catalogs.schema import Piece, Rule, Surface, Variant
+from catalogs.schema import Piece, Rule, Variant
 from solver.errors import RequestError
 from solver.scene import Conflict, Furniture, Issue, Room, Scene
 
