@@ -19,6 +19,7 @@ Category = Literal[
     "bed", "seating", "table", "storage", "appliance", "bathroom", "lighting",
     "decor", "electronics", "vehicle", "structure", "water", "dynamic", "misc",
 ]  # fmt: skip
+Share = Annotated[float, Field(gt=0, le=1)]
 Relation = Literal[
     "against_wall", "in_corner", "beside", "in_front_of", "opposite", "facing", "near", "far_from", "around",
     "aligned_with", "centred", "in_row", "at_window", "near_door", "far_from_door", "on", "under",
@@ -160,7 +161,9 @@ class Plan(Entry):
 class RoomType(Entry):
     """A room type: its areas, floor, accent colour, what it holds and by which relations.
 
-    `requires` lists what the validator asks for: each line is met by any of its kinds in that number.
+    `requires` lists what the validator asks for: each line is met by any of its kinds in that number. `cover` is the range
+    of the share of the floor that furniture covers in homes that people live in: optional pieces are added until a share
+    drawn from it is reached.
     """
 
     outdoor: bool = False
@@ -171,7 +174,14 @@ class RoomType(Entry):
     accent: Colour
     plan: Plan = Plan()
     requires: tuple[dict[str, Annotated[int, Field(ge=1, le=12)]], ...] = ()
+    cover: tuple[Share, Share] | None = None
     pieces: tuple[Piece, ...] = ()
+
+    @model_validator(mode="after")
+    def _cover_ordered(self) -> RoomType:
+        if self.cover and self.cover[0] > self.cover[1]:
+            raise ValueError("a cover must be [least, most]")
+        return self
 
 
 class FlooringSpec(Entry):
