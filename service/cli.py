@@ -15,8 +15,9 @@ THREADED: Final = ("OMP", "OPENBLAS", "MKL", "NUMEXPR")
 STATUSES: Final = "Exit status: 0 clean, 1 errors found in the scene, 2 bad use."
 NUMBERS: Final = {
     "seed": (int, "0 ... 2^53-1; drawn when there is none"),
-    "width": (float, "of the house, m (20)"),
-    "depth": (float, "of the house, m (15)"),
+    "width": (float, "of the house, m (20, or what the programme needs)"),
+    "depth": (float, "of the house, m (15, or what the programme needs)"),
+    "area": (float, "of the house's floor, m2: a home is planned for it"),
     "min_room_size": (float, "shortest side of a room, m (3)"),
     "max_depth": (int, "how often the plan is split (5)"),
     "robot_width": (float, "of what must be able to walk everywhere, m (0.6)"),
@@ -27,12 +28,28 @@ SWITCHES: Final = {
     "decorate": "recorded for decorations (off)",
 }
 
+WORDS: Final = ("program", "style")
+"""The options of a request that are words."""
+
 
 def _forced(text: str) -> tuple[str, str]:
     index, equals, room_type = text.partition("=")
     if not (index.isdecimal() and equals and room_type):
         raise ArgumentTypeError(f"{text!r} is not INDEX=TYPE, such as 3=kitchen")
     return index, room_type
+
+
+def _program(text: str) -> str | dict[str, int]:
+    """Reads a preset's name, or counts such as bedrooms=3,bathrooms=2."""
+    if "=" not in text:
+        return text
+    counts: dict[str, int] = {}
+    for part in text.split(","):
+        word, equals, number = part.partition("=")
+        if not (word and equals and number.isdecimal()) or word in counts:
+            raise ArgumentTypeError(f"{text!r} is no preset and not WORD=N,WORD=N, such as bedrooms=3,bathrooms=2")
+        counts[word] = int(number)
+    return counts
 
 
 def _port(text: str) -> int:
@@ -74,6 +91,10 @@ def _add_generate(commands: Commands) -> None:
         command.add_argument(f"--{name.replace('_', '-')}", dest=name, type=kind, metavar="N", help=words)
     for name, words in SWITCHES.items():
         command.add_argument(f"--{name.replace('_', '-')}", dest=name, action=BooleanOptionalAction, default=None, help=words)
+    command.add_argument(
+        "--program", type=_program, metavar="PRESET|WORD=N,...", help="the rooms of a home: family; bedrooms=3,bathrooms=2"
+    )
+    command.add_argument("--style", metavar="NAME", help="the style of the house")
     command.add_argument("--force-type", dest="force_types", action="append", type=_forced, metavar="INDEX=TYPE", help="a room's type")
     command.add_argument("--engine", choices=("osqp", "reference"), default="osqp", help="of the final QP (osqp)")
     command.add_argument("-n", "--count", type=_count, metavar="N", help="make N houses of successive seeds into the folder -o")

@@ -14,7 +14,7 @@ from tqdm import tqdm
 
 from catalogs import CatalogError, Catalogs, load_catalogs
 from service import calls
-from service.cli import NUMBERS, SWITCHES
+from service.cli import NUMBERS, SWITCHES, WORDS
 from service.documents import Document, format_of_content, format_of_name, parse
 from solver.errors import ComposeError, FieldError, SyntaxFault
 from solver.exchange import dump_text, read_request
@@ -184,7 +184,7 @@ def _request(options: Namespace) -> dict[str, Any]:
     document = {} if options.request is None else _read(options.request)
     if not isinstance(document, dict):
         raise FieldError(f"{_spoken(options.request)}request", "is not an object", "an object")
-    given = {name: getattr(options, name) for name in (*NUMBERS, *SWITCHES) if getattr(options, name) is not None}
+    given = {name: getattr(options, name) for name in (*NUMBERS, *SWITCHES, *WORDS) if getattr(options, name) is not None}
     forced = {"force_types": dict(options.force_types)} if options.force_types else {}
     return {**document, **given, **forced}
 

@@ -29,6 +29,11 @@ EXTERIOR: Final = "EXTERIOR"
 WALLS: Final = ("north", "south", "east", "west")
 ROBOT_WIDTH: Final = 0.6
 """Side of the square that must be able to walk, m, where nothing else is said (contract)."""
+PLAIN_SIZE: Final = (20.0, 15.0)
+"""Width and depth of a house where nothing else is asked for, m (contract)."""
+FITTED: Final = "chosen to fit where a programme or an area is asked for"
+MAX_COUNT: Final = 12
+"""Most rooms of one word, or cars, that a programme may count; our choice, more than any home has."""
 OPENING_KINDS: Final = ("door", "garage_door", "passage", "window")
 SEVERITIES: Final = ("error", "warning")
 
@@ -47,13 +52,16 @@ def _extra() -> Any:
 class Request:
     """What to generate; all optional. Unknown keys are refused.
 
-    `force_types` maps a room's index to a room type. `robot_width` is the side, m, of the square that must be able to
-    walk everywhere. `decorate` is recorded for later stages.
+    `program` counts rooms by word (`{bedrooms: 3, bathrooms: 2, garage: 1}`) or names a preset; `area` is the wished
+    floor of the house, m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where
+    they are not given; else the house is 20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say
+    how its rectangle is cut into rooms. `force_types` maps a room's index to a room type. `robot_width` is the side, m,
+    of the square that must be able to walk everywhere. `decorate` is recorded for later stages. `style` names a style.
     """
 
     seed: int | None = field(default=None, metadata={"at_least": 0, "at_most": MAX_SEED})
-    width: float = field(default=20.0, metadata={"at_least": 2.0, "at_most": 1000.0})
-    depth: float = field(default=15.0, metadata={"at_least": 2.0, "at_most": 1000.0})
+    width: float | None = field(default=None, metadata={"at_least": 2.0, "at_most": 1000.0, "says": f"{PLAIN_SIZE[0]:g} m; {FITTED}"})
+    depth: float | None = field(default=None, metadata={"at_least": 2.0, "at_most": 1000.0, "says": f"{PLAIN_SIZE[1]:g} m; {FITTED}"})
     min_room_size: float = field(default=3.0, metadata={"at_least": 1.5, "at_most": 50.0})
     max_depth: int = field(default=5, metadata={"at_least": 0, "at_most": 16})
     use_spine: bool = True
@@ -61,6 +69,20 @@ class Request:
     decorate: bool = False
     force_types: Mapping[int, str] = field(default_factory=dict)
     robot_width: float = field(default=ROBOT_WIDTH, metadata={"at_least": 0.1, "at_most": 2.0})
+    program: Mapping[str, int] | str | None = field(default=None, metadata={"at_least": 0, "at_most": MAX_COUNT})
+    area: float | None = field(default=None, metadata={"at_least": 15.0, "at_most": 1000.0})
+    style: str | None = None
+
+    @property
+    def planned(self) -> bool:
+        """Tells whether a home is planned for a programme or a wished area, instead of a rectangle cut into rooms."""
+        return self.program is not None or self.area is not None
+
+    @property
+    def extents(self) -> tuple[float, float]:
+        """Width and depth of a plain request's house, m."""
+        width, depth = PLAIN_SIZE
+        return (width if self.width is None else self.width, depth if self.depth is None else self.depth)
 
 
 @dataclass(frozen=True)

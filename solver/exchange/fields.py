@@ -58,6 +58,14 @@ class Indexed:
 
 
 @dataclass(frozen=True)
+class Counted:
+    """A mapping from a word to a whole number in [least, most], or a text that names one."""
+
+    least: int
+    most: int
+
+
+@dataclass(frozen=True)
 class Several:
     """A list of `item`s: exactly `length` of them, or any number from `at_least`."""
 
@@ -73,12 +81,15 @@ class Record:
     of: type[Any]
 
 
-Shape = Text | Number | Flag | Free | Indexed | Several | Record
+Shape = Text | Number | Flag | Free | Indexed | Counted | Several | Record
 
 
 @dataclass(frozen=True)
 class Field:
-    """One key: what it holds, whether it may be null, must be there, or is left out where it is null."""
+    """One key: what it holds, whether it may be null, must be there, or is left out where it is null.
+
+    `says` is what null stands for, for people.
+    """
 
     name: str
     shape: Shape
@@ -86,6 +97,7 @@ class Field:
     required: bool
     default: Any
     omit_none: bool
+    says: str = ""
 
 
 def _number(whole: bool, metadata: Mapping[str, Any]) -> Number:
@@ -111,6 +123,8 @@ def _shape(hint: Any, metadata: Mapping[str, Any]) -> Shape:
         return _number(hint is int, metadata)
     if is_dataclass(hint) and isinstance(hint, type):
         return Record(hint)
+    if hint == Mapping[str, int]:
+        return Counted(metadata["at_least"], metadata["at_most"])
     if get_origin(hint) is tuple:
         return _several(hint, metadata)
     if get_origin(hint) is Mapping:
@@ -119,7 +133,7 @@ def _shape(hint: Any, metadata: Mapping[str, Any]) -> Shape:
 
 
 def _without_none(hint: Any) -> tuple[Any, bool]:
-    """Splits `X | None` into X and whether None was among it."""
+    """Splits `X | None` into X, the first of its kinds, and whether None was among it."""
     if get_origin(hint) not in (Union, types.UnionType):
         return hint, False
     members = [member for member in get_args(hint) if member is not types.NoneType]
@@ -148,7 +162,8 @@ def _read_table(of: type[Any]) -> tuple[Field, ...]:
             shape = Several(shape.item, shape.length, _AT_LEAST_ITEMS[of, declared.name])
         required = _is_required(of, declared)
         default = () if isinstance(shape, Several) and not nullable else declared.default
-        rows.append(Field(declared.name, shape, nullable, required, default, bool(declared.metadata.get("omit_none"))))
+        omit_none, says = bool(declared.metadata.get("omit_none")), declared.metadata.get("says", "")
+        rows.append(Field(declared.name, shape, nullable, required, default, omit_none, says))
     return tuple(rows)
 
 

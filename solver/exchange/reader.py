@@ -14,6 +14,7 @@ from solver.errors import FieldError, RequestError, SceneError
 from solver.exchange.fields import (
     EXTRA,
     ID,
+    Counted,
     Field,
     Flag,
     Free,
@@ -49,7 +50,7 @@ def read_scene(document: object) -> Scene:
 def read_request(document: object) -> Request:
     """Reads a request. Keys may be snake_case or camelCase; unknown ones are refused.
 
-    A `min_room_size` that is not given is at most the house's shorter side.
+    A plain request's `min_room_size` that is not given is at most the house's shorter side.
 
     Raises:
         RequestError: a field is wrong; names it, with what is allowed.
@@ -77,13 +78,13 @@ def read_poses(document: object) -> tuple[Pose, ...]:
 def _request(document: object) -> Request:
     spelled = _spelled(Request, _mapping(document))
     request = cast(Request, _record(Request, spelled))
-    shorter = min(request.width, request.depth)
-    if request.min_room_size <= shorter:
+    shorter = min(request.extents)
+    if request.planned or request.min_room_size <= shorter:
         return request
     if "min_room_size" not in spelled:
         return replace(request, min_room_size=shorter)
     raise Wrong(
-        f"is {request.min_room_size:g} m, larger than the house ({request.width:g} x {request.depth:g} m)",
+        f"is {request.min_room_size:g} m, larger than the house ({request.extents[0]:g} x {request.extents[1]:g} m)",
         f"1.5 to {shorter:g} here",
     ).inside("min_room_size")
 
@@ -201,6 +202,15 @@ def _indexed(shape: Indexed, value: object) -> dict[int, str]:
     return found
 
 
+def _counted(shape: Counted, value: object) -> str | dict[str, int]:
+    if isinstance(value, str) and is_text(value):
+        return value
+    if not isinstance(value, Mapping):
+        raise Wrong(f"is {_called(value)}", _allowed(shape))
+    count = Number(True, shape.least, shape.most)
+    return {key: int(_at(key, _number, count, number)) for key, number in _mapping(value).items()}
+
+
 def _index(key: object) -> int:
     if isinstance(key, int) and not isinstance(key, bool) and key >= 0:
         return key
@@ -233,6 +243,7 @@ _READERS: dict[type[Any], Callable[..., Any]] = {
     Flag: _flag,
     Free: _free,
     Indexed: _indexed,
+    Counted: _counted,
     Several: _several,
     Record: _nested,
 }
@@ -253,5 +264,7 @@ def _allowed(shape: Shape) -> str:
             return many if shape.length is None and not shape.at_least else f"a list of {many}"
         case Indexed():
             return "a mapping from a room's index to a room type"
+        case Counted():
+            return "a preset's name, or a mapping from words to whole numbers"
         case _:
             return "a mapping of keys to values"

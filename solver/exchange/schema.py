@@ -8,7 +8,7 @@ from __future__ import annotations
 import inspect
 from typing import Any
 
-from solver.exchange.fields import Field, Flag, Free, Indexed, Number, Record, Several, Shape, Text, keeps_extra, table
+from solver.exchange.fields import Counted, Field, Flag, Free, Indexed, Number, Record, Several, Shape, Text, keeps_extra, table
 from solver.scene import FORMAT, Request, Scene
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -42,6 +42,8 @@ def _record(of: type[Any], definitions: dict[str, Any]) -> dict[str, Any]:
 
 def _property(row: Field, definitions: dict[str, Any]) -> dict[str, Any]:
     schema = _shape(row.shape, definitions)
+    if row.says:
+        schema["description"] = row.says
     if not row.nullable:
         return schema
     if "type" in schema and "enum" not in schema:
@@ -60,6 +62,9 @@ def _shape(shape: Shape, definitions: dict[str, Any]) -> dict[str, Any]:
             return {"type": "boolean"}
         case Indexed():
             return {"type": "object", "propertyNames": {"pattern": "^[0-9]{1,9}$"}, "additionalProperties": {"type": "string"}}
+        case Counted():
+            counts = {"type": "integer", "minimum": shape.least, "maximum": shape.most}
+            return {"anyOf": [{"type": "string"}, {"type": "object", "additionalProperties": counts}]}
         case Several():
             return _several(shape, definitions)
         case Record():

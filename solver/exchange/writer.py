@@ -10,7 +10,22 @@ from collections.abc import Callable
 from typing import Any, cast
 
 from solver.errors import FieldError, RequestError, SceneError
-from solver.exchange.fields import EXTRA, WHOLE, Field, Flag, Free, Indexed, Number, Record, Several, Shape, Text, keeps_extra, table
+from solver.exchange.fields import (
+    EXTRA,
+    WHOLE,
+    Counted,
+    Field,
+    Flag,
+    Free,
+    Indexed,
+    Number,
+    Record,
+    Several,
+    Shape,
+    Text,
+    keeps_extra,
+    table,
+)
 from solver.exchange.plain import Wrong, plain
 from solver.scene import Request, Scene
 
@@ -70,6 +85,10 @@ def _indexed(_: Indexed, value: Any) -> dict[str, str]:
     return {str(index): str(name) for index, name in sorted(value.items())}
 
 
+def _counted(_: Counted, value: Any) -> Any:
+    return plain(value) if isinstance(value, str) else {str(word): int(count) for word, count in sorted(value.items())}
+
+
 def _several(shape: Several, value: Any) -> list[Any]:
     write = _WRITERS[type(shape.item)]
     written = []
@@ -91,6 +110,7 @@ _WRITERS: dict[type[Any], Callable[[Any, Any], Any]] = {
     Flag: lambda _, value: bool(value),
     Free: _plain,
     Indexed: _indexed,
+    Counted: _counted,
     Several: _several,
     Record: lambda _, value: _record(value),
 }

@@ -48,7 +48,8 @@ def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
 
 
 def _layout(request: Request, catalogs: Catalogs) -> tuple[Layout, tuple[str, ...]]:
-    outline = Rect(0, 0, to_mm(request.width), to_mm(request.depth))
+    width, depth = request.extents
+    outline = Rect(0, 0, to_mm(width), to_mm(depth))
     least, seed = to_mm(request.min_room_size), request.seed or 0
     if least > min(outline.width, outline.depth):
         allowed = f"at most {to_m(min(outline.width, outline.depth))}"

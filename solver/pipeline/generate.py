@@ -15,6 +15,7 @@ from solver.certificate import certificate, room_certificate
 from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
 from solver.furnish import space_of, wanted_pieces
 from solver.furnished import furnished
+from solver.geometry import to_m
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place
@@ -150,7 +151,7 @@ def _written(rooms: Iterable[Room], arrangements: Mapping[str, Arrangement], set
 
 
 def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Request, setting: _Setting) -> Scene:
-    rooms = _written(plan.rooms, arrangements, setting)
+    rooms, outline = _written(plan.rooms, arrangements, setting), plan.drawing.layout.outline
     of_plan = {
         "spine": plan.spine,
         "unjoined": [list(pair) for pair in plan.unjoined],
@@ -160,7 +161,7 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
         seed=setting.seed,
         request=_request_document(request),
         generator={"version": VERSION, "catalog": setting.catalogs.fingerprint},
-        size=Size(float(request.width), float(request.depth), STOREY_HEIGHT),
+        size=Size(to_m(outline.width), to_m(outline.depth), STOREY_HEIGHT),
         wall_thickness=setting.thickness,
         levels=(Level(0, 0.0, STOREY_HEIGHT),),
         rooms=rooms,
@@ -171,7 +172,8 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
 
 
 def _request_document(request: Request) -> dict[str, Any]:
-    document = asdict(request)
+    document = asdict(request if request.planned else replace(request, width=request.extents[0], depth=request.extents[1]))
+    document["program"] = dict(sorted(request.program.items())) if isinstance(request.program, Mapping) else request.program
     document["force_types"] = {str(index): name for index, name in sorted(request.force_types.items())}
     return document
 

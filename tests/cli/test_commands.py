@@ -13,7 +13,7 @@ import pytest
 import yaml
 
 from service import calls
-from service.cli import NUMBERS, SWITCHES, main
+from service.cli import NUMBERS, SWITCHES, WORDS, main
 from solver.scene import Request
 from tests.cli.programs import SMALL
 
@@ -39,7 +39,7 @@ def refused(capture: Captured, *arguments: str) -> str:
 
 
 def test_every_field_of_a_request_has_an_option() -> None:
-    assert {*NUMBERS, *SWITCHES, "force_types"} == {field.name for field in fields(Request)}
+    assert {*NUMBERS, *SWITCHES, *WORDS, "force_types"} == {field.name for field in fields(Request)}
 
 
 def test_options_make_the_request(tmp_path: Path, capfdbinary: Captured) -> None:
@@ -50,6 +50,7 @@ def test_options_make_the_request(tmp_path: Path, capfdbinary: Captured) -> None
     assert request == {
         "seed": 3, "width": 8.0, "depth": 6.0, "min_room_size": 2.4, "max_depth": 2, "robot_width": 0.5,
         "use_spine": False, "outdoor": True, "decorate": True, "force_types": {"0": "living_room"},
+        "program": None, "area": None, "style": None,
     }  # fmt: skip
 
 

@@ -155,7 +155,9 @@ def test_what_no_format_can_say_is_refused_by_place(bad: Any) -> None:
 
 
 def test_a_request_survives() -> None:
-    request = Request(seed=7, width=12.5, use_spine=False, force_types={3: "office", 0: "kitchen"})
+    request = Request(
+        seed=7, width=12.5, use_spine=False, force_types={3: "office", 0: "kitchen"}, program={"office": 1, "bedrooms": 2}, area=80.0
+    )
     document = write_request(request)
     assert document["force_types"] == {"0": "kitchen", "3": "office"}
     for name in FORMATS:

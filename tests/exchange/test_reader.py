@@ -315,6 +315,13 @@ def test_a_request_may_say_nothing_or_everything() -> None:
         ({"force_types": {"0": 3}}, "force_types[0]"),
         ({"force_types": {"0": "office", 0: "kitchen"}}, "force_types[0]"),
         ({"robot_width": 0}, "robot_width"),
+        ({"program": ["family"]}, "program"),
+        ({"program": {"bedrooms": -1}}, "program.bedrooms"),
+        ({"program": {"bedrooms": True}}, "program.bedrooms"),
+        ({"program": {3: 1}}, "program"),
+        ({"area": 14.9}, "area"),
+        ({"area": "large"}, "area"),
+        ({"style": 1}, "style"),
     ],
 )
 def test_what_is_wrong_with_a_request_is_named(document: object, field: str) -> None:
@@ -329,3 +336,10 @@ def test_what_is_wrong_with_a_request_is_named(document: object, field: str) -> 
 def test_the_default_room_size_shrinks_with_the_house() -> None:
     assert read_request({"width": 2, "depth": 2.5}).min_room_size == 2.0
     assert read_request({"width": 2, "depth": 2.5, "min_room_size": 2}).min_room_size == 2.0
+
+
+def test_a_programme_is_a_presets_name_or_counts() -> None:
+    assert read_request({"program": "family", "area": 120, "style": "modern"}) == Request(program="family", area=120.0, style="modern")
+    assert read_request({"program": {"bedrooms": 3.0, "garage": 2}}).program == {"bedrooms": 3, "garage": 2}
+    assert read_request({"program": {}}).planned and not read_request({"program": None}).planned
+    assert read_request({"program": "studio", "width": 2, "depth": 2}).min_room_size == 3.0

@@ -120,7 +120,8 @@ def test_what_is_taken_fits_the_schema(client: TestClient, document: dict[str, A
 def test_every_default_is_told_and_is_taken(client: TestClient, document: dict[str, Any]) -> None:
     properties = document["components"]["schemas"]["Request"]["properties"]
     defaults = {name: part["default"] for name, part in properties.items() if not part.get("deprecated")}
-    assert defaults["width"] == 20.0
+    assert (defaults["width"], defaults["min_room_size"]) == (None, 3.0)
+    assert properties["width"]["description"].startswith("20 m")
     said = client.post("/generate", json={**defaults, "seed": 1, "width": 6.0, "depth": 5.0}).json()["scene"]
     unsaid = client.post("/generate", json={"seed": 1, "width": 6.0, "depth": 5.0}).json()["scene"]
     assert said == unsaid

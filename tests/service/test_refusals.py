@@ -44,6 +44,12 @@ REQUESTS = [
     ({"force_types": {"0": 7}}, "force_types[0]", "text"),
     ({"seed": 1, "force_types": {"0": "throne_room"}}, "force_types", "kitchen"),
     ({"seed": 1, "force_types": {"4000": "kitchen"}}, "force_types", "0"),
+    ({"program": 3}, "program", "preset"),
+    ({"program": {"bedrooms": "3"}}, "program.bedrooms", "0 to 12"),
+    ({"program": {"bedrooms": 13}}, "program.bedrooms", "0 to 12"),
+    ({"program": {"bedrooms": 1.5}}, "program.bedrooms", "0 to 12"),
+    ({"area": 3}, "area", "15 to 1000"),
+    ({"style": 7}, "style", "text"),
     ({"reroll": ["kitchen_1"]}, "scene", "a scene"),
 ]
 
