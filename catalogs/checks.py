@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from catalogs.schema import Catalogs, Furniture, Piece, RoomType, Rule
+from catalogs.styles import Style
 
 OPENINGS = ("door", "garage_door", "window")
 """What `of` may name besides pieces."""
@@ -44,6 +45,8 @@ def faults(catalogs: Catalogs) -> Iterator[Fault]:
             yield Fault("furniture", (kind, "name"), f"{entry.name!r} is no kind of the same category", "a key of furniture.yaml")
     for name, room in catalogs.rooms.items():
         yield from _room_faults(catalogs, f"rooms/{name}", room)
+    for name, style in catalogs.styles.items():
+        yield from _style_faults(catalogs, name, style)
 
 
 def _furniture_faults(kind: str, entry: Furniture) -> Iterator[Fault]:
@@ -144,3 +147,30 @@ def _order_faults(file: str, room: RoomType) -> Iterator[Fault]:
                         f"{piece.piece!r} refers to {other!r}, which comes later: rules must not go round in a circle",
                         "a piece named earlier; an optional piece may refer to any required one",
                     )  # fmt: skip
+
+
+def _style_faults(catalogs: Catalogs, name: str, style: Style) -> Iterator[Fault]:
+    decorations = catalogs.decorations.keys() | {entry.group for entry in catalogs.decorations.values()}
+    furniture = catalogs.furniture.keys() | {entry.category for entry in catalogs.furniture.values()}
+    for key in style.palette:
+        if key not in furniture | decorations:
+            allowed = "a kind or category of furniture.yaml, a kind or group of decorations.yaml"
+            yield Fault("styles", (name, "palette", key), f"unknown kind or category {key!r}", allowed)
+    for section, kinds in (("favoured", style.decorations.favoured), ("avoided", style.decorations.avoided)):
+        for kind in kinds:
+            if kind not in decorations:
+                at = (name, "decorations", section)
+                yield Fault("styles", at, f"unknown decoration {kind!r}", "a kind or group of decorations.yaml")
+    yield from _material_faults(catalogs, name, style)
+
+
+def _material_faults(catalogs: Catalogs, name: str, style: Style) -> Iterator[Fault]:
+    known = ", ".join(catalogs.floorings)
+    for section, named in (("floors", style.floors), ("walls", style.walls)):
+        for flooring in named:
+            if flooring not in catalogs.floorings:
+                yield Fault("styles", (name, section, flooring), f"unknown flooring {flooring!r}", known)
+    for flooring, floors in style.floors.items():
+        for i, floor in enumerate(floors):
+            if floor.type is not None and floor.type not in catalogs.floorings:
+                yield Fault("styles", (name, "floors", flooring, i, "type"), f"unknown flooring {floor.type!r}", known)

@@ -1,9 +1,51 @@
-"""The type of a style: palettes and materials."""
+"""The type of a style: palettes, floor and wall materials, and the decorations it is fond of."""
 
 from __future__ import annotations
 
-from catalogs.entries import Entry
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from catalogs.entries import Colour, Entry, Words
+
+Finish = Literal["plaster", "wallpaper", "wood", "brick", "concrete", "tile"]
+"""What a wall is finished with."""
+
+
+class Floor(Entry):
+    """A floor as a style lays it: its colour, and another material of floorings.yaml where it takes one."""
+
+    type: str | None = None
+    color: Colour
+
+
+class Wall(Entry):
+    """The finish of a room's walls and its colour."""
+
+    type: Finish
+    color: Colour
+
+
+class Leaning(Entry):
+    """Decorations a style likes to see and those it does without: their kinds or groups."""
+
+    favoured: Words = ()
+    avoided: Words = ()
 
 
 class Style(Entry):
-    """One style of a home."""
+    """One style of a home. It changes colours, materials and decorations, never where furniture stands.
+
+    `palette` gives colours by kind or name of furniture or decoration, else by category or group; an empty list keeps what
+    the kind says itself. `floors` and `walls`, of indoor rooms, go by the flooring that the room's type has in its own file: one
+    of the entries is taken for a house's floors, one for each room's walls; what is not named stays as it is.
+    """
+
+    palette: dict[str, tuple[Colour, ...]]
+    floors: dict[str, Annotated[tuple[Floor, ...], Field(min_length=1)]] = Field(default_factory=dict)
+    walls: dict[str, Annotated[tuple[Wall, ...], Field(min_length=1)]] = Field(default_factory=dict)
+    decorations: Leaning = Leaning()
+
+    def colours(self, *names: str) -> tuple[Colour, ...]:
+        """Returns the palette of the first of some names that has one, such as kind, name and category; else none."""
+        return next((self.palette[name] for name in names if name in self.palette), ())
