@@ -115,6 +115,15 @@ class Flooring:
 
 
 @dataclass(frozen=True)
+class WallFinish:
+    """What a room's walls are finished with on its side, and the colour."""
+
+    type: str = "plaster"
+    color: str = "#f0ede6"
+    extra: Mapping[str, Any] = _extra()
+
+
+@dataclass(frozen=True)
 class Sides:
     """A yes or no for each of a room's four walls."""
 
@@ -195,7 +204,7 @@ class Decoration:
 
 @dataclass(frozen=True)
 class Dynamic:
-    """A person or a pet; `room` is the room's id, the pose relative to that room."""
+    """A person or a pet; `room` is the room's id, the pose relative to that room; `on` the seat one sits on (its id)."""
 
     id: str
     kind: str = "person"
@@ -207,6 +216,8 @@ class Dynamic:
     width: float = field(default=0.5, metadata={"positive": True, "at_most": MAX_LENGTH})
     depth: float = field(default=0.3, metadata={"positive": True, "at_most": MAX_LENGTH})
     height: float = field(default=1.7, metadata={"positive": True, "at_most": MAX_LENGTH})
+    color: str | None = field(default=None, metadata={"omit_none": True})
+    on: str | None = field(default=None, metadata={"omit_none": True})
     extra: Mapping[str, Any] = _extra()
 
 
@@ -214,7 +225,8 @@ class Dynamic:
 class Room:
     """A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner.
 
-    `outline` lists corner points clockwise from the north-west, room-relative, where the room is not that rectangle.
+    `outline` lists corner points clockwise from the north-west, room-relative, where the room is not that rectangle; `walls`
+    says what its walls are finished with, where that is known.
     """
 
     id: str
@@ -229,6 +241,7 @@ class Room:
     outdoor: bool = False
     flooring: Flooring | None = None
     accent: str | None = None
+    walls: WallFinish | None = field(default=None, metadata={"omit_none": True})
     exterior_walls: Sides | None = None
     wall_flags: Sides | None = None
     openings: tuple[Opening, ...] = ()

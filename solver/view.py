@@ -190,13 +190,12 @@ def _note(body: Body) -> str:
 def _remarks(body: Body) -> Iterator[str]:
     if isinstance(body, Decoration) and body.mounted_on_wall:
         yield f"mounted on {body.mounted_on_wall} wall"
-    if isinstance(body, Furniture):
-        if body.under:
-            yield f"under {body.under}"
-        if body.on:
-            yield f"on {body.on}"
-        if body.locked:
-            yield "locked"
+    if isinstance(body, Furniture) and body.under:
+        yield f"under {body.under}"
+    if isinstance(body, Furniture | Dynamic) and body.on:
+        yield f"on {body.on}"
+    if isinstance(body, Furniture) and body.locked:
+        yield "locked"
 
 
 def _adjacency(scene: Scene) -> Iterator[Line]:

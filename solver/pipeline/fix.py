@@ -14,8 +14,8 @@ from solver.pipeline.attempt import Terms
 from solver.pipeline.mend import Mended, explain_unreached, mend_room, settle_room
 from solver.pipeline.people import People, mend_people
 from solver.pipeline.timing import Clock, Timing
-from solver.repair import Body, Sides, Wishes, all_bodies
-from solver.scene import Conflict, Dynamic, Fixed, Issue, Move, Pose, Room, Scene, check_ids, robot_width_of
+from solver.repair import Body, Sides, Wishes, all_bodies, followed
+from solver.scene import Conflict, Dynamic, Fixed, Furniture, Issue, Move, Pose, Room, Scene, check_ids, robot_width_of
 from solver.validate import RULES, validate
 from solver.wanted import Space
 
@@ -69,7 +69,8 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     timing = Timing(clock)
     errors = _errors(scene, known)
     timing.lap("validate")
-    wishes = Wishes(frozenset(locked), frozenset(moved), _required_kinds(known), use_sides(known) if _walks() else {})
+    kept = frozenset(locked) | _seats(scene, locked)
+    wishes = Wishes(kept, frozenset(moved), _required_kinds(known), use_sides(known) if _walks() else {})
     work = min(MOST_ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1))
     terms = Terms(wishes, scene.wall_thickness, on_conflict, work, {pose.id: pose for pose in previous})
     answers = _repaired(scene, terms, errors, known)
@@ -125,7 +126,18 @@ def _errors(scene: Scene, known: Catalogs) -> list[Issue]:
 
 
 def _with(scene: Scene, mended: Sequence[Mended]) -> Scene:
-    return replace(scene, rooms=tuple(result.room for result in mended))
+    """Returns the scene with its rooms repaired; who sits goes along with the seat."""
+    rooms = tuple(result.room for result in mended)
+    return replace(scene, rooms=rooms, dynamic=followed(scene.dynamic, _furniture(scene.rooms), _furniture(rooms)))
+
+
+def _furniture(rooms: Iterable[Room]) -> list[Furniture]:
+    return [piece for room in rooms for piece in room.furniture]
+
+
+def _seats(scene: Scene, locked: Sequence[str]) -> frozenset[str]:
+    """Returns the seats of those who stay where they sit."""
+    return frozenset(person.on for person in scene.dynamic if person.on is not None and person.id in locked)
 
 
 def _space(scene: Scene, room: Room) -> Space:

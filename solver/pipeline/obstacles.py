@@ -10,8 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from catalogs import Catalogs
+from solver.free_places import footprint
 from solver.geometry import turned
-from solver.repair import Body, all_bodies, floor_bodies, footprint, squared
+from solver.repair import Body, all_bodies, floor_bodies, squared
 from solver.requested import kind_of
 from solver.scene import Furniture, Room
 from solver.wanted import Alternative, Space, Stand, Wanted, Zone

@@ -6,9 +6,9 @@ solving (placement), where a room's furniture may stand (furnish).
 """
 
 from solver.repair.as_sent import holders, wanted_as_sent
-from solver.repair.bodies import Body, all_bodies, floor_bodies, footprint, squared
+from solver.repair.bodies import Body, all_bodies, floor_bodies, squared
 from solver.repair.changes import applied
-from solver.repair.people import Crowd, placed_people
+from solver.repair.people import Crowd, followed, placed_people
 from solver.repair.previous import near_previous
 from solver.repair.ways import Walls
 from solver.repair.wishes import Sides, Wishes
@@ -23,7 +23,7 @@ __all__ = [
     "all_bodies",
     "applied",
     "floor_bodies",
-    "footprint",
+    "followed",
     "holders",
     "near_previous",
     "placed_people",

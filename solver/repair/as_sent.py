@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from solver.repair.bodies import Body, carriers, climb, floor_bodies, footprint, tables_of
+from solver.free_places import footprint
+from solver.repair.bodies import Body, carriers, climb, floor_bodies, tables_of
 from solver.repair.ways import Walls, carried, held, loose
 from solver.repair.wishes import Wishes
 from solver.scene import Furniture, Room

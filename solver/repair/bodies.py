@@ -8,8 +8,9 @@ from __future__ import annotations
 import math
 from collections.abc import Container, Mapping, Sequence
 
+from solver.free_places import footprint
 from solver.geometry import Rect, turned
-from solver.scene import Decoration, Dynamic, Furniture, Room
+from solver.scene import Decoration, Furniture, Room
 
 BODY_MM = 20
 """Furniture or a floor decoration is a body when it is higher than this (contract, Rules)."""
@@ -24,18 +25,6 @@ Body = Furniture | Decoration
 def squared(rotation: float) -> int:
     """Returns the nearest right angle in [0, 360)."""
     return round(rotation / 90) * 90 % 360
-
-
-def footprint(body: Body | Dynamic) -> Rect:
-    """Returns the bounding rectangle of a sent body, mm, rounded outwards by less than a millimetre."""
-    angle = math.radians(body.rotation % 360)
-    c, s = abs(math.cos(angle)), abs(math.sin(angle))
-    if body.rotation % 90 == 0:
-        c, s = round(c), round(s)
-    width, depth = body.width * c + body.depth * s, body.width * s + body.depth * c
-    sides = (body.x - width / 2, body.z - depth / 2, body.x + width / 2, body.z + depth / 2)
-    low, high = [math.floor(v * 1000 + 1e-6) for v in sides[:2]], [math.ceil(v * 1000 - 1e-6) for v in sides[2:]]
-    return Rect(low[0], low[1], high[0], high[1])
 
 
 def size_of(body: Body) -> tuple[int, int, int]:

@@ -1,20 +1,19 @@
-"""People and pets that are in the way -> the nearest free places, exactly.
+"""People and pets that are in the way -> the nearest free places; those who sit -> where their seats went.
 
 Comes in: a furnished room, its people, who of them is covered. Goes out: the people. May import: the ground floor.
-
-The free places of a box are what is left of a rectangle after the obstacles, grown by the box; the nearest of them to a wish
-has both coordinates among the wish's own and the edges of those, so that these are all that need to be tried.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from solver.geometry import Rect
-from solver.repair.bodies import BODY_MM, Body, footprint
-from solver.scene import Dynamic, Room
+from solver.free_places import Solid, nearest_place, solid_of
+from solver.geometry import Rect, half_m
+from solver.repair.bodies import BODY_MM, Body
+from solver.repair.written import carried_pose
+from solver.scene import Dynamic, Furniture, Room
 from solver.wanted import Space
 
 
@@ -26,17 +25,8 @@ class Crowd:
     stuck: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class _Solid:
-    """What a person cannot be in: a rectangle from `bottom` to `top`, mm."""
-
-    rect: Rect
-    bottom: float
-    top: float
-
-
 def placed_people(people: Sequence[Dynamic], room: Room, space: Space, covered: Container[str]) -> Crowd:
-    """Moves those who are covered to the nearest free place, one after the other; the others stay.
+    """Moves those who are covered to the nearest free place, one after the other; the others stay. Who sat stands up.
 
     Args:
         people: of one room.
@@ -44,19 +34,50 @@ def placed_people(people: Sequence[Dynamic], room: Room, space: Space, covered: 
         space: its clear rectangle, and what its doors and its outline keep free.
         covered: ids of those who are to move.
     """
-    solids = [_Solid(zone.rect, -math.inf, math.inf) for zone in space.zones if zone.above_mm < 0]
-    solids += [_solid(body) for body in _obstacles(room)]
-    solids += [_solid(person) for person in people if person.id not in covered]
+    solids = [Solid(zone.rect, -math.inf, math.inf) for zone in space.zones if zone.above_mm < 0]
+    solids += [solid_of(body) for body in _obstacles(room)]
+    solids += [solid_of(person) for person in people if person.id not in covered]
     placed: list[Dynamic] = []
     stuck: list[str] = []
     for person in people:
-        found = _moved(person, space.clear, solids) if person.id in covered else person
+        found = _moved(_risen(person), space.clear, solids) if person.id in covered else person
         if found is None:
             stuck.append(person.id)
         elif found is not person:
-            solids.append(_solid(found))
+            solids.append(solid_of(found))
         placed.append(found or person)
     return Crowd(tuple(placed), tuple(stuck))
+
+
+def followed(people: Iterable[Dynamic], before: Iterable[Furniture], after: Iterable[Furniture]) -> tuple[Dynamic, ...]:
+    """Takes those who sit along with their seats; who has lost the seat stands up.
+
+    Args:
+        people: of a scene.
+        before: the furniture they sit on.
+        after: the same furniture where it stands now; some may be gone.
+    """
+    sent, now = {piece.id: piece for piece in before}, {piece.id: piece for piece in after}
+    return tuple(_after(person, sent.get(person.on or ""), now.get(person.on or "")) for person in people)
+
+
+def _after(person: Dynamic, before: Furniture | None, after: Furniture | None) -> Dynamic:
+    if before is None or after is before:
+        return person
+    if after is None:
+        return _risen(person)
+    if (before.x, before.z, before.rotation) == (after.x, after.z, after.rotation):
+        return person
+    x, z, rotation, _ = carried_pose(person, before, after)
+    return replace(person, x=x, z=z, rotation=rotation)
+
+
+def _risen(person: Dynamic) -> Dynamic:
+    """Returns somebody on the floor: a person who sat is as tall as persons are."""
+    if person.on is None:
+        return person
+    standing = Dynamic("") if person.kind == "person" else person
+    return replace(person, y=0.0, width=standing.width, depth=standing.depth, height=standing.height, on=None)
 
 
 def _obstacles(room: Room) -> list[Body]:
@@ -65,45 +86,10 @@ def _obstacles(room: Room) -> list[Body]:
     return [body for body in bodies if body.height * 1000 > BODY_MM]
 
 
-def _solid(body: Body | Dynamic) -> _Solid:
-    return _Solid(footprint(body), body.y * 1000, (body.y + body.height) * 1000)
-
-
-def _moved(person: Dynamic, clear: Rect, solids: Sequence[_Solid]) -> Dynamic | None:
+def _moved(person: Dynamic, clear: Rect, solids: Sequence[Solid]) -> Dynamic | None:
     """Returns a person at the nearest free place, turned as before, or None where there is none."""
-    own = _solid(person)
-    blocks = [solid.rect for solid in solids if solid.bottom < own.top and own.bottom < solid.top]
-    found = _nearest(own.rect, clear, blocks)
+    own = solid_of(person)
+    found = nearest_place(own.rect, clear, [solid.rect for solid in solids if not solid.beside(own)])
     if found is None:
         return None
-    return replace(person, x=_centre(found[0], own.rect.width), z=_centre(found[1], own.rect.depth))
-
-
-def _centre(low: int, extent: int) -> float:
-    return (2 * low + extent) / 2000
-
-
-def _nearest(own: Rect, clear: Rect, blocks: Sequence[Rect]) -> tuple[int, int] | None:
-    """Returns the min corner of the free place nearest to a box, mm; ties go to the lesser step along x, then along z."""
-    xs = _steps(own.x0, own.width, (clear.x0, clear.x1), [(rect.x0, rect.x1) for rect in blocks])
-    zs = _steps(own.z0, own.depth, (clear.z0, clear.z1), [(rect.z0, rect.z1) for rect in blocks])
-    best: tuple[int, tuple[int, int]] | None = None
-    for x in xs:
-        if best is not None and (x - own.x0) ** 2 >= best[0]:
-            break
-        for z in zs:
-            distance = (x - own.x0) ** 2 + (z - own.z0) ** 2
-            if best is not None and distance >= best[0]:
-                break
-            place = Rect(x, z, x + own.width, z + own.depth)
-            if not any(place.overlaps(rect) for rect in blocks):
-                best = distance, (x, z)
-                break
-    return best[1] if best else None
-
-
-def _steps(at: int, extent: int, bounds: tuple[int, int], blocks: Sequence[tuple[int, int]]) -> list[int]:
-    """Returns the min coordinates worth trying along an axis, nearest first."""
-    low, high = bounds[0], bounds[1] - extent
-    tried = {at, low, high, *(b for _, b in blocks), *(a - extent for a, _ in blocks)}
-    return sorted((v for v in tried if low <= v <= high), key=lambda v: (abs(v - at), v))
+    return replace(person, x=half_m(found.x0 + found.x1), z=half_m(found.z0 + found.z1))

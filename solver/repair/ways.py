@@ -8,8 +8,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from solver.free_places import footprint
 from solver.geometry import OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, turned
-from solver.repair.bodies import Body, bounding_size, footprint, size_of, squared
+from solver.repair.bodies import Body, bounding_size, size_of, squared
 from solver.repair.wishes import Wishes
 from solver.scene import Furniture
 from solver.wanted import Alternative, Attach

@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 from solver.geometry import FACING, ROTATION_AT_WALL, WALL_BEHIND, half_m
 from solver.repair.bodies import Body, above, all_bodies, climb, squared
 from solver.repair.wishes import Wishes
-from solver.scene import Decoration, Furniture, Room
+from solver.scene import Decoration, Dynamic, Furniture, Room
 from solver.wanted import Placed
 
 T = TypeVar("T", Furniture, Decoration)
@@ -69,14 +69,14 @@ def _after(thing: T, moved: Moved, parents: Mapping[str, str]) -> T:
     after = moved[mover][1]
     if mover == thing.id and isinstance(after, type(thing)):
         return after
-    x, z, rotation, turn = _carried_pose(thing, *moved[mover])
+    x, z, rotation, turn = carried_pose(thing, *moved[mover])
     pose: dict[str, Any] = {"x": x, "z": z, "rotation": rotation}
     if isinstance(thing, Decoration) and thing.mounted_on_wall is not None:
         pose["mounted_on_wall"] = WALL_BEHIND[(ROTATION_AT_WALL[thing.mounted_on_wall] + turn) % 360]
     return replace(thing, **pose)
 
 
-def _carried_pose(thing: Body, before: Body, after: Body) -> tuple[float, float, float, int]:
+def carried_pose(thing: Body | Dynamic, before: Body, after: Body) -> tuple[float, float, float, int]:
     """Returns x, z and rotation of a thing that keeps its place in the frame of what carries it, and the turn."""
     turn = (squared(after.rotation) - squared(before.rotation)) % 360
     tx, tz = _turned_offset(thing.x - before.x, thing.z - before.z, turn)

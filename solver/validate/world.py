@@ -140,6 +140,8 @@ def _body(item: Furniture | Decoration | Dynamic) -> Body:
     x, z, width, depth = exact(item.x), exact(item.z), exact(item.width), exact(item.depth)
     across, along = _extents(width, depth, item.rotation)
     more: dict[str, Any] = {"name": item.kind if isinstance(item, Dynamic) else item.name}
+    if isinstance(item, Dynamic):
+        more["on"] = item.on
     if isinstance(item, Furniture):
         more |= {"is_furniture": True, "wall": item.wall, "under": item.under, "on": item.on}
     return Body(
