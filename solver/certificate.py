@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from solver.scene import Room
+from solver.scene import Dynamic, Room
 from solver.wanted import Arrangement
 
 
@@ -26,17 +26,24 @@ def certificate(
         rules: the rules that were checked.
         plan: what the floor plan has to say (spine, unjoined, notes).
     """
-    openings = [opening for room in rooms for opening in room.openings]
     return {
         "rules": list(rules),
-        "counts": {
-            "rooms": len(rooms),
-            "doors": len({opening.id for opening in openings if opening.kind != "window"}),
-            "windows": sum(opening.kind == "window" for opening in openings),
-            "furniture": sum(len(room.furniture) for room in rooms),
-        },
+        "counts": counts(rooms, ()),
         **plan,
         "rooms": {room.id: room_certificate(arrangements[room.id]) for room in rooms},
+    }
+
+
+def counts(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
+    """Returns how many there are in a house of everything that is counted."""
+    openings = [opening for room in rooms for opening in room.openings]
+    return {
+        "rooms": len(rooms),
+        "doors": len({opening.id for opening in openings if opening.kind != "window"}),
+        "windows": sum(opening.kind == "window" for opening in openings),
+        "furniture": sum(len(room.furniture) for room in rooms),
+        "decorations": sum(len(room.decorations) for room in rooms),
+        "dynamic": len(people),
     }
 
 

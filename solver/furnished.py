@@ -8,17 +8,19 @@ from __future__ import annotations
 from dataclasses import replace
 
 from catalogs import Catalogs
+from catalogs.styles import Style
 from solver.geometry import half_m, to_m
 from solver.scene import Furniture, Room
 from solver.streams import Stream
 from solver.wanted import Arrangement, Placed
 
 
-def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: Stream) -> Room:
+def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: Stream, style: Style | None = None) -> Room:
     """Returns the room with the arrangement's pieces as its furniture.
 
-    Ids count the pieces of one name: `<room id>/<name>_<n>`. A piece's colour is one of its kind's, drawn from the
-    stream; all pieces of one kind in a room share it.
+    Ids count the pieces of one name: `<room id>/<name>_<n>`. A piece's colour is drawn from the stream: of the style's palette
+    for it, which all pieces of the room with that palette then share, or else of its kind's own colours; all pieces of one kind
+    in a room share it.
     """
     ids: dict[str, str] = {}
     counts: dict[str, int] = {}
@@ -26,16 +28,28 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
         name = catalogs.name_of(placed.chosen.kind)
         counts[name] = counts.get(name, 0) + 1
         ids[placed.label] = f"{room.id}/{name}_{counts[name]}"
-    colours = _colours(sorted({placed.chosen.kind for placed in arrangement.placed}), catalogs, stream)
+    kinds = sorted({placed.chosen.kind for placed in arrangement.placed})
+    colours = _colours({kind: _palette(kind, catalogs, style) for kind in kinds}, catalogs, stream)
     pieces = tuple(_piece(placed, ids, colours, catalogs) for placed in arrangement.placed)
     return replace(room, furniture=pieces)
 
 
-def _colours(kinds: list[str], catalogs: Catalogs, stream: Stream) -> dict[str, str]:
-    colours = {}
-    for kind in kinds:
+def _palette(kind: str, catalogs: Catalogs, style: Style | None) -> tuple[str, ...]:
+    """Returns the colours a style has for a kind; none where it leaves the kind as it is."""
+    return style.colours(kind, catalogs.name_of(kind), catalogs.furniture[kind].category) if style else ()
+
+
+def _colours(palettes: dict[str, tuple[str, ...]], catalogs: Catalogs, stream: Stream) -> dict[str, str]:
+    colours: dict[str, str] = {}
+    matching: dict[tuple[str, ...], str] = {}
+    for kind, palette in palettes.items():
         spec = catalogs.furniture[kind]
-        colours[kind] = stream.pick((spec.color, *spec.variants))
+        if palette in matching:
+            colours[kind] = matching[palette]
+        else:
+            colours[kind] = stream.pick(palette or (spec.color, *spec.variants))
+        if palette:
+            matching[palette] = colours[kind]
     return colours
 
 

@@ -11,15 +11,18 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from catalogs import Catalogs, load_catalogs
-from solver.certificate import certificate, room_certificate
+from catalogs.styles import Style
+from solver.certificate import certificate, counts, room_certificate
 from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
 from solver.furnish import space_of, wanted_pieces
 from solver.furnished import furnished
 from solver.geometry import to_m
+from solver.materials import chosen_style, with_materials
+from solver.people import Home, peopled
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place
-from solver.scene import MAX_SEED, ROBOT_WIDTH, Generated, Level, Request, Room, Scene, Size, check_ids, robot_width_of
+from solver.scene import MAX_SEED, ROBOT_WIDTH, Dynamic, Generated, Level, Request, Room, Scene, Size, check_ids, robot_width_of
 from solver.streams import Stream
 from solver.validate import RULES, validate
 from solver.wanted import Arrangement, Space, Wanted
@@ -47,6 +50,7 @@ class _Setting:
     engine: str
     thickness: float = WALL_THICKNESS
     robot_width: float = ROBOT_WIDTH
+    style: Style | None = None
 
 
 def generate(
@@ -70,14 +74,16 @@ def generate(
     known = catalogs or load_catalogs()
     asked = request or Request()
     seed = secrets.randbelow(MAX_SEED + 1) if asked.seed is None else asked.seed
-    asked = replace(asked, seed=seed)
-    setting = _Setting(seed, known, engine, robot_width=asked.robot_width)
+    asked = replace(asked, seed=seed, style=chosen_style(asked.style, known, seed))
+    setting = _Setting(seed, known, engine, robot_width=asked.robot_width, style=known.styles.get(asked.style or ""))
     timing = Timing(clock)
     plan = draw(asked, known)
     timing.lap("floorplan")
     plan, arrangements = _furnished_plan(plan, setting)
     scene = _scene(plan, arrangements, asked, setting)
     timing.lap("furniture")
+    scene = _peopled(scene, scene.rooms, setting)
+    timing.lap("people")
     issues = validate(scene, known)
     timing.lap("validate")
     return Generated(scene, issues, timing.ms)
@@ -147,11 +153,21 @@ def _improved(
 
 
 def _written(rooms: Iterable[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> tuple[Room, ...]:
-    return tuple(furnished(room, arrangements[room.id], setting.catalogs, Stream(setting.seed, "colour", room.index)) for room in rooms)
+    """Writes the furniture into its rooms, in the colours of the house's style."""
+    known, style, seed = setting.catalogs, setting.style, setting.seed
+    return tuple(furnished(room, arrangements[room.id], known, Stream(seed, "colour", room.index), style) for room in rooms)
+
+
+def _peopled(scene: Scene, rooms: Sequence[Room], setting: _Setting, before: Sequence[Dynamic] | None = None) -> Scene:
+    """Returns a scene with people and pets in some of its rooms; those in the other rooms, if there were any, stay."""
+    spaces = {room.id: space_of(room, setting.thickness, setting.robot_width, scene.rooms) for room in rooms}
+    people = peopled(rooms, Home(setting.seed, setting.catalogs, spaces), before)
+    return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counts(scene.rooms, people)})
 
 
 def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Request, setting: _Setting) -> Scene:
-    rooms, outline = _written(plan.rooms, arrangements, setting), plan.drawing.layout.outline
+    written, outline = _written(plan.rooms, arrangements, setting), plan.drawing.layout.outline
+    rooms = tuple(with_materials(room, setting.catalogs, setting.style, setting.seed) for room in written)
     of_plan = {
         "spine": plan.spine,
         "unjoined": [list(pair) for pair in plan.unjoined],
@@ -186,7 +202,7 @@ def reroll(
     catalogs: Catalogs | None = None,
     clock: Clock | None = None,
 ) -> Generated:
-    """Furnishes the named rooms of a scene anew; the others stay untouched.
+    """Furnishes and peoples the named rooms of a scene anew, in the style of the house; the others stay untouched.
 
     Args:
         scene: the house; its openings stay.
@@ -202,7 +218,7 @@ def reroll(
     check_ids("reroll", rooms, [room.id for room in scene.rooms])
     timing = Timing(clock)
     drawn = scene.seed if seed is None else seed
-    setting = _Setting(drawn or 0, known, "osqp", scene.wall_thickness, robot_width_of(scene))
+    setting = _Setting(drawn or 0, known, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known))
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
     arrangements = _explained(chosen, _arrangements(chosen, setting), setting)
     done = {room.id: room for room in _written(chosen, arrangements, setting)}
@@ -211,6 +227,14 @@ def reroll(
     document["rooms"] = {**(document.get("rooms") or {}), **reports}
     new = replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms), certificate=document)
     timing.lap("furniture")
+    new = _peopled(new, [done[room.id] for room in chosen], setting, scene.dynamic)
+    timing.lap("people")
     issues = validate(new, known)
     timing.lap("validate")
     return Generated(new, issues, timing.ms)
+
+
+def _style_of(scene: Scene, known: Catalogs) -> Style | None:
+    """Returns the style a scene says it was made in; None where it says none that the catalogs know."""
+    name = (scene.request or {}).get("style")
+    return known.styles.get(name) if isinstance(name, str) else None

@@ -1,0 +1,47 @@
+"""The style of a house, and what its floors and walls are made of in it.
+
+Comes in: a request's word, rooms. Goes out: a style's name, rooms with floors and walls. May import: the ground floor, catalogs.
+Not here: the colours of furniture (furnished) and of decorations (dress).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from catalogs import Catalogs
+from catalogs.styles import Style
+from solver.errors import RequestError
+from solver.scene import Flooring, Room, WallFinish
+from solver.streams import Stream
+
+
+def chosen_style(wished: str | None, catalogs: Catalogs, seed: int) -> str | None:
+    """Returns the style of a house: the one wished for, else one of the seed's; None where the catalogs know none.
+
+    Raises:
+        RequestError: the catalogs do not know the style.
+    """
+    known = tuple(catalogs.styles)
+    if wished is None:
+        return Stream(seed, "style").pick(known) if known else None
+    if wished not in catalogs.styles:
+        raise RequestError("style", f"unknown style {wished!r:.60}", ", ".join(known) or "none: the catalogs have no styles")
+    return wished
+
+
+def with_materials(room: Room, catalogs: Catalogs, style: Style | None, seed: int) -> Room:
+    """Returns an indoor room with the floor and the walls of a style.
+
+    Rooms with the same flooring in their types' files share one floor; each room's walls are drawn by themselves.
+    """
+    known = catalogs.rooms.get(room.type)
+    if style is None or known is None or room.outdoor:
+        return room
+    floors, walls = style.floors.get(known.flooring, ()), style.walls.get(known.flooring, ())
+    if floors:
+        floor = Stream(seed, "floor", known.flooring).pick(floors)
+        room = replace(room, flooring=Flooring(floor.type or known.flooring, floor.color))
+    if walls:
+        wall = Stream(seed, "wall", room.index).pick(walls)
+        room = replace(room, walls=WallFinish(wall.type, wall.color))
+    return room
