@@ -18,7 +18,7 @@ from solver.people.sights import Sight, faces, sights
 from solver.scene import Dynamic, Furniture
 from solver.streams import Stream
 
-TRIES: Final = 24
+TRIES: Final = 40
 """Wishes that are tried; after half of them nobody asks for a gap around any more."""
 GAP_MM: Final = 60
 """What somebody likes to keep free around."""
