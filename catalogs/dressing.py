@@ -1,25 +1,127 @@
-"""The types of decorations: what kinds there are, and what lies where."""
+"""The types of decorations: what kinds there are, and what lies, hangs or stands where."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from catalogs.entries import Colour, Entry, Length, Surface
+from catalogs.entries import Colour, Entry, Length, Surface, Words
+
+Share = Annotated[float, Field(ge=0, le=1)]
+"""A part of a whole, 0 to 1."""
+Place = tuple[Share, Share]
+"""Where on a surface: from its left (0) to its right (1) edge, and from its back (0) to its front (1)."""
+Reach = Annotated[float, Field(ge=0, le=20)]
+Group = Literal[
+    "soft_goods", "lighting", "wall_art", "books", "tech", "containers", "drinkware", "decor", "plants", "dining", "kitchen",
+    "bedroom", "bathroom", "entry", "kids", "floor", "workshop", "outdoor", "shelves",
+]  # fmt: skip
+SURFACE = "surface"
+"""In `upon`: the parent's own surface."""
+ALL = "all"
+"""In `surface`: every surface of the parent."""
+INDOOR = "indoor"
+"""The entry whose rows are for every indoor room."""
 
 
 class DecorationKind(Entry):
-    """One kind of decoration. `jitter`: it lies up to 15 degrees askew. Its `surfaces` carry other decorations."""
+    """One kind of decoration. `jitter`: it lies up to 15 degrees askew. `mixed`: of several each has its own colour.
 
-    group: str
+    Its `surfaces` carry other decorations. `size` is width, depth and height, m, as it lies.
+    """
+
+    group: Group
     size: tuple[Length, Length, Length]
     color: Colour
     variants: tuple[Colour, ...] = ()
     mass: Annotated[float, Field(gt=0, le=500)]
     jitter: bool = False
+    mixed: bool = False
     surfaces: tuple[Surface, ...] = ()
 
 
+class Row(Entry):
+    """What every row says: which kinds (several take turns), how often, in which styles and room types, how small they get.
+
+    `least`: where a thing does not fit it is made smaller, down to this share of its width and depth. `accent`: it has the
+    room's accent colour. `chance` is drawn once for the row on each parent.
+    """
+
+    put: Words = Field(min_length=1)
+    chance: Annotated[float, Field(gt=0, le=1)] = 1.0
+    styles: Words = ()
+    rooms: Words = ()
+    least: Annotated[float, Field(gt=0, le=1)] = 1.0
+    accent: bool = False
+
+
+class Lies(Row):
+    """Something on a surface of its parent.
+
+    `at` are its places, or `seats`: one before every chair that stands at the table. `surface` names the parent's surfaces
+    (its highest by default, or `all`). `upon`: it lies on decorations of these kinds that are already on the parent, on each of
+    the first kind that is there; `surface` among them means the parent itself. `turn` is its rotation against what
+    carries it, degrees; `upright` tips it onto its lower edge. `fill`: its width and depth as shares of the surface's. Where its
+    place is taken it goes to the nearest free one, at most `reach` m away.
+    """
+
+    at: tuple[Place, ...] | Literal["seats"] = ((0.5, 0.5),)
+    surface: Words = ()
+    upon: Words = ()
+    turn: Literal[0, 90, 180, 270] = 0
+    upright: bool = False
+    fill: tuple[Share, Share] | None = None
+    reach: Reach | None = None
+
+
+class Hangs(Row):
+    """Something on the wall behind its parent, or on the longest free wall of a room.
+
+    `height` is its underside above the floor, m; over a parent it hangs at least `gap` above that one's top. `at` are places
+    along the parent, left (0) to right (1); where one is taken it hangs as near as it can, its middle over the parent.
+    """
+
+    at: Annotated[tuple[Share, ...], Field(min_length=1)] = (0.5,)
+    height: Length
+    gap: Annotated[float, Field(ge=0, le=2)] = 0.1
+
+
+class Stands(Row):
+    """Something on a room's floor, `count` of it, one for every `per_area` m2 if that is given.
+
+    `where`: in the `middle`, in a `corner`, `beside` a piece named by `of` (the first that the room has; else at a wall), at a
+    `wall`, or anywhere `free`; at most `reach` m from there. `fill`: its extents are this share of the room's, the lesser one
+    at most `widest` m. A room whose lesser side is under `min_side` m goes without.
+    """
+
+    where: Literal["middle", "corner", "beside", "wall", "free"]
+    of: Words = ()
+    count: Annotated[int, Field(ge=1, le=12)] = 1
+    per_area: Annotated[float, Field(gt=0)] | None = None
+    min_side: Annotated[float, Field(ge=0)] = 0.0
+    fill: Annotated[float, Field(gt=0, le=1)] | None = None
+    widest: Length | None = None
+    reach: Reach = 0.8
+
+    @model_validator(mode="after")
+    def _complete(self) -> Stands:
+        if (self.where == "beside") != bool(self.of):
+            raise ValueError("`of` goes with `where: beside`, and `beside` with it")
+        if self.widest is not None and self.fill is None:
+            raise ValueError("`widest` goes with `fill`")
+        return self
+
+
 class Dressing(Entry):
-    """What lies on one kind of furniture, hangs over it, or lies on the floor of a room type."""
+    """What dresses a kind of furniture or decoration (`lies`, `hangs`) or a room type (`stands`, `hangs`), in this order.
+
+    `together`: the room's pieces of that name share the rows, so that a run of counters has one coffee maker.
+    `indoor: false`: a room type that goes without the rows for every indoor room.
+    """
+
+    lies: tuple[Lies, ...] = ()
+    hangs: tuple[Hangs, ...] = ()
+    stands: tuple[Stands, ...] = ()
+    together: bool = False
+    indoor: bool = True

@@ -19,6 +19,7 @@ from solver.furnished import furnished
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
 from solver.people import Home, peopled
+from solver.pipeline.decorate import decorated
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place
@@ -82,6 +83,8 @@ def generate(
     plan, arrangements = _furnished_plan(plan, setting)
     scene = _scene(plan, arrangements, asked, setting)
     timing.lap("furniture")
+    scene = decorated(scene, {room.id for room in scene.rooms}, known, seed)
+    timing.lap("decorations")
     scene = _peopled(scene, scene.rooms, setting)
     timing.lap("people")
     issues = validate(scene, known)
@@ -99,8 +102,17 @@ def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict
 
 
 def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Wanted, ...]]:
-    space = space_of(room, setting.thickness, setting.robot_width)
+    space = replace(space_of(room, setting.thickness, setting.robot_width), cover_mm2=_cover_mm2(room, setting))
     return space, wanted_pieces(room, space, setting.catalogs, Stream(setting.seed, "furnish", room.index))
+
+
+def _cover_mm2(room: Room, setting: _Setting) -> int:
+    """Draws how much of a room's floor its furniture shall cover at least, mm2; 0 where its type does not say."""
+    room_type = setting.catalogs.rooms.get(room.type)
+    if room_type is None or room_type.cover is None:
+        return 0
+    share = Stream(setting.seed, "cover", room.index).uniform(*room_type.cover)
+    return round(1e6 * room.width * room.depth * share)
 
 
 def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:
@@ -227,7 +239,9 @@ def reroll(
     document["rooms"] = {**(document.get("rooms") or {}), **reports}
     new = replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms), certificate=document)
     timing.lap("furniture")
-    new = _peopled(new, [done[room.id] for room in chosen], setting, scene.dynamic)
+    new = decorated(new, done, known, setting.seed)
+    timing.lap("decorations")
+    new = _peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic)
     timing.lap("people")
     issues = validate(new, known)
     timing.lap("validate")
