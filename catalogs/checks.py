@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from catalogs.dressing_checks import dressing_faults
+from catalogs.faults import Fault
 from catalogs.schema import Catalogs, Furniture, Piece, RoomType, Rule
 from catalogs.styles import Style
 
@@ -16,22 +17,6 @@ PULLS = ("near", "far_from", "aligned_with")
 """Relations of degree: between pieces they cost, they do not forbid."""
 TO_SOMETHING = ("facing", "near", "far_from")
 """Relations to a piece or an opening."""
-
-
-@dataclass(frozen=True)
-class Fault:
-    """Something that cannot be: in which file (its path without `.yaml`), at which key, what, what is allowed."""
-
-    file: str
-    at: tuple[str | int, ...]
-    problem: str
-    allowed: str = ""
-
-    @property
-    def entry(self) -> tuple[str, str]:
-        """The section it is in and the name of the entry."""
-        section, _, name = self.file.partition("/")
-        return section, name or str(self.at[0])
 
 
 def faults(catalogs: Catalogs) -> Iterator[Fault]:
@@ -47,6 +32,18 @@ def faults(catalogs: Catalogs) -> Iterator[Fault]:
         yield from _room_faults(catalogs, f"rooms/{name}", room)
     for name, style in catalogs.styles.items():
         yield from _style_faults(catalogs, name, style)
+    yield from _preset_faults(catalogs)
+    yield from dressing_faults(catalogs)
+
+
+def _preset_faults(catalogs: Catalogs) -> Iterator[Fault]:
+    words = sorted({room.home.word or name for name, room in catalogs.rooms.items() if room.home})
+    for name, preset in catalogs.presets.items():
+        for word in preset.rooms:
+            if word not in words:
+                yield Fault("presets", (name, "rooms", word), f"no room type is counted by {word!r}", ", ".join(words))
+        if not any(preset.rooms.values()):
+            yield Fault("presets", (name, "rooms"), "the preset has no rooms", "at least one")
 
 
 def _furniture_faults(kind: str, entry: Furniture) -> Iterator[Fault]:

@@ -12,7 +12,7 @@ from pydantic import Field, model_validator
 
 from catalogs.dressing import DecorationKind, Dressing
 from catalogs.entries import Colour, Cost, Entry, Interval, Length, Side, Surface, Words
-from catalogs.programmes import Preset
+from catalogs.programmes import Home, Preset
 from catalogs.styles import Style
 
 Category = Literal[
@@ -173,6 +173,7 @@ class RoomType(Entry):
     flooring: str
     accent: Colour
     plan: Plan = Plan()
+    home: Home | None = None
     requires: tuple[dict[str, Annotated[int, Field(ge=1, le=12)]], ...] = ()
     cover: tuple[Share, Share] | None = None
     pieces: tuple[Piece, ...] = ()

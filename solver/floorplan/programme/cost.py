@@ -1,0 +1,171 @@
+"""What a drawn home costs: one number, lower is better; a person's reasons, weighted by our choice.
+
+Comes in: a `Sheet`. Goes out: `Verdict`. May import: the ground floor. Rooms are bits of a number here: a home is judged
+dozens of times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final, NamedTuple
+
+from solver.floorplan.layout import DOOR_WALL_MM
+from solver.floorplan.programme.drafts import Box, Sheet
+from solver.floorplan.programme.wishes import Wish
+
+SHORT: Final = 20.0
+"""A room outside its limits of area, width or aspect."""
+UNREACHED: Final = 30.0
+"""A room that can only be entered through one that should not be walked through; an own bathroom away from its bedroom."""
+STREETLESS: Final = 30.0
+"""A garage or an entry away from the street."""
+DARK: Final = 8.0
+"""A habitable room without an outside wall."""
+AT_ENTRANCE: Final = 6.0
+"""A bedroom that can only be entered from the entrance room."""
+DRY: Final = 4.0
+"""A wet room without a wet neighbour."""
+KITCHEN_APART: Final = 2.5
+"""A kitchen beside neither dining nor living room; a dining room away from the kitchen."""
+LIVING_APART: Final = 1.5
+"""A living room away from the entry, a dining room away from the living room."""
+OUTLINE: Final = (0.75, 1.9)
+"""Width over depth of an outline that costs nothing; beyond, OUTLINE_COST for every unit."""
+OUTLINE_COST: Final = 8.0
+HALLWAY_SHARE: Final = 0.08
+"""Hallway over floor that costs nothing; beyond, HALLWAY_COST for all of the floor."""
+HALLWAY_COST: Final = 25.0
+AREA_COST: Final = 1.5
+"""Of the squared deviation of a room's area from what is typical, over what is typical."""
+
+
+class Verdict(NamedTuple):
+    """What a home costs, and how many of its rooms are short of their limits."""
+
+    cost: float
+    short: int
+
+
+class Judge:
+    """Judges the drawings of one programme; it has looked up what each room is once."""
+
+    def __init__(self, wishes: Sequence[Wish]) -> None:
+        self.wishes = wishes
+        self.sizes = [wish.size for wish in wishes]
+        every = range(len(wishes))
+
+        def bits(rooms: Sequence[bool]) -> int:
+            return sum(1 << i for i in every if rooms[i])
+
+        self.ways = bits([wish.kind.plan.way_through for wish in wishes])
+        self.wet = bits([wish.kind.plan.wet for wish in wishes])
+        self.entry = bits([wish.entry for wish in wishes])
+        self.kitchen = bits([wish.public and wish.kind.plan.wet for wish in wishes])
+        self.dining = bits([wish.public and any("dining_table" in line for line in wish.kind.requires) for wish in wishes])
+        self.living = self.ways & ~self.entry & ~self.kitchen & ~self.dining
+        self.wet_rooms = [i for i in every if wishes[i].kind.plan.wet]
+        self.habitable = [i for i in every if wishes[i].kind.plan.habitable]
+        self.street = [i for i in every if wishes[i].garage or wishes[i].entry]
+        self.leaves = [i for i in every if not wishes[i].kind.plan.way_through and wishes[i].owner is None]
+        self.owned = [(i, wish.owner) for i, wish in enumerate(wishes) if wish.owner is not None]
+        self.bedrooms = frozenset(i for i in every if any("bed" in line for line in wishes[i].kind.requires))
+        self.through = [bits([other.type in wish.kind.plan.behind and not other.kind.plan.way_through for other in wishes])
+                        if wish.garage else 0 for wish in wishes]  # fmt: skip
+
+    def verdict(self, sheet: Sheet) -> Verdict:
+        """Judges a drawing."""
+        sizes, short = self._sizes(sheet.boxes)
+        beside = _beside(sheet)
+        return Verdict(sizes + self._outline(sheet) + self._company(beside) + self._access(beside, sheet), short)
+
+    def _sizes(self, boxes: Sequence[Box]) -> tuple[float, int]:
+        cost, short = 0.0, 0
+        for (x0, z0, x1, z1), size in zip(boxes, self.sizes, strict=True):
+            width, depth = x1 - x0, z1 - z0
+            area = width * depth
+            stray = area / size.typical - 1.0
+            cost += AREA_COST * stray * stray
+            low, high = (width, depth) if width < depth else (depth, width)
+            if area < size.least or area > size.most or low < size.width or high > size.aspect * low:
+                short += 1
+                cost += SHORT * (1.0 + max(size.least / max(area, 1), area / size.most, size.width / max(low, 1)) - 1.0)
+        return cost, short
+
+    def _outline(self, sheet: Sheet) -> float:
+        ratio, (low, high) = sheet.width / sheet.depth, OUTLINE
+        cost = OUTLINE_COST * max(low - ratio, ratio - high, 0.0)
+        if sheet.hallway is not None:
+            x0, z0, x1, z1 = sheet.hallway
+            share = (x1 - x0) * (z1 - z0) / (sheet.width * sheet.depth)
+            cost += HALLWAY_COST * max(share - HALLWAY_SHARE, 0.0)
+        for i in self.habitable:
+            x0, z0, x1, z1 = sheet.boxes[i]
+            if x0 and z0 and x1 != sheet.width and z1 != sheet.depth:
+                cost += DARK
+        for i in self.street:
+            if sheet.boxes[i][3] != sheet.depth:
+                cost += STREETLESS
+        return cost
+
+    def _company(self, beside: Sequence[int]) -> float:
+        cost = 0.0
+        for i in self.wet_rooms:
+            if not beside[i] & self.wet:
+                cost += DRY
+        for i in range(len(self.wishes)):
+            bit = 1 << i
+            if bit & self.kitchen and not beside[i] & (self.dining or self.living):
+                cost += KITCHEN_APART
+            elif bit & self.dining and self.kitchen | self.living:
+                cost += LIVING_APART * (not beside[i] & self.living)
+            elif bit & self.living and self.entry:
+                cost += LIVING_APART * (not beside[i] & (self.entry | self.living))
+        for bath, owner in self.owned:
+            if not beside[bath] >> owner & 1:
+                cost += UNREACHED
+        return cost
+
+    def _access(self, beside: Sequence[int], sheet: Sheet) -> float:
+        """Costs of rooms that no way through leads to, and of bedrooms that only the entrance room leads to."""
+        hall = 1 << len(self.wishes) if sheet.hallway is not None else 0
+        ways = self.ways | hall
+        start = self.entry & -self.entry or self.living & -self.living or hall or 1
+        reached = fresh = start
+        while fresh:
+            room = fresh.bit_length() - 1
+            fresh &= ~(1 << room)
+            found = beside[room] & ways & ~reached
+            reached |= found
+            fresh |= found
+        cost = UNREACHED * (ways & ~reached).bit_count()
+        for i in self.leaves:
+            doors = beside[i] & reached
+            if not doors and not self._behind(i, beside, reached):
+                cost += UNREACHED
+            elif doors == start and i in self.bedrooms:
+                cost += AT_ENTRANCE
+        return cost
+
+    def _behind(self, room: int, beside: Sequence[int], reached: int) -> bool:
+        """Tells whether a garage can be entered through a laundry that is reached itself."""
+        through = self.through[room] & beside[room]
+        return any(through >> i & 1 and beside[i] & reached for i in self.leaves)
+
+
+def _beside(sheet: Sheet) -> list[int]:
+    """Returns for every room, and the hallway last, which others share a wall with it that takes a door."""
+    boxes = sheet.boxes if sheet.hallway is None else [*sheet.boxes, sheet.hallway]
+    beside = [0] * len(boxes)
+    for i, (ax0, az0, ax1, az1) in enumerate(boxes):
+        for j in range(i):
+            bx0, bz0, bx1, bz1 = boxes[j]
+            if ax1 == bx0 or bx1 == ax0:
+                shared = (az1 if az1 < bz1 else bz1) - (az0 if az0 > bz0 else bz0)
+            elif az1 == bz0 or bz1 == az0:
+                shared = (ax1 if ax1 < bx1 else bx1) - (ax0 if ax0 > bx0 else bx0)
+            else:
+                continue
+            if shared >= DOOR_WALL_MM:
+                beside[i] |= 1 << j
+                beside[j] |= 1 << i
+    return beside

@@ -1,0 +1,202 @@
+"""Drafts of homes: rooms dealt to the columns of strips, and the rectangles that come of them.
+
+Comes in: the kind of skeleton, strips of columns, depths. Goes out: `Sheet`: a rectangle for every room and the hallway.
+May import: the ground floor. A strip runs along u and is its depth across, v; a column's first room lies at the hallway (at
+the inner line, where there is none). `rows`, `ranch` and `full` have u = x and the street at the end of v; `axial` has u =
+z and the street at the end of u.
+
+    rows   strip | strip                      full    strip | hallway | strip
+    ranch  (strip | strip) beside (strip | hallway | strip)
+    axial  strip | hallway and foyer | strip, seen from the side
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final, NamedTuple
+
+from solver.floorplan.layout import HALLWAY_MM
+from solver.floorplan.programme.columns import LATTICE_MM, Size, Span, depths_of, shared_out, width_of
+
+CENTRE_MM: Final = 1600
+"""Width of an axial hallway: as narrow as the foyer at its end may be."""
+Column = tuple[int, ...]
+"""Rooms of a column, the one at the hallway first."""
+Box = tuple[int, int, int, int]
+"""West, north, east and south line, mm."""
+
+
+class Frame(NamedTuple):
+    """Outer width and depth asked for, mm; 0 where they are chosen to fit."""
+
+    width: int = 0
+    depth: int = 0
+
+
+@dataclass
+class Draft:
+    """Rooms dealt to strips.
+
+    `strips` lie in this order: the northern (western) one before the southern (eastern); a ranch has its public pair first.
+    `depths` are theirs, mm. `entry` is the room at an axial hallway's end.
+    """
+
+    kind: str
+    strips: list[list[Column]]
+    depths: list[int]
+    entry: int | None = None
+
+    def copy(self) -> Draft:
+        """Returns a draft that may be changed."""
+        return Draft(self.kind, [list(strip) for strip in self.strips], list(self.depths), self.entry)
+
+
+class Sheet(NamedTuple):
+    """Rectangles of the rooms by index, of the hallway (None: there is none), and the house's width and depth, mm."""
+
+    boxes: list[Box]
+    hallway: Box | None
+    width: int
+    depth: int
+
+
+class Misfit(NamedTuple):
+    """A draft whose strips do not come out: by how many columns and mm."""
+
+    columns: int
+    gap: int
+
+
+class Pair(NamedTuple):
+    """Two strips of one length: the spans of their columns, and the lengths both may have, mm."""
+
+    spans: tuple[list[Span], list[Span]]
+    low: int
+    wished: int
+    high: int
+
+
+def _pair(draft: Draft, first: int, sizes: Sequence[Size]) -> Pair | Misfit:
+    rows = []
+    for k in (first, first + 1):
+        depth = draft.depths[k]
+        rows.append([width_of(tuple([sizes[room] for room in column]), depth) for column in draft.strips[k]])
+    bad = sum(span.misses for row in rows for span in row)
+    low = max(sum(span.low for span in row) for row in rows)
+    high = min(sum(span.high for span in row) for row in rows)
+    if bad or low > high:
+        return Misfit(bad, max(low - high, 0))
+    wished = sum(span.wished for row in rows for span in row) // 2
+    return Pair((rows[0], rows[1]), low, min(max(_snapped(wished), low), high), high)
+
+
+def _snapped(length: int) -> int:
+    return (length + LATTICE_MM // 2) // LATTICE_MM * LATTICE_MM
+
+
+class Drawer:
+    """Draws the drafts of one programme in one frame."""
+
+    def __init__(self, sizes: Sequence[Size], frame: Frame) -> None:
+        self.sizes, self.frame = sizes, frame
+
+    def settle(self, draft: Draft) -> None:
+        """Makes a draft's depths add up to what the frame and its kind ask for; the second strip of a pair gives way."""
+        depths, frame = draft.depths, self.frame
+        hallway = 0 if draft.kind == "rows" else CENTRE_MM if draft.kind == "axial" else HALLWAY_MM
+        across = frame.width if draft.kind == "axial" else frame.depth
+        if across:
+            depths[-1] = across - hallway - depths[-2]
+        if draft.kind == "ranch":
+            depths[1] = depths[2] + hallway + depths[3] - depths[0]
+
+    def sheet(self, draft: Draft, stretch: bool = False) -> Sheet | Misfit:
+        """Draws a draft.
+
+        Args:
+            draft: settled.
+            stretch: draw it even where its strips do not come out: rooms then miss their limits.
+        """
+        if min(draft.depths) < 2 * LATTICE_MM:
+            return Misfit(len(self.sizes), 0)
+        pairs = []
+        for first in range(0, len(draft.depths), 2):
+            pair = _pair(draft, first, self.sizes)
+            if isinstance(pair, Misfit):
+                if not stretch:
+                    return pair
+                pair = _forced(draft, first, self.sizes)
+            pairs.append(pair)
+        along = self.frame.depth if draft.kind == "axial" else self.frame.width
+        lengths = self._lengths(pairs, along)
+        misses = sum(max(pair.low - length, length - pair.high, 0) for pair, length in zip(pairs, lengths, strict=True))
+        if misses and not stretch:
+            return Misfit(0, misses)
+        return self._drawn(draft, pairs, lengths)
+
+    def _lengths(self, pairs: Sequence[Pair], along: int) -> list[int]:
+        if not along:
+            return [pair.wished for pair in pairs]
+        if len(pairs) == 1:
+            return [along]
+        spans = [Span(pair.low, pair.wished, pair.high) for pair in pairs]
+        return list(shared_out(along, spans))
+
+    def _drawn(self, draft: Draft, pairs: Sequence[Pair], lengths: Sequence[int]) -> Sheet:
+        boxes: list[Box] = [(0, 0, 0, 0)] * len(self.sizes)
+        centre = CENTRE_MM if draft.kind == "axial" else HALLWAY_MM
+        at, hallway, across = 0, None, 0
+        for k, (pair, length) in enumerate(zip(pairs, lengths, strict=True)):
+            gap = 0 if draft.kind == "rows" or (draft.kind == "ranch" and k == 0) else centre
+            first, second = draft.depths[2 * k], draft.depths[2 * k + 1]
+            self._row(draft.strips[2 * k], shared_out(length, pair.spans[0]), (at, first, first), boxes)
+            self._row(draft.strips[2 * k + 1], shared_out(length, pair.spans[1]), (at, first + gap, -second), boxes)
+            if gap:
+                hallway = (at, first, at + length, first + gap)
+            at += length
+            across = first + gap + second
+        if draft.kind == "axial":
+            return self._turned(draft, boxes, hallway, (at, across))
+        return Sheet(boxes, hallway, at, across)
+
+    def _row(self, columns: Sequence[Column], widths: Sequence[int], place: tuple[int, int, int], boxes: list[Box]) -> None:
+        """Lays the columns of a strip side by side.
+
+        `place` is where the strip starts along u, its inner line across, and its depth: positive where it lies before
+        that line, negative where it lies behind.
+        """
+        at, line, depth = place
+        for column, width in zip(columns, widths, strict=True):
+            inner = line
+            parts = (abs(depth),) if len(column) == 1 else depths_of(tuple([self.sizes[i] for i in column]), width, abs(depth))
+            for room, part in zip(column, parts, strict=True):
+                if depth > 0:
+                    boxes[room] = (at, inner - part, at + width, inner)
+                    inner -= part
+                else:
+                    boxes[room] = (at, inner, at + width, inner + part)
+                    inner += part
+            at += width
+
+    def _turned(self, draft: Draft, boxes: list[Box], hallway: Box | None, extents: tuple[int, int]) -> Sheet:
+        """Turns an axial house so that its hallway runs back from the street, and puts the entry at its end."""
+        turned = [(v0, u0, v1, u1) for u0, v0, u1, v1 in boxes]
+        along, across = extents
+        if hallway is None:
+            return Sheet(turned, None, across, along)
+        west, _, east, _ = (hallway[1], hallway[0], hallway[3], hallway[2])
+        end = along
+        if draft.entry is not None:
+            end = along - width_of((self.sizes[draft.entry],), east - west).wished
+            turned[draft.entry] = (west, end, east, along)
+        return Sheet(turned, (west, 0, east, end), across, along)
+
+
+def _forced(draft: Draft, first: int, sizes: Sequence[Size]) -> Pair:
+    """Returns a pair of strips that do not come out, with one length all the same."""
+    rows = []
+    for k in (first, first + 1):
+        rows.append([width_of(tuple([sizes[room] for room in column]), draft.depths[k]) for column in draft.strips[k]])
+    wished = _snapped(sum(span.wished for row in rows for span in row) // 2)
+    return Pair((rows[0], rows[1]), wished, wished, wished)
