@@ -5,8 +5,7 @@ Comes in and goes out: integers (mm) and `Rect`. May import: nothing of ours.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 OPPOSITE: Final = {"north": "south", "south": "north", "east": "west", "west": "east"}
 ROTATION_AT_WALL: Final = {"north": 0, "west": 90, "south": 180, "east": 270}
@@ -38,11 +37,11 @@ def turned(width: int, depth: int, rotation: int) -> tuple[int, int]:
 
 def rotate(across: int, along: int, rotation: int) -> tuple[int, int]:
     """Turns a vector from a body's frame (across = its +x side, along = its front) to the room's (x, z)."""
-    return {0: (across, along), 90: (along, -across), 180: (-across, -along), 270: (-along, across)}[rotation % 360]
+    dx, dz = FACING[rotation % 360]
+    return dz * across + dx * along, dz * along - dx * across
 
 
-@dataclass(frozen=True, order=True)
-class Rect:
+class Rect(NamedTuple):
     """An axis-aligned rectangle [x0, x1] x [z0, z1], mm."""
 
     x0: int

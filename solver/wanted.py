@@ -9,6 +9,7 @@ Cost is one number for everything: quadratic terms are weight x metres squared, 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from solver.geometry import Rect
 
@@ -53,8 +54,7 @@ class Space:
     """Optional pieces are added while less floor than this is covered, mm2; 0: whatever is covered."""
 
 
-@dataclass(frozen=True)
-class Attach:
+class Attach(NamedTuple):
     """Stands at a slot of another piece, in that piece's own frame.
 
     The own centre minus the parent's centre lies within `across_mm` along the parent's +x side and within `along_mm`

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from operator import attrgetter
 
 from catalogs.checks import OPENINGS
 from catalogs.schema import Catalogs, Piece
@@ -64,7 +65,10 @@ class Asked:
 
 
 def _with_more(piece: Wanted, more: Sequence[Alternative]) -> tuple[Alternative, ...]:
-    return tuple(sorted((*more, *piece.alternatives), key=lambda way: round(way.cost, 9)))
+    return tuple(sorted((*more, *piece.alternatives), key=_cost))
+
+
+_cost = attrgetter("cost")
 
 
 def asked_pieces(room: Room, space: Space, catalogs: Catalogs, pieces: Sequence[Piece], standing: Sequence[Wanted]) -> Asked:
@@ -137,7 +141,8 @@ def _dear(piece: Wanted) -> set[tuple[str, str]]:
 def _asking(ask: Ask, reach: Mapping[tuple[str, str], Rect], dear: Collection[tuple[str, str]]) -> Asking:
     rules = [rule for rule in ask.piece.rules if not rule.of or set(rule.of) & set(OPENINGS) or ask.labels(rule.of)]
     to_room = tuple(rule for rule in rules if not ask.labels(rule.of))
-    return Asking(ask, to_room, tuple(rule for rule in rules if rule not in to_room), reach, frozenset(dear))
+    to_pieces = tuple(rule for rule in rules if ask.labels(rule.of))
+    return Asking(ask, to_room, to_pieces, reach, frozenset(dear))
 
 
 def _wanted(asking: Asking, label: str) -> Wanted:
@@ -161,8 +166,8 @@ def _ways(asking: Asking) -> list[Alternative]:
     alone = [] if hard else list(_alone(asking, every))
     dearest = min((way.cost for way in alone), default=math.inf)
     bound = list(tied(asking, every, dearest + _worth(asking)))
-    bound.sort(key=lambda way: round(way.cost, 9))
-    return sorted([*alone, *bound[:TIED]], key=lambda way: round(way.cost, 9))
+    bound.sort(key=_cost)
+    return sorted([*alone, *bound[:TIED]], key=_cost)
 
 
 def _some(found: Sequence[Kept]) -> list[Kept]:

@@ -19,6 +19,8 @@ Stance: TypeAlias = Way
 Kept: TypeAlias = tuple[Rect, float]
 """Where a footprint stays, and what it costs to miss the relations that do not hold there."""
 AT_WALLS = ("against_wall", "in_row", "opposite")
+PLACES_KEPT = 12
+"""Most rectangles of one stance."""
 TURNING = ("facing", "opposite", "around", "under", "in_row")
 
 
@@ -104,7 +106,8 @@ def kept(asking: Asking, stance: Stance) -> list[Kept]:
     for rule in asking.to_room:
         regions = REGIONS[rule.type](asking.ask.scope, rule, stance)
         held = [(both, cost) for rect, cost in found for region in regions if (both := within_both(rect, region, stance.extent))]
-        found = best_places([*held, *((rect, cost + missed(rule)) for rect, cost in found)])
+        without = missed(rule)
+        found = best_places([*held, *((rect, cost + without) for rect, cost in found)])
     return found
 
 
@@ -116,7 +119,14 @@ def missed(rule: Rule) -> float:
 def best_places(found: Sequence[Kept]) -> list[Kept]:
     """Sorts by cost and drops what lies within a rectangle that costs no more."""
     best: list[Kept] = []
-    for rect, cost in sorted(found, key=lambda entry: (entry[1], -entry[0].area_m2)):
-        if cost < math.inf and not any(other.contains(rect) for other, _ in best):
+    for rect, cost in sorted(found, key=_by_cost_then_size):
+        if len(best) == PLACES_KEPT or cost == math.inf:
+            break
+        if not any(other.contains(rect) for other, _ in best):
             best.append((rect, cost))
-    return best[:12]
+    return best
+
+
+def _by_cost_then_size(place: Kept) -> tuple[float, int]:
+    (x0, z0, x1, z1), cost = place
+    return cost, (x0 - x1) * (z1 - z0)

@@ -44,7 +44,8 @@ def tied(asking: Asking, every: Sequence[tuple[Stance, Sequence[Kept]]], dearest
     names = tuple(dict.fromkeys(name for rule in asking.to_pieces for name in rule.of))
     for label, parents in _by_label(asking.ask.parents(names)).items():
         rules = tuple(rule for rule in asking.to_pieces if label in asking.ask.labels(rule.of))
-        others = sum(rule.cost * (1.0 if rule.type in SLOTTED else UNSURE) for rule in asking.to_pieces if rule not in rules)
+        rest = (rule for rule in asking.to_pieces if label not in asking.ask.labels(rule.of))
+        others = sum(rule.cost * (1.0 if rule.type in SLOTTED else UNSURE) for rule in rest)
         if any(rule.type == "on" for rule in rules):
             for parent in parents:
                 yield from _upon(asking, label, parent)
@@ -95,15 +96,15 @@ class _Frames:
 
     def centres(self, box: Box, to: tuple[str, str]) -> tuple[int, int, int, int]:
         """Returns low x, low z, high x and high z of where the centre may be in the room, wherever the other stands so."""
-        if (box, to[1]) in self._centres:
-            return self._centres[box, to[1]]
-        other = self.asking.reach.get(to, ANY_PLACE)
-        turn = stance_of(to[1])[1]
-        (x0, z0), (x1, z1) = rotate(box[0][0], box[1][0], turn), rotate(box[0][1], box[1][1], turn)
-        self._centres[box, to[1]] = found = (
-            other.x0 + min(x0, x1) - SLACK_MM, other.z0 + min(z0, z1) - SLACK_MM,
-            other.x1 + max(x0, x1) + SLACK_MM, other.z1 + max(z0, z1) + SLACK_MM,
-        )  # fmt: skip
+        found = self._centres.get((box, to[1]))
+        if found is None:
+            other = self.asking.reach.get(to, ANY_PLACE)
+            turn = stance_of(to[1])[1]
+            (x0, z0), (x1, z1) = rotate(box[0][0], box[1][0], turn), rotate(box[0][1], box[1][1], turn)
+            self._centres[box, to[1]] = found = (
+                other.x0 + min(x0, x1) - SLACK_MM, other.z0 + min(z0, z1) - SLACK_MM,
+                other.x1 + max(x0, x1) + SLACK_MM, other.z1 + max(z0, z1) + SLACK_MM,
+            )  # fmt: skip
         return found
 
     def way(self, at: tuple[Stance, Rect], to: tuple[str, str], box: Box, cost: float) -> Alternative:
@@ -159,9 +160,9 @@ def _in_both(
     for cost, i, j in pairs:
         if len(ways) == PLACES or cost == math.inf:
             break
-        rect, (low_x, low_z, high_x, high_z) = found[j][0], frames.centres(boxes[i][0], to)
-        if low_x <= rect.x1 - half_x and rect.x0 + half_x <= high_x and low_z <= rect.z1 - half_z and rect.z0 + half_z <= high_z:
-            ways.append((cost, boxes[i][0], rect))
+        (x0, z0, x1, z1), (low_x, low_z, high_x, high_z) = found[j][0], frames.centres(boxes[i][0], to)
+        if low_x <= x1 - half_x and x0 + half_x <= high_x and low_z <= z1 - half_z and z0 + half_z <= high_z:
+            ways.append((cost, boxes[i][0], found[j][0]))
     return ways
 
 
@@ -234,19 +235,21 @@ def _boxes(asking: Asking, rules: Sequence[tuple[Rule, bool]], base: str, relati
     found: list[tuple[Box, float]] = [((ANYWHERE, ANYWHERE), 0.0)]
     for rule, suits in rules:
         boxes = BOXES[rule.type](_fit(asking, rule, base, relative)) if suits else []
-        held = [(both, cost + _sliding(rule, other)) for box, cost in found for other in boxes if (both := shared(box, other))]
-        found = _best([*held, *((box, cost + missed(rule)) for box, cost in found)])
+        priced = [(box, _sliding(rule, box)) for box in boxes]
+        held = [(both, cost + more) for box, cost in found for other, more in priced if (both := shared(box, other))]
+        without = missed(rule)
+        found = _best([*held, *((box, cost + without) for box, cost in found)])
     return [(box, cost) for box, cost in found if box != (ANYWHERE, ANYWHERE)]
 
 
 def _best(found: Sequence[tuple[Box, float]]) -> list[tuple[Box, float]]:
     """Sorts by cost and drops what lies within a box that costs no more."""
     best: list[tuple[Box, float]] = []
-    for box, cost in sorted(found, key=lambda entry: (entry[1], -_size(entry[0]))):
+    for box, cost in sorted(found, key=_by_cost_then_size):
         (x0, x1), (z0, z1) = box
         if cost == math.inf or len(best) == BOXES_KEPT:
             break
-        for (a0, a1), (b0, b1) in (other for other, _ in best):
+        for ((a0, a1), (b0, b1)), _ in best:
             if a0 <= x0 and x1 <= a1 and b0 <= z0 and z1 <= b1:
                 break
         else:
@@ -254,12 +257,14 @@ def _best(found: Sequence[tuple[Box, float]]) -> list[tuple[Box, float]]:
     return best
 
 
-def _size(box: Box) -> int:
-    return (box[0][1] - box[0][0]) * (box[1][1] - box[1][0])
+def _by_cost_then_size(entry: tuple[Box, float]) -> tuple[float, int]:
+    ((x0, x1), (z0, z1)), cost = entry
+    return cost, (x0 - x1) * (z1 - z0)
 
 
 def _sliding(rule: Rule, box: Box) -> float:
-    return SLIDING_COST * sum(low < high for low, high in box) if rule.type in SLOTTED else 0.0
+    (x0, x1), (z0, z1) = box
+    return SLIDING_COST * ((x0 < x1) + (z0 < z1)) if rule.type in SLOTTED else 0.0
 
 
 def _walls_suit(rule: Rule, stance: Stance, theirs: str | None) -> bool:

@@ -7,7 +7,6 @@ bound is a row as well.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 from solver.geometry import Rect
@@ -33,8 +32,7 @@ class Row(NamedTuple):
         return after - before - self.s
 
 
-@dataclass(frozen=True)
-class Part:
+class Part(NamedTuple):
     """A box of the problem: a body, or a stand (a person's square before a use side).
 
     Its min corner along axis a is position[var[a]] + offset[a]; `extent` is its size along x and z; mm.
@@ -54,8 +52,7 @@ class Part:
         return Rect(x, z, x + self.extent[X], z + self.extent[Z])
 
 
-@dataclass(frozen=True)
-class Choice:
+class Choice(NamedTuple):
     """One of `options` must hold: `first` is left of, right of, north of or south of `second`."""
 
     first: str

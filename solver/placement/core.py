@@ -182,26 +182,31 @@ class Core:
             found.low[axis].extend(work.low[axis, :n].tolist())
             found.high[axis].extend(work.high[axis, :n].tolist())
         found.terms.extend(self._terms())
-        found.rows.extend(Row(*row) for row in work.rows[: work.counts[layout.N_ROWS]].tolist())
+        found.rows.extend(map(Row._make, work.rows[: work.counts[layout.N_ROWS]].tolist()))
         found.parts.extend(self._parts())
-        for c in range(work.counts[layout.N_CHOICES]):
-            options = work.options[4 * c : 4 * c + work.choice_size[c]].tolist()
-            first, second = work.choice_parts[c].tolist()
-            name = found.parts[second].label if second >= 0 else self.encoded.space.zones[-1 - second].cause
-            found.choices.append(Choice(found.parts[first].label, name, tuple(Row(*row) for row in options)))
+        found.choices.extend(self._choices(found.parts))
+        return found
+
+    def _choices(self, parts: Sequence[Part]) -> list[Choice]:
+        work, found = self.engine.work, []
+        count = int(work.counts[layout.N_CHOICES])
+        rows = list(map(Row._make, work.options[: 4 * count].tolist()))
+        both = zip(work.choice_parts[:count].tolist(), work.choice_size[:count].tolist(), strict=True)
+        for c, ((first, second), size) in enumerate(both):
+            name = parts[second].label if second >= 0 else self.encoded.space.zones[-1 - second].cause
+            found.append(Choice(parts[first].label, name, tuple(rows[4 * c : 4 * c + size])))
         return found
 
     def _terms(self) -> list[Term]:
         work = self.engine.work
         terms: list[Term] = []
         for axis in (0, 1):
-            for v in range(work.sizes[axis]):
-                if work.anchor_weight[axis, v] > 0:
-                    terms.append(Anchor(axis, v, float(work.anchor_at[axis, v]), float(work.anchor_weight[axis, v])))
-        for k in range(work.counts[layout.N_PULLS]):
-            axis, i, j = work.pulls[k].tolist()
-            terms.append(Pull(axis, i, j, *work.pull_costs[k].tolist()))
-        return terms
+            n = work.sizes[axis]
+            anchors = zip(work.anchor_at[axis, :n].tolist(), work.anchor_weight[axis, :n].tolist(), strict=True)
+            terms += [Anchor(axis, v, at, weight) for v, (at, weight) in enumerate(anchors) if weight > 0]
+        count = work.counts[layout.N_PULLS]
+        pulls = zip(work.pulls[:count].tolist(), work.pull_costs[:count].tolist(), strict=True)
+        return [*terms, *(Pull(*between, *costs) for between, costs in pulls)]
 
     def _parts(self) -> list[Part]:
         work, found = self.engine.work, []
@@ -245,6 +250,6 @@ def _taken(engine: Engine, picks: list[int]) -> tuple[Row, ...]:
     slack = np.full(4 * count, -np.inf)
     slack[own] = best[axis[own], j[own]] - best[axis[own], i[own]] - s[own] / 1000
     widest = slack.reshape(count, 4).argmax(axis=1) if count else np.zeros(0, dtype=np.int64)
-    rows = [Row(*work.options[branched.get(c, 4 * c + int(widest[c]))].tolist()) for c in range(count)]
-    rows += [Row(*work.wide[pick - capacity].tolist()) for pick in reversed(picks) if pick >= capacity]
-    return tuple(rows)
+    taken = [branched.get(c, 4 * c + most) for c, most in enumerate(widest.tolist())]
+    wider = [pick - capacity for pick in reversed(picks) if pick >= capacity]
+    return tuple(map(Row._make, [*options[taken].tolist(), *work.wide[wider].tolist()]))

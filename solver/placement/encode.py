@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 
-from solver.geometry import Rect
 from solver.placement.kernel import layout
 from solver.placement.kernel.assembly import PERSON_MM
 from solver.placement.kernel.layout import Engine, Ints, Room
@@ -34,6 +34,8 @@ LEAST_FLOOR_MM2 = 255_000
 """The same, and a little for the snap."""
 EMPTY_FLOOR = " floor"
 """Label of a piece that stands for floor to be kept empty; see `empty_floor`."""
+LINK_COSTS = 5
+"""Numbers a link costs by."""
 MOST_STATES = 6500
 """Prefixes the best-first search may keep."""
 
@@ -87,16 +89,17 @@ def kin(alternative: Alternative) -> Hashable:
     return (a.kind, a.size_mm, a.rotation, a.wall, a.within, a.attach, a.bottom_mm, a.slack_mm, a.under, a.on)
 
 
-def _matrix(rows: Sequence[Sequence[int]], columns: int) -> Ints:
-    return np.array(rows, dtype=np.int64).reshape(len(rows), columns)
+def _matrix(flat: Sequence[int], columns: int) -> Ints:
+    """Returns rows that lie one behind the other as a table: numpy takes nested sequences at half the speed."""
+    return np.array(flat, dtype=np.int64).reshape(-1, columns)
 
 
-def _values(rows: Sequence[Sequence[float]], columns: int) -> layout.Floats:
-    return np.array(rows, dtype=np.float64).reshape(len(rows), columns)
+def _values(flat: Sequence[float], columns: int) -> layout.Floats:
+    return np.array(flat, dtype=np.float64).reshape(-1, columns)
 
 
 class _Tables:
-    """The rows of a room's tables, piece by piece, and numbers for names: pieces by label, kinds, slots."""
+    """The rows of a room's tables, one behind the other, and numbers for names: pieces by label, kinds, slots."""
 
     def __init__(self, space: Space, wanted: Sequence[Wanted]) -> None:
         self.space = space
@@ -104,18 +107,18 @@ class _Tables:
         self.kinds: dict[str, int] = {}
         self.slots: dict[str, int] = {}
         self.pieces: list[list[int]] = []
-        self.alts: list[list[int]] = []
-        self.alt_costs: list[list[float]] = []
-        self.links: list[list[int]] = []
-        self.link_costs: list[list[float]] = []
-        self.sides: list[tuple[int, int, int]] = []
+        self.alts: list[int] = []
+        self.alt_costs: list[float] = []
+        self.links: list[int] = []
+        self.link_costs: list[float] = []
+        self.sides: list[int] = []
         self.side_costs: list[float] = []
         self.side_names: list[tuple[str, ...]] = []
         self.alternatives: list[Alternative] = []
 
     def add(self, piece: Wanted, walk: str) -> None:
         """Adds a piece with its alternatives, links and choices of sides."""
-        starts = (len(self.alts), len(self.links), len(self.sides))
+        starts = self._counts()
         numbers: dict[Hashable, int] = {}
         for a in piece.alternatives:
             parent = -1 if a.attach is None else self.piece.get(a.attach.parent)
@@ -123,42 +126,44 @@ class _Tables:
                 continue
             if parent >= len(self.pieces):
                 raise ValueError(f"{piece.label} must come after what it is attached to")
-            self.alts.append(self._alternative(a, numbers.setdefault(kin(a), len(numbers))))
-            self.alt_costs.append([*a.weights, a.cost])
+            self.alts += self._alternative(a, numbers.setdefault(kin(a), len(numbers)))
+            self.alt_costs += (*a.weights, a.cost)
             self.alternatives.append(a)
         for link in piece.links:
             if link.of in self.piece:
                 self._link(link)
         for side_names, bits, cost in _side_choices(piece, walk):
             self.side_names.append(side_names)
-            self.sides.append(bits)
+            self.sides += bits
             self.side_costs.append(cost)
-        ends = (starts[0], len(self.alts), starts[1], len(self.links), starts[2], len(self.sides))
+        ranges = chain.from_iterable(zip(starts, self._counts(), strict=True))
         empty = layout.EMPTY_FLOOR if piece.label.startswith(EMPTY_FLOOR) else 0
-        self.pieces.append([int(piece.required), *ends, len(self.pieces) + 1, empty])
+        self.pieces.append([int(piece.required), *ranges, len(self.pieces) + 1, empty])
 
-    def _alternative(self, a: Alternative, number: int) -> list[int]:
+    def _counts(self) -> tuple[int, int, int]:
+        """Returns how many alternatives, links and choices of sides there are so far."""
+        return len(self.alternatives), len(self.link_costs) // LINK_COSTS, len(self.side_names)
+
+    def _alternative(self, a: Alternative, number: int) -> tuple[int, ...]:
         """Returns an alternative's row."""
-        within: Rect = a.within or self.space.clear
         kind = self.kinds.setdefault(a.kind, len(self.kinds))
         slack = -1 if a.slack_mm is None else a.slack_mm
         if a.attach is None:
-            attach = [-1, -1, 0, 0, 0, 0, -1]
+            attach: tuple[int, ...] = (-1, -1, 0, 0, 0, 0, -1)
         else:
             parent, slot = self.piece.get(a.attach.parent, -1), -1
             if a.attach.slot:
                 slot = self.slots.setdefault(a.attach.slot, len(self.slots))
             parent_kind = self.kinds.setdefault(a.attach.parent_kind, len(self.kinds))
-            attach = [parent, parent_kind, *a.attach.across_mm, *a.attach.along_mm, slot]
+            attach = (parent, parent_kind, *a.attach.across_mm, *a.attach.along_mm, slot)
         under, on = self.piece.get(a.under or "", -1), self.piece.get(a.on or "", -1)
-        inside = (within.x0, within.z0, within.x1, within.z1)
-        own = [kind, *a.size_mm, a.rotation % 360, WALLS[a.wall], *a.anchor_mm, *inside, a.bottom_mm]
-        return [*own, *attach, under, on, slack, number]
+        own = (kind, *a.size_mm, a.rotation % 360, WALLS[a.wall], *a.anchor_mm, *(a.within or self.space.clear), a.bottom_mm)
+        return (*own, *attach, under, on, slack, number)
 
     def _link(self, link: Link) -> None:
         turn = -1 if link.turn is None else link.turn % 360
-        self.links.append([self.piece[link.of], turn, _RELATIONS[link.walls], int(link.required)])
-        self.link_costs.append([link.cost, link.align, link.near, link.apart_m, link.apart_cost])
+        self.links += (self.piece[link.of], turn, _RELATIONS[link.walls], int(link.required))
+        self.link_costs += (link.cost, link.align, link.near, link.apart_m, link.apart_cost)
 
 
 def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Encoded:
@@ -179,23 +184,23 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
     _group(tables.pieces, wanted)
     room = Room(
         _space_row(space, walk),
-        _matrix([_zone_row(zone) for zone in space.zones], 6),
-        _matrix([door_target(space, door) for door in space.doorways], 4),
-        _matrix(tables.pieces, 9),
+        _matrix([value for zone in space.zones for value in _zone_row(zone)], 6),
+        _matrix([value for door in space.doorways for value in door_target(space, door)], 4),
+        _matrix([value for row in tables.pieces for value in row], 9),
         np.array([piece.skip_cost for piece in wanted], dtype=np.float64),
         _matrix(tables.sides, 3),
         np.array(tables.side_costs, dtype=np.float64),
         _matrix(tables.alts, 24),
         _values(tables.alt_costs, 3),
         _matrix(tables.links, 4),
-        _values(tables.link_costs, 5),
+        _values(tables.link_costs, LINK_COSTS),
     )
     names = tuple(tables.side_names)
     return Encoded(space, tuple(wanted), tuple(tables.alternatives), names, walk, new_engine(room, _sizes(room)))
 
 
-def _zone_row(zone: Zone) -> list[int]:
-    return [zone.rect.x0, zone.rect.z0, zone.rect.x1, zone.rect.z1, zone.above_mm, int(zone.cause == "outline")]
+def _zone_row(zone: Zone) -> tuple[int, ...]:
+    return (*zone.rect, zone.above_mm, int(zone.cause == "outline"))
 
 
 def _group(pieces: list[list[int]], wanted: Sequence[Wanted]) -> None:
@@ -217,10 +222,11 @@ def _space_row(space: Space, walk: str) -> Ints:
 def _sizes(room: Room) -> Sizes:
     """Returns bounds of what the room's problem can need."""
     stands = most_ways = 0
-    for piece in room.pieces:
-        sides = room.sides[piece[layout.SIDES_0] : piece[layout.SIDES_1], layout.STANDS]
-        stands += max(int(bits).bit_count() for bits in sides)
-        most_ways = max(most_ways, int((piece[layout.ALT_1] - piece[layout.ALT_0]) * len(sides)))
+    bits = room.sides[:, layout.STANDS].tolist()
+    for piece in room.pieces.tolist():
+        sides = bits[piece[layout.SIDES_0] : piece[layout.SIDES_1]]
+        stands += max(side.bit_count() for side in sides)
+        most_ways = max(most_ways, (piece[layout.ALT_1] - piece[layout.ALT_0]) * len(sides))
     count = len(room.pieces)
     parts = count + stands
     return Sizes(

@@ -112,7 +112,7 @@ def _solve(blocks: Sequence[_Block]) -> Floats | None:
     upper = np.concatenate([np.concatenate([block.program.high, np.full(len(block.A), np.inf)]) for block in blocks])
     if not (lower <= upper).all():  # OSQP would keep silent
         return None
-    solver = osqp.OSQP()
+    solver = osqp.OSQP(algebra="builtin")
     solver.setup(P, q, A, np.where(lower < -1e20, -np.inf, lower), upper, **SETTINGS)
     result = solver.solve(raise_error=False)
     if result.info.status_val != _SOLVED:

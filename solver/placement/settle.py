@@ -78,14 +78,21 @@ def _snapped(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> t
 
     Where the walk hangs on the last millimetre, the search's own positions are snapped instead of the final solve's.
     """
+    p = _on_lattice(draft, room, positions)
+    if not draft.walkable:
+        return p, False
+    if draft.core.walkable_at(p):
+        return p, True
+    own = _on_lattice(draft, room, room.positions)
+    return (own, True) if draft.core.walkable_at(own) else (p, False)
+
+
+def _on_lattice(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> tuple[list[int], list[int]]:
     p = snap(room.problem, room.rows, positions)
-    for candidate in (p, snap(room.problem, room.rows, room.positions)):
-        broken = room.problem.violations(candidate)
-        if broken:
-            raise AssertionError(f"{draft.space.room}: {broken[0]}")
-        if draft.walkable and draft.core.walkable_at(candidate):
-            return candidate, True
-    return p, False
+    broken = room.problem.violations(p)
+    if broken:
+        raise AssertionError(f"{draft.space.room}: {broken[0]}")
+    return p
 
 
 def _wall_behind(space: Space, parent: str, placed: Sequence[Placed], rect: Rect) -> str | None:

@@ -24,13 +24,13 @@ def latest(low: Sequence[int], high: Sequence[int], rows: Sequence[Row]) -> list
     u = list(high)
     for _ in range(len(u) + 1):
         changed = False
-        for row in rows:
-            after = 0 if row.j == ORIGIN else u[row.j]
-            if row.i == ORIGIN:
-                if after < row.s:
+        for _, i, j, s in rows:
+            latest_i = (0 if j == ORIGIN else u[j]) - s
+            if i == ORIGIN:
+                if latest_i < 0:
                     return None
-            elif u[row.i] > after - row.s:
-                u[row.i] = after - row.s
+            elif u[i] > latest_i:
+                u[i] = latest_i
                 changed = True
         if any(top < bottom for top, bottom in zip(u, low, strict=True)):
             return None
@@ -44,12 +44,12 @@ def _push(p: list[int], rows: Sequence[Row]) -> None:
     changed = True
     while changed:
         changed = False
-        for row in rows:
-            if row.j == ORIGIN:
+        for _, i, j, s in rows:
+            if j == ORIGIN:
                 continue
-            least = (0 if row.i == ORIGIN else p[row.i]) + row.s
-            if p[row.j] < least:
-                p[row.j] = least
+            least = (0 if i == ORIGIN else p[i]) + s
+            if p[j] < least:
+                p[j] = least
                 changed = True
 
 

@@ -7,7 +7,7 @@ minimise 1/2 p'Hp + f'p + constant, so that its value is the sum of the terms' c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Anchor:
+class Anchor(NamedTuple):
     """weight * (p_i - wish)^2: a body wants to be at its anchor.
 
     Args:
@@ -42,8 +41,7 @@ class Anchor:
         return self.weight * self.wish**2
 
 
-@dataclass(frozen=True)
-class Pull:
+class Pull(NamedTuple):
     """weight * (p_j - p_i - offset)^2: two bodies want to keep a distance along an axis."""
 
     axis: int

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Final, NamedTuple
 
 from catalogs.schema import Rule
 from solver.furnish.relations.slots import TOWARDS
@@ -29,8 +28,7 @@ UNTUCKED_MM: Final = 160
 """How much of a tucked piece's depth stays outside its table."""
 
 
-@dataclass(frozen=True)
-class Fit:
+class Fit(NamedTuple):
     """A rule between two pieces: the other's width and depth, and the own extents and rotation in the other's frame."""
 
     rule: Rule
@@ -101,28 +99,30 @@ def opposite(fit: Fit) -> list[Box]:
 def beside(fit: Fit) -> list[Box]:
     """At a side, lined up as the rule says; exactly, backs in line and close, or sliding."""
     sides = fit.rule.sides or ("left", "right")
-    return [box for side in sides for box in (*_exact(fit, side, "back", 0.02), _at_side(fit, side, _gap(fit.rule)))]
+    gap = _gap(fit.rule)
+    return [box for side in sides for box in (*_exact(fit, side, "back", 0.02), _at_side(fit, side, gap, fit.rule.align))]
 
 
 def in_front_of(fit: Fit) -> list[Box]:
     """Before the front; exactly in the middle, or sliding."""
     sides = fit.rule.sides or ("front",)
-    return [box for side in sides for box in (*_exact(fit, side, "centre", 0.4), _at_side(fit, side, _gap(fit.rule)))]
+    gap = _gap(fit.rule)
+    return [box for side in sides for box in (*_exact(fit, side, "centre", 0.4), _at_side(fit, side, gap, fit.rule.align))]
 
 
 def in_row(fit: Fit) -> list[Box]:
     """At either end, backs in line and turned alike."""
     if fit.turn or fit.rule.wall == "adjacent":
         return []
-    rule = fit.rule.model_copy(update={"align": "back"})
-    aligned = Fit(rule, fit.parent, fit.own, fit.turn)
-    return [_at_side(aligned, side, _gap(fit.rule)) for side in fit.rule.sides or ("left", "right")]
+    gap = _gap(fit.rule)
+    return [_at_side(fit, side, gap, "back") for side in fit.rule.sides or ("left", "right")]
 
 
 def around(fit: Fit) -> list[Box]:
     """At a side, turned to it."""
     sides = [side for side in fit.rule.sides or ("front", "back", "left", "right") if TOWARDS[side] == fit.turn]
-    return [_at_side(fit, side, _gap(fit.rule)) for side in sides]
+    gap = _gap(fit.rule)
+    return [_at_side(fit, side, gap, fit.rule.align) for side in sides]
 
 
 def under(fit: Fit) -> list[Box]:
@@ -132,15 +132,15 @@ def under(fit: Fit) -> list[Box]:
     low, high = (least, -50) if fit.rule.gap is None else (to_mm(fit.rule.gap[0]), to_mm(fit.rule.gap[1]))
     low = max(low, least)
     sides = [side for side in fit.rule.sides or ("front",) if TOWARDS[side] == fit.turn]
-    return [_at_side(fit, side, (low, high)) for side in sides] if low <= high < 0 else []
+    return [_at_side(fit, side, (low, high), fit.rule.align) for side in sides] if low <= high < 0 else []
 
 
-def _exact(fit: Fit, side: str, align: Literal["back", "centre"], gap: float) -> list[Box]:
+def _exact(fit: Fit, side: str, align: str, gap: float) -> list[Box]:
     """Returns the place where a rule that leaves gap and alignment open looks best."""
     if fit.rule.gap is not None or fit.rule.align is not None or (align == "back" and fit.turn):
         return []
-    box = _at_side(Fit(fit.rule.model_copy(update={"align": align}), fit.parent, fit.own, fit.turn), side, (to_mm(gap), to_mm(gap)))
-    return [(box[0] if box[0][0] == box[0][1] else (0, 0), box[1] if box[1][0] == box[1][1] else (0, 0))]
+    across, along = _at_side(fit, side, (to_mm(gap), to_mm(gap)), align)
+    return [(across if across[0] == across[1] else (0, 0), along if along[0] == along[1] else (0, 0))]
 
 
 def _gap(rule: Rule) -> Interval:
@@ -148,18 +148,17 @@ def _gap(rule: Rule) -> Interval:
     return to_mm(low), to_mm(high)
 
 
-def _at_side(fit: Fit, side: str, gap: Interval) -> Box:
+def _at_side(fit: Fit, side: str, gap: Interval, align: str | None) -> Box:
     x, z = fit.reach
     sign = -1 if side in ("left", "back") else 1
     out = sorted(sign * (round(x if side in ("left", "right") else z) + g) for g in gap)
     if side in ("left", "right"):
-        return (out[0], out[1]), _lined_up(fit, fit.parent[1], fit.own[1], True)
-    return _lined_up(fit, fit.parent[0], fit.own[0], False), (out[0], out[1])
+        return (out[0], out[1]), _lined_up(align, fit.parent[1], fit.own[1], True)
+    return _lined_up(align, fit.parent[0], fit.own[0], False), (out[0], out[1])
 
 
-def _lined_up(fit: Fit, parent: int, own: int, along: bool) -> Interval:
+def _lined_up(align: str | None, parent: int, own: int, along: bool) -> Interval:
     """Returns the offsets along a side that line up as the rule says; by default half the shorter one's length is shared."""
-    align = fit.rule.align
     if align == "centre":
         return -NEARLY_MM, NEARLY_MM
     if align in ("back", "front") and along:
@@ -172,9 +171,12 @@ def _lined_up(fit: Fit, parent: int, own: int, along: bool) -> Interval:
 
 def shared(a: Box, b: Box) -> Box | None:
     """Returns what two boxes share, if anything."""
-    low_x, high_x = max(a[0][0], b[0][0]), min(a[0][1], b[0][1])
-    low_z, high_z = max(a[1][0], b[1][0]), min(a[1][1], b[1][1])
-    return ((low_x, high_x), (low_z, high_z)) if low_x <= high_x and low_z <= high_z else None
+    across, along = _common(a[0], b[0]), _common(a[1], b[1])
+    return (across, along) if across[0] <= across[1] and along[0] <= along[1] else None
+
+
+def _common(a: Interval, b: Interval) -> Interval:
+    return a[0] if a[0] > b[0] else b[0], a[1] if a[1] < b[1] else b[1]
 
 
 BOXES: Final[dict[str, Callable[[Fit], list[Box]]]] = {

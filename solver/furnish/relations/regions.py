@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 from catalogs.schema import Rule
 from solver.furnish.ask import Opened, Scope
@@ -24,8 +23,7 @@ EXACT_MM: Final = 5
 EVERYWHERE: Final = 1_000_000
 
 
-@dataclass(frozen=True)
-class Way:
+class Way(NamedTuple):
     """A way to stand: extents along x and z, rotation, the wall at its back, and where the footprint may be at all."""
 
     extent: tuple[int, int]
@@ -175,8 +173,10 @@ def _holds(rect: Rect, extent: tuple[int, int]) -> bool:
 
 def within_both(a: Rect, b: Rect, extent: tuple[int, int]) -> Rect | None:
     """Returns what two rectangles share, if a footprint fits in it."""
-    cut = Rect(max(a.x0, b.x0), max(a.z0, b.z0), min(a.x1, b.x1), min(a.z1, b.z1))
-    return cut if _holds(cut, extent) else None
+    (a_x0, a_z0, a_x1, a_z1), (b_x0, b_z0, b_x1, b_z1) = a, b
+    x0, x1 = a_x0 if a_x0 > b_x0 else b_x0, a_x1 if a_x1 < b_x1 else b_x1
+    z0, z1 = a_z0 if a_z0 > b_z0 else b_z0, a_z1 if a_z1 < b_z1 else b_z1
+    return Rect(x0, z0, x1, z1) if x1 - x0 >= extent[0] and z1 - z0 >= extent[1] else None
 
 
 REGIONS: Final[dict[str, Callable[[Scope, Rule, Way], list[Rect]]]] = {
