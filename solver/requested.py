@@ -106,9 +106,11 @@ def _check_relations(field: str, wish: Wish, names: Sequence[str]) -> None:
 
 
 def _check_relation(field: str, wish: Wish, rule: Rule, names: Sequence[str]) -> None:
+    takes = rule.type in BETWEEN + TO_SOMETHING
+    if not takes and not rule.of:
+        return
     openings = OPENINGS if rule.type in TO_SOMETHING else ()
     known = [*dict.fromkeys(names), *openings]
-    takes = rule.type in BETWEEN + TO_SOMETHING
     if takes and not rule.of:
         raise RequestError(f"{field}.of", f"is missing: {rule.type} is a relation to something", _some(known))
     if rule.of and not takes:

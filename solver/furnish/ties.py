@@ -74,6 +74,7 @@ class _Frames:
 
     def __init__(self, asking: Asking, rules: Sequence[Rule]) -> None:
         self.asking, self._rules = asking, rules
+        self._rules_about_walls = [(rule, rule.type == "opposite" or rule.wall is not None) for rule in rules]
         pull = FIRM if any(rule.type in SLOTTED for rule in rules) else LOOSE
         self._pulls = (pull, pull)
         clear = asking.ask.scope.space.clear
@@ -86,7 +87,7 @@ class _Frames:
         """Returns boxes that each hold at least one rule, cheapest first."""
         base, turn, at_wall = stance_of(parent)
         theirs = WALL_BEHIND[turn] if at_wall else None
-        suits = tuple(_walls_suit(rule, stance, theirs) for rule in self._rules)
+        suits = tuple(not about or _walls_suit(rule, stance, theirs) for rule, about in self._rules_about_walls)
         key = (base, (stance.rotation - turn) % 360, suits)
         if key not in self._known:
             self._known[key] = _boxes(self.asking, [*zip(self._rules, suits, strict=True)], base, key[1])
@@ -245,15 +246,17 @@ def _boxes(asking: Asking, rules: Sequence[tuple[Rule, bool]], base: str, relati
 def _best(found: Sequence[tuple[Box, float]]) -> list[tuple[Box, float]]:
     """Sorts by cost and drops what lies within a box that costs no more."""
     best: list[tuple[Box, float]] = []
+    edges: list[tuple[int, int, int, int]] = []
     for box, cost in sorted(found, key=_by_cost_then_size):
         (x0, x1), (z0, z1) = box
         if cost == math.inf or len(best) == BOXES_KEPT:
             break
-        for ((a0, a1), (b0, b1)), _ in best:
+        for a0, a1, b0, b1 in edges:
             if a0 <= x0 and x1 <= a1 and b0 <= z0 and z1 <= b1:
                 break
         else:
             best.append((box, cost))
+            edges.append((x0, x1, z0, z1))
     return best
 
 

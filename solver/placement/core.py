@@ -182,7 +182,7 @@ class Core:
             found.low[axis].extend(work.low[axis, :n].tolist())
             found.high[axis].extend(work.high[axis, :n].tolist())
         found.terms.extend(self._terms())
-        found.rows.extend(map(Row._make, work.rows[: work.counts[layout.N_ROWS]].tolist()))
+        found.rows.extend(Row(*row) for row in work.rows[: work.counts[layout.N_ROWS]].tolist())
         found.parts.extend(self._parts())
         found.choices.extend(self._choices(found.parts))
         return found
@@ -190,11 +190,11 @@ class Core:
     def _choices(self, parts: Sequence[Part]) -> list[Choice]:
         work, found = self.engine.work, []
         count = int(work.counts[layout.N_CHOICES])
-        rows = list(map(Row._make, work.options[: 4 * count].tolist()))
+        options = work.options[: 4 * count].tolist()
         both = zip(work.choice_parts[:count].tolist(), work.choice_size[:count].tolist(), strict=True)
         for c, ((first, second), size) in enumerate(both):
             name = parts[second].label if second >= 0 else self.encoded.space.zones[-1 - second].cause
-            found.append(Choice(parts[first].label, name, tuple(rows[4 * c : 4 * c + size])))
+            found.append(Choice(parts[first].label, name, tuple([Row(*row) for row in options[4 * c : 4 * c + size]])))
         return found
 
     def _terms(self) -> list[Term]:
@@ -252,4 +252,4 @@ def _taken(engine: Engine, picks: list[int]) -> tuple[Row, ...]:
     widest = slack.reshape(count, 4).argmax(axis=1) if count else np.zeros(0, dtype=np.int64)
     taken = [branched.get(c, 4 * c + most) for c, most in enumerate(widest.tolist())]
     wider = [pick - capacity for pick in reversed(picks) if pick >= capacity]
-    return tuple(map(Row._make, [*options[taken].tolist(), *work.wide[wider].tolist()]))
+    return tuple(Row(*row) for row in (*options[taken].tolist(), *work.wide[wider].tolist()))

@@ -5,6 +5,8 @@ Comes in: boxes. Goes out: cells that are free or taken as a whole. May import: 
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,6 +29,7 @@ class Grid:
         boxes = np.concatenate([floors, obstacles])
         self.xs: NDArray[np.int64] = np.unique(boxes[:, ::2])
         self.zs: NDArray[np.int64] = np.unique(boxes[:, 1::2])
+        self._x_cuts, self._z_cuts = self.xs.tolist(), self.zs.tolist()
         self.free: NDArray[np.bool_] = np.zeros((max(len(self.xs) - 1, 0), max(len(self.zs) - 1, 0)), dtype=bool)
         cells = np.empty_like(boxes)
         cells[:, ::2] = np.searchsorted(self.xs, boxes[:, ::2])
@@ -36,7 +39,7 @@ class Grid:
 
     def cells(self, box: Box) -> Window:
         """Returns the cells that a box meets."""
-        return _between(self.xs, box.x0, box.x1), _between(self.zs, box.z0, box.z1)
+        return _between(self._x_cuts, box.x0, box.x1), _between(self._z_cuts, box.z0, box.z1)
 
     def area(self, chosen: NDArray[np.bool_], window: Window) -> int:
         """Sums the exact area of the chosen cells of a window, in square lattice steps."""
@@ -45,6 +48,5 @@ class Grid:
         return sum(int(x) * int(z) for x, z in zip(wide, deep.tolist(), strict=True))
 
 
-def _between(cuts: NDArray[np.int64], low: int, high: int) -> slice:
-    start = int(np.searchsorted(cuts, low, side="right")) - 1
-    return slice(max(start, 0), max(int(np.searchsorted(cuts, high, side="left")), 0))
+def _between(cuts: list[int], low: int, high: int) -> slice:
+    return slice(max(bisect_right(cuts, low) - 1, 0), bisect_left(cuts, high))

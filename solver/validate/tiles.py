@@ -62,7 +62,9 @@ class FreeFloor:
 
     def patches(self, box: Box) -> set[int]:
         """Returns the numbers of the patches in a box."""
-        found = {number for tile, window in self.windows(box) for number in np.unique(tile.patches[window]).tolist()}
+        found: set[int] = set()
+        for tile, window in self.windows(box):
+            found.update(tile.patches[window].ravel().tolist())
         return found - {0}
 
     def area(self, box: Box, wanted: NDArray[np.bool_]) -> int:
