@@ -40,6 +40,8 @@ NEAR_PULL, ALIGN_PULL = 0.2, 0.5
 FAR = 2.0
 """What far_from takes for far where the rule names no distance, m."""
 
+_cost = attrgetter("cost")
+
 
 @dataclass(frozen=True)
 class Asked:
@@ -66,9 +68,6 @@ class Asked:
 
 def _with_more(piece: Wanted, more: Sequence[Alternative]) -> tuple[Alternative, ...]:
     return tuple(sorted((*more, *piece.alternatives), key=_cost))
-
-
-_cost = attrgetter("cost")
 
 
 def asked_pieces(room: Room, space: Space, catalogs: Catalogs, pieces: Sequence[Piece], standing: Sequence[Wanted]) -> Asked:

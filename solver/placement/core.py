@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import astuple, dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -51,7 +52,7 @@ class Limits:
     moves: int = 8
     final_qps: int = 6000
 
-    @property
+    @cached_property
     def row(self) -> Ints:
         """As the kernel takes them."""
         return np.array(astuple(self), dtype=np.int64)
