@@ -14,8 +14,9 @@ from typing import Any, ClassVar, Final
 import yaml
 from pydantic import TypeAdapter, ValidationError
 
-from catalogs.checks import Fault, faults
+from catalogs.checks import faults
 from catalogs.dressing import DecorationKind, Dressing
+from catalogs.faults import Fault
 from catalogs.programmes import Preset
 from catalogs.schema import Catalogs, FlooringSpec, Furniture, RoomType
 from catalogs.styles import Style
