@@ -10,6 +10,10 @@ from collections.abc import Mapping
 from catalogs import Catalogs
 from catalogs.schema import Furniture, RoomType, Use
 
+Size = tuple[float, float, float]
+Level = tuple[float, float]
+"""A surface: its height above the body's underside, and how far in from the edges it starts, m."""
+
 
 class Kinds:
     """Looks up names of furniture and room types; those the catalogs do not know ask for nothing."""
@@ -19,12 +23,28 @@ class Kinds:
         self._named: dict[str, Furniture] = {}
         for kind, entry in catalogs.furniture.items():
             self._named.setdefault(entry.name or kind, entry)
+        self._surfaces: dict[tuple[str, Size], tuple[Level, ...]] = {}
+        self._heights: dict[str, tuple[Level, ...]] = {}
+        carriers = [(entry.name or kind, entry.size, entry.surfaces) for kind, entry in catalogs.furniture.items()]
+        carriers += [(kind, thing.size, thing.surfaces) for kind, thing in catalogs.decorations.items()]
+        for name, size, surfaces in carriers:
+            self._surfaces.setdefault((name, size), tuple((surface.height, surface.inset) for surface in surfaces))
+            self._heights[name] = (*self._heights.get(name, ()), *((surface.height, 0.0) for surface in surfaces))
         self._named |= {kind: entry for kind, entry in catalogs.furniture.items() if entry.name in (None, kind)}
 
     def use(self, name: str) -> Use | None:
         """Returns which sides of a piece are used; None where none is, or the piece is unknown."""
         entry = self._named.get(name)
         return entry.use if entry else None
+
+    def surfaces(self, name: str, size: Size) -> tuple[Level, ...]:
+        """Returns what a piece or decoration carries things on: heights above its underside, and how far in from its edges, m.
+
+        Where its size is not that of a kind of its name: its top, and every height known for the name, on all of it.
+        """
+        levels = self._surfaces.get((name, size))
+        top = ((size[2], 0.0),)
+        return levels or top if levels is not None else (*top, *self._heights.get(name, ()))
 
     def requires(self, room_type: str) -> tuple[dict[str, int], ...]:
         """Returns what a room type requires: each line is met by any of its names in that number."""

@@ -10,6 +10,7 @@ from typing import Final, TypeAlias
 
 from catalogs import Catalogs
 from solver.scene import Issue, Scene
+from solver.validate.floating import floating
 from solver.validate.kinds import Kinds
 from solver.validate.lattice import metres
 from solver.validate.reaching import unreachable
@@ -27,6 +28,7 @@ RULES: Final = {
     "blocks_door": "error",
     "blocks_window": "error",
     "unreachable": "error",
+    "floating": "error",
     "missing_required": "warning",
 }
 """Every rule and its severity, in the order issues are listed."""
@@ -38,6 +40,7 @@ _CHECKS: Final[dict[str, Check]] = {
     "blocks_door": lambda world, walk, place, kinds: blocks_door(world, place),
     "blocks_window": lambda world, walk, place, kinds: blocks_window(world, place),
     "unreachable": unreachable,
+    "floating": lambda world, walk, place, kinds: floating(world, place, kinds),
     "missing_required": lambda world, walk, place, kinds: missing_required(world, place, kinds),
 }
 

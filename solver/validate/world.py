@@ -138,7 +138,7 @@ def _place(room: Room, people: Sequence[Dynamic]) -> Place:
 
 def _body(item: Furniture | Decoration | Dynamic) -> Body:
     x, z, width, depth = exact(item.x), exact(item.z), exact(item.width), exact(item.depth)
-    across, along = _extents(width, depth, item.rotation)
+    across, along = extents(width, depth, item.rotation)
     more: dict[str, Any] = {"name": item.kind if isinstance(item, Dynamic) else item.name}
     if isinstance(item, Dynamic):
         more["on"] = item.on
@@ -155,8 +155,8 @@ def _body(item: Furniture | Decoration | Dynamic) -> Body:
     )
 
 
-def _extents(width: int, depth: int, rotation: float) -> tuple[int, int]:
-    """Returns the extents along x and z: exact at right angles, else the bounding rectangle's, to the micrometre."""
+def extents(width: int, depth: int, rotation: float) -> tuple[int, int]:
+    """Returns a rotated footprint's extents along x and z: exact at right angles, else the bounding rectangle's, to the micrometre."""
     if rotation % 180 == 0:
         return width, depth
     if rotation % 180 == 90:

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from solver.scene import Decoration
 from solver.validate import RULES, validate
 from tests.validate.worlds import CATALOGS, issues, opening, piece, room, scene
 
@@ -71,7 +72,11 @@ def test_issues_come_room_by_room_and_rule_by_rule() -> None:
         piece(2.0, 0.5, id="b"),
         piece(2.0, 3.5, id="c", height=1.5),
     )
-    rooms = [room(*culprits, id="two", type="bedroom", openings=(door, window)), room(id="one", x=10.0, type="bedroom")]
+    lamp = Decoration("f", "lamp", x=1.0, y=1.0, z=1.0, width=0.1, depth=0.1, height=0.1)
+    rooms = [
+        room(*culprits, id="two", type="bedroom", openings=(door, window), decorations=(lamp,)),
+        room(id="one", x=10.0, type="bedroom"),
+    ]
     rooms[1] = room(*(piece(2.0, 3.9, id=f"{name}2") for name in "de"), id="one", x=10.0, type="bedroom")
     found = validate(scene(*rooms), CATALOGS)
     assert found == validate(scene(*rooms), CATALOGS)

@@ -1,0 +1,105 @@
+"""The rule `floating`: a decoration lies on something, or hangs at its wall.
+
+Comes in: a `World`, one of its places and the catalogs. Goes out: findings. May import: scene, catalogs.
+
+A parent of a kind and size that the catalogs know carries things on its surfaces, each as far in from its edges as the kind says. Any
+other parent is what its sizes say: it carries on all of its top, and at the heights that the catalogs know for its name. A thing
+without a parent, or whose parent is not in the room, lies on the floor or on any of the room's bodies.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final, NamedTuple, TypeAlias
+
+from solver.scene import Decoration, Furniture
+from solver.validate.kinds import Kinds
+from solver.validate.lattice import Box, Edge, exact, words
+from solver.validate.standing import Finding
+from solver.validate.world import Place, World, extents
+
+RESTS: Final = exact(0.01)
+"""A thing lies on a surface whose height differs by no more; our choice: scenes rounded to centimetres stay clean."""
+HANGS: Final = exact(0.03)
+"""A thing hangs at a wall whose face is no farther; our choice, as wall-hugging furniture stands."""
+
+
+Carrier: TypeAlias = Furniture | Decoration
+
+
+class Support(NamedTuple):
+    """What carries: a rectangle at a height, of the body of that id (None: the floor)."""
+
+    id: str | None
+    box: Box
+    level: int
+
+
+def floating(world: World, place: Place, kinds: Kinds) -> Iterator[Finding]:
+    """A decoration's middle is not over its parent's surface at its height, or it hangs at no wall."""
+    bodies: dict[str, Carrier] = {piece.id: piece for piece in place.room.furniture}
+    bodies |= {thing.id: thing for thing in place.room.decorations}
+    for thing in place.room.decorations:
+        if thing.mounted_on_wall is not None:
+            yield from _off_its_wall(world, place, thing)
+            continue
+        parent = bodies.get(thing.parent or "")
+        if parent is not None:
+            found = list(_supports(parent, kinds)) if parent is not thing else []
+        else:
+            others = [body for body in bodies.values() if body is not thing]
+            found = [Support(None, place.outline.bounds, 0), *(one for body in others for one in _supports(body, kinds))]
+        yield from _unsupported(thing, found, parent)
+
+
+def _supports(body: Carrier, kinds: Kinds) -> Iterator[Support]:
+    size = body.width, body.depth, body.height
+    box, low = _footprint(body), exact(body.y)
+    for height, inset in kinds.surfaces(body.name, size):
+        yield Support(body.id, box.grown(-exact(inset)), low + exact(height))
+
+
+def _footprint(body: Carrier) -> Box:
+    x, z = exact(body.x), exact(body.z)
+    across, along = extents(exact(body.width), exact(body.depth), body.rotation)
+    return Box(x - across // 2, z - along // 2, x + across // 2, z + along // 2)
+
+
+def _unsupported(thing: Decoration, supports: Sequence[Support], parent: Carrier | None) -> Iterator[Finding]:
+    x, y, z = exact(thing.x), exact(thing.y), exact(thing.z)
+    misses = [(_miss(support, x, y, z), support) for support in supports]
+    if any(miss == (0, 0) for miss, _ in misses):
+        return
+    below = f"its parent {parent.id}" if parent is not None and parent is not thing else "anything"
+    if not misses:
+        yield Finding((thing.id,), 0, f"{thing.id} is its own parent: nothing carries it")
+        return
+    (beside, above), _ = min(misses, key=lambda miss: max(miss[0]))
+    how = f"{words(above)} above or below" if above >= beside else f"with its middle {words(beside)} beside"
+    yield Finding((thing.id,), max(beside, above), f"{thing.id} floats {how} what could carry it on {below}")
+
+
+def _miss(support: Support, x: int, y: int, z: int) -> tuple[int, int]:
+    """Returns how far a middle is beside a support, and how far above or below it."""
+    box = support.box
+    beside = max(box.x0 - x, x - box.x1, box.z0 - z, z - box.z1, 0)
+    apart = abs(y - support.level)
+    return beside, apart if apart > RESTS else 0
+
+
+def _off_its_wall(world: World, place: Place, thing: Decoration) -> Iterator[Finding]:
+    box = _footprint(thing)
+    away = min((_away(edge, box, world.half_wall) for edge in place.edges if edge.side == thing.mounted_on_wall), default=None)
+    if away is None:
+        yield Finding((thing.id,), 0, f"{thing.id} hangs at the {thing.mounted_on_wall} wall, which {place.room.id} does not have")
+    elif away > HANGS:
+        where = f"{words(away)} from the face of the {thing.mounted_on_wall} wall of {place.room.id}"
+        yield Finding((thing.id,), away, f"{thing.id} floats {where}")
+
+
+def _away(edge: Edge, box: Box, half_wall: int) -> int:
+    """Returns how far a box's back is from a piece of wall's face, or its middle from that piece's ends."""
+    line = {"north": box.z0, "south": box.z1, "west": box.x0, "east": box.x1}[edge.side]
+    face = edge.line + (half_wall if edge.side in ("north", "west") else -half_wall)
+    middle = (box.x0 + box.x1) // 2 if edge.runs_east else (box.z0 + box.z1) // 2
+    return max(abs(line - face), edge.start - middle, middle - edge.end)
