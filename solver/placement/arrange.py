@@ -8,14 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from math import inf
 
+from solver.placement.around import around_a_floor
 from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits
-from solver.placement.encode import EMPTY_FLOOR, FREE_CENTRES_MM2, LEAST_FLOOR_MM2, door_target, empty_floor, encode, walked_floor
+from solver.placement.encode import EMPTY_FLOOR, LEAST_FLOOR_MM2, door_target, empty_floor, encode
 from solver.placement.kernel.fill import COVERED, NO_WAY, SPENT
 from solver.placement.kernel.layout import ABSENT, Ints
 from solver.placement.outcome import Outcome
 from solver.placement.problem import Problem
+from solver.placement.usable import Found, Use, usable
 from solver.wanted import Alternative, Space, Wanted
 
 LIMITS = Limits()
@@ -23,8 +26,8 @@ FIX_LIMITS = Limits(required=600, required_qps=500)
 """A repair tries fewer ways: the first is nearly always the best, and someone is dragging."""
 MARGIN_MM = 2
 """Rounding to millimetres moves each of two bodies by less than one."""
-FLOOR_PROBES = 8
-"""Shapes of the least floor whose ends are tried before a room is said to be too full to walk in."""
+REACHES_MM = (600, 200, 50, 2)
+"""How far from where they were found usable pieces may be moved back to where they are wished, most first."""
 REASONS = {
     NO_WAY: "none of the ways to stand it leaves the room valid and walkable",
     COVERED: "the floor is covered as densely as wished without it",
@@ -186,19 +189,46 @@ def arrange_as_wished(space: Space, wanted: Sequence[Wanted], budget: Budget) ->
     """Keeps every piece in its first way if all can stand so; else arranges them; all that are to be used can be reached.
 
     The first ways are the cheapest, so where their placement costs less than any other way would, it is the best. Where no
-    walkable placement is found the best that is not is returned, `walkable` False.
+    walkable placement is found the best that is not is returned, `walkable` False; where none exists none is looked for.
     """
-    together = _together(space, wanted, budget)
-    others = [a.cost for piece in wanted for a in piece.alternatives[1:] if a.cost > 0]
-    least = min(others, default=float("inf"))
-    choosy = any(len(piece.stands) > 1 and not piece.need_all for piece in wanted)
+    least = _all_at_once(space, wanted, budget, "least")
+    together = least if least is None or least.walkable else _together(space, wanted, budget)
+    if together is not None:
+        return _dearer(space, wanted, budget, together)
+    use, found = usable(space, wanted, budget)
+    if use is Use.NEVER:
+        return _out_of_reach(space, wanted, budget, least)
+    if least is not None:
+        least = _all_at_once(space, wanted, budget, "test") or least
+    if use is Use.UNKNOWN and not (least is not None and least.walkable):
+        rescued = _near_found(space, around_a_floor(space, wanted, budget), budget)
+        if rescued is not None:
+            return rescued
+    best = _dearer(space, wanted, budget, least)
+    return best if best.walkable else _near_found(space, found, budget) or best
+
+
+def _next_cost(wanted: Sequence[Wanted]) -> float:
+    """Returns the least cost of another than the first way."""
+    return min((a.cost for piece in wanted for a in piece.alternatives[1:] if a.cost > 0), default=inf)
+
+
+def _dearer(space: Space, wanted: Sequence[Wanted], budget: Budget, together: Draft | None) -> Draft:
+    """Tries other ways than the first ones, where that may be cheaper or leave all within reach."""
+    least = _next_cost(wanted)
     if together is not None and together.walkable and together.cost <= least:
         return together
-    if (others or choosy or together is not None) and walkable_when_empty(space):
+    choosy = any(len(piece.stands) > 1 and not piece.need_all for piece in wanted)
+    if (least < inf or choosy or together is not None) and walkable_when_empty(space):
         draft = arrange(space, wanted, budget=budget, limits=FIX_LIMITS)
         if not draft.left_out and (together is None or not together.walkable or draft.cost < together.cost):
             return draft
-    if together is not None and (together.walkable or together.cost <= least):
+    return together if together is not None and together.walkable else _out_of_reach(space, wanted, budget, together)
+
+
+def _out_of_reach(space: Space, wanted: Sequence[Wanted], budget: Budget, together: Draft | None) -> Draft:
+    """Returns the best placement that nobody has to walk in."""
+    if together is not None and together.cost <= _next_cost(wanted):
         return together
     draft = arrange(space, wanted, walk=False, budget=budget, limits=FIX_LIMITS)
     worse = bool(draft.left_out) or (together is not None and draft.cost >= together.cost)
@@ -207,24 +237,38 @@ def arrange_as_wished(space: Space, wanted: Sequence[Wanted], budget: Budget) ->
     return replace(draft, walkable=False)
 
 
+def _near_found(space: Space, found: Sequence[Found], budget: Budget) -> Draft | None:
+    """Returns the placement with least movement near where the pieces were found usable; None where none is walkable."""
+    for reach in REACHES_MM if found else ():
+        draft = _all_at_once(space, [one.near(reach, space.clear) for one in found], budget, "stands")
+        if draft is not None:
+            return draft
+    return None
+
+
 def _together(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Draft | None:
-    """Searches a place for all pieces at once, each in its first way: with least movement, then walkable if it is not."""
-    least = _all_at_once(space, wanted, budget, False, "test")
-    if least is None or least.walkable:
-        return least
+    """Searches a place for all pieces at once, each in its first way, with persons' squares at the use sides."""
     modes = ("stands", "mixed") if any(len(piece.stands) > 1 for piece in wanted) else ("stands",)
-    found = [draft for mode in modes if (draft := _all_at_once(space, wanted, budget, True, mode)) is not None]
-    if not found:
-        return _all_at_once(space, wanted, budget, True, "test") or least
-    return min(found, key=lambda draft: round(draft.cost, 9))
+    best: Draft | None = None
+    for mode in modes:
+        best = _all_at_once(space, wanted, budget, mode, best.cost if best else inf) or best
+    return best
 
 
-def _all_at_once(space: Space, wanted: Sequence[Wanted], budget: Budget, walk: bool, mode: str) -> Draft | None:
-    core = Core(encode(space, wanted, mode))
+def _all_at_once(space: Space, wanted: Sequence[Wanted], budget: Budget, mode: str, ceiling: float = inf) -> Draft | None:
+    """Searches a place for all pieces at once, each in its first way, cheaper than the ceiling.
+
+    `mode` is how the walk asks for use sides (`encode`), or "least": nobody has to walk, but whether one could is told.
+    """
+    walk = mode != "least"
+    core = Core(encode(space, wanted, mode if walk else "test"))
     decisions = core.first_ways()
-    if decisions is None or not core.evaluate(decisions, LIMITS.final_qps, budget, walk):
+    if decisions is None:
         return None
-    return _found(core, decisions, core.preference(decisions), walk)
+    preference = core.preference(decisions)
+    if not core.evaluate(decisions, LIMITS.final_qps, budget, walk, ceiling - preference):
+        return None
+    return _found(core, decisions, preference, walk)
 
 
 def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = None, walk: bool = False, prove: bool = True) -> bool | None:
@@ -234,41 +278,20 @@ def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = Non
         space: the room.
         pieces: all of them are asked for, required or not.
         budget: the work it may cost.
-        walk: whether doors and use sides must be joined too. "No" is then only said where that is proven: where use sides
-            alone, or two far ends of the floor that a room must have, leave no place for all.
+        walk: whether doors and use sides must be joined too. "No" is then only said where that is proven, for every
+            placement in whole millimetres.
         prove: whether "no" is worth the work of its proof to the caller.
     """
     allowed = budget or Budget()
+    if walk and pieces:
+        use, _ = usable(space, pieces, allowed, prove)
+        if use is not Use.UNKNOWN:
+            return use is Use.SOMEHOW
     core = Core(encode(space, pieces, "stands" if walk else "none"))
-    decisions, exact = core.stand_together(LIMITS, allowed, walk)
+    decisions, exact = core.stand_together(LIMITS if prove else FIX_LIMITS, allowed, walk)
     if decisions is not None:
         return True
     if exact or not walk:
         return False if exact else None
     with_floor = Core(encode(space, (empty_floor(space), *pieces), "stands"))
-    if with_floor.stand_together(LIMITS, allowed, True)[0] is not None:
-        return True
-    return False if prove and _too_little_floor(space, pieces, allowed) else None
-
-
-def _too_little_floor(space: Space, pieces: Sequence[Wanted], budget: Budget) -> bool:
-    """Tells whether the pieces, their use sides and the floor a room must have provably find no place together.
-
-    The area of connected free centres is at most that of their bounding box: whatever the length, either they reach that far
-    along x, or so far along z that the product is the least area.
-    """
-    widest = space.clear.width - space.robot_mm
-    for part in range(1, FLOOR_PROBES + 1):
-        reach = max(widest * part // FLOOR_PROBES + 1, 50)
-        if all(
-            _no_place(space, (*walked_floor(space, along_x, length), *pieces), budget)
-            for along_x, length in ((True, reach), (False, -(-FREE_CENTRES_MM2 // reach)))
-        ):
-            return True
-    return False
-
-
-def _no_place(space: Space, pieces: Sequence[Wanted], budget: Budget) -> bool:
-    """Tells whether pieces provably cannot all stand with their use sides free."""
-    decisions, exact = Core(encode(space, pieces, "stands")).stand_together(LIMITS, budget, False)
-    return decisions is None and exact
+    return True if with_floor.stand_together(FIX_LIMITS, allowed, True)[0] is not None else None

@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
+from solver.geometry import Rect
 from solver.placement.budget import Budget
 from solver.placement.constraints import Choice, Part, Row
 from solver.placement.encode import Encoded
@@ -161,6 +162,15 @@ class Core:
         self.engine.tree.budget[0] = budget.left
         found = bool(evaluate(self.engine, np.ascontiguousarray(decisions), limit, ceiling, walk))
         budget.left = float(self.engine.tree.budget[0])
+        return found
+
+    def bodies(self) -> list[Rect]:
+        """Returns the footprints that the last search found, by piece, all of them decided, rounded to millimetres."""
+        work, best, found = self.engine.work, self.engine.nodes.best, []
+        for k in range(len(self.encoded.wanted)):
+            _, _, u, v, off_x, off_z, wide, deep = work.parts[work.body_part[k], : layout.LOW].tolist()
+            x, z = math.floor(best[0, u] * 1000 + 0.5) + off_x, math.floor(best[1, v] * 1000 + 0.5) + off_z
+            found.append(Rect(x, z, x + wide, z + deep))
         return found
 
     def walkable_at(self, p: Sequence[Sequence[int]]) -> bool:

@@ -15,7 +15,7 @@ from solver.placement.kernel import layout
 from solver.placement.kernel.assembly import PERSON_MM
 from solver.placement.kernel.layout import Engine, Ints, Room
 from solver.placement.kernel.space import Sizes, new_engine
-from solver.wanted import Alternative, Attach, Doorway, Link, Space, Wanted, Zone
+from solver.wanted import Alternative, Doorway, Link, Space, Wanted, Zone
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
@@ -98,7 +98,7 @@ def _values(flat: Sequence[float], columns: int) -> layout.Floats:
     return np.array(flat, dtype=np.float64).reshape(-1, columns)
 
 
-class _Tables:
+class Tables:
     """The rows of a room's tables, one behind the other, and numbers for names: pieces by label, kinds, slots."""
 
     def __init__(self, space: Space, wanted: Sequence[Wanted]) -> None:
@@ -178,7 +178,14 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
     Raises:
         ValueError: a piece comes before the one it is attached to.
     """
-    tables = _Tables(space, wanted)
+    tables, room = lay_out(space, wanted, walk)
+    names = tuple(tables.side_names)
+    return Encoded(space, tuple(wanted), tuple(tables.alternatives), names, walk, new_engine(room, sizes_of(room)))
+
+
+def lay_out(space: Space, wanted: Sequence[Wanted], walk: str) -> tuple[Tables, Room]:
+    """Returns what `encode` tells the kernel, and what its numbers stand for, without work space."""
+    tables = Tables(space, wanted)
     for piece in wanted:
         tables.add(piece, walk)
     _group(tables.pieces, wanted)
@@ -195,8 +202,7 @@ def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Enco
         _matrix(tables.links, 4),
         _values(tables.link_costs, LINK_COSTS),
     )
-    names = tuple(tables.side_names)
-    return Encoded(space, tuple(wanted), tuple(tables.alternatives), names, walk, new_engine(room, _sizes(room)))
+    return tables, room
 
 
 def _zone_row(zone: Zone) -> tuple[int, ...]:
@@ -219,7 +225,7 @@ def _space_row(space: Space, walk: str) -> Ints:
     return np.array(row, dtype=np.int64)
 
 
-def _sizes(room: Room) -> Sizes:
+def sizes_of(room: Room) -> Sizes:
     """Returns bounds of what the room's problem can need."""
     stands = most_ways = 0
     bits = room.sides[:, layout.STANDS].tolist()
@@ -246,8 +252,6 @@ FLOOR_SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 7
 """Rectangles of floor. In each of the first five a person of 0.6 m has the 0.25 m2 of free centres that a room must have; the others
 leave room for floor that goes round a corner, whose area the walk measures."""
 FLOOR_PULL = 0.02
-STRIDE_MM = 200
-"""From one place of `walked_floor` to the next, at most."""
 
 
 def empty_floor(space: Space) -> Wanted:
@@ -257,20 +261,3 @@ def empty_floor(space: Space) -> Wanted:
     pull = (FLOOR_PULL, FLOOR_PULL)
     shapes = tuple(Alternative("floor", (width + more, depth + more, PERSON_MM), 0, None, middle, pull) for width, depth in FLOOR_SHAPES_MM)
     return Wanted(EMPTY_FLOOR, True, shapes)
-
-
-def walked_floor(space: Space, along_x: bool, length_mm: int) -> tuple[Wanted, ...]:
-    """Returns places for a person that connected free centres contain which reach that far along an axis.
-
-    A connected set that reaches from one coordinate to another has a point at every coordinate between them.
-    """
-    clear, robot = space.clear, space.robot_mm
-    middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)
-    size, pull, far = (robot, robot, PERSON_MM), (FLOOR_PULL, FLOOR_PULL), max(clear.width, clear.depth)
-    steps = -(-length_mm // STRIDE_MM)
-    places = [Wanted(EMPTY_FLOOR, True, (Alternative("floor", size, 0, None, middle, pull),))]
-    for step in range(1, steps + 1):
-        ahead, aside = (length_mm * step // steps,) * 2, (-far, far)
-        attach = Attach(EMPTY_FLOOR, "floor", *((ahead, aside) if along_x else (aside, ahead)))
-        places.append(Wanted(f"{EMPTY_FLOOR} {step}", True, (Alternative("floor", size, 0, weights=pull, attach=attach),)))
-    return tuple(places)

@@ -47,36 +47,39 @@ def _add(table: Ints, state: Ints, kind: int, x0: int, z0: int, x1: int, z1: int
     state[kind] = k + 1
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows, t.i8, t.i8))
-def _side_target(room: Room, work: Work, grid: Grid, p: Ints, piece: int, side: int) -> None:
-    """Adds where the person's centre is while it touches a side of a piece, p in mm."""
+@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows, t.int_rows, t.i8, t.i8))
+def _side_target(room: Room, work: Work, grid: Grid, low: Ints, high: Ints, piece: int, side: int) -> None:
+    """Adds where the person's centre may be while it touches a side of a piece that stands between low and high, mm."""
     body, wall = work.body_part[piece], facing(side, work.rotation[piece])
     parts, robot = work.parts, room.space[ROBOT]
-    x0 = 2 * (p[0, parts[body, VAR_X]] + parts[body, OFF_X])
-    z0 = 2 * (p[1, parts[body, VAR_X + 1]] + parts[body, OFF_X + 1])
-    x1, z1 = x0 + 2 * parts[body, EXT_X], z0 + 2 * parts[body, EXT_X + 1]
+    u, v = parts[body, VAR_X], parts[body, VAR_X + 1]
+    x0, z0 = 2 * (low[0, u] + parts[body, OFF_X]), 2 * (low[1, v] + parts[body, OFF_X + 1])
+    x1, z1 = 2 * (high[0, u] + parts[body, OFF_X]), 2 * (high[1, v] + parts[body, OFF_X + 1])
+    wide, deep = 2 * parts[body, EXT_X], 2 * parts[body, EXT_X + 1]
     table, state, number = grid.targets, grid.state, grid.state[NUMBERS]
     if wall == NORTH:
-        _add(table, state, TARGETS, x0, z0 - robot, x1, z0 - robot, number)
+        _add(table, state, TARGETS, x0, z0 - robot, x1 + wide, z1 - robot, number)
     elif wall == WEST:
-        _add(table, state, TARGETS, x0 - robot, z0, x0 - robot, z1, number)
+        _add(table, state, TARGETS, x0 - robot, z0, x1 - robot, z1 + deep, number)
     elif wall == EAST:
-        _add(table, state, TARGETS, x1 + robot, z0, x1 + robot, z1, number)
+        _add(table, state, TARGETS, x0 + wide + robot, z0, x1 + wide + robot, z1 + deep, number)
     else:
-        _add(table, state, TARGETS, x0, z1 + robot, x1, z1 + robot, number)
+        _add(table, state, TARGETS, x0, z0 + deep + robot, x1 + wide, z1 + deep + robot, number)
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows))
-def _gather(room: Room, work: Work, grid: Grid, p: Ints) -> None:
-    """Collects what blocks and what is to be reached: doors first, then use sides."""
+@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows, t.int_rows))
+def _gather(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> None:
+    """Collects what is blocked wherever the bodies stand between low and high, and what is to be reached: doors first, then use sides."""
     grow, parts, zones, doors, sides = room.space[ROBOT] - 1, work.parts, room.zones, room.doors, room.sides
     blocks, table, state = grid.blocks, grid.targets, grid.state
     state[BLOCKS] = state[TARGETS] = 0
     for k in range(work.counts[N_PARTS]):
         if parts[k, STAND] == 0 and parts[k, LOW] < HEADROOM_MM:
-            x = 2 * (p[0, parts[k, VAR_X]] + parts[k, OFF_X])
-            z = 2 * (p[1, parts[k, VAR_X + 1]] + parts[k, OFF_X + 1])
-            _add(blocks, state, BLOCKS, x - grow, z - grow, x + 2 * parts[k, EXT_X] + grow, z + 2 * parts[k, EXT_X + 1] + grow, k)
+            u, v = parts[k, VAR_X], parts[k, VAR_X + 1]
+            x0, z0 = high[0, u] + parts[k, OFF_X], high[1, v] + parts[k, OFF_X + 1]
+            x1, z1 = low[0, u] + parts[k, OFF_X] + parts[k, EXT_X], low[1, v] + parts[k, OFF_X + 1] + parts[k, EXT_X + 1]
+            if x0 < x1 and z0 < z1:
+                _add(blocks, state, BLOCKS, 2 * x0 - grow, 2 * z0 - grow, 2 * x1 + grow, 2 * z1 + grow, k)
     for k in range(len(zones)):
         if zones[k, WALL_ZONE]:
             x0, z0, x1, z1 = 2 * zones[k, 0], 2 * zones[k, 1], 2 * zones[k, 2], 2 * zones[k, 3]
@@ -90,11 +93,11 @@ def _gather(room: Room, work: Work, grid: Grid, p: Ints) -> None:
         side = work.taken_side[piece]
         for bit in range(4):
             if (sides[side, STANDS] | sides[side, ALL_OF]) & (1 << bit):
-                _side_target(room, work, grid, p, piece, 1 << bit)
+                _side_target(room, work, grid, low, high, piece, 1 << bit)
                 state[NUMBERS] += 1
         for bit in range(4):
             if sides[side, ANY_OF] & (1 << bit):
-                _side_target(room, work, grid, p, piece, 1 << bit)
+                _side_target(room, work, grid, low, high, piece, 1 << bit)
         if sides[side, ANY_OF]:
             state[NUMBERS] += 1
 
@@ -212,28 +215,51 @@ def _entered(room: Room, grid: Grid, nx: int, nz: int) -> int:
     return best
 
 
-@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_rows))
-def walkable(room: Room, work: Work, grid: Grid, p: Ints) -> bool:
-    """Tells whether all doors and use sides are joined, with the bodies at integer positions p (2, variables), mm.
-
-    Leaves labels, cuts and the entered component in `grid`.
-    """
-    _gather(room, work, grid, p)
+@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_rows, t.int_rows))
+def _part_floor(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> bool:
+    """Parts the floor that is free into components and counts what each meets; False where the room is too narrow for a person."""
+    _gather(room, work, grid, low, high)
     grow, space = room.space[ROBOT] - 1, room.space
-    grid.state[ENTERED] = 0
     low_x, low_z = 2 * space[X0] + grow, 2 * space[X0 + 1] + grow
     high_x, high_z = 2 * space[X1] - grow, 2 * space[X1 + 1] - grow
-    grid.state[CUTS_X] = grid.state[CUTS_Z] = 0
+    grid.state[ENTERED] = grid.state[CUTS_X] = grid.state[CUTS_Z] = 0
     if low_x >= high_x or low_z >= high_z:
-        return grid.state[NUMBERS] <= min(len(room.doors), 1) and space[LEAST_FLOOR] == 0
+        return False
     grid.state[CUTS_X] = _cut(grid, 0, low_x, high_x)
     grid.state[CUTS_Z] = _cut(grid, 1, low_z, high_z)
     nx, nz = grid.state[CUTS_X] - 1, grid.state[CUTS_Z] - 1
     _mark(grid, nx, nz)
     _flood(grid, nx, nz)
     _reach(grid, nx, nz)
-    entered = _entered(room, grid, nx, nz)
+    return True
+
+
+@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_rows))
+def walkable(room: Room, work: Work, grid: Grid, p: Ints) -> bool:
+    """Tells whether all doors and use sides are joined, with the bodies at integer positions p (2, variables), mm.
+
+    Leaves labels, cuts and the entered component in `grid`.
+    """
+    space = room.space
+    if not _part_floor(room, work, grid, p, p):
+        return grid.state[NUMBERS] <= min(len(room.doors), 1) and space[LEAST_FLOOR] == 0
+    entered = _entered(room, grid, grid.state[CUTS_X] - 1, grid.state[CUTS_Z] - 1)
     grid.state[ENTERED] = entered
     if entered == 0:
         return grid.state[NUMBERS] == 0 and space[LEAST_FLOOR] == 0
     return grid.reached[entered, 0] == grid.state[NUMBERS] and grid.areas[entered] >= 4 * space[LEAST_FLOOR]
+
+
+@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_rows, t.int_rows))
+def may_be_walkable(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> bool:
+    """Tells whether the bodies may leave one component of the least free centres that meets all doors and use sides.
+
+    "No" is certain for all positions between low and high: only what is covered at every one of them blocks the way, and
+    whatever may be a place to come to counts as one.
+    """
+    if not _part_floor(room, work, grid, low, high):
+        return False
+    for c in range(1, grid.state[COMPONENTS] + 1):
+        if grid.reached[c, 0] == grid.state[NUMBERS] and grid.areas[c] >= 4 * room.space[LEAST_FLOOR]:
+            return True
+    return False

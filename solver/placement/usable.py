@@ -1,0 +1,148 @@
+"""Whether pieces can be used together, proven either way: every way to stand, and for each the kernel's branch and bound.
+
+Comes in: a space and pieces. Goes out: a verdict, and where they can be used the ways and places found. Not here: least movement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+
+import numpy as np
+
+from solver.geometry import Rect
+from solver.placement.budget import Budget
+from solver.placement.encode import FREE_CENTRES_MM2, lay_out, sizes_of
+from solver.placement.kernel import layout
+from solver.placement.kernel.assembly import assemble
+from solver.placement.kernel.options import ways
+from solver.placement.kernel.prove import IMPOSSIBLE, OPEN, POSSIBLE, prove
+from solver.placement.kernel.space import new_grid, new_work
+from solver.wanted import Alternative, Space, Stand, Wanted
+
+WORK = 9000
+"""Work of one question in all ways to stand together: nodes times pieces."""
+QUICK_WORK = 1500
+"""The same where "never" is worth little."""
+PREFIX_NODES = 200
+"""Nodes spent on some of the pieces before others join."""
+MOST_DEPTH = 1024
+"""Nodes open at a time."""
+
+
+class Use(Enum):
+    """Whether pieces can be used together."""
+
+    NEVER = IMPOSSIBLE
+    SOMEHOW = POSSIBLE
+    UNKNOWN = OPEN
+
+
+@dataclass(frozen=True)
+class Found:
+    """A piece where it can be used together with the others: its way, the use sides reached, its footprint."""
+
+    piece: Wanted
+    way: Alternative
+    sides: tuple[str, ...]
+    footprint: Rect
+
+    def near(self, reach_mm: int, clear: Rect) -> Wanted:
+        """Returns the piece kept to its way and within reach of where it was found, in the clear rectangle."""
+        own, bounds = self.footprint, self.way.within or clear
+        low = max(own.x0 - reach_mm, bounds.x0), max(own.z0 - reach_mm, bounds.z0)
+        high = min(own.x1 + reach_mm, bounds.x1), min(own.z1 + reach_mm, bounds.z1)
+        way = replace(self.way, within=Rect(*low, *high))
+        return replace(self.piece, alternatives=(way,), stands=tuple(Stand(side) for side in self.sides), need_all=True)
+
+
+def usable(space: Space, pieces: Sequence[Wanted], budget: Budget, prove: bool = True) -> tuple[Use, tuple[Found, ...]]:
+    """Tells whether pieces can all stand so that all doors and use sides are joined.
+
+    Args:
+        space: the room's.
+        pieces: all of them are asked for, required or not.
+        budget: the work it may cost.
+        prove: whether "never" must be certain, and is worth much work; else it is said of the free centres that the search asks for.
+
+    Returns:
+        NEVER where that is proven for whole millimetres; SOMEHOW, with where they can, in the pieces' order; else UNKNOWN.
+    """
+    size = max(len(pieces), 1)
+    most = int(min(WORK if prove else QUICK_WORK, budget.left)) // size
+    if most <= 0:
+        return Use.UNKNOWN, ()
+    question = _Question(space, pieces, most)
+    verdict = question.join(0)
+    found = question.found() if verdict == POSSIBLE else ()
+    if verdict == IMPOSSIBLE and prove:  # the search asks for a little more floor than a room must have
+        question.room.space[layout.LEAST_FLOOR] = FREE_CENTRES_MM2
+        verdict = IMPOSSIBLE if question.join(0) == IMPOSSIBLE else OPEN
+    budget.left -= (most - question.left) * size
+    return Use(verdict), found
+
+
+class _Question:
+    """One question's work space."""
+
+    def __init__(self, space: Space, pieces: Sequence[Wanted], most: int) -> None:
+        self.pieces, self.left = pieces, most
+        self.tables, self.room = lay_out(space, pieces, "stands")
+        sizes = sizes_of(self.room)
+        self.work, self.grid = new_work(sizes), new_grid(sizes)
+        depth = min(3 * sizes.choices + 32 * sizes.variables + 8, MOST_DEPTH)
+        shape = (depth, 2, sizes.variables)
+        self.lows, self.highs = np.empty(shape, dtype=np.int64), np.empty(shape, dtype=np.int64)
+        self.picks = np.empty((depth, sizes.choices), dtype=np.int64)
+        self.refused = np.empty((depth, sizes.choices), dtype=np.int64)
+        self.decisions = np.full(len(pieces), layout.ABSENT, dtype=np.int64)
+        self.ways, self.costs = np.empty(sizes.ways, dtype=np.int64), np.empty(sizes.ways)
+
+    def join(self, piece: int) -> int:
+        """Returns the verdict on the pieces from number `piece` on beside those decided before it."""
+        if piece == len(self.pieces):
+            return self._verdict(self.left)
+        verdict = IMPOSSIBLE
+        decisions = self._ways(piece)
+        for decision in decisions:
+            self.decisions[piece] = decision
+            hopeless = len(decisions) > 1 and piece + 1 < len(self.pieces) and self._verdict(min(PREFIX_NODES, self.left)) == IMPOSSIBLE
+            own = IMPOSSIBLE if hopeless else self.join(piece + 1)
+            if own == POSSIBLE:
+                return POSSIBLE
+            if own == OPEN:
+                verdict = OPEN
+            if self.left <= 0:
+                verdict = OPEN
+                break
+        self.decisions[piece] = layout.ABSENT
+        return verdict
+
+    def _ways(self, piece: int) -> list[int]:
+        """Returns a piece's decisions, of those that differ only in their anchor or cost the first."""
+        count = ways(self.room, self.decisions, piece, self.ways, self.costs)
+        first: dict[tuple[int, int], int] = {}
+        for decision in self.ways[:count].tolist():
+            first.setdefault((int(self.room.alts[decision // 8, layout.KIN]), decision % 8), decision)
+        return list(first.values())
+
+    def _verdict(self, most: int) -> int:
+        self.left -= 1
+        if not assemble(self.room, self.work, self.decisions):
+            return IMPOSSIBLE
+        allowed = np.array([most], dtype=np.int64)
+        verdict = prove(self.room, self.work, self.grid, self.lows, self.highs, self.picks, self.refused, allowed)
+        self.left -= most - int(allowed[0])
+        return int(verdict)
+
+    def found(self) -> tuple[Found, ...]:
+        """Returns where the pieces are once they were found usable."""
+        found, work, positions = [], self.work, self.grid.positions
+        for k, piece in enumerate(self.pieces):
+            part, decision = work.parts[work.body_part[k]], int(self.decisions[k])
+            x, z = (int(positions[a, part[layout.VAR_X + a]] + part[layout.OFF_X + a]) for a in (0, 1))
+            rect = Rect(x, z, x + int(part[layout.EXT_X]), z + int(part[layout.EXT_X + 1]))
+            side = int(self.room.pieces[k, layout.SIDES_0]) + decision % 8
+            found.append(Found(piece, self.tables.alternatives[decision // 8], self.tables.side_names[side], rect))
+        return tuple(found)
