@@ -5,8 +5,9 @@ Comes in: a minimal conflict. Goes out: repairs, as README.md describes them. No
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import Any
 
 from solver.pipeline.attempt import Terms, placed, wanted_of
@@ -18,6 +19,8 @@ from solver.wanted import Placed, Space, Wanted
 
 HANDFUL = 6
 """Repairs offered for a conflict, at most."""
+STEP_MM = 10
+"""Steps in which a piece is shrunk where no length says how much is missing."""
 LEAST_SHARE = 0.6
 """A piece is not shrunk below this share of its width or depth."""
 
@@ -53,23 +56,31 @@ def repairs_of(case: Case, members: Sequence[str], short: Shortfall | None) -> t
 
 
 def _repairs(case: Case, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
-    """Tries to stand free of its wall, to unlock, to turn, to shrink, to leave out."""
+    """Tries to stand free of its wall, to unlock, to leave out, to turn, to shrink; stops where enough is offered."""
     bodies = {body.id: body for body in all_bodies(case.rooms[0])}
     locked = holders(case.rooms[0], case.terms.wishes)
     loose = [bodies[member] for member in members if member not in locked]
     moves = [_set_free(case, body) for body in loose if isinstance(body, Furniture) and body.wall is not None]
     unlocks = [unlocked(case, member) for member in members if member in locked]
-    removals = [_tried(case, {"action": "leave_out", "id": member}) for member in members]
-    able = {repair["id"] for repair in removals if repair}
+    leaving = [repair for member in members if (repair := _tried(case, {"action": "leave_out", "id": member}))]
+    able = {repair["id"] for repair in leaving}
     loose = [body for body in loose if body.id in able]  # what does not help by leaving does not by turning or shrinking
-    turns = [_tried(case, {"action": "turn", "id": body.id, "rotation": (squared(body.rotation) + 90) % 360}) for body in loose]
-    shrunk = _shrunk_by_lengths(case, short) if short else []
-    if not any(shrunk):
-        shrunk = [_least_shrunk(case, body) for body in loose]
     by_way = sorted((repair for repair in (*moves, *unlocks) if repair), key=_distance)
-    others = [repair for repair in (*by_way, *turns, *shrunk) if repair]
-    leaving = [repair for repair in removals if repair]
-    return (*others[: HANDFUL - min(len(leaving), 2)], *leaving)[:HANDFUL]
+    room_for = HANDFUL - min(len(leaving), 2)
+    others = islice((repair for repair in _smaller_changes(case, loose, short) if repair), max(room_for - len(by_way), 0))
+    return (*by_way[:room_for], *others, *leaving)[:HANDFUL]
+
+
+def _smaller_changes(case: Case, loose: Sequence[Body], short: Shortfall | None) -> Iterator[Repair | None]:
+    """Tries to turn each body, then to shrink it: by the lengths that are missing where they are known, else by what does."""
+    for body in loose:
+        yield _tried(case, {"action": "turn", "id": body.id, "rotation": (squared(body.rotation) + 90) % 360})
+    by_lengths = False
+    for repair in _shrunk_by_lengths(case, short) if short else ():
+        by_lengths |= repair is not None
+        yield repair
+    for body in () if by_lengths else loose:
+        yield _least_shrunk(case, body)
 
 
 def unlocked(case: Case, label: str) -> Repair | None:
@@ -120,22 +131,23 @@ def _wanted(case: Case, room: Room, repair: Repair) -> list[Wanted]:
     return [piece for piece in wanted if piece.label in case.group]
 
 
-def _shrunk_by_lengths(case: Case, short: Shortfall) -> list[Repair | None]:
+def _shrunk_by_lengths(case: Case, short: Shortfall) -> Iterator[Repair | None]:
     """Tries to take the missing millimetres off each body of the chain, off the side that lies along it."""
     bodies = {body.id: body for body in all_bodies(case.rooms[0])}
     free = [length for length in short.lengths if length.label]
-    sides = [(bodies[length.label], "depth" if length.is_depth else "width") for length in sorted(free, key=lambda one: -one.mm)]
-    return [_tried(case, repair) for body, side in sides if (repair := _shrunk(body, side, short.missing_mm))]
+    for length in sorted(free, key=lambda one: -one.mm):
+        repair = _shrunk(bodies[length.label], "depth" if length.is_depth else "width", short.missing_mm)
+        yield _tried(case, repair) if repair else None
 
 
 def _least_shrunk(case: Case, body: Body) -> Repair | None:
-    """Bisects for the least that must be taken off a body's width, or else off its depth."""
+    """Bisects for the least whole centimetres that must be taken off a body's width, or else off its depth."""
     one = replace(case, rooms=case.rooms[:1])
     for side in ("width", "depth"):
-        most = round(getattr(body, side) * 1000 * (1 - LEAST_SHARE))
-        least = _least(most, lambda by, side=side: _helps(one, _shrunk(body, side, by)))  # type: ignore[misc]
-        repair = _shrunk(body, side, least) if least else None
-        if repair is not None and _tried(case, repair):
+        most = int(getattr(body, side) * 1000 * (1 - LEAST_SHARE)) // STEP_MM
+        least = _least(most, lambda by, side=side: _helps(one, _shrunk(body, side, by * STEP_MM)))  # type: ignore[misc]
+        repair = _shrunk(body, side, least * STEP_MM) if least else None
+        if repair is not None and (len(case.rooms) == 1 or _tried(replace(case, rooms=case.rooms[1:]), repair)):
             return repair
     return None
 
