@@ -15,6 +15,7 @@ from catalogs.dressing import DecorationKind, Row
 from catalogs.entries import Surface
 from catalogs.schema import Use
 from catalogs.styles import Style
+from solver.free_places import footprint
 from solver.geometry import Rect, half_m, to_m, to_mm, turned
 from solver.scene import Decoration, Furniture, Room
 from solver.streams import Stream
@@ -82,14 +83,6 @@ class Terms:
 def millimetres(size: tuple[float, float, float]) -> Size:
     """Converts extents in metres."""
     return to_mm(size[0]), to_mm(size[1]), to_mm(size[2])
-
-
-def footprint(piece: Furniture) -> Rect:
-    """Returns a piece's bounding rectangle, mm, rounded outwards where it does not lie on the lattice."""
-    across, along = extents(to_mm(piece.width), to_mm(piece.depth), piece.rotation)
-    x, z = piece.x * 1000, piece.z * 1000
-    low = math.floor(x - across / 2 + 1e-4), math.floor(z - along / 2 + 1e-4)
-    return Rect(*low, math.ceil(x + across / 2 - 1e-4), math.ceil(z + along / 2 - 1e-4))
 
 
 def extents(width: int, depth: int, rotation: float) -> tuple[int, int]:

@@ -14,7 +14,7 @@ from solver.pipeline.attempt import Terms
 from solver.pipeline.mend import Mended, explain_unreached, mend_room, settle_room
 from solver.pipeline.people import People, mend_people
 from solver.pipeline.timing import Clock, Timing
-from solver.repair import Body, Sides, Wishes, all_bodies, followed
+from solver.repair import Body, Sides, Wishes, all_bodies, followed, rested
 from solver.scene import Conflict, Dynamic, Fixed, Furniture, Issue, Move, Pose, Room, Scene, check_ids, robot_width_of
 from solver.validate import RULES, validate
 from solver.wanted import Space
@@ -73,14 +73,30 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     wishes = Wishes(kept, frozenset(moved), _required_kinds(known), use_sides(known) if _walks() else {})
     work = min(MOST_ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1))
     terms = Terms(wishes, scene.wall_thickness, on_conflict, work, {pose.id: pose for pose in previous})
-    answers = _repaired(scene, terms, errors, known)
+    lying = _put_back(scene, errors, wishes, known)
+    answers = _repaired(lying, terms, errors if lying is scene else _errors(lying, known), known)
     timing.lap("placement")
     issues = validate(answers.scene, known)
+    lying = _put_back(answers.scene, issues, wishes, known)
+    if lying is not answers.scene:
+        answers, issues = replace(answers, scene=lying), validate(lying, known)
     timing.lap("validate_again")
     removed = (*(removal for room in answers.rooms for removal in room.removed), *answers.people.removed)
     conflicts = (*(conflict for room in answers.rooms for conflict in room.conflicts), *answers.people.conflicts)
     unsolved = _unsolved(issues, conflicts, answers.scene, _locked_ids(scene, wishes))
     return Fixed(answers.scene, _moves(scene, answers.scene), removed, (*conflicts, *unsolved), issues, timing.ms)
+
+
+def _put_back(scene: Scene, issues: Iterable[Issue], wishes: Wishes, known: Catalogs) -> Scene:
+    """Returns the scene with floating decorations back on what carries them; locked ones stay."""
+    floating = {label for issue in issues if issue.rule == "floating" for label in issue.ids} - wishes.locked
+    if not floating:
+        return scene
+    rooms = tuple(
+        rested(room, floating, known, scene.wall_thickness) if any(thing.id in floating for thing in room.decorations) else room
+        for room in scene.rooms
+    )
+    return scene if rooms == scene.rooms else replace(scene, rooms=rooms)
 
 
 def _repaired(scene: Scene, terms: Terms, errors: Sequence[Issue], known: Catalogs) -> _Answers:

@@ -10,6 +10,7 @@ from solver.repair.bodies import Body, all_bodies, floor_bodies, squared
 from solver.repair.changes import applied
 from solver.repair.people import Crowd, followed, placed_people
 from solver.repair.previous import near_previous
+from solver.repair.resting import rested
 from solver.repair.ways import Walls
 from solver.repair.wishes import Sides, Wishes
 from solver.repair.written import without, written_back
@@ -27,6 +28,7 @@ __all__ = [
     "holders",
     "near_previous",
     "placed_people",
+    "rested",
     "squared",
     "wanted_as_sent",
     "without",

@@ -1,0 +1,114 @@
+"""Decorations that float -> back on the nearest point of a surface, at their wall, or on the floor.
+
+Comes in: a sent Room and which of its decorations float. Goes out: the Room. May import: the ground floor, catalogs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Mapping, Sequence
+from dataclasses import replace
+
+from catalogs import Catalogs
+from catalogs.entries import Surface
+from solver.free_places import footprint
+from solver.geometry import Rect, to_mm
+from solver.repair.bodies import Body, above, all_bodies, size_of
+from solver.scene import Decoration, Room
+
+
+def rested(room: Room, floating: Container[str], catalogs: Catalogs, wall_thickness: float) -> Room:
+    """Returns the room with the decorations of those ids where something carries them; the way there is the shortest.
+
+    Args:
+        room: as sent.
+        floating: ids.
+        catalogs: where the surfaces of known kinds are; other bodies carry on their tops.
+        wall_thickness: m.
+    """
+    half = (to_mm(wall_thickness) + 1) // 2
+    sent: dict[str, Body] = {body.id: body for body in all_bodies(room)}
+    bodies = dict(sent)
+    for thing in _parents_first(room):
+        after = _carried_along(thing, sent, bodies)
+        bodies[thing.id] = _at_rest(after, bodies, room, half, catalogs) if thing.id in floating else after
+    things = [bodies[thing.id] for thing in room.decorations]
+    return replace(room, decorations=tuple(thing for thing in things if isinstance(thing, Decoration)))
+
+
+def _parents_first(room: Room) -> list[Decoration]:
+    """Returns a room's decorations, each after what carries it; a ring of parents in the document's order."""
+    parents = above(room)
+
+    def depth(thing: Decoration) -> int:
+        seen, at = {thing.id}, parents.get(thing.id)
+        while at is not None and at not in seen:
+            seen.add(at)
+            at = parents.get(at)
+        return len(seen)
+
+    return sorted(room.decorations, key=depth)
+
+
+def _carried_along(thing: Decoration, sent: Mapping[str, Body], now: Mapping[str, Body]) -> Decoration:
+    """Returns a thing moved as its parent was."""
+    before, after = sent.get(thing.parent or ""), now.get(thing.parent or "")
+    if before is None or after is None or before is after or thing.parent == thing.id:
+        return thing
+    x, y, z = (round(a + c - b, 4) for a, b, c in zip(_at(thing), _at(before), _at(after), strict=True))
+    return replace(thing, x=x, y=y, z=z)
+
+
+def _at(body: Body) -> tuple[float, float, float]:
+    return body.x, body.y, body.z
+
+
+def _at_rest(thing: Decoration, bodies: Mapping[str, Body], room: Room, half: int, catalogs: Catalogs) -> Decoration:
+    if thing.mounted_on_wall is not None:
+        return _at_wall(thing, room, half)
+    parent = bodies.get(thing.parent or "")
+    if parent is None or parent.id == thing.id:
+        return _placed(thing, _floor(room).shrunk(half), 0)
+    places = [(to_mm(parent.y) + height, rect) for height, rect in _surfaces(parent, catalogs)]
+    level, rect = min(places, key=lambda place: abs(place[0] - to_mm(thing.y)))
+    return _placed(thing, rect, level)
+
+
+def _surfaces(parent: Body, catalogs: Catalogs) -> Sequence[tuple[int, Rect]]:
+    """Returns a body's surfaces: heights above its underside and rectangles, mm."""
+    rect = footprint(parent)
+    known = [(entry.name or kind, entry.size, entry.surfaces) for kind, entry in catalogs.furniture.items()]
+    known += [(kind, thing.size, thing.surfaces) for kind, thing in catalogs.decorations.items()]
+    size = (parent.width, parent.depth, parent.height)
+    found: tuple[Surface, ...] = next((carries for name, extent, carries in known if (name, extent) == (parent.name, size)), ())
+    return [(to_mm(one.height), rect.shrunk(to_mm(one.inset))) for one in found] or [(size_of(parent)[2], rect)]
+
+
+def _floor(room: Room) -> Rect:
+    return Rect(0, 0, to_mm(room.width), to_mm(room.depth))
+
+
+def _at_wall(thing: Decoration, room: Room, half: int) -> Decoration:
+    """Moves a thing to its wall's face; in rooms that are no rectangles it stays as sent."""
+    if room.outline:
+        return thing
+    face, own = _floor(room).shrunk(half), footprint(thing)
+    rect = {
+        "north": Rect(face.x0, face.z0, face.x1, face.z0 + own.depth), "south": Rect(face.x0, face.z1 - own.depth, face.x1, face.z1),
+        "west": Rect(face.x0, face.z0, face.x0 + own.width, face.z1), "east": Rect(face.x1 - own.width, face.z0, face.x1, face.z1),
+    }[thing.mounted_on_wall or ""]  # fmt: skip
+    return _placed(thing, rect, to_mm(thing.y))
+
+
+def _placed(thing: Decoration, area: Rect, level: int) -> Decoration:
+    """Moves a thing into an area at a height by the shortest way; where it is larger than the area, onto its middle."""
+    own = footprint(thing)
+    x = _moved(thing.x, (own.x0, own.x1), (area.x0, area.x1))
+    z = _moved(thing.z, (own.z0, own.z1), (area.z0, area.z1))
+    return replace(thing, x=x, z=z, y=level / 1000)
+
+
+def _moved(middle: float, own: tuple[int, int], area: tuple[int, int]) -> float:
+    if own[1] - own[0] > area[1] - area[0]:
+        return (area[0] + area[1]) / 2000
+    step = max(area[0] - own[0], 0) + min(area[1] - own[1], 0)
+    return round(middle + step / 1000, 4) if step else middle

@@ -1,0 +1,85 @@
+"""fix() of decorations: what floats is put back by the shortest way, what lies on it comes along, locked things stay."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from catalogs import load_catalogs
+from solver import Request, Scene, fix, generate
+from solver.scene import Decoration, Furniture, Room
+from solver.streams import Stream
+from solver.validate import validate
+
+BED = Furniture("r/bed_1", "bed", "bed", x=2.0, z=1.08, width=1.6, depth=2.0, height=0.9, wall="north")
+SHELF = Decoration("r/wall_shelf_1", "wall_shelf", None, "west", 0.16, 1.5, 3.0, 90, 0.8, 0.22, 0.04)
+BOOK = Decoration("r/book_1", "book", "r/wall_shelf_1", None, 0.16, 1.54, 3.2, 90, 0.03, 0.14, 0.2)
+
+
+def scene(*things: Decoration) -> Scene:
+    return Scene(wall_thickness=0.1, rooms=(Room("r", width=4.0, depth=5.0, furniture=(BED,), decorations=things),))
+
+
+def floating(document: Scene) -> list[str]:
+    return [label for issue in validate(document, load_catalogs()) if issue.rule == "floating" for label in issue.ids]
+
+
+def pillow(x: float, y: float, z: float) -> Decoration:
+    return Decoration("r/pillow_1", "pillow", "r/bed_1", None, x, y, z, 0, 0.4, 0.4, 0.15)
+
+
+def test_what_floats_comes_to_the_nearest_point_of_its_parents_surface() -> None:
+    sent = scene(pillow(3.5, 0.62, 0.5))
+    assert floating(sent) == ["r/pillow_1"]
+    fixed = fix(sent)
+    (thing,) = fixed.scene.rooms[0].decorations
+    assert (thing.x, thing.y, thing.z) == (2.54, 0.5, 0.5)
+    assert fixed.scene.rooms[0].furniture == (BED,)
+    assert [(move.id, move.dx, move.dz) for move in fixed.moves] == [("r/pillow_1", -0.96, 0.0)]
+    assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_a_thing_at_rest_stays_as_it_is() -> None:
+    sent = scene(pillow(2.0, 0.5, 0.5), SHELF, BOOK)
+    assert floating(sent) == []
+    assert fix(sent).scene == sent
+
+
+def test_what_hangs_comes_back_to_its_wall_and_brings_what_lies_on_it() -> None:
+    away = replace(SHELF, x=0.9), replace(BOOK, x=0.9)
+    assert floating(scene(*away)) == ["r/wall_shelf_1"]
+    assert fix(scene(*away)).scene.rooms[0].decorations == (SHELF, BOOK)
+    assert fix(scene(*reversed(away))).scene.rooms[0].decorations == (BOOK, SHELF)
+
+
+def test_without_a_parent_it_comes_to_the_floor() -> None:
+    vase = Decoration("r/vase_1", "vase", None, None, 0.6, 0.7, 4.0, 0, 0.15, 0.15, 0.34)
+    fixed = fix(scene(vase))
+    assert fixed.scene.rooms[0].decorations == (replace(vase, y=0.0),)
+    assert fixed.issues == ()
+
+
+def test_a_locked_thing_stays_and_is_named() -> None:
+    fixed = fix(scene(pillow(3.5, 0.62, 0.5)), locked=["r/pillow_1"])
+    assert fixed.scene.rooms[0].decorations == (pillow(3.5, 0.62, 0.5),)
+    assert any("r/pillow_1" in conflict.ids for conflict in fixed.conflicts)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_stirred_and_decorated_house_has_nothing_floating_after(seed: int) -> None:
+    made = generate(Request(seed=seed, width=12, depth=9, decorate=True)).scene
+    assert fix(made).scene == made
+    stream = Stream(seed, "stir")
+    rooms = []
+    for room in made.rooms:
+        pieces = [
+            replace(p, x=round(p.x + stream.uniform(-0.3, 0.3), 3)) if p.on is None and stream.chance(0.3) else p for p in room.furniture
+        ]
+        things = [replace(d, z=round(d.z + stream.uniform(-0.6, 0.6), 3)) if stream.chance(0.2) else d for d in room.decorations]
+        rooms.append(replace(room, furniture=tuple(pieces), decorations=tuple(things)))
+    sent = replace(made, rooms=tuple(rooms))
+    assert len(floating(sent)) > 10
+    fixed = fix(sent)
+    assert floating(fixed.scene) == []
+    assert fix(fixed.scene).scene == fixed.scene
