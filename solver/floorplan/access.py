@@ -156,20 +156,29 @@ def door_tree(entrance: int, typed: Typed) -> tuple[tuple[Joint, int], ...]:
 def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomType]) -> tuple[int, str]:
     """Chooses the room and the wall of the main entrance.
 
-    A hallway with a south wall, else the widest south wall of another way through, else a hallway's end, else the
-    widest outside wall of a way through, of any indoor room, of anything.
+    An outside wall of what is better to come in by than a hallway (a foyer), the south one first; else a hallway with a
+    south wall, else the widest south wall of another way through, else a hallway's end, else the widest outside wall of a
+    way through, of any indoor room, of anything.
     """
     walls = [(i, wall) for i, rect in enumerate(layout.rooms) for wall in exterior_sides(rect, layout.outline)]
+
+    better = _before_hallways(rooms)
 
     def rank(place: tuple[int, str]) -> tuple[int, int, int, int]:
         i, wall = place
         low, high = layout.rooms[i].along(wall)
         name = types[i]
         last = rooms[name].outdoor or is_private(name, rooms)
-        tier = _tier(name, wall == "south", rooms[name].plan.way_through, last)
+        tier = _tier(name, wall == "south", rooms[name].plan.way_through, last) if name not in better else -1 - (wall == "south")
         return (tier, low - high, i, WALLS.index(wall))
 
     return min(walls, key=rank)
+
+
+def _before_hallways(rooms: Mapping[str, RoomType]) -> frozenset[str]:
+    """Returns the types that are better to come in by than a hallway."""
+    order = {name: kind.plan.entrance for name, kind in rooms.items() if kind.plan.entrance is not None}
+    return frozenset(name for name, place in order.items() if place < order.get("hallway", 0))
 
 
 def _tier(name: str, south: bool, way: bool, last: bool) -> int:

@@ -14,6 +14,7 @@ from solver.floorplan.doors import Doorways, place_doors, place_entrance, place_
 from solver.floorplan.fitness import Fitness
 from solver.floorplan.layout import HALLWAY_MM, Joint, Layout, joints
 from solver.floorplan.plan import Drawing, FloorPlan, written
+from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
 from solver.floorplan.windows import place_windows
 from solver.geometry import Rect, to_m, to_mm
@@ -28,23 +29,42 @@ def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
         catalogs: the room types.
 
     Raises:
-        RequestError: min_room_size is larger than the house, or force_types names an unknown room or type.
+        RequestError: min_room_size is larger than the house, force_types names an unknown room or type, or the programme
+            an unknown word or preset.
     """
+    return _planned(request, catalogs) if request.planned else _partitioned(request, catalogs)
+
+
+def _partitioned(request: Request, catalogs: Catalogs) -> FloorPlan:
+    """A plain request: a rectangle is cut into rooms, and they are given types."""
     layout, notes = _layout(request, catalogs)
     check_forced(request, len(layout.rooms), catalogs.rooms)
     shared = joints(layout.rooms)
     ways = plan_ways(layout, shared)
     fitness = Fitness(layout, shared, ways, catalogs.rooms)
     types, more = classify(fitness, request)
-    room, wall = entrance_of(layout, types, catalogs.rooms)
-    tree = door_tree(room, Typed(types, shared, ways, catalogs.rooms))
-    doorways = Doorways(layout, types, catalogs.rooms)
-    place_entrance(doorways, room, wall)
+    entrance = entrance_of(layout, types, catalogs.rooms)
+    return _opened(layout, Typed(types, shared, ways, catalogs.rooms), entrance, catalogs, (*notes, *more))
+
+
+def _planned(request: Request, catalogs: Catalogs) -> FloorPlan:
+    """A programme: types are dealt, and their rooms' widths are solved."""
+    home = plan_home(request, catalogs)
+    entrance = entrance_of(home.layout, home.types, catalogs.rooms)
+    typed = home.ways(joints(home.layout.rooms), catalogs, entrance[0])
+    return _opened(home.layout, typed, entrance, catalogs, home.notes)
+
+
+def _opened(layout: Layout, typed: Typed, entrance: tuple[int, str], catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
+    """Cuts doors and windows into the walls of typed rooms."""
+    tree = door_tree(entrance[0], typed)
+    doorways = Doorways(layout, typed.types, catalogs.rooms)
+    place_entrance(doorways, *entrance)
     place_doors(doorways, tree)
     garages = place_garage_doors(doorways)
     place_windows(doorways)
-    drawing = Drawing(layout, types, shared, tuple(doorways.cuts), catalogs)
-    return written(drawing, (*notes, *more, *garages, *_compromises(drawing, tree)))
+    drawing = Drawing(layout, typed.types, typed.shared, tuple(doorways.cuts), catalogs)
+    return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))
 
 
 def _layout(request: Request, catalogs: Catalogs) -> tuple[Layout, tuple[str, ...]]:

@@ -34,8 +34,9 @@ class Row:
         self.rooms.append(len(indoor))
         self.aspects += [checks.aspect(room) for room in indoor]
         floor = sum(room.width * room.depth for room in plan.rooms if room.type == "hallway")
-        self.hallways.append(floor / (request.width * request.depth))
-        self.faults += len(checks.sound(plan.rooms, request.width, request.depth)) + len(checks.gardens(plan.rooms))
+        width, depth = request.extents
+        self.hallways.append(floor / (width * depth))
+        self.faults += len(checks.sound(plan.rooms, width, depth)) + len(checks.gardens(plan.rooms))
         self.violating += bool(checks.violations(plan.rooms) if plan.spine else checks.walked_through(plan.rooms))
         self.crowded += checks.crowded(plan.rooms)
         for room in indoor:

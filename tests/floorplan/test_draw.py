@@ -45,11 +45,11 @@ requests = st.builds(
 @settings(max_examples=3 * settings.default.max_examples)
 @given(requests)
 def test_any_request_gives_a_sound_plan(request: Request) -> None:
-    request = replace(request, min_room_size=min(request.min_room_size, request.width, request.depth))
+    request = replace(request, min_room_size=min(request.min_room_size, *request.extents))
     count = len(draw(replace(request, force_types={}), CATALOGS).rooms)
     request = replace(request, force_types={i: name for i, name in request.force_types.items() if i < count})
     plan = draw(request, CATALOGS)
-    assert checks.sound(plan.rooms, request.width, request.depth) == []
+    assert checks.sound(plan.rooms, *request.extents) == []
     for index, name in request.force_types.items():
         assert plan.rooms[index].type == name
     if not request.force_types:

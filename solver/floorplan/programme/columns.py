@@ -12,6 +12,8 @@ from typing import Final, NamedTuple
 
 LATTICE_MM: Final = 50
 """Lines between rooms fall on multiples of 5 cm: dimensions a person would draw."""
+DEPTHS_MM: Final = range(2400, 7050, 150)
+"""Depths that strips may have where nothing else decides them."""
 WIDEST_MM: Final = 12000
 """No stack is wider. Our choice, twice the widest that any stack of a home needs."""
 
@@ -66,6 +68,12 @@ def width_of(stack: tuple[Size, ...], depth: int) -> Span:
     if misses:
         low = high = max(_up(wished), *(size.width for size in stack))
     return Span(low, min(max(_down(wished + LATTICE_MM / 2), low), high), high, misses)
+
+
+@lru_cache(maxsize=1 << 12)
+def depths_for(stack: tuple[Size, ...]) -> int:
+    """Returns the depths of a strip at which a column of these rooms has a width, as bits: bit k is DEPTHS_MM[k]."""
+    return sum(1 << k for k, depth in enumerate(DEPTHS_MM) if not width_of(stack, depth).misses)
 
 
 def _depths(stack: tuple[Size, ...], width: int) -> list[Span]:

@@ -40,10 +40,11 @@ AREA_COST: Final = 1.5
 
 
 class Verdict(NamedTuple):
-    """What a home costs, and how many of its rooms are short of their limits."""
+    """What a home costs, how many of its rooms are short of their limits, and how many cannot be entered as they should."""
 
     cost: float
     short: int
+    unreached: int
 
 
 class Judge:
@@ -76,7 +77,9 @@ class Judge:
         """Judges a drawing."""
         sizes, short = self._sizes(sheet.boxes)
         beside = _beside(sheet)
-        return Verdict(sizes + self._outline(sheet) + self._company(beside) + self._access(beside, sheet), short)
+        unreached, at_entrance = self._access(beside, sheet)
+        cost = sizes + self._outline(sheet) + self._company(beside) + UNREACHED * unreached + AT_ENTRANCE * at_entrance
+        return Verdict(cost, short, unreached)
 
     def _sizes(self, boxes: Sequence[Box]) -> tuple[float, int]:
         cost, short = 0.0, 0
@@ -120,13 +123,10 @@ class Judge:
                 cost += LIVING_APART * (not beside[i] & self.living)
             elif bit & self.living and self.entry:
                 cost += LIVING_APART * (not beside[i] & (self.entry | self.living))
-        for bath, owner in self.owned:
-            if not beside[bath] >> owner & 1:
-                cost += UNREACHED
         return cost
 
-    def _access(self, beside: Sequence[int], sheet: Sheet) -> float:
-        """Costs of rooms that no way through leads to, and of bedrooms that only the entrance room leads to."""
+    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int]:
+        """Counts rooms that no way through leads to, and bedrooms that only the entrance room leads to."""
         hall = 1 << len(self.wishes) if sheet.hallway is not None else 0
         ways = self.ways | hall
         start = self.entry & -self.entry or self.living & -self.living or hall or 1
@@ -137,14 +137,16 @@ class Judge:
             found = beside[room] & ways & ~reached
             reached |= found
             fresh |= found
-        cost = UNREACHED * (ways & ~reached).bit_count()
+        unreached, at_entrance = (ways & ~reached).bit_count(), 0
+        for bath, owner in self.owned:
+            unreached += not beside[bath] >> owner & 1
         for i in self.leaves:
             doors = beside[i] & reached
-            if not doors and not self._behind(i, beside, reached):
-                cost += UNREACHED
+            if not doors:
+                unreached += not self._behind(i, beside, reached)
             elif doors == start and i in self.bedrooms:
-                cost += AT_ENTRANCE
-        return cost
+                at_entrance += 1
+        return unreached, at_entrance
 
     def _behind(self, room: int, beside: Sequence[int], reached: int) -> bool:
         """Tells whether a garage can be entered through a laundry that is reached itself."""

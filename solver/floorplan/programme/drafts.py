@@ -17,10 +17,13 @@ from dataclasses import dataclass
 from typing import Final, NamedTuple
 
 from solver.floorplan.layout import HALLWAY_MM
-from solver.floorplan.programme.columns import LATTICE_MM, Size, Span, depths_of, shared_out, width_of
+from solver.floorplan.programme.columns import DEPTHS_MM, LATTICE_MM, Size, Span, depths_for, depths_of, shared_out, width_of
+from solver.streams import Stream
 
 CENTRE_MM: Final = 1600
 """Width of an axial hallway: as narrow as the foyer at its end may be."""
+SLIM_MM: Final = 1600
+"""A strip is never made slimmer than this for the other's sake."""
 Column = tuple[int, ...]
 """Rooms of a column, the one at the hallway first."""
 Box = tuple[int, int, int, int]
@@ -91,6 +94,10 @@ def _pair(draft: Draft, first: int, sizes: Sequence[Size]) -> Pair | Misfit:
     return Pair((rows[0], rows[1]), low, min(max(_snapped(wished), low), high), high)
 
 
+def _nearest(depths: Sequence[int], wished: int) -> int:
+    return min(depths, key=lambda depth: (abs(depth - wished), depth))
+
+
 def _snapped(length: int) -> int:
     return (length + LATTICE_MM // 2) // LATTICE_MM * LATTICE_MM
 
@@ -101,15 +108,62 @@ class Drawer:
     def __init__(self, sizes: Sequence[Size], frame: Frame) -> None:
         self.sizes, self.frame = sizes, frame
 
+    def choose(self, draft: Draft, stream: Stream) -> None:
+        """Gives the strips depths at which all their columns have a width, pairs of strips about one length.
+
+        A strip whose columns have no such depth in common takes what the others leave it.
+        """
+        last, whole = len(draft.strips) - 2, self._across(draft.kind)
+        self._choose_pair(draft, last, whole, stream)
+        if last:
+            self._choose_pair(draft, 0, sum(draft.depths[2:]) + HALLWAY_MM, stream)
+
+    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> None:
+        north, south = (self._possible(draft.strips[k]) for k in (first, first + 1))
+        if whole:
+            both = [depth for depth in north if whole - depth in south] or north
+            draft.depths[first] = stream.pick(both)
+            self._share(draft.depths, first, whole)
+            return
+        depth = stream.pick(north)
+        areas = [sum(self.sizes[room].typical for column in draft.strips[k] for room in column) for k in (first, first + 1)]
+        other = areas[1] * depth // max(areas[0], 1)
+        draft.depths[first : first + 2] = depth, _nearest(south, other)
+
+    def _possible(self, strip: Sequence[Column]) -> list[int]:
+        """Returns the depths at which the most columns of a strip have a width."""
+        bits = [depths_for(tuple([self.sizes[room] for room in column])) for column in strip]
+        common = -1
+        for one in bits:
+            common &= one
+        if common:
+            return [depth for k, depth in enumerate(DEPTHS_MM) if common >> k & 1]
+        counts = [sum(one >> k & 1 for one in bits) for k in range(len(DEPTHS_MM))]
+        return [depth for depth, count in zip(DEPTHS_MM, counts, strict=True) if count == max(counts)]
+
+    def _across(self, kind: str) -> int:
+        """Returns what the last two strips' depths add up to, 0 where it is free."""
+        frame = self.frame
+        hallway = 0 if kind == "rows" else CENTRE_MM if kind == "axial" else HALLWAY_MM
+        across = frame.width if kind == "axial" else frame.depth
+        return across and across - hallway
+
     def settle(self, draft: Draft) -> None:
-        """Makes a draft's depths add up to what the frame and its kind ask for; the second strip of a pair gives way."""
-        depths, frame = draft.depths, self.frame
-        hallway = 0 if draft.kind == "rows" else CENTRE_MM if draft.kind == "axial" else HALLWAY_MM
-        across = frame.width if draft.kind == "axial" else frame.depth
-        if across:
-            depths[-1] = across - hallway - depths[-2]
-        if draft.kind == "ranch":
-            depths[1] = depths[2] + hallway + depths[3] - depths[0]
+        """Makes a changed draft's depths add up to what the frame and its kind ask for, near to what its columns can have."""
+        depths, last, whole = draft.depths, len(draft.strips) - 2, self._across(draft.kind)
+        for k in range(len(depths)):
+            depths[k] = _nearest(self._possible(draft.strips[k]), depths[k])
+        if whole:
+            self._share(depths, last, whole)
+        if last:
+            self._share(depths, 0, depths[2] + HALLWAY_MM + depths[3])
+
+    @staticmethod
+    def _share(depths: list[int], first: int, whole: int) -> None:
+        """Makes two depths add up; the first is kept unless that leaves the second next to nothing."""
+        if whole - depths[first] < SLIM_MM:
+            depths[first] = whole // 2 // LATTICE_MM * LATTICE_MM
+        depths[first + 1] = whole - depths[first]
 
     def sheet(self, draft: Draft, stretch: bool = False) -> Sheet | Misfit:
         """Draws a draft.

@@ -5,7 +5,7 @@ Comes in: wishes, a frame, a seed. Goes out: `Found`: the cheapest drawing. May 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
 from solver.floorplan.programme.cost import Judge, Verdict
@@ -34,6 +34,11 @@ class Found(NamedTuple):
     sheet: Sheet
     verdict: Verdict
 
+    @property
+    def rank(self) -> tuple[int, int, float]:
+        """What is better among homes that are not sound: all rooms entered, few short, cheap."""
+        return self.verdict.unreached, self.verdict.short, self.verdict.cost
+
 
 class _Seen(NamedTuple):
     cost: float
@@ -43,25 +48,31 @@ class _Seen(NamedTuple):
 
 
 class Search:
-    """Searches for homes of one programme in one frame."""
+    """Searches for homes of one programme.
 
-    def __init__(self, wishes: Sequence[Wish], frame: Frame, seed: int) -> None:
+    Args:
+        wishes: the rooms.
+        frame_of: the frame of a house of a kind.
+        seed: the house's seed.
+    """
+
+    def __init__(self, wishes: Sequence[Wish], frame_of: Callable[[str], Frame], seed: int) -> None:
         self.wishes, self.seed = wishes, seed
         self.judge = Judge(wishes)
-        self.drawer = Drawer(self.judge.sizes, frame)
+        self.drawers = {kind: Drawer(self.judge.sizes, frame_of(kind)) for kind in kinds_for(wishes)}
         self.good = GOOD + GOOD_EACH * len(wishes)
         self.judged = 0
 
     def run(self) -> Found:
         """Searches in the kind that the seed draws; in the others too where a room falls short in it."""
-        kinds = list(kinds_for(self.wishes))
+        kinds = list(self.drawers)
         Stream(self.seed, "programme.kind").shuffle(kinds)
         best: _Seen | None = None
         for kind in kinds:
             seen = self._kind(kind)
             if best is None or seen.cost < best.cost:
                 best = seen
-            if seen.verdict is not None and not seen.verdict.short:
+            if seen.verdict is not None and not (seen.verdict.short or seen.verdict.unreached):
                 break
         return self._found(best)
 
@@ -70,7 +81,7 @@ class Search:
             raise ValueError("a programme without a kind")
         if best.sheet is not None and best.verdict is not None:
             return Found(best.draft.kind, best.sheet, best.verdict)
-        sheet = self.drawer.sheet(best.draft, stretch=True)
+        sheet = self.drawers[best.draft.kind].sheet(best.draft, stretch=True)
         if isinstance(sheet, Misfit):
             raise ValueError("a draft without depths")
         return Found(best.draft.kind, sheet, self.judge.verdict(sheet))
@@ -90,25 +101,31 @@ class Search:
 
     def _try(self, kind: str, stream: Stream) -> _Seen:
         dealer = Dealer(self.wishes, stream)
-        best = self._look(dealer.deal(kind))
+        best = self._dealt(kind, dealer)
         for _ in range(DEALS - 1):
             if best.cost <= self.good:
                 return best
-            seen = self._look(dealer.deal(kind))
+            seen = self._dealt(kind, dealer)
             if seen.cost < best.cost:
                 best = seen
         for _ in range(MOVES):
             if best.cost <= self.good:
                 return best
-            seen = self._look(moved(best.draft, stream))
+            draft = moved(best.draft, stream)
+            self.drawers[kind].settle(draft)
+            seen = self._look(draft)
             if seen.cost <= best.cost:
                 best = seen
         return best
 
+    def _dealt(self, kind: str, dealer: Dealer) -> _Seen:
+        draft = dealer.deal(kind)
+        self.drawers[kind].choose(draft, dealer.stream)
+        return self._look(draft)
+
     def _look(self, draft: Draft) -> _Seen:
         self.judged += 1
-        self.drawer.settle(draft)
-        sheet = self.drawer.sheet(draft)
+        sheet = self.drawers[draft.kind].sheet(draft)
         if isinstance(sheet, Misfit):
             return _Seen(MISFIT + MISFIT_COLUMN * sheet.columns + sheet.gap / MISFIT_MM, draft, None, None)
         verdict = self.judge.verdict(sheet)

@@ -7,7 +7,7 @@ catalogs. Not here: where the rooms lie.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import log
 from typing import Final
 
@@ -24,6 +24,8 @@ IMPLIED: Final = {"bedrooms": 1, "bathrooms": 1, "living_room": 1, "kitchen": 1,
 """What a programme holds where it does not count it. Our choice: the least that makes a home."""
 MOST_ROOMS: Final = 30
 """Most rooms of a programme; our choice: strips of more would be longer than any street."""
+LAST: Final = 4
+"""From this `spare` on even the last room of its word may be left out."""
 WALLS_SHARE: Final = 1.1
 """Floor of a home over that of its rooms, its hallway counted. Measured."""
 
@@ -179,20 +181,36 @@ def _size(home: Home, scale: float) -> Size:
 
 
 def _owners(types: Sequence[str], kinds: Sequence[RoomType]) -> list[int | None]:
-    """Gives bathrooms to bedrooms: the first is everybody's, the second the master's, every third later one a bedroom's."""
-    small = [i for i, kind in enumerate(kinds) if kind.plan.wet and kind.plan.behind and kind.requires and _private(kind, types)]
-    rooms = [i for i, kind in enumerate(kinds) if kind.plan.habitable and not kind.plan.way_through]
+    """Gives every second bathroom to a bedroom, the largest first; the first is everybody's."""
+    baths = [i for i, kind in enumerate(kinds) if any("toilet" in line for line in kind.requires)]
     owners: list[int | None] = [None] * len(types)
-    given: list[int] = []
-    for turn, bath in enumerate(small):
-        may = [i for i in rooms if types[i] in kinds[bath].plan.behind and i not in given]
-        may.sort(key=lambda i: -_home(kinds[i]).area[1])
-        if turn % 2 and may:
-            owners[bath] = may[0]
-            given.append(may[0])
+    for bath in baths[1::2]:
+        free = [i for i, name in enumerate(types) if name in kinds[bath].plan.behind and i not in owners]
+        if free:
+            owners[bath] = max(free, key=lambda i: (_home(kinds[i]).area[1], -i))
     return owners
 
 
-def _private(kind: RoomType, types: Sequence[str]) -> bool:
-    """Tells whether a type is a bathroom: it may lie behind a bedroom, and one is asked for."""
-    return any("toilet" in line for line in kind.requires)
+def loosened(wishes: Sequence[Wish], slack: float, floor: float | None) -> tuple[Wish, ...]:
+    """Returns the rooms with looser limits, wished as large as the floor, m2, asks for."""
+    scale = 1.0 if floor is None else floor * 1e6 / WALLS_SHARE / sum(wish.size.typical for wish in wishes)
+
+    def loose(size: Size) -> Size:
+        least, most = round(size.least / slack), round(size.most * slack)
+        typical = min(max(round(size.typical * scale), least), most)
+        narrower = slack**0.5
+        return Size(least, typical, most, round(size.width / narrower), size.aspect * slack, round(size.length / narrower))
+
+    return tuple(replace(wish, size=loose(wish.size)) for wish in wishes)
+
+
+def spared(types: Sequence[str], catalogs: Catalogs) -> str | None:
+    """Returns the type of the room that a home can best do without, None where it needs all of them."""
+
+    def spare(name: str) -> int:
+        home = _home(catalogs.rooms[name])
+        alike = sum((_home(catalogs.rooms[other]).word or other) == (home.word or name) for other in types)
+        return 0 if home.spare is None or (alike == 1 and home.spare < LAST) else home.spare
+
+    best = max(types, key=spare)
+    return best if spare(best) else None
