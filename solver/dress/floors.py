@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
-from catalogs.dressing import INDOOR, Stands
-from solver.dress.scenery import BODY_MM, New, Scenery, Size, extents, millimetres, nearest, sizes
+from catalogs.dressing import INDOOR, DecorationKind, Stands
+from solver.dress.scenery import BODY_MM, New, Scenery, extents, millimetres, nearest, sizes
 from solver.dress.walking import Walking
 from solver.geometry import ROTATION_AT_WALL, WALL_BEHIND, Rect, strip, to_mm
 from solver.scene import WALLS
@@ -119,11 +119,11 @@ def _stood(scenery: Scenery, walking: Walking, row: Stands, name: str, spot: Spo
     """Stands a thing near a spot; tells whether it found a place."""
     kind = scenery.terms.catalogs.decorations[name]
     askew = scenery.jitter(kind)
+    blocks = _blocks(scenery, row, spot, kind)
     for size in sizes(kind, row):
         for angle in (askew, 0) if askew else (0,):
             rotation = spot.rotation + angle
-            across, along = extents(size[0], size[1], rotation)
-            place = _free(scenery, row, spot, size, (across, along))
+            place = _free(row, spot, extents(size[0], size[1], rotation), blocks)
             if place is None or (size[2] > BODY_MM and not walking.passes(place)):
                 continue
             scenery.add(New(name, place, 0, size, rotation), row)
@@ -133,10 +133,18 @@ def _stood(scenery: Scenery, walking: Walking, row: Stands, name: str, spot: Spo
     return False
 
 
-def _free(scenery: Scenery, row: Stands, spot: Spot, size: Size, extent: tuple[int, int]) -> Rect | None:
+def _blocks(scenery: Scenery, row: Stands, spot: Spot, kind: DecorationKind) -> list[Rect]:
+    """Returns what a thing must keep out of around a spot."""
+    width, depth, height = millimetres(kind.size)
+    far = to_mm(row.reach) + 2 * (width + depth)
+    around = Rect(spot.wish[0] - far, spot.wish[1] - far, spot.wish[0] + far, spot.wish[1] + far)
+    blocks = [zone.rect for zone in scenery.space.zones if height > zone.above_mm]
+    blocks += [solid.rect for solid in scenery.solids if solid.low < height]
+    return [rect for rect in blocks if rect.overlaps(around)]
+
+
+def _free(row: Stands, spot: Spot, extent: tuple[int, int], blocks: Sequence[Rect]) -> Rect | None:
     """Returns the free place nearest to a spot: along the wall it is at, or anywhere within the row's reach."""
-    blocks = [zone.rect for zone in scenery.space.zones if size[2] > zone.above_mm]
-    blocks += [solid.rect for solid in scenery.solids if solid.low < size[2]]
     area, wish = spot.area, (spot.wish[0] - extent[0] // 2, spot.wish[1] - extent[1] // 2)
     if row.where in ("beside", "wall"):
         wall = WALL_BEHIND[spot.rotation]

@@ -6,7 +6,8 @@ Comes in: a Room. Goes out: rectangles in integer millimetres. May import: the g
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
@@ -14,7 +15,7 @@ from catalogs import Catalogs
 from catalogs.dressing import DecorationKind, Row
 from catalogs.entries import Surface
 from catalogs.schema import Use
-from catalogs.styles import Style
+from catalogs.styles import Leaning, Style
 from solver.free_places import footprint
 from solver.geometry import Rect, half_m, to_m, to_mm, turned
 from solver.scene import Decoration, Furniture, Room
@@ -69,6 +70,8 @@ class Terms:
     height: float = 2.8
     kinds: Mapping[tuple[str, Size], tuple[Surface, ...]] = field(init=False)
     uses: Mapping[str, Use] = field(init=False)
+    favoured: frozenset[str] = field(init=False)
+    avoided: frozenset[str] = field(init=False)
 
     def __post_init__(self) -> None:
         kinds: dict[tuple[str, Size], tuple[Surface, ...]] = {}
@@ -76,8 +79,15 @@ class Terms:
             kinds.setdefault((entry.name or kind, millimetres(entry.size)), entry.surfaces)
         named = {entry.name or kind: entry for kind, entry in reversed(self.catalogs.furniture.items())}
         named |= {kind: entry for kind, entry in self.catalogs.furniture.items() if entry.name in (None, kind)}
+        leaning = self.style.decorations if self.style else Leaning()
+        object.__setattr__(self, "favoured", self._meant(leaning.favoured))
+        object.__setattr__(self, "avoided", self._meant(leaning.avoided))
         object.__setattr__(self, "kinds", kinds)
         object.__setattr__(self, "uses", {name: entry.use for name, entry in named.items() if entry.use})
+
+    def _meant(self, words: Container[str]) -> frozenset[str]:
+        """Returns the kinds of decorations that some words name, by themselves or by their group."""
+        return frozenset(name for name, kind in self.catalogs.decorations.items() if name in words or kind.group in words)
 
 
 def millimetres(size: tuple[float, float, float]) -> Size:
@@ -104,7 +114,7 @@ class Scenery:
         self.solids: list[Solid] = []
         self.carried: dict[str, list[Carrier]] = {}
         self.made: list[Carrier] = []
-        self._counts: dict[str, int] = {}
+        self._counts = dict(Counter(piece.name for piece in room.furniture))
         self._colours: dict[str, str] = {}
         self.pieces = tuple(self._piece(piece) for piece in room.furniture)
         self.solids += [Solid(piece.id, piece.rect, piece.low, piece.high) for piece in self.pieces]
@@ -120,17 +130,12 @@ class Scenery:
 
     def wanted(self, row: Row) -> tuple[str, ...]:
         """Draws which kinds of a row there are to be: none where its chance, its style or its room says no."""
-        style = self.terms.style
-        leaning = style.decorations if style else None
-        kinds = self.terms.catalogs.decorations
-        avoided = set(leaning.avoided) if leaning else set()
-        favoured = set(leaning.favoured) if leaning else set()
-        names = [name for name in row.put if not avoided & {name, kinds[name].group}]
-        fond = any(favoured & {name, kinds[name].group} for name in names)
+        names = tuple(name for name in row.put if name not in self.terms.avoided)
+        fond = any(name in self.terms.favoured for name in names)
         drawn = row.chance >= 1 or self.stream.chance(row.chance * (FAVOURED if fond else 1.0))
         in_style = not row.styles or self.terms.style_name in row.styles
         in_room = not row.rooms or self.room.type in row.rooms
-        return tuple(names) if drawn and in_style and in_room else ()
+        return names if drawn and in_style and in_room else ()
 
     def jitter(self, kind: DecorationKind) -> int:
         """Draws how far askew a thing lies, degrees."""
@@ -146,10 +151,6 @@ class Scenery:
             palette = self.terms.style.colours(name, kind.group) if self.terms.style else ()
             self._colours[key] = self.stream.pick(palette or (kind.color, *kind.variants))
         return self._colours[key]
-
-    def hits(self, rect: Rect, low: int, high: int, ignored: frozenset[str] = frozenset()) -> bool:
-        """Tells whether a box shares space with a solid that is not ignored."""
-        return any(low < s.high and s.low < high and s.rect.overlaps(rect) and s.id not in ignored for s in self.solids)
 
     def near(self, rect: Rect, low: int, high: int, ignored: frozenset[str]) -> list[Rect]:
         """Returns the solids that share space with a box, ignored ones left out."""
@@ -210,32 +211,42 @@ def nearest(area: Rect, wish: tuple[int, int], extent: tuple[int, int], blocks: 
         blocks: what it must not meet.
         reach: how far from the wish it may be, mm; None: anywhere.
     """
-    highest = area.x1 - extent[0], area.z1 - extent[1]
-    if highest[0] < area.x0 or highest[1] < area.z0:
+    wide, deep = extent
+    last_x, last_z = area.x1 - wide, area.z1 - deep
+    if last_x < area.x0 or last_z < area.z0:
         return None
-    x, z = min(max(wish[0], area.x0), highest[0]), min(max(wish[1], area.z0), highest[1])
-    at = Rect(x, z, x + extent[0], z + extent[1])
-    if not any(at.overlaps(block) for block in blocks):
-        return at
+    x, z = min(max(wish[0], area.x0), last_x), min(max(wish[1], area.z0), last_z)
+    taken = [(b.x0 - wide, b.x1, b.z0 - deep, b.z1) for b in blocks]
+    if not any(west < x < east and low < z < high for west, east, low, high in taken):
+        return Rect(x, z, x + wide, z + deep)
+    best: tuple[int, int] | None = None
     limit = 1 << 60 if reach is None else reach * reach + 1
-    xs = _steps(x, (area.x0, highest[0]), [v for b in blocks for v in (b.x1, b.x0 - extent[0])])
-    zs = _steps(z, (area.z0, highest[1]), [v for b in blocks for v in (b.z1, b.z0 - extent[1])])
-    best = None
-    for tried_x in xs:
-        if (tried_x - x) ** 2 >= limit:
+    for tried in _steps(x, (area.x0, last_x), taken):
+        aside = (tried - x) ** 2
+        if aside >= limit:
             break
-        for tried_z in zs:
-            distance = (tried_x - x) ** 2 + (tried_z - z) ** 2
-            if distance >= limit:
-                break
-            at = Rect(tried_x, tried_z, tried_x + extent[0], tried_z + extent[1])
-            if not any(at.overlaps(block) for block in blocks):
-                best, limit = at, distance
-                break
-    return best
+        free = _nearest_free(z, (area.z0, last_z), [(low, high) for west, east, low, high in taken if west < tried < east])
+        if free is not None and aside + (free - z) ** 2 < limit:
+            best, limit = (tried, free), aside + (free - z) ** 2
+    return Rect(best[0], best[1], best[0] + wide, best[1] + deep) if best else None
 
 
-def _steps(wish: int, bounds: tuple[int, int], others: Sequence[int]) -> list[int]:
-    """Returns the coordinates worth trying along an axis, nearest first."""
-    tried = {wish, *bounds, *(v for v in others if bounds[0] <= v <= bounds[1])}
-    return sorted(tried, key=lambda v: (abs(v - wish), v))
+def _steps(wish: int, bounds: tuple[int, int], taken: Sequence[tuple[int, int, int, int]]) -> Sequence[int]:
+    """Returns the coordinates worth trying along x, nearest first."""
+    ends = {wish, *bounds, *(block[0] for block in taken), *(block[1] for block in taken)}
+    return sorted((v for v in ends if bounds[0] <= v <= bounds[1]), key=lambda v: (abs(v - wish), v))
+
+
+def _nearest_free(wish: int, bounds: tuple[int, int], taken: Sequence[tuple[int, int]]) -> int | None:
+    """Returns the coordinate within bounds nearest to a wish that lies inside none of the open intervals."""
+    if not any(low < wish < high for low, high in taken):
+        return wish
+    up = down = wish
+    for low, high in sorted(taken):
+        if low < up < high:
+            up = high
+    for low, high in sorted(taken, key=lambda interval: -interval[1]):
+        if low < down < high:
+            down = low
+    found = [v for v in (down, up) if bounds[0] <= v <= bounds[1]]
+    return min(found, key=lambda v: (abs(v - wish), v), default=None)

@@ -86,7 +86,7 @@ class Walking:
         cells = _Cells(self.floor, blocks, [*self.doors, *(contact for contacts, _ in self.uses for contact in contacts)])
         reached = cells.flooded(self.doors[0])
         met = all(cells.touches(reached, door) for door in self.doors)
-        return met and self._all_used(cells, reached) and cells.area(reached) >= LEAST_FLOOR
+        return met and self._all_used(cells, reached) and cells.has_area(reached, LEAST_FLOOR)
 
     def _all_used(self, cells: _Cells, reached: Sequence[int]) -> bool:
         return all((all if need_all else any)(cells.touches(reached, contact) for contact in contacts) for contacts, need_all in self.uses)
@@ -145,12 +145,13 @@ class _Cells:
                 grew = True
         return grew
 
-    def area(self, reached: Sequence[int]) -> int:
-        """Returns the area of the reached cells."""
-        total = 0
+    def has_area(self, reached: Sequence[int], least: int) -> bool:
+        """Tells whether the reached cells have that area at least."""
         for k, row in enumerate(reached):
-            total += (self.zs[k + 1] - self.zs[k]) * sum(self.xs[j + 1] - self.xs[j] for j in range(row.bit_length()) if row >> j & 1)
-        return total
+            least -= (self.zs[k + 1] - self.zs[k]) * sum(self.xs[j + 1] - self.xs[j] for j in range(row.bit_length()) if row >> j & 1)
+            if least <= 0:
+                return True
+        return False
 
 
 def _run(seeds: int, free: int) -> int:
