@@ -44,13 +44,13 @@ def test_every_field_of_a_request_has_an_option() -> None:
 
 def test_options_make_the_request(tmp_path: Path, capfdbinary: Captured) -> None:
     numbers = ["--seed", "3", "--width", "8", "--depth", "6", "--min-room-size", "2.4", "--max-depth", "2", "--robot-width", "0.5"]
-    others = ["--no-use-spine", "--outdoor", "--decorate", "--force-type", "0=living_room"]
+    others = ["--no-use-spine", "--outdoor", "--decorate", "--force-type", "0=living_room", "--style", "scandi"]
     main(["generate", *numbers, *others, "--format", "json"])
     request = json.loads(capfdbinary.readouterr().out)["request"]
     assert request == {
         "seed": 3, "width": 8.0, "depth": 6.0, "min_room_size": 2.4, "max_depth": 2, "robot_width": 0.5,
         "use_spine": False, "outdoor": True, "decorate": True, "force_types": {"0": "living_room"},
-        "program": None, "area": None, "style": None,
+        "program": None, "area": None, "style": "scandi",
     }  # fmt: skip
 
 

@@ -195,6 +195,7 @@ def test_view_says_which_body_each_line_is(client: TestClient, scene: dict[str, 
     shown = answer["text"].splitlines()
     assert len(shown) == len(answer["lines"])
     bodies = {body["id"]: body["name"] for room in scene["rooms"] for body in room["furniture"]}
+    bodies |= {body["id"]: body["kind"] for body in scene["dynamic"]}
     named = {name: line for line, name in zip(shown, answer["lines"], strict=True) if name}
     assert bodies.keys() == named.keys()
     assert all(bodies[name] in line for name, line in named.items())
