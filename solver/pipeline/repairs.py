@@ -12,6 +12,7 @@ from typing import Any
 
 from solver.pipeline.attempt import Terms, placed, wanted_of
 from solver.placement import Budget, feasible
+from solver.placement.encode import kin
 from solver.placement.lengths import Shortfall
 from solver.repair import Body, all_bodies, applied, holders, squared
 from solver.scene import Furniture, Room
@@ -119,8 +120,24 @@ def _distance(repair: Repair) -> float:
 
 def _tried(case: Case, repair: Repair) -> Repair | None:
     """Returns the repair if all the pieces of the case can stand with it, in every room of the case."""
-    helps = all(feasible(case.space, _wanted(case, room, repair), case.budget, case.walk, prove=False) for room in case.rooms)
-    return repair if helps else None
+    asked: list[list[Wanted]] = []
+    for room in case.rooms:
+        wanted = _wanted(case, room, repair)
+        if any(_agree(wanted, before) for before in asked):
+            continue
+        if not feasible(case.space, wanted, case.budget, case.walk, prove=False):
+            return None
+        asked.append(wanted)
+    return repair
+
+
+def _agree(one: Sequence[Wanted], other: Sequence[Wanted]) -> bool:
+    """Tells whether pieces differ in nothing but where they are wished, so that what one can do the other can."""
+    return [_freedom(piece) for piece in one] == [_freedom(piece) for piece in other]
+
+
+def _freedom(piece: Wanted) -> tuple[object, ...]:
+    return piece.label, piece.stands, piece.need_all, [kin(way) for way in piece.alternatives]
 
 
 def _wanted(case: Case, room: Room, repair: Repair) -> list[Wanted]:

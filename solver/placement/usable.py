@@ -23,7 +23,7 @@ from solver.wanted import Alternative, Space, Stand, Wanted
 
 WORK = 9000
 """Work of one question in all ways to stand together: nodes times pieces."""
-QUICK_WORK = 1500
+QUICK_WORK = 500
 """The same where "never" is worth little."""
 PREFIX_NODES = 200
 """Nodes spent on some of the pieces before others join."""
