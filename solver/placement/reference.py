@@ -37,7 +37,8 @@ def _axis(room: Decided, axis: int) -> Floats:
             after = 0 if row.j == ORIGIN else p[row.j]
             before = 0 if row.i == ORIGIN else p[row.i]
             rules.append(after - before >= row.s / 1000)
-    cp.Problem(cp.Minimize(cp.sum(cost)), rules).solve(solver=cp.CLARABEL)
+    close = dict.fromkeys(("tol_gap_abs", "tol_gap_rel", "tol_feas"), 1e-12)
+    cp.Problem(cp.Minimize(cp.sum(cost)), rules).solve(solver=cp.CLARABEL, **close)
     solution: Floats = np.asarray(p.value, dtype=np.float64)
     return solution
 

@@ -16,7 +16,7 @@ from typing import Final
 import numpy as np
 
 from solver.placement.kernel.jit import compiled
-from solver.placement.kernel.layout import Floats, Ints
+from solver.placement.kernel.layout import Floats, Ints, Nodes, Programs
 
 FEASIBLE: Final = 1e-9
 """A constraint is violated by more than this, m."""
@@ -178,28 +178,12 @@ def _append(slot: int, axis: int, n: int, q: int, c: int, length: float, active:
     active[slot, axis, q] = c
 
 
-@compiled(
-    lambda t: t.b1(
-        t.ints, t.i8, t.float_cubes, t.int_cubes, t.float_rows, t.float_cubes, t.int_cubes, t.float_cubes,
-        t.int_rows, t.float_rows, t.float_cubes, t.float_cubes, t.float_cubes,
-    )
-)  # fmt: skip
-def _enforce(
-    task: Ints,
-    c: int,
-    bounds: Floats,
-    rows: Ints,
-    s: Floats,
-    x: Floats,
-    active: Ints,
-    multiplier: Floats,
-    active_size: Ints,
-    costs: Floats,
-    columns: Floats,
-    factor: Floats,
-    vectors: Floats,
-) -> bool:
-    """Steps until constraint c, whose column is number n, holds; False where it never can. Arguments as in continue_dual."""
+@compiled(lambda t: t.b1(t.Programs, t.Nodes, t.i8), inlined=True)
+def _enforce(programs: Programs, nodes: Nodes, c: int) -> bool:
+    """Steps until constraint c, whose column is number n, holds; False where it never can."""
+    bounds, rows, s, columns = programs.bounds, programs.rows, programs.row_s, programs.columns
+    factor, vectors, task, x = programs.factor, programs.vectors, nodes.task, nodes.x
+    active, multiplier, active_size, costs = nodes.active, nodes.multiplier, nodes.active_size, nodes.cost
     axis, slot, n, q = task[0], task[1], task[2], active_size[task[1], task[0]]
     own, added = _along(columns, axis, n, rows, n, c), 0.0
     slack = _slack(x, slot, axis, bounds, rows, s, n, c)
@@ -234,40 +218,22 @@ def _enforce(
     return True
 
 
-@compiled(
-    lambda t: t.i8(
-        t.ints, t.f8, t.float_cubes, t.float_cubes, t.int_cubes, t.float_rows, t.float_cubes, t.int_cubes, t.float_cubes,
-        t.int_rows, t.float_rows, t.float_cubes, t.float_cubes, t.float_cubes,
-    )
-)  # fmt: skip
-def continue_dual(
-    task: Ints,
-    ceiling: float,
-    inverse: Floats,
-    bounds: Floats,
-    rows: Ints,
-    s: Floats,
-    x: Floats,
-    active: Ints,
-    multiplier: Floats,
-    active_size: Ints,
-    costs: Floats,
-    columns: Floats,
-    factor: Floats,
-    vectors: Floats,
-) -> int:
-    """Continues from a dual feasible solution until no constraint is violated.
+@compiled(lambda t: t.i8(t.Programs, t.Nodes, t.f8), inlined=True)
+def continue_dual(programs: Programs, nodes: Nodes, ceiling: float) -> int:
+    """Continues a node from a dual feasible solution until no constraint is violated.
 
     Args:
-        task: axis, slot, number of variables n, of rows m, the constraint to begin with or -1; the sixth is set to 1 where
-            a constraint was dropped, which spoils the base.
+        programs: both axes' programmes; the base must be built.
+        nodes: the node's x, active, multiplier, active_size and cost are changed in place. nodes.task says which: axis, slot,
+            number of variables n, of rows m, the constraint to begin with or -1; its sixth is set to 1 where a constraint was
+            dropped, which spoils the base.
         ceiling: the cost at which to stop.
-        inverse, bounds, rows, s, columns, factor, vectors: of the programmes, by axis; the base must be built.
-        x, active, multiplier, active_size, costs: the solution to continue, by slot and axis; changed in place.
 
     Returns:
         SOLVED | INFEASIBLE | TOO_DEAR.
     """
+    inverse, bounds, rows, s, columns = programs.inverse, programs.bounds, programs.rows, programs.row_s, programs.columns
+    task, x, costs = nodes.task, nodes.x, nodes.cost
     axis, slot, n, m, c = task[0], task[1], task[2], task[3], task[4]
     for _ in range(20 * (n + m) + 100):
         if c < 0:
@@ -275,7 +241,7 @@ def continue_dual(
             if c < 0:
                 return SOLVED
         _column(inverse, axis, rows, n, c, columns, n)
-        if not _enforce(task, c, bounds, rows, s, x, active, multiplier, active_size, costs, columns, factor, vectors):
+        if not _enforce(programs, nodes, c):
             return INFEASIBLE
         if costs[slot, axis] >= ceiling:
             return TOO_DEAR

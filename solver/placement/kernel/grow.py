@@ -27,8 +27,9 @@ from solver.placement.kernel.layout import (
     Room,
     Tree,
 )
+from solver.placement.kernel.nodes import STEPS
 from solver.placement.kernel.options import ways
-from solver.placement.kernel.search import STEPS, search
+from solver.placement.kernel.search import search
 
 # Tree.counters
 STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, INCUMBENT, LAPSED, SOLVED_QPS, MOVES_LEFT = range(14)

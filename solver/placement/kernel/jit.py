@@ -56,18 +56,26 @@ def _namespace() -> SimpleNamespace:
     )
 
 
-def compiled(signature: Signature) -> Callable[[Function], Function]:
-    """Compiles a function for one signature, or leaves it alone where the kernel runs plain."""
+def compiled(signature: Signature, inlined: bool = False) -> Callable[[Function], Function]:
+    """Compiles a function for one signature, or leaves it alone where the kernel runs plain.
+
+    Args:
+        signature: of the function.
+        inlined: whether to compile it into its callers: a call hands over every array's eight numbers, which costs more than
+            what a small function does.
+    """
     if PLAIN:
         return lambda function: function
 
     import numba
 
+    how = {"nogil": True, "error_model": "numpy", "_nrt": False, "forceinline": inlined}
+
     def compile_it(function: Function) -> Function:
         before = numba.config.CACHE_DIR
         numba.config.CACHE_DIR = str(FOLDER or "")
         try:
-            jitted = numba.njit(signature(_TYPES), cache=FOLDER is not None, nogil=True, error_model="numpy", _nrt=False)(function)
+            jitted = numba.njit(signature(_TYPES), cache=FOLDER is not None, **how)(function)
         finally:
             numba.config.CACHE_DIR = before
         result: Function = jitted

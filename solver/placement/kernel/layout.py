@@ -170,6 +170,7 @@ class Nodes(NamedTuple):
     pick_option: Ints
     positions: Floats
     worst: Ints
+    order: Ints
     family: Ints
     best: Floats
     best_picks: Ints

@@ -171,24 +171,9 @@ def prepare(work: Work, programs: Programs, nodes: Nodes) -> bool:
     return True
 
 
-@compiled(lambda t: t.i8(t.Programs, t.Nodes, t.i8, t.i8, t.i8, t.i8, t.f8))
+@compiled(lambda t: t.i8(t.Programs, t.Nodes, t.i8, t.i8, t.i8, t.i8, t.f8), inlined=True)
 def solve_axis(programs: Programs, nodes: Nodes, slot: int, axis: int, m: int, first: int, ceiling: float) -> int:
     """Continues a node's programme along an axis with m rows, beginning with constraint `first` or -1."""
     task = nodes.task
     task[0], task[1], task[2], task[3], task[4], task[5] = axis, slot, programs.size[axis], m, first, 0
-    return continue_dual(
-        task,
-        ceiling,
-        programs.inverse,
-        programs.bounds,
-        programs.rows,
-        programs.row_s,
-        nodes.x,
-        nodes.active,
-        nodes.multiplier,
-        nodes.active_size,
-        nodes.cost,
-        programs.columns,
-        programs.factor,
-        programs.vectors,
-    )
+    return continue_dual(programs, nodes, ceiling)

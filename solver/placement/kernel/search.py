@@ -1,9 +1,11 @@
 """Exact search over the choices: branch only on violated ones, bound by the QP of the rows taken so far.
 
 Root = bounds and fixed rows. At a node the most violated choices are tried: each option appends one row to one axis and that
-axis is solved on from the parent's active set; the choice whose cheapest child is dearest is branched on. What is infeasible
-or dearer than the incumbent is pruned; ties go to the lowest number. A placement at which every choice holds must also pass
-the walk, where one is asked for; what blocks it is widened. The search stops on a count of QPs, never on time.
+axis is solved on from the parent's active set; the choice whose cheapest child is dearest is branched on, or one that has only
+one child left. A choice is given up at its first child that is cheaper than another's cheapest. What is infeasible or dearer than
+the incumbent is pruned; ties go to the option that misses least, then to the lowest number. The search goes down to the cheapest
+child, and where there is none to the cheapest open node. A placement at which every choice holds must also pass the walk, where
+one is asked for; what blocks it is widened. The search stops on a count of QPs, never on time.
 """
 
 from __future__ import annotations
@@ -38,6 +40,7 @@ from solver.placement.kernel.layout import (
     S,
     Work,
 )
+from solver.placement.kernel.nodes import BASE, OPEN, PICKED, SPARE, STEPS, cheapest_on_top, copy_axis, free, push, sort
 from solver.placement.kernel.program import append_row, prepare, solve_axis
 from solver.placement.kernel.reach import possible, propagate
 from solver.placement.kernel.widen import links
@@ -45,15 +48,11 @@ from solver.placement.kernel.widen import links
 COST_TOLERANCE: Final = 1e-9
 VIOLATED: Final = 1e-8
 """An option holds when it misses by less than this, m."""
-STEPS: Final = 1e9
-"""Costs and slacks are compared in steps of a nanometre or its like, so that rounding decides no tie."""
 FEWER_FIRST: Final = 1_000_000_000_000
 """Sorts choices with fewer options within reach before those violated more; more than any slack in steps."""
 MANY_CHOICES: Final = 500
 """With more choices than this the most violated come first whatever is left to them: nothing is proven there anyway."""
 DEAD: Final = -1
-# Nodes.state
-OPEN, SPARE, PICKED, BASE = range(4)
 
 
 @compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8))
@@ -131,22 +130,7 @@ def _violated(work: Work, programs: Programs, nodes: Nodes, slot: int) -> int:
     return count
 
 
-@compiled(
-    lambda t: t.none(t.i8, t.i8, t.i8, t.i8, t.float_cubes, t.int_cubes, t.float_cubes, t.int_rows, t.float_rows, t.int_rows)
-)  # fmt: skip
-def _copy_axis(
-    parent: int, slot: int, axis: int, n: int, x: Floats, active: Ints, multiplier: Floats, size: Ints, cost: Floats, rows: Ints
-) -> None:
-    """Copies what a node knows of an axis with n free variables."""
-    for k in range(n):
-        x[slot, axis, k] = x[parent, axis, k]
-    for k in range(size[parent, axis]):
-        active[slot, axis, k] = active[parent, axis, k]
-        multiplier[slot, axis, k] = multiplier[parent, axis, k]
-    size[slot, axis], cost[slot, axis], rows[slot, axis] = size[parent, axis], cost[parent, axis], rows[parent, axis]
-
-
-@compiled(lambda t: t.i8(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
+@compiled(lambda t: t.i8(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8), inlined=True)
 def _child(work: Work, programs: Programs, nodes: Nodes, parent: int, option: int, ceiling: float) -> int:
     """Solves the parent with one row more; returns the child's slot, or -1 where it is infeasible or too dear."""
     capacity, state, size = len(work.options), nodes.state, programs.size
@@ -166,12 +150,12 @@ def _child(work: Work, programs: Programs, nodes: Nodes, parent: int, option: in
         q = active_size[parent, axis]
         build_base(axis, parent, size[axis], q, programs.inverse, rows, active, programs.columns, programs.factor)
     slot, other = nodes.spare[state[SPARE] - 1], cost[parent, 1 - axis]
-    _copy_axis(parent, slot, axis, size[axis], x, active, multiplier, active_size, cost, row_count)
+    copy_axis(parent, slot, axis, size[axis], x, active, multiplier, active_size, cost, row_count)
     status = solve_axis(programs, nodes, slot, axis, at + 1, 2 * size[axis] + at, ceiling - other)
     state[BASE + axis] = 1 - nodes.task[5]
     if status != SOLVED or cost[slot, axis] + other >= ceiling:
         return -1
-    _copy_axis(parent, slot, 1 - axis, size[1 - axis], x, active, multiplier, active_size, cost, row_count)
+    copy_axis(parent, slot, 1 - axis, size[1 - axis], x, active, multiplier, active_size, cost, row_count)
     row_count[slot, axis] += 1
     nodes.last_pick[slot] = option  # becomes a pick when the child is kept
     nodes.widened[slot] = nodes.widened[parent]
@@ -179,69 +163,63 @@ def _child(work: Work, programs: Programs, nodes: Nodes, parent: int, option: in
     return slot
 
 
-@compiled(lambda t: t.none(t.Nodes, t.i8, t.i8, t.i8))
-def _free(nodes: Nodes, first: int, last: int, keep: int) -> None:
-    """Gives back the slots of a family's members first ... last - 1."""
-    for k in range(first, last):
-        if k >= keep:
-            nodes.spare[nodes.state[SPARE]] = nodes.family[k, 0]
-            nodes.state[SPARE] += 1
-
-
-@compiled(lambda t: t.none(t.Nodes, t.i8, t.i8))
-def _sort(nodes: Nodes, first: int, last: int) -> None:
-    """Sorts a family's members by cost, stably."""
-    for k in range(first + 1, last):
-        slot, key = nodes.family[k, 0], nodes.family[k, 1]
-        at = k
-        while at > first and nodes.family[at - 1, 1] > key:
-            nodes.family[at, 0], nodes.family[at, 1] = nodes.family[at - 1, 0], nodes.family[at - 1, 1]
+@compiled(lambda t: t.none(t.Work, t.Nodes, t.i8))
+def _order(work: Work, nodes: Nodes, choice: int) -> None:
+    """Writes the numbers of a choice's options to nodes.order, those that miss least at nodes.positions first."""
+    options, p, order = work.options, nodes.positions, nodes.order
+    for o in range(work.choice_size[choice]):
+        k = 4 * choice + o
+        axis, at = options[k, AXIS], o
+        slack = np.int64((p[axis, options[k, J]] - p[axis, options[k, I]] - options[k, S] / 1000) * STEPS)
+        while at > 0 and order[at - 1, 1] < slack:
+            order[at, 0], order[at, 1] = order[at - 1, 0], order[at - 1, 1]
             at -= 1
-        nodes.family[at, 0], nodes.family[at, 1] = slot, key
+        order[at, 0], order[at, 1] = k, slack
 
 
-@compiled(lambda t: t.none(t.Nodes, t.i8, t.i8, t.i8))
-def _push(nodes: Nodes, parent: int, first: int, last: int) -> None:
-    """Opens a family's members, the cheapest on top."""
-    for k in range(last - 1, first - 1, -1):
-        slot, pick = nodes.family[k, 0], nodes.state[PICKED]
-        nodes.pick_option[pick] = nodes.last_pick[slot]
-        nodes.pick_before[pick] = nodes.last_pick[parent]
-        nodes.last_pick[slot] = pick
-        nodes.state[PICKED] = pick + 1
-        nodes.stack[nodes.state[OPEN]] = slot
-        nodes.state[OPEN] += 1
+@compiled(lambda t: t.i8(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.i8, t.i8, t.f8), inlined=True)
+def _children(work: Work, programs: Programs, nodes: Nodes, parent: int, choice: int, first: int, dearest: int, ceiling: float) -> int:
+    """Solves the children of a choice and writes them to the family from `first` on; returns where they end.
+
+    DEAD as soon as one is no dearer than `dearest`, the cheapest child of another choice: there is more to gain from that one.
+    """
+    options, column, value, reach, last = work.options, programs.column, programs.value, programs.reach, first
+    _order(work, nodes, choice)
+    for o in range(work.choice_size[choice]):
+        k = nodes.order[o, 0]
+        if not possible(column, value, reach, options[k, AXIS], options[k, I], options[k, J], options[k, S]):
+            continue
+        slot = _child(work, programs, nodes, parent, k, ceiling)
+        if slot < 0:
+            continue
+        key = np.int64((nodes.cost[slot, 0] + nodes.cost[slot, 1]) * STEPS)
+        nodes.family[last, 0], nodes.family[last, 1] = slot, key
+        last += 1
+        if key <= dearest:
+            free(nodes, first, last, 0)
+            return DEAD
+    sort(nodes, first, last)
+    return last
 
 
 @compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8, t.i8, t.f8))
 def _branch(work: Work, programs: Programs, nodes: Nodes, parent: int, count: int, ceiling: float) -> None:
-    """Opens the children of the choice whose cheapest child is dearest."""
-    options, column, value, reach = work.options, programs.column, programs.value, programs.reach
-    first, last, dearest = 0, 0, np.int64(-1)
+    """Opens the children of the first choice that has only one, else of the choice whose cheapest child is dearest."""
+    family, kept, dearest = nodes.family, 0, -1
     for w in range(count):
-        c, start, cheapest = nodes.worst[w, 0], last, np.int64(-1)
-        for k in range(4 * c, 4 * c + work.choice_size[c]):
-            if not possible(column, value, reach, options[k, AXIS], options[k, I], options[k, J], options[k, S]):
-                continue
-            slot = _child(work, programs, nodes, parent, k, ceiling)
-            if slot >= 0:
-                key = np.int64((nodes.cost[slot, 0] + nodes.cost[slot, 1]) * STEPS)
-                nodes.family[last, 0], nodes.family[last, 1] = slot, key
-                last += 1
-                cheapest = key if cheapest < 0 else min(cheapest, key)
-        if last == start:
-            _free(nodes, 0, last, 0)
+        last = _children(work, programs, nodes, parent, nodes.worst[w, 0], kept, dearest, ceiling)
+        if last == DEAD:
+            continue
+        free(nodes, 0, kept, 0)
+        if last == kept:
             return
-        if cheapest > dearest:
-            _free(nodes, first, start, 0)
-            for k in range(start, last):
-                nodes.family[k - start, 0], nodes.family[k - start, 1] = nodes.family[k, 0], nodes.family[k, 1]
-            first, last, dearest = 0, last - start, cheapest
-        else:
-            _free(nodes, start, last, 0)
-            last = start
-    _sort(nodes, first, last)
-    _push(nodes, parent, first, last)
+        dearest = family[kept, 1]
+        for k in range(kept, last):
+            family[k - kept, 0], family[k - kept, 1] = family[k, 0], family[k, 1]
+        kept = last - kept
+        if kept == 1:
+            break
+    push(nodes, parent, 0, kept)
 
 
 @compiled(lambda t: t.none(t.Engine, t.i8, t.f8))
@@ -259,9 +237,9 @@ def _widen(engine: Engine, parent: int, ceiling: float) -> None:
         last += 1
         if last == len(nodes.family) or nodes.state[SPARE] < CANDIDATES * OPTIONS:
             break
-    _sort(nodes, 0, last)
-    _free(nodes, 0, last, WIDE_CHILDREN)
-    _push(nodes, parent, 0, min(last, WIDE_CHILDREN))
+    sort(nodes, 0, last)
+    free(nodes, 0, last, WIDE_CHILDREN)
+    push(nodes, parent, 0, min(last, WIDE_CHILDREN))
 
 
 @compiled(lambda t: t.none(t.Work, t.Programs, t.Nodes, t.i8))
@@ -336,8 +314,11 @@ def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
     nodes.result[EXHAUSTED] = 1
     if not _root(work, programs, nodes):
         return
-    room_for = CANDIDATES * OPTIONS + WIDE_CHILDREN
+    room_for, opened = CANDIDATES * OPTIONS + WIDE_CHILDREN, 0
     while nodes.state[OPEN] > 0:
+        if nodes.state[OPEN] < opened:
+            cheapest_on_top(nodes)
+        opened = nodes.state[OPEN]
         nodes.state[OPEN] -= 1
         slot = nodes.stack[nodes.state[OPEN]]
         cost, best = nodes.cost[slot, 0] + nodes.cost[slot, 1], nodes.best_cost[0] - COST_TOLERANCE

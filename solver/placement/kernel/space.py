@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from solver.placement.kernel.layout import MOST_NODES, MOST_PICKS, Engine, Floats, Grid, Ints, Nodes, Programs, Room, Tree, Work
+from solver.placement.kernel.layout import MOST_NODES, MOST_PICKS, OPTIONS, Engine, Floats, Grid, Ints, Nodes, Programs, Room, Tree, Work
 
 SPARE_PATH = 16
 """Rows a path may have beside one for every choice: its widenings."""
@@ -103,6 +103,7 @@ def new_nodes(sizes: Sizes) -> Nodes:
         pick_option=_ints(MOST_PICKS),
         positions=np.zeros((2, v + 1)),
         worst=_ints(8, 2),
+        order=_ints(OPTIONS, 2),
         family=_ints(256, 2),
         best=np.zeros((2, v + 1)),
         best_picks=_ints(sizes.choices + SPARE_PATH),
