@@ -62,8 +62,8 @@ class Lies(Row):
     `at` are its places, or `seats`: one before every chair that stands at the table. `surface` names the parent's surfaces
     (its highest by default, or `all`). `upon`: it lies on decorations of these kinds that are already on the parent, on each of
     the first kind that is there; `surface` among them means the parent itself. `turn` is its rotation against what
-    carries it, degrees; `upright` tips it onto its lower edge. `fill`: its width and depth as shares of the surface's. Where its
-    place is taken it goes to the nearest free one, at most `reach` m away.
+    carries it, degrees; `upright` tips it onto its lower edge. `fill`: its width and depth as shares of the surface's (0: its own).
+    Where its place is taken it goes to the nearest free one, at most `reach` m away.
     """
 
     at: tuple[Place, ...] | Literal["seats"] = ((0.5, 0.5),)

@@ -120,7 +120,7 @@ def put(scenery: Scenery, spot: Spot, row: Lies, name: str) -> bool:
     kind = scenery.terms.catalogs.decorations[name]
     area, low = _area(spot.carrier, spot.surface), spot.carrier.low + to_mm(spot.surface.height)
     askew = 0 if row.upright else scenery.jitter(kind)
-    ways = _filled(area, spot, row, to_mm(kind.size[2])) if row.fill else sizes(kind, row, row.upright)
+    ways = [_filled(area, spot, row, sizes(kind, row, row.upright)[0])] if row.fill else sizes(kind, row, row.upright)
     height = ways[0][2]
     room = scenery.ceiling - low if spot.surface.clearance is None else to_mm(spot.surface.clearance)
     if height > room:
@@ -148,8 +148,10 @@ def _wish(area: Rect, spot: Spot, extent: tuple[int, int]) -> tuple[int, int]:
     )
 
 
-def _filled(area: Rect, spot: Spot, row: Lies, height: int) -> list[Size]:
-    """Returns the extents that fill the wished share of a surface, whole centimetres."""
+def _filled(area: Rect, spot: Spot, row: Lies, own: Size) -> Size:
+    """Returns the extents that fill the wished share of a surface, whole centimetres; a thing's own where the share is 0."""
     wide, deep = (area.width, area.depth) if spot.rotation % 180 == 0 else (area.depth, area.width)
-    share = row.fill or (1.0, 1.0)
-    return [(max(10, int(wide * share[0]) // 10 * 10), max(10, int(deep * share[1]) // 10 * 10), height)]
+    across, along = row.fill or (0.0, 0.0)
+    width = max(10, int(wide * across) // 10 * 10) if across else own[0]
+    depth = max(10, int(deep * along) // 10 * 10) if along else own[1]
+    return width, depth, own[2]
