@@ -162,13 +162,14 @@ def _before_openings(room: Room, half: float) -> Iterator[str]:
                 yield f"{thing.id} hangs before {opening.id}"
         for piece in room.furniture:
             hidden = turned(piece)
-            away = {"north": min(z for _, z in hidden.corners), "south": room.depth - max(z for _, z in hidden.corners),
+            spans = [corner[along] for corner in hidden.corners]
             level = min(thing.y + thing.height, hidden.high) - max(thing.y, hidden.low)
             over = min(min(max(ends), max(spans)) - max(min(ends), min(spans)), level) > CLOSE
-            spans = [corner[along] for corner in hidden.corners]
-            over = (
-                min(max(ends), max(spans)) - max(min(ends), min(spans)) > CLOSE
-                and min(thing.y + thing.height, hidden.high) - max(thing.y, hidden.low) > CLOSE
-            )
-            if over and away < half + 0.1:
+            if over and _away(hidden, thing.mounted_on_wall, room) < half + 0.1:
                 yield f"{thing.id} hangs behind {piece.id}"
+
+
+def _away(box: Turned, wall: str, room: Room) -> float:
+    """Returns how far a box is from a wall's line."""
+    xs, zs = zip(*box.corners, strict=True)
+    return {"north": min(zs), "south": room.depth - max(zs), "west": min(xs), "east": room.width - max(xs)}[wall]
