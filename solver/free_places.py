@@ -9,7 +9,7 @@ has both coordinates among the wish's own and the edges of those, so that these 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from solver.geometry import Rect
@@ -71,6 +71,18 @@ def nearest_place(own: Rect, clear: Rect, blocks: Sequence[Rect]) -> Rect | None
                 best = distance, place
                 break
     return best[1] if best else None
+
+
+def free_places(own: Rect, clear: Rect, blocks: Sequence[Rect], apart: int) -> Iterator[Rect]:
+    """Yields free places of a box, nearest first: those that `nearest_place` tries, and those `apart` mm from obstacles and walls."""
+    inner = clear.shrunk(apart)
+    edges = [*blocks, *(rect.shrunk(-apart) for rect in blocks), Rect(inner.x1, inner.z1, inner.x0, inner.z0)]
+    xs = _steps(own.x0, own.width, (clear.x0, clear.x1), [(rect.x0, rect.x1) for rect in edges])
+    zs = _steps(own.z0, own.depth, (clear.z0, clear.z1), [(rect.z0, rect.z1) for rect in edges])
+    for x, z in sorted(((x, z) for x in xs for z in zs), key=lambda at: (at[0] - own.x0) ** 2 + (at[1] - own.z0) ** 2):
+        place = Rect(x, z, x + own.width, z + own.depth)
+        if not any(place.overlaps(rect) for rect in blocks):
+            yield place
 
 
 def _steps(at: int, extent: int, bounds: tuple[int, int], blocks: Sequence[tuple[int, int]]) -> list[int]:

@@ -14,9 +14,9 @@ from catalogs import Catalogs
 from catalogs.schema import Furniture as Kind
 from solver.free_places import Solid, footprint, nearest_place, solid_of
 from solver.geometry import Rect, half_m
-from solver.people.ways import Goal, Ways
 from solver.scene import Decoration, Dynamic, Furniture, Room
 from solver.wanted import Space
+from solver.ways import EVERY_SIDE, Goal, Ways
 
 BODY: Final = 0.02
 """What is no higher is a rug or a mat, on which one stands, m (contract)."""
@@ -25,7 +25,6 @@ HEADROOM: Final = 2.0
 SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
 _TURNS: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
-EVERY_SIDE: Final = ("north", "south", "west", "east")
 
 
 @dataclass

@@ -101,17 +101,26 @@ def _put_back(scene: Scene, issues: Iterable[Issue], wishes: Wishes, known: Cata
 
 def _repaired(scene: Scene, terms: Terms, errors: Sequence[Issue], known: Catalogs) -> _Answers:
     """Repairs the rooms that break a rule without their people, then the people who are in the way."""
-    people = {person.id for person in scene.dynamic}
-    broken = {issue.room for issue in errors if not people & set(issue.ids)}
     if not errors:
         return _Answers(scene, (), People(scene.dynamic))
-    mended = tuple(_mended(scene, room, terms, errors) if room.id in broken else Mended(room) for room in scene.rooms)
+    alone = _without_people(scene, errors, known)
+    broken = {issue.room for issue in alone}
+    mended = tuple(_mended(scene, room, terms, alone) if room.id in broken else Mended(room) for room in scene.rooms)
     furnished, left = _with(scene, mended), errors
     if broken:
-        mended, left = _settled(scene, mended, terms, known)
+        mended, left = _settled(replace(scene, dynamic=()), mended, terms, known)
         furnished = _with(scene, mended)
+        left = _errors(furnished, known) if scene.dynamic else left
     moved = mend_people(furnished, {room.id: _space(scene, room) for room in scene.rooms}, terms, left)
     return _Answers(replace(furnished, dynamic=moved.people), mended, moved)
+
+
+def _without_people(scene: Scene, errors: Sequence[Issue], known: Catalogs) -> list[Issue]:
+    """Returns the errors of a scene that its furniture makes by itself; who stands in the way makes things unreachable."""
+    people = {person.id for person in scene.dynamic}
+    if people and any(issue.rule == "unreachable" for issue in errors):
+        return _errors(replace(scene, dynamic=()), known)
+    return [issue for issue in errors if not people & set(issue.ids)]
 
 
 def _mended(scene: Scene, room: Room, terms: Terms, errors: Sequence[Issue]) -> Mended:

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from solver.pipeline.attempt import Terms
-from solver.repair import placed_people
+from solver.repair import in_the_way, placed_people
 from solver.scene import Conflict, Dynamic, Issue, Scene
 from solver.wanted import Space
 
@@ -25,7 +25,7 @@ class People:
 
 
 def mend_people(scene: Scene, spaces: Mapping[str, Space], terms: Terms, issues: Sequence[Issue]) -> People:
-    """Moves people and pets who break a rule to the nearest free place in their room.
+    """Moves people and pets who break a rule, or keep others from something, to the nearest free place in their room.
 
     Args:
         scene: its furniture repaired.
@@ -34,12 +34,17 @@ def mend_people(scene: Scene, spaces: Mapping[str, Space], terms: Terms, issues:
         issues: what the validator says of the scene.
     """
     covered = _covered(scene, terms, issues)
+    closed = {issue.room for issue in issues if issue.rule == "unreachable" and terms.wishes.uses}
     after = {person.id: person for person in scene.dynamic}
     stuck: dict[str, str] = {}
     for room in scene.rooms:
         here = [person for person in scene.dynamic if person.room in (room.id, None if len(scene.rooms) == 1 else room.id)]
-        if covered & {person.id for person in here}:
-            crowd = placed_people(here, room, spaces[room.id], covered)
+        moving = covered & {person.id for person in here}
+        if here and room.id in closed:
+            staying = [person for person in here if person.id not in moving]
+            moving |= in_the_way(staying, room, spaces[room.id], terms.wishes.uses) - terms.wishes.locked
+        if moving:
+            crowd = placed_people(here, room, spaces[room.id], moving, terms.wishes.uses)
             after |= {person.id: person for person in crowd.people}
             stuck |= {label: f"{label} finds no free place in {room.id}" for label in crowd.stuck}
     conflicts = tuple(Conflict((label,), message, ({"action": "leave_out", "id": label},)) for label, message in stuck.items())

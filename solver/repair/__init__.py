@@ -8,7 +8,7 @@ solving (placement), where a room's furniture may stand (furnish).
 from solver.repair.as_sent import holders, wanted_as_sent
 from solver.repair.bodies import Body, all_bodies, floor_bodies, squared
 from solver.repair.changes import applied
-from solver.repair.people import Crowd, followed, placed_people
+from solver.repair.people import Crowd, followed, in_the_way, placed_people
 from solver.repair.previous import near_previous
 from solver.repair.resting import rested
 from solver.repair.ways import Walls
@@ -26,6 +26,7 @@ __all__ = [
     "floor_bodies",
     "followed",
     "holders",
+    "in_the_way",
     "near_previous",
     "placed_people",
     "rested",

@@ -6,15 +6,26 @@ Comes in: a furnished room, its people, who of them is covered. Goes out: the pe
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Iterable, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
+from typing import Final
 
-from solver.free_places import Solid, nearest_place, solid_of
+from solver.free_places import Solid, footprint, free_places, nearest_place, solid_of
 from solver.geometry import Rect, half_m
-from solver.repair.bodies import BODY_MM, Body
+from solver.repair.bodies import BODY_MM, Body, squared
+from solver.repair.wishes import Sides
 from solver.repair.written import carried_pose
 from solver.scene import Dynamic, Furniture, Room
 from solver.wanted import Space
+from solver.ways import EVERY_SIDE, Goal, Ways
+
+MOST_PLACES: Final = 200
+"""Places that are tried for somebody who is to be in nobody's way."""
+HEADROOM: Final = 2.0
+"""What hangs higher is walked under, m: the height of a door."""
+TURNED: Final = ("south", "east", "north", "west")
+"""Where a front looks after 0, 1, 2, 3 quarter turns."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +36,7 @@ class Crowd:
     stuck: tuple[str, ...] = ()
 
 
-def placed_people(people: Sequence[Dynamic], room: Room, space: Space, covered: Container[str]) -> Crowd:
+def placed_people(people: Sequence[Dynamic], room: Room, space: Space, covered: Container[str], uses: Mapping[str, Sides]) -> Crowd:
     """Moves those who are covered to the nearest free place, one after the other; the others stay. Who sat stands up.
 
     Args:
@@ -33,20 +44,39 @@ def placed_people(people: Sequence[Dynamic], room: Room, space: Space, covered: 
         room: furnished.
         space: its clear rectangle, and what its doors and its outline keep free.
         covered: ids of those who are to move.
+        uses: use sides by name of piece: nobody is put where they keep others from them while there is another place. Without
+            any, walking is of no interest.
     """
     solids = [Solid(zone.rect, -math.inf, math.inf) for zone in space.zones if zone.above_mm < 0]
     solids += [solid_of(body) for body in _obstacles(room)]
     solids += [solid_of(person) for person in people if person.id not in covered]
+    ways = _ways(room, space, uses) if uses else None
     placed: list[Dynamic] = []
     stuck: list[str] = []
-    for person in people:
-        found = _moved(_risen(person), space.clear, solids) if person.id in covered else person
+    for k, person in enumerate(people):
+        others = [footprint(one) for one in (*placed, *people[k + 1 :]) if one.on is None and (one in placed or one.id not in covered)]
+        found = _moved(_risen(person), _Room(space.clear, solids, ways, others)) if person.id in covered else person
         if found is None:
             stuck.append(person.id)
         elif found is not person:
             solids.append(solid_of(found))
         placed.append(found or person)
     return Crowd(tuple(placed), tuple(stuck))
+
+
+def in_the_way(people: Sequence[Dynamic], room: Room, space: Space, uses: Mapping[str, Sides]) -> frozenset[str]:
+    """Returns who would have to move for everything in a room to be within reach.
+
+    One of those who stand, or if that is not enough all; nobody where they are not what is in the way.
+    """
+    ways = _ways(room, space, uses)
+    standing = {person.id: footprint(person) for person in people if person.on is None}
+    if not standing or ways.open(list(standing.values())) or not ways.open():
+        return frozenset()
+    for label in reversed(standing):
+        if ways.open([rect for other, rect in standing.items() if other != label]):
+            return frozenset({label})
+    return frozenset(standing)
 
 
 def followed(people: Iterable[Dynamic], before: Iterable[Furniture], after: Iterable[Furniture]) -> tuple[Dynamic, ...]:
@@ -86,10 +116,44 @@ def _obstacles(room: Room) -> list[Body]:
     return [body for body in bodies if body.height * 1000 > BODY_MM]
 
 
-def _moved(person: Dynamic, clear: Rect, solids: Sequence[Solid]) -> Dynamic | None:
+def _ways(room: Room, space: Space, uses: Mapping[str, Sides]) -> Ways:
+    """Returns what has to stay within reach in a room without its people."""
+    bodies = [footprint(body) for body in _obstacles(room) if body.y < HEADROOM]
+    goals = [_goal(piece, *uses[piece.name]) for piece in room.furniture if piece.name in uses]
+    return Ways(space, bodies, goals)
+
+
+def _goal(piece: Furniture, sides: Sequence[str], need_all: bool) -> Goal:
+    quarter = {"front": 0, "right": 1, "back": 2, "left": 3}
+    walls = tuple(TURNED[(squared(piece.rotation) // 90 + quarter[side]) % 4] for side in sides)
+    return Goal(footprint(piece), walls, need_all)
+
+
+@dataclass(frozen=True)
+class _Room:
+    """Where somebody may be put: the clear rectangle, what is taken, what must stay within reach and who else stands there."""
+
+    clear: Rect
+    solids: Sequence[Solid]
+    ways: Ways | None
+    others: Sequence[Rect]
+
+
+def _moved(person: Dynamic, room: _Room) -> Dynamic | None:
     """Returns a person at the nearest free place, turned as before, or None where there is none."""
     own = solid_of(person)
-    found = nearest_place(own.rect, clear, [solid.rect for solid in solids if not solid.beside(own)])
+    blocks = [solid.rect for solid in room.solids if not solid.beside(own)]
+    found = nearest_place(own.rect, room.clear, blocks)
     if found is None:
         return None
+    found = _out_of_the_way(own.rect, room, blocks) or found
     return replace(person, x=half_m(found.x0 + found.x1), z=half_m(found.z0 + found.z1))
+
+
+def _out_of_the_way(own: Rect, room: _Room, blocks: Sequence[Rect]) -> Rect | None:
+    """Returns the nearest of the likely places that leaves everything within reach, or None where that is of no interest."""
+    ways = room.ways
+    if ways is None or not ways.open(room.others):
+        return None
+    places = islice(free_places(own, room.clear, blocks, ways.space.robot_mm), MOST_PLACES)
+    return next((place for place in places if ways.open([*room.others, place], [Goal(place, EVERY_SIDE)])), None)

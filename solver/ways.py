@@ -23,6 +23,9 @@ LEAST_FLOOR: Final = (1000 * PER_MM) ** 2 // 4
 """Free centres that a room needs: 0.25 m2 (contract, rule unreachable), in square lattice steps."""
 
 
+EVERY_SIDE: Final = ("north", "south", "west", "east")
+
+
 @dataclass(frozen=True)
 class Goal:
     """Something to come to: a body's footprint, mm, and the walls its sides look to; any of them, or `all`."""
