@@ -23,6 +23,8 @@ DARK: Final = 8.0
 """A habitable room without an outside wall."""
 AT_ENTRANCE: Final = 6.0
 """A bedroom that can only be entered from the entrance room."""
+OFF_ENTRY: Final = 0.7
+"""Another room than a bedroom that only the entrance room leads to."""
 DRY: Final = 4.0
 """A wet room without a wet neighbour."""
 KITCHEN_APART: Final = 2.5
@@ -31,10 +33,10 @@ LIVING_APART: Final = 1.5
 """A living room away from the entry, a dining room away from the living room."""
 OUTLINE: Final = (0.75, 1.9)
 """Width over depth of an outline that costs nothing; beyond, OUTLINE_COST for every unit."""
-OUTLINE_COST: Final = 8.0
+OUTLINE_COST: Final = 5.0
 HALLWAY_SHARE: Final = 0.08
 """Hallway over floor that costs nothing; beyond, HALLWAY_COST for all of the floor."""
-HALLWAY_COST: Final = 25.0
+HALLWAY_COST: Final = 32.0
 AREA_COST: Final = 1.5
 """Of the squared deviation of a room's area from what is typical, over what is typical."""
 
@@ -77,8 +79,8 @@ class Judge:
         """Judges a drawing."""
         sizes, short = self._sizes(sheet.boxes)
         beside = _beside(sheet)
-        unreached, at_entrance = self._access(beside, sheet)
-        cost = sizes + self._outline(sheet) + self._company(beside) + UNREACHED * unreached + AT_ENTRANCE * at_entrance
+        unreached, at_entrance, others = self._access(beside, sheet)
+        cost = sizes + self._outline(sheet) + self._company(beside) + UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others
         return Verdict(cost, short, unreached)
 
     def _sizes(self, boxes: Sequence[Box]) -> tuple[float, int]:
@@ -125,8 +127,8 @@ class Judge:
                 cost += LIVING_APART * (not beside[i] & (self.entry | self.living))
         return cost
 
-    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int]:
-        """Counts rooms that no way through leads to, and bedrooms that only the entrance room leads to."""
+    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int]:
+        """Counts rooms that no way through leads to, and bedrooms and others that only the entrance room leads to."""
         hall = 1 << len(self.wishes) if sheet.hallway is not None else 0
         ways = self.ways | hall
         start = self.entry & -self.entry or self.living & -self.living or hall or 1
@@ -137,16 +139,17 @@ class Judge:
             found = beside[room] & ways & ~reached
             reached |= found
             fresh |= found
-        unreached, at_entrance = (ways & ~reached).bit_count(), 0
+        unreached, at_entrance, others = (ways & ~reached).bit_count(), 0, 0
         for bath, owner in self.owned:
             unreached += not beside[bath] >> owner & 1
         for i in self.leaves:
             doors = beside[i] & reached
             if not doors:
                 unreached += not self._behind(i, beside, reached)
-            elif doors == start and i in self.bedrooms:
-                at_entrance += 1
-        return unreached, at_entrance
+            elif doors == start:
+                at_entrance += i in self.bedrooms
+                others += i not in self.bedrooms
+        return unreached, at_entrance, others
 
     def _behind(self, room: int, beside: Sequence[int], reached: int) -> bool:
         """Tells whether a garage can be entered through a laundry that is reached itself."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Final
 
+from solver.floorplan.programme.columns import Size, width_of
 from solver.floorplan.programme.drafts import Column, Draft
 from solver.floorplan.programme.wishes import Wish
 from solver.streams import Stream
@@ -25,11 +26,17 @@ PAIRED: Final = 0.55
 an own bathroom behind a small wet room next to its bedroom."""
 BESIDE: Final = 0.8
 """How often it else lies beside the bedroom, not behind it."""
+AT_KITCHEN: Final = 0.85
+AT_SUITE: Final = 0.85
+"""How often a small wet room is dealt beside the kitchen, and another at the wet end of a suite."""
 Chunk = list[Column]
 
 
 def kinds_for(wishes: Sequence[Wish]) -> tuple[str, ...]:
-    """Returns the skeletons that suit a programme: by how many rooms need a hallway, and whether cars come in."""
+    """Returns the skeletons that suit a programme: by how many rooms need a hallway, and whether cars come in.
+
+    The ranch stands thrice: it is drawn more often than the others, whose hallways are half as long again.
+    """
     private = sum(not wish.kind.plan.way_through and wish.owner is None and not wish.garage for wish in wishes)
     sleeping = sum(wish.kind.plan.habitable and not wish.public for wish in wishes)
     if sleeping <= 1 and private <= 3:
@@ -37,7 +44,7 @@ def kinds_for(wishes: Sequence[Wish]) -> tuple[str, ...]:
     public = sum(wish.public for wish in wishes)
     kinds = ["full"]
     if public >= 2:
-        kinds.append("ranch")
+        kinds += ["ranch"] * 3
     if not any(wish.garage for wish in wishes):
         kinds.append("axial")
     return tuple(kinds)
@@ -68,32 +75,51 @@ class Dealer:
     def _deep(self) -> int:
         return self._depth(DEEP if self.garages else DEPTHS)
 
-    def _chunks(self) -> tuple[Chunk, list[Chunk]]:
-        """Returns the public rooms, with what is dealt beside them, and the private rooms in chunks."""
-        stream, small, private = self.stream, list(self.small), list[Chunk]()
+    def _chunks(self, shallow: bool = True, without: Sequence[int] = ()) -> tuple[Chunk, list[Chunk]]:
+        """Returns the public rooms, with what is dealt beside them, and the private rooms in chunks.
+
+        In a strip that is not `shallow` nothing small stands beside the kitchen: it would be too slim. Rooms `without` are
+        dealt elsewhere.
+        """
+        stream, private = self.stream, list[Chunk]()
+        small = [room for room in self.small if room not in without]
         stream.shuffle(small)
-        baths = [i for i in small if self.wishes[i].kind.plan.behind and self._is_bath(i)]
+        baths = [i for i in small if self._is_bath(i)]
         others = [i for i in small if i not in baths]
         owners = {owner: bath for bath, owner in self.owned}
-        for room in self.others:
-            private.append(self._suite(room, owners[room], baths, others) if room in owners else [(room,)])
         public: Chunk = [(room,) for room in self._public_order()]
-        while baths:
-            bath = baths.pop()
-            if others and stream.chance(PAIRED):
-                private.append([(bath, others.pop())])
-            elif baths and stream.chance(PAIRED):
-                private.append([(bath,), (baths.pop(),)])
+        if shallow and stream.chance(AT_KITCHEN):
+            self._beside_kitchen(public, others if others and (not baths or stream.chance(0.7)) else baths)
+        suites = [self._suite(room, owners[room], baths, others) for room in self.others if room in owners]
+        private += [[(room,)] for room in self.others if room not in owners]
+        singles: list[Column] = []
+        while others and baths and stream.chance(PAIRED):
+            singles.append((baths.pop(), others.pop()))
+        singles += [(room,) for room in (*others, *baths)]
+        wet: Chunk = []
+        for column in singles:
+            if suites and stream.chance(AT_SUITE):
+                self._join(stream.pick(suites), column)
             else:
-                private.append([(bath,)])
-        for room in others:
-            kitchens = [k for k, column in enumerate(public) if self.wishes[column[0]].kind.plan.wet]
-            if kitchens and stream.chance(0.8):
-                public.insert(kitchens[0] + stream.below(2), (room,))
-            else:
-                private.append([(room,)])
+                wet.append(column)
+        private += suites
+        if wet:
+            private.append(wet)
         stream.shuffle(private)
         return public, private
+
+    def _beside_kitchen(self, public: Chunk, rooms: list[int]) -> None:
+        """Moves one of the rooms beside the kitchen, not between it and the dining room."""
+        kitchens = [k for k, column in enumerate(public) if self.wishes[column[0]].kind.plan.wet]
+        if kitchens and rooms:
+            public.insert(len(public) if kitchens[-1] == len(public) - 1 else kitchens[-1], (rooms.pop(),))
+
+    def _join(self, suite: Chunk, column: Column) -> None:
+        """Adds a small wet room at the wet end of a suite."""
+        if self.wishes[suite[0][-1]].small:
+            suite.insert(0, column)
+        else:
+            suite.append(column)
 
     def _is_bath(self, room: int) -> bool:
         return any("toilet" in line for line in self.wishes[room].kind.requires)
@@ -119,8 +145,11 @@ class Dealer:
         living = [i for i in self.public if not self.wishes[i].kind.plan.wet]
         kitchens = [i for i in self.public if self.wishes[i].kind.plan.wet]
         living.sort(key=lambda i: (-self.areas[i], i))
-        at = len(living) if self.stream.chance(0.6) else min(1, len(living))
+        at = len(living) if self.stream.chance(0.75) else min(1, len(living))
         return living[:at] + kitchens + living[at:]
+
+    def _stack(self, column: Column) -> tuple[Size, ...]:
+        return tuple([self.wishes[room].size for room in column])
 
     def _length(self, strip: Sequence[Column], depth: int) -> int:
         return sum(self.areas[room] for column in strip for room in column) // depth
@@ -129,7 +158,8 @@ class Dealer:
         """Adds chunks to either end of the strip that is the shorter one, mostly."""
         for chunk in sorted(chunks, key=lambda chunk: -sum(self.areas[i] for column in chunk for i in column)):
             lengths = [self._length(strip, depth) * self.stream.uniform(0.9, 1.1) for strip, depth in zip(strips, depths, strict=True)]
-            shorter = strips[lengths.index(min(lengths))]
+            fitting = [k for k, depth in enumerate(depths) if not any(width_of(self._stack(column), depth).misses for column in chunk)]
+            shorter = strips[min(fitting or range(len(strips)), key=lengths.__getitem__)]
             if self.stream.chance(0.5):
                 shorter[:0] = chunk
             else:
@@ -139,21 +169,33 @@ class Dealer:
         """The entry as a column; in a strip for cars something small lies between it and the hallway."""
         return [(self.entries[0],)] if self.entries else []
 
-    def _front(self, private: list[Chunk]) -> Chunk:
+    def _front(self) -> Chunk:
+        """The entry as a column; in a strip for cars, and now and then elsewhere, something small lies behind it."""
         entry = self._entry()
-        single = [chunk for chunk in private if len(chunk) == 1 and len(chunk[0]) == 1 and self.wishes[chunk[0][0]].small]
-        if entry and single and (self.garages or self.stream.chance(0.15)):
-            private.remove(single[0])
-            return [(single[0][0][0], entry[0][0])]
-        return entry
+        if not entry or not self.small or not (self.garages or self.stream.chance(0.15)):
+            return entry
+        dry = [room for room in self.small if not self._is_bath(room)]
+        return [((dry or self.small)[-1], entry[0][0])]
+
+    def _dealt(self) -> tuple[Chunk, Chunk, list[Chunk]]:
+        """Returns the entry's column, the public rooms and the private ones, for strips along the street."""
+        front = self._front()
+        public, private = self._chunks(not self.garages, [room for column in front for room in column])
+        return front, public, private
+
+    def _along_street(self, front: Chunk, public: Chunk) -> Chunk:
+        """The entry beside the living room, or what lies behind it beside the kitchen, or between the two."""
+        if not front or len(front[0]) == 1 or self.stream.chance(0.3):
+            return front + public
+        cut = self.stream.below(2)
+        return public[:cut] + front + public[cut:][::-1]
 
     def _full(self) -> Draft:
-        public, private = self._chunks()
+        south, public, private = self._dealt()
         depths = [self._depth(), self._deep()]
         north: list[Column] = []
-        south: list[Column] = self._front(private)
         if self.garages or self.stream.chance(0.65):
-            south = self._either(south + public)
+            south = self._either(self._along_street(south, public))
         else:
             north = self._either(public)
         self._fill((north, south), depths, private)
@@ -166,6 +208,9 @@ class Dealer:
         strips: list[list[Column]] = [[], []]
         self._fill(strips, depths, private)
         side = self.stream.below(2)
+        across = strips[1 - side]
+        if across and self._sleeps(across[-1]) and not self._sleeps(across[0]):
+            across.reverse()
         strips[side].extend(public[::-1] if self.stream.chance(0.8) else public)
         lengths = [self._length(strip, depth) for strip, depth in zip(strips, depths, strict=True)]
         for _ in range(len(strips[side])):
@@ -174,6 +219,10 @@ class Dealer:
             strips[1 - side].append(strips[side].pop(0))
             lengths = [self._length(strip, depth) for strip, depth in zip(strips, depths, strict=True)]
         return Draft("axial", strips, depths, self.entries[0] if self.entries else None)
+
+    def _sleeps(self, column: Column) -> bool:
+        """Tells whether the room of a column that lies at the hallway is slept or worked in: not beside the entry."""
+        return not self.wishes[column[0]].small
 
     def _ranch(self) -> Draft:
         public, private = self._chunks()
@@ -184,7 +233,7 @@ class Dealer:
         self._fill(strips[2:], depths[2:], private)
         if self._entry():
             strips[3].sort(key=lambda column: column[0] not in self.entries)
-        behind = self._either(list(public))
+        behind = public[::-1] if self.stream.chance(0.8) else list(public)
         cut = self._cut(behind, depths[:2])
         strips[0], strips[1] = behind[:cut], [(room,) for room in self.garages] + behind[cut:]
         return Draft("ranch", strips, depths)
@@ -202,13 +251,10 @@ class Dealer:
         return min(range(1, max(2, len(public))), key=uneven)
 
     def _rows(self) -> Draft:
-        public, private = self._chunks()
+        front, public, private = self._dealt()
         depths = [self._depth(), self._deep()]
-        north: list[Column] = []
-        south: list[Column] = self._front(private)
         cut = self.stream.below(len(public) + 1)
-        south = self._either(south + public[:cut])
-        north = self._either(public[cut:])
+        south, north = self._either(front + public[:cut]), self._either(public[cut:])
         self._fill((north, south), depths, private)
         south[:0] = [(room,) for room in self.garages]
         return Draft("rows", [north, south], depths)

@@ -24,6 +24,12 @@ CENTRE_MM: Final = 1600
 """Width of an axial hallway: as narrow as the foyer at its end may be."""
 SLIM_MM: Final = 1600
 """A strip is never made slimmer than this for the other's sake."""
+CHOICES: Final = 4
+"""How often depths are drawn until a ranch's two pairs of strips go together."""
+RATIO: Final = 1.6
+"""Width over depth of a house whose strips are as deep as wished. Our choice."""
+FLOOR: Final = 1.1
+"""Floor of a house over that of its rooms. Measured."""
 Column = tuple[int, ...]
 """Rooms of a column, the one at the hallway first."""
 Box = tuple[int, int, int, int]
@@ -80,22 +86,21 @@ class Pair(NamedTuple):
     high: int
 
 
-def _pair(draft: Draft, first: int, sizes: Sequence[Size]) -> Pair | Misfit:
-    rows = []
-    for k in (first, first + 1):
-        depth = draft.depths[k]
-        rows.append([width_of(tuple([sizes[room] for room in column]), depth) for column in draft.strips[k]])
-    bad = sum(span.misses for row in rows for span in row)
-    low = max(sum(span.low for span in row) for row in rows)
-    high = min(sum(span.high for span in row) for row in rows)
-    if bad or low > high:
-        return Misfit(bad, max(low - high, 0))
-    wished = sum(span.wished for row in rows for span in row) // 2
-    return Pair((rows[0], rows[1]), low, min(max(_snapped(wished), low), high), high)
+def _place(depth: int) -> int:
+    """Returns the bit of the depth nearest to one, or one past them all."""
+    place = (depth - DEPTHS_MM[0] + DEPTHS_MM.step // 2) // DEPTHS_MM.step
+    return place if 0 <= place < len(DEPTHS_MM) else len(DEPTHS_MM)
 
 
-def _nearest(depths: Sequence[int], wished: int) -> int:
-    return min(depths, key=lambda depth: (abs(depth - wished), depth))
+def _listed(bits: int) -> list[int]:
+    return [depth for k, depth in enumerate(DEPTHS_MM) if bits >> k & 1]
+
+
+def _nearest(bits: int, wished: int) -> int:
+    """Returns the depth among bits that is nearest to one wished, that one itself where it is as good."""
+    if bits >> _place(wished) & 1:
+        return wished
+    return min(_listed(bits), key=lambda depth: (abs(depth - wished), depth))
 
 
 def _snapped(length: int) -> int:
@@ -107,6 +112,10 @@ class Drawer:
 
     def __init__(self, sizes: Sequence[Size], frame: Frame) -> None:
         self.sizes, self.frame = sizes, frame
+        floor = FLOOR * sum(size.typical for size in sizes)
+        self.wished = ((floor / RATIO) ** 0.5 - HALLWAY_MM) / 2
+        self._bits: dict[Column, int] = {}
+        self._widths: dict[tuple[Column, int], Span] = {}
 
     def choose(self, draft: Draft, stream: Stream) -> None:
         """Gives the strips depths at which all their columns have a width, pairs of strips about one length.
@@ -114,32 +123,46 @@ class Drawer:
         A strip whose columns have no such depth in common takes what the others leave it.
         """
         last, whole = len(draft.strips) - 2, self._across(draft.kind)
-        self._choose_pair(draft, last, whole, stream)
-        if last:
-            self._choose_pair(draft, 0, sum(draft.depths[2:]) + HALLWAY_MM, stream)
+        for _ in range(CHOICES):
+            fits = self._choose_pair(draft, last, whole, stream)
+            if not last or (self._choose_pair(draft, 0, sum(draft.depths[2:]) + HALLWAY_MM, stream) and fits):
+                return
 
-    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> None:
-        north, south = (self._possible(draft.strips[k]) for k in (first, first + 1))
+    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> bool:
+        """Chooses the depths of two strips; tells whether both suit their columns."""
+        depths, strips = draft.depths, draft.strips
+        north, south = _listed(self._possible(strips[first])), self._possible(strips[first + 1])
         if whole:
-            both = [depth for depth in north if whole - depth in south] or north
-            draft.depths[first] = stream.pick(both)
-            self._share(draft.depths, first, whole)
-            return
-        depth = stream.pick(north)
-        areas = [sum(self.sizes[room].typical for column in draft.strips[k] for room in column) for k in (first, first + 1)]
-        other = areas[1] * depth // max(areas[0], 1)
-        draft.depths[first : first + 2] = depth, _nearest(south, other)
+            both = [depth for depth in north if south >> _place(whole - depth) & 1]
+            depths[first] = stream.pick(both or north)
+            self._share(depths, first, whole)
+            return bool(both)
+        depth = min(stream.pick(north), stream.pick(north), key=lambda one: abs(one - self.wished))
+        areas = [sum([self.sizes[room].typical for column in strips[k] for room in column]) for k in (first, first + 1)]
+        depths[first : first + 2] = depth, _nearest(south, areas[1] * depth // max(areas[0], 1) // DEPTHS_MM.step * DEPTHS_MM.step)
+        return True
 
-    def _possible(self, strip: Sequence[Column]) -> list[int]:
-        """Returns the depths at which the most columns of a strip have a width."""
-        bits = [depths_for(tuple([self.sizes[room] for room in column])) for column in strip]
-        common = -1
-        for one in bits:
-            common &= one
-        if common:
-            return [depth for k, depth in enumerate(DEPTHS_MM) if common >> k & 1]
-        counts = [sum(one >> k & 1 for one in bits) for k in range(len(DEPTHS_MM))]
-        return [depth for depth, count in zip(DEPTHS_MM, counts, strict=True) if count == max(counts)]
+    def _possible(self, strip: Sequence[Column]) -> int:
+        """Returns the depths at which a strip's columns have a width, as bits; columns that leave none are passed over."""
+        common = (1 << len(DEPTHS_MM)) - 1
+        for column in strip:
+            bits = self._bits.get(column)
+            if bits is None:
+                bits = self._bits[column] = depths_for(self._stack(column))
+            common = common & bits or common
+        return common
+
+    def _stack(self, column: Column) -> tuple[Size, ...]:
+        return tuple([self.sizes[room] for room in column])
+
+    def _spans(self, strip: Sequence[Column], depth: int) -> list[Span]:
+        spans = []
+        for column in strip:
+            span = self._widths.get((column, depth))
+            if span is None:
+                span = self._widths[column, depth] = width_of(self._stack(column), depth)
+            spans.append(span)
+        return spans
 
     def _across(self, kind: str) -> int:
         """Returns what the last two strips' depths add up to, 0 where it is free."""
@@ -176,11 +199,9 @@ class Drawer:
             return Misfit(len(self.sizes), 0)
         pairs = []
         for first in range(0, len(draft.depths), 2):
-            pair = _pair(draft, first, self.sizes)
+            pair = self._pair(draft, first, stretch)
             if isinstance(pair, Misfit):
-                if not stretch:
-                    return pair
-                pair = _forced(draft, first, self.sizes)
+                return pair
             pairs.append(pair)
         along = self.frame.depth if draft.kind == "axial" else self.frame.width
         lengths = self._lengths(pairs, along)
@@ -188,6 +209,24 @@ class Drawer:
         if misses and not stretch:
             return Misfit(0, misses)
         return self._drawn(draft, pairs, lengths)
+
+    def _pair(self, draft: Draft, first: int, stretch: bool) -> Pair | Misfit:
+        north, south = (self._spans(draft.strips[k], draft.depths[k]) for k in (first, first + 1))
+        bad, low, high, wished = 0, 0, 1 << 30, 0
+        for row in (north, south):
+            least = most = 0
+            for span in row:
+                least += span.low
+                most += span.high
+                wished += span.wished
+                bad += span.misses
+            low, high = max(low, least), min(high, most)
+        wished = _snapped(wished // 2)
+        if stretch:
+            return Pair((north, south), wished, wished, wished)
+        if bad or low > high:
+            return Misfit(bad, max(low - high, 0))
+        return Pair((north, south), low, min(max(wished, low), high), high)
 
     def _lengths(self, pairs: Sequence[Pair], along: int) -> list[int]:
         if not along:
@@ -223,7 +262,7 @@ class Drawer:
         at, line, depth = place
         for column, width in zip(columns, widths, strict=True):
             inner = line
-            parts = (abs(depth),) if len(column) == 1 else depths_of(tuple([self.sizes[i] for i in column]), width, abs(depth))
+            parts = (abs(depth),) if len(column) == 1 else depths_of(self._stack(column), width, abs(depth))
             for room, part in zip(column, parts, strict=True):
                 if depth > 0:
                     boxes[room] = (at, inner - part, at + width, inner)
@@ -245,12 +284,3 @@ class Drawer:
             end = along - width_of((self.sizes[draft.entry],), east - west).wished
             turned[draft.entry] = (west, end, east, along)
         return Sheet(turned, (west, 0, east, end), across, along)
-
-
-def _forced(draft: Draft, first: int, sizes: Sequence[Size]) -> Pair:
-    """Returns a pair of strips that do not come out, with one length all the same."""
-    rows = []
-    for k in (first, first + 1):
-        rows.append([width_of(tuple([sizes[room] for room in column]), draft.depths[k]) for column in draft.strips[k]])
-    wished = _snapped(sum(span.wished for row in rows for span in row) // 2)
-    return Pair((rows[0], rows[1]), wished, wished, wished)

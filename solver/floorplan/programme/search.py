@@ -19,7 +19,7 @@ DEALS: Final = 12
 MOVES: Final = 48
 """How often it is begun anew, and the deals and moves of each time (floorplan.md)."""
 GOOD: Final = 1.2
-GOOD_EACH: Final = 0.16
+GOOD_EACH: Final = 0.18
 """A home that costs no more than this, and this for every room, is taken at once: searching on makes all homes alike."""
 MISFIT: Final = 1000.0
 """Cost of a draft that cannot be drawn, and MISFIT_COLUMN for each column without a width, 1 for every MISFIT_MM."""
@@ -65,10 +65,10 @@ class Search:
 
     def run(self) -> Found:
         """Searches in the kind that the seed draws; in the others too where a room falls short in it."""
-        kinds = list(self.drawers)
+        kinds = list(kinds_for(self.wishes))
         Stream(self.seed, "programme.kind").shuffle(kinds)
         best: _Seen | None = None
-        for kind in kinds:
+        for kind in dict.fromkeys(kinds):
             seen = self._kind(kind)
             if best is None or seen.cost < best.cost:
                 best = seen

@@ -18,6 +18,8 @@ OFF_HALLWAY: Final = 0.3
 """Cost of entering a living space from the hallway: from the next living space it is a passage, and costs less."""
 BED_FROM_ENTRY: Final = 4.0
 """Cost of a bedroom entered from the entrance room, beside what it costs to walk through that."""
+OFF_ENTRY: Final = 0.4
+"""Cost of a small room entered from the entrance room: from the hallway beside it, it is out of sight."""
 LIVING_TO_PRIVATE: Final = 1.2
 """Cost of a private room entered from a living space."""
 SERVICE: Final = 0.1
@@ -53,7 +55,9 @@ class HomeWays(Typed):
         if private and not to.plan.wet and through == self.entrance:
             return BED_FROM_ENTRY
         if not via.habitable:
-            return OFF_HALLWAY if to.plan.way_through and to.plan.habitable else 0.0
+            if to.plan.way_through and to.plan.habitable:
+                return OFF_HALLWAY if through != self.entrance else 0.0
+            return OFF_ENTRY if through == self.entrance and not to.plan.way_through else 0.0
         if to.plan.way_through:
             return 0.0 if to.plan.habitable else SERVICE
         if via.wet and to.plan.wet and not private:

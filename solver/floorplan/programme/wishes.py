@@ -24,6 +24,8 @@ IMPLIED: Final = {"bedrooms": 1, "bathrooms": 1, "living_room": 1, "kitchen": 1,
 """What a programme holds where it does not count it. Our choice: the least that makes a home."""
 MOST_ROOMS: Final = 30
 """Most rooms of a programme; our choice: strips of more would be longer than any street."""
+SHRINKING: Final = 2.0
+"""How much worse a floor too small for a preset is than one as much too large."""
 LAST: Final = 4
 """From this `spare` on even the last room of its word may be left out."""
 WALLS_SHARE: Final = 1.1
@@ -107,13 +109,14 @@ def counts_of(request: Request, catalogs: Catalogs) -> dict[str, int]:
 
 
 def _preset_for(request: Request, catalogs: Catalogs) -> str:
-    """Returns the preset whose typical floor is nearest to the area asked for."""
+    """Returns the preset whose typical floor is nearest to the area asked for; rooms grow more gladly than they shrink."""
     area = request.area or 0.0
 
     def strays(name: str) -> tuple[float, str]:
         rooms = types_of({word: count for word, count in catalogs.presets[name].rooms.items() if count}, catalogs)
         floor = sum(_home(catalogs.rooms[room]).area[1] for room in rooms) * WALLS_SHARE
-        return abs(log(area / floor)), name
+        stretch = log(area / floor)
+        return max(stretch, -SHRINKING * stretch), name
 
     return min(catalogs.presets, key=strays)
 
