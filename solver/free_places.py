@@ -62,13 +62,13 @@ def nearest_place(own: Rect, clear: Rect, blocks: Sequence[Rect]) -> Rect | None
     for x in xs:
         if best is not None and (x - own.x0) ** 2 >= best[0]:
             break
+        beside = [(rect.z0 - own.depth, rect.z1) for rect in blocks if rect.x0 < x + own.width and x < rect.x1]
         for z in zs:
             distance = (x - own.x0) ** 2 + (z - own.z0) ** 2
             if best is not None and distance >= best[0]:
                 break
-            place = Rect(x, z, x + own.width, z + own.depth)
-            if not any(place.overlaps(rect) for rect in blocks):
-                best = distance, place
+            if not any(before < z < behind for before, behind in beside):
+                best = distance, Rect(x, z, x + own.width, z + own.depth)
                 break
     return best[1] if best else None
 
