@@ -42,7 +42,9 @@ class DecorationKind(Entry):
 
 
 class Row(Entry):
-    """What every row says: which kinds (several take turns), how often, in which styles and room types, how small they get.
+    """What every row says: which kinds (several take turns), how often, in which styles, how small they get.
+
+    `rooms` and `not_in`: only in rooms of these types, and in none of those.
 
     `least`: where a thing does not fit it is made smaller, down to this share of its width and depth. `accent`: it has the
     room's accent colour. `chance` is drawn once for the row on each parent.
@@ -52,6 +54,7 @@ class Row(Entry):
     chance: Annotated[float, Field(gt=0, le=1)] = 1.0
     styles: Words = ()
     rooms: Words = ()
+    not_in: Words = ()
     least: Annotated[float, Field(gt=0, le=1)] = 1.0
     accent: bool = False
 
@@ -90,7 +93,7 @@ class Hangs(Row):
 class Stands(Row):
     """Something on a room's floor, `count` of it, one for every `per_area` m2 if that is given.
 
-    `where`: in the `middle`, in a `corner`, `beside` a piece named by `of` (the first that the room has; else at a wall), at a
+    `where`: in the `middle`, in a `corner`, `beside` a piece named by `of` (the first names first; else at a wall), at a
     `wall`, or anywhere `free`; at most `reach` m from there. `fill`: its extents are this share of the room's, the lesser one
     at most `widest` m. A room whose lesser side is under `min_side` m goes without.
     """

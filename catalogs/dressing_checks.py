@@ -88,6 +88,7 @@ def _row_faults(catalogs: Catalogs, at: Key, row: Row) -> Iterator[Fault]:
     yield from _unknown((*at, "put"), row.put, catalogs.decorations, "kind", "a key of decorations.yaml")
     yield from _unknown((*at, "styles"), row.styles, catalogs.styles, "style", "a key of styles.yaml")
     yield from _unknown((*at, "rooms"), row.rooms, catalogs.rooms, "room type", "a file of rooms/")
+    yield from _unknown((*at, "not_in"), row.not_in, catalogs.rooms, "room type", "a file of rooms/")
 
 
 def _lying_faults(catalogs: Catalogs, at: Key, parent: _Parent, rows: Sequence[Lies]) -> Iterator[Fault]:

@@ -9,13 +9,15 @@ from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 from catalogs.dressing import INDOOR, DecorationKind, Stands
-from solver.dress.scenery import BODY_MM, New, Scenery, extents, millimetres, nearest, sizes
+from solver.dress.scenery import BODY_MM, Carrier, New, Scenery, extents, millimetres, nearest, sizes
 from solver.dress.walking import Walking
-from solver.geometry import ROTATION_AT_WALL, WALL_BEHIND, Rect, strip, to_mm
+from solver.geometry import FACING, ROTATION_AT_WALL, WALL_BEHIND, Rect, strip, to_mm
 from solver.scene import WALLS
 
 OFF_WALL_MM: Final = 30
 """What stands at a wall stands this far from its face, as furniture does (contract)."""
+FRONT_MM: Final = 300
+"""How much floor before a cupboard's doors things in corners leave free. Our choice."""
 TRIES: Final = 3
 """Places tried for a thing that stands anywhere. Our choice."""
 
@@ -73,7 +75,8 @@ def _scatter(scenery: Scenery, walking: Walking, row: Stands, names: Sequence[st
         name = names[(first + k) % len(names)]
         taken = next((spot for spot in spots if _stood(scenery, walking, row, name, spot)), None)
         if taken is not None and row.where == "corner":
-            spots.remove(taken)
+            corner = spots.index(taken) // 2 * 2
+            del spots[corner : corner + 2]
 
 
 def _spots(scenery: Scenery, row: Stands) -> Iterator[Spot]:
@@ -81,32 +84,31 @@ def _spots(scenery: Scenery, row: Stands) -> Iterator[Spot]:
     if row.where == "corner":
         corners = [(x, z) for x in (clear.x0, clear.x1) for z in (clear.z0, clear.z1)]
         stream.shuffle(corners)
-        yield from (Spot(clear.shrunk(OFF_WALL_MM), corner, 0) for corner in corners)
+        for x, z in corners:
+            yield _at_wall(scenery, "north" if z == clear.z0 else "south", x)
+            yield _at_wall(scenery, "west" if x == clear.x0 else "east", z)
     elif row.where == "free":
         inner = clear.shrunk(OFF_WALL_MM)
         for _ in range(TRIES):
             yield Spot(inner, (inner.x0 + stream.below(inner.width + 1), inner.z0 + stream.below(inner.depth + 1)), 90 * stream.below(4))
     else:
-        beside = list(_beside(scenery, row)) if row.where == "beside" else []
-        yield from beside
+        if row.where == "beside":
+            yield from _beside(scenery, row)
         walls = list(WALLS)
         stream.shuffle(walls)
-        for wall in walls if not beside else ():
+        for wall in walls:
             a, b = clear.along(wall)
             yield _at_wall(scenery, wall, a + stream.below(b - a + 1))
 
 
 def _beside(scenery: Scenery, row: Stands) -> Iterator[Spot]:
-    """Yields places at both ends of the first of the pieces that the room has, along the wall behind it."""
+    """Yields places at both ends of the pieces named, the first names first, along the wall behind them."""
     for name in row.of:
-        found = [piece for piece in scenery.pieces if piece.name == name and piece.low == 0]
-        for piece in found:
+        for piece in (piece for piece in scenery.pieces if piece.name == name and piece.low == 0):
             wall = WALL_BEHIND[piece.rotation]
             ends = list(piece.rect.along(wall))
             scenery.stream.shuffle(ends)
             yield from (_at_wall(scenery, wall, end) for end in ends)
-        if found:
-            return
 
 
 def _at_wall(scenery: Scenery, wall: str, along: int) -> Spot:
@@ -140,13 +142,30 @@ def _blocks(scenery: Scenery, row: Stands, spot: Spot, kind: DecorationKind) -> 
     around = Rect(spot.wish[0] - far, spot.wish[1] - far, spot.wish[0] + far, spot.wish[1] + far)
     blocks = [zone.rect for zone in scenery.space.zones if height > zone.above_mm]
     blocks += [solid.rect for solid in scenery.solids if solid.low < height]
+    if row.where == "corner":
+        blocks += [_front(piece) for piece in scenery.pieces if _is_opened(scenery, piece)]
     return [rect for rect in blocks if rect.overlaps(around)]
+
+
+def _is_opened(scenery: Scenery, piece: Carrier) -> bool:
+    """Tells whether a piece is used from its front, as a cupboard is."""
+    use = scenery.terms.uses.get(piece.name)
+    return use is not None and use.sides == ("front",)
+
+
+def _front(piece: Carrier) -> Rect:
+    """Returns the floor before a piece that nothing in a corner should stand on."""
+    fx, fz = FACING[piece.rotation]
+    rect = piece.rect
+    return Rect(
+        rect.x0 + min(0, fx * FRONT_MM), rect.z0 + min(0, fz * FRONT_MM), rect.x1 + max(0, fx * FRONT_MM), rect.z1 + max(0, fz * FRONT_MM)
+    )
 
 
 def _free(row: Stands, spot: Spot, extent: tuple[int, int], blocks: Sequence[Rect]) -> Rect | None:
     """Returns the free place nearest to a spot: along the wall it is at, or anywhere within the row's reach."""
     area, wish = spot.area, (spot.wish[0] - extent[0] // 2, spot.wish[1] - extent[1] // 2)
-    if row.where in ("beside", "wall"):
+    if row.where != "free":
         wall = WALL_BEHIND[spot.rotation]
         area = strip(area, wall, area.along(wall), extent[1] if wall in ("north", "south") else extent[0])
     return nearest(area, wish, extent, blocks, to_mm(row.reach))

@@ -134,7 +134,7 @@ class Scenery:
         fond = any(name in self.terms.favoured for name in names)
         drawn = row.chance >= 1 or self.stream.chance(row.chance * (FAVOURED if fond else 1.0))
         in_style = not row.styles or self.terms.style_name in row.styles
-        in_room = not row.rooms or self.room.type in row.rooms
+        in_room = self.room.type not in row.not_in and (not row.rooms or self.room.type in row.rooms)
         return names if drawn and in_style and in_room else ()
 
     def jitter(self, kind: DecorationKind) -> int:
