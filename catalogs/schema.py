@@ -48,6 +48,8 @@ class Furniture(Entry):
     mass: Annotated[float, Field(gt=0, le=5000)]
     stands: Literal["wall", "free"]
     use: Use | None = None
+    comfort: dict[Side, Length] = Field(default_factory=dict)
+    """Floor that is better kept free at a side, m deep: wished, never asked."""
     surfaces: tuple[Surface, ...] = ()
 
 
@@ -97,6 +99,7 @@ class Piece(Entry):
     `chance`. `count` copies are wanted; with `per_area`, one for every so many m2, at least one and at most `count`.
     `approach` are sides that must stay reachable besides the kind's own use: a desk's front, before its chair comes.
     `with_next`: an optional piece that is left out where the piece after it, which only stands with it, finds no place.
+    `among`: neighbours in the list with the same word matter alike: a seed draws their order.
     """
 
     piece: str
@@ -109,6 +112,7 @@ class Piece(Entry):
     skip_cost: Cost = 10.0
     approach: tuple[Side, ...] = ()
     with_next: bool = False
+    among: str | None = None
     rules: tuple[Rule, ...] = ()
 
     @model_validator(mode="after")

@@ -13,6 +13,9 @@ from typing import NamedTuple
 
 from solver.geometry import Rect
 
+EMPTY_FLOOR = " floor"
+"""Labels that begin so are of pieces that stand for floor to be kept empty: no bodies, but bodies keep out of them."""
+
 
 @dataclass(frozen=True)
 class Zone:

@@ -6,7 +6,8 @@ May import: catalogs and the ground floor. Not here: choosing among the ways to 
 
 from solver.furnish.anchors import wanted_pieces
 from solver.furnish.asked import Asked, asked_pieces
+from solver.furnish.comfort import with_comfort
 from solver.furnish.walls import WallOccupancy
 from solver.furnish.zones import space_of
 
-__all__ = ["Asked", "WallOccupancy", "asked_pieces", "space_of", "wanted_pieces"]
+__all__ = ["Asked", "WallOccupancy", "asked_pieces", "space_of", "wanted_pieces", "with_comfort"]

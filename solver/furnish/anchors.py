@@ -13,8 +13,9 @@ from solver.furnish.openings import openings_of
 from solver.furnish.relations import RELATIONS, SLOTTED
 from solver.furnish.relations.places import footprint
 from solver.furnish.walls import WallOccupancy
+from solver.furnish.whims import Whims, count, drawn, ordered
 from solver.geometry import FACING, Rect, rotate, strip
-from solver.scene import WALLS, Room, Sides
+from solver.scene import Room, Sides
 from solver.streams import Stream
 from solver.wanted import Alternative, Link, Space, Stand, Wanted
 
@@ -30,8 +31,6 @@ WALL_COST, AHEAD_MM = 1.5, 1000
 """What it costs an armchair to look at a wall nearer than this."""
 GATE_MM = 1000
 """Depth of the floor before a garage door where only cars are wished."""
-WHIM = 0.3
-"""Most that a wall may cost by the seed's whim alone: which of equal walls is taken differs from house to house."""
 
 
 def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> tuple[Wanted, ...]:
@@ -50,16 +49,14 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     scope = Scope(
         space, WallOccupancy(space, _gates(space, openings)), catalogs, openings, room.exterior_walls or Sides(), room.width * room.depth
     )
-    whims = {wall: stream.uniform(0.0, WHIM) for wall in WALLS}
-    pieces = sorted(room_type.pieces, key=lambda piece: not piece.required)
-    draws = {piece.piece: stream.unit() for piece in room_type.pieces}
+    pieces = ordered(room_type.pieces, stream)
     wanted: list[Wanted] = []
     earlier: dict[str, tuple[str, ...]] = {}
     kinds: dict[str, tuple[str, ...]] = {}
     poses: dict[str, Pose] = {}
     for piece in (_suited(piece, scope.area) for piece in pieces):
-        for number in range(1, _count(piece, scope.area, draws[piece.piece]) + 1):
-            one = _wanted(Ask(scope, piece, number, dict(earlier), dict(kinds)), whims)
+        for number in range(1, count(piece, scope.area, stream) + 1):
+            one = _wanted(Ask(scope, piece, number, dict(earlier), dict(kinds)), drawn(stream))
             if one is None:
                 break
             wanted.append(one)
@@ -81,20 +78,12 @@ def _suited(piece: Piece, area: float) -> Piece:
     return piece.model_copy(update={"kinds": tuple(variant for variant in piece.kinds if variant.min_area <= area)})
 
 
-def _count(piece: Piece, area: float, draw: float) -> int:
-    """Returns how many of a piece a room of that area wants; `draw` decides by chance."""
-    if piece.required:
-        return piece.count
-    if area < piece.min_area or draw >= piece.chance:
-        return 0
-    return piece.count if piece.per_area is None else max(1, min(piece.count, int(area / piece.per_area)))
-
-
-def _wanted(ask: Ask, whims: dict[str, float]) -> Wanted | None:
+def _wanted(ask: Ask, whims: Whims) -> Wanted | None:
     """Returns one copy of a piece with its alternatives; None where a rule it cannot do without has nothing to hold on to."""
     piece, scope = ask.piece, ask.scope
     effects = [(rule, RELATIONS[rule.type](ask, rule)) for rule in piece.rules]
-    alternatives = [*_slotted(effects)]
+    clear = scope.space.clear
+    alternatives = [replace(slot, cost=round(slot.cost + whims.cost(slot, piece, clear), 6)) for slot in _slotted(effects)]
     if not any(rule.required and rule.type in SLOTTED for rule, _ in effects):
         alternatives += _judged(ask, effects, whims)
     if not alternatives:
@@ -128,13 +117,13 @@ def _slotted(effects: Sequence[tuple[Rule, Effect]]) -> Iterator[Alternative]:
         yield from (replace(slot, cost=round(slot.cost + missed, 6)) if missed else slot for slot in effect.slots)
 
 
-def _judged(ask: Ask, effects: Sequence[tuple[Rule, Effect]], whims: dict[str, float]) -> list[Alternative]:
+def _judged(ask: Ask, effects: Sequence[tuple[Rule, Effect]], whims: Whims) -> list[Alternative]:
     """Returns the ways to stand at walls and in the room, costed by every rule, the best few of each sort."""
     missed = sum(rule.cost for rule, effect in effects if effect.slots)
     weight = max((effect.weight for _, effect in effects), default=0.0)
     found: list[tuple[float, Alternative]] = []
     for alternative in candidates(ask, [effect for _, effect in effects]):
-        cost = alternative.cost + missed + whims.get(alternative.wall or "", 0.0)
+        cost = alternative.cost + missed + whims.cost(alternative, ask.piece, ask.scope.space.clear)
         if alternative.wall is None:
             cost += _in_the_way(ask, footprint(alternative)) + _facing_wall(ask, alternative)
         cost += sum(effect.judge(alternative) for _, effect in effects if effect.judge)

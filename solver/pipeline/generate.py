@@ -14,7 +14,7 @@ from catalogs import Catalogs, load_catalogs
 from catalogs.styles import Style
 from solver.certificate import certificate, counts, room_certificate
 from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
-from solver.furnish import space_of, wanted_pieces
+from solver.furnish import space_of, wanted_pieces, with_comfort
 from solver.furnished import furnished
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
@@ -103,7 +103,8 @@ def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict
 
 def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Wanted, ...]]:
     space = replace(space_of(room, setting.thickness, setting.robot_width), cover_mm2=_cover_mm2(room, setting))
-    return space, wanted_pieces(room, space, setting.catalogs, Stream(setting.seed, "furnish", room.index))
+    wanted = wanted_pieces(room, space, setting.catalogs, Stream(setting.seed, "furnish", room.index))
+    return space, with_comfort(wanted, setting.catalogs)
 
 
 def _cover_mm2(room: Room, setting: _Setting) -> int:

@@ -13,10 +13,10 @@ from dataclasses import replace
 from solver.geometry import Rect, rotate, strip, turned
 from solver.placement.budget import Budget
 from solver.placement.core import Core, Limits
-from solver.placement.encode import EMPTY_FLOOR, FREE_CENTRES_MM2, encode
+from solver.placement.encode import FREE_CENTRES_MM2, encode
 from solver.placement.kernel.assembly import PERSON_MM
 from solver.placement.usable import Found
-from solver.wanted import Alternative, Attach, Space, Wanted
+from solver.wanted import EMPTY_FLOOR, Alternative, Attach, Space, Wanted
 
 OUTWARDS = {"front": (0, 1), "back": (0, -1), "left": (-1, 0), "right": (1, 0)}
 FLOOR = "floor"

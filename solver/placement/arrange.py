@@ -13,13 +13,13 @@ from math import inf
 from solver.placement.around import around_a_floor
 from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits
-from solver.placement.encode import EMPTY_FLOOR, LEAST_FLOOR_MM2, door_target, empty_floor, encode
+from solver.placement.encode import LEAST_FLOOR_MM2, door_target, empty_floor, encode
 from solver.placement.kernel.fill import COVERED, NO_WAY, SPENT
 from solver.placement.kernel.layout import ABSENT, Ints
 from solver.placement.outcome import Outcome
 from solver.placement.problem import Problem
 from solver.placement.usable import Found, Use, usable
-from solver.wanted import Alternative, Space, Wanted
+from solver.wanted import EMPTY_FLOOR, Alternative, Space, Wanted
 
 LIMITS = Limits()
 FIX_LIMITS = Limits(required=600, required_qps=500)
@@ -134,7 +134,7 @@ def walkable_when_empty(space: Space) -> bool:
 def _draft(core: Core, arranged: Arranged, left_out: list[tuple[Wanted, str]], solves: int, walk: bool) -> Draft:
     absent = list(left_out)
     for k, piece in enumerate(core.encoded.wanted):
-        if arranged.decisions[k] == ABSENT:
+        if arranged.decisions[k] == ABSENT and not piece.label.startswith(EMPTY_FLOOR):
             absent.append((piece, REASONS[int(arranged.fates[k])]))
     if core.outcome().positions is None:  # the budget ended with the last piece: once more, for the placement alone
         core.evaluate(arranged.decisions, LIMITS.required_qps, Budget(), walk)
@@ -184,7 +184,11 @@ def _cut_short(core: Core, left_out: list[tuple[Wanted, str]], solves: int, walk
     """Returns the deepest prefix of the required pieces, where the budget ended before all stood."""
     decisions = core.deepest_decisions()
     core.evaluate(decisions, LIMITS.required_qps, Budget(), walk)
-    absent = [(piece, REASONS[SPENT]) for k, piece in enumerate(core.encoded.wanted) if decisions[k] == ABSENT]
+    absent = [
+        (piece, REASONS[SPENT])
+        for k, piece in enumerate(core.encoded.wanted)
+        if decisions[k] == ABSENT and not piece.label.startswith(EMPTY_FLOOR)
+    ]
     found = _found(core, decisions, core.preference(decisions), walk)
     return replace(found, left_out=[*left_out, *absent], solves=solves, proven=False, best=False)
 

@@ -15,7 +15,7 @@ from solver.placement.kernel import layout
 from solver.placement.kernel.assembly import PERSON_MM
 from solver.placement.kernel.layout import Engine, Ints, Room
 from solver.placement.kernel.space import Sizes, new_engine
-from solver.wanted import Alternative, Doorway, Link, Space, Wanted, Zone
+from solver.wanted import EMPTY_FLOOR, Alternative, Doorway, Link, Space, Wanted, Zone
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
@@ -32,8 +32,6 @@ FREE_CENTRES_MM2 = 250_000
 """Free centres a room must have for the person (contract)."""
 LEAST_FLOOR_MM2 = 255_000
 """The same, and a little for the snap."""
-EMPTY_FLOOR = " floor"
-"""Label of a piece that stands for floor to be kept empty; see `empty_floor`."""
 LINK_COSTS = 5
 """Numbers a link costs by."""
 MOST_STATES = 6500

@@ -98,9 +98,9 @@ FURNITURE, FLOORINGS = "furniture.yaml", "floorings.yaml"
 SLIPS = [
     Slip(BEDROOM, "flooring: wood", "flooring: lava", "flooring", "lava", "wood"),
     Slip(BEDROOM, "short_side: 2.4", "short_sid: 2.4", "short_sid", "short_sid", "unknown key"),
-    Slip(BEDROOM, "{kind: small_bed, cost: 2}", "{kind: small_bad, cost: 2}", "pieces.0.kinds.1.kind", "small_bad", "unknown kind"),
-    Slip(BEDROOM, "of: desk,", "of: dask,", "pieces.4.rules.0.of", "of: dask", "nightstand"),
-    Slip(BEDROOM, "type: under", "type: below", "pieces.4.rules.0.type", "type: below", "against_wall"),
+    Slip(BEDROOM, "{kind: small_bed, cost: 1.2}", "{kind: small_bad, cost: 1.2}", "pieces.0.kinds.1.kind", "small_bad", "unknown kind"),
+    Slip(BEDROOM, "of: desk,", "of: dask,", "pieces.7.rules.0.of", "of: dask", "nightstand"),
+    Slip(BEDROOM, "type: under", "type: below", "pieces.7.rules.0.type", "type: below", "against_wall"),
     Slip(BEDROOM, "min: [7.0,", "min: [17.0,", "area", "17.0", "ordered"),
     Slip(BEDROOM, "single_bed: 1}]", "single_bad: 1}]", "requires.0.single_bad", "single_bad", "unknown kind"),
     Slip(BEDROOM, "  - piece: nightstand", "  - piece: bed", "pieces.1.piece", "piece: bed", "twice"),

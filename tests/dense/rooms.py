@@ -49,9 +49,20 @@ KINDS = {
 def dense_room(name: str, seed: int, tight: bool = False) -> Room:
     """Returns the room of a seed; `tight` draws near the type's minimum area and gives any room two doors as often."""
     kind = KINDS[name]
+    least = 1.7 if tight and name == "bathroom" else kind.short_side
+    return _room(kind, name, seed, (least, tight))
+
+
+def drawn_room(kind: Kind, name: str, seed: int) -> Room:
+    """Returns the room of a seed, of any kind; `name` tells its streams from others'."""
+    return _room(kind, name, seed, (kind.short_side, False))
+
+
+def _room(kind: Kind, name: str, seed: int, how: tuple[float, bool]) -> Room:
+    least, tight = how
     stream = Stream(seed, "dense", f"{name}{'/tight' if tight else ''}")
     area = stream.uniform(*(kind.tight if tight else kind.dense))
-    short = 1.7 if tight and name == "bathroom" else min(kind.short_side, area**0.5)
+    short = min(least, area**0.5)
     deep = max((area / stream.uniform(1.0, ASPECT)) ** 0.5, short)
     sides = (round(area / deep, 2), round(deep, 2))
     width, depth = sides if stream.chance(0.5) else sides[::-1]

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from solver.furnish.whims import QUARTER_WHIM, SIDE_WHIM
 from solver.wanted import Alternative, Link, Wanted
 from tests.furnish.worlds import KINDS, ask, box_of, den, front_of, gap, piece
 
@@ -224,7 +225,9 @@ def test_a_slot_pays_for_the_other_slots_it_misses() -> None:
         parent: min(a.cost for a in wanted.alternatives if (a.attach.parent if a.attach else None) == parent)
         for parent in ("couch_1", "table_1", None)
     }
-    assert least == {"couch_1": 1, "table_1": 3, None: 4}
+    most = {"couch_1": SIDE_WHIM, "table_1": SIDE_WHIM, None: QUARTER_WHIM}
+    for parent, cost in (("couch_1", 1), ("table_1", 3), (None, 4)):
+        assert cost <= least[parent] <= cost + most[parent]
 
 
 def test_a_piece_that_needs_another_is_not_wanted_without_it() -> None:

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from solver.furnish.whims import WALL_WHIM
 from solver.scene import Opening
 from solver.wanted import Alternative, Wanted
 from tests.furnish.worlds import DOOR, WINDOW, ask, box_of, cheapest, den, front_of, piece
@@ -87,7 +88,7 @@ def test_centred_wants_the_middle_of_the_wall_or_of_the_room() -> None:
     for wall, middle in (("north", 2500), ("south", 2500), ("east", 2000), ("west", 2000)):
         best = min((a for a in shelf.alternatives if a.wall == wall), key=lambda a: a.cost)
         assert best.anchor_mm[0 if wall in ("north", "south") else 1] == middle
-        assert best.cost < 1
+        assert best.cost < WALL_WHIM
     table = only(ask(den(), piece("table", {"type": "centred"})))
     assert {alternative.anchor_mm for alternative in table.alternatives} == {(2500, 2000)}
     assert {alternative.rotation for alternative in table.alternatives} == {0, 90}
@@ -121,7 +122,7 @@ def test_near_door_costs_beyond_its_distance() -> None:
     assert door_distance(cheapest(wanted)) < 1.1
     for alternative in wanted.alternatives:
         beyond = max(0.0, min(1.0, door_distance(alternative) - 1.0))
-        assert 8 * beyond - 1e-6 <= alternative.cost <= 8 * beyond + 0.31
+        assert 8 * beyond - 1e-6 <= alternative.cost <= 8 * beyond + WALL_WHIM
 
 
 def test_far_from_door_costs_short_of_its_distance() -> None:
@@ -129,7 +130,7 @@ def test_far_from_door_costs_short_of_its_distance() -> None:
     assert door_distance(cheapest(wanted)) > 3
     for alternative in wanted.alternatives:
         short = max(0.0, 3.0 - door_distance(alternative)) / 3.0
-        assert 8 * short - 1e-6 <= alternative.cost <= 8 * short + 0.31
+        assert 8 * short - 1e-6 <= alternative.cost <= 8 * short + WALL_WHIM
 
 
 @pytest.mark.parametrize("word", ["near_door", "far_from_door"])

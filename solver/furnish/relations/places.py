@@ -53,7 +53,8 @@ def _is(scope: Scope, alternative: Alternative, sort: str) -> bool:
     own, other = (clear.width, clear.depth) if along_x else (clear.depth, clear.width)
     if sort == "window":
         a, b = footprint(alternative).along(wall)
-        return any(o.kind == "window" and o.interval[0] < b and a < o.interval[1] for o in here)
+        behind = any(o.kind == "window" and o.interval[0] < b and a < o.interval[1] for o in here)
+        return behind or _beside_window(scope, alternative)
     return {
         "door": any(o.kind != "window" for o in here),
         "plain": not here,
@@ -61,6 +62,16 @@ def _is(scope: Scope, alternative: Alternative, sort: str) -> bool:
         "long": own > LONGER * other,
         "short": other > LONGER * own,
     }[sort]
+
+
+def _beside_window(scope: Scope, alternative: Alternative) -> bool:
+    """Tells whether a piece's long side lies before the middle of a window of another wall: a bed lengthwise under it."""
+    rect, clear, near = footprint(alternative), scope.space.clear, 2 * scope.space.gap_mm
+    if alternative.size_mm[1] <= alternative.size_mm[0]:
+        return False
+    away = {"north": rect.z0 - clear.z0, "south": clear.z1 - rect.z1, "west": rect.x0 - clear.x0, "east": clear.x1 - rect.x1}
+    others = [o for o in scope.openings if o.kind == "window" and o.wall != alternative.wall and away[o.wall] <= near]
+    return any(a < sum(o.interval) // 2 < b for o in others for a, b in (rect.along(o.wall),))
 
 
 def in_corner(ask: Ask, rule: Rule) -> Effect:

@@ -57,6 +57,15 @@ def covered(room: Room, decisions: Ints) -> int:
     return area
 
 
+@compiled(lambda t: t.b1(t.Room, t.ints, t.i8))
+def _fatherless(room: Room, decisions: Ints, piece: int) -> bool:
+    """Tells whether what a piece stands at is not there, in any of its ways."""
+    for alt in range(room.pieces[piece, ALT_0], room.pieces[piece, ALT_1]):
+        if room.alts[alt, PARENT] < 0 or decisions[room.alts[alt, PARENT]] != ABSENT:
+            return False
+    return True
+
+
 @compiled(lambda t: t.b1(t.Engine, t.ints, t.floats, t.ints, t.ints, t.b1))
 def _join(engine: Engine, start: Ints, costs: Floats, group: Ints, limits: Ints, walk: bool) -> bool:
     """Adds a group to the decisions where it can stand for less than leaving it out costs; changes `start` and `costs`."""
@@ -181,16 +190,19 @@ def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: In
         fate, skip = NO_WAY, 0.0
         for member in range(piece, end):
             skip += room.skip_costs[member]
+        empty = room.pieces[piece, EMPTY] != 0
         if tree.budget[0] <= 0:
             fate = SPENT
-        elif room.space[COVER] > 0 and covered(room, decisions) >= room.space[COVER]:
+        elif empty and _fatherless(room, decisions, piece):
+            fate = NO_WAY
+        elif not empty and room.space[COVER] > 0 and covered(room, decisions) >= room.space[COVER]:
             fate = COVERED
         else:
             costs[2] = costs[0] + skip
             tree.own_limits[0], tree.own_limits[1] = limits[OPTIONAL_EVALUATIONS], limits[OPTIONAL_QPS]
             tree.own_limits[2] = limits[OPTIONAL_LAPSES]
             if _join(engine, decisions, costs, group, tree.own_limits, walk) or (
-                tree.counters[MOVES_LEFT] > 0 and _join_by_move(engine, decisions, costs, group, limits, walk)
+                not empty and tree.counters[MOVES_LEFT] > 0 and _join_by_move(engine, decisions, costs, group, limits, walk)
             ):
                 fate = PLACED
         for member in range(piece, end):
