@@ -76,6 +76,8 @@ export interface Room {
   readonly outdoor: boolean;
   readonly flooring: { readonly type: string; readonly color: string };
   readonly accent: string;
+  /** What its walls are finished with, on its side. */
+  readonly walls?: { readonly type: string; readonly color: string } | null;
   readonly wall_flags: Sides;
   readonly openings: readonly Opening[];
   readonly furniture: readonly Furniture[];

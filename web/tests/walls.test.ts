@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Room } from "../src/contract";
 import { clipBelow } from "../src/house/boxes";
+import { finishOf } from "../src/house/finishes";
 import { openingsOf } from "../src/house/openings";
 import { runsOf } from "../src/house/plan";
 import { facesOf, type Face } from "../src/house/wall_faces";
@@ -82,6 +83,7 @@ describe("wall panels", () => {
 describe("faces of a panel", () => {
   const panel: WallPanel = {
     axis: "x", along: { from: 0, to: 4 }, across: { from: -0.05, to: 0.05 }, elevation: 0, height: 2.8, openStart: true, openEnd: true,
+    level: 0, seams: [],
     holes: [{ along: { from: 0.5, to: 1.4 }, up: { from: 0, to: 2.1 } }, { along: { from: 2, to: 3.2 }, up: { from: 0.9, to: 2.3 } }],
   };
 
@@ -155,5 +157,34 @@ describe("clipping", () => {
     expect(clipBelow(box, 3)).toBe(box);
     expect(clipBelow(box, 1.5)).toEqual({ ...box, y1: 1.5 });
     expect(clipBelow(box, 1)).toBeNull();
+  });
+});
+
+describe("finishes", () => {
+  const white = room("white", [0, 0, 4, 3], { walls: { type: "plaster", color: "#fafaf7" } });
+  const brick = room("brick", [4, 0, 4, 3], { walls: { type: "brick", color: "#a1583f" } });
+  const bare = room("bare", [0, 3, 8, 3]);
+
+  it("are each room's own on its side of a wall, and nobody's outside", () => {
+    const rooms = [white, brick, bare];
+    const panel = panelOn({ ...planOf(...rooms), rooms }, "x", 3);
+    const sides = facesOf(panel, 9).filter((face) => face.normal[2] !== 0);
+    const areas = new Map<string | null, number>();
+    for (const face of sides) areas.set(finishOf(face, panel, rooms), (areas.get(finishOf(face, panel, rooms)) ?? 0) + area(face));
+    expect([...areas.keys()].sort()).toEqual(["#a1583f", "#fafaf7", null].sort());
+    expect(areas.get("#a1583f")).toBeCloseTo(areas.get("#fafaf7") ?? 0);
+    expect(areas.get(null)).toBeCloseTo(areaFacing(sides, [0, 0, 1]));
+    const outside = panelOn({ ...planOf(...rooms), rooms }, "x", 0);
+    const along = facesOf(outside, 9).filter(({ corners: [a, , c] }) => a[0] + c[0] > 0 && a[0] + c[0] < 16);
+    const looks = along.map((face) => [face.normal[2], finishOf(face, outside, rooms)]);
+    expect(looks.filter(([towards]) => towards === -1).every(([, color]) => color === null)).toBe(true);
+    expect(looks.filter(([towards]) => towards === 1).every(([, color]) => color !== null)).toBe(true);
+  });
+
+  it("leave the area of a wall as it is", () => {
+    const rooms = [white, brick, bare];
+    const [plain, finished] = [planOf(...rooms), { ...planOf(...rooms), rooms }].map((plan) => wallPanelsOf(plan).flatMap((panel) => facesOf(panel, 1.2)));
+    const total = (faces: readonly Face[] = []): number => faces.reduce((sum, face) => sum + area(face), 0);
+    expect(total(finished)).toBeCloseTo(total(plain));
   });
 });

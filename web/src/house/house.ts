@@ -61,6 +61,7 @@ export class House {
       openings: openingsOf(scene.rooms),
       storeys,
       thickness: scene.wall_thickness ?? 0,
+      rooms: scene.rooms,
     };
     this.bounds = boundsOf(scene, 1);
     this.bodies = bodiesOf(scene);

@@ -64,7 +64,7 @@ export function facesOf(panel: WallPanel, cut: number): Face[] {
   const top = Math.min(panel.height, cut - panel.elevation);
   if (top <= 0) return [];
   const { axis, across, holes } = panel;
-  const columns = spansBetween(stops(panel.along, holes.flatMap(({ along }) => [along.from, along.to])));
+  const columns = spansBetween(stops(panel.along, [...holes.flatMap(({ along }) => [along.from, along.to]), ...panel.seams]));
   const rows = spansBetween(stops({ from: 0, to: top }, holes.flatMap(({ up }) => [up.from, up.to])));
   const solid = columns.map((along) => rows.map((up) => !isHole({ along, up }, holes)));
   const at: Placing = (s, h, c) => (axis === "x" ? [s, panel.elevation + h, c] : [c, panel.elevation + h, s]);

@@ -2,7 +2,9 @@
 import { Group, Mesh, MeshStandardMaterial } from "three";
 import { clipBelow } from "./boxes";
 import { mergeQuads, quadsOf, type ColoredQuad } from "./quad_mesh";
-import { facesOf } from "./wall_faces";
+import type { Room } from "../contract";
+import { finishOf } from "./finishes";
+import { facesOf, type Face } from "./wall_faces";
 import { fittingsOf, wallPanelsOf, type Surface, type WallPanel, type WallPart, type WallPlan } from "./walls";
 
 const WALL = "#dcd5c9";
@@ -12,18 +14,19 @@ const COLORS: Readonly<Record<Surface, string>> = { railing: "#8a7a66", frame: "
 
 /** A house's walls, to be drawn at any height. */
 export class Walls {
+  readonly #rooms: readonly Room[];
   readonly #panels: readonly WallPanel[];
   readonly #fittings: readonly WallPart[];
 
   constructor(plan: WallPlan) {
+    this.#rooms = plan.rooms ?? [];
     this.#panels = wallPanelsOf(plan);
     this.#fittings = fittingsOf(plan);
   }
 
   /** Meshes of the walls up to `height` [m] above the ground: what is solid, then the glass. The caller disposes of them. */
   meshes(height: number): Group {
-    const faces = this.#panels.flatMap((panel) => facesOf(panel, height));
-    const stone = faces.map(({ corners, normal, cut }) => ({ corners, normal, color: cut ? CUT : WALL }));
+    const stone = this.#panels.flatMap((panel) => facesOf(panel, height).map((face) => this.#colored(face, panel)));
     const solid = new Mesh(
       mergeQuads([...stone, ...this.#boxes(height, ["railing", "frame"])]),
       new MeshStandardMaterial({ vertexColors: true, roughness: 0.95 }),
@@ -35,6 +38,11 @@ export class Walls {
       new MeshStandardMaterial({ vertexColors: true, transparent: true, opacity: 0.38, roughness: 0.15, depthWrite: false }),
     );
     return new Group().add(solid, glass);
+  }
+
+  #colored(face: Face, panel: WallPanel): ColoredQuad {
+    const color = face.cut ? CUT : (finishOf(face, panel, this.#rooms) ?? WALL);
+    return { corners: face.corners, normal: face.normal, color };
   }
 
   #boxes(height: number, surfaces: readonly Surface[]): ColoredQuad[] {

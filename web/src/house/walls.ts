@@ -1,5 +1,7 @@
 /** Walls as upright panels with holes, and what is fitted to them as boxes: frames, sill boards, glass, railings. */
+import type { Room } from "../contract";
 import { boxOnLine, type Axis, type Box, type Span } from "./boxes";
+import { seamsOf } from "./finishes";
 import type { PlacedOpening } from "./openings";
 import { byLine, lineKey, type Run } from "./plan";
 
@@ -23,7 +25,10 @@ export interface WallPanel {
   readonly across: Span;
   readonly elevation: number;
   readonly height: number;
+  readonly level: number;
   readonly holes: readonly Hole[];
+  /** Where its faces are parted, so that each looks into one room [m along]. */
+  readonly seams: readonly number[];
   /** Whether an end is to be seen; one that runs into another wall is not. */
   readonly openStart: boolean;
   readonly openEnd: boolean;
@@ -40,6 +45,8 @@ export interface WallPlan {
   readonly openings: readonly PlacedOpening[];
   readonly storeys: ReadonlyMap<number, Storey>;
   readonly thickness: number;
+  /** Whose finishes the walls have; none where they are all alike. */
+  readonly rooms?: readonly Room[];
 }
 
 export const RAILING_HEIGHT = 0.6;
@@ -183,6 +190,8 @@ export function wallPanelsOf(plan: WallPlan): WallPanel[] {
     across: around(run.line, wallThickness(plan)),
     elevation: storey.elevation,
     height: storey.height,
+    level: run.level,
+    seams: seamsOf(plan.rooms ?? [], run.axis, along),
     holes: openings.map((opening) => ({ along: opening, up: { from: opening.sill, to: opening.head } })),
     openStart: !ends[0].inWall,
     openEnd: !ends[1].inWall,

@@ -1,0 +1,37 @@
+/** What the faces of walls are finished with: the colour of the room that a face looks into. Pure. */
+import type { Room } from "../contract";
+import type { Span } from "./boxes";
+import { cornersOf } from "./plan";
+import type { Face } from "./wall_faces";
+import type { WallPanel } from "./walls";
+
+/** How far before a face the room is that it belongs to [m]. */
+const BEFORE = 0.02;
+
+function outlineOf(room: Room): (readonly [number, number])[] {
+  return cornersOf(room).map(([x, z]) => [room.x + x, room.z + z] as const);
+}
+
+/** Where along a panel the finish may change: at the corners of rooms [m]. */
+export function seamsOf(rooms: readonly Room[], axis: WallPanel["axis"], along: Span): number[] {
+  const ends = rooms.filter((room) => room.walls).flatMap((room) => outlineOf(room).map(([x, z]) => (axis === "x" ? x : z)));
+  return [...new Set(ends)].filter((end) => along.from < end && end < along.to);
+}
+
+function holds(room: Room, x: number, z: number): boolean {
+  const corners = outlineOf(room);
+  return corners.reduce((inside, [x0, z0], i) => {
+    const [x1, z1] = corners[(i + 1) % corners.length] ?? [x0, z0];
+    const crosses = z0 > z !== z1 > z && x < x0 + ((z - z0) / (z1 - z0)) * (x1 - x0);
+    return crosses ? !inside : inside;
+  }, false);
+}
+
+/** The colour of the side of a wall; null outside, at jambs and tops, and where the room does not say. */
+export function finishOf(face: Face, panel: WallPanel, rooms: readonly Room[]): string | null {
+  const [nx, ny, nz] = face.normal;
+  if (ny !== 0 || (panel.axis === "x" ? nx : nz) !== 0) return null;
+  const [a, , c] = face.corners;
+  const [x, z] = [(a[0] + c[0]) / 2 + nx * BEFORE, (a[2] + c[2]) / 2 + nz * BEFORE];
+  return rooms.find((room) => room.level === panel.level && holds(room, x, z))?.walls?.color ?? null;
+}
