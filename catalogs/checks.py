@@ -72,6 +72,9 @@ def _room_faults(catalogs: Catalogs, file: str, room: RoomType) -> Iterator[Faul
             yield Fault(file, ("pieces", i, "piece"), f"the piece {piece.piece!r} stands twice", "one entry with a count")
         names.append(piece.piece)
         yield from _kind_faults(catalogs, file, i, piece)
+        for j, other in enumerate(piece.without):
+            if other not in catalogs.rooms:
+                yield Fault(file, ("pieces", i, "without", j), f"unknown room type {other!r}", ", ".join(catalogs.rooms))
         for j, rule in enumerate(piece.rules):
             yield from _rule_faults(Fault(file, ("pieces", i, "rules", j), ""), room, piece, rule)
     yield from _required_faults(catalogs, file, room)

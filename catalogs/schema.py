@@ -6,6 +6,7 @@ faces south: `front` is south (+z), `back` north, `left` west (-x), `right` east
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -99,6 +100,7 @@ class Piece(Entry):
     `chance`. `count` copies are wanted; with `per_area`, one for every so many m2, at least one and at most `count`.
     `approach` are sides that must stay reachable besides the kind's own use: a desk's front, before its chair comes.
     `with_next`: an optional piece that is left out where the piece after it, which only stands with it, finds no place.
+    `without`: the piece is wanted only in a home planned without rooms of these types: a bed where there is no bedroom.
     `among`: neighbours in the list with the same word matter alike: a seed draws their order.
     """
 
@@ -112,6 +114,7 @@ class Piece(Entry):
     skip_cost: Cost = 10.0
     approach: tuple[Side, ...] = ()
     with_next: bool = False
+    without: Words = ()
     among: str | None = None
     rules: tuple[Rule, ...] = ()
 
@@ -206,6 +209,21 @@ class Catalogs(Entry):
     styles: dict[str, Style] = Field(default_factory=dict)
     presets: dict[str, Preset] = Field(default_factory=dict)
     fingerprint: str
+
+    def of_home(self, types: Collection[str]) -> Catalogs:
+        """Returns the catalogs of a planned home: pieces that it needs `without` rooms it does not have are wanted."""
+        return self.model_copy(update={"rooms": {name: self._at_home(room, set(types)) for name, room in self.rooms.items()}})
+
+    def _at_home(self, room: RoomType, types: set[str]) -> RoomType:
+        """Returns a room type with what it must hold for rooms that are not there, beside what it covers anyway."""
+        more = [piece for piece in room.pieces if piece.without and not set(piece.without) & types]
+        if not more:
+            return room
+        sizes = [self.furniture[piece.variants[0].kind].size for piece in more]
+        cover = sum(width * depth for width, depth, _ in sizes) / room.area.typical
+        pieces = tuple(piece.model_copy(update={"without": ()}) if piece in more else piece for piece in room.pieces)
+        wished = tuple(min(share + cover, 1.0) for share in room.cover) if room.cover else None
+        return room.model_copy(update={"pieces": pieces, "cover": wished})
 
     def name_of(self, kind: str) -> str:
         """Returns what scenes call a kind: its `name`, else the kind itself."""

@@ -49,7 +49,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     scope = Scope(
         space, WallOccupancy(space, _gates(space, openings)), catalogs, openings, room.exterior_walls or Sides(), room.width * room.depth
     )
-    pieces = ordered(room_type.pieces, stream)
+    pieces = ordered([piece for piece in room_type.pieces if not piece.without], stream)
     wanted: list[Wanted] = []
     earlier: dict[str, tuple[str, ...]] = {}
     kinds: dict[str, tuple[str, ...]] = {}

@@ -79,6 +79,8 @@ def generate(
     setting = _Setting(seed, known, engine, robot_width=asked.robot_width, style=known.styles.get(asked.style or ""))
     timing = Timing(clock)
     plan = draw(asked, known)
+    if asked.planned:
+        setting = replace(setting, catalogs=known.of_home([room.type for room in plan.rooms]))
     timing.lap("floorplan")
     plan, arrangements = _furnished_plan(plan, setting)
     scene = _scene(plan, arrangements, asked, setting)
@@ -207,6 +209,11 @@ def _request_document(request: Request) -> dict[str, Any]:
     return document
 
 
+def _is_planned(scene: Scene) -> bool:
+    request = scene.request or {}
+    return request.get("program") is not None or request.get("area") is not None
+
+
 def reroll(
     scene: Scene,
     rooms: Sequence[str],
@@ -231,7 +238,8 @@ def reroll(
     check_ids("reroll", rooms, [room.id for room in scene.rooms])
     timing = Timing(clock)
     drawn = scene.seed if seed is None else seed
-    setting = _Setting(drawn or 0, known, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known))
+    home = known.of_home([room.type for room in scene.rooms]) if _is_planned(scene) else known
+    setting = _Setting(drawn or 0, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known))
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
     arrangements = _explained(chosen, _arrangements(chosen, setting), setting)
     done = {room.id: room for room in _written(chosen, arrangements, setting)}
