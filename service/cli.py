@@ -25,7 +25,7 @@ NUMBERS: Final = {
 SWITCHES: Final = {
     "use_spine": "a hallway through the house (on)",
     "outdoor": "turn rooms at the outside into a backyard and a patio (off)",
-    "decorate": "recorded for decorations (off)",
+    "decorate": "decorate surfaces, walls and floors (off)",
 }
 
 WORDS: Final = ("program", "style")
@@ -84,8 +84,8 @@ def _add_scene(command: ArgumentParser) -> None:
     command.add_argument("scene", nargs="?", default="-", metavar="SCENE", help="a scene, YAML or JSON (standard input)")
 
 
-def _add_generate(commands: Commands) -> None:
-    command = _command(commands, "generate", "Make a furnished house; options win over the request file.")
+def _add_request(command: ArgumentParser) -> None:
+    """Adds the request file and an option for each of its fields."""
     command.add_argument("request", nargs="?", metavar="REQUEST", help="a request, YAML or JSON; - for standard input")
     for name, (kind, words) in NUMBERS.items():
         command.add_argument(f"--{name.replace('_', '-')}", dest=name, type=kind, metavar="N", help=words)
@@ -96,10 +96,27 @@ def _add_generate(commands: Commands) -> None:
     )
     command.add_argument("--style", metavar="NAME", help="the style of the house")
     command.add_argument("--force-type", dest="force_types", action="append", type=_forced, metavar="INDEX=TYPE", help="a room's type")
+
+
+def _add_generate(commands: Commands) -> None:
+    command = _command(commands, "generate", "Make a furnished house; options win over the request file.")
+    _add_request(command)
     command.add_argument("--engine", choices=("osqp", "reference"), default="osqp", help="of the final QP (osqp)")
     command.add_argument("-n", "--count", type=_count, metavar="N", help="make N houses of successive seeds into the folder -o")
     _add_output(command, "the scene")
     _add_format(command)
+    _add_catalog(command)
+
+
+def _add_stats(commands: Commands) -> None:
+    words = "Make many houses and say what they are like; --seed is the first one's (0), and they are decorated if nothing else is said."
+    command = _command(commands, "stats", words)
+    _add_request(command)
+    command.add_argument("-n", "--count", type=_count, default=100, metavar="N", help="how many houses (100)")
+    command.add_argument("--presets", action="store_true", help="as many of each preset, side by side")
+    command.add_argument("--workers", type=_count, default=os.cpu_count() or 1, metavar="N", help="processes (one a core)")
+    _add_output(command, "it")
+    command.add_argument("--format", choices=("table", "yaml", "json"), help="of what is written (by the output's name, else table)")
     _add_catalog(command)
 
 
@@ -155,7 +172,7 @@ def parser() -> ArgumentParser:
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_serve, _add_generate, _add_fix, _add_place, _add_readers, _add_tellers):
+    for add in (_add_serve, _add_generate, _add_stats, _add_fix, _add_place, _add_readers, _add_tellers):
         add(commands)
     return whole
 

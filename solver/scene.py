@@ -56,7 +56,7 @@ class Request:
     floor of the house, m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where
     they are not given; else the house is 20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say
     how its rectangle is cut into rooms. `force_types` maps a room's index to a room type. `robot_width` is the side, m,
-    of the square that must be able to walk everywhere. `decorate` is recorded for later stages. `style` names a style.
+    of the square that must be able to walk everywhere. `decorate` dresses surfaces, walls and floors. `style` names a style.
     """
 
     seed: int | None = field(default=None, metadata={"at_least": 0, "at_most": MAX_SEED})

@@ -19,7 +19,7 @@ Mend = Callable[[str, str, str], Path]
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    for name in ("furniture.yaml", "floorings.yaml", "rooms"):
+    for name in ("furniture.yaml", "floorings.yaml", "decorations.yaml", "dressing.yaml", "rooms"):
         source = OURS / name
         (shutil.copytree if source.is_dir() else shutil.copy)(source, tmp_path / name)
     return tmp_path
@@ -94,7 +94,7 @@ class Slip:
 
 
 BEDROOM, KITCHEN, OFFICE, LAUNDRY = (f"rooms/{name}.yaml" for name in ("bedroom", "kitchen", "office", "laundry"))
-FURNITURE, FLOORINGS = "furniture.yaml", "floorings.yaml"
+FURNITURE, FLOORINGS, DECORATIONS, DRESSING = (f"{name}.yaml" for name in ("furniture", "floorings", "decorations", "dressing"))
 SLIPS = [
     Slip(BEDROOM, "flooring: wood", "flooring: lava", "flooring", "lava", "wood"),
     Slip(BEDROOM, "short_side: 2.4", "short_sid: 2.4", "short_sid", "short_sid", "unknown key"),
@@ -117,6 +117,48 @@ SLIPS = [
     Slip(FURNITURE, "size: [1.6, 2.0, 0.9]", "size: [.nan, 2.0, 0.9]", "bed.size.0", ".nan", "finite"),
     Slip(FURNITURE, 'color: "#4169e1"', 'color: "blue"', "bed.color", "blue", "pattern"),
     Slip(FURNITURE, "name: bed,", "name: bad,", "king_bed.name", "name: bad", "category"),
+    Slip(DECORATIONS, "size: [0.09, 0.09, 0.1]", "size: [0.095, 0.09, 0.1]", "mug.size.0", "0.095", "centimetres"),
+    Slip(DECORATIONS, "group: drinkware", "group: cups", "mug.group", "group: cups", "soft_goods"),
+    Slip(DECORATIONS, "{name: cup, height: 0.06", "{name: cup, height: 0.07", "candle_holder.surfaces.0.height", "height: 0.07", "above"),
+    Slip(
+        DECORATIONS,
+        "{name: cup, height: 0.06, inset: 0.01",
+        "{name: cup, height: 0.06, inset: 0.05",
+        "surfaces.0.inset",
+        "inset: 0.05",
+        "area",
+    ),
+    Slip(DECORATIONS, "mass: 4,\n", "mass: 4, jitter: true,\n", "wall_shelf.jitter", "mass: 4, jitter", "straight"),
+    Slip(DRESSING, "armchair:", "armchiar:", "armchiar", "armchiar", "unknown parent"),
+    Slip(DRESSING, "put: alarm_clock", "put: alarm_cluck", "nightstand.lies.2.put", "alarm_cluck", "unknown kind"),
+    Slip(
+        DRESSING, "put: alarm_clock", "put: wall_art", "nightstand.lies.2.put", "put: wall_art, at: [[1, 0.45]]", "larger than its surface"
+    ),
+    Slip(DRESSING, "surface: [lower, upper]", "surface: [lower, uper]", "bunk_bed.lies.0.surface", "uper", "lower, upper"),
+    Slip(DRESSING, "upon: coaster, chance", "upon: saucer, chance", "coffee_table.lies.4.upon", "saucer", "unknown carrier"),
+    Slip(DRESSING, "upon: coaster, chance", "upon: magazine, chance", "coffee_table.lies.4.upon", "upon: magazine", "no surface"),
+    Slip(DRESSING, "of: [washer, dryer]", "of: [washer, drier]", "laundry.stands.0.of", "drier", "unknown piece"),
+    Slip(DRESSING, "rooms: bathroom", "rooms: bathrom", "sink.lies.1.rooms", "bathrom}", "unknown room type"),
+    Slip(DRESSING, "styles: [rustic,", "styles: [rusty,", "dining_chair.lies.0.styles", "rusty", "unknown style"),
+    Slip(DRESSING, "where: middle, fill: 0.8, min", "where: centre, fill: 0.8, min", "indoor.stands.0.where", "where: centre", "middle"),
+    Slip(DRESSING, "fill: 0.8, widest", "widest", "hallway.stands.0", "widest: 0.8", "goes with"),
+    Slip(DRESSING, "workshop:\n  stands:", "workshop:\n  lies:", "lies.0.where", "where", "unknown key"),
+    Slip(
+        DRESSING,
+        "microwave:\n  lies:\n    - {put: bowl",
+        "parasol:\n  lies:\n    - {put: bowl",
+        "parasol.lies.0.put",
+        "{put: bowl, chance",
+        "no surface",
+    ),
+    Slip(
+        DRESSING,
+        "wall_shelf:\n  lies:\n",
+        "tray:\n  lies:\n    - {put: tray, least: 0.5}\nwall_shelf:\n  lies:\n",
+        "tray.lies",
+        "  lies:",
+        "circle",
+    ),
     Slip(FLOORINGS, '"#d9d9d4"', "12", "tile.color", "tile", "string"),
 ]
 
@@ -165,6 +207,27 @@ def test_what_a_directory_says_lies_over_ours(tmp_path: Path) -> None:
     assert set(known.furniture) == {*ours.furniture, "throne"}
     assert (known.rooms, known.floorings) == (ours.rooms, ours.floorings)
     assert known.fingerprint != ours.fingerprint
+
+
+def test_a_piece_without_a_surface_over_ours_only_goes_undressed(tmp_path: Path) -> None:
+    (tmp_path / "furniture.yaml").write_text(
+        "stove: {category: appliance, size: [0.6, 0.6, 0.9], color: '#112233', mass: 50, stands: wall}\n"
+    )
+    assert load_catalogs(tmp_path).furniture["stove"].surfaces == ()
+    (tmp_path / "dressing.yaml").write_text("stove:\n  lies:\n    - {put: pot}\n")
+    error = fault(tmp_path)
+    assert (error.file, error.key, error.line) == (str(tmp_path / "dressing.yaml"), "stove.lies.0.put", 3)
+
+
+def test_a_row_of_ones_own_takes_the_place_of_ours(tmp_path: Path) -> None:
+    (tmp_path / "decorations.yaml").write_text(
+        "crown: {group: decor, size: [0.2, 0.2, 0.2], color: '#ddaa00', mass: 1, variants: ['#eeeeee']}\n"
+    )
+    (tmp_path / "dressing.yaml").write_text("nightstand:\n  lies:\n    - {put: crown}\n")
+    ours, known = load_catalogs(), load_catalogs(tmp_path)
+    assert set(known.decorations) == {*ours.decorations, "crown"}
+    assert [row.put for row in known.dressing["nightstand"].lies] == [("crown",)]
+    assert known.dressing["bed"] == ours.dressing["bed"]
 
 
 def test_a_fault_between_the_layers_names_the_file_that_causes_it(tmp_path: Path) -> None:

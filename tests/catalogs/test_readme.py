@@ -11,6 +11,7 @@ import yaml
 
 import catalogs
 from catalogs import load_catalogs
+from catalogs.dressing import Dressing, Hangs, Lies, Stands
 from catalogs.schema import Category, Plan, Relation, Rule
 
 README = (Path(catalogs.__file__).parent / "README.md").read_text()
@@ -46,3 +47,20 @@ def test_every_plan_flag_is_explained(flag: str) -> None:
 def test_adding_a_room_type_takes_five_lines() -> None:
     section = README.split("## Add a room type")[1].split("##")[0]
     assert len(re.findall(r"^\d\. ", section, re.MULTILINE)) == 5
+
+
+@pytest.mark.parametrize("field", sorted({*Lies.model_fields, *Hangs.model_fields, *Stands.model_fields, *Dressing.model_fields}))
+def test_every_field_of_a_dressing_is_explained(field: str) -> None:
+    section = README.split("## Dress something")[1].split("## The")[0]
+    assert re.search(rf"\b{field}\b", section)
+
+
+def test_the_example_of_a_dressing_is_one() -> None:
+    known = load_catalogs()
+    example = yaml.safe_load(README.split("## Dress something")[1].split("```yaml")[1].split("```")[0])
+    assert set(example) <= set(known.furniture) | set(known.rooms)
+    rows = [
+        row for entry in example.values() for kind in ("lies", "hangs", "stands") for row in getattr(Dressing.model_validate(entry), kind)
+    ]
+    assert len(rows) == 5
+    assert {name for row in rows for name in row.put} <= set(known.decorations)
