@@ -153,12 +153,13 @@ def door_tree(entrance: int, typed: Typed) -> tuple[tuple[Joint, int], ...]:
     return tuple((door[i], i) for i in sorted(door))
 
 
-def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomType]) -> tuple[int, str]:
+def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomType], by_hallway: bool = True) -> tuple[int, str]:
     """Chooses the room and the wall of the main entrance.
 
     An outside wall of what is better to come in by than a hallway (a foyer), the south one first; else a hallway with a
     south wall, else the widest south wall of another way through, else a hallway's end, else the widest outside wall of a
-    way through, of any indoor room, of anything.
+    way through, of any indoor room, of anything. Not `by_hallway`: a hallway only where nothing on the street is a way
+    through, so that one does not come in among the bedrooms.
     """
     walls = [(i, wall) for i, rect in enumerate(layout.rooms) for wall in exterior_sides(rect, layout.outline)]
 
@@ -169,7 +170,11 @@ def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomTy
         low, high = layout.rooms[i].along(wall)
         name = types[i]
         last = rooms[name].outdoor or is_private(name, rooms)
-        tier = _tier(name, wall == "south", rooms[name].plan.way_through, last) if name not in better else -1 - (wall == "south")
+        tier = (
+            _tier(name, wall == "south" and (by_hallway or name != "hallway"), rooms[name].plan.way_through, last)
+            if name not in better
+            else -1 - (wall == "south")
+        )
         return (tier, low - high, i, WALLS.index(wall))
 
     return min(walls, key=rank)

@@ -50,7 +50,7 @@ def _partitioned(request: Request, catalogs: Catalogs) -> FloorPlan:
 def _planned(request: Request, catalogs: Catalogs) -> FloorPlan:
     """A programme: types are dealt, and their rooms' widths are solved."""
     home = plan_home(request, catalogs)
-    entrance = entrance_of(home.layout, home.types, catalogs.rooms)
+    entrance = entrance_of(home.layout, home.types, catalogs.rooms, by_hallway=False)
     typed = home.ways(joints(home.layout.rooms), catalogs, entrance[0])
     return _opened(home.layout, typed, entrance, catalogs, home.notes)
 

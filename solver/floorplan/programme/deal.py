@@ -35,12 +35,14 @@ Chunk = list[Column]
 def kinds_for(wishes: Sequence[Wish]) -> tuple[str, ...]:
     """Returns the skeletons that suit a programme: by how many rooms need a hallway, and whether cars come in.
 
+    Where rows suit, the others are only for homes that rows fail.
+
     The ranch stands thrice: it is drawn more often than the others, whose hallways are half as long again.
     """
     private = sum(not wish.kind.plan.way_through and wish.owner is None and not wish.garage for wish in wishes)
     sleeping = sum(wish.kind.plan.habitable and not wish.public for wish in wishes)
     if sleeping <= 1 and private <= 3:
-        return ("rows",)
+        return ("rows", "full", "ranch") if any(wish.garage for wish in wishes) else ("rows", "full")
     public = sum(wish.public for wish in wishes)
     kinds = ["full"]
     if public >= 2:

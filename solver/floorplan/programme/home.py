@@ -25,6 +25,8 @@ SLACKS: Final = (1.15, 1.5, 2.2, 4.0)
 """What limits are loosened by, one after the other, where the outline asked for lets no home keep them."""
 FEWER: Final = 3
 """How many rooms may be left out, one after the other, before limits are loosened."""
+TURNS: Final = 4
+"""How often a home whose outline is free is searched for until all its rooms can be entered."""
 ASTRAY: Final = 0.1
 """Share by which a house may miss the floor wished without its being said."""
 HALLWAY: Final = "hallway"
@@ -126,8 +128,11 @@ class _Attempts:
         floor = self.plot.floor if self.plot.fixed else None
         while floor is not None and self._floor(types, 0) > floor and self._leave_out(types, left_out):
             pass
-        yield self._attempt(types, left_out, 1.0)
-        if not (self.plot.width or self.plot.depth):
+        for turn in range(TURNS):
+            yield self._attempt(types, left_out, 1.0, turn)
+            if self.plot.width or self.plot.depth:
+                break
+        else:
             return
         fewer, gone = list(types), list(left_out)
         for _ in range(FEWER):
@@ -150,10 +155,10 @@ class _Attempts:
         left_out.append(name)
         return True
 
-    def _attempt(self, types: Sequence[str], left_out: Sequence[str], slack: float) -> _Attempt:
+    def _attempt(self, types: Sequence[str], left_out: Sequence[str], slack: float, turn: int = 0) -> _Attempt:
         wishes = wishes_of(types, self.catalogs, self.plot.floor)
         loose = wishes if slack == 1.0 else loosened(wishes, slack, self.plot.floor)
-        return _Attempt(Search(loose, self.plot.frame, self.plot.seed).run(), wishes, tuple(left_out))
+        return _Attempt(Search(loose, self.plot.frame, self.plot.seed, turn).run(), wishes, tuple(left_out))
 
 
 def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
