@@ -13,9 +13,10 @@ from typing import Any, Final, TypeVar
 from tqdm import tqdm
 
 from catalogs import CatalogError, Catalogs, load_catalogs
-from service import calls
+from service import calls, survey
 from service.cli import NUMBERS, SWITCHES, WORDS
 from service.documents import Document, format_of_content, format_of_name, parse
+from service.tables import report
 from solver.errors import ComposeError, FieldError, SyntaxFault
 from solver.exchange import dump_text, read_request
 from solver.scene import MAX_SEED
@@ -69,6 +70,19 @@ def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Cat
         (folder / f"{seed}.{format}").write_bytes(dump_text(answer["scene"], format))
         status = max(status, _judged(answer, f"seed {seed}: "))
     return status
+
+
+def _stats(options: Namespace) -> int:
+    """Makes many houses, of one request or of every preset, and writes what they are like."""
+    catalogs, request = _catalogs(options), {"decorate": True, **_request(options)}
+    if options.presets and ("program" in request or not catalogs.presets):
+        raise FieldError("--presets", "asks for every preset there is", "without --program, and with presets in the catalog")
+    requests = [{**request, "program": name} for name in catalogs.presets] if options.presets else [request]
+    found = _checked(options.request, lambda: survey.statistics(requests, options.count, options.workers, catalogs))
+    format = options.format or format_of_name(options.output) or "table"
+    _put(report(found).encode() if format == "table" else dump_text(found, format), options.output)
+    broken = any(entry["severity"] == "error" for one in found["sets"] for entry in one["issues"])
+    return ERRORS_FOUND if broken else CLEAN
 
 
 def _fix(options: Namespace) -> int:
@@ -135,6 +149,7 @@ def _serve(options: Namespace) -> int:
 COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
     "serve": _serve,
     "generate": _generate,
+    "stats": _stats,
     "fix": _fix,
     "place": _place,
     "validate": _validate,

@@ -57,7 +57,8 @@ def packed(catalogs: Catalogs) -> bytes:
 
 
 @lru_cache(maxsize=1)
-def _unpacked(catalogs: bytes) -> Catalogs:
+def unpacked(catalogs: bytes) -> Catalogs:
+    """Unpacks catalogs; those of the last call are kept."""
     return cast(Catalogs, pickle.loads(catalogs))
 
 
@@ -65,7 +66,7 @@ def do(job: Job) -> Response | Failure:
     """Makes a call; what is wrong with the request becomes a problem document."""
     try:
         document = parse(job.body, job.sent)
-        return written(calls.CALLS[job.call](document, _unpacked(job.catalogs)), job.wanted)
+        return written(calls.CALLS[job.call](document, unpacked(job.catalogs)), job.wanted)
     except ComposeError as error:
         return problems.of_error(None, error)
     except MemoryError:
@@ -84,4 +85,4 @@ def do_alone(job: Job) -> Response | Failure:
 
 def warm(catalogs: bytes) -> None:
     """Does nothing but load what calls need."""
-    _unpacked(catalogs)
+    unpacked(catalogs)

@@ -23,7 +23,8 @@ def metrics(scene: Scene, catalogs: Catalogs | None = None) -> dict[str, Any]:
 
     Returns:
         `counts` (rooms, doors, windows, furniture, decorations, dynamic); `area` between wall lines, m2; `cover`, the share
-        of the clear floor under bodies; `walkable`, the share of the clear floor that the centre of the robot's square can
+        of the clear floor under bodies; `furnished`, the share of the area under furniture that stands on the floor, no spot
+        counted twice; `walkable`, the share of the clear floor that the centre of the robot's square can
         come to; the same for each room under `rooms`, with `reached`. With catalogs also `use_sides`: how many pieces are
         used from a side, and how many of them can be.
     """
@@ -31,7 +32,7 @@ def metrics(scene: Scene, catalogs: Catalogs | None = None) -> dict[str, Any]:
     walked = walks(world)
     measured = {place.room.id: _room(world, walk, place) for walk in walked for place in walk.places}
     rooms = {room.id: measured[room.id] for room in scene.rooms}
-    totals = {key: sum(room[key] for room in rooms.values()) for key in ("area", "clear", "covered", "walked")}
+    totals = {key: sum(room[key] for room in rooms.values()) for key in ("area", "clear", "covered", "under_furniture", "walked")}
     answer = {"counts": _counts(scene), "area": round(totals["area"], 4), **_shares(totals)}
     answer["reached"] = sum(room["reached"] for room in rooms.values())
     answer["rooms"] = {name: _published(room) for name, room in rooms.items()}
@@ -54,8 +55,12 @@ def _counts(scene: Scene) -> dict[str, int]:
 
 
 def _shares(areas: dict[str, Any]) -> dict[str, float]:
-    clear = areas["clear"] or 1.0
-    return {"cover": round(areas["covered"] / clear, 4), "walkable": round(areas["walked"] / clear, 4)}
+    clear, area = areas["clear"] or 1.0, areas["area"] or 1.0
+    return {
+        "cover": round(areas["covered"] / clear, 4),
+        "furnished": round(areas["under_furniture"] / area, 4),
+        "walkable": round(areas["walked"] / clear, 4),
+    }
 
 
 def _published(room: dict[str, Any]) -> dict[str, Any]:
@@ -66,11 +71,13 @@ def _room(world: World, walk: Walk, place: Place) -> dict[str, Any]:
     """Measures a room: areas in m2."""
     walls = [edge.strip(edge.start - world.half_wall, edge.end + world.half_wall, *[world.half_wall] * 2) for edge in place.edges]
     bodies = [body.box for body in place.bodies if body.low < HEADROOM]
-    clear = _free_area(place, walls)
+    furniture = [body.box for body in place.bodies if body.is_furniture and body.low <= 0]
+    area, clear = _free_area(place, []), _free_area(place, walls)
     return {
-        "area": _free_area(place, []),
+        "area": area,
         "clear": clear,
         "covered": clear - _free_area(place, [*walls, *bodies]),
+        "under_furniture": area - _free_area(place, furniture),
         "walked": walk.floor(place) / PER_METRE**2,
         "reached": walk.floor(place) >= LEAST_FLOOR,
     }

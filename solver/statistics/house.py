@@ -1,0 +1,156 @@
+"""One house -> the figures that statistics are made of.
+
+Comes in: a scene, its issues and measures. Goes out: `House`. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from solver.scene import EXTERIOR, Issue, Room, Scene
+from solver.statistics.signatures import graph_signature, room_signature
+
+HALLWAY: Final = "hallway"
+PERSON: Final = "person"
+"""The kind of people; everybody else is a pet."""
+MISSING: Final = "missing_required"
+
+
+@dataclass(frozen=True)
+class RoomFigures:
+    """What one room shows.
+
+    Args:
+        type: the room's type.
+        area: between wall lines, m2.
+        cover: share of that under furniture that stands on the floor.
+        walkable: share of the clear floor that the centre of who walks can come to.
+        pieces: furniture.
+        decorations: small things.
+        people: people and pets.
+        missing: required pieces that are not there.
+        left_out: why each optional piece that was thought of is not there, in the certificate's words up to the first semicolon.
+        signature: pieces and their walls; equal where two rooms are furnished alike.
+    """
+
+    type: str
+    area: float
+    cover: float
+    walkable: float
+    pieces: int
+    decorations: int
+    people: int
+    missing: int
+    left_out: tuple[str, ...]
+    signature: str
+
+
+@dataclass(frozen=True)
+class House:
+    """What one house shows.
+
+    Args:
+        seed: of the house.
+        style: of the house.
+        rooms: its rooms.
+        floor: of the indoor rooms between wall lines, m2.
+        hallway: share of that which is hallway.
+        cover: share of the area of all rooms under furniture that stands on the floor.
+        walkable: share of the clear floor that can be walked.
+        people: how many there are.
+        pets: how many there are.
+        seated: how many of the people sit.
+        doors: openings that one can walk through.
+        windows: how many there are.
+        proven: rooms whose placement is proven to be the best for the ways taken.
+        use_sides: pieces that are used from a side, and those of them that can be.
+        adjacency: signature of the graph of rooms that share a wall; equal where two homes have the same rooms beside each other.
+        ways: signature of the graph of rooms joined by doors and passages, the front door included.
+        notes: what the floor plan fell short of.
+        issues: everything that the validator says.
+    """
+
+    seed: int
+    style: str | None
+    rooms: tuple[RoomFigures, ...]
+    floor: float
+    hallway: float
+    cover: float
+    walkable: float
+    people: int
+    pets: int
+    seated: int
+    doors: int
+    windows: int
+    proven: int
+    use_sides: tuple[int, int]
+    adjacency: str
+    ways: str
+    notes: tuple[str, ...]
+    issues: tuple[Issue, ...]
+
+
+def house_of(scene: Scene, issues: Sequence[Issue], measures: Mapping[str, Any]) -> House:
+    """Returns what a house shows.
+
+    Args:
+        scene: generated, with its certificate.
+        issues: what the validator says of it.
+        measures: of the scene, with the catalogs (`validate.metrics`).
+    """
+    certificate = scene.certificate or {}
+    rooms = tuple(_room(room, scene, issues, measures["rooms"][room.id], certificate["rooms"][room.id]) for room in scene.rooms)
+    indoor = [room for room in scene.rooms if not room.outdoor]
+    areas = {room.id: measures["rooms"][room.id]["area"] for room in indoor}
+    floor = sum(areas.values())
+    style = (scene.request or {}).get("style")
+    people = [one for one in scene.dynamic if one.kind == PERSON]
+    types = {str(room.index): room.type for room in scene.rooms}
+    return House(
+        seed=scene.seed or 0,
+        style=style if isinstance(style, str) else None,
+        rooms=rooms,
+        floor=round(floor, 4),
+        hallway=round(sum(areas[room.id] for room in indoor if room.type == HALLWAY) / floor, 4) if floor else 0.0,
+        cover=measures["furnished"],
+        walkable=measures["walkable"],
+        people=len(people),
+        pets=len(scene.dynamic) - len(people),
+        seated=sum(one.on is not None for one in people),
+        doors=measures["counts"]["doors"],
+        windows=measures["counts"]["windows"],
+        proven=sum(bool(entry["proven"]) for entry in certificate["rooms"].values()),
+        use_sides=(measures["use_sides"]["wanted"], measures["use_sides"]["reached"]),
+        adjacency=graph_signature(types, [(str(a), str(b)) for a, b in scene.adjacency]),
+        ways=graph_signature(*_ways(scene)),
+        notes=tuple(certificate.get("notes", ())),
+        issues=tuple(issues),
+    )
+
+
+def _ways(scene: Scene) -> tuple[dict[str, str], list[tuple[str, str]]]:
+    """Returns the types of the rooms and of outside, by id, and the pairs that a door or passage joins, each once."""
+    types = {room.id: room.type for room in scene.rooms} | {EXTERIOR: EXTERIOR}
+    ends: dict[str, tuple[str, str]] = {}
+    for room in scene.rooms:
+        for opening in room.openings:
+            if opening.kind != "window" and opening.connects_to in types:
+                ends.setdefault(opening.id, (room.id, opening.connects_to))
+    return types, list(ends.values())
+
+
+def _room(room: Room, scene: Scene, issues: Sequence[Issue], measured: Mapping[str, Any], certified: Mapping[str, Any]) -> RoomFigures:
+    return RoomFigures(
+        type=room.type,
+        area=measured["area"],
+        cover=measured["furnished"],
+        walkable=measured["walkable"],
+        pieces=len(room.furniture),
+        decorations=len(room.decorations),
+        people=sum(one.room == room.id for one in scene.dynamic),
+        missing=sum(issue.rule == MISSING and issue.room == room.id for issue in issues),
+        left_out=tuple(entry["reason"].split(";")[0] for entry in certified["left_out"]),
+        signature=room_signature(room.furniture),
+    )

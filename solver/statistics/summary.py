@@ -1,0 +1,139 @@
+"""Many houses -> one plain document of medians, shares and counts.
+
+Comes in: `House`s. Goes out: what JSON and YAML can say, in a fixed order. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from typing import Any, Final, TypeAlias
+
+from solver.statistics.house import House, RoomFigures
+
+Document: TypeAlias = dict[str, Any]
+SHOWN: Final = 20
+"""Issues that are listed with their seeds; the rest is counted."""
+QUANTILES: Final = {"p10": 0.1, "median": 0.5, "p90": 0.9}
+
+
+def summary(houses: Sequence[House], rules: Iterable[str]) -> Document:
+    """Returns what houses show together.
+
+    Args:
+        houses: one at least.
+        rules: all that the validator knows, so that those nothing breaks are named too.
+
+    Returns:
+        `count`; `home`: a spread (p10, median, p90, mean) for every figure of a house; `shares` of the houses; `variety`: how many
+        different graphs; `use_sides` wanted and reached; `styles`; `rules`: for each its issues, and the houses they are in;
+        `issues`: the first of them with their seeds; `rooms`: the same by room type; `left_out`: pieces left out by the reason why.
+    """
+    return {
+        "count": len(houses),
+        "home": _home(houses),
+        "shares": _shares(houses),
+        "variety": {"adjacency": len({house.adjacency for house in houses}), "ways": len({house.ways for house in houses})},
+        "use_sides": {"wanted": sum(house.use_sides[0] for house in houses), "reached": sum(house.use_sides[1] for house in houses)},
+        "styles": _counted(house.style for house in houses if house.style),
+        "rules": {rule: _broken(houses, rule) for rule in rules},
+        "issues": _listed(houses),
+        "rooms": _by_type(houses),
+        "left_out": _counted(reason for house in houses for room in house.rooms for reason in room.left_out),
+    }
+
+
+def spread(values: Iterable[float]) -> dict[str, float]:
+    """Returns the quantiles p10, median and p90 (linear between neighbours) and the mean of one value at least, to 4 decimals."""
+    ordered = sorted(values)
+    quantiles = {name: round(_quantile(ordered, share), 4) for name, share in QUANTILES.items()}
+    return quantiles | {"mean": round(math.fsum(ordered) / len(ordered), 4)}
+
+
+def _quantile(ordered: Sequence[float], share: float) -> float:
+    at = (len(ordered) - 1) * share
+    below = math.floor(at)
+    above = min(below + 1, len(ordered) - 1)
+    return ordered[below] + (ordered[above] - ordered[below]) * (at - below)
+
+
+def _counted(words: Iterable[str]) -> dict[str, int]:
+    """Counts words, the most frequent first."""
+    return dict(sorted(Counter(words).items(), key=lambda entry: (-entry[1], entry[0])))
+
+
+def _home(houses: Sequence[House]) -> Document:
+    return {
+        "floor": spread(house.floor for house in houses),
+        "hallway": spread(house.hallway for house in houses),
+        "cover": spread(house.cover for house in houses),
+        "walkable": spread(house.walkable for house in houses),
+        "rooms": spread(len(house.rooms) for house in houses),
+        "doors": spread(house.doors for house in houses),
+        "windows": spread(house.windows for house in houses),
+        "pieces": spread(sum(room.pieces for room in house.rooms) for house in houses),
+        "decorations": spread(sum(room.decorations for room in house.rooms) for house in houses),
+        "people": spread(house.people for house in houses),
+        "pets": spread(house.pets for house in houses),
+    }
+
+
+def _shares(houses: Sequence[House]) -> dict[str, float]:
+    people, rooms = sum(house.people for house in houses), sum(len(house.rooms) for house in houses)
+    count = len(houses)
+    return {
+        "clean": _share(sum(all(issue.severity != "error" for issue in house.issues) for house in houses), count),
+        "complete": _share(sum(not any(room.missing for room in house.rooms) for house in houses), count),
+        "as_asked": _share(sum(not house.notes for house in houses), count),
+        "with_people": _share(sum(house.people > 0 for house in houses), count),
+        "with_pet": _share(sum(house.pets > 0 for house in houses), count),
+        "people_seated": _share(sum(house.seated for house in houses), people),
+        "rooms_proven": _share(sum(house.proven for house in houses), rooms),
+    }
+
+
+def _share(part: int, whole: int) -> float:
+    return round(part / whole, 4) if whole else 0.0
+
+
+def _broken(houses: Sequence[House], rule: str) -> Document:
+    found = [sum(issue.rule == rule for issue in house.issues) for house in houses]
+    return {"issues": sum(found), "houses": sum(number > 0 for number in found)}
+
+
+def _listed(houses: Sequence[House]) -> list[Document]:
+    """Lists the first issues, errors before warnings."""
+    every = [(house.seed, issue) for house in houses for issue in house.issues]
+    every.sort(key=lambda entry: entry[1].severity != "error")
+    return [
+        {"seed": seed, "rule": issue.rule, "severity": issue.severity, "room": issue.room, "message": issue.message}
+        for seed, issue in every[:SHOWN]
+    ]
+
+
+def _by_type(houses: Sequence[House]) -> Document:
+    found: dict[str, list[RoomFigures]] = {}
+    for house in houses:
+        for room in house.rooms:
+            found.setdefault(room.type, []).append(room)
+    return {name: _rooms(found[name], len(houses)) for name in sorted(found)}
+
+
+def _rooms(rooms: Sequence[RoomFigures], houses: int) -> Document:
+    alike = Counter(room.signature for room in rooms)
+    return {
+        "count": len(rooms),
+        "per_home": round(len(rooms) / houses, 4),
+        "area": spread(room.area for room in rooms),
+        "cover": spread(room.cover for room in rooms),
+        "walkable": spread(room.walkable for room in rooms),
+        "pieces": spread(room.pieces for room in rooms),
+        "decorations": spread(room.decorations for room in rooms),
+        "together": spread(room.pieces + room.decorations for room in rooms),
+        "left_out": round(sum(len(room.left_out) for room in rooms) / len(rooms), 4),
+        "missing": sum(room.missing for room in rooms),
+        "people": round(sum(room.people for room in rooms) / len(rooms), 4),
+        "signatures": len(alike),
+        "most_alike": max(alike.values()),
+    }
