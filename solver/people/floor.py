@@ -67,9 +67,9 @@ class Floor:
         return replace(person, x=half_m(found.x0 + found.x1), z=half_m(found.z0 + found.z1)) if found else None
 
     def leaves_all_reachable(self, person: Dynamic) -> bool:
-        """Tells whether everything stays within reach with somebody there who stands on the floor, and so is that person."""
+        """Tells whether everything stays within reach with somebody there on the floor, and so are all who stand."""
         standing = [footprint(other) for other in (*self.people, person) if other.on is None]
-        return self.ways.open(standing, [Goal(footprint(person), EVERY_SIDE)])
+        return self.ways.open(standing, [Goal(rect, EVERY_SIDE) for rect in standing])
 
     def front_reachable(self, piece: Furniture) -> bool:
         """Tells whether one can come to a piece's front, those who stand there being in the way."""
