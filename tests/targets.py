@@ -1,6 +1,6 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
-    python -m tests.targets [houses|homes|floorplan|rooms] [--seeds N] [--workers 2]
+    python -m tests.targets [houses|homes|floorplan|programme|rooms] [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
 """
@@ -23,6 +23,7 @@ from catalogs import load_catalogs
 from solver import Request, generate
 from solver.scene import Generated, Room
 from tests.dress.targets import homes
+from tests.floorplan.homes import programme_table
 from tests.floorplan.targets import floorplan_table
 from tests.pipeline.forced import Case, cases
 
@@ -35,6 +36,7 @@ SETS: Mapping[str, tuple[dict[str, object], int]] = {
     "min_room_size 2.4": ({"min_room_size": 2.4}, 5),
 }
 """Request by name, and by how much fewer seeds than the defaults it gets."""
+PRESET_SETS: Mapping[str, dict[str, object]] = {name: {"program": name} for name in ("studio", "one_bed", "family", "large")}
 In = TypeVar("In")
 Out = TypeVar("Out")
 MISSING_TARGET = 0.01
@@ -79,7 +81,8 @@ def house(job: tuple[str, int]) -> Tally:
     """Generates one house of a set and counts."""
     name, seed = job
     start = time.process_time()
-    made = generate(Request(seed=seed, **SETS[name][0]))  # type: ignore[arg-type]
+    fields = PRESET_SETS[name] if name in PRESET_SETS else SETS[name][0]
+    made = generate(Request(seed=seed, **fields))  # type: ignore[arg-type]
     cpu = (time.process_time() - start) * 1000
     return tally(made, seed, cpu)
 
@@ -123,6 +126,21 @@ def houses(seeds: int, workers: int) -> bool:
     return good
 
 
+def programme(seeds: int, workers: int) -> bool:
+    """Prints the table of planned homes, and what a tenth of them show when furnished; returns whether targets are met."""
+    table, missed = programme_table(seeds)
+    print(table, *missed, sep="\n")
+    good, count = not missed, max(seeds // 10, 1)
+    for name in PRESET_SETS:
+        total = Tally()
+        for part in _spread(house, [(name, seed) for seed in range(count)], workers, name):
+            total.add(part)
+        errors = sum(n for rule, n in total.rules.items() if rule.startswith("error"))
+        good &= errors == 0 and len(total.missing) <= MISSING_TARGET * total.rooms
+        print(f"{name}: {count} homes furnished, {total.rooms} rooms, {errors} errors, {len(total.missing)} lack a required piece")
+    return good
+
+
 def forced(case: Case) -> list[str]:
     """Furnishes one forced room; returns what is wrong with it."""
     made = case.furnished()
@@ -158,6 +176,8 @@ def main() -> int:
     good = True
     if "floorplan" in asked.what:
         print(floorplan_table(asked.seeds))
+    if "programme" in asked.what:
+        good &= programme(asked.seeds, asked.workers)
     if "rooms" in asked.what:
         good &= rooms(asked.workers)
     if "houses" in asked.what:

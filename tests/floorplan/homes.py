@@ -48,7 +48,8 @@ def violations(rooms: Sequence[Room]) -> list[str]:
         into = [types[str(o.connects_to)] for o in room.openings if o.kind in ("door", "passage") and o.connects_to in types]
         owned = room.type == "bathroom" and len(into) == 1 and into[0] in checks.SLEEPING
         mudroom = room.type.startswith("garage") and "laundry" in into
-        if len(rooms) > 1 and not set(into) & set(WAYS) and not owned and not mudroom:
+        first = any(o.main_entrance for o in room.openings)
+        if not first and not set(into) & set(WAYS) and not owned and not mudroom:
             faults.append(f"{room.id} is off every way through")
         for other in into:
             if room.type in checks.SLEEPING and other not in (*WAYS, "bathroom"):

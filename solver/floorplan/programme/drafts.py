@@ -123,6 +123,10 @@ class Drawer:
         A strip whose columns have no such depth in common takes what the others leave it.
         """
         last, whole = len(draft.strips) - 2, self._across(draft.kind)
+        self._draw_depths(draft, last, whole, stream)
+        self._close(draft, whole)
+
+    def _draw_depths(self, draft: Draft, last: int, whole: int, stream: Stream) -> None:
         for _ in range(CHOICES):
             fits = self._choose_pair(draft, last, whole, stream)
             if not last or (self._choose_pair(draft, 0, sum(draft.depths[2:]) + HALLWAY_MM, stream) and fits):
@@ -180,6 +184,16 @@ class Drawer:
             self._share(depths, last, whole)
         if last:
             self._share(depths, 0, depths[2] + HALLWAY_MM + depths[3])
+        self._close(draft, whole)
+
+    @staticmethod
+    def _close(draft: Draft, whole: int) -> None:
+        """Gives the depth of a strip without columns to the other one of its pair, where both make up a whole."""
+        for k, strip in enumerate(draft.strips):
+            if not strip:
+                if whole or k < len(draft.strips) - 2:
+                    draft.depths[k ^ 1] += draft.depths[k]
+                draft.depths[k] = 0
 
     @staticmethod
     def _share(depths: list[int], first: int, whole: int) -> None:
@@ -195,7 +209,7 @@ class Drawer:
             draft: settled.
             stretch: draw it even where its strips do not come out: rooms then miss their limits.
         """
-        if min(draft.depths) < 2 * LATTICE_MM:
+        if min(depth for depth, strip in zip(draft.depths, draft.strips, strict=True) if strip) < 2 * LATTICE_MM:
             return Misfit(len(self.sizes), 0)
         pairs = []
         for first in range(0, len(draft.depths), 2):
@@ -213,7 +227,8 @@ class Drawer:
     def _pair(self, draft: Draft, first: int, stretch: bool) -> Pair | Misfit:
         north, south = (self._spans(draft.strips[k], draft.depths[k]) for k in (first, first + 1))
         bad, low, high, wished = 0, 0, 1 << 30, 0
-        for row in (north, south):
+        rows = [row for row in (north, south) if row] or [north]
+        for row in rows:
             least = most = 0
             for span in row:
                 least += span.low
@@ -221,7 +236,7 @@ class Drawer:
                 wished += span.wished
                 bad += span.misses
             low, high = max(low, least), min(high, most)
-        wished = _snapped(wished // 2)
+        wished = _snapped(wished // len(rows))
         if stretch:
             return Pair((north, south), wished, wished, wished)
         if bad or low > high:
@@ -259,6 +274,8 @@ class Drawer:
         `place` is where the strip starts along u, its inner line across, and its depth: positive where it lies before
         that line, negative where it lies behind.
         """
+        if not columns:
+            return
         at, line, depth = place
         for column, width in zip(columns, widths, strict=True):
             inner = line

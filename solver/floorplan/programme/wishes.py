@@ -28,7 +28,7 @@ SHRINKING: Final = 2.0
 """How much worse a floor too small for a preset is than one as much too large."""
 LAST: Final = 4
 """From this `spare` on even the last room of its word may be left out."""
-WALLS_SHARE: Final = 1.1
+WALLS_SHARE: Final = 1.15
 """Floor of a home over that of its rooms, its hallway counted. Measured."""
 
 
