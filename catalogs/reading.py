@@ -81,7 +81,7 @@ def load_catalogs(directory: Path | None = None) -> Catalogs:
     """Reads and checks our catalogs (once), or those with a directory's own laid over them.
 
     Args:
-        directory: holds any of furniture.yaml, floorings.yaml and rooms/*.yaml (a file's stem is the room type's name).
+        directory: holds any of a catalog's files, as ours are (a file's stem in rooms/ is the room type's name).
             What it names anew is added; what ours has too is replaced.
 
     Raises:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from catalogs.dressing import DecorationKind, Dressing
 from catalogs.entries import Colour, Cost, Entry, Interval, Length, Side, Surface, Words
@@ -185,11 +185,12 @@ class RoomType(Entry):
     cover: tuple[Share, Share] | None = None
     pieces: tuple[Piece, ...] = ()
 
-    @model_validator(mode="after")
-    def _cover_ordered(self) -> RoomType:
-        if self.cover and self.cover[0] > self.cover[1]:
+    @field_validator("cover")
+    @classmethod
+    def _ordered(cls, cover: tuple[float, float] | None) -> tuple[float, float] | None:
+        if cover and cover[0] > cover[1]:
             raise ValueError("a cover must be [least, most]")
-        return self
+        return cover
 
 
 class FlooringSpec(Entry):

@@ -59,7 +59,7 @@ async def post_view(request: Request) -> Response:
 
 @router.get("/catalog", **described("Catalog"))
 async def get_catalog(request: Request) -> Response:
-    """Returns the furniture, floorings and room types the service knows."""
+    """Returns the furniture, decorations, room types, styles and presets the service knows."""
     return await _asked(request, calls.catalog_document)
 
 

@@ -77,7 +77,7 @@ def _add_format(command: ArgumentParser) -> None:
 
 
 def _add_catalog(command: ArgumentParser) -> None:
-    command.add_argument("--catalog", metavar="DIR", help="a folder of catalog files to use")
+    command.add_argument("--catalog", metavar="DIR", help="a folder of your own catalog files, laid over ours (catalogs/example)")
 
 
 def _add_scene(command: ArgumentParser) -> None:
@@ -152,7 +152,7 @@ def _add_readers(commands: Commands) -> None:
 
 
 def _add_tellers(commands: Commands) -> None:
-    catalog = _command(commands, "catalog", "Write the furniture, floorings and room types there are.")
+    catalog = _command(commands, "catalog", "Write all furniture, decorations, room types, styles and presets there are.")
     schema = _command(commands, "schema", "Write the JSON Schema of a scene.")
     for command in (catalog, schema):
         _add_output(command, "it")
