@@ -107,7 +107,8 @@ class Homes:
         self.wet += [room.id in pipes for room in rooms if room.type in WET]
         front = checks.entrances(plan.rooms)[0][0].id
         doors = {name for pair in joined if front in pair for name in pair}
-        self.bedrooms_off += [room.id not in doors for room in rooms if room.type in checks.SLEEPING]
+        if {"foyer", "hallway"} & set(types.values()):  # else the living room is the way to all, as it is the entrance
+            self.bedrooms_off += [room.id not in doors for room in rooms if room.type in checks.SLEEPING]
         floor = sum(room.width * room.depth for room in indoor)
         self.hallway.append(sum(room.width * room.depth for room in indoor if room.type == "hallway") / floor)
         for room in rooms:

@@ -47,7 +47,7 @@ def kinds_for(wishes: Sequence[Wish]) -> tuple[str, ...]:
     kinds = ["full"]
     if public >= 2:
         kinds += ["ranch"] * 3
-    if not any(wish.garage for wish in wishes):
+    if not any(wish.garage for wish in wishes) and any(wish.entry for wish in wishes):
         kinds.append("axial")
     return tuple(kinds)
 
