@@ -139,5 +139,6 @@ def test_tall_things_keep_clear_of_windows_and_doors() -> None:
         done = dress(room(type="living_room", openings=(DOOR, *windows)), seed)
         for thing in done.decorations:
             if thing.parent is None and thing.mounted_on_wall is None and thing.height > 0.9:
-                assert not (thing.z - thing.depth / 2 < 0.5 and (thing.x < 1.7 or thing.x > 4.3))
+                assert not (thing.z < 0.5 and (0.3 < thing.x < 1.7 or 4.3 < thing.x < 5.7))
+                assert not (thing.x > SIDE - 0.5 and 0.3 < thing.z < 1.7)
         assert errors(done) == []
