@@ -77,8 +77,22 @@ def _room_faults(catalogs: Catalogs, file: str, room: RoomType) -> Iterator[Faul
                 yield Fault(file, ("pieces", i, "without", j), f"unknown room type {other!r}", ", ".join(catalogs.rooms))
         for j, rule in enumerate(piece.rules):
             yield from _rule_faults(Fault(file, ("pieces", i, "rules", j), ""), room, piece, rule)
+    yield from _run_faults(file, room, names)
     yield from _required_faults(catalogs, file, room)
     yield from _order_faults(file, room)
+
+
+def _run_faults(file: str, room: RoomType, names: list[str]) -> Iterator[Fault]:
+    """Checks that a run speaks of pieces of its room type."""
+    if room.run is None:
+        return
+    for key, words in (*((("orders", i), order) for i, order in enumerate(room.run.orders)), (("corners",), room.run.corners)):
+        for name in words:
+            if name not in names:
+                yield Fault(file, ("run", *key), f"unknown piece {name!r}", ", ".join(names))
+    for name in room.run.triangle:
+        if any(name not in order for order in room.run.orders):
+            yield Fault(file, ("run", "triangle"), f"{name!r} is not in every order", ", ".join(names))
 
 
 def _kind_faults(catalogs: Catalogs, file: str, index: int, piece: Piece) -> Iterator[Fault]:

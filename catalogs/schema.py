@@ -165,6 +165,18 @@ class Plan(Entry):
     garage_door: bool = False
 
 
+class Run(Entry):
+    """Pieces that stand in one run, along a wall or round a corner, planned as a whole.
+
+    `orders` are the orders they may stand in, either way round; optional ones may be missing. `corners` are the pieces
+    that may stand in a corner with the run going on round it. `triangle` names the three a cook walks between.
+    """
+
+    orders: tuple[Words, ...] = Field(min_length=1)
+    corners: Words = ()
+    triangle: Words = ()
+
+
 class RoomType(Entry):
     """A room type: its areas, floor, accent colour, what it holds and by which relations.
 
@@ -183,6 +195,7 @@ class RoomType(Entry):
     home: Home | None = None
     requires: tuple[dict[str, Annotated[int, Field(ge=1, le=12)]], ...] = ()
     cover: tuple[Share, Share] | None = None
+    run: Run | None = None
     pieces: tuple[Piece, ...] = ()
 
     @field_validator("cover")

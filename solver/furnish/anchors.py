@@ -12,6 +12,7 @@ from solver.furnish.candidates import DRAW, candidates
 from solver.furnish.openings import openings_of
 from solver.furnish.relations import RELATIONS, SLOTTED
 from solver.furnish.relations.places import footprint
+from solver.furnish.runs import OFF_PLAN_COST, planned_run
 from solver.furnish.walls import WallOccupancy
 from solver.furnish.whims import Whims, count, drawn, ordered
 from solver.geometry import FACING, Rect, rotate, strip
@@ -54,16 +55,26 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     earlier: dict[str, tuple[str, ...]] = {}
     kinds: dict[str, tuple[str, ...]] = {}
     poses: dict[str, Pose] = {}
-    for piece in (_suited(piece, scope.area) for piece in pieces):
-        for number in range(1, count(piece, scope.area, stream) + 1):
+    counted = [(suited, count(suited, scope.area, stream)) for suited in (_suited(piece, scope.area) for piece in pieces)]
+    there = {piece.piece: piece for piece, copies in counted if copies}
+    run = planned_run(scope, room_type.run, there, stream) if room_type.run else {}
+    for piece, copies in counted:
+        for number in range(1, copies + 1):
             one = _wanted(Ask(scope, piece, number, dict(earlier), dict(kinds)), drawn(stream))
             if one is None:
                 break
+            one = _in_run(one, run[piece.piece]) if number == 1 and piece.piece in run else one
             wanted.append(one)
             earlier[piece.piece] = (*earlier.get(piece.piece, ()), one.label)
             kinds[one.label] = tuple(dict.fromkeys(alternative.kind for alternative in one.alternatives))
             _intend(scope.walls, one, poses)
     return tuple(wanted)
+
+
+def _in_run(one: Wanted, place: Alternative) -> Wanted:
+    """Returns a piece of a run with its planned place as the cheapest way to stand."""
+    others = [replace(way, cost=way.cost + OFF_PLAN_COST) for way in one.alternatives]
+    return replace(one, alternatives=(place, *others[: LIMIT - 1]))
 
 
 def _gates(space: Space, openings: Sequence[Opened]) -> tuple[Rect, ...]:

@@ -130,7 +130,7 @@ def _to_wall(room: Room, box: Box, side: int, standing: list[Box]) -> float:
 def slivers(room: Room) -> tuple[int, int]:
     """Returns how many gaps are slivers, and how many gaps there are in all up to NARROW."""
     found = gaps(room)
-    return sum(TOUCHING < gap < SLIVER for gap in found), len(found)
+    return sum(TOUCHING < gap < SLIVER - 1e-3 for gap in found), len(found)
 
 
 def under_windows(room: Room) -> list[str]:

@@ -57,6 +57,17 @@ def covered(room: Room, decisions: Ints) -> int:
     return area
 
 
+@compiled(lambda t: t.b1(t.Room, t.i8))
+def _on_floor(room: Room, piece: int) -> bool:
+    """Tells whether a piece may cover floor of its own: a chair at its table, a screen on its stand and kept floor do not."""
+    if room.pieces[piece, EMPTY] != 0:
+        return False
+    for alt in range(room.pieces[piece, ALT_0], room.pieces[piece, ALT_1]):
+        if room.alts[alt, BOTTOM] == 0 and room.alts[alt, UNDER] < 0:
+            return True
+    return False
+
+
 @compiled(lambda t: t.b1(t.Room, t.ints, t.i8))
 def _fatherless(room: Room, decisions: Ints, piece: int) -> bool:
     """Tells whether what a piece stands at is not there, in any of its ways."""
@@ -195,7 +206,7 @@ def fill(engine: Engine, decisions: Ints, costs: Floats, fates: Ints, limits: In
             fate = SPENT
         elif empty and _fatherless(room, decisions, piece):
             fate = NO_WAY
-        elif not empty and room.space[COVER] > 0 and covered(room, decisions) >= room.space[COVER]:
+        elif room.space[COVER] > 0 and _on_floor(room, piece) and covered(room, decisions) >= room.space[COVER]:
             fate = COVERED
         else:
             costs[2] = costs[0] + skip

@@ -1,0 +1,107 @@
+"""Furnished rooms are as full as people's, differ from seed to seed, and look right: judged from the scene alone."""
+
+from __future__ import annotations
+
+import statistics
+from functools import cache
+
+import pytest
+
+from solver.scene import Furniture, Opening, Room
+from tests.density import ruler
+from tests.density.rooms import EQUAL, Equal, drawn, equal
+
+SEEDS = 40
+COVER = {
+    "bedroom": (0.30, 0.45),
+    "bedroom_master": (0.30, 0.45),
+    "kids_bedroom": (0.30, 0.45),
+    "bathroom": (0.30, 0.50),
+    "kitchen": (0.28, 0.45),
+    "living_room": (0.18, 0.35),
+}
+"""Floor cover medians of homes (issue: 9-16, 4-8, 8-16 m2, living rooms of any size)."""
+
+
+@cache
+def rooms(name: str) -> tuple[Room, ...]:
+    """Returns the rooms of a type."""
+    return tuple(drawn(name, seed) for seed in range(SEEDS))
+
+
+def boxes_of(*pieces: Furniture, windows: tuple[Opening, ...] = ()) -> Room:
+    """Returns a room of 4 x 3 m with pieces put there by hand."""
+    return Room("r", 0, "living_room", width=4.0, depth=3.0, furniture=pieces, openings=windows)
+
+
+def body(name: str, corner: tuple[float, float], size: tuple[float, ...], rotation: float = 0) -> Furniture:
+    """Returns a piece by its footprint's north-west corner and its width, depth and height (0.8)."""
+    width, depth, height = (*size, 0.8)[:3]
+    across, along = (width, depth) if rotation % 180 == 0 else (depth, width)
+    x, z = corner
+    return Furniture(name, name, x=x + across / 2, z=z + along / 2, rotation=rotation, width=width, depth=depth, height=height)
+
+
+def test_the_ruler_measures_cover_once() -> None:
+    room = boxes_of(body("a", (1, 1), (1, 1)), body("b", (1.5, 1), (1, 1)))
+    assert ruler.cover(room) == pytest.approx(1.5 / 12)
+
+
+def test_the_ruler_finds_slivers_between_pieces_and_to_walls() -> None:
+    room = boxes_of(body("a", (0.15, 1.5), (1, 0.5)), body("b", (1.25, 1.5), (1, 0.5)), body("c", (2.27, 1.5), (1, 0.5)))
+    assert sorted(round(gap, 2) for gap in ruler.gaps(room)) == [0.02, 0.1, 0.1]
+    assert ruler.slivers(room) == (2, 3)
+
+
+def test_the_ruler_sees_what_stands_in_the_way() -> None:
+    sofa, screen = body("sofa", (1, 0.08), (2, 0.9)), body("tv", (1.4, 2.7), (1.2, 0.14), 180)
+    low, high = body("coffee_table", (1.5, 1.4), (1, 0.5, 0.42)), body("dining_table", (1.5, 1.4), (1, 0.5, 0.75))
+    assert ruler.sight_free(boxes_of(sofa, screen, low)) is True
+    assert ruler.sight_free(boxes_of(sofa, screen, high)) is False
+    assert ruler.sight_free(boxes_of(sofa)) is None
+
+
+def test_the_ruler_measures_triangles_and_windows() -> None:
+    run = (body("refrigerator", (0.1, 0.08), (0.7, 0.7)), body("sink", (1.4, 0.08), (0.8, 0.6)), body("stove", (2.8, 0.08), (0.6, 0.6)))
+    legs = ruler.triangle(boxes_of(*run))
+    assert legs == pytest.approx((1.3, 2.652, 1.353), abs=1e-3)
+    assert legs is not None and ruler.works(legs) and not ruler.works((1.0, 2.0, 2.0))
+    window = Opening("w", "window", "north", 2.0, 1.2, 1.2, 0.9)
+    assert ruler.under_windows(boxes_of(body("bed", (1.2, 0.08), (1.6, 2.0)), windows=(window,))) == ["bed"]
+    assert ruler.under_windows(boxes_of(body("bed", (0.1, 0.08), (1.6, 2.0)), windows=(window,))) == []
+
+
+@pytest.mark.parametrize("name", sorted(COVER))
+def test_rooms_are_as_full_as_homes(name: str) -> None:
+    least, most = COVER[name]
+    assert least <= statistics.median(ruler.cover(room) for room in rooms(name)) <= most
+
+
+def test_nothing_tall_or_soft_stands_under_a_window_without_need() -> None:
+    found = [
+        bool(ruler.under_windows(room)) for name in ("bedroom", "bedroom_master", "kids_bedroom", "living_room") for room in rooms(name)
+    ]
+    assert statistics.fmean(found) <= 0.06
+
+
+def test_the_group_of_a_living_room_looks_at_itself_and_at_the_screen() -> None:
+    away = [ruler.turned_away(room) for room in rooms("living_room")]
+    assert sum(n for n, _ in away) <= 0.02 * sum(n for _, n in away)
+    sights = [free for room in rooms("living_room") if (free := ruler.sight_free(room)) is not None]
+    assert len(sights) >= 0.9 * SEEDS and statistics.fmean(sights) >= 0.95
+
+
+def test_toilets_sofas_and_tables_have_their_floor() -> None:
+    for name, share in (("bathroom", 0.9), ("living_room", 0.95), ("dining_room", 0.85)):
+        kept = [ruler.comfort(room) for room in rooms(name)]
+        assert sum(n for n, _ in kept) >= share * sum(n for _, n in kept), name
+
+
+def test_most_kitchens_have_a_working_triangle() -> None:
+    legs = [found for room in rooms("kitchen") if room.width * room.depth >= 10 and (found := ruler.triangle(room))]
+    assert statistics.fmean(ruler.works(found) for found in legs) >= 0.65
+
+
+@pytest.mark.parametrize("of", EQUAL, ids=str)
+def test_one_room_is_furnished_in_many_ways(of: Equal) -> None:
+    assert len({ruler.signature(equal(of, seed)) for seed in range(100)}) >= 60
