@@ -51,7 +51,7 @@ def wanted_of(room: Room, space: Space, terms: Terms) -> tuple[Wanted, ...]:
 
 def placed(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Arrangement:
     """Places pieces with least movement."""
-    return settle([arrange_as_wished(space, wanted, budget)])[0]
+    return settle([arrange_as_wished(space, wanted, budget)], "search")[0]
 
 
 def attempt(space: Space, wanted: Sequence[Wanted], terms: Terms) -> Arrangement:

@@ -4,7 +4,8 @@ Comes in: rooms as (Space, wanted pieces). Goes out: Arrangements on the millime
 left out. May import: the ground floor. Not here: rules of room types (furnish), the contract's rules (validate).
 """
 
-from solver.placement.arrange import arrange_as_wished, feasible
+from solver.placement.arrange import feasible
+from solver.placement.as_wished import arrange_as_wished
 from solver.placement.budget import ROOM_WORK, Budget
 from solver.placement.explain import minimal_conflict
 from solver.placement.settle import place, settle

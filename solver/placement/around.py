@@ -27,7 +27,7 @@ SEARCH = Limits(required=300, required_qps=300)
 """What one shape of floor may try."""
 
 
-def around_a_floor(space: Space, pieces: Sequence[Wanted], budget: Budget) -> tuple[Found, ...]:
+def around_a_floor(space: Space, pieces: Sequence[Wanted], budget: Budget) -> Iterator[tuple[Found, ...]]:
     """Looks for places round an empty rectangle, of several shapes.
 
     Args:
@@ -35,14 +35,15 @@ def around_a_floor(space: Space, pieces: Sequence[Wanted], budget: Budget) -> tu
         pieces: all of them are asked for.
         budget: the work it may cost.
 
-    Returns:
-        Where the pieces are, in their order; nothing where no shape helps. Whether a person comes there is not tested.
+    Yields:
+        Where the pieces are, in their order, by the shapes that help. Whether a person comes there is not tested.
     """
     for shape in _shapes(space):
         found = _around(space, pieces, shape, budget)
-        if found or budget.spent:
-            return found
-    return ()
+        if found:
+            yield found
+        if budget.spent:
+            return
 
 
 def _shapes(space: Space) -> Iterator[tuple[int, int]]:

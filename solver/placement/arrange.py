@@ -6,11 +6,11 @@ throughout. Limits are counts; ties go to the earlier. The work is the kernel's;
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from math import inf
 
-from solver.placement.around import around_a_floor
+from solver.geometry import Rect
 from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits
 from solver.placement.encode import LEAST_FLOOR_MM2, door_target, empty_floor, encode
@@ -18,7 +18,7 @@ from solver.placement.kernel.fill import COVERED, NO_WAY, SPENT
 from solver.placement.kernel.layout import ABSENT, Ints
 from solver.placement.outcome import Outcome
 from solver.placement.problem import Problem
-from solver.placement.usable import Found, Use, usable
+from solver.placement.usable import Use, usable
 from solver.wanted import EMPTY_FLOOR, Alternative, Space, Wanted
 
 LIMITS = Limits()
@@ -26,12 +26,6 @@ FIX_LIMITS = Limits(required=600, required_qps=500)
 """A repair tries fewer ways: the first is nearly always the best, and someone is dragging."""
 MARGIN_MM = 2
 """Rounding to millimetres moves each of two bodies by less than one."""
-TOGETHER_QPS = {"least": 6000, "stands": 3000, "mixed": 6000, "test": 3000}
-"""QPs of a repair's search for all pieces at once, by how the walk asks for use sides."""
-CHEAPER_QPS = 1500
-"""The same where one is found already."""
-REACHES_MM = (600, 200, 50, 2)
-"""How far from where they were found usable pieces may be moved back to where they are wished, most first."""
 REASONS = {
     NO_WAY: "none of the ways to stand it leaves the room valid and walkable",
     COVERED: "the floor is covered as densely as wished without it",
@@ -70,6 +64,12 @@ class Draft:
     proven: bool = True
     best: bool = True
     walkable: bool = True
+
+    def footprints(self) -> list[Rect]:
+        """Returns where the chosen pieces are, rounded to millimetres."""
+        bodies = {part.label: part for part in self.problem.parts if not part.stand}
+        p = [[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in self.outcome.positions or ()]
+        return [bodies[chosen.wanted.label].rect(p) for chosen in self.chosen]
 
 
 def arrange(space: Space, wanted: Sequence[Wanted], walk: bool = True, budget: Budget | None = None, limits: Limits = LIMITS) -> Draft:
@@ -138,14 +138,14 @@ def _draft(core: Core, arranged: Arranged, left_out: list[tuple[Wanted, str]], s
             absent.append((piece, REASONS[int(arranged.fates[k])]))
     if core.outcome().positions is None:  # the budget ended with the last piece: once more, for the placement alone
         core.evaluate(arranged.decisions, LIMITS.required_qps, Budget(), walk)
-    found = _found(core, arranged.decisions, arranged.preference, walk)
+    found = found_by(core, arranged.decisions, arranged.preference, walk)
     best = arranged.closed and not left_out
     return replace(found, left_out=absent, solves=solves, proven=arranged.proven, best=best)
 
 
-def _found(core: Core, decisions: Ints, preference: float, walkable: bool) -> Draft:
-    """Returns what the last search of a core found, and lets the core go of what it took."""
-    outcome = core.outcome()
+def found_by(core: Core, decisions: Ints, preference: float, walkable: bool, outcome: Outcome | None = None) -> Draft:
+    """Returns what the last search of a core found, or an earlier outcome of it, and lets the core go of what it took."""
+    outcome = outcome or core.outcome()
     draft = Draft(
         core.encoded.space,
         core,
@@ -168,7 +168,7 @@ def with_margin(draft: Draft) -> Draft | None:
     core = Core(encode(wider, draft.core.encoded.wanted, draft.core.encoded.walk))
     if not core.evaluate(draft.decisions, LIMITS.final_qps, Budget(), True):
         return None
-    found = _found(core, draft.decisions, draft.cost - draft.outcome.cost, True)
+    found = found_by(core, draft.decisions, draft.cost - draft.outcome.cost, True)
     return replace(found, left_out=draft.left_out, solves=draft.solves, proven=False, best=False)
 
 
@@ -189,95 +189,8 @@ def _cut_short(core: Core, left_out: list[tuple[Wanted, str]], solves: int, walk
         for k, piece in enumerate(core.encoded.wanted)
         if decisions[k] == ABSENT and not piece.label.startswith(EMPTY_FLOOR)
     ]
-    found = _found(core, decisions, core.preference(decisions), walk)
+    found = found_by(core, decisions, core.preference(decisions), walk)
     return replace(found, left_out=[*left_out, *absent], solves=solves, proven=False, best=False)
-
-
-def arrange_as_wished(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Draft:
-    """Keeps every piece in its first way if all can stand so; else arranges them; all that are to be used can be reached.
-
-    The first ways are the cheapest, so where their placement costs less than any other way would, it is the best. Where no
-    walkable placement is found the best that is not is returned, `walkable` False; where none exists none is looked for.
-    """
-    least = _all_at_once(space, wanted, budget, "least")
-    together = least if least is None or least.walkable else _together(space, wanted, budget)
-    if together is not None:
-        return _dearer(space, wanted, budget, together)
-    use, found = usable(space, wanted, budget)
-    if use is Use.NEVER:
-        return _out_of_reach(space, wanted, budget, least)
-    if least is not None:
-        least = _all_at_once(space, wanted, budget, "test") or least
-    if use is Use.UNKNOWN and not (least is not None and least.walkable):
-        rescued = _near_found(space, around_a_floor(space, wanted, budget), budget)
-        if rescued is not None:
-            return rescued
-    best = _dearer(space, wanted, budget, least)
-    return best if best.walkable else _near_found(space, found, budget) or best
-
-
-def _next_cost(wanted: Sequence[Wanted]) -> float:
-    """Returns the least cost of another than the first way."""
-    return min((a.cost for piece in wanted for a in piece.alternatives[1:] if a.cost > 0), default=inf)
-
-
-def _dearer(space: Space, wanted: Sequence[Wanted], budget: Budget, together: Draft | None) -> Draft:
-    """Tries other ways than the first ones, where that may be cheaper or leave all within reach."""
-    least = _next_cost(wanted)
-    if together is not None and together.walkable and together.cost <= least:
-        return together
-    choosy = any(len(piece.stands) > 1 and not piece.need_all for piece in wanted)
-    if (least < inf or choosy or together is not None) and walkable_when_empty(space):
-        draft = arrange(space, wanted, budget=budget, limits=FIX_LIMITS)
-        if not draft.left_out and (together is None or not together.walkable or draft.cost < together.cost):
-            return draft
-    return together if together is not None and together.walkable else _out_of_reach(space, wanted, budget, together)
-
-
-def _out_of_reach(space: Space, wanted: Sequence[Wanted], budget: Budget, together: Draft | None) -> Draft:
-    """Returns the best placement that nobody has to walk in."""
-    if together is not None and together.cost <= _next_cost(wanted):
-        return together
-    draft = arrange(space, wanted, walk=False, budget=budget, limits=FIX_LIMITS)
-    worse = bool(draft.left_out) or (together is not None and draft.cost >= together.cost)
-    if together is not None and worse:
-        return together
-    return replace(draft, walkable=False)
-
-
-def _near_found(space: Space, found: Sequence[Found], budget: Budget) -> Draft | None:
-    """Returns the placement with least movement near where the pieces were found usable; None where none is walkable."""
-    for reach in REACHES_MM if found else ():
-        draft = _all_at_once(space, [one.near(reach, space.clear) for one in found], budget, "stands")
-        if draft is not None:
-            return draft
-    return None
-
-
-def _together(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Draft | None:
-    """Searches a place for all pieces at once, each in its first way, with persons' squares at the use sides."""
-    modes = ("stands", "mixed") if any(len(piece.stands) > 1 for piece in wanted) else ("stands",)
-    best: Draft | None = None
-    for mode in modes:
-        best = _all_at_once(space, wanted, budget, mode, best.cost if best else inf) or best
-    return best
-
-
-def _all_at_once(space: Space, wanted: Sequence[Wanted], budget: Budget, mode: str, ceiling: float = inf) -> Draft | None:
-    """Searches a place for all pieces at once, each in its first way, cheaper than the ceiling.
-
-    `mode` is how the walk asks for use sides (`encode`), or "least": nobody has to walk, but whether one could is told.
-    """
-    walk = mode != "least"
-    core = Core(encode(space, wanted, mode if walk else "test"))
-    decisions = core.first_ways()
-    if decisions is None:
-        return None
-    preference = core.preference(decisions)
-    limit = TOGETHER_QPS[mode] if ceiling == inf else CHEAPER_QPS
-    if not core.evaluate(decisions, limit, budget, walk, ceiling - preference):
-        return None
-    return _found(core, decisions, preference, walk)
 
 
 def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = None, walk: bool = False, prove: bool = True) -> bool | None:

@@ -17,11 +17,13 @@ from solver.placement.budget import Budget
 from solver.placement.constraints import Choice, Part, Row
 from solver.placement.encode import Encoded
 from solver.placement.kernel import layout
+from solver.placement.kernel.assembly import assemble
 from solver.placement.kernel.fill import arrange_room
 from solver.placement.kernel.grid import walkable
 from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, DOUBTED, MANY, best_first, evaluate
 from solver.placement.kernel.layout import Engine, Floats, Ints
 from solver.placement.kernel.options import total_preference, ways
+from solver.placement.kernel.pull import pull_back
 from solver.placement.kernel.space import example_engine
 from solver.placement.outcome import Outcome
 from solver.placement.problem import Problem
@@ -157,6 +159,10 @@ class Core:
             return False
         return self.walkable_at([[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in outcome.positions])
 
+    def assemble(self, decisions: Ints) -> bool:
+        """Lays out the problem of decisions; tells whether they can stand together."""
+        return bool(assemble(self.engine.room, self.engine.work, decisions))
+
     def evaluate(self, decisions: Ints, limit: int, budget: Budget, walk: bool, ceiling: float = np.inf) -> bool:
         """Searches a placement of the decisions; it stays in the work space."""
         self.engine.tree.budget[0] = budget.left
@@ -164,10 +170,10 @@ class Core:
         budget.left = float(self.engine.tree.budget[0])
         return found
 
-    def bodies(self) -> list[Rect]:
-        """Returns the footprints that the last search found, by piece, all of them decided, rounded to millimetres."""
+    def bodies(self, first: int = 0) -> list[Rect]:
+        """Returns the footprints that the last search found, by piece from `first` on, all decided, rounded to millimetres."""
         work, best, found = self.engine.work, self.engine.nodes.best, []
-        for k in range(len(self.encoded.wanted)):
+        for k in range(first, len(self.encoded.wanted)):
             _, _, u, v, off_x, off_z, wide, deep = work.parts[work.body_part[k], : layout.LOW].tolist()
             x, z = math.floor(best[0, u] * 1000 + 0.5) + off_x, math.floor(best[1, v] * 1000 + 0.5) + off_z
             found.append(Rect(x, z, x + wide, z + deep))
@@ -179,6 +185,18 @@ class Core:
         for axis in (0, 1):
             positions[axis, : len(p[axis])] = p[axis]
         return bool(walkable(self.engine.room, self.engine.work, self.engine.grid, positions))
+
+    def pulled_back(self, places: Sequence[Rect]) -> Outcome | None:
+        """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.
+
+        Returns:
+            The places found; None where the pieces could not stand and be walked between at those given.
+        """
+        positions = self.engine.grid.positions
+        for part, place in zip(self.engine.work.parts[self.engine.work.body_part[: len(places)]].tolist(), places, strict=True):
+            _, _, x, z, off_x, off_z, *_ = part
+            positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
+        return self.outcome() if pull_back(self.engine) else None
 
     def rotation(self, piece: int) -> int:
         """Returns the absolute rotation of an assembled piece."""

@@ -249,13 +249,15 @@ def sizes_of(room: Room) -> Sizes:
 FLOOR_SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760), (900, 900), (750, 1200), (1200, 750))
 """Rectangles of floor. In each of the first five a person of 0.6 m has the 0.25 m2 of free centres that a room must have; the others
 leave room for floor that goes round a corner, whose area the walk measures."""
+WHOLE_SHAPES = 5
+"""How many those are."""
 FLOOR_PULL = 0.02
 
 
-def empty_floor(space: Space) -> Wanted:
-    """Returns a piece that stands for floor kept empty: bodies keep out, people do not."""
+def empty_floor(space: Space, shapes: int = len(FLOOR_SHAPES_MM)) -> Wanted:
+    """Returns a piece that stands for floor kept empty, in one of the first shapes: bodies keep out, people do not."""
     clear, more = space.clear, space.robot_mm - 600
     middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)
     pull = (FLOOR_PULL, FLOOR_PULL)
-    shapes = tuple(Alternative("floor", (width + more, depth + more, PERSON_MM), 0, None, middle, pull) for width, depth in FLOOR_SHAPES_MM)
-    return Wanted(EMPTY_FLOOR, True, shapes)
+    sizes = [(width + more, depth + more, PERSON_MM) for width, depth in FLOOR_SHAPES_MM[:shapes]]
+    return Wanted(EMPTY_FLOOR, True, tuple(Alternative("floor", size, 0, None, middle, pull) for size in sizes))

@@ -48,6 +48,11 @@ class Found:
     sides: tuple[str, ...]
     footprint: Rect
 
+    @property
+    def free(self) -> Wanted:
+        """The piece in its way, wherever it may stand so."""
+        return replace(self.piece, alternatives=(self.way,))
+
     def near(self, reach_mm: int, clear: Rect) -> Wanted:
         """Returns the piece kept to its way and within reach of where it was found, in the clear rectangle."""
         own, bounds = self.footprint, self.way.within or clear

@@ -6,8 +6,10 @@ Comes in: the catalogs. Goes out: use sides and requirements. May import: catalo
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 
 from catalogs import Catalogs
+from catalogs.dressing import DecorationKind
 from catalogs.schema import Furniture, RoomType, Use
 
 Size = tuple[float, float, float]
@@ -20,17 +22,31 @@ class Kinds:
 
     def __init__(self, catalogs: Catalogs) -> None:
         self.rooms: Mapping[str, RoomType] = catalogs.rooms
+        self._catalogs = catalogs
         self._named: dict[str, Furniture] = {}
         for kind, entry in catalogs.furniture.items():
             self._named.setdefault(entry.name or kind, entry)
-        self._surfaces: dict[tuple[str, Size], tuple[Level, ...]] = {}
-        self._heights: dict[str, tuple[Level, ...]] = {}
-        carriers = [(entry.name or kind, entry.size, entry.surfaces) for kind, entry in catalogs.furniture.items()]
-        carriers += [(kind, thing.size, thing.surfaces) for kind, thing in catalogs.decorations.items()]
-        for name, size, surfaces in carriers:
-            self._surfaces.setdefault((name, size), tuple((surface.height, surface.inset) for surface in surfaces))
-            self._heights[name] = (*self._heights.get(name, ()), *((surface.height, 0.0) for surface in surfaces))
         self._named |= {kind: entry for kind, entry in catalogs.furniture.items() if entry.name in (None, kind)}
+
+    @cached_property
+    def _carriers(self) -> list[tuple[str, Size, tuple[Level, ...]]]:
+        """Names, sizes and surfaces of all that carries something."""
+        found: list[tuple[str, Furniture | DecorationKind]] = [
+            (entry.name or kind, entry) for kind, entry in self._catalogs.furniture.items()
+        ]
+        found += self._catalogs.decorations.items()
+        return [(name, entry.size, tuple((surface.height, surface.inset) for surface in entry.surfaces)) for name, entry in found]
+
+    @cached_property
+    def _surfaces(self) -> dict[tuple[str, Size], tuple[Level, ...]]:
+        return {(name, size): levels for name, size, levels in reversed(self._carriers)}
+
+    @cached_property
+    def _heights(self) -> dict[str, tuple[Level, ...]]:
+        found: dict[str, tuple[Level, ...]] = {}
+        for name, _, levels in self._carriers:
+            found[name] = (*found.get(name, ()), *((height, 0.0) for height, _ in levels))
+        return found
 
     def use(self, name: str) -> Use | None:
         """Returns which sides of a piece are used; None where none is, or the piece is unknown."""

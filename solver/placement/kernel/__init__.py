@@ -6,9 +6,9 @@ Comes in: arrays (layout.py). Goes out: arrays. May import: itself, numpy; jit.p
 from solver.placement.kernel import cache, jit
 
 if jit.PLAIN:
-    from solver.placement.kernel import fill, prove, widen
+    from solver.placement.kernel import fill, prove, pull, widen
 else:
     with cache.one_compiles(jit.FOLDER, jit.machine()):
-        from solver.placement.kernel import fill, prove, widen
+        from solver.placement.kernel import fill, prove, pull, widen
 
-__all__ = ["cache", "fill", "jit", "prove", "widen"]
+__all__ = ["cache", "fill", "jit", "prove", "pull", "widen"]
