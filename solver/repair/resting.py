@@ -19,6 +19,8 @@ from solver.scene import Decoration, Room
 def rested(room: Room, floating: Container[str], catalogs: Catalogs, wall_thickness: float) -> Room:
     """Returns the room with the decorations of those ids where something carries them; the way there is the shortest.
 
+    A ring of things that lie on each other is opened: the first of them loses its parent and lies on the floor.
+
     Args:
         room: as sent.
         floating: ids.
@@ -26,6 +28,7 @@ def rested(room: Room, floating: Container[str], catalogs: Catalogs, wall_thickn
         wall_thickness: m.
     """
     half = (to_mm(wall_thickness) + 1) // 2
+    room = _opened(room, floating)
     sent: dict[str, Body] = {body.id: body for body in all_bodies(room)}
     bodies = dict(sent)
     for thing in _parents_first(room):
@@ -33,6 +36,24 @@ def rested(room: Room, floating: Container[str], catalogs: Catalogs, wall_thickn
         bodies[thing.id] = _at_rest(after, bodies, room, half, catalogs) if thing.id in floating else after
     things = [bodies[thing.id] for thing in room.decorations]
     return replace(room, decorations=tuple(thing for thing in things if isinstance(thing, Decoration)))
+
+
+def _opened(room: Room, floating: Container[str]) -> Room:
+    """Returns the room with every ring of parents opened at the first of its things that may be moved."""
+    things = {thing.id: thing for thing in room.decorations}
+    for thing in room.decorations:
+        if thing.id in floating and thing.mounted_on_wall is None and _in_ring(thing, things):
+            things[thing.id] = replace(thing, parent=None)
+    return replace(room, decorations=tuple(things.values()))
+
+
+def _in_ring(thing: Decoration, things: Mapping[str, Decoration]) -> bool:
+    """Tells whether what carries a thing comes back to it; what hangs is carried by its wall."""
+    seen, at = set[str](), thing.parent or ""
+    while at in things and at not in seen and things[at].mounted_on_wall is None:
+        seen.add(at)
+        at = things[at].parent or ""
+    return thing.id in seen
 
 
 def _parents_first(room: Room) -> list[Decoration]:
@@ -52,7 +73,7 @@ def _parents_first(room: Room) -> list[Decoration]:
 def _carried_along(thing: Decoration, sent: Mapping[str, Body], now: Mapping[str, Body]) -> Decoration:
     """Returns a thing moved as its parent was."""
     before, after = sent.get(thing.parent or ""), now.get(thing.parent or "")
-    if before is None or after is None or before is after or thing.parent == thing.id:
+    if before is None or after is None or before is after:
         return thing
     x, y, z = (round(a + c - b, 4) for a, b, c in zip(_at(thing), _at(before), _at(after), strict=True))
     return replace(thing, x=x, y=y, z=z)
@@ -66,7 +87,7 @@ def _at_rest(thing: Decoration, bodies: Mapping[str, Body], room: Room, half: in
     if thing.mounted_on_wall is not None:
         return _at_wall(thing, room, half)
     parent = bodies.get(thing.parent or "")
-    if parent is None or parent.id == thing.id:
+    if parent is None:
         return _placed(thing, _floor(room).shrunk(half), 0)
     places = [(to_mm(parent.y) + height, rect) for height, rect in _surfaces(parent, catalogs)]
     level, rect = min(places, key=lambda place: abs(place[0] - to_mm(thing.y)))

@@ -9,7 +9,7 @@ without a parent, or whose parent is not in the room, lies on the floor or on an
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple, TypeAlias
 
 from solver.scene import Decoration, Furniture
@@ -44,12 +44,28 @@ def floating(world: World, place: Place, kinds: Kinds) -> Iterator[Finding]:
             yield from _off_its_wall(world, place, thing)
             continue
         parent = bodies.get(thing.parent or "")
+        if parent is not None and _carries_itself(thing, bodies):
+            how = "its own parent" if parent is thing else f"on {parent.id}, and that on {thing.id} in the end"
+            yield Finding((thing.id,), 0, f"{thing.id} is {how}: nothing carries it")
+            continue
         if parent is not None:
-            found = list(_supports(parent, kinds)) if parent is not thing else []
+            found = list(_supports(parent, kinds))
         else:
             others = [body for body in bodies.values() if body is not thing]
             found = [Support(None, place.outline.bounds, 0), *(one for body in others for one in _supports(body, kinds))]
         yield from _unsupported(thing, found, parent)
+
+
+def _carries_itself(thing: Decoration, bodies: Mapping[str, Carrier]) -> bool:
+    """Tells whether what carries a thing, and what carries that, comes back to the thing; what hangs is carried by its wall."""
+    seen, at = {""}, thing.parent or ""
+    while at not in seen:
+        seen.add(at)
+        if at == thing.id:
+            return True
+        body = bodies.get(at)
+        at = (body.parent or "") if isinstance(body, Decoration) and body.mounted_on_wall is None else ""
+    return False
 
 
 def _supports(body: Carrier, kinds: Kinds) -> Iterator[Support]:
@@ -70,10 +86,7 @@ def _unsupported(thing: Decoration, supports: Sequence[Support], parent: Carrier
     misses = [(_miss(support, x, y, z), support) for support in supports]
     if any(miss == (0, 0) for miss, _ in misses):
         return
-    below = f"its parent {parent.id}" if parent is not None and parent is not thing else "anything"
-    if not misses:
-        yield Finding((thing.id,), 0, f"{thing.id} is its own parent: nothing carries it")
-        return
+    below = f"its parent {parent.id}" if parent is not None else "anything"
     (beside, above), _ = min(misses, key=lambda miss: max(miss[0]))
     how = f"{words(above)} above or below" if above >= beside else f"with its middle {words(beside)} beside"
     yield Finding((thing.id,), max(beside, above), f"{thing.id} floats {how} what could carry it on {below}")

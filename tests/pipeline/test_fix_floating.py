@@ -60,6 +60,19 @@ def test_without_a_parent_it_comes_to_the_floor() -> None:
     assert fixed.issues == ()
 
 
+@pytest.mark.parametrize("size", [1, 2, 3])
+def test_a_ring_of_parents_is_opened_and_stays_so(size: int) -> None:
+    names = [f"r/vase_{number}" for number in range(size)]
+    vase = Decoration("", "vase", None, None, 0.6, 0.7, 4.0, 0, 0.15, 0.15, 0.34)
+    ring = [replace(vase, id=name, parent=names[(at + 1) % size]) for at, name in enumerate(names)]
+    fixed = fix(scene(*ring))
+    assert fixed.issues == ()
+    first, *others = fixed.scene.rooms[0].decorations
+    assert (first.parent, first.y) == (None, 0.0)
+    assert [thing.parent for thing in others] == [thing.parent for thing in ring[1:]]
+    assert fix(fixed.scene).scene == fixed.scene
+
+
 def test_a_locked_thing_stays_and_is_named() -> None:
     fixed = fix(scene(pillow(3.5, 0.62, 0.5)), locked=["r/pillow_1"])
     assert fixed.scene.rooms[0].decorations == (pillow(3.5, 0.62, 0.5),)

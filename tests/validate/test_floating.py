@@ -129,3 +129,17 @@ def test_on_an_outline_any_wall_of_that_side_will_do() -> None:
     for z, count in ((1.95, 0), (3.95, 1)):
         picture = thing(3.0, z, 1.5, mounted_on_wall="south")
         assert len(told(room(decorations=(picture,), outline=outline))) == count
+
+
+@pytest.mark.parametrize("others", [[], ["a"], ["a", "b"]])
+def test_things_that_carry_each_other_in_a_ring_lie_on_nothing(others: list[str]) -> None:
+    names = ["thing_1", *others]
+    things = [thing(1.0, 1.0, 1.5, above, id=name, height=0.005) for name, above in zip(names, [*names[1:], names[0]], strict=True)]
+    found = told(room(decorations=tuple(things)))
+    assert [issue.ids for issue in found] == [(name,) for name in names]
+    assert all("nothing carries it" in issue.message for issue in found)
+
+
+def test_what_a_hanging_thing_is_said_to_lie_on_makes_no_ring() -> None:
+    shelf = thing(1.0, 0.05, 1.5, "thing_1", id="shelf_1", mounted_on_wall="north")
+    assert told(room(decorations=(shelf, thing(1.0, 0.05, 1.6, "shelf_1")))) == []
