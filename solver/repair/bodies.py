@@ -73,10 +73,21 @@ def carriers(room: Room) -> dict[str, str]:
 def _resting_on(piece: Furniture, others: Sequence[Furniture]) -> Furniture | None:
     for other in others:
         top = other.y + other.height
-        inside = abs(piece.x - other.x) * 2 < other.width and abs(piece.z - other.z) * 2 < other.depth
-        if other.id != piece.id and inside and other.y < piece.y and abs(top - piece.y) * 1000 <= RESTS_MM:
+        if other.id != piece.id and _over(piece, other) and other.y < piece.y and abs(top - piece.y) * 1000 <= RESTS_MM:
             return other
     return None
+
+
+def _over(body: Body, other: Body) -> bool:
+    """Tells whether a body's middle is over another's footprint."""
+    rect = footprint(other)
+    return rect.x0 < body.x * 1000 < rect.x1 and rect.z0 < body.z * 1000 < rect.z1
+
+
+def _lying_in(thing: Decoration, pieces: Sequence[Furniture]) -> Furniture | None:
+    """Returns the piece on or in which a thing lies that names no parent of its room: the one whose top is nearest to it."""
+    within = [piece for piece in pieces if _over(thing, piece) and piece.y < thing.y <= piece.y + piece.height + RESTS_MM / 1000]
+    return min(within, key=lambda piece: piece.y + piece.height, default=None)
 
 
 def _loops(start: str, carried: Mapping[str, str | None]) -> bool:
@@ -90,8 +101,15 @@ def _loops(start: str, carried: Mapping[str, str | None]) -> bool:
 
 
 def above(room: Room) -> dict[str, str]:
-    """Returns who stands on, hangs over or lies under whom: child's id -> its parent's."""
-    return {**carriers(room), **{thing.id: thing.parent for thing in room.decorations if thing.parent is not None}}
+    """Returns who stands on, hangs over or lies under whom: child's id -> its parent's, or of what it lies on if it names none."""
+    found, known = carriers(room), {body.id for body in all_bodies(room)}
+    for thing in room.decorations:
+        below = None if thing.mounted_on_wall is not None else _lying_in(thing, room.furniture)
+        if thing.parent in known and thing.parent is not None:
+            found[thing.id] = thing.parent
+        elif below is not None and thing.y * 1000 > RESTS_MM:
+            found[thing.id] = below.id
+    return found
 
 
 def climb(start: str, parents: Mapping[str, str], stop: Container[str] = ()) -> str:

@@ -73,6 +73,28 @@ def test_a_ring_of_parents_is_opened_and_stays_so(size: int) -> None:
     assert fix(fixed.scene).scene == fixed.scene
 
 
+@pytest.mark.parametrize("parent", [None, "r/gone_1"])
+def test_what_lies_on_a_piece_goes_with_it_though_it_names_no_parent(parent: str | None) -> None:
+    sent = scene(replace(pillow(2.3, 0.5, 0.5), parent=parent))
+    assert floating(sent) == []
+    pushed = replace(BED, z=0.98)
+    rooms = tuple(replace(room, furniture=(pushed,), decorations=(replace(pillow(2.3, 0.5, 0.4), parent=parent),)) for room in sent.rooms)
+    fixed = fix(replace(sent, rooms=rooms))
+    (moved,), (thing,) = fixed.scene.rooms[0].furniture, fixed.scene.rooms[0].decorations
+    by = round(moved.z - 0.98, 4)
+    assert by > 0
+    assert (thing.x, thing.y, thing.z) == (2.3, 0.5, round(0.4 + by, 4))
+
+
+@pytest.mark.parametrize("rotation", [0, 90])
+def test_a_piece_that_stands_on_a_turned_one_goes_with_it(rotation: int) -> None:
+    along = (1.6, 0.6) if rotation == 0 else (0.6, 1.6)
+    table = Furniture("r/rack_1", "rack", "table", x=2.0, z=4.8, width=along[0], depth=along[1], height=0.75, rotation=rotation)
+    case = Furniture("r/case_1", "case", "storage", x=2.6, y=0.75, z=4.7, width=0.2, depth=0.2, height=0.4)
+    fixed = fix(Scene(rooms=(Room("r", width=4.0, depth=5.0, furniture=(table, case)),)))
+    assert [(piece.x, piece.y, piece.z) for piece in fixed.scene.rooms[0].furniture] == [(2.0, 0.0, 4.7), (2.6, 0.75, 4.6)]
+
+
 def test_a_locked_thing_stays_and_is_named() -> None:
     fixed = fix(scene(pillow(3.5, 0.62, 0.5)), locked=["r/pillow_1"])
     assert fixed.scene.rooms[0].decorations == (pillow(3.5, 0.62, 0.5),)
