@@ -5,7 +5,7 @@ Comes in: a sent Room and which of its decorations float. Goes out: the Room. Ma
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from catalogs import Catalogs
@@ -109,14 +109,36 @@ def _floor(room: Room) -> Rect:
 
 
 def _at_wall(thing: Decoration, room: Room, half: int) -> Decoration:
-    """Moves a thing to its wall's face; in rooms that are no rectangles it stays as sent."""
-    if room.outline:
-        return thing
-    face, own = _floor(room).shrunk(half), footprint(thing)
+    """Moves a thing to the face of the nearest of the room's walls on its side, or leaves it where there is none."""
+    own = footprint(thing)
+    places = [_at_face(thing, wall, half, own) for side, wall in _walls(room) if side == thing.mounted_on_wall]
+    return min(places, key=lambda place: abs(place.x - thing.x) + abs(place.z - thing.z), default=thing)
+
+
+def _walls(room: Room) -> Iterator[tuple[str, Rect]]:
+    """Yields the sides and lines of a room's walls; those of an outline run clockwise around the floor, or all of them back."""
+    corners = [(to_mm(x), to_mm(z)) for x, z in room.outline or ()] or list(_corners(_floor(room)))
+    lines = list(zip(corners, [*corners[1:], corners[0]], strict=True))
+    if sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in lines) < 0:
+        lines = [(b, a) for a, b in lines]
+    for (x, z), (next_x, next_z) in lines:
+        side = ("north" if next_x > x else "south") if z == next_z else ("east" if next_z > z else "west")
+        yield side, Rect(min(x, next_x), min(z, next_z), max(x, next_x), max(z, next_z))
+
+
+def _corners(rect: Rect) -> tuple[tuple[int, int], ...]:
+    return (rect.x0, rect.z0), (rect.x1, rect.z0), (rect.x1, rect.z1), (rect.x0, rect.z1)
+
+
+def _at_face(thing: Decoration, wall: Rect, half: int, own: Rect) -> Decoration:
+    """Moves a thing against a wall's face, within that wall's ends."""
+    x0, z0, x1, z1 = wall
     rect = {
-        "north": Rect(face.x0, face.z0, face.x1, face.z0 + own.depth), "south": Rect(face.x0, face.z1 - own.depth, face.x1, face.z1),
-        "west": Rect(face.x0, face.z0, face.x0 + own.width, face.z1), "east": Rect(face.x1 - own.width, face.z0, face.x1, face.z1),
-    }[thing.mounted_on_wall or ""]  # fmt: skip
+        "north": Rect(x0 + half, z0 + half, x1 - half, z0 + half + own.depth),
+        "south": Rect(x0 + half, z1 - half - own.depth, x1 - half, z1 - half),
+        "west": Rect(x0 + half, z0 + half, x0 + half + own.width, z1 - half),
+        "east": Rect(x1 - half - own.width, z0 + half, x1 - half, z1 - half),
+    }[thing.mounted_on_wall or ""]
     return _placed(thing, rect, to_mm(thing.y))
 
 

@@ -53,6 +53,36 @@ def test_what_hangs_comes_back_to_its_wall_and_brings_what_lies_on_it() -> None:
     assert fix(scene(*reversed(away))).scene.rooms[0].decorations == (BOOK, SHELF)
 
 
+L_SHAPE = ((0.0, 0.0), (4.0, 0.0), (4.0, 2.5), (2.0, 2.5), (2.0, 5.0), (0.0, 5.0))
+
+
+@pytest.mark.parametrize("corners", [L_SHAPE, (L_SHAPE[0], *L_SHAPE[:0:-1])])
+@pytest.mark.parametrize(
+    ("wall", "sent", "there"),
+    [
+        ("south", (3.0, 3.2), (3.0, 2.43)),
+        ("south", (3.0, 4.9), (1.55, 4.93)),
+        ("south", (1.0, 3.9), (1.0, 4.93)),
+        ("east", (1.7, 4.0), (1.93, 4.0)),
+        ("east", (3.0, 1.0), (3.93, 1.0)),
+        ("north", (3.0, 1.0), (3.0, 0.07)),
+        ("west", (1.0, 4.0), (0.07, 4.0)),
+    ],
+)
+def test_in_an_outline_it_comes_back_to_the_nearest_wall(
+    wall: str, sent: tuple[float, float], there: tuple[float, float], corners: tuple[tuple[float, float], ...]
+) -> None:
+    turn = {"north": 0, "south": 180, "east": 270, "west": 90}[wall]
+    art = Decoration("r/wall_art_1", "wall_art", None, wall, sent[0], 1.5, sent[1], turn, 0.8, 0.04, 0.6)
+    room = Room("r", width=4.0, depth=5.0, outline=corners, decorations=(art,))
+    document = Scene(wall_thickness=0.1, rooms=(room,))
+    assert floating(document) == ["r/wall_art_1"]
+    fixed = fix(document).scene
+    assert floating(fixed) == []
+    assert (fixed.rooms[0].decorations[0].x, fixed.rooms[0].decorations[0].z) == there
+    assert fix(fixed).scene == fixed
+
+
 def test_without_a_parent_it_comes_to_the_floor() -> None:
     vase = Decoration("r/vase_1", "vase", None, None, 0.6, 0.7, 4.0, 0, 0.15, 0.15, 0.34)
     fixed = fix(scene(vase))
