@@ -5,13 +5,14 @@ Comes in: the doors placed so far. Goes out: windows as `Cut`s beside them. May 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from catalogs.schema import RoomType
 from solver.floorplan.doors import Cut, Doorways
 from solver.floorplan.layout import exterior_sides
+from solver.geometry import Rect
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,9 @@ SMALL_PANE: Final = Pane(600, 600, 1400)
 EDGE_MM: Final = 300
 """Least wall between a window and a room's corner. Our choice."""
 TWO_MM: Final = 4200
-"""Wall from which it has two windows. Our choice."""
+"""Wall from which it may have two windows. Our choice."""
+GLASS: Final = 0.25
+"""Most glass per floor with which a wall gets its second window; daylight asks for an eighth. Our choice."""
 SHIFT_MM: Final = 100
 """Step in which a window gives way to a door."""
 
@@ -48,16 +51,26 @@ def place_windows(doorways: Doorways) -> None:
         if kind.outdoor or not kind.plan.windows:
             continue
         width = pane_of(kind).width
-        for wall in exterior_sides(rect, doorways.layout.outline):
-            for centre in _centres(doorways, room, wall, width):
+        walls = list(exterior_sides(rect, doorways.layout.outline))
+        two = _with_two(rect, walls) if kind.plan.habitable else []
+        for wall in walls:
+            for centre in _centres(doorways, room, wall, (width, 2 if wall in two else 1)):
                 number += 1
                 doorways.add(Cut(f"window_{number}", "window", room, wall, None, centre, width))
 
 
-def _centres(doorways: Doorways, room: int, wall: str, width: int) -> list[int]:
-    """Finds places for a wall's windows, each in its own equal part of the wall."""
+def _with_two(rect: Rect, walls: Sequence[str]) -> list[str]:
+    """Returns the walls with two windows: long ones, the longest first, as far as the room's floor bears so much glass."""
+    lengths = {wall: rect.along(wall)[1] - rect.along(wall)[0] for wall in walls}
+    spare = int(GLASS * rect.width * rect.depth / (PANE.width * PANE.height)) - len(walls)
+    long = sorted((wall for wall in walls if lengths[wall] >= TWO_MM), key=lambda wall: -lengths[wall])
+    return long[: max(spare, 0)]
+
+
+def _centres(doorways: Doorways, room: int, wall: str, panes: tuple[int, int]) -> list[int]:
+    """Finds places for a wall's windows of a width and number, each in its own equal part of the wall."""
     low, high = doorways.layout.rooms[room].along(wall)
-    parts = 2 if high - low >= TWO_MM and width == PANE.width else 1
+    width, parts = panes
     found = []
     for k in range(parts):
         start, end = low + (high - low) * k // parts, low + (high - low) * (k + 1) // parts

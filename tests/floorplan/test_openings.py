@@ -81,6 +81,10 @@ def test_windows_suit_their_rooms(seed: int) -> None:
             doors = [o for o in room.openings if o.wall == wall and o.kind != "window"]
             if outside and not room.outdoor and CATALOGS.rooms[room.type].plan.windows and room.type != "hallway" and not doors:
                 assert here, f"{room.id} has no window in its {wall} wall"
+        walls = {o.wall for o in windows}
+        if len(windows) > len(walls):
+            assert CATALOGS.rooms[room.type].plan.habitable
+            assert sum(o.width * o.height for o in windows) <= room.width * room.depth / 4 + 1e-9
 
 
 @pytest.mark.parametrize(("name", "cars"), [("garage", 1), ("garage_2car", 2), ("garage_3car", 3)])
