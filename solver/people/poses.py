@@ -78,9 +78,10 @@ def sitting(floor: Floor, person: Dynamic, stream: Stream) -> Dynamic | None:
     stream.shuffle(seats)
     for piece, seat in seats:
         for across in _places(piece, seat, stream):
-            placed = _seated(person, piece, seat, across)
-            if _fits(floor, placed, piece) and floor.front_reachable(piece):
-                return placed
+            for behind in (seat.inset, 0.0):  # at the very edge before what leans on the back
+                placed = _seated(person, piece, seat, (across, behind))
+                if _fits(floor, placed, piece) and floor.front_reachable(piece):
+                    return placed
     return None
 
 
@@ -106,10 +107,11 @@ def _places(piece: Furniture, seat: Surface, stream: Stream) -> Sequence[int]:
     return [round(stream.uniform(-room, room) / 50) * 50 if abs(room) > 50 else 0, *ends]
 
 
-def _seated(person: Dynamic, piece: Furniture, seat: Surface, across: int) -> Dynamic:
-    """Returns a person on a seat, at its front edge or as far behind it as the surface begins, within the piece's footprint."""
+def _seated(person: Dynamic, piece: Furniture, seat: Surface, place: tuple[int, float]) -> Dynamic:
+    """Returns a person on a seat, within the piece's footprint: so far across (mm), so far behind its front edge (m)."""
+    across, behind = place
     width, depth = min(SITTING[0], piece.width), min(SITTING[1], piece.depth)
-    along = max(0, round((piece.depth / 2 - seat.inset - depth / 2) * 1000), round((depth - piece.depth) * 500))
+    along = max(0, round((piece.depth / 2 - behind - depth / 2) * 1000), round((depth - piece.depth) * 500))
     x, z = rotate(across, along, round(piece.rotation))
     centre = (round(piece.x + x / 1000, 4), round(piece.z + z / 1000, 4))
     return replace(

@@ -78,6 +78,12 @@ def test_some_sit_and_some_stand() -> None:
     assert set(found) == {("person", True), ("person", False), ("dog", False), ("cat", False)}
 
 
+def test_one_sits_before_the_pillows_of_a_sofa_and_of_an_armchair() -> None:
+    seats = {(one.on or "").rpartition("/")[2].rstrip("_123") for number in range(len(REQUESTS)) for scene in households(number)
+             if any(room.decorations for room in scene.rooms) for one in scene.dynamic if one.on is not None}  # fmt: skip
+    assert {"sofa", "armchair"} <= seats
+
+
 def test_the_oracle_sees_who_blocks_the_way() -> None:
     """Put before a door, everybody is in the way: of the door, or of somebody."""
     scene = next(scene for scene in households(0) if scene.dynamic)
