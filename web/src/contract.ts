@@ -54,7 +54,9 @@ export interface Furniture extends Body {
 
 export interface Decoration extends Body {
   readonly name: string;
+  /** The id of what it lies on or belongs to. */
   readonly parent?: string | null;
+  readonly mounted_on_wall?: string | null;
 }
 
 export interface Dynamic extends Body {

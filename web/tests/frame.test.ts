@@ -38,6 +38,20 @@ describe("the frame", () => {
     expect(bodies.map(({ id, y, kind }) => [id, y, kind])).toEqual([["up/sofa_1", 3, "furniture"], ["person_1", 3, "dynamic"]]);
   });
 
+  it("knows at which height hangs what hangs on a wall, and what lies on that; the page hides both where the wall is cut below", () => {
+    const size = { x: 1, z: 0, rotation: 0, width: 0.6, depth: 0.2, height: 0.2 };
+    const shelf = { ...size, id: "a/shelf_1", name: "wall_shelf", y: 1.5, mounted_on_wall: "north" };
+    const book = { ...size, id: "a/book_1", name: "book", y: 1.7, parent: "a/shelf_1" };
+    const vase = { ...size, id: "a/vase_1", name: "vase", y: 0.9, parent: "a/sofa_1" };
+    const bodies = bodiesOf(scene([room("a", [0, 0, 4, 4], { decorations: [book, shelf, vase] })]));
+    expect(bodies.map((body) => body.hung)).toEqual([1.6, 1.6, undefined]);
+    const meshes = new BodyMeshes(bodies);
+    meshes.cutAt(1.4);
+    expect([0, 1, 2].map((instance) => meshes.mesh.getVisibleAt(instance))).toEqual([false, false, true]);
+    meshes.cutAt(2.8);
+    expect([0, 1, 2].map((instance) => meshes.mesh.getVisibleAt(instance))).toEqual([true, true, true]);
+  });
+
   it("writes names in words", () => {
     expect(words("dining_table")).toBe("dining table");
   });

@@ -89,6 +89,13 @@ export class BodyMeshes {
     this.mesh.perObjectFrustumCulled = false;
   }
 
+  /** Hides what hangs on walls where they are cut below its middle: nothing hangs in the air. */
+  cutAt(height: number): void {
+    this.#owners.forEach((body, instance) => {
+      if (body.hung !== undefined) this.mesh.setVisibleAt(instance, body.hung <= height);
+    });
+  }
+
   /** The body that an instance of the batch is a part of. */
   bodyAt(instance: number | undefined): PlacedBody | undefined {
     return instance === undefined ? undefined : this.#owners[instance];

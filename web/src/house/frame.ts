@@ -2,7 +2,7 @@
  * The coordinate frame. The scene's is three.js's own: right-handed, x east, y up, z south, so a rotation in
  * degrees about +y needs only radians. Bodies are room-relative; here they get their place in the house.
  */
-import type { Body, Dynamic, Room, Scene } from "../contract";
+import type { Body, Decoration, Dynamic, Room, Scene } from "../contract";
 import type { Storey } from "./walls";
 
 export type BodyKind = "furniture" | "decoration" | "dynamic";
@@ -20,6 +20,8 @@ export interface PlacedBody {
   readonly depth: number;
   readonly height: number;
   readonly color: string;
+  /** It hangs on a wall, or lies on what does: its middle or its carrier's, above the ground [m]. */
+  readonly hung?: number;
 }
 
 const UNSAID_COLOR = "#8b949e";
@@ -54,6 +56,17 @@ function place(body: Body, name: string, kind: BodyKind, room: Room, elevation: 
   };
 }
 
+/** A decoration in the house; what hangs on a wall, or lies on what does, knows at which height. */
+function placeDecoration(piece: Decoration, room: Room, elevation: number): PlacedBody {
+  const body = place(piece, piece.name, "decoration", room, elevation);
+  let carrier: Decoration | undefined = piece;
+  for (let step = 0; carrier && !carrier.mounted_on_wall && step < room.decorations.length; step += 1) {
+    const below: string | null | undefined = carrier.parent;
+    carrier = room.decorations.find((other) => other.id === below);
+  }
+  return carrier?.mounted_on_wall ? { ...body, hung: elevation + carrier.y + carrier.height / 2 } : body;
+}
+
 /** Every body of a scene in house coordinates. */
 export function bodiesOf(scene: Scene): PlacedBody[] {
   const storeys = storeysOf(scene);
@@ -61,7 +74,7 @@ export function bodiesOf(scene: Scene): PlacedBody[] {
   const rooms = new Map(scene.rooms.map((room) => [room.id, room]));
   const standing = scene.rooms.flatMap((room) => [
     ...room.furniture.map((piece) => place(piece, piece.name, "furniture", room, elevation(room))),
-    ...room.decorations.map((piece) => place(piece, piece.name, "decoration", room, elevation(room))),
+    ...room.decorations.map((piece) => placeDecoration(piece, room, elevation(room))),
   ]);
   const living = (scene.dynamic ?? []).flatMap((body: Dynamic) => {
     const room = rooms.get(body.room);

@@ -71,12 +71,13 @@ export class House {
     this.root.add(slab(this.bounds), floorMeshes(scene.rooms, storeys), this.doors.mesh, this.#bodyMeshes.mesh);
   }
 
-  /** Cuts walls and doors at a height above the ground [m]. */
+  /** Cuts walls, doors and what hangs on walls at a height above the ground [m]. */
   cutAt(height: number): void {
     if (this.#wallMeshes) disposeOf(this.#wallMeshes);
     this.#wallMeshes = this.#walls.meshes(height);
     this.root.add(this.#wallMeshes);
     this.doors.cutAt(height);
+    this.#bodyMeshes.cutAt(height);
   }
 
   /** Frames the bodies with these ids in the colour of a mark, in place of those framed so before. */
