@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from catalogs import Catalogs, load_catalogs
 from solver.furnish import space_of
 from solver.pipeline.attempt import Terms
+from solver.pipeline.concerned import concerned
 from solver.pipeline.mend import Mended, explain_unreached, mend_room, settle_room
 from solver.pipeline.people import People, mend_people
 from solver.pipeline.timing import Clock, Timing
@@ -104,7 +105,7 @@ def _repaired(scene: Scene, terms: Terms, errors: Sequence[Issue], known: Catalo
     if not errors:
         return _Answers(scene, (), People(scene.dynamic))
     alone = _without_people(scene, errors, known)
-    broken = {issue.room for issue in alone}
+    broken = concerned(scene, alone)
     mended = tuple(_mended(scene, room, terms, alone) if room.id in broken else Mended(room) for room in scene.rooms)
     furnished, left = _with(scene, mended), errors
     if broken:

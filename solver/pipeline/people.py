@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from solver.pipeline.attempt import Terms
+from solver.pipeline.concerned import concerned
 from solver.repair import in_the_way, placed_people
 from solver.scene import Conflict, Dynamic, Issue, Scene
 from solver.wanted import Space
@@ -34,7 +35,8 @@ def mend_people(scene: Scene, spaces: Mapping[str, Space], terms: Terms, issues:
         issues: what the validator says of the scene.
     """
     covered = _covered(scene, terms, issues)
-    closed = {issue.room for issue in issues if issue.rule == "unreachable" and terms.wishes.uses}
+    unreached = [issue for issue in issues if issue.rule == "unreachable" and terms.wishes.uses]
+    closed = concerned(scene, unreached)
     after = {person.id: person for person in scene.dynamic}
     stuck: dict[str, str] = {}
     for room in scene.rooms:

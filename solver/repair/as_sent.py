@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from solver.free_places import footprint
-from solver.repair.bodies import Body, carriers, climb, floor_bodies, tables_of
+from solver.repair.bodies import Body, carriers, climb, drawn_out, floor_bodies, tables_of, too_deep_mm
 from solver.repair.ways import Walls, carried, held, loose
 from solver.repair.wishes import Wishes
 from solver.scene import Furniture, Room
@@ -51,7 +51,7 @@ def holders(room: Room, wishes: Wishes) -> dict[str, tuple[str, ...]]:
     by_id, tables, parents = {body.id: body for body in bodies}, tables_of(bodies), carriers(room)
     found: dict[str, list[str]] = {body.id: [body.id] for body in bodies if wishes.is_locked(body)}
     for chair, table in tables.items():
-        if wishes.is_locked(by_id[chair]):
+        if wishes.is_locked(by_id[chair]) and not too_deep_mm(by_id[chair], table):
             found.setdefault(table.id, []).append(chair)
     for piece in room.furniture:
         root = climb(piece.id, parents)
@@ -68,12 +68,12 @@ def _wanted(body: Body, alternatives: tuple[Alternative, ...], wishes: Wishes) -
 def _alternatives(body: Body, sent: _Sent) -> tuple[Alternative, ...]:
     table = sent.tables.get(body.id)
     if body.id in sent.held:
-        return (held(body, table),)
+        return (held(body, None if table is not None and too_deep_mm(body, table) else table),)
     ways = loose(body, sent.walls, sent.wishes)
-    if table is None:
+    if table is None or not isinstance(body, Furniture):
         return ways
     free = tuple(replace(way, cost=way.cost + FREE_COST) for way in ways)
-    return (replace(carried(body, table), under=table.id), *free)
+    return (replace(carried(drawn_out(body, table), table), under=table.id), *free)
 
 
 def _carried(room: Room, floor: Mapping[str, Body], wishes: Wishes) -> list[Wanted]:

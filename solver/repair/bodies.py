@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Container, Mapping, Sequence
+from dataclasses import replace
 
 from solver.free_places import footprint
 from solver.geometry import Rect, turned
@@ -122,15 +123,30 @@ def climb(start: str, parents: Mapping[str, str], stop: Container[str] = ()) -> 
 
 
 def tables_of(bodies: Sequence[Body]) -> dict[str, Body]:
-    """Returns under which table each tucked chair stands: by at most its depth less 0.15 m (contract, rule overlap)."""
+    """Returns under which table each chair stands that names one."""
     by_id = {body.id: body for body in bodies}
-    return {body.id: table for body in bodies if (table := _table_of(body, by_id)) is not None}
+    tables = {body.id: by_id.get(body.under or "") for body in bodies if isinstance(body, Furniture)}
+    return {label: table for label, table in tables.items() if table is not None and table.id != label}
 
 
-def _table_of(chair: Body, others: Mapping[str, Body]) -> Body | None:
-    table = others.get(chair.under or "") if isinstance(chair, Furniture) else None
-    if table is None or table.id == chair.id:
-        return None
-    a, b = footprint(chair), footprint(table)
-    deep = min(min(a.x1, b.x1) - max(a.x0, b.x0), min(a.z1, b.z1) - max(a.z0, b.z0))
-    return table if deep <= round(chair.depth * 1000) - UNTUCKED_MM else None
+def too_deep_mm(chair: Body, table: Body) -> int:
+    """Returns how much too far a chair is tucked: by at most its depth less 0.15 m (contract, rule overlap); 0 for none, mm."""
+    own, other = footprint(chair), footprint(table)
+    wide, deep = (min(own.x1, other.x1) - max(own.x0, other.x0), min(own.z1, other.z1) - max(own.z0, other.z0))
+    if wide <= 0 or deep <= 0:
+        return 0
+    return max(0, (deep if squared(chair.rotation) % 180 == 0 else wide) - _tuck_mm(chair))
+
+
+def drawn_out(chair: Furniture, table: Body) -> Furniture:
+    """Returns a chair pulled out from under its table, the shorter way, until it is not tucked too far."""
+    if too_deep_mm(chair, table) == 0:
+        return chair
+    own, other, tuck = footprint(chair), footprint(table), _tuck_mm(chair)
+    if squared(chair.rotation) % 180 == 0:
+        return replace(chair, z=chair.z + min(other.z0 + tuck - own.z1, other.z1 - tuck - own.z0, key=abs) / 1000)
+    return replace(chair, x=chair.x + min(other.x0 + tuck - own.x1, other.x1 - tuck - own.x0, key=abs) / 1000)
+
+
+def _tuck_mm(chair: Body) -> int:
+    return max(0, math.floor(chair.depth * 1000 + 1e-6) - UNTUCKED_MM)

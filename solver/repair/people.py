@@ -6,7 +6,7 @@ Comes in: a furnished room, its people, who of them is covered. Goes out: the pe
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Final
@@ -22,6 +22,8 @@ from solver.ways import EVERY_SIDE, Goal, Ways
 
 MOST_PLACES: Final = 200
 """Places that are tried for somebody who is to be in nobody's way."""
+NEXT_MM: Final = 200
+"""Of places that near each other one is tried, mm."""
 HEADROOM: Final = 2.0
 """What hangs higher is walked under, m: the height of a door."""
 TURNED: Final = ("south", "east", "north", "west")
@@ -155,5 +157,15 @@ def _out_of_the_way(own: Rect, room: _Room, blocks: Sequence[Rect]) -> Rect | No
     ways = room.ways
     if ways is None or not ways.open(room.others):
         return None
-    places = islice(free_places(own, room.clear, blocks, ways.space.robot_mm), MOST_PLACES)
+    places = islice(_spread(free_places(own, room.clear, blocks, ways.space.robot_mm)), MOST_PLACES)
     return next((place for place in places if ways.open([*room.others, place], [Goal(place, EVERY_SIDE)])), None)
+
+
+def _spread(places: Iterable[Rect]) -> Iterator[Rect]:
+    """Leaves out places next to one before: where that would not do, they hardly ever do."""
+    kept: set[tuple[int, int]] = set()
+    for place in places:
+        cell = (place.x0 // NEXT_MM, place.z0 // NEXT_MM)
+        if cell not in kept:
+            kept.add(cell)
+            yield place

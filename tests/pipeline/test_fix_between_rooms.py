@@ -1,0 +1,54 @@
+"""fix() where what keeps people out of a room stands in another one, and where a chair is pushed too far under its table."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from solver import Scene, fix
+from solver.scene import Dynamic, Furniture, Opening, Room
+from tests.pipeline.fix_rooms import BACK_TO, body, errors, pieces, room_of
+
+FRONT = Opening("front", "door", "west", 1.0, 0.9, connects_to="EXTERIOR", main_entrance=True)
+NEXT = Opening("next", "door", "east", 1.0, 0.9, connects_to="back_1")
+
+
+def house(*furniture: Furniture, people: tuple[Dynamic, ...] = ()) -> Scene:
+    """A hall of 6 x 2 m from the front door in the west to the door of the back room in the east."""
+    hall = Room("room_0", 0, "room", 0, 0.0, 0.0, 6.0, 2.0, openings=(FRONT, NEXT), furniture=furniture)
+    back = Room("back_1", 1, "room", 0, 6.0, 0.0, 3.0, 2.0, openings=(replace(NEXT, wall="west", connects_to="room_0"),))
+    return Scene(rooms=(hall, back), dynamic=people)
+
+
+def test_a_piece_that_shuts_the_way_to_another_room_gives_way() -> None:
+    sent = house(body("chest_1", 4.0, 1.0, (0.6, 1.3, 0.8)))
+    assert [message for message in errors(sent) if "back_1" in message]
+    assert errors(fix(sent).scene) == []
+
+
+@pytest.mark.parametrize("kind", ["person", "dog"])
+def test_somebody_who_shuts_the_way_to_another_room_steps_aside(kind: str) -> None:
+    chests = (body("chest_1", 3.0, 0.5, (0.6, 0.95, 0.8)), body("chest_2", 4.6, 1.5, (0.6, 0.9, 0.8)))
+    sent = house(*chests, people=(Dynamic("one", kind, "room_0", 3.0, 0.0, 1.4, 0, 0.5, 0.5, 0.9),))
+    assert [message for message in errors(sent) if "back_1" in message]
+    fixed = fix(sent)
+    assert errors(fixed.scene) == []
+    assert pieces(fixed.scene) == pieces(sent), "the furniture shuts nobody out"
+
+
+@pytest.mark.parametrize(("wall", "step"), [("north", (0, 1)), ("west", (1, 0)), ("south", (0, -1)), ("east", (-1, 0))])
+def test_a_chair_too_far_under_its_table_is_drawn_out(wall: str, step: tuple[int, int]) -> None:
+    table = body("dining_table_1", 2.0, 2.0, (0.8, 0.8, 0.75))
+    x, z = 2.0 - 0.1 * step[0], 2.0 - 0.1 * step[1]
+    chair = replace(body("dining_chair_1", x, z, (0.46, 0.5, 0.9)), rotation=BACK_TO[wall], under=table.id)
+    sent = room_of(table, chair)
+    assert [message for message in errors(sent) if "too far to sit down" in message]
+    fixed = fix(sent)
+    assert errors(fixed.scene) == []
+    now = pieces(fixed.scene)
+    assert now[chair.id].under == table.id
+    out = [(a - b) * s for a, b, s in zip((now[chair.id].x, now[chair.id].z), (x, z), step, strict=True)]
+    moved = [now[table.id].x - 2.0, now[table.id].z - 2.0]
+    assert sum(out) - sum(m * s for m, s in zip(moved, step, strict=True)) == pytest.approx(-0.2), "until 35 cm of its 50 are under it"
+    assert fix(fixed.scene).scene == fixed.scene
