@@ -120,7 +120,7 @@ def _cover_mm2(room: Room, setting: _Setting) -> int:
 
 def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:
     wishes = [_wished(room, setting) for room in rooms]
-    return {room.id: done for room, done in zip(rooms, place(wishes, setting.engine), strict=True)}
+    return {room.id: done for room, done in zip(rooms, place(wishes, setting.engine, tidy=True), strict=True)}
 
 
 def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Arrangement]:

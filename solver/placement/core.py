@@ -21,9 +21,9 @@ from solver.placement.kernel.assembly import assemble
 from solver.placement.kernel.fill import arrange_room
 from solver.placement.kernel.grid import walkable
 from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, DOUBTED, MANY, best_first, evaluate
-from solver.placement.kernel.layout import Engine, Floats, Ints
+from solver.placement.kernel.layout import Engine, Floats, Ints, Work
 from solver.placement.kernel.options import total_preference, ways
-from solver.placement.kernel.pull import pull_back
+from solver.placement.kernel.pull import holds, pull_back
 from solver.placement.kernel.space import example_engine
 from solver.placement.outcome import Outcome
 from solver.placement.problem import Problem
@@ -31,6 +31,8 @@ from solver.placement.terms import Anchor, Pull, Term
 from solver.wanted import Alternative
 
 _SMALL = example_engine()
+VOID = (0, layout.ORIGIN, layout.ORIGIN, 0)
+"""A row that always holds."""
 
 
 @dataclass(frozen=True)
@@ -185,6 +187,31 @@ class Core:
         for axis in (0, 1):
             positions[axis, : len(p[axis])] = p[axis]
         return bool(walkable(self.engine.room, self.engine.work, self.engine.grid, positions))
+
+    def bodies_alone(self) -> Work:
+        """Returns the assembled problem with the rows and choices of the persons' squares made void; the walk asks for what they ensure."""
+        work = self.engine.work
+        rows, options, size = work.rows.copy(), work.options.copy(), work.choice_size.copy()
+        parts, between = work.parts[: work.counts[layout.N_PARTS]], work.choice_parts[: work.counts[layout.N_CHOICES]]
+        person = (parts[:, layout.STAND] != 0) & (parts[:, layout.STAND] != layout.EMPTY_FLOOR)
+        void = person[between[:, 0]] | ((between[:, 1] >= 0) & person[between[:, 1].clip(0)])
+        options[4 * np.flatnonzero(void)] = VOID
+        size[np.flatnonzero(void)] = 1
+        for axis in (0, 1):
+            of_bodies = parts[~person, layout.VAR_X + axis]
+            own = rows[:, layout.AXIS] == axis
+            for end in (layout.I, layout.J):
+                own &= (rows[:, end] == layout.ORIGIN) | np.isin(rows[:, end], of_bodies)
+            rows[(rows[:, layout.AXIS] == axis) & ~own] = VOID
+        return work._replace(rows=rows, options=options, choice_size=size)
+
+    def holds_at(self, p: Sequence[Sequence[int]], work: Work) -> bool:
+        """Tells whether a problem's bounds, rows and choices hold at integer positions p[axis][variable], mm."""
+        positions = self.engine.grid.positions
+        for axis in (0, 1):
+            positions[axis, : len(p[axis])] = p[axis]
+        positions[:, -1] = 0
+        return bool(holds(work, positions))
 
     def pulled_back(self, places: Sequence[Rect]) -> Outcome | None:
         """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.

@@ -10,6 +10,7 @@ from solver.placement.explain import why_left_out
 from solver.placement.qp import Decided, solve_house
 from solver.placement.snap import snap
 from solver.placement.terms import Floats
+from solver.placement.tidy import tidied
 from solver.wanted import Arrangement, Placed, Space, Wanted
 
 NEAR_WALL_MM = 150
@@ -17,24 +18,25 @@ NEAR_WALL_MM = 150
 from the wall's line)."""
 
 
-def place(rooms: Sequence[tuple[Space, Sequence[Wanted]]], engine: str = "osqp") -> list[Arrangement]:
+def place(rooms: Sequence[tuple[Space, Sequence[Wanted]]], engine: str = "osqp", tidy: bool = False) -> list[Arrangement]:
     """Places the wanted pieces of every room of a house.
 
     Args:
         rooms: each room's space and wanted pieces, in order of importance.
         engine: of the final solve: "osqp", "reference" for the cvxpy model, or "search" for the search's own positions, which
             are optimal already: for trials.
+        tidy: whether slivers are closed or opened afterwards (`tidy`), at a cost of at most MOST_COST a room.
 
     Returns:
         One arrangement a room, in the same order, exactly valid on the millimetre lattice.
     """
-    return settle([arrange(space, wanted) for space, wanted in rooms], engine)
+    return settle([arrange(space, wanted) for space, wanted in rooms], engine, tidy)
 
 
-def settle(drafts: Sequence[Draft], engine: str = "osqp") -> list[Arrangement]:
-    """Solves all drafts as one block-diagonal programme and snaps each room."""
+def settle(drafts: Sequence[Draft], engine: str = "osqp", tidy: bool = False) -> list[Arrangement]:
+    """Solves all drafts as one block-diagonal programme, snaps each room and, where asked for, tidies it."""
     rooms = [decided(draft) for draft in drafts]
-    return [_arrangement(draft, room, p) for draft, room, p in zip(drafts, rooms, _solve(rooms, engine), strict=True)]
+    return [_arrangement(draft, room, p, tidy) for draft, room, p in zip(drafts, rooms, _solve(rooms, engine), strict=True)]
 
 
 def _solve(rooms: Sequence[Decided], engine: str) -> list[tuple[Floats, Floats]]:
@@ -54,11 +56,12 @@ def decided(draft: Draft) -> Decided:
     return Decided(draft.problem, draft.outcome.rows, draft.outcome.positions)
 
 
-def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> Arrangement:
+def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats], tidy: bool) -> Arrangement:
     p, walkable = _snapped(draft, room, positions)
     if draft.walkable and not walkable and (wider := with_margin(draft)) is not None:
         draft, room = wider, decided(wider)
         p, walkable = _snapped(draft, room, room.positions)
+    p, more = tidied(draft, p) if tidy and walkable else (p, 0.0)
     bodies = {part.label: part for part in draft.problem.parts if not part.stand}
     placed: list[Placed] = []
     for c in draft.chosen:
@@ -70,7 +73,8 @@ def _arrangement(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) 
         placed.append(Placed(label, c.alternative, c.rotation, wall, rect))
     reasons = tuple((piece.label, f"{why}; {why_left_out(draft.space, piece, placed)}") for piece, why in draft.left_out)
     notes = () if walkable else ("no walkable arrangement of the required pieces was found",)
-    return Arrangement(draft.space.room, tuple(placed), reasons, round(draft.cost, 6), draft.proven, draft.solves, notes, draft.best)
+    cost = round(draft.cost + more, 6)
+    return Arrangement(draft.space.room, tuple(placed), reasons, cost, draft.proven, draft.solves, notes, draft.best)
 
 
 def _snapped(draft: Draft, room: Decided, positions: tuple[Floats, Floats]) -> tuple[tuple[list[int], list[int]], bool]:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import importlib
 import statistics
 from functools import cache
 
 import pytest
 
-from solver.scene import Furniture, Opening, Room
+from catalogs import load_catalogs
+from solver.placement import place
+from solver.scene import Furniture, Opening, Room, Scene
+from solver.validate import validate
 from tests.density import ruler
-from tests.density.rooms import EQUAL, Equal, drawn, equal
+from tests.density.rooms import EQUAL, KINDS, Equal, drawn, equal
 
 SEEDS = 40
 COVER = {
@@ -89,6 +93,28 @@ def test_the_group_of_a_living_room_looks_at_itself_and_at_the_screen() -> None:
     assert sum(n for n, _ in away) <= 0.02 * sum(n for _, n in away)
     sights = [free for room in rooms("living_room") if (free := ruler.sight_free(room)) is not None]
     assert len(sights) >= 0.9 * SEEDS and statistics.fmean(sights) >= 0.95
+
+
+def slivers_of(name: str) -> int:
+    """Returns how many slivers the rooms of a type have in all."""
+    return sum(ruler.slivers(room)[0] for room in rooms(name))
+
+
+def test_tidying_leaves_a_third_of_the_slivers(monkeypatch: pytest.MonkeyPatch) -> None:
+    tidy = {name: slivers_of(name) for name in KINDS}
+    pipeline = importlib.import_module("solver.pipeline.generate")
+    monkeypatch.setattr(pipeline, "place", lambda wishes, engine, tidy: place(wishes, engine))
+    untidy = {name: sum(ruler.slivers(drawn(name, seed))[0] for seed in range(SEEDS)) for name in KINDS}
+    assert sum(untidy.values()) > SEEDS
+    assert sum(tidy.values()) <= sum(untidy.values()) / 3
+    assert all(tidy[name] <= untidy[name] / 2 for name in KINDS)
+
+
+def test_tidied_rooms_are_valid_and_within_reach() -> None:
+    for name in KINDS:
+        for room in rooms(name):
+            issues = validate(Scene(seed=0, wall_thickness=0.1, rooms=(room,)), load_catalogs())
+            assert [issue for issue in issues if issue.rule != "missing_required"] == []
 
 
 def test_toilets_sofas_and_tables_have_their_floor() -> None:
