@@ -97,6 +97,16 @@ def test_any_outline_is_kept_and_its_shortfalls_are_named(seed: int, width: int,
     assert count == {"studio": 4, "one_bed": 5, "family": 10, "large": 15}[preset] or "left out" in said
 
 
+@pytest.mark.parametrize(("width", "depth"), [(12.0, None), (12.0, 18.0), (None, 22.0), (13.0, 13.0)])
+def test_rooms_are_left_out_rather_than_too_narrow_to_live_in(width: float | None, depth: float | None) -> None:
+    for seed in range(2):
+        made = generate(Request(seed=seed, program="large", width=width, depth=depth))
+        assert [issue for issue in made.issues if issue.severity == "error"] == []
+        sides = {room.id: min(room.width, room.depth) for room in made.scene.rooms}
+        assert {name: side for name, side in sides.items() if side < (2.0 if "bedroom" in name else 1.2)} == {}
+        assert len(sides) > 15 or any("left out" in note for note in (made.scene.certificate or {})["notes"])
+
+
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("preset", ["one_bed", "family", "large"])
 def test_one_comes_in_through_the_foyer(preset: str, seed: int) -> None:

@@ -27,6 +27,10 @@ FEWER: Final = 3
 """How many rooms may be left out, one after the other, before limits are loosened."""
 TURNS: Final = 4
 """How often a home whose outline is free is searched for until all its rooms can be entered."""
+SMALLER_SLACK: Final = 1.3
+"""The same where rooms are left out because the others could not be lived in."""
+LIVABLE: Final = 0.75
+"""Share of its type's least area and width that a room may have in an outline that was asked for."""
 ASTRAY: Final = 0.1
 """Share by which a house may miss the floor wished without its being said."""
 HALLWAY: Final = "hallway"
@@ -77,8 +81,10 @@ class _Plot:
         return frame.width * frame.depth / 1e6 if self.fixed else self.area
 
     def says(self) -> str:
-        """Names the outline in words."""
-        return f"{self.width / 1000:g} x {self.depth / 1000:g} m"
+        """Names what is given of the outline in words."""
+        if self.fixed:
+            return f"{self.width / 1000:g} x {self.depth / 1000:g} m"
+        return f"{self.width / 1000:g} m of width" if self.width else f"{self.depth / 1000:g} m of depth"
 
 
 def _plot(request: Request) -> _Plot:
@@ -104,6 +110,14 @@ class _Attempt:
         """Tells whether every room has its size and can be entered."""
         return not self.found.verdict.short and not self.found.verdict.unreached
 
+    @property
+    def livable(self) -> bool:
+        """Tells whether every room can be entered and misses the least area and width of its type by little."""
+        return not self.found.verdict.unreached and all(
+            (x1 - x0) * (z1 - z0) >= LIVABLE * wish.home.area[0] * 1e6 and min(x1 - x0, z1 - z0) >= LIVABLE * wish.home.width * 1000
+            for wish, (x0, z0, x1, z1) in zip(self.wishes, self.found.sheet.boxes, strict=True)
+        )
+
 
 class _Attempts:
     """Searches with the whole programme, with fewer rooms, and with looser limits, until a home is sound."""
@@ -112,16 +126,31 @@ class _Attempts:
         self.types, self.catalogs, self.plot = types, catalogs, plot
 
     def first_sound(self) -> _Attempt:
-        """Returns the first home that is sound, else the one with the fewest faults."""
-        best: _Attempt | None = None
+        """Returns the first home that is sound, else the one with the fewest faults, with fewer rooms if they cannot be lived in."""
+        attempts = list[_Attempt]()
         for attempt in self._each():
-            if attempt.sound:
+            if attempt.sound and attempt.livable:
                 return attempt
-            if best is None or attempt.found.rank < best.found.rank:
-                best = attempt
-        if best is None:
-            raise ValueError("nothing was attempted")
-        return best
+            attempts.append(attempt)
+        best = min(attempts, key=lambda attempt: attempt.found.rank)
+        if best.livable or not (self.plot.width or self.plot.depth):
+            return best
+        return next((attempt for attempt in self._smaller(best) if attempt.livable), best)
+
+    def _smaller(self, best: _Attempt) -> Iterator[_Attempt]:
+        """Yields homes with ever fewer rooms than one that cannot be lived in."""
+        left_out = list(best.left_out)
+        types = self._without(left_out)
+        while self._leave_out(types, left_out):
+            yield self._attempt(types, left_out, 1.0)
+            yield self._attempt(types, left_out, SMALLER_SLACK)
+
+    def _without(self, left_out: Sequence[str]) -> list[str]:
+        """Returns the types of the programme less those left out."""
+        types, gone = list(self.types), list[str]()
+        while len(gone) < len(left_out) and self._leave_out(types, gone):
+            pass
+        return types
 
     def _each(self) -> Iterator[_Attempt]:
         types, left_out = list(self.types), list[str]()
@@ -179,7 +208,7 @@ def _notes(best: _Attempt, plot: _Plot, types: Sequence[str], rooms: Sequence[Re
     """Says what was left out and which rooms miss the limits of their types."""
     notes = []
     if best.left_out:
-        notes.append(f"left out, for want of floor in {plot.says()}: {', '.join(best.left_out)}")
+        notes.append(f"left out, for want of space in {plot.says()}: {', '.join(best.left_out)}")
     first = len(rooms) - len(best.wishes)
     for i, (wish, rect) in enumerate(zip(best.wishes, rooms[first:], strict=True), start=first):
         missed = _missed(wish, rect)
