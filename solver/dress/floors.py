@@ -17,7 +17,7 @@ from solver.scene import WALLS
 OFF_WALL_MM: Final = 30
 """What stands at a wall stands this far from its face, as furniture does (contract)."""
 FRONT_MM: Final = 300
-"""How much floor before a cupboard's doors things in corners leave free. Our choice."""
+"""How much floor before a cupboard's doors things that do not lie about leave free. Our choice."""
 TRIES: Final = 3
 """Places tried for a thing that stands anywhere. Our choice."""
 
@@ -142,19 +142,13 @@ def _blocks(scenery: Scenery, row: Stands, spot: Spot, kind: DecorationKind) -> 
     around = Rect(spot.wish[0] - far, spot.wish[1] - far, spot.wish[0] + far, spot.wish[1] + far)
     blocks = [zone.rect for zone in scenery.space.zones if height > zone.above_mm]
     blocks += [solid.rect for solid in scenery.solids if solid.low < height]
-    if row.where == "corner":
-        blocks += [_front(piece) for piece in scenery.pieces if _is_opened(scenery, piece)]
+    if row.where != "free":
+        blocks += [_front(piece) for piece in scenery.pieces if piece.name in scenery.terms.faced]
     return [rect for rect in blocks if rect.overlaps(around)]
 
 
-def _is_opened(scenery: Scenery, piece: Carrier) -> bool:
-    """Tells whether a piece is used from its front, as a cupboard is."""
-    use = scenery.terms.uses.get(piece.name)
-    return use is not None and use.sides == ("front",)
-
-
 def _front(piece: Carrier) -> Rect:
-    """Returns the floor before a piece that nothing in a corner should stand on."""
+    """Returns the floor before a piece that nothing should be put on."""
     fx, fz = FACING[piece.rotation]
     rect = piece.rect
     return Rect(

@@ -14,6 +14,7 @@ from typing import Final, NamedTuple
 from catalogs import Catalogs
 from catalogs.dressing import DecorationKind, Row
 from catalogs.entries import Surface
+from catalogs.schema import Furniture as Kind
 from catalogs.schema import Use
 from catalogs.styles import Leaning, Style
 from solver.free_places import footprint
@@ -70,6 +71,7 @@ class Terms:
     height: float = 2.8
     kinds: Mapping[tuple[str, Size], tuple[Surface, ...]] = field(init=False)
     uses: Mapping[str, Use] = field(init=False)
+    faced: frozenset[str] = field(init=False)
     favoured: frozenset[str] = field(init=False)
     avoided: frozenset[str] = field(init=False)
 
@@ -84,10 +86,16 @@ class Terms:
         object.__setattr__(self, "avoided", self._meant(leaning.avoided))
         object.__setattr__(self, "kinds", kinds)
         object.__setattr__(self, "uses", {name: entry.use for name, entry in named.items() if entry.use})
+        object.__setattr__(self, "faced", frozenset(name for name, entry in named.items() if _is_faced(entry)))
 
     def _meant(self, words: Container[str]) -> frozenset[str]:
         """Returns the kinds of decorations that some words name, by themselves or by their group."""
         return frozenset(name for name, kind in self.catalogs.decorations.items() if name in words or kind.group in words)
+
+
+def _is_faced(entry: Kind) -> bool:
+    """Tells whether one comes to a kind of furniture from its front alone: to use it, or because its back is at a wall."""
+    return entry.stands == "wall" if entry.use is None else entry.use.sides == ("front",)
 
 
 def millimetres(size: tuple[float, float, float]) -> Size:

@@ -12,7 +12,7 @@ from solver import Request, generate, reroll
 from solver.exchange import dump_text, write_scene
 from solver.scene import Room, Scene
 from solver.view import view
-from tests.dress.oracle import complaints
+from tests.dress.oracle import complaints, shares, turned
 
 KNOWN = load_catalogs()
 CASES = [
@@ -42,6 +42,20 @@ def test_furniture_is_the_same_with_and_without(pair: tuple[Scene, Scene]) -> No
     assert [replace(room, decorations=()) for room in dressed.rooms] == list(bare.rooms)
     assert all(not room.decorations for room in bare.rooms)
     assert all(room.decorations for room in dressed.rooms if min(room.width, room.depth) > 1.5 and not room.outdoor)
+
+
+def test_nothing_but_toys_is_put_before_cupboards_nightstands_and_mirrors(pair: tuple[Scene, Scene]) -> None:
+    faced = {"wardrobe", "dresser", "bookshelf", "nightstand", "standing_mirror", "shoe_cabinet", "console_table", "vanity"}
+    met = 0
+    for room in pair[0].rooms:
+        put = [d for d in room.decorations if d.parent is None and d.mounted_on_wall is None and d.height > 0.02]
+        for piece in (one for one in room.furniture if one.name in faced):
+            reach = 0.29 + piece.depth / 2
+            away = {0: (0.0, reach), 90: (reach, 0.0), 180: (0.0, -reach), 270: (-reach, 0.0)}[round(piece.rotation)]
+            before = turned(replace(piece, x=piece.x + away[0] / 2, z=piece.z + away[1] / 2, depth=reach))
+            met += 1
+            assert [d.id for d in put if not d.name.startswith("toy_") and shares(turned(d), before)] == [], piece.id
+    assert met > 3
 
 
 def test_ids_parents_rotations_and_colours(pair: tuple[Scene, Scene]) -> None:
