@@ -4,13 +4,14 @@ Comes in: a room's free rectangle, its doorways, what stands in it and what has 
 the ground floor.
 
 A square person's centre is free where the open square meets neither body nor wall. Lengths are quarter millimetres and the
-person is half a millimetre narrower than said, so that gaps of exactly its width let it through and cells are open sets.
+person is half a millimetre narrower than said, so that gaps of exactly its width let it through and cells are open sets. A row
+of cells is one integer, so that a flood goes through it with a few shifts.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -33,33 +34,6 @@ class Goal:
     rect: Rect
     sides: tuple[str, ...]
     need_all: bool = False
-
-
-@dataclass(frozen=True)
-class _Grid:
-    """Cells between cuts; each free cell's patch, 0 where taken."""
-
-    xs: Sequence[int]
-    zs: Sequence[int]
-    patches: Sequence[Sequence[int]]
-
-    def within(self, box: Rect) -> set[int]:
-        """Returns the patches of the cells that a box meets."""
-        if box.width <= 0 or box.depth <= 0:
-            return set()
-        columns = range(max(bisect_right(self.xs, box.x0) - 1, 0), min(bisect_left(self.xs, box.x1), len(self.xs) - 1))
-        rows = range(max(bisect_right(self.zs, box.z0) - 1, 0), min(bisect_left(self.zs, box.z1), len(self.zs) - 1))
-        return {self.patches[i][j] for i in columns for j in rows} - {0}
-
-    def areas(self) -> dict[int, int]:
-        """Returns the area of each patch, in square steps."""
-        found: dict[int, int] = {}
-        for i, column in enumerate(self.patches):
-            wide = self.xs[i + 1] - self.xs[i]
-            for j, patch in enumerate(column):
-                if patch:
-                    found[patch] = found.get(patch, 0) + wide * (self.zs[j + 1] - self.zs[j])
-        return found
 
 
 class Ways:
@@ -87,29 +61,27 @@ class Ways:
         """
         if self.domain.width <= 0 or self.domain.depth <= 0:
             return False
-        grid = self._grid([*self.taken, *(self._grown(rect) for rect in more)])
-        common = {patch for patch, area in grid.areas().items() if area >= LEAST_FLOOR}
-        for door in self.space.doorways:
-            common &= grid.within(self._entry(door))
+        cells = _Cells(self.domain, [*self.taken, *(self._grown(rect) for rect in more)])
+        return any(self._serves(cells, patch, also) for patch in cells.patches())
+
+    def harmless(self, rect: Rect, more: Sequence[Rect] = ()) -> bool:
+        """Tells whether the floor that a body takes is no more than another takes already: one of the room's, or of `more`."""
+        grown, floor = self._grown(rect), self.domain
+        cut = Rect(max(grown.x0, floor.x0), max(grown.z0, floor.z0), min(grown.x1, floor.x1), min(grown.z1, floor.z1))
+        return cut.width <= 0 or cut.depth <= 0 or any(taken.contains(cut) for taken in (*self.taken, *map(self._grown, more)))
+
+    def _serves(self, cells: _Cells, patch: Sequence[int], also: Sequence[Goal]) -> bool:
+        """Tells whether a patch of floor is large enough and meets every door and every goal."""
+        if not all(cells.touches(patch, self._entry(door)) for door in self.space.doorways):
+            return False
         for goal in (*self.goals, *also):
-            sides = [grid.within(self._contact(goal.rect, side)) for side in goal.sides]
-            common = {patch for patch in common if (all if goal.need_all else any)(patch in side for side in sides)}
-        return bool(common)
+            sides = (cells.touches(patch, self._contact(goal.rect, side)) for side in goal.sides)
+            if not (all if goal.need_all else any)(sides):
+                return False
+        return cells.has_area(patch, LEAST_FLOOR)
 
     def _grown(self, rect: Rect) -> Rect:
         return _scaled(rect).shrunk(-self.reach)
-
-    def _grid(self, taken: Sequence[Rect]) -> _Grid:
-        domain = self.domain
-        xs = sorted({domain.x0, domain.x1, *(x for r in taken for x in (r.x0, r.x1) if domain.x0 < x < domain.x1)})
-        zs = sorted({domain.z0, domain.z1, *(z for r in taken for z in (r.z0, r.z1) if domain.z0 < z < domain.z1)})
-        free = [[True] * (len(zs) - 1) for _ in range(len(xs) - 1)]
-        for rect in taken:
-            rows = slice(bisect_left(zs, rect.z0), bisect_left(zs, rect.z1))
-            none = [False] * len(range(*rows.indices(len(zs) - 1)))
-            for i in range(bisect_left(xs, rect.x0), min(bisect_left(xs, rect.x1), len(xs) - 1)):
-                free[i][rows] = none
-        return _Grid(xs, zs, _labelled(free))
 
     def _entry(self, door: Doorway) -> Rect:
         """Returns where the centre is when somebody has just come through a door."""
@@ -138,26 +110,79 @@ def _scaled(rect: Rect) -> Rect:
     return Rect(PER_MM * rect.x0, PER_MM * rect.z0, PER_MM * rect.x1, PER_MM * rect.z1)
 
 
-def _labelled(free: list[list[bool]]) -> list[list[int]]:
-    """Numbers the patches of free cells that share sides, from 1; 0 where a cell is taken."""
-    patches = [[0] * len(column) for column in free]
-    count = 0
-    for i, column in enumerate(free):
-        for j, is_free in enumerate(column):
-            if is_free and not patches[i][j]:
-                count += 1
-                _flood(free, patches, (i, j), count)
-    return patches
+class _Cells:
+    """The cells between the edges of what is taken; row k spans zs[k] to zs[k + 1], bit j of it xs[j] to xs[j + 1]."""
+
+    def __init__(self, floor: Rect, taken: Sequence[Rect]) -> None:
+        inside = [rect for rect in taken if rect.overlaps(floor)]
+        self.xs = sorted({floor.x0, floor.x1, *(v for r in inside for v in (r.x0, r.x1) if floor.x0 < v < floor.x1)})
+        self.zs = sorted({floor.z0, floor.z1, *(v for r in inside for v in (r.z0, r.z1) if floor.z0 < v < floor.z1)})
+        self.free = [(1 << (len(self.xs) - 1)) - 1] * (len(self.zs) - 1)
+        for rect in inside:
+            bits, rows = self._window(rect)
+            for k in rows:
+                self.free[k] &= ~bits
+
+    def patches(self) -> Iterator[list[int]]:
+        """Yields the cells of each patch of free floor, row by row."""
+        left = list(self.free)
+        for k in range(len(left)):
+            while left[k]:
+                patch = self._flooded(k, left[k] & -left[k])
+                left = [row & ~reached for row, reached in zip(left, patch, strict=True)]
+                yield patch
+
+    def _window(self, rect: Rect) -> tuple[int, range]:
+        """Returns the bits and the rows of the cells that a rectangle meets."""
+        first, last = max(bisect_right(self.xs, rect.x0) - 1, 0), min(bisect_left(self.xs, rect.x1), len(self.xs) - 1)
+        top, bottom = max(bisect_right(self.zs, rect.z0) - 1, 0), min(bisect_left(self.zs, rect.z1), len(self.zs) - 1)
+        return ((1 << last) - (1 << first) if last > first else 0), range(top, bottom)
+
+    def touches(self, patch: Sequence[int], target: Rect) -> bool:
+        """Tells whether a cell of a patch meets a box."""
+        inside = max(target.x0, self.xs[0]) < min(target.x1, self.xs[-1]) and max(target.z0, self.zs[0]) < min(target.z1, self.zs[-1])
+        if not inside:
+            return False
+        bits, rows = self._window(target)
+        return any(patch[k] & bits for k in rows)
+
+    def _flooded(self, row: int, cell: int) -> list[int]:
+        """Returns the free cells that hang together with one of them."""
+        reached = [0] * len(self.free)
+        reached[row] = _run(cell, self.free[row])
+        while self._sweep(reached, self._down()) | self._sweep(reached, self._up()):
+            pass
+        return reached
+
+    def _down(self) -> Iterator[tuple[int, int]]:
+        return ((k - 1, k) for k in range(1, len(self.free)))
+
+    def _up(self) -> Iterator[tuple[int, int]]:
+        return ((k + 1, k) for k in range(len(self.free) - 2, -1, -1))
+
+    def _sweep(self, reached: list[int], order: Iterator[tuple[int, int]]) -> bool:
+        grew = False
+        for source, row in order:
+            new = reached[source] & self.free[row] & ~reached[row]
+            if new:
+                reached[row] |= _run(new, self.free[row])
+                grew = True
+        return grew
+
+    def has_area(self, reached: Sequence[int], least: int) -> bool:
+        """Tells whether the reached cells have that area at least."""
+        for k, row in enumerate(reached):
+            least -= (self.zs[k + 1] - self.zs[k]) * sum(self.xs[j + 1] - self.xs[j] for j in range(row.bit_length()) if row >> j & 1)
+            if least <= 0:
+                return True
+        return False
 
 
-def _flood(free: list[list[bool]], patches: list[list[int]], start: tuple[int, int], label: int) -> None:
-    """Gives every free cell joined with the start the label."""
-    wide, deep = len(free), len(free[0])
-    patches[start[0]][start[1]] = label
-    ahead = [start]
-    while ahead:
-        i, j = ahead.pop()
-        for x, z in ((i - 1, j), (i + 1, j), (i, j - 1), (i, j + 1)):
-            if 0 <= x < wide and 0 <= z < deep and free[x][z] and not patches[x][z]:
-                patches[x][z] = label
-                ahead.append((x, z))
+def _run(seeds: int, free: int) -> int:
+    """Returns the runs of free bits that hold a seed."""
+    found = seeds
+    while True:
+        grown = (found | found << 1 | found >> 1) & free
+        if grown == found:
+            return found
+        found = grown

@@ -10,11 +10,12 @@ from collections.abc import Mapping
 from solver.dress.floors import stand
 from solver.dress.scenery import Carrier, Scenery, Terms
 from solver.dress.surfaces import lay
-from solver.dress.walking import Used, Walking
+from solver.dress.walking import Walking
 from solver.dress.walls import hang, hang_free
 from solver.scene import Decoration, Room
 from solver.streams import Stream
 from solver.wanted import Space
+from solver.ways import Goal, Ways
 
 __all__ = ["Terms", "dressed"]
 SIDES = ("south", "east", "north", "west")
@@ -63,11 +64,11 @@ def _dress_things(scenery: Scenery) -> None:
 
 def _walking(scenery: Scenery) -> Walking:
     """Returns the room's walk as its furniture leaves it."""
-    used: list[Used] = []
+    used: list[Goal] = []
     kinds = scenery.terms.uses
     for piece in scenery.pieces:
         use = kinds.get(piece.name)
         if use:
             sides = tuple(SIDES[(piece.rotation // 90 + TURNS[side]) % 4] for side in use.sides)
-            used.append(Used(piece.rect, sides, use.need == "all"))
-    return Walking(scenery.space, [piece.rect for piece in scenery.pieces if piece.low < 2000], used)
+            used.append(Goal(piece.rect, sides, use.need == "all"))
+    return Walking(Ways(scenery.space, [piece.rect for piece in scenery.pieces if piece.low < 2000], used))

@@ -5,12 +5,13 @@ from __future__ import annotations
 import pytest
 
 from catalogs import load_catalogs
-from solver.dress.walking import Used, Walking
+from solver.dress.walking import Walking
 from solver.furnish import space_of
 from solver.geometry import Rect
 from solver.scene import Furniture, Opening, Room, Scene
 from solver.streams import Stream
 from solver.validate import validate
+from solver.ways import Goal, Ways
 
 KNOWN = load_catalogs()
 
@@ -49,14 +50,14 @@ def test_the_validator_agrees(start: int) -> None:
         square = space.doorways[0].square
         if any(body.overlaps(square) for body in bodies):
             continue
-        used = [Used(body, ("south",), False) for body, piece in zip(bodies, room.furniture, strict=True) if piece.name == "dresser"]
+        used = [Goal(body, ("south",), False) for body, piece in zip(bodies, room.furniture, strict=True) if piece.name == "dresser"]
         issues = validate(Scene(wall_thickness=0.1, rooms=(room,)), KNOWN)
         told = [issue for issue in issues if issue.rule == "unreachable"]
-        walking = Walking(space, bodies, used)
+        walking = Walking(Ways(space, bodies, used))
         assert walking.sound == (not told), (seed, told)
         seen[walking.sound] += 1
         if bodies:
-            before = Walking(space, bodies[:-1], used if room.furniture[-1].name != "dresser" else used[:-1])
+            before = Walking(Ways(space, bodies[:-1], used if room.furniture[-1].name != "dresser" else used[:-1]))
             if before.sound and room.furniture[-1].name != "dresser":
                 assert before.passes(bodies[-1]) == walking.sound
     assert min(seen.values()) > 5
