@@ -9,7 +9,7 @@ from playwright.sync_api import Locator, Page, Response, expect
 
 Document: TypeAlias = dict[str, Any]
 
-ANSWER_MS = 30_000
+ANSWER_MS = 90_000
 """How long a house may take on a busy machine without a graphics card."""
 
 
@@ -23,6 +23,7 @@ class Visit:
 
     def __init__(self, page: Page, address: str) -> None:
         self.page = page
+        page.set_default_timeout(ANSWER_MS)
         self.address = address
         self.console: list[str] = []
         self.requests: list[str] = []
