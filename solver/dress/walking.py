@@ -14,10 +14,10 @@ class Walking:
 
     def __init__(self, ways: Ways) -> None:
         self.ways, self.added = ways, list[Rect]()
-        self.sound = ways.open()
+        self.sound = bool(ways.space.doorways) and ways.open()
 
     def passes(self, rect: Rect) -> bool:
-        """Tells whether one more body may stand there; where the room could not be walked before, none may."""
+        """Tells whether one more body may stand there; where nobody could come in before, none may."""
         return self.sound and (self.ways.harmless(rect, self.added) or self.ways.open([*self.added, rect]))
 
     def add(self, rect: Rect) -> None:
