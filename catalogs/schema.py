@@ -243,3 +243,8 @@ class Catalogs(Entry):
         """Returns what scenes call a kind: its `name`, else the kind itself."""
         entry = self.furniture.get(kind)
         return entry.name if entry and entry.name else kind
+
+    def kinds_by_name(self) -> dict[str, Furniture]:
+        """Returns the kinds by what scenes call them; a kind of that very name goes before size variants."""
+        named = {self.name_of(kind): entry for kind, entry in reversed(self.furniture.items())}
+        return named | {kind: entry for kind, entry in self.furniture.items() if self.name_of(kind) == kind}

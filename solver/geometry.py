@@ -8,6 +8,8 @@ from __future__ import annotations
 from typing import Final, NamedTuple
 
 OPPOSITE: Final = {"north": "south", "south": "north", "east": "west", "west": "east"}
+_WALLS_FACED: Final = ("south", "east", "north", "west")
+_QUARTERS: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
 ROTATION_AT_WALL: Final = {"north": 0, "west": 90, "south": 180, "east": 270}
 """The rotation of a body whose back is to that wall: it faces away from it."""
 WALL_BEHIND: Final = {rotation: wall for wall, rotation in ROTATION_AT_WALL.items()}
@@ -39,6 +41,11 @@ def rotate(across: int, along: int, rotation: int) -> tuple[int, int]:
     """Turns a vector from a body's frame (across = its +x side, along = its front) to the room's (x, z)."""
     dx, dz = FACING[rotation % 360]
     return dz * across + dx * along, dz * along - dx * across
+
+
+def wall_faced(side: str, rotation: float) -> str:
+    """Returns the wall that a side of a body looks to, at the right angle nearest to its rotation."""
+    return _WALLS_FACED[(round(rotation / 90) + _QUARTERS[side]) % 4]
 
 
 class Rect(NamedTuple):

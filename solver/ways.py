@@ -24,6 +24,8 @@ LEAST_FLOOR: Final = (1000 * PER_MM) ** 2 // 4
 """Free centres that a room needs: 0.25 m2 (contract, rule unreachable), in square lattice steps."""
 
 
+HEADROOM: Final = 2.0
+"""What hangs higher is walked under, m: the height of a door."""
 EVERY_SIDE: Final = ("north", "south", "west", "east")
 
 

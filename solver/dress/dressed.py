@@ -5,22 +5,18 @@ Comes in: a furnished Room, its Space, the Terms, a Stream. Goes out: its Decora
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from solver.dress.floors import stand
 from solver.dress.scenery import Carrier, Scenery, Terms
 from solver.dress.surfaces import lay
 from solver.dress.walking import Walking
 from solver.dress.walls import hang, hang_free
+from solver.geometry import wall_faced
 from solver.scene import Decoration, Room
 from solver.streams import Stream
 from solver.wanted import Space
-from solver.ways import Goal, Ways
+from solver.ways import HEADROOM, Goal, Ways
 
 __all__ = ["Terms", "dressed"]
-SIDES = ("south", "east", "north", "west")
-"""Where a front looks after 0, 1, 2, 3 quarter turns."""
-TURNS: Mapping[str, int] = {"front": 0, "right": 1, "back": 2, "left": 3}
 
 
 def dressed(room: Room, space: Space, terms: Terms, stream: Stream) -> tuple[Decoration, ...]:
@@ -69,6 +65,6 @@ def _walking(scenery: Scenery) -> Walking:
     for piece in scenery.pieces:
         use = kinds.get(piece.name)
         if use:
-            sides = tuple(SIDES[(piece.rotation // 90 + TURNS[side]) % 4] for side in use.sides)
+            sides = tuple(wall_faced(side, piece.rotation) for side in use.sides)
             used.append(Goal(piece.rect, sides, use.need == "all"))
-    return Walking(Ways(scenery.space, [piece.rect for piece in scenery.pieces if piece.low < 2000], used))
+    return Walking(Ways(scenery.space, [piece.rect for piece in scenery.pieces if piece.low < HEADROOM * 1000], used))

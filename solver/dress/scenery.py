@@ -79,8 +79,7 @@ class Terms:
         kinds: dict[tuple[str, Size], tuple[Surface, ...]] = {}
         for kind, entry in self.catalogs.furniture.items():
             kinds.setdefault((entry.name or kind, millimetres(entry.size)), entry.surfaces)
-        named = {entry.name or kind: entry for kind, entry in reversed(self.catalogs.furniture.items())}
-        named |= {kind: entry for kind, entry in self.catalogs.furniture.items() if entry.name in (None, kind)}
+        named = self.catalogs.kinds_by_name()
         leaning = self.style.decorations if self.style else Leaning()
         object.__setattr__(self, "favoured", self._meant(leaning.favoured))
         object.__setattr__(self, "avoided", self._meant(leaning.avoided))

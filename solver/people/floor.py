@@ -6,25 +6,19 @@ Comes in: a room, its space, the catalogs. Goes out: a `Floor`. May import: the 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
 from catalogs import Catalogs
 from catalogs.schema import Furniture as Kind
 from solver.free_places import Solid, footprint, nearest_place, solid_of
-from solver.geometry import Rect, half_m
+from solver.geometry import Rect, half_m, wall_faced
 from solver.scene import Decoration, Dynamic, Furniture, Room
 from solver.wanted import Space
-from solver.ways import EVERY_SIDE, Goal, Ways
+from solver.ways import EVERY_SIDE, HEADROOM, Goal, Ways
 
 BODY: Final = 0.02
 """What is no higher is a rug or a mat, on which one stands, m (contract)."""
-HEADROOM: Final = 2.0
-"""What hangs higher is walked under, m: the height of a door."""
-SIDES: Final = ("south", "east", "north", "west")
-"""Where a front looks after 0, 1, 2, 3 quarter turns."""
-_TURNS: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
 
 
 @dataclass
@@ -49,7 +43,7 @@ class Floor:
         loose = [thing for thing in self.room.decorations if thing.parent is None and thing.mounted_on_wall is None and thing.y == 0]
         standing: list[Furniture | Decoration] = [piece for piece in self.room.furniture if piece.y < HEADROOM]
         in_the_way = [footprint(thing) for thing in (*standing, *loose) if thing.height > BODY]
-        named = kinds_by_name(self.catalogs)
+        named = self.catalogs.kinds_by_name()
         goals = [goal for piece in self.room.furniture if (goal := _use(piece, named.get(piece.name)))]
         self.ways = Ways(self.space, in_the_way, goals)
         self.people: list[Dynamic] = []
@@ -83,15 +77,9 @@ class Floor:
         return not any(solid.rect.overlaps(other.rect) and not solid.beside(other) for other in taken)
 
 
-def kinds_by_name(catalogs: Catalogs) -> Mapping[str, Kind]:
-    """Returns the kinds by what scenes call them; a kind of that very name goes before size variants."""
-    named = {catalogs.name_of(kind): entry for kind, entry in reversed(catalogs.furniture.items())}
-    return named | {kind: entry for kind, entry in catalogs.furniture.items() if catalogs.name_of(kind) == kind}
-
-
 def side_of(piece: Furniture, side: str) -> str:
     """Returns the wall that a side of a piece looks to."""
-    return SIDES[(round(piece.rotation / 90) + _TURNS[side]) % 4]
+    return wall_faced(side, piece.rotation)
 
 
 def rect_between(a: tuple[int, int], b: tuple[int, int]) -> Rect:

@@ -13,7 +13,7 @@ from typing import Final
 from catalogs import Catalogs
 from solver.free_places import footprint
 from solver.geometry import Rect, strip, to_mm
-from solver.people.floor import kinds_by_name, side_of
+from solver.people.floor import side_of
 from solver.scene import Dynamic, Furniture, Room
 from solver.wanted import Space
 
@@ -36,7 +36,7 @@ class Sight:
 
 def sights(room: Room, space: Space, catalogs: Catalogs) -> list[Sight]:
     """Returns what there is to look at: the room's furniture in its order, then its openings."""
-    named = kinds_by_name(catalogs)
+    named = catalogs.kinds_by_name()
     found = []
     for piece in room.furniture:
         kind = named.get(piece.name)

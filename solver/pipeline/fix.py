@@ -205,13 +205,8 @@ def _required_kinds(catalogs: Catalogs) -> frozenset[str]:
 
 
 def use_sides(catalogs: Catalogs) -> dict[str, Sides]:
-    """Returns from which sides the pieces of each name are used, and whether all of them are needed.
-
-    A kind that is called by its own name goes before size variants of the same name.
-    """
-    named = {entry.name or kind: entry for kind, entry in reversed(catalogs.furniture.items())}
-    named |= {kind: entry for kind, entry in catalogs.furniture.items() if entry.name in (None, kind)}
-    return {name: (entry.use.sides, entry.use.need == "all") for name, entry in named.items() if entry.use}
+    """Returns from which sides the pieces of each name are used, and whether all of them are needed."""
+    return {name: (entry.use.sides, entry.use.need == "all") for name, entry in catalogs.kinds_by_name().items() if entry.use}
 
 
 def _moves(before: Scene, after: Scene) -> tuple[Move, ...]:

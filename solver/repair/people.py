@@ -12,22 +12,18 @@ from itertools import islice
 from typing import Final
 
 from solver.free_places import Solid, footprint, free_places, nearest_place, solid_of
-from solver.geometry import Rect, half_m
-from solver.repair.bodies import BODY_MM, Body, squared
+from solver.geometry import Rect, half_m, wall_faced
+from solver.repair.bodies import BODY_MM, Body
 from solver.repair.wishes import Sides
 from solver.repair.written import carried_pose
 from solver.scene import Dynamic, Furniture, Room
 from solver.wanted import Space
-from solver.ways import EVERY_SIDE, Goal, Ways
+from solver.ways import EVERY_SIDE, HEADROOM, Goal, Ways
 
 MOST_PLACES: Final = 200
 """Places that are tried for somebody who is to be in nobody's way."""
 NEXT_MM: Final = 200
 """Of places that near each other one is tried, mm."""
-HEADROOM: Final = 2.0
-"""What hangs higher is walked under, m: the height of a door."""
-TURNED: Final = ("south", "east", "north", "west")
-"""Where a front looks after 0, 1, 2, 3 quarter turns."""
 
 
 @dataclass(frozen=True)
@@ -126,9 +122,7 @@ def _ways(room: Room, space: Space, uses: Mapping[str, Sides]) -> Ways:
 
 
 def _goal(piece: Furniture, sides: Sequence[str], need_all: bool) -> Goal:
-    quarter = {"front": 0, "right": 1, "back": 2, "left": 3}
-    walls = tuple(TURNED[(squared(piece.rotation) // 90 + quarter[side]) % 4] for side in sides)
-    return Goal(footprint(piece), walls, need_all)
+    return Goal(footprint(piece), tuple(wall_faced(side, piece.rotation) for side in sides), need_all)
 
 
 @dataclass(frozen=True)
