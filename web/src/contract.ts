@@ -50,6 +50,12 @@ export interface Body {
 export interface Furniture extends Body {
   readonly name: string;
   readonly category?: string;
+  /** The wall it stands at, where it must. */
+  readonly wall?: Side | null;
+  /** The id of the table it is tucked under, of the piece it stands on. */
+  readonly under?: string | null;
+  readonly on?: string | null;
+  readonly locked?: boolean;
 }
 
 export interface Decoration extends Body {
@@ -114,6 +120,42 @@ export interface GenerateAnswer {
   readonly scene: Scene;
   readonly issues: readonly Issue[];
   readonly timing_ms: number | Readonly<Record<string, number>>;
+}
+
+export type Repair =
+  | { readonly action: "move"; readonly id: string; readonly wall: null; readonly dx: number; readonly dz: number; readonly rotation: number }
+  | { readonly action: "unlock"; readonly id: string; readonly dx: number; readonly dz: number; readonly rotation: number }
+  | { readonly action: "turn"; readonly id: string; readonly rotation: number }
+  | { readonly action: "shrink"; readonly id: string; readonly width: number; readonly depth: number }
+  | { readonly action: "leave_out"; readonly id: string };
+
+/** Bodies that cannot stand together, why, and what would help, cheapest first. */
+export interface Conflict {
+  readonly ids: readonly string[];
+  readonly message: string;
+  readonly repairs: readonly Repair[];
+}
+
+export interface Pose {
+  readonly id: string;
+  readonly x: number;
+  readonly z: number;
+  readonly rotation: number;
+}
+
+export interface FixRequest {
+  readonly scene: Scene;
+  readonly locked?: readonly string[];
+  readonly moved?: readonly string[];
+  readonly on_conflict?: "report" | "remove";
+  /** The last answer's poses, while something is dragged. */
+  readonly previous?: readonly Pose[];
+}
+
+export interface FixAnswer extends GenerateAnswer {
+  readonly moves: readonly { readonly id: string; readonly dx: number; readonly dz: number; readonly rotation: number }[];
+  readonly removed: readonly { readonly id: string; readonly reason: string }[];
+  readonly conflicts: readonly Conflict[];
 }
 
 /** The readable YAML and, for each of its lines, the body it speaks of. */

@@ -1,6 +1,6 @@
 /** The page, wired together: a request goes to the service, its answer to the canvas, the text and the status bar. */
 import { anotherSeed, queryFromRequest, requestFromQuery } from "./address";
-import type { GenerateAnswer, HouseRequest } from "./contract";
+import type { HouseRequest, Scene } from "./contract";
 import { Controls } from "./panel/controls";
 import { Issues } from "./panel/issues";
 import { Notice } from "./panel/notice";
@@ -8,6 +8,7 @@ import { Reading } from "./panel/reading";
 import { countsOf, showStatus } from "./panel/status";
 import { generate, isAbort, ServiceProblem, view } from "./service";
 import { Stage } from "./stage";
+import { Home, type Showing } from "./state/home";
 
 type History = "push" | "keep";
 
@@ -24,13 +25,18 @@ class Page {
   readonly #notice = new Notice(element("notice"), () => this.#ask(this.#wanted, "keep"));
   readonly #stage = new Stage(element("stage"));
   #wanted: HouseRequest = requestFromQuery(location.search);
+  readonly #home = new Home();
   #pending = new AbortController();
+  #written = new AbortController();
+  #reads: Promise<void> = Promise.resolve();
 
   constructor() {
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
-    this.#reading.onChoose = (id) => this.#select(id);
-    this.#issues.onChoose = (id) => this.#select(id);
-    this.#stage.onSelect = (id) => this.#select(id);
+    this.#reading.onChoose = (id) => this.#home.select(id);
+    this.#issues.onChoose = (id) => this.#home.select(id);
+    this.#stage.onSelect = (id) => this.#home.select(id);
+    this.#home.on("shown", (how) => this.#show(how));
+    this.#home.on("selected", (id) => this.#select(id));
     element("random").addEventListener("click", () => this.#random());
     window.addEventListener("popstate", () => this.#openAddress());
     document.addEventListener("keydown", (event) => this.#key(event));
@@ -61,7 +67,7 @@ class Page {
       r: () => this.#random(),
       2: () => this.#stage.look("top"),
       3: () => this.#stage.look("corner"),
-      Escape: () => this.#select(null),
+      Escape: () => this.#home.select(null),
     };
     acts[event.key.length === 1 ? event.key.toLowerCase() : event.key]?.();
   }
@@ -81,7 +87,10 @@ class Page {
     this.#remember(request, history);
     this.#busy(true);
     try {
-      await this.#show(await generate(request, signal), signal);
+      const { scene, issues, timing_ms: timing } = await generate(request, signal);
+      this.#home.select(null);
+      this.#home.show({ scene, issues, conflicts: [], timing }, "new");
+      await this.#reads;
       this.#controls.showProblems([]);
       this.#notice.hide();
     } catch (reason) {
@@ -92,13 +101,28 @@ class Page {
     this.#busy(false);
   }
 
-  async #show(answer: GenerateAnswer, signal: AbortSignal): Promise<void> {
-    const reading = await view(answer.scene, signal);
-    this.#stage.show(answer.scene, answer.issues);
-    this.#reading.show(reading);
-    this.#issues.show(answer.issues);
-    showStatus(element("status"), countsOf(answer.scene, answer.issues), answer.timing_ms);
-    document.title = `Compose: house ${answer.scene.seed}`;
+  /** Shows the home as it now is; the moments of an edit are the stage's and the text waits for the end. */
+  #show(how: Showing): void {
+    const shown = this.#home.shown;
+    if (!shown || how === "live") return;
+    this.#stage.show(shown.scene, shown.issues);
+    this.#stage.select(this.#home.selected);
+    this.#issues.show(shown.issues);
+    showStatus(element("status"), countsOf(shown.scene, shown.issues), shown.timing);
+    document.title = `Compose: house ${shown.scene.seed}`;
+    this.#reads = this.#read(shown.scene);
+  }
+
+  /** Asks for the readable YAML; a newer scene withdraws an older one's. */
+  async #read(scene: Scene): Promise<void> {
+    this.#written.abort();
+    const { signal } = (this.#written = new AbortController());
+    try {
+      this.#reading.show(await view(scene, signal));
+      this.#reading.select(this.#home.selected);
+    } catch (reason) {
+      if (!isAbort(reason)) this.#notice.show(reason);
+    }
   }
 
   #busy(busy: boolean): void {

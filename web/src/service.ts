@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { FieldProblem, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ViewAnswer } from "./contract";
+import type { FieldProblem, FixAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ViewAnswer } from "./contract";
 
 /** Why a call brought no answer, in words for a person. */
 export class ServiceProblem extends Error {
@@ -63,6 +63,10 @@ async function post<Answer>(call: string, body: unknown, signal: AbortSignal): P
 
 export function generate(request: HouseRequest, signal: AbortSignal): Promise<GenerateAnswer> {
   return post("generate", request, signal);
+}
+
+export function fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer> {
+  return post("fix", request, signal);
 }
 
 export function view(scene: Scene, signal: AbortSignal): Promise<ViewAnswer> {

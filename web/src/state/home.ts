@@ -1,0 +1,176 @@
+/** The one copy of what is shown: the scene with the service's verdict on it, its history, and what is pointed out. */
+import type { Conflict, Furniture, GenerateAnswer, Issue, Room, Scene } from "../contract";
+
+export interface Shown {
+  readonly scene: Scene;
+  readonly issues: readonly Issue[];
+  readonly conflicts: readonly Conflict[];
+  readonly timing: GenerateAnswer["timing_ms"];
+}
+
+/** What an answer is to the one before: another house, an edit that can be undone, or a moment of an edit under way. */
+export type Showing = "new" | "step" | "live";
+
+/** What listeners are told by: `shown` also says how. Undo and redo are steps. */
+export interface Changes {
+  shown: Showing;
+  selected: string | null;
+  room: string | null;
+  flagged: ReadonlySet<string>;
+}
+
+type Listener<Change extends keyof Changes> = (how: Changes[Change]) => void;
+
+const MOST_STEPS = 200;
+
+export class Home {
+  #shown: Shown | null = null;
+  /** The last state that is a step of its own: `#shown`, but for the moments of an edit. */
+  #settled: Shown | null = null;
+  #past: Shown[] = [];
+  #future: Shown[] = [];
+  #selected: string | null = null;
+  #room: string | null = null;
+  #flagged: ReadonlySet<string> = new Set();
+  readonly #listeners: { [Change in keyof Changes]: Listener<Change>[] } = { shown: [], selected: [], room: [], flagged: [] };
+
+  /** Calls a listener after every change of a kind. */
+  on<Change extends keyof Changes>(change: Change, listener: Listener<Change>): void {
+    this.#listeners[change].push(listener);
+  }
+
+  get shown(): Shown | null {
+    return this.#shown;
+  }
+
+  get scene(): Scene | null {
+    return this.#shown?.scene ?? null;
+  }
+
+  get issues(): readonly Issue[] {
+    return this.#shown?.issues ?? [];
+  }
+
+  /** The last state that is whole: what an edit under way goes back to. */
+  get settled(): Shown | null {
+    return this.#settled;
+  }
+
+  show(shown: Shown, how: Showing): void {
+    if (how === "new") [this.#past, this.#future] = [[], []];
+    if (how === "step") {
+      if (this.#settled) this.#past = [...this.#past, this.#settled].slice(-MOST_STEPS);
+      this.#future = [];
+    }
+    if (how !== "live") this.#settled = shown;
+    this.#present(shown, how);
+  }
+
+  get canUndo(): boolean {
+    return this.#past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#future.length > 0;
+  }
+
+  undo(): void {
+    const before = this.#past.pop();
+    if (!before || !this.#settled) return;
+    this.#future.push(this.#settled);
+    this.#goTo(before);
+  }
+
+  redo(): void {
+    const next = this.#future.pop();
+    if (!next || !this.#settled) return;
+    this.#past.push(this.#settled);
+    this.#goTo(next);
+  }
+
+  #goTo(shown: Shown): void {
+    this.#settled = shown;
+    this.#present(shown, "step");
+  }
+
+  #present(shown: Shown, how: Showing): void {
+    this.#shown = shown;
+    this.#tell("shown", how);
+    this.#forgetMissing();
+  }
+
+  /** What is no longer there is no longer selected. */
+  #forgetMissing(): void {
+    if (this.#selected !== null && !this.#bodyIds().has(this.#selected)) this.select(null);
+    if (this.#room !== null && !this.scene?.rooms.some((room) => room.id === this.#room)) this.selectRoom(null);
+    const kept = [...this.#flagged].filter((id) => this.#bodyIds().has(id));
+    if (kept.length < this.#flagged.size) this.#flag(new Set(kept));
+  }
+
+  #bodyIds(): ReadonlySet<string> {
+    const rooms = this.scene?.rooms ?? [];
+    const standing = rooms.flatMap((room) => [...room.furniture, ...room.decorations].map((body) => body.id));
+    return new Set([...standing, ...(this.scene?.dynamic ?? []).map((body) => body.id)]);
+  }
+
+  /** The id of the body in hand. */
+  get selected(): string | null {
+    return this.#selected;
+  }
+
+  select(id: string | null): void {
+    if (id === this.#selected) return;
+    this.#selected = id;
+    this.#tell("selected", id);
+  }
+
+  /** The id of the room in hand. */
+  get room(): string | null {
+    return this.#room;
+  }
+
+  selectRoom(id: string | null): void {
+    if (id === this.#room) return;
+    this.#room = id;
+    this.#tell("room", id);
+  }
+
+  /** The ids that a person marked for the report. */
+  get flagged(): ReadonlySet<string> {
+    return this.#flagged;
+  }
+
+  toggleFlag(id: string): void {
+    const flagged = new Set(this.#flagged);
+    if (!flagged.delete(id)) flagged.add(id);
+    this.#flag(flagged);
+  }
+
+  clearFlags(): void {
+    if (this.#flagged.size > 0) this.#flag(new Set());
+  }
+
+  #flag(flagged: ReadonlySet<string>): void {
+    this.#flagged = flagged;
+    this.#tell("flagged", flagged);
+  }
+
+  /** The ids of the furniture that must not move. */
+  get locked(): ReadonlySet<string> {
+    const pieces = this.scene?.rooms.flatMap((room) => room.furniture) ?? [];
+    return new Set(pieces.filter((piece) => piece.locked).map((piece) => piece.id));
+  }
+
+  /** A piece of furniture and its room. */
+  find(id: string | null): { readonly room: Room; readonly piece: Furniture } | null {
+    for (const room of this.scene?.rooms ?? []) {
+      const piece = room.furniture.find((one) => one.id === id);
+      if (piece) return { room, piece };
+    }
+    return null;
+  }
+
+  #tell<Change extends keyof Changes>(change: Change, how: Changes[Change]): void {
+    for (const listener of this.#listeners[change]) listener(how);
+  }
+}
