@@ -14,6 +14,8 @@ function within<T extends HTMLElement>(id: string): T {
 export class Stage {
   /** Called with the body clicked, or null for a click beside all. */
   onSelect: (id: string | null) => void = () => undefined;
+  /** Called with the room whose floor was clicked, or null for a click beside all. */
+  onRoom: (id: string | null) => void = () => undefined;
   readonly #viewport: Viewport;
   readonly #labels: Labels;
   readonly #cut = within<HTMLInputElement>("cut");
@@ -69,7 +71,8 @@ export class Stage {
   #click(clientX: number, clientY: number): void {
     const hit = this.#hitAt(clientX, clientY);
     if (hit?.kind === "door") this.#toggleDoor(hit.index);
-    else this.onSelect(hit ? hit.body.id : null);
+    else this.onSelect(hit?.kind === "body" ? hit.body.id : null);
+    if (hit === null || hit.kind === "room") this.onRoom(hit?.room.id ?? null);
   }
 
   #toggleDoor(index: number): void {
@@ -83,13 +86,13 @@ export class Stage {
 
   #point(hit: Hit | null): void {
     const body = hit?.kind === "body" ? hit.body : null;
-    this.#viewport.canvas.classList.toggle("pointing", hit !== null);
+    this.#viewport.canvas.classList.toggle("pointing", hit?.kind === "body" || hit?.kind === "door");
     if (!this.#labels.point(body)) return;
     this.#house?.mark("pointed", body ? [body.id] : []);
     this.#viewport.invalidate();
   }
 
-  /** Where in the window a click meets a body or a door [CSS pixels]; null where something stands before it. */
+  /** Where in the window a click meets a body, a door or a room's floor [CSS pixels]; null where something stands before it. */
   whereIs(id: string): { x: number; y: number } | null {
     const points = this.#house?.pointsOf(id, Number(this.#cut.value)) ?? [];
     const { left, top } = this.host.getBoundingClientRect();

@@ -18,7 +18,8 @@ export function seamsOf(rooms: readonly Room[], axis: WallPanel["axis"], along: 
   return [...new Set(ends)].filter((end) => along.from < end && end < along.to);
 }
 
-function holds(room: Room, x: number, z: number): boolean {
+/** Whether a point of the plan [m] is within a room's outline. */
+export function holds(room: Room, x: number, z: number): boolean {
   const corners = outlineOf(room);
   return corners.reduce((inside, [x0, z0], i) => {
     const [x1, z1] = corners[(i + 1) % corners.length] ?? [x0, z0];

@@ -1,6 +1,6 @@
 /** A scene as it is drawn: floors, walls, doors, bodies, and what is marked on them. */
 import { Box3, Group, Mesh, MeshStandardMaterial, BoxGeometry, Vector3, type Intersection, type Raycaster } from "three";
-import type { Scene } from "../contract";
+import type { Room, Scene } from "../contract";
 import { BodyMeshes } from "./body_meshes";
 import { disposeOf } from "./dispose";
 import { leavesOf } from "./door_leaves";
@@ -10,9 +10,10 @@ import { bodiesOf, storeysOf, type PlacedBody } from "./frame";
 import { openingsOf } from "./openings";
 import { outlinesOf } from "./outlines";
 import { runsOf } from "./plan";
+import { floorUnder } from "./room_at";
 import type { Point } from "./wall_faces";
 import { Walls } from "./wall_meshes";
-import type { WallPlan } from "./walls";
+import type { Storey, WallPlan } from "./walls";
 
 export type Mark = "selected" | "pointed" | "error";
 
@@ -22,7 +23,10 @@ const SLAB_DEPTH = 0.16;
 /** Floors lie this much over the slab, so that the two never fight for a pixel. */
 const SLAB_GAP = 0.02;
 
-export type Hit = { readonly kind: "door"; readonly index: number } | { readonly kind: "body"; readonly body: PlacedBody };
+export type Hit =
+  | { readonly kind: "door"; readonly index: number }
+  | { readonly kind: "body"; readonly body: PlacedBody }
+  | { readonly kind: "room"; readonly room: Room };
 
 function boundsOf(scene: Scene, height: number): Box3 {
   const box = new Box3();
@@ -52,10 +56,11 @@ export class House {
   readonly #bodyMeshes: BodyMeshes;
   readonly #walls: Walls;
   readonly #marked = new Map<Mark, { readonly mesh: Mesh; readonly ids: readonly string[] }>();
+  readonly #storeys: ReadonlyMap<number, Storey>;
   #wallMeshes: Group | null = null;
 
   constructor(readonly scene: Scene) {
-    const storeys = storeysOf(scene);
+    const storeys = (this.#storeys = storeysOf(scene));
     const plan: WallPlan = {
       runs: runsOf(scene.rooms),
       openings: openingsOf(scene.rooms),
@@ -97,10 +102,12 @@ export class House {
     return Object.fromEntries([...this.#marked].map(([mark, { ids }]) => [mark, ids]));
   }
 
-  /** What a ray meets first, if that is a door or a body. */
+  /** What a ray meets first, if that is a door, a body or a room's floor. */
   hit(ray: Raycaster): Hit | null {
     const targets = [this.#bodyMeshes.mesh, this.doors.mesh, ...(this.#wallMeshes?.children.slice(0, 1) ?? [])];
     const [nearest] = ray.intersectObjects(targets, false);
+    const floor = floorUnder(this.scene.rooms, this.#storeys, ray.ray.origin.toArray(), ray.ray.direction.toArray());
+    if (floor && floor.distance < (nearest?.distance ?? Number.POSITIVE_INFINITY)) return { kind: "room", room: floor.room };
     return nearest ? this.#hitOf(nearest) : null;
   }
 
@@ -112,13 +119,25 @@ export class House {
 
   /** The id of what was hit. */
   idOf(hit: Hit | null): string | undefined {
-    return hit?.kind === "door" ? this.doors.leaves[hit.index]?.id : hit?.body.id;
+    if (hit?.kind === "door") return this.doors.leaves[hit.index]?.id;
+    return hit?.kind === "room" ? hit.room.id : hit?.body.id;
   }
 
-  /** Points in the house at which a body or a door leaf may be seen, with walls cut at a height [m]. */
+  /** Points in the house at which a body, a door leaf or a room's floor may be seen, with walls cut at a height [m]. */
   pointsOf(id: string, cut: number): Point[] {
     const body = this.bodies.find((one) => one.id === id);
     if (body) return [1, 0.5].map((share): Point => [body.x, body.y + body.height * share, body.z]);
+    const room = this.scene.rooms.find((one) => one.id === id);
+    return room ? this.#floorPoints(room) : this.#leafPoints(id, cut);
+  }
+
+  #floorPoints(room: Room): Point[] {
+    const y = this.#storeys.get(room.level)?.elevation ?? 0;
+    const shares = [0.5, 0.3, 0.7, 0.15, 0.85];
+    return shares.flatMap((u) => shares.map((v): Point => [room.x + room.width * u, y, room.z + room.depth * v]));
+  }
+
+  #leafPoints(id: string, cut: number): Point[] {
     const index = this.doors.leaves.findIndex((one) => one.id === id);
     const leaf = this.doors.leaves[index];
     if (!leaf) return [];
