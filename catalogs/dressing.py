@@ -28,10 +28,12 @@ INDOOR = "indoor"
 class DecorationKind(Entry):
     """One kind of decoration. `jitter`: it lies up to 15 degrees askew. `mixed`: of several each has its own colour.
 
-    Its `surfaces` carry other decorations. `size` is width, depth and height, m, as it lies.
+    Its `surfaces` carry other decorations. `size` is width, depth and height, m, as it lies. `shape` is how it looks, where
+    that is not the shape of its own name.
     """
 
     group: Group
+    shape: str | None = None
     size: tuple[Length, Length, Length]
     color: Colour
     variants: tuple[Colour, ...] = ()

@@ -8,6 +8,7 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import blake2b
+from itertools import chain
 from pathlib import Path
 from typing import Any, ClassVar, Final
 
@@ -19,11 +20,14 @@ from catalogs.dressing import DecorationKind, Dressing
 from catalogs.faults import Fault
 from catalogs.programmes import Preset
 from catalogs.schema import Catalogs, FlooringSpec, Furniture, RoomType
+from catalogs.shapes import Material, Shape
+from catalogs.shapes_checks import shape_faults, shaped
 from catalogs.styles import Style
 
 HERE = Path(__file__).parent
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _ROOMS = "rooms"
+_SHAPES = "shapes"
 ROW_KEY: Final = 2
 """The key of a row of dressing.yaml is longer: entry, list, number."""
 _SECTIONS: Final[dict[str, TypeAdapter[Any]]] = {
@@ -33,9 +37,17 @@ _SECTIONS: Final[dict[str, TypeAdapter[Any]]] = {
     "dressing": TypeAdapter(dict[str, Dressing]),
     "styles": TypeAdapter(dict[str, Style]),
     "presets": TypeAdapter(dict[str, Preset]),
+    "materials": TypeAdapter(dict[str, Material]),
 }
 """What each file of a catalog holds: `<section>.yaml`."""
 _ROOM = TypeAdapter(RoomType)
+_SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, Shape])
+"""What each file of shapes/ holds: shapes by name, whatever the file is called."""
+_LOOKS: Final[Any] = {
+    "fingerprint": True, "shapes": True, "materials": True, "styles": {"__all__": {"materials"}},
+    "furniture": {"__all__": {"shape"}}, "decorations": {"__all__": {"shape"}},
+}  # fmt: skip
+"""What no home depends on: a seed makes the same home however its pieces are drawn, so its fingerprint stays too."""
 
 
 class CatalogError(Exception):
@@ -106,13 +118,30 @@ class _Layer:
 def _layer(directory: Path) -> _Layer:
     paths = {section: directory / f"{section}.yaml" for section in _SECTIONS}
     room_files = {path.stem: path for path in sorted((directory / _ROOMS).glob("*.yaml"))}
-    if not room_files and not any(path.exists() for path in paths.values()):
-        known = ", ".join([*(path.name for path in paths.values()), "rooms/<type>.yaml"])
+    shape_files = sorted((directory / _SHAPES).glob("*.yaml"))
+    if not room_files and not shape_files and not any(path.exists() for path in paths.values()):
+        known = ", ".join([*(path.name for path in paths.values()), "rooms/<type>.yaml", "shapes/<any>.yaml"])
         raise CatalogError(str(directory), "", 1, "holds no catalog", known)
     entries = {section: _read(path, _SECTIONS[section]) if path.exists() else {} for section, path in paths.items()}
     entries[_ROOMS] = {name: _read(path, _ROOM) for name, path in room_files.items()}
     files = {(section, name): paths[section] for section in paths for name in entries[section]}
-    return _Layer(entries, files | {(_ROOMS, name): path for name, path in room_files.items()})
+    files |= {(_ROOMS, name): path for name, path in room_files.items()}
+    entries[_SHAPES], shapes_in = _shapes(shape_files)
+    return _Layer(entries, files | shapes_in)
+
+
+def _shapes(paths: list[Path]) -> tuple[dict[str, Any], dict[tuple[str, str], Path]]:
+    """Reads all files of shapes: the shapes by name, and which file says each."""
+    shapes: dict[str, Any] = {}
+    files: dict[tuple[str, str], Path] = {}
+    for path in paths:
+        read = _read(path, _SHAPE_FILE)
+        for name in read:
+            if name in shapes:
+                raise _located(path, Fault(_SHAPES, (name,), f"the shape is in {files[_SHAPES, name].name} too"))
+            files[_SHAPES, name] = path
+        shapes |= read
+    return shapes, files
 
 
 def _laid_over(below: _Layer, above: _Layer) -> _Layer:
@@ -124,19 +153,22 @@ def _checked(layer: _Layer, over_ours: bool = False) -> Catalogs:
     """Checks that everything fits together and gives it its fingerprint.
 
     A row of our own dressing that a piece of another directory has no surface for is no fault: its things are left out.
+    Neither is a shape of ours that does not fit such a piece: it goes without one.
     """
-    catalogs = Catalogs(**layer.entries, fingerprint="")
-    for fault in faults(catalogs):
+    written = {section: named for section, named in layer.entries.items() if section != _SHAPES}
+    catalogs, shapes = Catalogs(**written, fingerprint=""), layer.entries[_SHAPES]
+    for fault in chain(faults(catalogs), shape_faults(catalogs, shapes)):
         file = layer.files[fault.entry]
-        is_row_of_ours = over_ours and file.parent == HERE and fault.file == "dressing" and len(fault.at) > ROW_KEY
-        if not is_row_of_ours:
+        is_row_of_ours = file.parent == HERE and fault.file == "dressing" and len(fault.at) > ROW_KEY
+        is_shape_of_ours = file.parent == HERE / _SHAPES
+        if not (over_ours and (is_row_of_ours or is_shape_of_ours)):
             raise _located(file, fault)
-    return catalogs.model_copy(update={"fingerprint": fingerprint(catalogs)})
+    return catalogs.model_copy(update={"fingerprint": fingerprint(catalogs), "shapes": shaped(catalogs, shapes)})
 
 
 def fingerprint(catalogs: Catalogs) -> str:
-    """Returns 12 hex digits that change with any word or number of the catalogs, and with the order of pieces."""
-    content = catalogs.model_dump(mode="json", exclude={"fingerprint"})
+    """Returns 12 hex digits that change with any word or number that homes follow from, and with the order of pieces."""
+    content = catalogs.model_dump(mode="json", exclude=_LOOKS)
     return blake2b(json.dumps(content, sort_keys=True).encode(), digest_size=6).hexdigest()
 
 

@@ -14,6 +14,7 @@ from pydantic import Field, field_validator, model_validator
 from catalogs.dressing import DecorationKind, Dressing
 from catalogs.entries import Colour, Cost, Entry, Interval, Length, Side, Surface, Words
 from catalogs.programmes import Home, Preset
+from catalogs.shapes import Material, Solid
 from catalogs.styles import Style
 
 Category = Literal[
@@ -39,10 +40,12 @@ class Furniture(Entry):
     """One kind of furniture. `stands: wall` means it hugs a wall (its back 3 cm from the wall's face).
 
     `name` is what scenes call it, where that is not the kind's own name: size variants of a sofa are all a `sofa`.
+    `shape` is how it looks, where that is neither the shape of its own name nor that of its `name`.
     """
 
     category: Category
     name: str | None = None
+    shape: str | None = None
     size: tuple[Length, Length, Length]
     color: Colour
     variants: tuple[Colour, ...] = ()
@@ -213,7 +216,10 @@ class FlooringSpec(Entry):
 
 
 class Catalogs(Entry):
-    """Everything the project knows, by name; `fingerprint` identifies the exact data (hex, 12 digits)."""
+    """Everything the project knows, by name; `fingerprint` identifies the exact data that homes follow from (hex, 12 digits).
+
+    `shapes` are written out for every kind of furniture and decoration that has one.
+    """
 
     furniture: dict[str, Furniture]
     floorings: dict[str, FlooringSpec]
@@ -222,6 +228,8 @@ class Catalogs(Entry):
     dressing: dict[str, Dressing] = Field(default_factory=dict)
     styles: dict[str, Style] = Field(default_factory=dict)
     presets: dict[str, Preset] = Field(default_factory=dict)
+    materials: dict[str, Material] = Field(default_factory=dict)
+    shapes: dict[str, tuple[Solid, ...]] = Field(default_factory=dict)
     fingerprint: str
 
     def of_home(self, types: Collection[str]) -> Catalogs:

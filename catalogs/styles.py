@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from catalogs.entries import Colour, Entry, Words
+from catalogs.shapes import MaterialChange
 
 Finish = Literal["plaster", "wallpaper", "wood", "brick", "concrete", "tile"]
 """What a wall is finished with."""
@@ -38,13 +39,15 @@ class Style(Entry):
 
     `palette` gives colours by kind or name of furniture or decoration, else by category or group; an empty list keeps what
     the kind says itself. `floors` and `walls`, of indoor rooms, go by the flooring that the room's type has in its own file: one
-    of the entries is taken for a house's floors, one for each room's walls; what is not named stays as it is.
+    of the entries is taken for a house's floors, one for each room's walls; what is not named stays as it is. `materials`
+    changes what parts of shapes are made of, by slot.
     """
 
     palette: dict[str, tuple[Colour, ...]]
     floors: dict[str, Annotated[tuple[Floor, ...], Field(min_length=1)]] = Field(default_factory=dict)
     walls: dict[str, Annotated[tuple[Wall, ...], Field(min_length=1)]] = Field(default_factory=dict)
     decorations: Leaning = Leaning()
+    materials: dict[str, MaterialChange] = Field(default_factory=dict)
 
     def colours(self, *names: str) -> tuple[Colour, ...]:
         """Returns the palette of the first of some names that has one, such as kind, name and category; else none."""

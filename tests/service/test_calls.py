@@ -206,6 +206,9 @@ def test_the_catalog_tells_what_there_is(client: TestClient) -> None:
     assert {"furniture", "floorings", "rooms", "fingerprint"} <= set(catalog)
     assert "bed" in catalog["furniture"]
     assert "kitchen" in catalog["rooms"]
+    assert set(catalog["shapes"]["bed"][0]) == {"form", "x", "y", "z", "axis", "taper", "material"}
+    assert {part["material"] for parts in catalog["shapes"].values() for part in parts} <= set(catalog["materials"])
+    assert all(set(style["materials"]) <= set(catalog["materials"]) for style in catalog["styles"].values())
 
 
 def test_the_schema_is_that_of_scenes(client: TestClient, scene: dict[str, Any]) -> None:

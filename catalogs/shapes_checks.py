@@ -1,0 +1,106 @@
+"""What must hold between shapes, the kinds that have them, and materials."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import pi
+from typing import Final
+
+from catalogs.dressing import DecorationKind
+from catalogs.entries import Surface
+from catalogs.faults import Fault
+from catalogs.schema import Catalogs, Furniture
+from catalogs.shapes import MOST_PARTS, Part, Solid, heights, solids
+
+Shapes = Mapping[str, tuple[Part, ...]]
+LEVEL: Final = 0.01
+"""A part's top is a surface if it lies within so much of it, m."""
+CARRYING: Final = 0.25
+"""At least this share of a surface is some part's top: the rim of a tub is a surface, and so is a cistern."""
+ROUND: Final = ("cylinder", "cone", "ball", "capsule")
+
+
+def shape_of(catalogs: Catalogs, kind: str, shapes: Shapes) -> str | None:
+    """Returns the name of a kind's shape: the one it names, else that of its own name, else that of what scenes call it."""
+    entry = catalogs.furniture.get(kind) or catalogs.decorations[kind]
+    return entry.shape or next((name for name in (kind, catalogs.name_of(kind)) if name in shapes), None)
+
+
+def shaped(catalogs: Catalogs, shapes: Shapes) -> dict[str, tuple[Solid, ...]]:
+    """Writes out the shape of every kind that has one and agrees with it."""
+    made = {}
+    for kind, entry in (catalogs.furniture | catalogs.decorations).items():
+        name = shape_of(catalogs, kind, shapes)
+        if name is not None and name in shapes and not any(_fit_faults(name, shapes[name], kind, entry)):
+            made[kind] = solids(shapes[name], _levels(entry))
+    return made
+
+
+def shape_faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
+    """Yields everything about shapes and materials that does not fit together."""
+    slots = ", ".join(catalogs.materials)
+    for name, parts in shapes.items():
+        for i, part in enumerate(parts):
+            if part.material not in catalogs.materials:
+                yield Fault("shapes", (name, i, "material"), f"unknown material {part.material!r}", slots)
+    for style, entry in catalogs.styles.items():
+        for slot in entry.materials:
+            if slot not in catalogs.materials:
+                yield Fault("styles", (style, "materials", slot), f"unknown material {slot!r}", slots)
+    for section, kinds in (("furniture", catalogs.furniture), ("decorations", catalogs.decorations)):
+        for kind in kinds:
+            yield from _kind_faults(catalogs, section, kind, shapes)
+
+
+def _kind_faults(catalogs: Catalogs, section: str, kind: str, shapes: Shapes) -> Iterator[Fault]:
+    entry = catalogs.furniture.get(kind) or catalogs.decorations[kind]
+    if entry.shape and entry.shape not in shapes:
+        yield Fault(section, (kind, "shape"), f"unknown shape {entry.shape!r}", "a name of shapes/")
+        return
+    name = shape_of(catalogs, kind, shapes)
+    if name is not None:
+        yield from _fit_faults(name, shapes[name], kind, entry)
+
+
+def _fit_faults(name: str, parts: tuple[Part, ...], kind: str, entry: Furniture | DecorationKind) -> Iterator[Fault]:
+    """Checks that a shape is one for a kind; every fault is the shape's."""
+    levels = _levels(entry)
+    known = ", ".join(levels) or f"numbers: {kind!r} has no surfaces"
+    unfit = False
+    for i, part in enumerate(parts):
+        strange = [end for end in part.y if isinstance(end, str) and end not in levels]
+        if strange:
+            yield Fault("shapes", (name, i, "y"), f"{kind!r} has no surface {strange[0]!r}", known)
+        elif not (ends := heights(part, levels))[0] < ends[1]:
+            yield Fault("shapes", (name, i, "y"), f"for {kind!r} it is [{ends[0]:.3f}, {ends[1]:.3f}]", "[lower, higher]")
+        else:
+            continue
+        unfit = True
+    if not unfit:
+        yield from _whole_faults(name, solids(parts, levels), kind, entry)
+
+
+def _whole_faults(name: str, made: tuple[Solid, ...], kind: str, entry: Furniture | DecorationKind) -> Iterator[Fault]:
+    if len(made) > MOST_PARTS:
+        yield Fault("shapes", (name,), f"has {len(made)} parts with its mirror images", f"at most {MOST_PARTS}")
+    for surface in entry.surfaces:
+        if _carried(surface, made, entry.size) < CARRYING:
+            problem = f"{kind!r} has a surface {surface.name!r} at {surface.height} m, where hardly any part has its top"
+            yield Fault("shapes", (name,), problem, f"a part with y: [..., {surface.name}]")
+
+
+def _levels(entry: Furniture | DecorationKind) -> dict[str, float]:
+    return {surface.name: min(surface.height / entry.size[2], 1.0) for surface in entry.surfaces}
+
+
+def _carried(surface: Surface, made: tuple[Solid, ...], size: tuple[float, float, float]) -> float:
+    """Returns the share of a surface that is the top of some solid (solids do not lie in each other)."""
+    width, depth, height = size
+    margins = surface.inset / width, surface.inset / depth
+    area = 0.0
+    for solid in made:
+        if abs(solid.y[1] * height - surface.height) <= LEVEL:
+            sides = zip((solid.x, solid.z), margins, strict=True)
+            spans = [max(min(high, 1 - margin) - max(low, margin), 0.0) for (low, high), margin in sides]
+            area += spans[0] * spans[1] * (pi / 4 if solid.form in ROUND else 1.0)
+    return area / ((1 - 2 * margins[0]) * (1 - 2 * margins[1]))
