@@ -16,9 +16,9 @@ from solver import fix, generate, place, reroll, validate
 from solver.errors import SceneError
 from solver.exchange import read_poses, read_request, read_scene, scene_schema, write_scene
 from solver.requested import Placement
-from solver.scene import MAX_SEED, Generated, Scene
+from solver.scene import MAX_SEED, Generated, Scene, body_ids, check_ids
 from solver.validate import metrics
-from solver.view import view
+from solver.view import report, view
 
 Call: TypeAlias = Callable[[object, Catalogs], Document]
 
@@ -115,14 +115,20 @@ def validate_scene(document: object, catalogs: Catalogs) -> Document:
     """Lists what breaks the rules in a scene, and measures it.
 
     Args:
-        document: `scene`.
+        document: `scene`; and if a report is wanted, `flagged` (ids of bodies a person finds problematic) or `report: true`.
         catalogs: which sides of a piece are used, and what rooms require.
 
     Raises:
         FieldError: a field is wrong.
     """
-    scene = _scene(_body(document, ("scene",)))
-    return {"issues": _listed(validate(scene, catalogs)), "metrics": metrics(scene, catalogs)}
+    body = _body(document, ("scene", "flagged", "report"))
+    scene, flagged, wanted = _scene(body), _ids(body, "flagged"), body.get("report", "flagged" in body)
+    if not isinstance(wanted, bool):
+        raise BodyError("report", f"is {_word(wanted)}", "true or false")
+    check_ids("flagged", flagged, body_ids(scene))
+    issues = validate(scene, catalogs)
+    answer: Document = {"issues": _listed(issues), "metrics": metrics(scene, catalogs)}
+    return {**answer, "report": _lined(*report(scene, issues, flagged))} if wanted else answer
 
 
 def view_scene(document: object, _: Catalogs | None = None) -> Document:
@@ -134,7 +140,10 @@ def view_scene(document: object, _: Catalogs | None = None) -> Document:
     Raises:
         FieldError: a field is wrong.
     """
-    text, lines = view(_scene(_body(document, ("scene",))))
+    return _lined(*view(_scene(_body(document, ("scene",)))))
+
+
+def _lined(text: str, lines: Sequence[str | None]) -> Document:
     return {"text": text, "lines": list(lines)}
 
 

@@ -147,6 +147,8 @@ def _add_readers(commands: Commands) -> None:
     for command, what in ((validate, "issues and metrics"), (view, "the text")):
         _add_scene(command)
         _add_output(command, what)
+    validate.add_argument("--report", action="store_true", help="write all there is in words, what is wrong marked >>")
+    validate.add_argument("--flag", action="append", default=[], metavar="ID", help="a body to mark PROBLEMATIC in the report")
     _add_format(validate)
     _add_catalog(validate)
 

@@ -118,9 +118,12 @@ def _contested(answer: Mapping[str, Any]) -> int:
 
 
 def _validate(options: Namespace) -> int:
-    body = {"scene": _scene(options)}
+    body = {"scene": _scene(options), "flagged": options.flag, "report": options.report}
     answer = _checked(options.scene, lambda: calls.validate_scene(body, _catalogs(options)))
-    _write(answer, options)
+    if options.report:
+        _put(answer["report"]["text"].encode(), options.output)
+    else:
+        _write(answer, options)
     return _judged(answer)
 
 

@@ -63,7 +63,7 @@ def _bodies() -> Document:
     return {
         "GenerateBody": _generate_body(),
         "FixBody": _record(("scene",), {**scene, "locked": _IDS, "moved": _IDS, "on_conflict": conflict, "previous": _list_of("Pose")}),
-        "ValidateBody": _record(("scene",), scene),
+        "ValidateBody": _record(("scene",), {**scene, "flagged": _IDS, "report": {"type": "boolean"}}),
         "ViewBody": _record(("scene",), scene),
     }
 
@@ -81,6 +81,7 @@ def _answers() -> Document:
     made = {"scene": _ref("Scene"), "issues": _list_of("Issue"), "timing_ms": _NUMBERS}
     placed = {"scene": _ref("Scene"), "relations": _list_of("Held"), "unplaced": _list_of("Unplaced")}
     others = {"type": "array", "items": _answer(**placed, issues=_list_of("Issue"), cost={"type": "number"})}
+    validated = {"issues": _list_of("Issue"), "metrics": {"type": "object"}, "report": _ref("ViewAnswer")}
     lines = {"type": "array", "items": {"type": ["string", "null"]}}
     return {
         "GenerateAnswer": _answer(**made),
@@ -88,7 +89,7 @@ def _answers() -> Document:
         "PlaceAnswer": _answer(
             **made, relations=_list_of("Held"), unplaced=_list_of("Unplaced"), conflicts=_list_of("Conflict"), alternatives=others
         ),
-        "ValidateAnswer": _answer(issues=_list_of("Issue"), metrics={"type": "object"}),
+        "ValidateAnswer": _record(("issues", "metrics"), validated),
         "ViewAnswer": _answer(text={"type": "string"}, lines=lines),
         "SchemaAnswer": {"type": "object"},
         "HealthAnswer": _answer(status={"const": "ok"}),

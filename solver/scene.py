@@ -337,6 +337,12 @@ def robot_width_of(scene: Scene) -> float:
     return float(width) if isinstance(width, int | float) and 0.1 <= width <= 2.0 else ROBOT_WIDTH
 
 
+def body_ids(scene: Scene) -> list[str]:
+    """Returns the ids of all bodies of a scene: furniture and decorations room by room, then people and pets."""
+    things = [[*(piece.id for piece in room.furniture), *(item.id for item in room.decorations)] for room in scene.rooms]
+    return [*(name for names in things for name in names), *(person.id for person in scene.dynamic)]
+
+
 def check_ids(field_name: str, wanted: Sequence[str], known: Sequence[str]) -> None:
     """Refuses ids that a scene does not have.
 

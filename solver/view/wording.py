@@ -1,0 +1,66 @@
+"""How numbers, names and sizes are written for a person, each on one line."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from solver.scene import EXTERIOR, Opening, Room, Scene
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of text and the id of the body it shows."""
+
+    text: str
+    shows: str | None = None
+
+
+def written(lines: Sequence[Line]) -> tuple[str, tuple[str | None, ...]]:
+    """Returns the text of the lines, and for each of them the id of the body it shows, or None."""
+    return "\n".join(line.text for line in lines) + "\n", tuple(line.shows for line in lines)
+
+
+def number(metres: float) -> str:
+    """Writes metres to the millimetre, without needless zeros."""
+    return f"{metres:.3f}".rstrip("0").rstrip(".")
+
+
+def decimal(metres: float) -> str:
+    """Writes metres with at least one digit after the point."""
+    written = number(metres + 0.0)
+    return written if "." in written else f"{written}.0"
+
+
+def visible(value: Any) -> str:
+    """Writes what a line may hold: everything printable, so that a name is never two lines."""
+    return "".join(letter if letter.isprintable() else f"\\U{ord(letter):08x}" for letter in str(value))
+
+
+def area_of(room: Room) -> float:
+    """Returns the floor's area between the wall lines, m2."""
+    if not room.outline:
+        return room.width * room.depth
+    following = [*room.outline[1:], room.outline[0]]
+    twice = sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in zip(room.outline, following, strict=True))
+    return abs(twice) / 2
+
+
+def target_of(opening: Opening) -> str:
+    """Says where a door or passage leads."""
+    return "outside" if opening.connects_to == EXTERIOR else opening.connects_to or "nowhere given"
+
+
+def room_certificates(scene: Scene) -> dict[str, Mapping[str, Any]]:
+    """Returns what the certificate says of each room, whatever shape that of a foreign scene has."""
+    rooms = (scene.certificate or {}).get("rooms")
+    if not isinstance(rooms, Mapping):
+        return {}
+    return {str(name): entry for name, entry in rooms.items() if isinstance(entry, Mapping)}
+
+
+def proofs(scene: Scene) -> str:
+    """Says in how many rooms the placement is proven optimal; empty where nothing is known."""
+    entries = room_certificates(scene).values()
+    return f"proven optimal in {sum(entry.get('proven') is True for entry in entries)} of {len(entries)} rooms" if entries else ""
