@@ -68,6 +68,8 @@ export interface Decoration extends Body {
 export interface Dynamic extends Body {
   readonly kind: string;
   readonly room: string;
+  /** The id of the seat one sits on. */
+  readonly on?: string | null;
 }
 
 export interface Room {
@@ -100,6 +102,9 @@ export interface Level {
 
 export interface Scene {
   readonly seed: number;
+  /** The style it was furnished in, and the request it answers, where they are known. */
+  readonly style?: string | null;
+  readonly request?: { readonly style?: string | null } | null;
   readonly size: { readonly width: number; readonly depth: number; readonly height: number };
   readonly wall_thickness: number;
   readonly levels: readonly Level[];
@@ -162,6 +167,50 @@ export interface FixAnswer extends GenerateAnswer {
 export interface ViewAnswer {
   readonly text: string;
   readonly lines: readonly (string | null)[];
+}
+
+export type PartForm = "box" | "rounded" | "cylinder" | "cone" | "ball" | "capsule";
+export type PartAxis = "x" | "y" | "z";
+export type Extent = readonly [number, number];
+
+/** A part of a kind in shares of its box: x from the west, y from the underside, z from the back (north) at rotation 0. */
+export interface CatalogPart {
+  readonly form: PartForm;
+  readonly x: Extent;
+  readonly y: Extent;
+  readonly z: Extent;
+  readonly axis?: PartAxis | null;
+  /** The radius at the axis' far end to that at its near end. */
+  readonly taper?: number | null;
+  readonly material: string;
+}
+
+/** What a slot of a shape is made of; without a colour it takes the body's own. */
+export interface CatalogMaterial {
+  readonly color?: string | null;
+  /** Towards white (1) or black (-1). */
+  readonly shade?: number | null;
+  readonly roughness?: number | null;
+  readonly metalness?: number | null;
+  readonly opacity?: number | null;
+  readonly glow?: number | null;
+  readonly texture?: string | null;
+}
+
+export interface CatalogKind {
+  /** What scenes call it; its key, where it has none. */
+  readonly name?: string | null;
+  readonly size: readonly [number, number, number];
+}
+
+type Named<Thing> = Readonly<Record<string, Thing>>;
+
+export interface Catalog {
+  readonly furniture: Named<CatalogKind>;
+  readonly decorations: Named<CatalogKind>;
+  readonly shapes?: Named<readonly CatalogPart[]>;
+  readonly materials?: Named<CatalogMaterial>;
+  readonly styles?: Named<{ readonly materials?: Named<CatalogMaterial> }>;
 }
 
 /** An RFC 9457 problem document, as the service writes it. */

@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { FieldProblem, FixAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ViewAnswer } from "./contract";
+import type { Catalog, FieldProblem, FixAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ViewAnswer } from "./contract";
 
 /** Why a call brought no answer, in words for a person. */
 export class ServiceProblem extends Error {
@@ -41,15 +41,10 @@ async function readProblem(response: Response): Promise<ServiceProblem> {
   return problemFrom(response.status, document);
 }
 
-async function post<Answer>(call: string, body: unknown, signal: AbortSignal): Promise<Answer> {
+async function ask<Answer>(call: string, init: RequestInit): Promise<Answer> {
   let response: Response;
   try {
-    response = await fetch(new URL(call, document.baseURI), {
-      method: "POST",
-      headers: { "Content-Type": "application/json", Accept: "application/json" },
-      body: JSON.stringify(body),
-      signal,
-    });
+    response = await fetch(new URL(call, document.baseURI), init);
   } catch (reason) {
     throw isAbort(reason) ? reason : LOST;
   }
@@ -59,6 +54,16 @@ async function post<Answer>(call: string, body: unknown, signal: AbortSignal): P
   } catch (reason) {
     throw isAbort(reason) ? reason : LOST;
   }
+}
+
+function post<Answer>(call: string, body: unknown, signal: AbortSignal): Promise<Answer> {
+  const headers = { "Content-Type": "application/json", Accept: "application/json" };
+  return ask(call, { method: "POST", headers, body: JSON.stringify(body), signal });
+}
+
+/** What the service knows of every kind: how it is drawn, and of which materials. */
+export function catalog(signal: AbortSignal): Promise<Catalog> {
+  return ask("catalog", { headers: { Accept: "application/json" }, signal });
 }
 
 export function generate(request: HouseRequest, signal: AbortSignal): Promise<GenerateAnswer> {

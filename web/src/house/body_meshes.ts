@@ -54,6 +54,9 @@ function partMatrix(body: Matrix4, part: Part, scale: Vector3): Matrix4 {
   return new Matrix4().compose(new Vector3(...part.at), new Quaternion(), scale).premultiply(body);
 }
 
+/** Where a body is put: its footprint's centre and underside [m], its turn about +y [rad]; what is not said stays. */
+export type BodyPose = Partial<Pick<PlacedBody, "x" | "y" | "z" | "turn">>;
+
 interface Draft {
   readonly body: PlacedBody;
   readonly part: Part;
@@ -94,6 +97,19 @@ export class BodyMeshes {
     this.#owners.forEach((body, instance) => {
       if (body.hung !== undefined) this.mesh.setVisibleAt(instance, body.hung <= height);
     });
+  }
+
+  /** Moves and turns a body without building anything anew; returns it in its new place, undefined where there is no such body. */
+  place(id: string, pose: BodyPose): PlacedBody | undefined {
+    let placed: PlacedBody | undefined;
+    this.#owners.forEach((body, instance) => {
+      if (body.id !== id) return;
+      placed ??= { ...body, ...pose };
+      const step = bodyMatrix(placed).multiply(bodyMatrix(body).invert());
+      this.mesh.setMatrixAt(instance, step.multiply(this.mesh.getMatrixAt(instance, new Matrix4())));
+      this.#owners[instance] = placed;
+    });
+    return placed;
   }
 
   /** The body that an instance of the batch is a part of. */

@@ -1,7 +1,7 @@
 /** A scene as it is drawn: floors, walls, doors, bodies, and what is marked on them. */
 import { Box3, Group, Mesh, MeshStandardMaterial, BoxGeometry, Vector3, type Intersection, type Raycaster } from "three";
 import type { Room, Scene } from "../contract";
-import { BodyMeshes } from "./body_meshes";
+import { BodyMeshes, type BodyPose } from "./body_meshes";
 import { disposeOf } from "./dispose";
 import { leavesOf } from "./door_leaves";
 import { Doors } from "./doors";
@@ -50,13 +50,13 @@ function slab(bounds: Box3): Mesh {
 /** Builds a scene's meshes; `dispose` gives them back. */
 export class House {
   readonly root = new Group();
-  readonly bodies: readonly PlacedBody[];
   readonly doors: Doors;
   readonly bounds: Box3;
   readonly #bodyMeshes: BodyMeshes;
   readonly #walls: Walls;
   readonly #marked = new Map<Mark, { readonly mesh: Mesh; readonly ids: readonly string[] }>();
   readonly #storeys: ReadonlyMap<number, Storey>;
+  #bodies: readonly PlacedBody[];
   #wallMeshes: Group | null = null;
 
   constructor(readonly scene: Scene) {
@@ -69,8 +69,8 @@ export class House {
       rooms: scene.rooms,
     };
     this.bounds = boundsOf(scene, 1);
-    this.bodies = bodiesOf(scene);
-    this.#bodyMeshes = new BodyMeshes(this.bodies);
+    this.#bodies = bodiesOf(scene);
+    this.#bodyMeshes = new BodyMeshes(this.#bodies);
     this.#walls = new Walls(plan);
     this.doors = new Doors(leavesOf(plan));
     this.root.add(slab(this.bounds), floorMeshes(scene.rooms, storeys), this.doors.mesh, this.#bodyMeshes.mesh);
@@ -83,6 +83,19 @@ export class House {
     this.root.add(this.#wallMeshes);
     this.doors.cutAt(height);
     this.#bodyMeshes.cutAt(height);
+  }
+
+  /** Every body, where it is drawn now. */
+  get bodies(): readonly PlacedBody[] {
+    return this.#bodies;
+  }
+
+  /** Moves a body and its marks without building the house anew; the caller casts the shadows. */
+  place(id: string, pose: BodyPose): void {
+    const placed = this.#bodyMeshes.place(id, pose);
+    if (!placed) return;
+    this.#bodies = this.#bodies.map((body) => (body.id === id ? placed : body));
+    for (const [mark, { ids }] of [...this.#marked]) if (ids.includes(id)) this.mark(mark, ids);
   }
 
   /** Frames the bodies with these ids in the colour of a mark, in place of those framed so before. */
