@@ -92,6 +92,8 @@ def _request(request: Mapping[str, Any]) -> str:
 
 
 def _plain(value: Any) -> str:
+    if isinstance(value, float) and value.is_integer():  # the same words whichever way a reader of JSON wrote 20.0
+        return str(int(value))
     return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=str)
 
 

@@ -213,6 +213,12 @@ export interface Catalog {
   readonly styles?: Named<{ readonly materials?: Named<CatalogMaterial> }>;
 }
 
+/** The verdict on a scene; its report is text with, for each line, the body it speaks of. */
+export interface ValidateAnswer {
+  readonly issues: readonly Issue[];
+  readonly report: ViewAnswer;
+}
+
 /** An RFC 9457 problem document, as the service writes it. */
 export interface ProblemDocument {
   readonly type?: string;

@@ -2,6 +2,7 @@
 import { anotherSeed, queryFromRequest, requestFromQuery } from "./address";
 import type { HouseRequest, Scene } from "./contract";
 import { Controls } from "./panel/controls";
+import { Diagnose } from "./panel/diagnose";
 import { Issues } from "./panel/issues";
 import { Notice } from "./panel/notice";
 import { Reading } from "./panel/reading";
@@ -26,6 +27,7 @@ class Page {
   readonly #stage = new Stage(element("stage"));
   #wanted: HouseRequest = requestFromQuery(location.search);
   readonly #home = new Home();
+  readonly #diagnose = new Diagnose(this.#home);
   #pending = new AbortController();
   #written = new AbortController();
   #reads: Promise<void> = Promise.resolve();
@@ -33,7 +35,11 @@ class Page {
   constructor() {
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
     this.#reading.onChoose = (id) => this.#home.select(id);
-    this.#issues.onChoose = (id) => this.#home.select(id);
+    this.#reading.onFlag = (id) => this.#home.toggleFlag(id);
+    this.#issues.onChoose = (id) => this.#goTo(id);
+    this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
+    this.#diagnose.onChoose = (id) => this.#goTo(id);
+    this.#home.on("flagged", (ids) => this.#reading.flag(ids));
     this.#stage.onSelect = (id) => this.#home.select(id);
     this.#home.on("shown", (how) => this.#show(how));
     this.#home.on("selected", (id) => this.#select(id));
@@ -65,6 +71,8 @@ class Page {
     if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
     const acts: Readonly<Record<string, () => void>> = {
       r: () => this.#random(),
+      d: () => this.#diagnose.open(),
+      f: () => this.#reading.flagSelected(),
       2: () => this.#stage.look("top"),
       3: () => this.#stage.look("corner"),
       Escape: () => this.#home.select(null),
@@ -128,6 +136,12 @@ class Page {
   #busy(busy: boolean): void {
     element("progress").hidden = !busy;
     element("stage").setAttribute("aria-busy", String(busy));
+  }
+
+  /** Selects a body and brings it into the middle. */
+  #goTo(id: string): void {
+    this.#home.select(id);
+    this.#stage.centre(id);
   }
 
   #select(id: string | null): void {

@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { Catalog, FieldProblem, FixAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ViewAnswer } from "./contract";
+import type { Catalog, FieldProblem, FixAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 
 /** Why a call brought no answer, in words for a person. */
 export class ServiceProblem extends Error {
@@ -76,6 +76,11 @@ export function fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer
 
 export function view(scene: Scene, signal: AbortSignal): Promise<ViewAnswer> {
   return post("view", { scene }, signal);
+}
+
+/** The service's verdict on a scene, with its report, in which these bodies are marked as flagged. */
+export function report(scene: Scene, flagged: readonly string[], signal: AbortSignal): Promise<ValidateAnswer> {
+  return post("validate", { scene, flagged }, signal);
 }
 
 export { isAbort };

@@ -50,6 +50,12 @@ export class Stage {
     this.#viewport.look(preset);
   }
 
+  /** Brings a body into the middle of the canvas. */
+  centre(id: string): void {
+    const body = this.#house?.bodies.find((one) => one.id === id);
+    if (body) this.#viewport.centre([body.x, body.y, body.z]);
+  }
+
   select(id: string | null): void {
     this.#selected = id;
     this.#house?.mark("selected", id === null ? [] : [id]);

@@ -1,14 +1,44 @@
-/** The service's issues in its own words; choosing one selects the body it names. */
+/** The service's issues in its own words, by rule; choosing one shows the body it names, or else its room. */
 import type { Issue } from "../contract";
 
+/** Issues of one rule, in the service's order. */
+export interface IssueGroup {
+  readonly rule: string;
+  readonly issues: readonly Issue[];
+}
+
+/** Groups issues by rule, errors before warnings, else in the service's order. */
+export function groupsOf(issues: readonly Issue[]): IssueGroup[] {
+  const groups = new Map<string, Issue[]>();
+  for (const issue of issues) groups.set(issue.rule, [...(groups.get(issue.rule) ?? []), issue]);
+  const isError = (group: IssueGroup): boolean => group.issues.some(({ severity }) => severity === "error");
+  return [...groups].map(([rule, members]) => ({ rule, issues: members })).sort((a, b) => Number(isError(b)) - Number(isError(a)));
+}
+
 export class Issues {
+  /** Called with a body's id. */
   onChoose: (id: string) => void = () => undefined;
+  /** Called with a room's id, where no body is named. */
+  onChooseRoom: (id: string) => void = () => undefined;
 
   constructor(readonly section: HTMLElement, readonly list: HTMLElement) {}
 
   show(issues: readonly Issue[]): void {
     this.section.hidden = issues.length === 0;
-    this.list.replaceChildren(...issues.map((issue) => this.#item(issue)));
+    this.list.replaceChildren(...groupsOf(issues).map((group) => this.#group(group)));
+  }
+
+  #group({ rule, issues }: IssueGroup): HTMLElement {
+    const item = document.createElement("li");
+    const title = document.createElement("p");
+    title.className = "issue-rule";
+    const count = document.createElement("span");
+    count.textContent = String(issues.length);
+    title.append(rule.replaceAll("_", " "), " ", count);
+    const list = document.createElement("ul");
+    list.append(...issues.map((issue) => this.#item(issue)));
+    item.append(title, list);
+    return item;
   }
 
   #item(issue: Issue): HTMLElement {
@@ -16,12 +46,14 @@ export class Issues {
     const button = document.createElement("button");
     button.type = "button";
     button.className = `issue issue-${issue.severity === "error" ? "error" : "warning"}`;
-    const rule = document.createElement("strong");
-    rule.textContent = issue.rule.replaceAll("_", " ");
-    button.append(rule, ` ${issue.message}`);
-    const [first] = issue.ids;
-    if (first !== undefined) button.addEventListener("click", () => this.onChoose(first));
+    button.textContent = issue.message;
+    button.addEventListener("click", () => this.#choose(issue));
     item.append(button);
     return item;
+  }
+
+  #choose({ ids: [first], room }: Issue): void {
+    if (first !== undefined) this.onChoose(first);
+    else if (room) this.onChooseRoom(room);
   }
 }

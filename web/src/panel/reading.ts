@@ -1,67 +1,100 @@
-/** The readable YAML: a line that speaks of a body is a button, reached with the arrow keys. */
+/** The readable YAML: lines that select their body, a search among them, and a flag for the selected one. */
 import type { ViewAnswer } from "../contract";
 import { writeHighlighted } from "./highlight";
+import { LineList } from "./line_list";
+
+function within<T extends HTMLElement>(id: string): T {
+  return document.getElementById(id) as T;
+}
 
 export class Reading {
   /** Called with the id of the body whose line was chosen. */
   onChoose: (id: string) => void = () => undefined;
-  #buttons: HTMLButtonElement[] = [];
+  /** Called with the id of the body to flag, or not any longer. */
+  onFlag: (id: string) => void = () => undefined;
+  readonly #list: LineList;
+  readonly #flag = within<HTMLButtonElement>("flag");
+  readonly #find = within<HTMLInputElement>("find");
+  #selected: string | null = null;
+  #flagged: ReadonlySet<string> = new Set();
+  #found: HTMLButtonElement[] = [];
 
   constructor(readonly host: HTMLElement) {
-    host.addEventListener("click", (event) => this.#choose(event.target));
-    host.addEventListener("keydown", (event) => this.#step(event));
+    this.#list = new LineList(host, writeHighlighted);
+    this.#list.onChoose = (id) => this.onChoose(id);
+    this.#flag.addEventListener("click", () => this.flagSelected());
+    this.#find.addEventListener("input", () => this.#search());
+    this.#find.addEventListener("keydown", (event) => this.#findKey(event));
+    within("reading_toggle").addEventListener("click", () => this.#fold());
   }
 
   show(answer: ViewAnswer): void {
-    const lines = answer.text.replace(/\n$/, "").split("\n").map((text, i) => this.#line(text, answer.lines[i] ?? null));
-    this.host.replaceChildren(...lines);
-    this.host.scrollTop = 0;
-    this.#buttons = [...this.host.querySelectorAll("button")];
-    this.#makeReachable(this.#buttons[0]);
+    const texts = answer.text.replace(/\n$/, "").split("\n");
+    this.#list.show(texts.map((text, i) => ({ text, id: answer.lines[i] ?? null, className: "yaml-line" })));
+    this.flag(this.#flagged);
+    this.select(this.#selected);
+    if (this.#find.value !== "") this.#search();
   }
 
   /** Marks the lines of the selected body and brings the first into view. */
   select(id: string | null): void {
-    const chosen = this.#buttons.filter((button) => button.dataset.id === id);
-    for (const button of this.#buttons) button.setAttribute("aria-pressed", String(chosen.includes(button)));
-    const [first] = chosen;
+    this.#selected = id;
+    for (const button of this.#list.buttons) {
+      const pressed = String(button.dataset.id === id);
+      if (button.getAttribute("aria-pressed") !== pressed) button.setAttribute("aria-pressed", pressed);
+    }
+    this.#sayFlag();
+    const [first] = id === null ? [] : this.#list.linesOf(id);
     if (!first) return;
     first.scrollIntoView({ block: "nearest" });
-    this.#makeReachable(first);
+    this.#list.reach(first);
   }
 
-  #line(text: string, id: string | null): HTMLElement {
-    const line = document.createElement(id === null ? "div" : "button");
-    line.className = "yaml-line";
-    if (line instanceof HTMLButtonElement && id !== null) {
-      line.type = "button";
-      line.dataset.id = id;
-      line.tabIndex = -1;
-      line.setAttribute("aria-pressed", "false");
+  /** Marks the lines of the flagged bodies PROBLEMATIC. */
+  flag(ids: ReadonlySet<string>): void {
+    this.#flagged = ids;
+    for (const button of this.#list.buttons) button.toggleAttribute("data-flagged", ids.has(button.dataset.id ?? ""));
+    this.#sayFlag();
+  }
+
+  /** Flags the selected body, or takes its flag away. */
+  flagSelected(): void {
+    if (this.#selected !== null) this.onFlag(this.#selected);
+  }
+
+  #sayFlag(): void {
+    this.#flag.disabled = this.#selected === null;
+    this.#flag.setAttribute("aria-pressed", String(this.#selected !== null && this.#flagged.has(this.#selected)));
+  }
+
+  #search(): void {
+    const wanted = this.#find.value.trim().toLowerCase().replaceAll(" ", "_");
+    for (const button of this.#found) button.classList.remove("found");
+    const holds = (button: HTMLButtonElement): boolean => `${button.dataset.id} ${button.textContent}`.toLowerCase().includes(wanted);
+    this.#found = wanted === "" ? [] : this.#list.buttons.filter(holds);
+    for (const button of this.#found) button.classList.add("found");
+    this.#found[0]?.scrollIntoView({ block: "nearest" });
+    within("find_words").textContent = wanted === "" ? "" : `${this.#found.length} found`;
+  }
+
+  /** Enter goes from one piece found to the next; keys typed here are no shortcuts. */
+  #findKey(event: KeyboardEvent): void {
+    event.stopPropagation();
+    if (event.key === "Escape") {
+      this.#find.value = "";
+      this.#search();
     }
-    writeHighlighted(text, line);
-    if (text === "") line.append("\u00a0");
-    return line;
+    if (event.key !== "Enter" || this.#found.length === 0) return;
+    const at = this.#found.findIndex((button) => button.dataset.id === this.#selected);
+    const next = this.#found[(at + (event.shiftKey ? this.#found.length - 1 : 1)) % this.#found.length];
+    if (next?.dataset.id !== undefined) this.onChoose(next.dataset.id);
   }
 
-  #choose(target: EventTarget | null): void {
-    const id = target instanceof Element ? target.closest<HTMLElement>("button[data-id]")?.dataset.id : undefined;
-    if (id !== undefined) this.onChoose(id);
-  }
-
-  /** One stop for the Tab key; the arrows go from line to line. */
-  #step(event: KeyboardEvent): void {
-    const steps: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 };
-    const step = steps[event.key];
-    const at = this.#buttons.indexOf(document.activeElement as HTMLButtonElement);
-    if (step === undefined || at < 0) return;
-    event.preventDefault();
-    const goal = this.#buttons[Math.max(0, Math.min(this.#buttons.length - 1, at + step))];
-    this.#makeReachable(goal);
-    goal?.focus();
-  }
-
-  #makeReachable(chosen: HTMLButtonElement | undefined): void {
-    for (const button of this.#buttons) button.tabIndex = button === chosen ? 0 : -1;
+  /** On a narrow screen the text can be folded away. */
+  #fold(): void {
+    const toggle = within("reading_toggle");
+    const open = toggle.getAttribute("aria-expanded") !== "true";
+    toggle.setAttribute("aria-expanded", String(open));
+    within("reading").classList.toggle("folded", !open);
   }
 }

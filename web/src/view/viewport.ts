@@ -4,7 +4,7 @@ import {
   Vector2, Vector3, WebGLRenderer, type Object3D,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { blend, frame, PRESETS, type Framing, type PresetName } from "./cameras";
+import { blend, frame, plus, PRESETS, type Framing, type PresetName, type Vector } from "./cameras";
 
 /** Moves something by the seconds since the last frame; false when it has arrived. */
 export type Motion = (seconds: number) => boolean;
@@ -33,6 +33,8 @@ export class Viewport {
   readonly #afterFrame: (() => void)[] = [];
   #bounds = new Box3(new Vector3(0, 0, 0), new Vector3(20, 1, 15));
   #preset: PresetName | null = "corner";
+  /** Where the last flight leads. */
+  #goal: Framing | null = null;
   /** Frames drawn since the page was opened: an idle page draws none. */
   #frames = 0;
   #asked = false;
@@ -74,7 +76,7 @@ export class Viewport {
     controls.maxPolarAngle = Math.PI * 0.49;
     controls.zoomToCursor = true;
     controls.addEventListener("change", () => this.invalidate());
-    controls.addEventListener("start", () => { this.#preset = null; });
+    controls.addEventListener("start", () => { [this.#preset, this.#goal] = [null, null]; });
     return controls;
   }
 
@@ -103,18 +105,36 @@ export class Viewport {
 
   /** Looks at the house in one of the presets, flying there unless told to jump. */
   look(preset: PresetName, jump = false): void {
-    const from: Framing = { eye: this.camera.position.toArray(), target: this.#controls.target.toArray(), fov: this.camera.fov };
     const goal = frame({ min: this.#bounds.min.toArray(), max: this.#bounds.max.toArray() }, PRESETS[preset], this.camera.aspect);
     this.#preset = preset;
+    this.#fly(goal, jump);
+  }
+
+  /** Flies sideways until a point is in the middle, looking the same way from as far. */
+  centre(at: Vector): void {
+    const { eye, target, fov } = this.#framing;
+    this.#preset = null;
+    this.#fly({ eye: plus(eye, plus(at, target, -1)), target: at, fov });
+  }
+
+  get #framing(): Framing {
+    return { eye: this.camera.position.toArray(), target: this.#controls.target.toArray(), fov: this.camera.fov };
+  }
+
+  /** Flies to a framing, unless another flight or the person's hand takes over. */
+  #fly(goal: Framing, jump = false): void {
+    const from = this.#framing;
+    this.#goal = goal;
     if (jump || calm()) {
       this.#aim(goal);
       return;
     }
     let flown = 0;
     this.move((seconds) => {
+      if (this.#goal !== goal) return false;
       flown = Math.min(1, flown + seconds / FLIGHT_SECONDS);
-      if (this.#preset === preset) this.#aim(blend(from, goal, flown * flown * (3 - 2 * flown)));
-      return flown < 1 && this.#preset === preset;
+      this.#aim(blend(from, goal, flown * flown * (3 - 2 * flown)));
+      return flown < 1;
     });
   }
 

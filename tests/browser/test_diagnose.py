@@ -1,0 +1,237 @@
+"""The diagnosis: the service's report in a dialog, copied, fixed, with what a person flagged."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator, Response, Route, expect
+
+from tests.browser.visit import SMALL, Document, Visit, furniture_of
+
+QUERY = SMALL.format(4)
+
+
+def ask(visit: Visit, call: str, body: Document) -> Any:
+    """What the service answers to the test's own question."""
+    return visit.page.request.post(visit.address + call, data=body).json()
+
+
+def spoiled(visit: Visit) -> Document:
+    """Opens a house in which one piece was pushed into another, as the service judges it; returns the answer shown."""
+    shown: Document = {}
+
+    def push(route: Route) -> None:
+        answer = route.fetch().json()
+        room = next(room for room in answer["scene"]["rooms"] if sum(not piece["on"] for piece in room["furniture"]) > 1)
+        still, moved, *_ = [piece for piece in room["furniture"] if not piece["on"]]
+        moved["x"], moved["z"] = still["x"] + 0.05, still["z"]
+        answer["issues"] = ask(visit, "validate", {"scene": answer["scene"]})["issues"]
+        shown.update(answer)
+        route.fulfill(json=answer)
+
+    visit.page.route("**/generate", push)
+    visit.open(QUERY)
+    visit.page.unroute("**/generate")
+    return shown
+
+
+def lines(visit: Visit) -> Locator:
+    return visit.page.locator("#report .report-line")
+
+
+def opened(visit: Visit) -> Locator:
+    """Presses the key and waits for the report."""
+    visit.page.keyboard.press("d")
+    expect(lines(visit).first).to_contain_text("Diagnosis")
+    return visit.page.get_by_role("dialog", name="Diagnosis")
+
+
+def text_of(visit: Visit) -> str:
+    return "\n".join(lines(visit).all_text_contents()) + "\n"
+
+
+def errors(issues: list[Document]) -> list[Document]:
+    return [issue for issue in issues if issue["severity"] == "error"]
+
+
+def poses(scene: Document) -> dict[str, tuple[float, ...]]:
+    return {body["id"]: (body["x"], body["z"], body["rotation"]) for room in scene["rooms"] for body in room["furniture"]}
+
+
+def test_the_report_is_the_services_word_for_word(visit: Visit) -> None:
+    scene = visit.open(QUERY)["scene"]
+    visit.page.get_by_role("button", name="Diagnose").click()
+    expect(visit.page.get_by_role("dialog", name="Diagnosis")).to_be_visible()
+    expect(lines(visit).first).to_contain_text("Diagnosis")
+    assert text_of(visit) == ask(visit, "validate", {"scene": scene, "report": True})["report"]["text"]
+    expect(visit.page.locator(".report-wrong")).to_have_count(0)
+    expect(visit.page.locator("#diagnose_fix")).to_be_disabled()
+
+
+def test_escape_closes_and_gives_the_focus_back(visit: Visit) -> None:
+    visit.open(QUERY)
+    button = visit.page.get_by_role("button", name="Diagnose")
+    button.focus()
+    visit.page.keyboard.press("Enter")
+    dialog = visit.page.get_by_role("dialog", name="Diagnosis")
+    expect(dialog).to_be_visible()
+    for _ in range(8):
+        visit.page.keyboard.press("Tab")
+        assert visit.page.evaluate("document.activeElement === document.body || diagnose_dialog.contains(document.activeElement)")
+    visit.page.keyboard.press("Escape")
+    expect(dialog).to_be_hidden()
+    expect(button).to_be_focused()
+
+
+def test_what_is_wrong_stands_out_and_leads_to_the_piece(visit: Visit) -> None:
+    answer = spoiled(visit)
+    opened(visit)
+    told = ask(visit, "validate", {"scene": answer["scene"], "report": True})["report"]
+    marked = [line for line in told["text"].splitlines() if line.startswith(">>")]
+    assert len(marked) > 3
+    assert visit.page.locator(".report-wrong").all_text_contents() == marked
+    red = visit.page.locator(".report-wrong").first.evaluate("line => getComputedStyle(line).backgroundColor")
+    plain = visit.page.locator(".report-plain").first.evaluate("line => getComputedStyle(line).backgroundColor")
+    assert red != plain
+    wronged = next(issue for issue in answer["issues"] if issue["rule"] == "overlap")["ids"][0]
+    visit.page.locator(f'.report-wrong[data-id="{wronged}"]').first.click()
+    expect(visit.page.get_by_role("dialog", name="Diagnosis")).to_be_hidden()
+    visit.settle()
+    assert visit.state()["selected"] == wronged
+
+
+def test_fix_shows_what_the_service_made_of_it_and_undo_is_one_step(visit: Visit) -> None:
+    answer = spoiled(visit)
+    assert errors(answer["issues"])
+    assert visit.count("issues") == len(answer["issues"])
+    opened(visit)
+    with visit.page.expect_response(lambda response: response.url.endswith("/fix")) as caught:
+        visit.page.get_by_role("button", name="Fix", exact=True).click()
+    fixed = caught.value.json()
+    assert caught.value.request.post_data_json["scene"] == answer["scene"]
+    assert errors(fixed["issues"]) == []
+    expect(visit.page.locator("#diagnose_said")).to_contain_text(f"{len(fixed['moves'])} bod")
+    expect(visit.page.locator("#diagnose_said")).to_contain_text("no error is left")
+    expect(visit.page.locator(".report-wrong")).to_have_count(0)
+    told = ask(visit, "validate", {"scene": fixed["scene"], "report": True})["report"]["text"]
+    assert text_of(visit) == told
+    assert visit.count("issues") == len(fixed["issues"])
+    assert poses(fixed["scene"]) != poses(answer["scene"])
+
+
+def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
+    answer = spoiled(visit)
+    removed = {"id": furniture_of(answer)[0], "reason": "there is no floor for it"}
+
+    def refuse(route: Route) -> None:
+        kept = {
+            **answer,
+            "moves": [],
+            "removed": [],
+            "conflicts": [{"ids": [removed["id"]], "message": "0.2 m are missing", "repairs": []}],
+        }
+        gone = {**kept, "removed": [removed], "issues": [], "conflicts": []}
+        route.fulfill(json=kept if route.request.post_data_json["on_conflict"] == "report" else gone)
+
+    visit.page.route("**/fix", refuse)
+    opened(visit)
+    leaving = visit.page.get_by_role("button", name="Fix, leaving out what cannot stand")
+    expect(leaving).to_be_hidden()
+    visit.page.get_by_role("button", name="Fix", exact=True).click()
+    said = visit.page.locator("#diagnose_said")
+    expect(said).to_contain_text("0.2 m are missing")
+    leaving.click()
+    expect(said).to_contain_text(f"Left out {removed['id']}: there is no floor for it")
+    expect(leaving).to_be_hidden()
+
+
+@pytest.mark.parametrize("allowed", [True, False])
+def test_copy_gives_the_whole_report(visit: Visit, allowed: bool) -> None:
+    visit.open(QUERY)
+    visit.page.evaluate(
+        "allowed => { globalThis.copied = null; navigator.clipboard.writeText = async text => "
+        "{ if (!allowed) throw new Error('no'); globalThis.copied = text } }",
+        allowed,
+    )
+    opened(visit)
+    visit.page.get_by_role("button", name="Copy", exact=True).click()
+    said = visit.page.locator("#diagnose_said")
+    if allowed:
+        expect(said).to_have_text("Copied.")
+        assert visit.page.evaluate("copied") == text_of(visit)
+    else:
+        expect(said).to_contain_text("Ctrl+C")
+        assert "Summary: " in visit.page.evaluate("getSelection().toString()")
+
+
+def test_a_flagged_piece_is_problematic_in_text_and_report(visit: Visit) -> None:
+    scene = visit.open(QUERY)["scene"]
+    one, other = [piece["id"] for room in scene["rooms"] for piece in room["furniture"]][:2]
+    flag = visit.page.get_by_role("button", name="Flag")
+    expect(flag).to_be_disabled()
+    visit.line_of(one).click()
+    flag.click()
+    expect(flag).to_have_attribute("aria-pressed", "true")
+    visit.line_of(other).click()
+    expect(flag).to_have_attribute("aria-pressed", "false")
+    visit.page.keyboard.press("f")
+    words = visit.line_of(other).evaluate("line => getComputedStyle(line, '::after').content")
+    assert "PROBLEMATIC" in words
+    visit.page.keyboard.press("f")
+    expect(flag).to_have_attribute("aria-pressed", "false")
+    opened(visit)
+    assert text_of(visit) == ask(visit, "validate", {"scene": scene, "flagged": [one]})["report"]["text"]
+    expect(visit.page.locator(f'.report-flagged[data-id="{one}"]').first).to_contain_text("PROBLEMATIC")
+
+
+def test_a_service_that_is_lost_is_said_in_the_dialog(visit: Visit) -> None:
+    visit.open(QUERY)
+    visit.page.route("**/validate", lambda route: route.abort())
+    visit.page.keyboard.press("d")
+    expect(visit.page.locator("#diagnose_said")).to_contain_text("does not answer")
+
+
+def test_keys_in_the_dialog_do_nothing_behind_it(visit: Visit) -> None:
+    visit.open(QUERY)
+    opened(visit)
+    asked: list[Response] = []
+    visit.page.on("response", lambda response: asked.append(response) if response.url.endswith("/generate") else None)
+    visit.page.keyboard.press("r")
+    visit.page.wait_for_timeout(300)
+    assert asked == []
+
+
+def test_the_search_finds_pieces_and_goes_from_one_to_the_next(visit: Visit) -> None:
+    scene = visit.open(QUERY)["scene"]
+    name = scene["rooms"][0]["furniture"][0]["name"]
+    asked = len(visit.requests)
+    visit.page.get_by_role("searchbox", name="Find a piece").fill(name.replace("_", " "))
+    found = visit.page.locator(".yaml-line.found")
+    ids = found.evaluate_all("lines => lines.map(line => line.dataset.id)")
+    assert ids
+    assert all(name in line for line in found.all_text_contents())
+    expect(visit.page.locator("#find_words")).to_have_text(f"{len(ids)} found")
+    for wanted in (ids[0], ids[1 % len(ids)]):
+        visit.page.keyboard.press("Enter")
+        assert visit.state()["selected"] == wanted
+    visit.page.keyboard.press("r")
+    assert len(visit.requests) == asked
+    visit.page.keyboard.press("Escape")
+    expect(found).to_have_count(0)
+
+
+def test_issues_are_grouped_and_lead_to_their_piece(visit: Visit) -> None:
+    answer = spoiled(visit)
+    rules = list(dict.fromkeys(issue["rule"] for issue in answer["issues"]))
+    titles = visit.page.locator(".issue-rule").all_text_contents()
+    counts = [f"{rule.replace('_', ' ')} {sum(issue['rule'] == rule for issue in answer['issues'])}" for rule in rules]
+    assert sorted(titles) == sorted(counts)
+    first = errors(answer["issues"])[0]
+    visit.page.locator("#issue_list").get_by_role("button", name=first["message"]).first.click()
+    visit.settle()
+    assert visit.state()["selected"] == first["ids"][0]
+    at = visit.page.evaluate("id => compose.whereIs(id)", first["ids"][0])
+    stage = visit.page.locator("#stage").bounding_box()
+    if at and stage:
+        assert abs(at["x"] - stage["x"] - stage["width"] / 2) < 12

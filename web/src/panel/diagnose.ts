@@ -1,0 +1,120 @@
+/** The diagnosis: the service's report of the shown home, what to copy, what to repair. */
+import type { FixRequest } from "../contract";
+import { fix, isAbort, report, ServiceProblem } from "../service";
+import type { Home } from "../state/home";
+import { fixWords } from "./fix_words";
+import { LineList } from "./line_list";
+import { reportLines } from "./report_lines";
+
+function within<T extends HTMLElement>(id: string): T {
+  return document.getElementById(id) as T;
+}
+
+export class Diagnose {
+  /** Called with the id of the body whose line was chosen; the dialog has made way. */
+  onChoose: (id: string) => void = () => undefined;
+  readonly #dialog = within<HTMLDialogElement>("diagnose_dialog");
+  readonly #said = within("diagnose_said");
+  readonly #fix = within<HTMLButtonElement>("diagnose_fix");
+  readonly #remove = within<HTMLButtonElement>("diagnose_remove");
+  readonly #list: LineList;
+  #text = "";
+  #asked = new AbortController();
+  #repair = new AbortController();
+
+  constructor(readonly home: Home) {
+    this.#list = new LineList(within("report"), (text, into) => { into.textContent = text; });
+    this.#list.onChoose = (id) => this.#choose(id);
+    within("diagnose").addEventListener("click", () => this.open());
+    within("diagnose_copy").addEventListener("click", () => void this.#copy());
+    within("diagnose_close").addEventListener("click", () => this.#dialog.close());
+    this.#fix.addEventListener("click", () => void this.#mend("report"));
+    this.#remove.addEventListener("click", () => void this.#mend("remove"));
+    this.#dialog.addEventListener("close", () => this.#withdraw());
+    // Keys pressed in the dialog are no shortcuts of the page behind it.
+    this.#dialog.addEventListener("keydown", (event) => event.stopPropagation());
+    home.on("shown", (how) => { if (how !== "live") void this.#diagnose(); });
+    home.on("flagged", () => void this.#diagnose());
+  }
+
+  open(): void {
+    if (this.#dialog.open || !this.home.scene) return;
+    this.#say([]);
+    this.#remove.hidden = true;
+    this.#dialog.showModal();
+    void this.#diagnose();
+  }
+
+  /** Asks for the report of what is shown, if anybody is looking. */
+  async #diagnose(): Promise<void> {
+    const scene = this.home.scene;
+    if (!this.#dialog.open || !scene) return;
+    this.#asked.abort();
+    const { signal } = (this.#asked = new AbortController());
+    try {
+      const { report: told, issues } = await report(scene, [...this.home.flagged], signal);
+      this.#text = told.text;
+      this.#list.show(reportLines(told).map(({ text, kind, id }) => ({ text, id, className: `report-line report-${kind}` })));
+      this.#fix.disabled = !issues.some(({ severity }) => severity === "error");
+      this.#dialog.setAttribute("aria-busy", "false");
+    } catch (reason) {
+      this.#explain(reason);
+    }
+  }
+
+  /** Repairs what is shown, as one step that can be undone. */
+  async #mend(onConflict: NonNullable<FixRequest["on_conflict"]>): Promise<void> {
+    const scene = this.home.scene;
+    if (!scene) return;
+    this.#repair.abort();
+    const { signal } = (this.#repair = new AbortController());
+    this.#say(["Fixing…"]);
+    this.#fix.disabled = true;
+    try {
+      const answer = await fix({ scene, on_conflict: onConflict }, signal);
+      if (this.home.scene !== scene) return;
+      const { issues, conflicts, timing_ms: timing } = answer;
+      if (answer.moves.length + answer.removed.length > 0) this.home.show({ scene: answer.scene, issues, conflicts, timing }, "step");
+      else void this.#diagnose();
+      this.#say(fixWords(answer));
+      this.#remove.hidden = onConflict === "remove" || !issues.some(({ severity }) => severity === "error");
+    } catch (reason) {
+      this.#explain(reason);
+      this.#fix.disabled = false;
+    }
+  }
+
+  #choose(id: string): void {
+    this.#dialog.close();
+    this.onChoose(id);
+  }
+
+  #withdraw(): void {
+    this.#asked.abort();
+    this.#repair.abort();
+  }
+
+  #explain(reason: unknown): void {
+    if (isAbort(reason)) return;
+    this.#say(reason instanceof ServiceProblem ? [reason.title, reason.detail] : [String(reason)]);
+  }
+
+  #say(words: readonly string[]): void {
+    this.#said.replaceChildren(...words.map((text) => {
+      const line = document.createElement("p");
+      line.textContent = text;
+      return line;
+    }));
+  }
+
+  /** Copies the report; where the browser refuses, selects it for the person's own keys. */
+  async #copy(): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(this.#text);
+      this.#say(["Copied."]);
+    } catch {
+      window.getSelection()?.selectAllChildren(this.#list.host);
+      this.#say(["The browser does not let the page copy. The report is selected: press Ctrl+C."]);
+    }
+  }
+}

@@ -1,0 +1,93 @@
+/** Lines of text of which some speak of a body: those are buttons, one stop for the Tab key, with arrows between them. */
+
+export interface Line {
+  readonly text: string;
+  readonly id: string | null;
+  readonly className: string;
+}
+
+const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10 };
+
+const same = (a: Line, b: Line): boolean => a.text === b.text && a.id === b.id && a.className === b.className;
+
+/** How many lines at the start and at the end two texts share. */
+export function sharedEnds(before: readonly Line[], after: readonly Line[]): { start: number; end: number } {
+  const least = Math.min(before.length, after.length);
+  let start = 0;
+  while (start < least && same(before[start] as Line, after[start] as Line)) start += 1;
+  let end = 0;
+  while (end < least - start && same(before[before.length - 1 - end] as Line, after[after.length - 1 - end] as Line)) end += 1;
+  return { start, end };
+}
+
+export class LineList {
+  /** Called with the id of the body whose line was chosen. */
+  onChoose: (id: string) => void = () => undefined;
+  #lines: readonly Line[] = [];
+  #elements: HTMLElement[] = [];
+  #buttons: HTMLButtonElement[] = [];
+  #reachable: HTMLButtonElement | undefined;
+
+  constructor(readonly host: HTMLElement, readonly write: (text: string, into: HTMLElement) => void) {
+    host.addEventListener("click", (event) => this.#choose(event.target));
+    host.addEventListener("keydown", (event) => this.#step(event));
+  }
+
+  /** The lines that are buttons, in order. */
+  get buttons(): readonly HTMLButtonElement[] {
+    return this.#buttons;
+  }
+
+  /** Shows lines; only the stretch that differs from what is shown is built anew. */
+  show(lines: readonly Line[]): void {
+    const { start, end } = sharedEnds(this.#lines, lines);
+    const made = lines.slice(start, lines.length - end).map((line) => this.#element(line));
+    const fragment = document.createDocumentFragment();
+    fragment.append(...made);
+    const gone = this.#elements.splice(start, this.#elements.length - start - end, ...made);
+    for (const element of gone) element.remove();
+    this.host.insertBefore(fragment, this.#elements[start + made.length] ?? null);
+    this.#lines = lines;
+    this.#buttons = this.#elements.filter((element) => element instanceof HTMLButtonElement);
+    if (!this.#reachable?.isConnected) this.reach(this.#buttons[0]);
+  }
+
+  linesOf(id: string): HTMLButtonElement[] {
+    return this.#buttons.filter((button) => button.dataset.id === id);
+  }
+
+  /** Makes one button the Tab key's stop. */
+  reach(chosen: HTMLButtonElement | undefined): void {
+    if (this.#reachable) this.#reachable.tabIndex = -1;
+    if (chosen) chosen.tabIndex = 0;
+    this.#reachable = chosen;
+  }
+
+  #element({ text, id, className }: Line): HTMLElement {
+    const line = document.createElement(id === null ? "div" : "button");
+    line.className = className;
+    if (line instanceof HTMLButtonElement && id !== null) {
+      line.type = "button";
+      line.dataset.id = id;
+      line.tabIndex = -1;
+    }
+    this.write(text, line);
+    return line;
+  }
+
+  #choose(target: EventTarget | null): void {
+    const id = target instanceof Element ? target.closest<HTMLElement>("button[data-id]")?.dataset.id : undefined;
+    if (id !== undefined) this.onChoose(id);
+  }
+
+  #step(event: KeyboardEvent): void {
+    const step = STEPS[event.key];
+    const at = this.#buttons.indexOf(document.activeElement as HTMLButtonElement);
+    if (step === undefined || at < 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const goal = this.#buttons[Math.max(0, Math.min(this.#buttons.length - 1, at + step))];
+    this.reach(goal);
+    goal?.focus();
+  }
+}

@@ -1,0 +1,60 @@
+import { expect, test } from "vitest";
+import { fixWords } from "../src/panel/fix_words";
+import { groupsOf } from "../src/panel/issues";
+import { sharedEnds, type Line } from "../src/panel/line_list";
+import { kindOf, reportLines } from "../src/panel/report_lines";
+
+const line = (text: string, id: string | null = null): Line => ({ text, id, className: "line" });
+const issue = (rule: string, severity: "error" | "warning" = "error") => ({ rule, severity, ids: [], message: rule });
+const nothing = { scene: {} as never, timing_ms: 0, moves: [], removed: [], conflicts: [], issues: [] };
+
+test("a line is what its first characters say", () => {
+  expect(kindOf("# Diagnosis")).toBe("head");
+  expect(kindOf(">>     OVERLAP by 0.1 m: a and b")).toBe("wrong");
+  expect(kindOf("!!     sofa (a)   [PROBLEMATIC]")).toBe("flagged");
+  expect(kindOf("       sofa (a)")).toBe("plain");
+  expect(kindOf("")).toBe("plain");
+});
+
+test("a mark within a name is a name", () => {
+  expect(kindOf("       >> trap (!!): at [0, 0]")).toBe("plain");
+  expect(kindOf("   # 3")).toBe("plain");
+});
+
+test("joined, the lines are the report again, each with its body", () => {
+  const told = { text: "# a\n\n>> b\n!! c\n", lines: [null, null, "b", "c"] };
+  const lines = reportLines(told);
+  expect(`${lines.map(({ text }) => text).join("\n")}\n`).toBe(told.text);
+  expect(lines.map(({ id }) => id)).toEqual(told.lines);
+});
+
+test("only what differs is built anew", () => {
+  const before = ["a", "b", "c", "d"].map((text) => line(text));
+  expect(sharedEnds(before, before)).toEqual({ start: 4, end: 0 });
+  expect(sharedEnds(before, ["a", "x", "d"].map((text) => line(text)))).toEqual({ start: 1, end: 1 });
+  expect(sharedEnds(before, [])).toEqual({ start: 0, end: 0 });
+  expect(sharedEnds([line("a")], [line("a", "other")])).toEqual({ start: 0, end: 0 });
+  expect(sharedEnds(["a", "a"].map((text) => line(text)), ["a", "a", "a"].map((text) => line(text)))).toEqual({ start: 2, end: 0 });
+});
+
+test("a repair is told with what moved, what went and what is left", () => {
+  const move = { id: "a", dx: 1, dz: 0, rotation: 0 };
+  expect(fixWords(nothing)).toEqual(["Nothing moved; no error is left."]);
+  expect(fixWords({ ...nothing, moves: [move], issues: [issue("overlap"), issue("missing_required", "warning")] })).toEqual([
+    "1 body moved; 1 error is left.",
+  ]);
+  const told = fixWords({
+    ...nothing,
+    moves: [move, move],
+    removed: [{ id: "b", reason: "no floor" }],
+    conflicts: [{ ids: ["c", "d"], message: "0.2 m are missing", repairs: [] }],
+  });
+  expect(told).toEqual(["2 bodies moved; no error is left.", "Left out b: no floor", "Cannot stand together: c, d. 0.2 m are missing"]);
+});
+
+test("issues are grouped by rule, errors first, each once", () => {
+  const issues = [issue("missing_required", "warning"), issue("overlap"), issue("wall_far"), issue("overlap")];
+  const groups = groupsOf(issues);
+  expect(groups.map(({ rule, issues: members }) => [rule, members.length])).toEqual([["overlap", 2], ["wall_far", 1], ["missing_required", 1]]);
+  expect(new Set(groups.flatMap((group) => group.issues))).toEqual(new Set(issues));
+});
