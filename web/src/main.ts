@@ -7,7 +7,7 @@ import { Issues } from "./panel/issues";
 import { Notice } from "./panel/notice";
 import { Reading } from "./panel/reading";
 import { countsOf, showStatus } from "./panel/status";
-import { generate, isAbort, ServiceProblem, view } from "./service";
+import { catalog, generate, isAbort, ServiceProblem, view } from "./service";
 import { Stage } from "./stage";
 import { Home, type Showing } from "./state/home";
 
@@ -31,6 +31,8 @@ class Page {
   #pending = new AbortController();
   #written = new AbortController();
   #reads: Promise<void> = Promise.resolve();
+  /** Without the catalog a house is shown all the same, its bodies as boxes. */
+  readonly #dressed = catalog(new AbortController().signal).then((known) => this.#stage.dress(known)).catch(() => undefined);
 
   constructor() {
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
@@ -96,6 +98,7 @@ class Page {
     this.#busy(true);
     try {
       const { scene, issues, timing_ms: timing } = await generate(request, signal);
+      await this.#dressed;
       this.#home.select(null);
       this.#home.show({ scene, issues, conflicts: [], timing }, "new");
       await this.#reads;
@@ -152,7 +155,7 @@ class Page {
 
 declare global {
   /** What is shown, for tests and the curious; nothing of the page reads it. */
-  var compose: Pick<Stage, "state" | "whereIs">;
+  var compose: Pick<Stage, "state" | "whereIs" | "measure">;
 }
 
 new Page().open();

@@ -1,7 +1,8 @@
 /** The canvas and what happens on it: the house shown, looked at, pointed at and clicked. */
 import { Vector3 } from "three";
-import type { Issue, Scene } from "./contract";
+import type { Catalog, Issue, Scene } from "./contract";
 import { House, type Hit } from "./house/house";
+import { ShapeBook } from "./house/shapes";
 import type { PresetName } from "./view/cameras";
 import { Labels } from "./view/labels";
 import { listenToPointer } from "./view/pointer";
@@ -20,6 +21,7 @@ export class Stage {
   readonly #labels: Labels;
   readonly #cut = within<HTMLInputElement>("cut");
   #house: House | null = null;
+  #book = new ShapeBook(null);
   #selected: string | null = null;
 
   constructor(readonly host: HTMLElement) {
@@ -37,13 +39,22 @@ export class Stage {
 
   show(scene: Scene, issues: readonly Issue[]): void {
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
-    this.#house?.dispose();
-    this.#house = new House(scene);
-    this.#house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
-    this.#viewport.add(this.#house.root, this.#house.bounds);
+    this.#build(scene);
+    this.#house?.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
     this.#labels.show(scene);
-    this.#cutWalls();
     if (!sameSize) this.#viewport.look("corner", true);
+  }
+
+  /** Learns how kinds look; what is shown from now on is drawn so. */
+  dress(catalog: Catalog): void {
+    this.#book = new ShapeBook(catalog);
+  }
+
+  #build(scene: Scene): void {
+    this.#house?.dispose();
+    this.#house = new House(scene, this.#book);
+    this.#viewport.add(this.#house.root, this.#house.bounds);
+    this.#cutWalls();
   }
 
   look(preset: PresetName): void {
@@ -108,6 +119,19 @@ export class Stage {
       if (at && this.#house?.idOf(this.#hitAt(at.x, at.y)) === id) return at;
     }
     return null;
+  }
+
+  /** Builds the shown house anew a number of times; returns how long the script took for each [ms], and what a frame costs. */
+  measure(times: number) {
+    const scene = this.#house?.scene;
+    const rebuilds = Array.from({ length: scene ? times : 0 }, () => {
+      const start = performance.now();
+      if (scene) this.#build(scene);
+      const built = performance.now() - start;
+      this.#viewport.cost();
+      return built;
+    });
+    return { rebuilds, ...this.#viewport.cost() };
   }
 
   /** What is shown, told to whoever looks into the page from outside. */

@@ -1,8 +1,10 @@
-import { Vector3 } from "three";
+import { Matrix4, Raycaster, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { BodyMeshes, bodyMatrix } from "../src/house/body_meshes";
 import { bodiesOf, words, type PlacedBody } from "../src/house/frame";
-import { partsOf, shade } from "../src/house/shapes";
+import { shade } from "../src/house/paints";
+import { writePlace } from "../src/house/part_batches";
+import { ShapeBook } from "../src/house/shapes";
 import { piece, room, scene } from "./rooms";
 
 const placed = (rotation: number): PlacedBody => {
@@ -47,9 +49,9 @@ describe("the frame", () => {
     expect(bodies.map((body) => body.hung)).toEqual([1.6, 1.6, undefined]);
     const meshes = new BodyMeshes(bodies);
     meshes.cutAt(1.4);
-    expect([0, 1, 2].map((instance) => meshes.mesh.getVisibleAt(instance))).toEqual([false, false, true]);
+    expect(bodies.map(({ id }) => meshes.isDrawn(id))).toEqual([false, false, true]);
     meshes.cutAt(2.8);
-    expect([0, 1, 2].map((instance) => meshes.mesh.getVisibleAt(instance))).toEqual([true, true, true]);
+    expect(bodies.map(({ id }) => meshes.isDrawn(id))).toEqual([true, true, true]);
   });
 
   it("writes names in words", () => {
@@ -57,39 +59,47 @@ describe("the frame", () => {
   });
 });
 
-describe("parts of a body", () => {
-  it("of furniture fill its box, with an arrow on top at the front", () => {
-    const [block, arrow] = partsOf(placed(90));
-    expect(block).toMatchObject({ shape: "block", size: [2, 0.85, 0.9], at: [0, 0.425, 0] });
-    expect(arrow?.shape).toBe("arrow");
-    expect(arrow?.at[2]).toBeGreaterThan(0);
-    expect((arrow?.at[2] ?? 0) + (arrow?.size[2] ?? 0) / 2).toBeLessThanOrEqual(0.45);
-  });
-
-  it("of a person, a dog and a cat stay within their boxes", () => {
-    for (const name of ["person", "dog", "cat"]) {
-      const body: PlacedBody = { ...placed(0), kind: "dynamic", name, width: 0.3, depth: 0.8, height: name === "person" ? 1.7 : 0.6 };
-      const top = Math.max(...partsOf(body).map((part) => part.at[1] + part.size[1] / 2));
-      const bottom = Math.min(...partsOf(body).map((part) => part.at[1] - part.size[1] / 2));
-      expect(top, name).toBeCloseTo(body.height, 6);
-      expect(bottom, name).toBeGreaterThanOrEqual(-1e-9);
-    }
-  });
-
-  it("take shades of a colour", () => {
+describe("colours", () => {
+  it("take shades", () => {
     expect(shade("#000000", 0.5)).toBe("#808080");
     expect(shade("#ffffff", -1)).toBe("#000000");
   });
 });
 
 describe("drawn bodies", () => {
-  it("are one batch that knows whose each part is", () => {
-    const bodies = bodiesOf(scene([room("a", [0, 0, 4, 4], { furniture: [piece("one"), piece("two", { x: 3 })] })]));
-    const meshes = new BodyMeshes(bodies);
-    expect(meshes.mesh.instanceCount).toBe(4);
-    expect([0, 1, 2, 3].map((i) => meshes.bodyAt(i)?.id)).toEqual(["one", "one", "two", "two"]);
-    meshes.mesh.computeBoundingBox();
-    expect(meshes.mesh.boundingBox?.max.x).toBeCloseTo(4, 6);
+  const two = bodiesOf(scene([room("a", [0, 0, 4, 4], { furniture: [piece("one"), piece("two", { x: 3, rotation: 90 })] })]));
+
+  /** The bodies that a ray straight down at a place meets. */
+  function under(meshes: BodyMeshes, x: number, z: number): (string | undefined)[] {
+    const ray = new Raycaster(new Vector3(x, 9, z), new Vector3(0, -1, 0));
+    return ray.intersectObject(meshes.root, false).map((hit) => meshes.bodyAt(hit.instanceId)?.id);
+  }
+
+  it("are few batches that know whom a ray meets, by where and how each stands", () => {
+    const meshes = new BodyMeshes(two, new ShapeBook(null));
+    expect(meshes.batches).toBe(2);
+    expect(under(meshes, 1.9, 1.3)).toEqual(["one"]);
+    expect(under(meshes, 3.3, 1.9)).toEqual(["two"]);
+    expect(under(meshes, 3.9, 1.3)).toEqual([]);
+  });
+
+  it("move and turn without being built anew", () => {
+    const meshes = new BodyMeshes(two, new ShapeBook(null));
+    expect(meshes.place("one", { x: 1, z: 3, turn: Math.PI / 2 })).toMatchObject({ x: 1, z: 3 });
+    expect(under(meshes, 1, 1)).toEqual([]);
+    expect(under(meshes, 1.3, 3.9)).toEqual(["one"]);
+    expect(meshes.place("nobody", { x: 1 })).toBeUndefined();
+  });
+
+  it("are drawn where they are", () => {
+    const into = new Float32Array(16);
+    const paint = { color: "#ffffff", roughness: 1, metalness: 0, opacity: 1, glow: 0, texture: null };
+    const leg = { form: "cylinder" as const, size: [0.1, 0.4, 0.2] as const, at: [0.8, 0.2, 0.3] as const, axis: "z" as const, taper: 1, paint };
+    writePlace(into, 0, leg, placed(90));
+    const drawn = new Matrix4().fromArray(into);
+    const along = new Vector3(0, 0.1, 0).applyMatrix4(drawn);
+    const expected = new Vector3(0.8, 0.2, 0.4).applyMatrix4(bodyMatrix(placed(90)));
+    expect(along.distanceTo(expected)).toBeLessThan(1e-6);
   });
 
   it("may be none", () => {

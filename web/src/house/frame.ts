@@ -22,6 +22,10 @@ export interface PlacedBody {
   readonly color: string;
   /** It hangs on a wall, or lies on what does: its middle or its carrier's, above the ground [m]. */
   readonly hung?: number;
+  /** It sits, so high above the floor [m]. */
+  readonly seat?: number;
+  /** The accent of its room. */
+  readonly accent?: string;
 }
 
 const UNSAID_COLOR = "#8b949e";
@@ -40,6 +44,11 @@ export function storeysOf(scene: Scene): Map<number, Storey> {
   return new Map(scene.levels.map((level) => [level.index, { elevation: level.elevation, height: level.height }]));
 }
 
+/** The style that a scene is furnished in; null where it does not say. */
+export function styleOf(scene: Scene): string | null {
+  return scene.style ?? scene.request?.style ?? null;
+}
+
 function place(body: Body, name: string, kind: BodyKind, room: Room, elevation: number): PlacedBody {
   return {
     id: body.id,
@@ -53,6 +62,7 @@ function place(body: Body, name: string, kind: BodyKind, room: Room, elevation: 
     depth: body.depth,
     height: body.height,
     color: body.color ?? UNSAID_COLOR,
+    accent: room.accent,
   };
 }
 
@@ -78,7 +88,9 @@ export function bodiesOf(scene: Scene): PlacedBody[] {
   ]);
   const living = (scene.dynamic ?? []).flatMap((body: Dynamic) => {
     const room = rooms.get(body.room);
-    return room ? [place(body, body.kind, "dynamic", room, elevation(room))] : [];
+    if (!room) return [];
+    const placed = place(body, body.kind, "dynamic", room, elevation(room));
+    return [body.on ? { ...placed, seat: body.y } : placed];
   });
   return [...standing, ...living];
 }

@@ -6,11 +6,12 @@ import { disposeOf } from "./dispose";
 import { leavesOf } from "./door_leaves";
 import { Doors } from "./doors";
 import { floorMeshes } from "./floors";
-import { bodiesOf, storeysOf, type PlacedBody } from "./frame";
+import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
 import { openingsOf } from "./openings";
 import { outlinesOf } from "./outlines";
 import { runsOf } from "./plan";
 import { floorUnder } from "./room_at";
+import { ShapeBook } from "./shapes";
 import type { Point } from "./wall_faces";
 import { Walls } from "./wall_meshes";
 import type { Storey, WallPlan } from "./walls";
@@ -59,7 +60,7 @@ export class House {
   #bodies: readonly PlacedBody[];
   #wallMeshes: Group | null = null;
 
-  constructor(readonly scene: Scene) {
+  constructor(readonly scene: Scene, book: ShapeBook = new ShapeBook(null)) {
     const storeys = (this.#storeys = storeysOf(scene));
     const plan: WallPlan = {
       runs: runsOf(scene.rooms),
@@ -70,10 +71,10 @@ export class House {
     };
     this.bounds = boundsOf(scene, 1);
     this.#bodies = bodiesOf(scene);
-    this.#bodyMeshes = new BodyMeshes(this.#bodies);
+    this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene));
     this.#walls = new Walls(plan);
     this.doors = new Doors(leavesOf(plan));
-    this.root.add(slab(this.bounds), floorMeshes(scene.rooms, storeys), this.doors.mesh, this.#bodyMeshes.mesh);
+    this.root.add(slab(this.bounds), floorMeshes(scene.rooms, storeys), this.doors.mesh, this.#bodyMeshes.root);
   }
 
   /** Cuts walls, doors and what hangs on walls at a height above the ground [m]. */
@@ -117,7 +118,7 @@ export class House {
 
   /** What a ray meets first, if that is a door, a body or a room's floor. */
   hit(ray: Raycaster): Hit | null {
-    const targets = [this.#bodyMeshes.mesh, this.doors.mesh, ...(this.#wallMeshes?.children.slice(0, 1) ?? [])];
+    const targets = [this.#bodyMeshes.root, this.doors.mesh, ...(this.#wallMeshes?.children.slice(0, 1) ?? [])];
     const [nearest] = ray.intersectObjects(targets, false);
     const floor = floorUnder(this.scene.rooms, this.#storeys, ray.ray.origin.toArray(), ray.ray.direction.toArray());
     if (floor && floor.distance < (nearest?.distance ?? Number.POSITIVE_INFINITY)) return { kind: "room", room: floor.room };
@@ -126,7 +127,7 @@ export class House {
 
   #hitOf(nearest: Intersection): Hit | null {
     if (nearest.object === this.doors.mesh && nearest.instanceId !== undefined) return { kind: "door", index: nearest.instanceId };
-    const body = nearest.object === this.#bodyMeshes.mesh ? this.#bodyMeshes.bodyAt(nearest.batchId) : undefined;
+    const body = nearest.object === this.#bodyMeshes.root ? this.#bodyMeshes.bodyAt(nearest.instanceId) : undefined;
     return body ? { kind: "body", body } : null;
   }
 
@@ -138,8 +139,8 @@ export class House {
 
   /** Points in the house at which a body, a door leaf or a room's floor may be seen, with walls cut at a height [m]. */
   pointsOf(id: string, cut: number): Point[] {
-    const body = this.bodies.find((one) => one.id === id);
-    if (body) return [1, 0.5].map((share): Point => [body.x, body.y + body.height * share, body.z]);
+    const points = this.#bodyMeshes.pointsOf(id);
+    if (points.length > 0) return points;
     const room = this.scene.rooms.find((one) => one.id === id);
     return room ? this.#floorPoints(room) : this.#leafPoints(id, cut);
   }

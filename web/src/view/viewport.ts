@@ -217,6 +217,18 @@ export class Viewport {
     return { x: ((seen.x + 1) / 2) * this.host.clientWidth, y: ((1 - seen.y) / 2) * this.host.clientHeight };
   }
 
+  /** Draws a frame with its shadows and one without them; returns what each costs. */
+  cost() {
+    const { info, shadowMap } = this.#renderer;
+    const drawn = (shadows: boolean): { calls: number; triangles: number } => {
+      shadowMap.needsUpdate = shadows;
+      this.#renderer.render(this.#scene, this.camera);
+      return { calls: info.render.calls, triangles: info.render.triangles };
+    };
+    const [all, shown] = [drawn(true), drawn(false)];
+    return { drawCalls: shown.calls, triangles: shown.triangles, shadowCalls: all.calls - shown.calls };
+  }
+
   /** How far north is turned clockwise from the top of the screen [rad]. */
   get heading(): number {
     return this.#controls.getAzimuthalAngle();

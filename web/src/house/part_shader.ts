@@ -1,0 +1,118 @@
+/**
+ * The materials that all parts share. A part's size, colour and finish are its instance's: the vertex shader makes the
+ * solid of its size (rounding and taper are metres, never stretched) and lays the pattern on in metres.
+ */
+import { MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, type Material, type WebGLProgramParametersWithUniforms } from "three";
+import { RULE } from "./part_geometry";
+import { patternSpans, patternTexture } from "./patterns";
+
+const SHAPE = /* glsl */ `
+attribute vec4 span; // size [m]; rounding [m] of a block, taper of a cylinder
+attribute vec2 rule; // how far around; which rule
+
+bool isRule(float wanted) { return abs(rule.y - wanted) < 0.5; }
+
+vec3 partPoint() {
+  vec3 size = span.xyz;
+  if (rule.y < 2.5) return position * (size - 2.0 * span.w) + normal * span.w;
+  if (isRule(${RULE.ball}.0)) return position * size;
+  if (isRule(${RULE.capsule}.0)) {
+    float r = min(min(size.x, size.z), size.y) * 0.5;
+    return vec3(normal.x * size.x * 0.5, position.y * (size.y - 2.0 * r) + normal.y * r, normal.z * size.z * 0.5);
+  }
+  float near = span.w > 1.0 ? 1.0 / span.w : 1.0;
+  float width = mix(near, min(span.w, 1.0), position.y + 0.5);
+  return vec3(position.x * width, position.y, position.z * width) * size;
+}
+
+vec3 partNormal() {
+  vec3 size = max(span.xyz, vec3(1e-5));
+  if (rule.y < 2.5 || isRule(${RULE.cap}.0)) return normal;
+  if (isRule(${RULE.ball}.0)) return normalize(normal / size);
+  if (isRule(${RULE.capsule}.0)) return normalize(normal / vec3(size.x, min(min(size.x, size.z), size.y), size.z));
+  float near = span.w > 1.0 ? 1.0 / span.w : 1.0;
+  return normalize(vec3(normal.x * 2.0 / size.x, (near - min(span.w, 1.0)) / size.y, normal.z * 2.0 / size.z));
+}`;
+
+const WEAVE = /* glsl */ `
+attribute vec4 tint; // colour, opacity
+attribute vec4 finish; // roughness, metalness, glow, pattern
+uniform float patternSpans[${patternSpans.length}];
+varying vec4 vTint;
+varying vec4 vFinish;
+varying vec2 vWeave;
+
+// Where on its pattern a vertex lies [m]: the grain runs along the longer side.
+vec2 weave(vec3 at) {
+  vec2 flatAt = vec2(at.y, rule.x * 1.5708 * (span.x + span.z));
+  vec2 sides = vec2(1.0, 0.0);
+  if (rule.y < 0.5) { flatAt = at.zy; sides = span.zy; }
+  else if (rule.y < 1.5 || isRule(${RULE.cap}.0)) { flatAt = at.xz; sides = span.xz; }
+  else if (rule.y < 2.5) { flatAt = at.xy; sides = span.xy; }
+  vec2 shift = fract(sin(vec2(dot(instanceMatrix[3].xyz, vec3(12.99, 78.23, 37.72)), dot(span.xyz, vec3(39.35, 11.14, 83.16)))) * 437.58);
+  return (sides.x < sides.y ? flatAt.yx : flatAt) / patternSpans[int(finish.w + 0.5)] + shift;
+}`;
+
+const REFLECTION = /* glsl */ `
+{
+  // Metal and glass show the sky, brighter above than below: there is no picture of the surroundings to mirror.
+  vec3 up = normalize((viewMatrix * vec4(0.0, 1.0, 0.0, 0.0)).xyz);
+  float sky = mix(0.18, 0.95, smoothstep(-0.5, 0.8, dot(reflect(-normalize(vViewPosition), normal), up)));
+  totalEmissiveRadiance += diffuseColor.rgb * (vFinish.z + vFinish.y * sky * 0.6);
+  metalnessFactor *= 0.55;
+}`;
+
+function shapeVertices(shader: WebGLProgramParametersWithUniforms): void {
+  shader.vertexShader = shader.vertexShader
+    .replace("#include <common>", `#include <common>\n${SHAPE}`)
+    .replace("#include <begin_vertex>", "vec3 transformed = partPoint();");
+}
+
+function paint(shader: WebGLProgramParametersWithUniforms): void {
+  shapeVertices(shader);
+  shader.uniforms.patterns = { value: patternTexture() };
+  shader.uniforms.patternSpans = { value: patternSpans };
+  shader.vertexShader = shader.vertexShader
+    .replace(SHAPE, SHAPE + WEAVE)
+    .replace("#include <beginnormal_vertex>", "vec3 objectNormal = partNormal();")
+    .replace("#include <project_vertex>", "vTint = tint; vFinish = finish; vWeave = weave(transformed);\n#include <project_vertex>");
+  shader.fragmentShader = shader.fragmentShader
+    .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vTint;\nvarying vec4 vFinish;\nvarying vec2 vWeave;")
+    .replace("#include <color_fragment>", "diffuseColor *= vTint;\ndiffuseColor.rgb *= texture(patterns, vec3(vWeave, floor(vFinish.w + 0.5))).r;")
+    .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vFinish.x;")
+    .replace("#include <metalnessmap_fragment>", "float metalnessFactor = vFinish.y;")
+    .replace("#include <emissivemap_fragment>", REFLECTION);
+}
+
+function lit(clear: boolean): MeshStandardMaterial {
+  const material = new MeshStandardMaterial({ transparent: clear, depthWrite: !clear });
+  material.onBeforeCompile = paint;
+  material.customProgramCacheKey = () => "part";
+  return material;
+}
+
+function shadow(): MeshDepthMaterial {
+  const material = new MeshDepthMaterial({ depthPacking: RGBADepthPacking });
+  material.onBeforeCompile = shapeVertices;
+  material.customProgramCacheKey = () => "part shadow";
+  return material;
+}
+
+interface PartMaterials {
+  readonly solid: MeshStandardMaterial;
+  readonly clear: MeshStandardMaterial;
+  readonly shadow: MeshDepthMaterial;
+}
+
+let made: PartMaterials | undefined;
+
+/** Says that a material outlives a house. */
+export function kept<Kind extends Material>(material: Kind): Kind {
+  material.userData.kept = true;
+  return material;
+}
+
+/** The materials of all parts, made once for the life of the page. */
+export function partMaterials(): PartMaterials {
+  return (made ??= { solid: kept(lit(false)), clear: kept(lit(true)), shadow: kept(shadow()) });
+}

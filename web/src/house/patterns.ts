@@ -1,0 +1,153 @@
+/**
+ * Patterns made in code, in greys: what is drawn multiplies its colour by them. Each repeats without a seam and is the same
+ * every time. Made once for the life of the page, as the layers of one texture.
+ */
+import { DataArrayTexture, LinearFilter, LinearMipmapLinearFilter, RedFormat, RepeatWrapping, UnsignedByteType } from "three";
+
+const SIZE = 256;
+
+/** A pattern's brightness at a place of its square, `u` along the grain; both 0 to 1. */
+type Pattern = (u: number, v: number) => number;
+
+function hash(x: number, y: number, seed: number): number {
+  let state = Math.imul(x, 374761393) + Math.imul(y, 668265263) + Math.imul(seed, 974634541);
+  state = Math.imul(state ^ (state >>> 13), 1274126177);
+  return ((state ^ (state >>> 16)) >>> 0) / 4294967296;
+}
+
+/** Smooth noise with whole numbers of waves along both sides, so that it repeats. */
+function noise(u: number, v: number, wavesU: number, wavesV: number, seed: number): number {
+  const [x, y] = [u * wavesU, v * wavesV];
+  const [i, j] = [Math.floor(x), Math.floor(y)];
+  const ease = (t: number): number => t * t * (3 - 2 * t);
+  const [s, t] = [ease(x - i), ease(y - j)];
+  const at = (a: number, b: number): number => hash(((i + a) % wavesU + wavesU) % wavesU, ((j + b) % wavesV + wavesV) % wavesV, seed);
+  return (at(0, 0) * (1 - s) + at(1, 0) * s) * (1 - t) + (at(0, 1) * (1 - s) + at(1, 1) * s) * t;
+}
+
+/** Noise of three sizes. */
+function rough(u: number, v: number, wavesU: number, wavesV: number, seed: number): number {
+  return noise(u, v, wavesU, wavesV, seed) * 0.5 + noise(u, v, wavesU * 2, wavesV * 2, seed + 1) * 0.3 + noise(u, v, wavesU * 4, wavesV * 4, seed + 2) * 0.2;
+}
+
+/** How dark a joint is at a distance from an edge, in shares of the square. */
+function joint(distance: number, half: number): number {
+  return Math.max(0, Math.min(1, (half * 1.8 - distance) / (half * 0.8)));
+}
+
+function edge(x: number): number {
+  const inside = x - Math.floor(x);
+  return Math.min(inside, 1 - inside);
+}
+
+function grain(u: number, v: number): number {
+  const bent = v + 0.02 * noise(u, v, 3, 6, 11);
+  const rings = 0.5 + 0.5 * Math.sin(2 * Math.PI * (9 * bent + 0.9 * noise(u, v, 2, 4, 12)));
+  return 1 - 0.13 * rings * noise(u, v, 4, 12, 13) - 0.2 * noise(u, bent - Math.floor(bent), 5, 90, 14) ** 2 - 0.05 * noise(u, v, 3, 5, 15);
+}
+
+function boards(count: number, gap: number): Pattern {
+  return (u, v) => {
+    const board = Math.floor(v * count);
+    const end = edge(u + hash(board, 0, 21));
+    const dark = Math.max(joint(edge(v * count) / count, gap), joint(end, gap * 0.5));
+    return (grain(u, v) - 0.12 * hash(board, 1, 22)) * (1 - 0.6 * dark);
+  };
+}
+
+function tiles(across: number, half: number, spread: number, relief: number): Pattern {
+  return (u, v) => {
+    const [i, j] = [Math.floor(u * across), Math.floor(v * across)];
+    const dark = Math.max(joint(edge(u * across) / across, half), joint(edge(v * across) / across, half));
+    return (1 - spread * hash(i, j, 31) - relief * rough(u, v, 12, 12, 32)) * (1 - 0.28 * dark);
+  };
+}
+
+function bricks(u: number, v: number): number {
+  const row = Math.floor(v * 8);
+  const along = u * 4 + (row % 2) * 0.5;
+  const dark = Math.max(joint(edge(along) / 4, 0.011), joint(edge(v * 8) / 8, 0.011));
+  const stone = 0.98 - 0.3 * hash(((Math.floor(along) % 4) + 4) % 4, row, 41) - 0.16 * rough(u, v, 24, 24, 42);
+  return stone * (1 - dark) + 1.0 * dark;
+}
+
+function slabs(u: number, v: number): number {
+  const bent: readonly [number, number] = [u + 0.012 * (noise(u, v, 8, 8, 51) - 0.5), v + 0.012 * (noise(u, v, 8, 8, 52) - 0.5)];
+  const row = Math.floor(bent[1] * 4);
+  const along = bent[0] * 3 + (row % 2) * 0.5;
+  const dark = Math.max(joint(edge(along) / 3, 0.012), joint(edge(bent[1] * 4) / 4, 0.012));
+  const stone = 1 - 0.22 * hash(((Math.floor(along) % 3) + 3) % 3, ((row % 4) + 4) % 4, 53) - 0.22 * rough(u, v, 9, 9, 54);
+  return stone * (1 - 0.5 * dark);
+}
+
+function cloth(u: number, v: number): number {
+  const [warp, weft] = [Math.sin(2 * Math.PI * 32 * u), Math.sin(2 * Math.PI * 32 * v)];
+  return 0.9 + 0.07 * warp * weft - 0.12 * rough(u, v, 16, 16, 61) + 0.05;
+}
+
+function hide(u: number, v: number): number {
+  const folds = Math.abs(noise(u, v, 22, 22, 71) - 0.5) + Math.abs(noise(u, v, 44, 44, 72) - 0.5) * 0.6;
+  return 0.84 + 0.22 * Math.min(0.7, folds);
+}
+
+function blades(u: number, v: number): number {
+  return 0.62 + 0.22 * noise(u, v, 90, 24, 81) + 0.2 * noise(u, v, 24, 90, 82) + 0.16 * rough(u, v, 5, 5, 83) - 0.08;
+}
+
+interface Layer {
+  /** How many metres the square covers. */
+  readonly span: number;
+  readonly pattern: Pattern;
+}
+
+const LAYERS: Readonly<Record<string, Layer>> = {
+  plain: { span: 1, pattern: () => 1 },
+  wood: { span: 0.8, pattern: grain },
+  fabric: { span: 0.22, pattern: cloth },
+  leather: { span: 0.4, pattern: hide },
+  metal: { span: 0.5, pattern: (u, v) => 0.88 + 0.12 * noise(u, v, 3, 128, 91) },
+  tile: { span: 0.9, pattern: tiles(6, 0.006, 0.05, 0.03) },
+  concrete: { span: 1.6, pattern: (u, v) => 1 - 0.16 * rough(u, v, 6, 6, 95) - 0.08 * noise(u, v, 100, 100, 96) },
+  stone: { span: 1.8, pattern: slabs },
+  grass: { span: 0.9, pattern: blades },
+  deck: { span: 1.1, pattern: boards(8, 0.006) },
+  plaster: { span: 1.4, pattern: (u, v) => 1 - 0.05 * rough(u, v, 10, 10, 97) - 0.035 * noise(u, v, 70, 70, 98) },
+  brick: { span: 1.0, pattern: bricks },
+};
+const NAMES = Object.keys(LAYERS);
+
+/** The metres that each layer's square covers. */
+export const patternSpans: readonly number[] = Object.values(LAYERS).map(({ span }) => span);
+
+/** The layer of a texture's name; the plain one for a name that is not known. */
+export function patternLayer(name: string | null): number {
+  return Math.max(0, name === null ? 0 : NAMES.indexOf(name));
+}
+
+/** A layer's greys, row by row. */
+export function patternGreys(name: string, size = SIZE): Uint8Array<ArrayBuffer> {
+  const greys = new Uint8Array(size * size);
+  const pattern = LAYERS[name]?.pattern ?? (() => 1);
+  for (let i = 0; i < greys.length; i += 1) {
+    greys[i] = Math.round(255 * Math.max(0, Math.min(1, pattern((i % size) / size, Math.floor(i / size) / size))));
+  }
+  return greys;
+}
+
+let made: DataArrayTexture | undefined;
+
+function make(): DataArrayTexture {
+  const layers = new Uint8Array(SIZE * SIZE * NAMES.length);
+  NAMES.forEach((name, i) => layers.set(patternGreys(name), i * SIZE * SIZE));
+  const texture = new DataArrayTexture(layers, SIZE, SIZE, NAMES.length);
+  Object.assign(texture, {
+    format: RedFormat, type: UnsignedByteType, wrapS: RepeatWrapping, wrapT: RepeatWrapping,
+    magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter, generateMipmaps: true, anisotropy: 4, needsUpdate: true,
+  });
+  return texture;
+}
+
+/** All patterns as one texture. */
+export function patternTexture(): DataArrayTexture {
+  return (made ??= make());
+}
