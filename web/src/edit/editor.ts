@@ -1,0 +1,310 @@
+/** Edits of the home: each is wished for, judged by the service, and shown as one step that can be undone. */
+import type { Conflict, FixAnswer, FixRequest, Pose, Repair, Room, Scene } from "../contract";
+import type { Home, Shown } from "../state/home";
+import { Live } from "./live";
+import { added, alone, locked, moved, posesOf, repaired, without, type FurnitureKind, type Wish } from "./scene_edits";
+
+export type Fix = (request: FixRequest, signal: AbortSignal) => Promise<FixAnswer>;
+
+/** What a scene could not become, why, and what would help. */
+export interface Refusal {
+  readonly sent: Scene;
+  readonly moved: readonly string[];
+  readonly room: string;
+  readonly conflicts: readonly Conflict[];
+  /** The drag goes on: it is too early to take a repair. */
+  readonly live: boolean;
+}
+
+export interface EditorWords {
+  busy(busy: boolean): void;
+  failed(reason: unknown): void;
+  /** Null: nothing is in conflict. */
+  refused(refusal: Refusal | null): void;
+  /** The dragged piece and all it carries are seen at a wish, the rest of its room where the answer has it. */
+  lifted(id: string, wished: Scene): void;
+  answered(id: string, scene: Scene): void;
+  /** Nothing is dragged any more. */
+  settled(): void;
+}
+
+interface Held {
+  readonly id: string;
+  readonly room: Room;
+  /** The room before the drag, alone. */
+  readonly base: Scene;
+  wish: Wish;
+  previous: readonly Pose[];
+}
+
+interface Question {
+  readonly held: Held;
+  readonly request: FixRequest;
+  /** The last of a drag, for the whole house. */
+  readonly last: boolean;
+}
+
+interface Draft {
+  readonly scene: Scene;
+  readonly id: string;
+  readonly room: string;
+  readonly locked?: readonly string[];
+  readonly moved?: readonly string[];
+}
+
+const NEVER = new AbortController().signal;
+
+function within(value: number, extent: number, whole: number): number {
+  return Math.max(Math.min(extent, whole) / 2, Math.min(whole - Math.min(extent, whole) / 2, value));
+}
+
+/** The conflicts of a room; its errors, where nothing says which pieces are in conflict. */
+export function conflictsIn(answer: FixAnswer, room: string, before: Shown): readonly Conflict[] {
+  const own = answer.conflicts.filter(({ ids }) => ids.some((id) => isIn(answer.scene, room, id)));
+  if (own.length > 0) return own;
+  const known = new Set(before.issues.map((issue) => issue.message));
+  const errors = answer.issues.filter((issue) => issue.severity === "error" && issue.room === room && !known.has(issue.message));
+  return errors.map(({ ids, message }) => ({ ids, message, repairs: [] }));
+}
+
+function isIn(scene: Scene, room: string, id: string): boolean {
+  return scene.rooms.some((one) => one.id === room && one.furniture.some((piece) => piece.id === id));
+}
+
+export class Editor {
+  readonly #live: Live<Question, FixAnswer>;
+  #held: Held | null = null;
+  #dropped = false;
+  #edits = 0;
+  #queue: Promise<void> = Promise.resolve();
+  #nudged: { readonly id: string; dx: number; dz: number } | null = null;
+
+  constructor(readonly home: Home, readonly fix: Fix, readonly words: EditorWords) {
+    this.#live = new Live({
+      ask: ({ request }, signal) => fix(request, signal),
+      answered: (answer, question) => this.#answered(answer, question),
+      failed: (reason) => this.#lost(reason),
+    });
+  }
+
+  /** Whether an edit waits for its answer, or a piece is in hand. */
+  get busy(): boolean {
+    return this.#edits > 0 || this.#held !== null;
+  }
+
+  get dragged(): string | null {
+    return this.#held?.id ?? null;
+  }
+
+  lift(id: string): boolean {
+    const found = this.home.find(id);
+    const before = this.home.settled;
+    if (!found || !before || this.busy || found.piece.locked) return false;
+    const { room, piece } = found;
+    const wish = { x: piece.x, z: piece.z, rotation: piece.rotation ?? 0 };
+    this.#held = { id, room, base: alone(before.scene, room.id), wish, previous: posesOf(before.scene, room.id) };
+    this.#dropped = false;
+    this.words.refused(null);
+    return true;
+  }
+
+  /** Wishes for the held piece's centre somewhere in the house; it stays in its room. */
+  drag(at: { readonly x: number; readonly z: number }): void {
+    const held = this.#held;
+    if (!held || this.#dropped) return;
+    const piece = held.room.furniture.find((one) => one.id === held.id);
+    if (!piece) return;
+    const [across, along] = held.wish.rotation % 180 === 0 ? [piece.width, piece.depth] : [piece.depth, piece.width];
+    const { room } = held;
+    held.wish = { ...held.wish, x: within(at.x - room.x, across, room.width), z: within(at.z - room.z, along, room.depth) };
+    const scene = moved(held.base, held.id, held.wish);
+    this.words.lifted(held.id, scene);
+    this.#live.want({ held, last: false, request: this.#wishFor(held, scene) });
+  }
+
+  #wishFor(held: Held, scene: Scene): FixRequest {
+    return { scene, moved: [held.id], on_conflict: "report", previous: held.previous };
+  }
+
+  /** Lets the held piece go: the whole house is judged, and what stands is one step. */
+  drop(): void {
+    const [held, before] = [this.#held, this.home.settled];
+    if (!held || !before) return;
+    this.#dropped = true;
+    this.words.busy(true);
+    this.#live.want({ held, last: true, request: this.#wishFor(held, moved(before.scene, held.id, held.wish)) });
+  }
+
+  /** Puts the held piece back. */
+  cancel(): void {
+    if (!this.#held) return;
+    this.#live.stop();
+    this.#goBack();
+    this.words.refused(null);
+  }
+
+  #goBack(): void {
+    const before = this.home.settled;
+    this.#end();
+    if (before) this.home.show(before, "live");
+  }
+
+  #end(): void {
+    this.#held = null;
+    this.words.busy(false);
+    this.words.settled();
+  }
+
+  #answered(answer: FixAnswer, { held, request, last }: Question): void {
+    const before = this.home.settled;
+    if (held !== this.#held || !before) return;
+    const conflicts = conflictsIn(answer, held.room.id, before);
+    const refusal: Refusal = { sent: request.scene, moved: [held.id], room: held.room.id, conflicts, live: !last };
+    this.words.refused(conflicts.length > 0 ? refusal : null);
+    if (last) {
+      if (conflicts.length > 0) this.#goBack();
+      else this.#settle(answer);
+    } else if (conflicts.length === 0) {
+      held.previous = posesOf(answer.scene, held.room.id);
+      this.words.answered(held.id, answer.scene);
+      this.home.show({ ...before, scene: this.#withRoom(before.scene, answer.scene) }, "live");
+    }
+  }
+
+  /** The house with one room, and who is in it, as an answer has it. */
+  #withRoom(scene: Scene, answer: Scene): Scene {
+    const rooms = new Map(answer.rooms.map((room) => [room.id, room]));
+    const people = new Map((answer.dynamic ?? []).map((body) => [body.id, body]));
+    return {
+      ...scene,
+      rooms: scene.rooms.map((room) => rooms.get(room.id) ?? room),
+      dynamic: (scene.dynamic ?? []).map((body) => people.get(body.id) ?? body),
+    };
+  }
+
+  #settle(answer: FixAnswer): void {
+    this.#end();
+    this.#show(answer);
+  }
+
+  #show({ scene, issues, conflicts, timing_ms: timing }: FixAnswer): void {
+    this.home.show({ scene, issues, conflicts, timing }, "step");
+  }
+
+  #lost(reason: unknown): void {
+    this.#goBack();
+    this.words.refused(null);
+    this.words.failed(reason);
+  }
+
+  /** Turns a piece by an angle, counter-clockwise seen from above [degrees]. */
+  rotate(id: string, degrees: number): void {
+    this.#edit(() => this.#draft(id, (scene, room, piece) => {
+      const wish = { x: piece.x, z: piece.z, rotation: ((piece.rotation ?? 0) + degrees + 360) % 360 };
+      return { scene: moved(scene, id, wish), id, room: room.id, moved: [id] };
+    }));
+  }
+
+  /** Moves a piece [m]; what is asked while an edit is under way is added up. */
+  nudge(id: string, dx: number, dz: number): void {
+    if (this.#nudged?.id === id) {
+      this.#nudged.dx += dx;
+      this.#nudged.dz += dz;
+      return;
+    }
+    const nudged = (this.#nudged = { id, dx, dz });
+    this.#edit(() => {
+      if (this.#nudged === nudged) this.#nudged = null;
+      return this.#draft(id, (scene, room, piece) => {
+        const wish = { x: piece.x + nudged.dx, z: piece.z + nudged.dz, rotation: piece.rotation ?? 0 };
+        return { scene: moved(scene, id, wish), id, room: room.id, moved: [id] };
+      });
+    });
+  }
+
+  toggleLock(id: string): void {
+    this.#edit(() => {
+      const found = this.home.find(id);
+      const scene = this.home.settled?.scene;
+      return found && scene ? { scene: locked(scene, id, !found.piece.locked), id, room: found.room.id } : null;
+    });
+  }
+
+  remove(id: string): void {
+    this.#edit(() => this.#draft(id, (scene, room) => ({ scene: without(scene, id), id, room: room.id })));
+  }
+
+  /** Puts a new piece into a room: beside what stands there if it can, else what stands there gives way. */
+  add(roomId: string, kind: FurnitureKind): void {
+    this.#edit(() => {
+      const before = this.home.settled;
+      if (!before) return null;
+      const { scene, id } = added(before.scene, roomId, kind);
+      const others = before.scene.rooms.find((room) => room.id === roomId)?.furniture.map((piece) => piece.id) ?? [];
+      return { scene, id, room: roomId, locked: others };
+    });
+  }
+
+  /** Takes a repair that was offered. */
+  take(refusal: Refusal, repair: Repair): void {
+    this.#edit(() => ({
+      scene: repaired(refusal.sent, repair), id: refusal.moved[0] ?? repair.id, room: refusal.room,
+      moved: repair.action === "leave_out" ? [] : refusal.moved,
+    }));
+  }
+
+  undo(): void {
+    this.#travel(() => this.home.undo());
+  }
+
+  redo(): void {
+    this.#travel(() => this.home.redo());
+  }
+
+  #travel(go: () => void): void {
+    if (this.busy) return;
+    this.words.refused(null);
+    go();
+  }
+
+  #draft(id: string, make: (scene: Scene, room: Room, piece: Room["furniture"][number]) => Draft): Draft | null {
+    const found = this.home.find(id);
+    const scene = this.home.settled?.scene;
+    return found && scene && !found.piece.locked ? make(scene, found.room, found.piece) : null;
+  }
+
+  /** One edit after the other, each on what the one before left. */
+  #edit(make: () => Draft | null): void {
+    if (this.#held) return;
+    this.#edits += 1;
+    this.words.busy(true);
+    this.#queue = this.#queue.then(() => this.#carryOut(make)).catch((reason: unknown) => this.words.failed(reason)).then(() => {
+      this.#edits -= 1;
+      if (this.#edits === 0) this.words.busy(false);
+    });
+  }
+
+  async #carryOut(make: () => Draft | null): Promise<void> {
+    const draft = make();
+    const before = this.home.settled;
+    if (!draft || !before) return;
+    const answer = await this.#judge(draft, before);
+    const conflicts = conflictsIn(answer, draft.room, before);
+    if (this.home.settled !== before) return;
+    const { scene: sent, room, id } = draft;
+    this.words.refused(conflicts.length > 0 ? { sent, room, conflicts, moved: [id], live: false } : null);
+    if (conflicts.length > 0) return;
+    this.#show(answer);
+    if (this.home.find(id)) this.home.select(id);
+  }
+
+  /** Asks with the draft's own locks first, then without. */
+  async #judge({ scene, moved: ids = [], locked: held, room }: Draft, before: Shown): Promise<FixAnswer> {
+    const request: FixRequest = { scene, moved: ids, on_conflict: "report" };
+    if (held) {
+      const answer = await this.fix({ ...request, locked: held }, NEVER);
+      if (conflictsIn(answer, room, before).length === 0) return answer;
+    }
+    return this.fix(request, NEVER);
+  }
+}
