@@ -14,7 +14,7 @@ FUZZ_ARGS =
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets bench fuzz lint format page chromium pins wheel clean
+.PHONY: help run test targets bench fuzz lint format page pictures chromium pins wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -66,6 +66,9 @@ format: .venv/dev.stamp ## put the Python sources in ruff's format
 
 page: .venv/python.stamp ## build the page into service/static/
 	@$(PY) scripts/page.py build
+
+pictures: .venv/dev.stamp page chromium ## take the README's pictures of the page
+	$(PY) -m tests.browser.pictures
 
 chromium: .venv/dev.stamp ## bring the Chromium of the browser tests
 	@$(PY) -m tests.chromium
