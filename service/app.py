@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
+from http import HTTPStatus
 from typing import Final, cast
 
 from fastapi import Request
@@ -21,6 +22,7 @@ from service.guard import Guard
 from service.wire import body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, do_alone, packed, warm
 from service.workers import Workers
+from solver.exchange import FORMATS
 from solver.pipeline.generate import VERSION
 
 router = APIRouter()
@@ -57,6 +59,14 @@ async def post_view(request: Request) -> Response:
     return await _called(request, "view")
 
 
+@router.post("/export/{format}", **described("Export"))
+async def post_export(request: Request, format: str) -> Response:
+    """Writes a scene as a file, JSON or YAML; also reads one that is."""
+    if format not in FORMATS:
+        raise HTTPException(HTTPStatus.NOT_FOUND)
+    return await _called(request, "export", format)
+
+
 @router.get("/catalog", **described("Catalog"))
 async def get_catalog(request: Request) -> Response:
     """Returns the furniture, decorations, room types, styles and presets the service knows."""
@@ -75,8 +85,8 @@ async def get_healthz(request: Request) -> Response:
     return written({"status": "ok"}, format_wanted(request))
 
 
-async def _called(request: Request, call: str) -> Response:
-    sent, wanted, app = format_sent(request), format_wanted(request), cast(ComposeApp, request.app)
+async def _called(request: Request, call: str, format: str | None = None) -> Response:
+    sent, wanted, app = format_sent(request), format or format_wanted(request), cast(ComposeApp, request.app)
     job = Job(call, await body_of(request), sent, wanted, app.packed_catalogs)
     done = await app.workers.run(do_alone, job)
     if isinstance(done, Failure):

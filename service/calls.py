@@ -147,6 +147,22 @@ def _lined(text: str, lines: Sequence[str | None]) -> Document:
     return {"text": text, "lines": list(lines)}
 
 
+def export_scene(document: object, _: Catalogs | None = None) -> Document:
+    """Returns a scene as a document of its own, every default written out: what a file of it holds.
+
+    Args:
+        document: `scene`; or a scene by itself, as such a file holds it.
+
+    Raises:
+        FieldError: a field is wrong.
+    """
+    body = _body(document)
+    if "scene" not in body and "rooms" in body:
+        return write_scene(_scene({"scene": body}))
+    _only(body, ("scene",))
+    return write_scene(_scene(body))
+
+
 def catalog_document(catalogs: Catalogs) -> Document:
     """Returns all that the service knows: kinds of furniture, floorings, room types."""
     return catalogs.model_dump(mode="json")
@@ -159,6 +175,7 @@ def schema_document(_: Catalogs | None = None) -> Document:
 
 CALLS: Final[Mapping[str, Call]] = {
     "generate": generate_house, "fix": fix_scene, "place": place_pieces, "validate": validate_scene, "view": view_scene,
+    "export": export_scene,
 }  # fmt: skip
 """The calls that take a body, by the last word of their path."""
 

@@ -65,6 +65,7 @@ def _bodies() -> Document:
         "FixBody": _record(("scene",), {**scene, "locked": _IDS, "moved": _IDS, "on_conflict": conflict, "previous": _list_of("Pose")}),
         "ValidateBody": _record(("scene",), {**scene, "flagged": _IDS, "report": {"type": "boolean"}}),
         "ViewBody": _record(("scene",), scene),
+        "ExportBody": {"anyOf": [_record(("scene",), scene), _ref("Scene")]},
     }
 
 
@@ -91,6 +92,7 @@ def _answers() -> Document:
         ),
         "ValidateAnswer": _record(("issues", "metrics"), validated),
         "ViewAnswer": _answer(text={"type": "string"}, lines=lines),
+        "ExportAnswer": _ref("Scene"),
         "SchemaAnswer": {"type": "object"},
         "HealthAnswer": _answer(status={"const": "ok"}),
         "Problem": _answer(

@@ -1,5 +1,5 @@
 /** The page's address holds the request, so a link is a house. */
-import type { HouseRequest } from "./contract";
+import type { Counts, HouseRequest, Typed } from "./contract";
 
 /** What a bare address asks for: the service's own defaults with outdoor rooms on, and one fixed house. */
 export const DEFAULTS: Readonly<HouseRequest> = {
@@ -12,42 +12,100 @@ export const DEFAULTS: Readonly<HouseRequest> = {
   outdoor: true,
 };
 
-const NUMBERS = ["seed", "width", "depth", "min_room_size", "max_depth"] as const;
-const SWITCHES = ["use_spine", "outdoor"] as const;
+export const NUMBERS = ["seed", "width", "depth", "min_room_size", "max_depth", "area", "robot_width"] as const;
+export const SWITCHES = ["use_spine", "outdoor", "decorate"] as const;
+export const TEXTS = ["program", "style"] as const;
+/** What speaks of plain requests alone. */
+export const OF_PLAIN_PLANS = ["min_room_size", "max_depth", "use_spine"] as const;
+/** Mappings are written one entry a word: `program.bedrooms=3`. */
+const MAPPINGS = ["program", "force_types"] as const;
 
 /** A number where the text is one; else the text itself, so that the service can say what is wrong with it. */
-export function numberOrText(text: string): number | string {
+export function numberOrText(text: string): Typed {
   const trimmed = text.trim();
   const value = Number(trimmed);
   return trimmed !== "" && Number.isFinite(value) ? value : trimmed;
 }
 
+function switchOrText(text: string): boolean | string {
+  if (text === "true" || text === "1") return true;
+  return text === "false" || text === "0" ? false : text;
+}
+
+function camelCase(name: string): string {
+  return name.replace(/_([a-z])/g, (_, letter: string) => letter.toUpperCase());
+}
+
+/** A field's text under its own spelling, else in camelCase, which the service takes too. */
+function textOf(given: URLSearchParams, name: string): string | null {
+  return given.get(name) ?? given.get(camelCase(name));
+}
+
+function mappingOf(given: URLSearchParams, name: string): Record<string, string> | null {
+  const entries = [...given].flatMap(([key, text]) => {
+    const prefix = [`${name}.`, `${camelCase(name)}.`].find((start) => key.startsWith(start));
+    return prefix ? [[key.slice(prefix.length), text] as const] : [];
+  });
+  return entries.length > 0 ? Object.fromEntries(entries) : null;
+}
+
+function programOf(given: URLSearchParams): string | Counts | undefined {
+  const counts = mappingOf(given, "program");
+  if (!counts) return given.get("program") || undefined;
+  return Object.fromEntries(Object.entries(counts).map(([word, text]) => [word, numberOrText(text)]));
+}
+
+/** Tells whether a home is planned for a programme or an area, so that its outline is chosen to fit. */
+export function isPlanned(request: HouseRequest): boolean {
+  return request.program !== undefined || request.area !== undefined;
+}
+
 /** Reads a request from an address's query; what the query does not say is the default. */
 export function requestFromQuery(query: string): HouseRequest {
   const given = new URLSearchParams(query);
-  const request: HouseRequest = { ...DEFAULTS };
+  const program = programOf(given);
+  const planned = program !== undefined || (given.get("area") ?? "") !== "";
+  const request: HouseRequest = planned ? { seed: DEFAULTS.seed, outdoor: DEFAULTS.outdoor, program } : { ...DEFAULTS };
   for (const name of NUMBERS) {
-    const text = given.get(name);
-    if (text !== null) request[name] = numberOrText(text);
+    const text = textOf(given, name);
+    if (text) request[name] = numberOrText(text);
   }
   for (const name of SWITCHES) {
-    const text = given.get(name);
-    if (text !== null) request[name] = text === "true" || text === "1";
+    const text = textOf(given, name);
+    if (text) request[name] = switchOrText(text);
   }
-  return request;
+  request.style = given.get("style") || undefined;
+  request.force_types = mappingOf(given, "force_types") ?? undefined;
+  if (planned) for (const name of OF_PLAIN_PLANS) delete request[name];
+  return withoutGaps(request);
 }
 
-/** Writes every field of a request, so that a link keeps its meaning when defaults change. */
+/** Leaves out what says nothing: no value, or a switch at the service's own default for good. */
+export function withoutGaps(request: HouseRequest): HouseRequest {
+  const kept = Object.entries(request).filter(([name, value]) => value !== undefined && !(name === "decorate" && value === false));
+  return Object.fromEntries(kept) as unknown as HouseRequest;
+}
+
+/** Writes every field that a request has, so that a link keeps its meaning when defaults change. */
 export function queryFromRequest(request: HouseRequest): string {
   const query = new URLSearchParams();
-  for (const name of [...NUMBERS, ...SWITCHES]) query.set(name, String(request[name]));
+  const said = withoutGaps(request);
+  for (const name of [...NUMBERS, ...SWITCHES, ...TEXTS]) {
+    const value = said[name];
+    if (value !== undefined && typeof value !== "object") query.set(name, String(value));
+  }
+  for (const name of MAPPINGS) {
+    const entries = said[name];
+    if (typeof entries !== "object") continue;
+    for (const [word, value] of Object.entries(entries)) query.set(`${name}.${word}`, String(value));
+  }
   return `?${query.toString()}`;
 }
 
 export const SMALL_SEEDS = 1_000_000;
 
 /** A new seed a person can read aloud, never the one before. */
-export function anotherSeed(previous: number | string, draw: () => number = Math.random): number {
+export function anotherSeed(previous: Typed, draw: () => number = Math.random): number {
   const seed = Math.floor(draw() * SMALL_SEEDS);
   return seed === previous ? (seed + 1) % SMALL_SEEDS : seed;
 }

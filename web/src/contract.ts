@@ -3,15 +3,26 @@
 export type Side = "north" | "south" | "east" | "west";
 export type Sides = Readonly<Record<Side, boolean>>;
 
-/** A request of the service; a value that is no number is sent as typed, for the service to judge. */
+/** What a person typed: a number, or a text that is none, which is sent as typed for the service to judge. */
+export type Typed = number | string;
+/** How many rooms of each word (cars, for garages). */
+export type Counts = Readonly<Record<string, Typed>>;
+
+/** A request of the service; what is left out is the service's own default. */
 export interface HouseRequest {
-  seed: number | string;
-  width: number | string;
-  depth: number | string;
-  min_room_size: number | string;
-  max_depth: number | string;
-  use_spine: boolean;
-  outdoor: boolean;
+  seed: Typed;
+  width?: Typed | undefined;
+  depth?: Typed | undefined;
+  min_room_size?: Typed | undefined;
+  max_depth?: Typed | undefined;
+  use_spine?: boolean | string | undefined;
+  outdoor?: boolean | string | undefined;
+  decorate?: boolean | string | undefined;
+  program?: string | Counts | undefined;
+  area?: Typed | undefined;
+  style?: string | undefined;
+  robot_width?: Typed | undefined;
+  force_types?: Readonly<Record<string, string>> | undefined;
 }
 
 export type OpeningKind = "door" | "garage_door" | "passage" | "window";
@@ -110,6 +121,8 @@ export interface Scene {
   readonly levels: readonly Level[];
   readonly rooms: readonly Room[];
   readonly dynamic: readonly Dynamic[];
+  /** What was proven of a generated scene, by room. */
+  readonly certificate?: { readonly rooms?: Readonly<Record<string, { readonly proven?: boolean }>> };
 }
 
 export interface Issue {
@@ -210,7 +223,17 @@ export interface Catalog {
   readonly decorations: Named<CatalogKind>;
   readonly shapes?: Named<readonly CatalogPart[]>;
   readonly materials?: Named<CatalogMaterial>;
-  readonly styles?: Named<{ readonly materials?: Named<CatalogMaterial> }>;
+  readonly styles?: Named<{
+    readonly materials?: Named<CatalogMaterial>;
+    /** Finishes of walls, by the flooring that a room's type has. */
+    readonly walls?: Named<readonly { readonly type: string }[]>;
+  }>;
+  readonly rooms?: Named<{
+    readonly accent: string;
+    /** What rooms of a type are in planned homes, and the word that counts them. */
+    readonly home?: { readonly word?: string | null } | null;
+  }>;
+  readonly presets?: Named<{ readonly rooms: Readonly<Record<string, number>>; readonly says?: string }>;
 }
 
 /** The verdict on a scene; its report is text with, for each line, the body it speaks of. */

@@ -1,13 +1,19 @@
 /** The page, wired together: a request goes to the service, its answer to the canvas, the text and the status bar. */
-import { anotherSeed, queryFromRequest, requestFromQuery } from "./address";
+import { anotherSeed, DEFAULTS, queryFromRequest, requestFromQuery } from "./address";
+import { Asking } from "./asking";
 import type { HouseRequest, Scene } from "./contract";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
+import { Files, type GivenFile } from "./panel/files";
 import { Issues } from "./panel/issues";
-import { Notice } from "./panel/notice";
+import { Legend } from "./panel/legend";
+import { Link } from "./panel/link";
+import { foldForNarrow } from "./panel/narrow";
+import { Progress } from "./panel/progress";
 import { Reading } from "./panel/reading";
-import { countsOf, showStatus } from "./panel/status";
-import { catalog, generate, isAbort, ServiceProblem, view } from "./service";
+import { RoomPanel } from "./panel/room";
+import { showShown } from "./panel/status";
+import { catalog, generate, isAbort, readFile, report, reroll, ServiceProblem, view } from "./service";
 import { Stage } from "./stage";
 import { Home, type Showing } from "./state/home";
 
@@ -20,19 +26,21 @@ function element<T extends HTMLElement>(id: string): T {
 }
 
 class Page {
+  readonly #home = new Home();
   readonly #controls = new Controls(element<HTMLFormElement>("request"));
   readonly #reading = new Reading(element("yaml"));
   readonly #issues = new Issues(element("issues"), element("issue_list"));
-  readonly #notice = new Notice(element("notice"), () => this.#ask(this.#wanted, "keep"));
+  readonly #rooms = new RoomPanel(element("room"), this.#home);
+  readonly #legend = new Legend(element("legend_marks"), element("legend_rooms"));
+  readonly #files = new Files(element("files"), element("drop"), () => this.#home.scene);
+  readonly #link = new Link(element("copy_link"), element("said"));
+  readonly #asking = new Asking(element("notice"), new Progress(element("progress"), element("stage")));
   readonly #stage = new Stage(element("stage"));
-  #wanted: HouseRequest = requestFromQuery(location.search);
-  readonly #home = new Home();
   readonly #diagnose = new Diagnose(this.#home);
-  #pending = new AbortController();
+  #wanted: HouseRequest = requestFromQuery(location.search);
+  #learnt = false;
   #written = new AbortController();
   #reads: Promise<void> = Promise.resolve();
-  /** Without the catalog a house is shown all the same, its bodies as boxes. */
-  readonly #dressed = catalog(new AbortController().signal).then((known) => this.#stage.dress(known)).catch(() => undefined);
 
   constructor() {
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
@@ -43,9 +51,16 @@ class Page {
     this.#diagnose.onChoose = (id) => this.#goTo(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
     this.#stage.onSelect = (id) => this.#home.select(id);
+    this.#stage.onRoom = (id) => this.#home.selectRoom(id);
+    this.#rooms.onReroll = (id) => this.#reroll(id);
+    this.#files.onOpen = (file) => this.#openFile(file);
+    this.#files.onFailure = (reason) => this.#asking.notice.show(reason);
+    this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
     this.#home.on("shown", (how) => this.#show(how));
     this.#home.on("selected", (id) => this.#select(id));
     element("random").addEventListener("click", () => this.#random());
+    element("decorate_now").addEventListener("click", () => this.#submit({ ...this.#wanted, decorate: true }));
+    element("reset").addEventListener("click", () => this.#submit(DEFAULTS));
     window.addEventListener("popstate", () => this.#openAddress());
     document.addEventListener("keydown", (event) => this.#key(event));
   }
@@ -53,6 +68,7 @@ class Page {
   /** Opens the house that the address holds. */
   open(): void {
     globalThis.compose = this.#stage;
+    foldForNarrow();
     this.#openAddress();
   }
 
@@ -63,13 +79,17 @@ class Page {
   }
 
   #random(): void {
-    const request = { ...this.#controls.read(), seed: anotherSeed(this.#wanted.seed) };
+    this.#submit({ ...this.#controls.read(), seed: anotherSeed(this.#wanted.seed) });
+  }
+
+  /** Asks for a house and shows in the form what is asked. */
+  #submit(request: HouseRequest): void {
     this.#controls.show(request);
     void this.#ask(request, "push");
   }
 
   #key(event: KeyboardEvent): void {
-    const typing = event.target instanceof HTMLInputElement && event.target.type === "number";
+    const typing = event.target instanceof Element && event.target.matches("input:not([type=range], [type=checkbox]), select, textarea, dialog *");
     if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
     const acts: Readonly<Record<string, () => void>> = {
       r: () => this.#random(),
@@ -84,32 +104,57 @@ class Page {
 
   #remember(request: HouseRequest, history: History): void {
     this.#wanted = request;
+    this.#link.holds("a request");
     const query = queryFromRequest(request);
     if (query === location.search) return;
     if (history === "push") window.history.pushState(null, "", query);
     else window.history.replaceState(null, "", query);
   }
 
-  /** Asks for a house; a newer question withdraws an older one. */
-  async #ask(request: HouseRequest, history: History): Promise<void> {
-    this.#pending.abort();
-    const { signal } = (this.#pending = new AbortController());
+  #ask(request: HouseRequest, history: History): Promise<void> {
     this.#remember(request, history);
-    this.#busy(true);
-    try {
-      const { scene, issues, timing_ms: timing } = await generate(request, signal);
-      await this.#dressed;
+    return this.#asking.run("Laying out the house", async (signal) => {
+      const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal)]);
       this.#home.select(null);
       this.#home.show({ scene, issues, conflicts: [], timing }, "new");
       await this.#reads;
-      this.#controls.showProblems([]);
-      this.#notice.hide();
+    });
+  }
+
+  /** Asks once for what the service knows; without it a house is shown all the same, its bodies as boxes. */
+  async #learn(signal: AbortSignal): Promise<void> {
+    if (this.#learnt) return;
+    try {
+      const known = await catalog(signal);
+      this.#learnt = true;
+      this.#stage.dress(known);
+      this.#controls.offer(known);
     } catch (reason) {
-      if (isAbort(reason)) return;
-      this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
-      this.#notice.show(reason);
+      if (isAbort(reason)) throw reason;
     }
-    this.#busy(false);
+  }
+
+  #reroll(room: string): void {
+    const before = this.#home.settled?.scene;
+    if (!before) return;
+    void this.#asking.run("Furnishing the room anew", async (signal) => {
+      const { scene, issues, timing_ms: timing } = await reroll(before, [room], signal);
+      this.#home.show({ scene, issues, conflicts: [], timing }, "step");
+      await this.#reads;
+    });
+  }
+
+  #openFile({ name, text, format }: GivenFile): void {
+    void this.#asking.run(`Reading ${name}`, async (signal) => {
+      const scene = await readFile(text, format, signal);
+      const { issues } = await report(scene, [], signal);
+      window.history.pushState(null, "", location.pathname);
+      this.#link.holds("a file");
+      this.#home.select(null);
+      this.#home.show({ scene, issues, conflicts: [], timing: 0 }, "new");
+      await this.#reads;
+      document.title = `Compose: ${name}`;
+    });
   }
 
   /** Shows the home as it now is; the moments of an edit are the stage's and the text waits for the end. */
@@ -119,8 +164,10 @@ class Page {
     this.#stage.show(shown.scene, shown.issues);
     this.#stage.select(this.#home.selected);
     this.#issues.show(shown.issues);
-    showStatus(element("status"), countsOf(shown.scene, shown.issues), shown.timing);
-    document.title = `Compose: house ${shown.scene.seed}`;
+    this.#legend.show(shown.scene);
+    showShown(element("status"), shown);
+    if (this.#home.canUndo) this.#link.holds("edits");
+    if (how === "new") document.title = `Compose: house ${shown.scene.seed}`;
     this.#reads = this.#read(shown.scene);
   }
 
@@ -132,13 +179,13 @@ class Page {
       this.#reading.show(await view(scene, signal));
       this.#reading.select(this.#home.selected);
     } catch (reason) {
-      if (!isAbort(reason)) this.#notice.show(reason);
+      if (!isAbort(reason)) this.#asking.notice.show(reason);
     }
   }
 
-  #busy(busy: boolean): void {
-    element("progress").hidden = !busy;
-    element("stage").setAttribute("aria-busy", String(busy));
+  #select(id: string | null): void {
+    this.#stage.select(id);
+    this.#reading.select(id);
   }
 
   /** Selects a body and brings it into the middle. */
@@ -146,16 +193,11 @@ class Page {
     this.#home.select(id);
     this.#stage.centre(id);
   }
-
-  #select(id: string | null): void {
-    this.#stage.select(id);
-    this.#reading.select(id);
-  }
 }
 
 declare global {
   /** What is shown, for tests and the curious; nothing of the page reads it. */
-  var compose: Pick<Stage, "state" | "whereIs" | "measure">;
+  var compose: Pick<Stage, "state" | "whereIs">;
 }
 
 new Page().open();

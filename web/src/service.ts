@@ -1,21 +1,34 @@
 /** The page's only way out: calls of the service that served it. */
 import type { Catalog, FieldProblem, FixAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 
+/** What is known of a refusal beside its words. */
+interface Refusal {
+  readonly fields?: readonly FieldProblem[];
+  /** The HTTP status; 0 where no answer came. */
+  readonly status?: number;
+  /** When to come back [s], where the service says. */
+  readonly retryAfter?: number | null;
+}
+
 /** Why a call brought no answer, in words for a person. */
 export class ServiceProblem extends Error {
-  constructor(
-    readonly title: string,
-    readonly detail: string,
-    readonly fields: readonly FieldProblem[] = [],
-  ) {
+  readonly fields: readonly FieldProblem[];
+  readonly status: number | null;
+  readonly retryAfter: number | null;
+
+  constructor(readonly title: string, readonly detail: string, refusal: Refusal = {}) {
     super(`${title}: ${detail}`);
     this.name = "ServiceProblem";
+    this.fields = refusal.fields ?? [];
+    this.status = refusal.status ?? null;
+    this.retryAfter = refusal.retryAfter ?? null;
   }
 }
 
 const LOST = new ServiceProblem(
   "The service does not answer",
   "It may have been stopped, or the connection is gone. What you see is the last house; try again when it is back.",
+  { status: 0 },
 );
 
 const WORDS: Readonly<Record<number, string>> = {
@@ -26,10 +39,19 @@ const WORDS: Readonly<Record<number, string>> = {
 };
 
 /** Turns a refusal into words; the service's own come first. */
-export function problemFrom(status: number, document: ProblemDocument | null): ServiceProblem {
+export function problemFrom(status: number, document: ProblemDocument | null, retryAfter: number | null = null): ServiceProblem {
   const title = document?.title ?? `The service refused (${status})`;
   const detail = document?.detail ?? WORDS[status] ?? "It gave no reason.";
-  return new ServiceProblem(title, detail, document?.errors ?? []);
+  return new ServiceProblem(title, detail, { fields: document?.errors ?? [], status, retryAfter });
+}
+
+/** Reads Retry-After, which says seconds or a date; null where it says neither. */
+export function secondsOf(retryAfter: string | null, now = Date.now()): number | null {
+  if (retryAfter === null || retryAfter.trim() === "") return null;
+  const seconds = Number(retryAfter);
+  if (Number.isFinite(seconds)) return Math.max(0, Math.ceil(seconds));
+  const date = Date.parse(retryAfter);
+  return Number.isNaN(date) ? null : Math.max(0, Math.ceil((date - now) / 1000));
 }
 
 function isAbort(reason: unknown): boolean {
@@ -38,22 +60,40 @@ function isAbort(reason: unknown): boolean {
 
 async function readProblem(response: Response): Promise<ServiceProblem> {
   const document = (await response.json().catch(() => null)) as ProblemDocument | null;
-  return problemFrom(response.status, document);
+  return problemFrom(response.status, document, secondsOf(response.headers.get("Retry-After")));
 }
 
-async function ask<Answer>(call: string, init: RequestInit): Promise<Answer> {
+const KEY = "compose.key";
+
+/** Keeps the service's key while this window is open. */
+export function useKey(key: string): void {
+  sessionStorage.setItem(KEY, key);
+}
+
+function withKey(headers: HeadersInit | undefined): Headers {
+  const all = new Headers(headers);
+  const key = globalThis.sessionStorage?.getItem(KEY);
+  if (key) all.set("X-API-Key", key);
+  return all;
+}
+
+async function askFor<Answer>(read: (response: Response) => Promise<Answer>, call: string, init: RequestInit): Promise<Answer> {
   let response: Response;
   try {
-    response = await fetch(new URL(call, document.baseURI), init);
+    response = await fetch(new URL(call, document.baseURI), { ...init, headers: withKey(init.headers) });
   } catch (reason) {
     throw isAbort(reason) ? reason : LOST;
   }
   if (!response.ok) throw await readProblem(response);
   try {
-    return (await response.json()) as Answer;
+    return await read(response);
   } catch (reason) {
     throw isAbort(reason) ? reason : LOST;
   }
+}
+
+function ask<Answer>(call: string, init: RequestInit): Promise<Answer> {
+  return askFor(async (response) => (await response.json()) as Answer, call, init);
 }
 
 function post<Answer>(call: string, body: unknown, signal: AbortSignal): Promise<Answer> {
@@ -68,6 +108,24 @@ export function catalog(signal: AbortSignal): Promise<Catalog> {
 
 export function generate(request: HouseRequest, signal: AbortSignal): Promise<GenerateAnswer> {
   return post("generate", request, signal);
+}
+
+/** Furnishes rooms of a scene anew; without a seed the service draws one. */
+export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<GenerateAnswer> {
+  return post("generate", { scene, reroll: rooms }, signal);
+}
+
+export type FileFormat = "json" | "yaml";
+
+/** The whole scene as a file's text. */
+export function exported(scene: Scene, format: FileFormat, signal: AbortSignal): Promise<string> {
+  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene }), signal };
+  return askFor((response) => response.text(), `export/${format}`, init);
+}
+
+/** The scene that a file holds, as the service reads it. */
+export function readFile(text: string, format: FileFormat, signal: AbortSignal): Promise<Scene> {
+  return ask("export/json", { method: "POST", headers: { "Content-Type": `application/${format}` }, body: text, signal });
 }
 
 export function fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer> {

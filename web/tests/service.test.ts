@@ -75,7 +75,7 @@ describe("the status", () => {
     const door = opening({ id: "door_1" });
     const window = opening({ id: "window_1", kind: "window" });
     const rooms = [room("a", [0, 0, 4, 4], { openings: [door, window], furniture: [piece("x"), piece("y")] }), room("b", [0, 4, 4, 4], { openings: [door] })];
-    expect(countsOf(scene(rooms), [])).toEqual({ rooms: 2, doors: 1, windows: 1, furniture: 2, issues: 0 });
+    expect(countsOf(scene(rooms), [])).toEqual({ rooms: 2, doors: 1, windows: 1, furniture: 2, decorations: 0, issues: 0 });
   });
 
   it("takes the total time, or sums the stages", () => {

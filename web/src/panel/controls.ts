@@ -1,9 +1,7 @@
 /** The form: reads and shows a request, and says beside a field what the service says of it. */
-import { numberOrText } from "../address";
-import type { FieldProblem, HouseRequest } from "../contract";
-
-const NUMBERS = ["seed", "width", "depth", "min_room_size", "max_depth"] as const;
-const SWITCHES = ["use_spine", "outdoor"] as const;
+import { anotherSeed, DEFAULTS, numberOrText, NUMBERS, OF_PLAIN_PLANS, SWITCHES, withoutGaps } from "../address";
+import type { Catalog, FieldProblem, HouseRequest, Typed } from "../contract";
+import { inWords, Programme } from "./programme";
 
 /** What to say beside a field. */
 export function fieldWords({ problem, allowed }: FieldProblem): string {
@@ -12,36 +10,100 @@ export function fieldWords({ problem, allowed }: FieldProblem): string {
 
 export class Controls {
   onGenerate: (request: HouseRequest) => void = () => undefined;
+  readonly #programme: Programme;
+  /** What only an address can ask for. */
+  #forced: HouseRequest["force_types"];
+  #catalog: Catalog | null = null;
 
   constructor(readonly form: HTMLFormElement) {
+    this.#programme = new Programme(form);
+    this.#programme.onPlanned = (planned) => this.#fitOutline(planned);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       this.onGenerate(this.read());
     });
+    this.#input("style").addEventListener("change", () => this.#sayStyle());
     for (const slider of form.querySelectorAll<HTMLInputElement>("input[data-for]")) this.#tie(slider);
   }
 
+  /** Fills in what the service knows. */
+  offer(catalog: Catalog): void {
+    this.#catalog = catalog;
+    this.#programme.offer(catalog);
+    for (const name of Object.keys(catalog.styles ?? {})) this.#offerStyle(name);
+    this.#sayStyle();
+  }
+
   read(): HouseRequest {
-    const request = {} as HouseRequest;
-    for (const name of NUMBERS) request[name] = numberOrText(this.#input(name).value);
+    const planned = this.#programme.planned;
+    const request: HouseRequest = { seed: this.#readSeed() };
+    for (const name of NUMBERS) if (name !== "area" && name !== "seed") request[name] = this.#readNumber(name, planned);
     for (const name of SWITCHES) request[name] = this.#input(name).checked;
-    return request;
+    if (planned) for (const name of OF_PLAIN_PLANS) delete request[name];
+    const forced = planned ? undefined : this.#forced;
+    return withoutGaps({ ...request, ...this.#programme.read(), style: this.#input("style").value || undefined, force_types: forced });
   }
 
   show(request: HouseRequest): void {
-    for (const name of NUMBERS) this.#write(name, String(request[name]));
-    for (const name of SWITCHES) this.#input(name).checked = request[name];
+    this.#programme.show(request);
+    const shown = { ...DEFAULTS, width: undefined, depth: undefined, ...request };
+    for (const name of NUMBERS) this.#write(name, String(shown[name] ?? ""));
+    for (const name of SWITCHES) this.#input(name).checked = shown[name] === true;
+    if (request.style !== undefined) this.#offerStyle(request.style);
+    this.#input("style").value = request.style ?? "";
+    this.#forced = request.force_types;
+    this.#sayStyle();
     this.showProblems([]);
   }
 
-  /** Marks the fields that the service refused, each with its words. */
+  /** Marks the fields that the service refused, each with its words, and goes to the first. */
   showProblems(problems: readonly FieldProblem[]): void {
-    for (const name of NUMBERS) {
-      const problem = problems.find(({ field }) => field === name || field.endsWith(`.${name}`));
-      const place = this.form.querySelector<HTMLElement>(`#${name}_problem`);
-      this.#input(name).setAttribute("aria-invalid", String(problem !== undefined));
-      if (place) place.textContent = problem ? fieldWords(problem) : "";
+    let first: HTMLElement | null = null;
+    for (const field of this.form.querySelectorAll<HTMLInputElement>("input[name], select[name]")) {
+      const problem = problems.find((one) => one.field === field.name || one.field === `request.${field.name}`);
+      const place = this.form.querySelector<HTMLElement>(`#${field.id}_problem`);
+      if (!place) continue;
+      field.setAttribute("aria-invalid", String(problem !== undefined));
+      place.textContent = problem ? fieldWords(problem) : "";
+      if (problem) first ??= field;
     }
+    if (!first) return;
+    first.closest("details")?.setAttribute("open", "");
+    first.focus();
+  }
+
+  /** A home that is planned chooses its own outline; a plain plan needs one. */
+  #fitOutline(planned: boolean): void {
+    for (const name of ["width", "depth"] as const) {
+      const typed = this.#input(name).value;
+      if (planned && typed === String(DEFAULTS[name])) this.#write(name, "");
+      if (!planned && typed === "") this.#write(name, String(DEFAULTS[name]));
+    }
+  }
+
+  /** A seed that is left empty is drawn. */
+  #readSeed(): Typed {
+    const seed = this.#input("seed");
+    if (seed.value.trim() === "") seed.value = String(anotherSeed(-1));
+    return numberOrText(seed.value);
+  }
+
+  #readNumber(name: Exclude<(typeof NUMBERS)[number], "area" | "seed">, planned: boolean): Typed | undefined {
+    const typed = this.#input(name).value.trim();
+    if (typed !== "") return numberOrText(typed);
+    return planned ? undefined : DEFAULTS[name];
+  }
+
+  #offerStyle(name: string): void {
+    const style = this.form.querySelector<HTMLSelectElement>("#style");
+    if (style && ![...style.options].some((option) => option.value === name)) style.append(new Option(inWords(name), name));
+  }
+
+  #sayStyle(): void {
+    const style = this.#catalog?.styles?.[this.#input("style").value];
+    const place = this.form.querySelector<HTMLElement>("#style_words");
+    const walls = new Set(Object.values(style?.walls ?? {}).flatMap((finishes) => finishes.map(({ type }) => type)));
+    if (place) place.textContent = walls.size > 0 ? `Walls of ${[...walls].join(", ")}; colours, floors and decorations to match.` : "";
   }
 
   #input(name: string): HTMLInputElement {

@@ -1,16 +1,30 @@
 /** What the service refuses, or that it is gone, in words over the canvas. */
 import { ServiceProblem } from "../service";
 
+/** What a notice can lead to. */
+export interface NoticeActs {
+  tryAgain(): void;
+  useKey(key: string): void;
+}
+
+function secondsInWords(seconds: number): string {
+  return seconds === 1 ? "1 second" : `${seconds} seconds`;
+}
+
 export class Notice {
   readonly #title: HTMLElement;
   readonly #detail: HTMLElement;
-  readonly #again: HTMLElement;
+  readonly #again: HTMLButtonElement;
+  readonly #key: HTMLFormElement;
+  #counting = 0;
 
-  constructor(readonly host: HTMLElement, tryAgain: () => void) {
+  constructor(readonly host: HTMLElement, readonly acts: NoticeActs) {
     this.#title = host.querySelector<HTMLElement>(".notice-title") as HTMLElement;
     this.#detail = host.querySelector<HTMLElement>(".notice-detail") as HTMLElement;
-    this.#again = host.querySelector<HTMLElement>(".notice-again") as HTMLElement;
-    this.#again.addEventListener("click", tryAgain);
+    this.#again = host.querySelector<HTMLButtonElement>(".notice-again") as HTMLButtonElement;
+    this.#key = host.querySelector<HTMLFormElement>(".notice-key") as HTMLFormElement;
+    this.#again.addEventListener("click", () => acts.tryAgain());
+    this.#key.addEventListener("submit", (event) => this.#submitKey(event));
     host.querySelector(".notice-close")?.addEventListener("click", () => this.hide());
   }
 
@@ -18,11 +32,41 @@ export class Notice {
     const problem = reason instanceof ServiceProblem ? reason : new ServiceProblem("The page failed", String(reason));
     this.#title.textContent = problem.title;
     this.#detail.textContent = problem.detail;
-    this.#again.hidden = problem.fields.length > 0;
+    this.#key.hidden = problem.status !== 401;
+    const passes = problem.fields.length === 0 || problem.status === 503 || problem.status === 429;
+    this.#again.hidden = !passes || problem.status === 401 || problem.status === 413;
     this.host.hidden = false;
+    this.#countDown(problem.retryAfter ?? 0);
+    if (problem.status === 401) this.#field().focus();
   }
 
   hide(): void {
     this.host.hidden = true;
+    this.#countDown(0);
+  }
+
+  /** Says how long to wait; until then there is nothing to try. */
+  #countDown(seconds: number): void {
+    clearInterval(this.#counting);
+    let left = seconds;
+    const say = (): void => {
+      this.#again.disabled = left > 0;
+      this.#again.textContent = left > 0 ? `Try again in ${secondsInWords(left)}` : "Try again";
+      if (left <= 0) clearInterval(this.#counting);
+      left -= 1;
+    };
+    if (left > 0) this.#counting = window.setInterval(say, 1000);
+    say();
+  }
+
+  #field(): HTMLInputElement {
+    return this.#key.querySelector("input") as HTMLInputElement;
+  }
+
+  #submitKey(event: Event): void {
+    event.preventDefault();
+    const key = this.#field().value.trim();
+    this.#field().value = "";
+    if (key) this.acts.useKey(key);
   }
 }

@@ -1,11 +1,13 @@
 /** The status bar: how much there is of what, how many issues, how long it took. */
 import type { GenerateAnswer, Issue, Scene } from "../contract";
+import type { Shown } from "../state/home";
 
 export interface Counts {
   readonly rooms: number;
   readonly doors: number;
   readonly windows: number;
   readonly furniture: number;
+  readonly decorations: number;
   readonly issues: number;
 }
 
@@ -18,6 +20,7 @@ export function countsOf(scene: Scene, issues: readonly Issue[]): Counts {
     doors: kinds.filter((kind) => kind !== "window").length,
     windows: kinds.filter((kind) => kind === "window").length,
     furniture: scene.rooms.reduce((sum, room) => sum + room.furniture.length, 0),
+    decorations: scene.rooms.reduce((sum, room) => sum + room.decorations.length, 0),
     issues: issues.length,
   };
 }
@@ -32,7 +35,33 @@ function timeWords(ms: number): string {
   return ms >= 1000 ? `${(ms / 1000).toFixed(1)} s` : `${ms < 10 ? ms.toFixed(1) : ms.toFixed(0)} ms`;
 }
 
-export function showStatus(host: HTMLElement, counts: Counts, timing: GenerateAnswer["timing_ms"]): void {
+/** What the certificate proves, in short and in full; null where it says nothing of rooms. */
+export function optimalityOf({ certificate }: Scene): { readonly short: string; readonly full: string } | null {
+  const rooms = Object.entries(certificate?.rooms ?? {});
+  if (rooms.length === 0) return null;
+  const open = rooms.filter(([, { proven }]) => !proven).map(([id]) => id);
+  const proven = `${rooms.length - open.length} of ${rooms.length}`;
+  const best = "No other placement of the pieces comes closer to what the room's rules want";
+  const full = open.length === 0 ? `${best}: proven for every room.`
+    : `${best}: proven for ${proven} rooms. In the others the search ended at its limit: ${open.join(", ")}.`;
+  return { short: `proven optimal in ${proven} rooms`, full };
+}
+
+function showOptimality(host: HTMLElement, scene: Scene): void {
+  const place = host.querySelector<HTMLElement>("[data-count='optimality']");
+  const said = optimalityOf(scene);
+  if (!place) return;
+  place.textContent = said?.short ?? "";
+  place.title = said?.full ?? "";
+}
+
+/** Shows what is there, how good it is and how long it took. */
+export function showShown(host: HTMLElement, { scene, issues, timing }: Shown): void {
+  showStatus(host, countsOf(scene, issues), timing);
+  showOptimality(host, scene);
+}
+
+function showStatus(host: HTMLElement, counts: Counts, timing: GenerateAnswer["timing_ms"]): void {
   const said = { ...counts, time: timeWords(totalMs(timing)) };
   for (const [name, value] of Object.entries(said)) {
     const place = host.querySelector<HTMLElement>(`[data-count="${name}"]`);

@@ -1,0 +1,40 @@
+/** One question to the service at a time: its progress, its refusal, and trying it again. */
+import type { Progress } from "./panel/progress";
+import { isAbort, useKey } from "./service";
+import { Notice } from "./panel/notice";
+
+export class Asking {
+  /** Called with what went wrong, null once a question went well. */
+  onEnd: (reason: unknown) => void = () => undefined;
+  readonly notice: Notice;
+  #pending = new AbortController();
+  #again: () => void = () => undefined;
+
+  constructor(host: HTMLElement, readonly progress: Progress) {
+    this.notice = new Notice(host, {
+      tryAgain: () => this.#again(),
+      useKey: (key) => {
+        useKey(key);
+        this.#again();
+      },
+    });
+  }
+
+  /** Asks; a newer question withdraws an older one. */
+  async run(what: string, ask: (signal: AbortSignal) => Promise<void>): Promise<void> {
+    this.#pending.abort();
+    const { signal } = (this.#pending = new AbortController());
+    this.#again = () => void this.run(what, ask);
+    this.progress.start(what);
+    try {
+      await ask(signal);
+      this.notice.hide();
+      this.onEnd(null);
+    } catch (reason) {
+      if (isAbort(reason)) return;
+      this.notice.show(reason);
+      this.onEnd(reason);
+    }
+    this.progress.stop();
+  }
+}

@@ -1,0 +1,88 @@
+/** Files: the scene shown is saved whole, a scene dropped or chosen is read by the service. */
+import type { Scene } from "../contract";
+import { exported, type FileFormat } from "../service";
+
+/** A file as it was handed over. */
+export interface GivenFile {
+  readonly name: string;
+  readonly format: FileFormat;
+  readonly text: string;
+}
+
+/** A file's format by its name; else by its first character, since JSON begins with a bracket. */
+export function formatOf(name: string, text: string): FileFormat {
+  if (/\.json$/i.test(name)) return "json";
+  if (/\.ya?ml$/i.test(name)) return "yaml";
+  return /^\s*[[{]/.test(text) ? "json" : "yaml";
+}
+
+export function fileName(scene: Scene, format: FileFormat): string {
+  return `compose-${scene.seed}.${format}`;
+}
+
+function save(text: string, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text]));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 0);
+}
+
+export class Files {
+  /** Called with a file to be opened. */
+  onOpen: (file: GivenFile) => void = () => undefined;
+  onFailure: (reason: unknown) => void = () => undefined;
+  readonly #chooser: HTMLInputElement;
+
+  constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Scene | null) {
+    this.#chooser = host.querySelector("#file") as HTMLInputElement;
+    for (const format of ["json", "yaml"] as const) {
+      host.querySelector(`#download_${format}`)?.addEventListener("click", () => void this.#download(format));
+    }
+    host.querySelector("#open_file")?.addEventListener("click", () => this.#chooser.click());
+    this.#chooser.addEventListener("change", () => this.#chosen());
+    window.addEventListener("dragover", (event) => this.#over(event));
+    window.addEventListener("dragleave", (event) => { if (event.relatedTarget === null) drop.hidden = true; });
+    window.addEventListener("drop", (event) => this.#dropped(event));
+  }
+
+  async #download(format: FileFormat): Promise<void> {
+    const scene = this.scene();
+    if (!scene) return;
+    try {
+      save(await exported(scene, format, new AbortController().signal), fileName(scene, format));
+    } catch (reason) {
+      this.onFailure(reason);
+    }
+  }
+
+  #chosen(): void {
+    void this.#open(this.#chooser.files?.[0]);
+    this.#chooser.value = "";
+  }
+
+  #over(event: DragEvent): void {
+    if (!event.dataTransfer?.types.includes("Files")) return;
+    event.preventDefault();
+    event.dataTransfer.dropEffect = "copy";
+    this.drop.hidden = false;
+  }
+
+  #dropped(event: DragEvent): void {
+    this.drop.hidden = true;
+    const file = event.dataTransfer?.files[0];
+    if (!file) return;
+    event.preventDefault();
+    void this.#open(file);
+  }
+
+  async #open(file: File | undefined): Promise<void> {
+    if (!file) return;
+    try {
+      const text = await file.text();
+      this.onOpen({ name: file.name, format: formatOf(file.name, text), text });
+    } catch (reason) {
+      this.onFailure(reason);
+    }
+  }
+}

@@ -1,0 +1,35 @@
+/** That work is under way, and for how long: what is done at once is not worth a word. */
+
+/** When the words come [ms]; the bar comes sooner. */
+const WORDS_AFTER_MS = 1000;
+
+export class Progress {
+  #since: number | null = null;
+  #ticking = 0;
+  readonly #words: HTMLElement;
+
+  constructor(readonly host: HTMLElement, readonly busy: HTMLElement) {
+    this.#words = host.querySelector("span") as HTMLElement;
+  }
+
+  start(what: string): void {
+    this.stop();
+    this.#since = performance.now();
+    this.host.hidden = false;
+    this.host.setAttribute("aria-label", what);
+    this.busy.setAttribute("aria-busy", "true");
+    this.#ticking = window.setInterval(() => this.#say(what), WORDS_AFTER_MS);
+  }
+
+  stop(): void {
+    clearInterval(this.#ticking);
+    this.#since = null;
+    this.#words.textContent = "";
+    this.host.hidden = true;
+    this.busy.setAttribute("aria-busy", "false");
+  }
+
+  #say(what: string): void {
+    if (this.#since !== null) this.#words.textContent = `${what}… ${Math.round((performance.now() - this.#since) / 1000)} s`;
+  }
+}
