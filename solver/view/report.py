@@ -73,7 +73,7 @@ def _head(scene: Scene, issues: Sequence[Issue], found: _Findings) -> Iterator[L
     )
     yield Line(f"# House: {size}walls {_metres(scene.wall_thickness)} m thick")
     yield Line(f"# Counts: {_counts(scene)}")
-    yield Line(f"# Placement: {proofs(scene) or 'nothing is said of optimality'}")
+    yield Line(f"# Placement, as made: {proofs(scene) or 'nothing is said of optimality'}")
     yield Line(f"# Issues: {_tally(issues)}")
     if found.flagged:
         yield Line(f"# Flagged: {len(found.flagged)}")
@@ -143,7 +143,7 @@ def _certified(entry: Mapping[str, Any]) -> Iterator[Line]:
     cost = entry.get("cost")
     if isinstance(cost, int | float):
         proof = "proven optimal" if entry.get("proven") is True else "not proven optimal"
-        yield Line(f"{FINE}  placement: cost {number(cost)}, {proof}")
+        yield Line(f"{FINE}  placement, as made: cost {number(cost)}, {proof}")
     left_out = entry.get("left_out")
     for item in left_out if isinstance(left_out, list | tuple) else ():
         if isinstance(item, Mapping):

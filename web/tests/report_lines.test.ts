@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { fixWords } from "../src/panel/fix_words";
 import { groupsOf } from "../src/panel/issues";
+import { marksOf } from "../src/panel/mark_words";
 import { sharedEnds, type Line } from "../src/panel/line_list";
 import { kindOf, reportLines } from "../src/panel/report_lines";
 
@@ -57,4 +58,20 @@ test("issues are grouped by rule, errors first, each once", () => {
   const groups = groupsOf(issues);
   expect(groups.map(({ rule, issues: members }) => [rule, members.length])).toEqual([["overlap", 2], ["wall_far", 1], ["missing_required", 1]]);
   expect(new Set(groups.flatMap((group) => group.issues))).toEqual(new Set(issues));
+});
+
+test("every body in question gets its rules' words once, and a room where no body is named", () => {
+  const issues = [
+    { ...issue("overlap"), ids: ["a", "b"], room: "den" },
+    { ...issue("overlap"), ids: ["a", "c"], room: "den" },
+    { ...issue("wall_far"), ids: ["a"], room: "den" },
+    { ...issue("missing_required", "warning"), room: "den" },
+    issue("unreachable"),
+  ];
+  expect(marksOf(issues)).toEqual([
+    { id: "a", words: "OVERLAP, WALL FAR" },
+    { id: "b", words: "OVERLAP" },
+    { id: "c", words: "OVERLAP" },
+    { id: "den", words: "MISSING REQUIRED" },
+  ]);
 });

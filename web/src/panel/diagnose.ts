@@ -23,7 +23,7 @@ export class Diagnose {
   #repair = new AbortController();
 
   constructor(readonly home: Home) {
-    this.#list = new LineList(within("report"), (text, into) => { into.textContent = text; });
+    this.#list = new LineList(within("report"));
     this.#list.onChoose = (id) => this.#choose(id);
     within("diagnose").addEventListener("click", () => this.open());
     within("diagnose_copy").addEventListener("click", () => void this.#copy());

@@ -20,6 +20,14 @@ export function sharedEnds(before: readonly Line[], after: readonly Line[]): { s
   return { start, end };
 }
 
+/** What lines that speak of a body are copies of: copying is quicker than making. */
+function button(): HTMLButtonElement {
+  const made = document.createElement("button");
+  made.type = "button";
+  made.tabIndex = -1;
+  return made;
+}
+
 export class LineList {
   /** Called with the id of the body whose line was chosen. */
   onChoose: (id: string) => void = () => undefined;
@@ -27,10 +35,17 @@ export class LineList {
   #elements: HTMLElement[] = [];
   #buttons: HTMLButtonElement[] = [];
   #reachable: HTMLButtonElement | undefined;
+  readonly #plain = document.createElement("div");
+  readonly #button = button();
 
-  constructor(readonly host: HTMLElement, readonly write: (text: string, into: HTMLElement) => void) {
+  constructor(readonly host: HTMLElement) {
     host.addEventListener("click", (event) => this.#choose(event.target));
     host.addEventListener("keydown", (event) => this.#step(event));
+  }
+
+  /** All lines, in order. */
+  get elements(): readonly HTMLElement[] {
+    return this.#elements;
   }
 
   /** The lines that are buttons, in order. */
@@ -64,14 +79,10 @@ export class LineList {
   }
 
   #element({ text, id, className }: Line): HTMLElement {
-    const line = document.createElement(id === null ? "div" : "button");
+    const line = (id === null ? this.#plain : this.#button).cloneNode() as HTMLElement;
     line.className = className;
-    if (line instanceof HTMLButtonElement && id !== null) {
-      line.type = "button";
-      line.dataset.id = id;
-      line.tabIndex = -1;
-    }
-    this.write(text, line);
+    line.textContent = text;
+    if (id !== null) line.dataset.id = id;
     return line;
   }
 

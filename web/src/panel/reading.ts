@@ -18,10 +18,14 @@ export class Reading {
   #selected: string | null = null;
   #flagged: ReadonlySet<string> = new Set();
   #found: HTMLButtonElement[] = [];
+  readonly #coloured = new WeakSet<HTMLElement>();
+  #asked = false;
 
   constructor(readonly host: HTMLElement) {
-    this.#list = new LineList(host, writeHighlighted);
+    this.#list = new LineList(host);
     this.#list.onChoose = (id) => this.onChoose(id);
+    host.addEventListener("scroll", () => this.#colourSoon(), { passive: true });
+    new ResizeObserver(() => this.#colourSoon()).observe(host);
     this.#flag.addEventListener("click", () => this.flagSelected());
     this.#find.addEventListener("input", () => this.#search());
     this.#find.addEventListener("keydown", (event) => this.#findKey(event));
@@ -34,6 +38,31 @@ export class Reading {
     this.flag(this.#flagged);
     this.select(this.#selected);
     if (this.#find.value !== "") this.#search();
+    this.#colourSoon();
+  }
+
+  #colourSoon(): void {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => {
+      this.#asked = false;
+      this.#colour();
+    });
+  }
+
+  /** Highlights the lines in view and a screen around them: a house has thousands, of which few are ever read. */
+  #colour(): void {
+    const { elements } = this.#list;
+    const { scrollTop, clientHeight, scrollHeight } = this.host;
+    const each = Math.max(1, scrollHeight / elements.length);
+    const [first, last] = [(scrollTop - clientHeight) / each, (scrollTop + 2 * clientHeight) / each];
+    for (const line of elements.slice(Math.max(0, Math.floor(first)), Math.ceil(last))) {
+      if (this.#coloured.has(line)) continue;
+      this.#coloured.add(line);
+      const text = line.textContent ?? "";
+      line.replaceChildren();
+      writeHighlighted(text, line);
+    }
   }
 
   /** Marks the lines of the selected body and brings the first into view. */

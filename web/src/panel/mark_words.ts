@@ -1,0 +1,19 @@
+/** What to write at the bodies and rooms in question: the rules' own words, as the report has them. Pure. */
+import type { Issue } from "../contract";
+
+export interface MarkWords {
+  /** A body's id; a room's where an issue names no body. */
+  readonly id: string;
+  readonly words: string;
+}
+
+/** One mark for each body and room in question, with every rule it breaks once. */
+export function marksOf(issues: readonly Issue[]): MarkWords[] {
+  const rules = new Map<string, Set<string>>();
+  for (const { rule, room, ids } of issues) {
+    for (const id of ids.length > 0 || !room ? ids : [room]) {
+      rules.set(id, (rules.get(id) ?? new Set()).add(rule.replaceAll("_", " ").toUpperCase()));
+    }
+  }
+  return [...rules].map(([id, words]) => ({ id, words: [...words].join(", ") }));
+}
