@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { Reading } from "../src/panel/reading";
 import { tokensOf, writeHighlighted } from "../src/panel/highlight";
 
@@ -50,8 +50,12 @@ describe("the reading panel", () => {
   const lines = [null, "a/sofa_1", null, "a/bed_1"];
 
   function panel(): { host: HTMLElement; reading: Reading; chosen: string[] } {
-    const host = document.createElement("div");
-    document.body.replaceChildren(host);
+    vi.stubGlobal("requestAnimationFrame", (act: FrameRequestCallback) => (act(0), 0));
+    vi.stubGlobal("ResizeObserver", class { observe = (): void => undefined; });
+    document.body.innerHTML =
+      '<aside id="reading"><button id="flag"></button><button id="reading_toggle" aria-expanded="true"></button>' +
+      '<input id="find" /><span id="find_words"></span><div id="yaml"></div></aside>';
+    const host = document.getElementById("yaml") as HTMLElement;
     const reading = new Reading(host);
     const chosen: string[] = [];
     reading.onChoose = (id) => chosen.push(id);
@@ -78,6 +82,34 @@ describe("the reading panel", () => {
     expect(pressed()).toEqual(["false", "true"]);
     reading.select(null);
     expect(pressed()).toEqual(["false", "false"]);
+  });
+
+  it("keeps what has not changed, and the flags on what has", () => {
+    const { host, reading } = panel();
+    reading.flag(new Set(["a/bed_1"]));
+    const [title, , , bed] = [...host.children];
+    reading.show({ text: "rooms:\n  - sofa: [1, 5]\n\n  - bed: [3, 4]\n", lines });
+    expect([host.children[0], host.children[3]]).toEqual([title, bed]);
+    expect(host.children[1]?.textContent).toBe("  - sofa: [1, 5]");
+    reading.show({ text: "rooms:\n  - bed: [9, 9]\n", lines: [null, "a/bed_1"] });
+    expect([...host.children].map((line) => line.hasAttribute("data-flagged"))).toEqual([false, true]);
+  });
+
+  it("flags the selected body, by the button and again by call", () => {
+    const { reading } = panel();
+    const asked: string[] = [];
+    reading.onFlag = (id) => asked.push(id);
+    const flag = document.getElementById("flag") as HTMLButtonElement;
+    expect(flag.disabled).toBe(true);
+    reading.flagSelected();
+    reading.select("a/bed_1");
+    flag.click();
+    reading.flagSelected();
+    expect(asked).toEqual(["a/bed_1", "a/bed_1"]);
+    reading.flag(new Set(["a/bed_1"]));
+    expect(flag.getAttribute("aria-pressed")).toBe("true");
+    reading.select("a/sofa_1");
+    expect(flag.getAttribute("aria-pressed")).toBe("false");
   });
 
   it("has one stop for the Tab key and goes on with the arrows", () => {

@@ -3,6 +3,9 @@ import type { ViewAnswer } from "../contract";
 import { writeHighlighted } from "./highlight";
 import { LineList } from "./line_list";
 
+/** Lines highlighted beyond those near the view. */
+const MARGIN = 40;
+
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
 }
@@ -55,7 +58,7 @@ export class Reading {
     const { elements } = this.#list;
     const { scrollTop, clientHeight, scrollHeight } = this.host;
     const each = Math.max(1, scrollHeight / elements.length);
-    const [first, last] = [(scrollTop - clientHeight) / each, (scrollTop + 2 * clientHeight) / each];
+    const [first, last] = [(scrollTop - clientHeight) / each, (scrollTop + 2 * clientHeight) / each + MARGIN];
     for (const line of elements.slice(Math.max(0, Math.floor(first)), Math.ceil(last))) {
       if (this.#coloured.has(line)) continue;
       this.#coloured.add(line);
