@@ -18,6 +18,8 @@ LEVEL: Final = 0.01
 CARRYING: Final = 0.25
 """At least this share of a surface is some part's top: the rim of a tub is a surface, and so is a cistern."""
 ROUND: Final = ("cylinder", "cone", "ball", "capsule")
+POSES: Final = ("seated", "upright")
+"""A kind may have shapes of its own for these: `person_seated`, `book_upright` (tipped onto its lower edge)."""
 
 
 def shape_of(catalogs: Catalogs, kind: str, shapes: Shapes) -> str | None:
@@ -27,12 +29,13 @@ def shape_of(catalogs: Catalogs, kind: str, shapes: Shapes) -> str | None:
 
 
 def shaped(catalogs: Catalogs, shapes: Shapes) -> dict[str, tuple[Solid, ...]]:
-    """Writes out the shape of every kind that has one and agrees with it."""
+    """Writes out the shape of every kind that has one and agrees with it, and those of its poses."""
     made = {}
     for kind, entry in (catalogs.furniture | catalogs.decorations).items():
         name = shape_of(catalogs, kind, shapes)
         if name is not None and name in shapes and not any(_fit_faults(name, shapes[name], kind, entry)):
             made[kind] = solids(shapes[name], _levels(entry))
+            made |= {f"{kind}_{pose}": solids(shapes[posed], {}) for pose in POSES if (posed := f"{name}_{pose}") in shapes}
     return made
 
 
@@ -43,6 +46,7 @@ def shape_faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
         for i, part in enumerate(parts):
             if part.material not in catalogs.materials:
                 yield Fault("shapes", (name, i, "material"), f"unknown material {part.material!r}", slots)
+        yield from _pose_faults(name, parts)
     for style, entry in catalogs.styles.items():
         for slot in entry.materials:
             if slot not in catalogs.materials:
@@ -50,6 +54,14 @@ def shape_faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
     for section, kinds in (("furniture", catalogs.furniture), ("decorations", catalogs.decorations)):
         for kind in kinds:
             yield from _kind_faults(catalogs, section, kind, shapes)
+
+
+def _pose_faults(name: str, parts: tuple[Part, ...]) -> Iterator[Fault]:
+    """Refuses names of surfaces in the shape of a pose: what sits, or is tipped, carries nothing."""
+    if name.endswith(tuple(f"_{pose}" for pose in POSES)):
+        for i, part in enumerate(parts):
+            if any(isinstance(end, str) for end in part.y):
+                yield Fault("shapes", (name, i, "y"), "the shape of a pose has no surfaces", "numbers")
 
 
 def _kind_faults(catalogs: Catalogs, section: str, kind: str, shapes: Shapes) -> Iterator[Fault]:
