@@ -13,6 +13,7 @@ import catalogs
 from catalogs import load_catalogs
 from catalogs.dressing import Dressing, Hangs, Lies, Stands
 from catalogs.schema import Category, Plan, Relation, Rule
+from catalogs.shapes import Form, Material, Part
 
 README = (Path(catalogs.__file__).parent / "README.md").read_text()
 ROWS = {match[1]: match[0] for match in re.finditer(r"^\| `(\w+)` \|.*$", README, re.MULTILINE)}
@@ -64,3 +65,20 @@ def test_the_example_of_a_dressing_is_one() -> None:
     ]
     assert len(rows) == 5
     assert {name for row in rows for name in row.put} <= set(known.decorations)
+
+
+def test_the_example_of_a_shape_is_one(tmp_path: Path) -> None:
+    section = README.split("## Give it a shape")[1].split("## Add a style")[0]
+    (tmp_path / "shapes").mkdir()
+    (tmp_path / "shapes" / "stools.yaml").write_text(section.split("```yaml")[1].split("```")[0])
+    (tmp_path / "furniture.yaml").write_text(
+        "milking_stool: {category: seating, size: [0.4, 0.4, 0.4], color: '#8a6a45', mass: 3, stands: free,\n"
+        "                surfaces: [{name: seat, height: 0.4}]}\n"
+    )
+    assert len(load_catalogs(tmp_path).shapes["milking_stool"]) == 5
+
+
+@pytest.mark.parametrize("word", [*get_args(Form), *Part.model_fields, *Material.model_fields])
+def test_every_word_of_a_shape_is_explained(word: str) -> None:
+    section = README.split("## Give it a shape")[1].split("## Add a style")[0]
+    assert re.search(rf"\b{word}\b", section)
