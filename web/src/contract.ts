@@ -213,6 +213,8 @@ export interface CatalogMaterial {
 export interface CatalogKind {
   /** What scenes call it; its key, where it has none. */
   readonly name?: string | null;
+  readonly category?: string;
+  readonly color?: string | null;
   readonly size: readonly [number, number, number];
 }
 

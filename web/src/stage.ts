@@ -57,6 +57,15 @@ export class Stage {
     this.#cutWalls();
   }
 
+  /** The house as it is drawn. */
+  get house(): House | null {
+    return this.#house;
+  }
+
+  get viewport(): Viewport {
+    return this.#viewport;
+  }
+
   look(preset: PresetName): void {
     this.#viewport.look(preset);
   }

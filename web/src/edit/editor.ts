@@ -143,6 +143,13 @@ export class Editor {
     this.words.refused(null);
   }
 
+  /** Another house is shown: what was under way is about none of it. */
+  forget(): void {
+    this.#live.stop();
+    if (this.#held) this.#end();
+    this.words.refused(null);
+  }
+
   #goBack(): void {
     const before = this.home.settled;
     this.#end();

@@ -6,9 +6,16 @@ export interface Point {
   readonly z: number;
 }
 
+/** A piece to be held: where its centre is, and how high it is held [m]. */
+export interface Grasp {
+  readonly id: string;
+  readonly at: Point;
+  readonly height: number;
+}
+
 export interface HandWords {
-  /** What can be held at a point of the window, and how high above the floor it is held [m]; null for nothing. */
-  grasp(clientX: number, clientY: number): { readonly id: string; readonly at: Point; readonly height: number } | null;
+  /** What can be held at a point of the window. */
+  grasp(clientX: number, clientY: number): Grasp | null;
   rayAt(clientX: number, clientY: number): Raycaster;
   /** The house must not turn meanwhile. */
   hold(held: boolean): void;

@@ -16,9 +16,9 @@ import type { Point } from "./wall_faces";
 import { Walls } from "./wall_meshes";
 import type { Storey, WallPlan } from "./walls";
 
-export type Mark = "selected" | "pointed" | "error";
+export type Mark = "selected" | "pointed" | "error" | "locked" | "conflict" | "settles";
 
-const MARK_COLORS: Readonly<Record<Mark, string>> = { selected: "#ffd166", pointed: "#d7e3f4", error: "#ff4d4f" };
+const MARK_COLORS: Readonly<Record<Mark, string>> = { selected: "#ffd166", pointed: "#d7e3f4", error: "#ff4d4f", locked: "#6cb6ff", conflict: "#ff4d4f", settles: "#7ee2a8" };
 const SLAB_MARGIN = 0.35;
 const SLAB_DEPTH = 0.16;
 /** Floors lie this much over the slab, so that the two never fight for a pixel. */
@@ -96,15 +96,19 @@ export class House {
     const placed = this.#bodyMeshes.place(id, pose);
     if (!placed) return;
     this.#bodies = this.#bodies.map((body) => (body.id === id ? placed : body));
-    for (const [mark, { ids }] of [...this.#marked]) if (ids.includes(id)) this.mark(mark, ids);
+    for (const [mark, { ids }] of [...this.#marked]) if (mark !== "settles" && ids.includes(id)) this.mark(mark, ids);
   }
 
   /** Frames the bodies with these ids in the colour of a mark, in place of those framed so before. */
   mark(mark: Mark, ids: readonly string[]): void {
+    this.frame(mark, this.bodies.filter((body) => ids.includes(body.id)));
+  }
+
+  /** Frames places at which bodies may stand, whether they do or not. */
+  frame(mark: Mark, framed: readonly PlacedBody[]): void {
     const old = this.#marked.get(mark);
     if (old) disposeOf(old.mesh);
     this.#marked.delete(mark);
-    const framed = this.bodies.filter((body) => ids.includes(body.id));
     const mesh = outlinesOf(framed, MARK_COLORS[mark]);
     if (!mesh) return;
     this.#marked.set(mark, { mesh, ids: framed.map((body) => body.id) });

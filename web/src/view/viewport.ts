@@ -88,6 +88,11 @@ export class Viewport {
     this.castShadows();
   }
 
+  /** Keeps the camera still while something is held. */
+  hold(held: boolean): void {
+    this.#controls.enabled = !held;
+  }
+
   castShadows(): void {
     this.#renderer.shadowMap.needsUpdate = true;
     this.invalidate();

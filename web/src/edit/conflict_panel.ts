@@ -1,0 +1,45 @@
+/** Why something cannot be, in the service's words, and what would help, each a button. */
+import type { Repair } from "../contract";
+import type { Refusal } from "./editor";
+import { repairWords } from "./words";
+
+const MOST_REPAIRS = 6;
+
+export class ConflictPanel {
+  onTake: (refusal: Refusal, repair: Repair) => void = () => undefined;
+
+  constructor(readonly host: HTMLElement) {}
+
+  show(refusal: Refusal | null): void {
+    this.host.hidden = refusal === null;
+    this.host.replaceChildren(...(refusal ? this.#contents(refusal) : []));
+  }
+
+  #contents(refusal: Refusal): HTMLElement[] {
+    const said = refusal.conflicts.map(({ message }) => {
+      const words = document.createElement("p");
+      words.textContent = message;
+      return words;
+    });
+    const heading = document.createElement("strong");
+    heading.textContent = refusal.live ? "It cannot stand there" : "That cannot be, so all stays as it was";
+    return [heading, ...said, ...(refusal.live ? [] : [this.#repairs(refusal)])];
+  }
+
+  #repairs(refusal: Refusal): HTMLElement {
+    const row = document.createElement("div");
+    row.className = "repairs";
+    const offered = refusal.conflicts.flatMap(({ repairs }) => repairs).slice(0, MOST_REPAIRS);
+    row.append(...offered.map((repair) => this.#button(repairWords(repair), () => this.onTake(refusal, repair))));
+    row.append(this.#button("Close", () => this.show(null)));
+    return row;
+  }
+
+  #button(words: string, act: () => void): HTMLElement {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = words;
+    button.addEventListener("click", act);
+    return button;
+  }
+}

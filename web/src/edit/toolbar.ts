@@ -1,0 +1,52 @@
+/** The row of buttons over the canvas: what can be done to the piece in hand, and to the home. */
+
+export interface Tool {
+  readonly name: string;
+  readonly words: string;
+  readonly sign: string;
+  /** As `aria-keyshortcuts` wants it. */
+  readonly keys?: string;
+  /** It speaks of the piece in hand. */
+  readonly ofPiece?: boolean;
+  act(): void;
+}
+
+export class Toolbar {
+  readonly #buttons = new Map<string, HTMLButtonElement>();
+
+  constructor(readonly host: HTMLElement, tools: readonly Tool[]) {
+    for (const tool of tools) this.#buttons.set(tool.name, this.#button(tool));
+    host.replaceChildren(...this.#buttons.values());
+    host.hidden = false;
+  }
+
+  #button(tool: Tool): HTMLButtonElement {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.dataset.tool = tool.name;
+    button.title = tool.keys ? `${tool.words} (${tool.keys.split(" ")[0] ?? ""})` : tool.words;
+    button.setAttribute("aria-label", tool.words);
+    if (tool.keys) button.setAttribute("aria-keyshortcuts", tool.keys);
+    const sign = document.createElement("span");
+    sign.textContent = tool.sign;
+    sign.setAttribute("aria-hidden", "true");
+    button.append(sign);
+    button.addEventListener("click", () => tool.act());
+    return button;
+  }
+
+  enable(name: string, enabled: boolean): void {
+    const button = this.#buttons.get(name);
+    if (button) button.disabled = !enabled;
+  }
+
+  press(name: string, pressed: boolean): void {
+    this.#buttons.get(name)?.setAttribute("aria-pressed", String(pressed));
+  }
+
+  name(name: string, words: string): void {
+    const button = this.#buttons.get(name);
+    button?.setAttribute("aria-label", words);
+    if (button) button.title = words;
+  }
+}

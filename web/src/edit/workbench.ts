@@ -1,0 +1,224 @@
+/** Editing wired to the canvas, the keys and the panels. */
+import type { Scene } from "../contract";
+import { bodiesOf, type PlacedBody } from "../house/frame";
+import type { House } from "../house/house";
+import { catalog, fix } from "../service";
+import type { Stage } from "../stage";
+import type { Home, Showing } from "../state/home";
+import { ConflictPanel } from "./conflict_panel";
+import { Editor, type Refusal } from "./editor";
+import { Hand, type Grasp } from "./hand";
+import { Palette } from "./palette";
+import { carriedBy, type FurnitureKind } from "./scene_edits";
+import { Slide, spotOf } from "./slide";
+import { Toolbar, type Tool } from "./toolbar";
+
+/** How far an arrow key moves a piece, and with Shift [m]. */
+const STEP = 0.05;
+const SMALL_STEP = 0.01;
+const QUARTER = Math.PI / 2;
+
+export interface WorkbenchWords {
+  busy(busy: boolean): void;
+  failed(reason: unknown): void;
+}
+
+function within(id: string): HTMLElement {
+  return document.getElementById(id) as HTMLElement;
+}
+
+export class Workbench {
+  readonly editor: Editor;
+  readonly #hand: Hand;
+  readonly #slide = new Slide((id, spot) => this.stage.house?.place(id, spot));
+  readonly #conflicts = new ConflictPanel(within("conflict"));
+  readonly #palette = new Palette(within("palette"));
+  readonly #toolbar: Toolbar;
+  /** The house last drawn: from its places bodies slide to those of the next. */
+  #drawn: House | null = null;
+  #sliding = false;
+  #refused: Refusal | null = null;
+  #filled = false;
+
+  constructor(readonly home: Home, readonly stage: Stage, readonly words: WorkbenchWords) {
+    this.editor = new Editor(home, fix, {
+      busy: (busy) => words.busy(busy),
+      failed: (reason) => words.failed(reason),
+      refused: (refusal) => this.#refuse(refusal),
+      lifted: (id, scene) => this.#carry(id, scene),
+      answered: (id, scene) => this.#frameGoal(id, scene),
+      settled: () => this.stage.house?.frame("settles", []),
+    });
+    this.#toolbar = new Toolbar(within("tools"), this.#tools());
+    this.#hand = this.#grasping();
+    this.#conflicts.onTake = (refusal, repair) => this.editor.take(refusal, repair);
+    this.#palette.onChoose = (kind) => this.#add(kind);
+    home.on("shown", (how) => this.#shown(how));
+    home.on("selected", () => this.#offer());
+    document.addEventListener("keydown", (event) => this.#key(event));
+    this.#offer();
+  }
+
+  #grasping(): Hand {
+    return new Hand(this.stage.viewport.canvas, {
+      grasp: (x, y) => this.#graspAt(x, y),
+      rayAt: (x, y) => this.stage.viewport.rayAt(x, y),
+      hold: (held) => this.stage.viewport.hold(held),
+      lift: (id) => { if (this.editor.lift(id)) this.home.select(id); },
+      drag: (at) => this.editor.drag(at),
+      drop: () => this.editor.drop(),
+      cancel: () => this.editor.cancel(),
+    });
+  }
+
+  #graspAt(x: number, y: number): Grasp | null {
+    const hit = this.stage.house?.hit(this.stage.viewport.rayAt(x, y));
+    const held = hit?.kind === "body" ? this.#carrierOf(hit.body) : null;
+    if (!held || this.editor.busy || this.home.locked.has(held.id)) return null;
+    return { id: held.id, at: { x: held.x, z: held.z }, height: held.y + held.height / 2 };
+  }
+
+  /** The piece of furniture that a body is, or lies on. */
+  #carrierOf(body: PlacedBody): PlacedBody | null {
+    if (body.kind === "furniture") return body;
+    const room = this.home.scene?.rooms.find((one) => one.decorations.some((piece) => piece.id === body.id));
+    if (body.kind !== "decoration" || body.hung !== undefined || !room || !this.home.scene) return null;
+    const scene = this.home.scene;
+    const carrier = room.furniture.find((piece) => carriedBy(scene, piece.id).has(body.id));
+    return this.stage.house?.bodies.find((one) => one.id === carrier?.id) ?? null;
+  }
+
+  /** Shows what is in hand where it is wished, at once. */
+  #carry(id: string, scene: Scene): void {
+    const carried = carriedBy(scene, id);
+    for (const body of bodiesOf(scene)) if (carried.has(body.id)) this.stage.house?.place(body.id, spotOf(body));
+    this.stage.viewport.castShadows();
+  }
+
+  #frameGoal(id: string, scene: Scene): void {
+    this.stage.house?.frame("settles", bodiesOf(scene).filter((body) => body.id === id));
+    this.stage.viewport.invalidate();
+  }
+
+  #shown(how: Showing): void {
+    const [before, house] = [this.#drawn, this.stage.house];
+    this.#drawn = house;
+    if (!house || !this.home.scene) return;
+    house.mark("locked", [...this.home.locked]);
+    this.#offer();
+    if (how === "new") {
+      this.editor.forget();
+      this.#hand.cancel();
+    } else this.#slideFrom(before?.bodies ?? house.bodies, house, this.home.scene);
+  }
+
+  /** Lets every body that is not in hand slide to where the scene has it. */
+  #slideFrom(seen: readonly PlacedBody[], house: House, scene: Scene): void {
+    const dragged = this.editor.dragged;
+    const carried = dragged === null ? new Set<string>() : carriedBy(scene, dragged);
+    const belongs = bodiesOf(scene).filter((body) => !carried.has(body.id));
+    if (seen !== house.bodies) for (const body of seen) house.place(body.id, spotOf(body));
+    if (!this.#slide.to(house.bodies, belongs) || this.#sliding) return;
+    this.#sliding = true;
+    this.stage.viewport.move((seconds) => {
+      this.#sliding = this.#slide.step(seconds);
+      this.stage.viewport.castShadows();
+      return this.#sliding;
+    });
+  }
+
+  #refuse(refusal: Refusal | null): void {
+    this.#refused = refusal;
+    this.#conflicts.show(refusal);
+    this.stage.house?.mark("conflict", refusal?.conflicts.flatMap(({ ids }) => ids) ?? []);
+    this.stage.viewport.invalidate();
+  }
+
+  #tools(): Tool[] {
+    const onPiece = (act: (id: string) => void) => () => { if (this.home.selected !== null) act(this.home.selected); };
+    return [
+      { name: "undo", words: "Undo", sign: "↶", keys: "Control+Z", act: () => this.editor.undo() },
+      { name: "redo", words: "Redo", sign: "↷", keys: "Control+Shift+Z Control+Y", act: () => this.editor.redo() },
+      { name: "left", words: "Turn left", sign: "⟲", keys: "Q", ofPiece: true, act: onPiece((id) => this.editor.rotate(id, 90)) },
+      { name: "right", words: "Turn right", sign: "⟳", keys: "E", ofPiece: true, act: onPiece((id) => this.editor.rotate(id, -90)) },
+      { name: "lock", words: "Lock", sign: "🔒", keys: "K", ofPiece: true, act: onPiece((id) => this.editor.toggleLock(id)) },
+      { name: "delete", words: "Delete", sign: "🗑", keys: "Delete", ofPiece: true, act: onPiece((id) => this.editor.remove(id)) },
+      { name: "add", words: "Add a piece", sign: "+", keys: "A", act: () => this.#openPalette() },
+    ];
+  }
+
+  /** Offers what can be done now. */
+  #offer(): void {
+    const found = this.home.find(this.home.selected);
+    const isLocked = found?.piece.locked === true;
+    this.#toolbar.enable("undo", this.home.canUndo);
+    this.#toolbar.enable("redo", this.home.canRedo);
+    for (const name of ["left", "right", "delete"]) this.#toolbar.enable(name, found !== null && !isLocked);
+    this.#toolbar.enable("lock", found !== null);
+    this.#toolbar.press("lock", isLocked);
+  }
+
+  #openPalette(): void {
+    if (!this.#filled) {
+      this.#filled = true;
+      catalog(new AbortController().signal).then((known) => this.#palette.fill(known)).catch((reason: unknown) => {
+        this.#filled = false;
+        this.words.failed(reason);
+      });
+    }
+    this.#palette.open(!this.#palette.isOpen);
+  }
+
+  #add(kind: FurnitureKind): void {
+    const { scene } = this.home;
+    const room = this.home.room ?? this.home.find(this.home.selected)?.room.id ?? this.#roomInView() ?? scene?.rooms[0]?.id;
+    this.#palette.open(false);
+    if (room !== undefined) this.editor.add(room, kind);
+  }
+
+  /** The room in the middle of the view. */
+  #roomInView(): string | undefined {
+    const { left, top, width, height } = this.stage.viewport.canvas.getBoundingClientRect();
+    const hit = this.stage.house?.hit(this.stage.viewport.rayAt(left + width / 2, top + height / 2));
+    if (hit?.kind === "room") return hit.room.id;
+    return hit?.kind === "body" ? this.home.find(this.#carrierOf(hit.body)?.id ?? null)?.room.id : undefined;
+  }
+
+  #key(event: KeyboardEvent): void {
+    const target = event.target instanceof Element ? event.target : null;
+    if (event.defaultPrevented || event.altKey || target?.closest("input:not([type=checkbox]), select, textarea, dialog")) return;
+    const act = event.ctrlKey || event.metaKey ? this.#travelKey(event) : (this.#arrowKey(event, target) ?? this.#pieceKey(event));
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+
+  #travelKey(event: KeyboardEvent): (() => void) | null {
+    const key = event.key.toLowerCase();
+    if (key === "y" || (key === "z" && event.shiftKey)) return () => this.editor.redo();
+    return key === "z" ? () => this.editor.undo() : null;
+  }
+
+  #pieceKey(event: KeyboardEvent): (() => void) | null {
+    if (event.key === "Escape" && this.#hand.holds) return () => this.#hand.cancel();
+    if (event.key === "Escape" && this.#refused) return () => this.#refuse(null);
+    if (event.key.toLowerCase() === "a") return () => this.#openPalette();
+    const id = this.home.selected;
+    if (id === null) return null;
+    const acts: Readonly<Record<string, () => void>> = {
+      q: () => this.editor.rotate(id, 90), e: () => this.editor.rotate(id, -90), k: () => this.editor.toggleLock(id),
+      Delete: () => this.editor.remove(id), Backspace: () => this.editor.remove(id),
+    };
+    return acts[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
+  }
+
+  /** An arrow moves the piece in hand the way it points on the screen; in the text arrows go from line to line. */
+  #arrowKey(event: KeyboardEvent, target: Element | null): (() => void) | null {
+    const ways: Readonly<Record<string, number>> = { ArrowUp: 0, ArrowLeft: 1, ArrowDown: 2, ArrowRight: 3 };
+    const [way, id] = [ways[event.key], this.home.selected];
+    if (way === undefined || id === null || target?.closest(".yaml")) return null;
+    const quarters = way + Math.round(this.stage.viewport.heading / QUARTER);
+    const step = event.shiftKey ? SMALL_STEP : STEP;
+    return () => this.editor.nudge(id, -Math.round(Math.sin(quarters * QUARTER)) * step, -Math.round(Math.cos(quarters * QUARTER)) * step);
+  }
+}
