@@ -2,6 +2,7 @@
 import { anotherSeed, DEFAULTS, queryFromRequest, requestFromQuery } from "./address";
 import { Asking } from "./asking";
 import type { HouseRequest, Scene } from "./contract";
+import { Workbench } from "./edit/workbench";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
 import { Files, type GivenFile } from "./panel/files";
@@ -58,6 +59,10 @@ class Page {
     this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
     this.#home.on("shown", (how) => this.#show(how));
     this.#home.on("selected", (id) => this.#select(id));
+    new Workbench(this.#home, this.#stage, {
+      busy: (busy) => { element("stage").dataset.editing = String(busy); },
+      failed: (reason) => this.#asking.notice.show(reason),
+    });
     element("random").addEventListener("click", () => this.#random());
     element("decorate_now").addEventListener("click", () => this.#submit({ ...this.#wanted, decorate: true }));
     element("reset").addEventListener("click", () => this.#submit(DEFAULTS));
