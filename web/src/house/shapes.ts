@@ -37,7 +37,10 @@ function indexOf(kinds: Catalog["furniture"] | undefined, shapes: NonNullable<Ca
   const index = new Map<string, Variant[]>();
   for (const [key, { name, size }] of Object.entries(kinds ?? {})) {
     const parts = Object.hasOwn(shapes, key) ? shapes[key] : undefined;
-    if (parts?.length) index.set(name ?? key, [...(index.get(name ?? key) ?? []), { size, parts }]);
+    if (!parts?.length) continue;
+    const tipped = shapes[`${key}_upright`];
+    const variants: Variant[] = [{ size, parts }, ...(tipped ? [{ size: [size[0], size[2], size[1]] as const, parts: tipped }] : [])];
+    index.set(name ?? key, [...(index.get(name ?? key) ?? []), ...variants]);
   }
   return index;
 }
@@ -56,9 +59,9 @@ export class ShapeBook {
 
   /** The parts that a body is drawn with in a house of this style. */
   partsOf(body: PlacedBody, style: string | null): Part[] {
-    if (body.kind === "dynamic" && body.seat !== undefined) return seatedParts(body, body.seat);
     const parts = this.#solidsOf(body);
-    if (!parts) return body.kind === "dynamic" ? livingParts(body) : boxParts(body);
+    if (!parts && body.kind === "dynamic") return body.seat === undefined ? livingParts(body) : seatedParts(body, body.seat);
+    if (!parts) return boxParts(body);
     const paints = this.#paintsOf(style);
     return parts.map((solid) => sized(solid, body, paints));
   }
@@ -73,7 +76,8 @@ export class ShapeBook {
   /** The shape of the kind that a body is of; of several sizes of one name the nearest. */
   #solidsOf(body: PlacedBody): readonly CatalogPart[] | undefined {
     const shapes = this.catalog?.shapes ?? {};
-    if (body.kind === "dynamic") return Object.hasOwn(shapes, body.name) ? shapes[body.name] : undefined;
+    const living = body.seat === undefined ? body.name : `${body.name}_seated`;
+    if (body.kind === "dynamic") return Object.hasOwn(shapes, living) ? shapes[living] : undefined;
     const variants = (body.kind === "furniture" ? this.#furniture : this.#decorations).get(body.name) ?? [];
     return variants.reduce<Variant | undefined>((best, one) => (best && distance(body, best.size) <= distance(body, one.size) ? best : one), undefined)?.parts;
   }
