@@ -1,0 +1,71 @@
+/** Walking through a house at eye height: where one stands, turns and goes. Pure; nothing is bumped into. */
+import type { PlacedOpening } from "../house/openings";
+import type { Bounds, Vector } from "./cameras";
+
+/** Where one's eyes are [m], and which way they look [rad]: a yaw of 0 is north, growing to the west; pitch up. */
+export interface Pose {
+  readonly eye: Vector;
+  readonly yaw: number;
+  readonly pitch: number;
+}
+
+/** What the keys held down ask for, each from -1 to 1. */
+export interface Stride {
+  readonly ahead: number;
+  readonly aside: number;
+  readonly hurried: boolean;
+}
+
+export const EYE_HEIGHT = 1.6;
+/** How far around the house one may go [m]. */
+export const OUTSIDE = 3;
+const PACE = 1.7;
+const HURRY = 2;
+const STEEPEST = 1.2;
+/** How far within the entrance one starts [m]. */
+const INSIDE = 0.7;
+/** A little down: furniture stands below the eyes. */
+const FIRST_PITCH = -0.12;
+
+const clamp = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
+
+/** Just within the main entrance, looking in; without one, at a corner of the house, looking at its middle. */
+export function firstPose(openings: readonly PlacedOpening[], inward: (opening: PlacedOpening) => 1 | -1, bounds: Bounds): Pose {
+  const entrance = openings.find((opening) => opening.mainEntrance);
+  if (!entrance) {
+    const middle: Vector = [(bounds.min[0] + bounds.max[0]) / 2, 0, (bounds.min[2] + bounds.max[2]) / 2];
+    const eye: Vector = [bounds.min[0], EYE_HEIGHT, bounds.max[2]];
+    return { eye, yaw: Math.atan2(eye[0] - middle[0], eye[2] - middle[2]), pitch: FIRST_PITCH };
+  }
+  const side = inward(entrance);
+  const [along, across] = [(entrance.from + entrance.to) / 2, entrance.line + side * INSIDE];
+  const eye: Vector = entrance.axis === "x" ? [along, EYE_HEIGHT, across] : [across, EYE_HEIGHT, along];
+  const yaw = entrance.axis === "x" ? (side === 1 ? Math.PI : 0) : side * -Math.PI / 2;
+  return { eye, yaw, pitch: FIRST_PITCH };
+}
+
+/** Keeps one's eyes near the house [m]. */
+export function keptNear({ eye, ...rest }: Pose, { min, max }: Bounds): Pose {
+  return { ...rest, eye: [clamp(eye[0], min[0] - OUTSIDE, max[0] + OUTSIDE), eye[1], clamp(eye[2], min[2] - OUTSIDE, max[2] + OUTSIDE)] };
+}
+
+/** Goes on for some seconds. */
+export function walked(pose: Pose, { ahead, aside, hurried }: Stride, seconds: number, bounds: Bounds): Pose {
+  const length = Math.max(1, Math.hypot(ahead, aside));
+  const way = (PACE * (hurried ? HURRY : 1) * seconds) / length;
+  const [sin, cos] = [Math.sin(pose.yaw), Math.cos(pose.yaw)];
+  const eye: Vector = [
+    pose.eye[0] + (aside * cos - ahead * sin) * way, pose.eye[1], pose.eye[2] - (aside * sin + ahead * cos) * way,
+  ];
+  return keptNear({ ...pose, eye }, bounds);
+}
+
+/** Turns the head by angles [rad]. */
+export function turned(pose: Pose, left: number, up: number): Pose {
+  return { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -STEEPEST, STEEPEST) };
+}
+
+/** The direction looked into, of length 1. */
+export function gazeOf({ yaw, pitch }: Pose): Vector {
+  return [-Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch)];
+}

@@ -1,0 +1,97 @@
+/** Walking: keys held down move the eyes, a drag on the canvas turns them, Escape ends it. */
+import { turned, walked, type Pose, type Stride } from "./walk";
+import type { Bounds } from "./cameras";
+import type { Viewport } from "./viewport";
+
+const STEPS: Readonly<Record<string, readonly [number, number]>> = {
+  KeyW: [1, 0], ArrowUp: [1, 0], KeyS: [-1, 0], ArrowDown: [-1, 0], KeyA: [0, -1], ArrowLeft: [0, -1], KeyD: [0, 1], ArrowRight: [0, 1],
+};
+/** Where keys mean something else: fields, lines of text, questions that wait for an answer. */
+const DEAF = "input, select, textarea, [contenteditable], .yaml, dialog";
+/** A drag across the canvas turns the head by about this much [rad]. */
+const TURN = 2;
+
+export class WalkMode {
+  /** Called with Escape. */
+  onLeave: () => void = () => undefined;
+  readonly #held = new Set<string>();
+  #pose: Pose | null = null;
+  #bounds: Bounds = { min: [0, 0, 0], max: [1, 1, 1] };
+  #hurried = false;
+  #moving = false;
+  #dragged: PointerEvent | null = null;
+
+  constructor(readonly viewport: Viewport) {
+    const { canvas } = viewport;
+    // Before all others: a key that walks does nothing else.
+    window.addEventListener("keydown", (event) => this.#keyDown(event), { capture: true });
+    window.addEventListener("keyup", (event) => this.#held.delete(event.code));
+    window.addEventListener("blur", () => this.#held.clear());
+    canvas.addEventListener("pointerdown", (event) => { this.#dragged = event; });
+    canvas.addEventListener("pointermove", (event) => this.#drag(event));
+    for (const end of ["pointerup", "pointercancel", "pointerleave"] as const) {
+      canvas.addEventListener(end, () => { this.#dragged = null; });
+    }
+  }
+
+  /** Where one stands; null for who does not walk. */
+  get pose(): Pose | null {
+    return this.#pose;
+  }
+
+  start(pose: Pose, bounds: Bounds): void {
+    this.#bounds = bounds;
+    this.#held.clear();
+    this.#stand(pose);
+  }
+
+  stop(): void {
+    this.#pose = null;
+    this.#held.clear();
+  }
+
+  #stand(pose: Pose): void {
+    this.#pose = pose;
+    this.viewport.stand(pose);
+  }
+
+  #keyDown(event: KeyboardEvent): void {
+    if (!this.#pose || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target instanceof Element && event.target.closest(DEAF)) return;
+    this.#hurried = event.shiftKey;
+    if (event.code === "Escape") this.onLeave();
+    else if (STEPS[event.code]) this.#hold(event.code);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  #hold(code: string): void {
+    this.#held.add(code);
+    if (this.#moving) return;
+    this.#moving = true;
+    this.viewport.move((seconds) => this.#step(seconds));
+  }
+
+  /** One frame's way; false when no key is held any more. */
+  #step(seconds: number): boolean {
+    const stride = this.#stride();
+    this.#moving = this.#pose !== null && this.#held.size > 0;
+    if (this.#pose && this.#moving) this.#stand(walked(this.#pose, stride, seconds, this.#bounds));
+    return this.#moving;
+  }
+
+  #stride(): Stride {
+    const steps = [...this.#held].map((code) => STEPS[code] ?? [0, 0]);
+    const sum = (which: 0 | 1): number => Math.sign(steps.reduce((total, step) => total + step[which], 0));
+    return { ahead: sum(0), aside: sum(1), hurried: this.#hurried };
+  }
+
+  #drag(event: PointerEvent): void {
+    const from = this.#dragged;
+    if (!from || !this.#pose || event.pointerId !== from.pointerId) return;
+    this.#dragged = event;
+    const share = TURN / this.viewport.host.clientHeight;
+    this.#stand(turned(this.#pose, (event.clientX - from.clientX) * share, (event.clientY - from.clientY) * share));
+  }
+}
