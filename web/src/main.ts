@@ -100,8 +100,10 @@ class Page {
       r: () => this.#random(),
       d: () => this.#diagnose.open(),
       f: () => this.#reading.flagSelected(),
+      1: () => this.#stage.look("walk"),
       2: () => this.#stage.look("top"),
       3: () => this.#stage.look("corner"),
+      l: () => this.#stage.toggleNames(),
       Escape: () => this.#home.select(null),
     };
     acts[event.key.length === 1 ? event.key.toLowerCase() : event.key]?.();

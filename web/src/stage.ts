@@ -4,7 +4,8 @@ import type { Catalog, Issue, Scene } from "./contract";
 import { House, type Hit } from "./house/house";
 import { ShapeBook } from "./house/shapes";
 import type { PresetName } from "./view/cameras";
-import { Labels } from "./view/labels";
+import { Labels, type MarkWords } from "./view/labels";
+import { Looking } from "./view/looking";
 import { listenToPointer } from "./view/pointer";
 import { Viewport } from "./view/viewport";
 
@@ -19,7 +20,7 @@ export class Stage {
   onRoom: (id: string | null) => void = () => undefined;
   readonly #viewport: Viewport;
   readonly #labels: Labels;
-  readonly #cut = within<HTMLInputElement>("cut");
+  readonly #looking: Looking;
   #house: House | null = null;
   #book = new ShapeBook(null);
   #selected: string | null = null;
@@ -27,9 +28,7 @@ export class Stage {
   constructor(readonly host: HTMLElement) {
     this.#viewport = new Viewport(host);
     this.#labels = new Labels(within("labels"), this.#viewport);
-    this.#cut.addEventListener("input", () => this.#cutWalls());
-    within("camera_top").addEventListener("click", () => this.look("top"));
-    within("camera_corner").addEventListener("click", () => this.look("corner"));
+    this.#looking = new Looking(this.#viewport, this.#labels);
     this.#viewport.onFrame(() => this.#turnCompass());
     listenToPointer(this.#viewport.canvas, {
       click: (x, y) => this.#click(x, y),
@@ -39,10 +38,12 @@ export class Stage {
 
   show(scene: Scene, issues: readonly Issue[]): void {
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
-    this.#build(scene);
-    this.#house?.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
-    this.#labels.show(scene);
-    if (!sameSize) this.#viewport.look("corner", true);
+    this.#house?.dispose();
+    this.#house = new House(scene, this.#book);
+    this.#house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
+    this.#viewport.add(this.#house.root, this.#house.bounds);
+    this.#labels.show(this.#house);
+    this.#looking.show(this.#house, !sameSize);
   }
 
   /** Learns how kinds look; what is shown from now on is drawn so. */
@@ -50,11 +51,8 @@ export class Stage {
     this.#book = new ShapeBook(catalog);
   }
 
-  #build(scene: Scene): void {
-    this.#house?.dispose();
-    this.#house = new House(scene, this.#book);
-    this.#viewport.add(this.#house.root, this.#house.bounds);
-    this.#cutWalls();
+  look(way: PresetName | "walk"): void {
+    this.#looking.look(way);
   }
 
   /** The house as it is drawn. */
@@ -66,8 +64,14 @@ export class Stage {
     return this.#viewport;
   }
 
-  look(preset: PresetName): void {
-    this.#viewport.look(preset);
+  /** Names all pieces, or again only those pointed at and chosen. */
+  toggleNames(): void {
+    this.#looking.toggleNames();
+  }
+
+  /** Sets red words at bodies with issues, in place of those before. */
+  showMarks(marks: readonly MarkWords[]): void {
+    this.#labels.showMarks(marks);
   }
 
   /** Brings a body into the middle of the canvas. */
@@ -79,15 +83,8 @@ export class Stage {
   select(id: string | null): void {
     this.#selected = id;
     this.#house?.mark("selected", id === null ? [] : [id]);
+    this.#labels.choose(id);
     this.#viewport.invalidate();
-  }
-
-  #cutWalls(): void {
-    const height = Number(this.#cut.value);
-    within("cut_words").textContent = `${height.toFixed(1)} m`;
-    this.#house?.cutAt(height);
-    this.#labels.raiseTo(height);
-    this.#viewport.castShadows();
   }
 
   #hitAt(clientX: number, clientY: number): Hit | null {
@@ -120,7 +117,7 @@ export class Stage {
 
   /** Where in the window a click meets a body, a door or a room's floor [CSS pixels]; null where something stands before it. */
   whereIs(id: string): { x: number; y: number } | null {
-    const points = this.#house?.pointsOf(id, Number(this.#cut.value)) ?? [];
+    const points = this.#house?.pointsOf(id, this.#looking.height) ?? [];
     const { left, top } = this.host.getBoundingClientRect();
     for (const point of points) {
       const seen = this.#viewport.project(new Vector3(...point));

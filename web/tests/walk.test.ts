@@ -1,5 +1,6 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
+import { inwardOf } from "../src/house/entrance";
 import { openingsOf } from "../src/house/openings";
 import { EYE_HEIGHT, firstPose, gazeOf, OUTSIDE, turned, walked, type Pose } from "../src/view/walk";
 import { opening, room } from "./rooms";
@@ -10,7 +11,9 @@ const still = { ahead: 0, aside: 0, hurried: false };
 
 function entered(wall: "north" | "south" | "east" | "west"): Pose {
   const rooms = [room("a", [0, 0, 4, 3], { openings: [opening({ wall, position: 1.5, main_entrance: true, connects_to: null })] })];
-  return firstPose(openingsOf(rooms), (at) => (at.line > 0 ? -1 : 1), BOUNDS);
+  const [door] = openingsOf(rooms);
+  if (!door) throw new Error("no door");
+  return firstPose({ opening: door, inward: inwardOf(rooms, door) }, BOUNDS);
 }
 
 describe("a walk", () => {
@@ -54,7 +57,7 @@ describe("a walk", () => {
   });
 
   it("begins outside, looking at the house, where there is no entrance", () => {
-    const pose = firstPose([], () => 1, BOUNDS);
+    const pose = firstPose(null, BOUNDS);
     const gaze = gazeOf(pose);
     expect(gaze[0] * (2 - pose.eye[0]) + gaze[2] * (1.5 - pose.eye[2])).toBeGreaterThan(0);
   });

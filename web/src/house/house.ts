@@ -3,11 +3,12 @@ import { Box3, Group, Mesh, MeshStandardMaterial, BoxGeometry, Vector3, type Int
 import type { Room, Scene } from "../contract";
 import { BodyMeshes, type BodyPose } from "./body_meshes";
 import { disposeOf } from "./dispose";
+import { inwardOf } from "./entrance";
 import { leavesOf } from "./door_leaves";
 import { Doors } from "./doors";
 import { floorMeshes } from "./floors";
 import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
-import { openingsOf } from "./openings";
+import { openingsOf, type PlacedOpening } from "./openings";
 import { outlinesOf } from "./outlines";
 import { runsOf } from "./plan";
 import { floorUnder } from "./room_at";
@@ -57,6 +58,7 @@ export class House {
   readonly #walls: Walls;
   readonly #marked = new Map<Mark, { readonly mesh: Mesh; readonly ids: readonly string[] }>();
   readonly #storeys: ReadonlyMap<number, Storey>;
+  readonly #openings: readonly PlacedOpening[];
   #bodies: readonly PlacedBody[];
   #wallMeshes: Group | null = null;
 
@@ -64,7 +66,7 @@ export class House {
     const storeys = (this.#storeys = storeysOf(scene));
     const plan: WallPlan = {
       runs: runsOf(scene.rooms),
-      openings: openingsOf(scene.rooms),
+      openings: (this.#openings = openingsOf(scene.rooms)),
       storeys,
       thickness: scene.wall_thickness ?? 0,
       rooms: scene.rooms,
@@ -84,6 +86,17 @@ export class House {
     this.root.add(this.#wallMeshes);
     this.doors.cutAt(height);
     this.#bodyMeshes.cutAt(height);
+  }
+
+  /** The main entrance and on which side of it the house is; null where there is none. */
+  get entrance(): { readonly opening: PlacedOpening; readonly inward: 1 | -1 } | null {
+    const opening = this.#openings.find(({ mainEntrance }) => mainEntrance);
+    return opening ? { opening, inward: inwardOf(this.scene.rooms, opening) } : null;
+  }
+
+  /** How high the highest wall reaches above the ground [m]. */
+  get wallTop(): number {
+    return Math.max(...[...this.#storeys.values()].map(({ elevation, height }) => elevation + height));
   }
 
   /** Every body, where it is drawn now. */

@@ -44,6 +44,16 @@ export function cornersOf(room: Room): readonly (readonly [number, number])[] {
   return [[0, 0], [room.width, 0], [room.width, room.depth], [0, room.depth]];
 }
 
+/** The floor within a room's outline [m²]. */
+export function areaOf(room: Room): number {
+  const corners = cornersOf(room);
+  const twice = corners.reduce((sum, [x, z], i) => {
+    const [nextX, nextZ] = corners[(i + 1) % corners.length] ?? [x, z];
+    return sum + x * nextZ - nextX * z;
+  }, 0);
+  return Math.abs(twice) / 2;
+}
+
 function edgeBetween(room: Room, a: readonly [number, number], b: readonly [number, number]): Edge {
   const alongX = Math.abs(b[0] - a[0]) >= Math.abs(b[1] - a[1]);
   const forwards = alongX ? b[0] > a[0] : b[1] > a[1];

@@ -19,23 +19,24 @@ const GAP = 3;
 /** Tried in turn, in label heights. */
 const NUDGES = [0, -0.5, 0.5, -1, 1, -1.5, 1.5, -2, 2];
 
-function covers(a: LabelWish & LabelPlace, b: LabelWish & LabelPlace): boolean {
-  return Math.abs(a.x - b.x) < (a.width + b.width) / 2 + GAP && Math.abs(a.y - b.y) < (a.height + b.height) / 2 + GAP;
+function covers(a: LabelWish, y: number, b: LabelWish, at: LabelPlace): boolean {
+  return Math.abs(a.x - at.x) < (a.width + b.width) / 2 + GAP && Math.abs(y - at.y) < (a.height + b.height) / 2 + GAP;
 }
 
 /** Places for the wishes, in their order; null where every nudge would cover another label. */
 export function layOut(wishes: readonly LabelWish[]): (LabelPlace | null)[] {
-  const order = wishes.map((_, i) => i).sort((a, b) => (wishes[b]?.importance ?? 0) - (wishes[a]?.importance ?? 0));
-  const taken: (LabelWish & LabelPlace)[] = [];
+  const order = [...wishes.keys()].sort((a, b) => (wishes[b]?.importance ?? 0) - (wishes[a]?.importance ?? 0));
+  const taken: { readonly wish: LabelWish; readonly at: LabelPlace }[] = [];
   const places: (LabelPlace | null)[] = wishes.map(() => null);
   for (const i of order) {
     const wish = wishes[i];
     if (!wish) continue;
-    const tries = NUDGES.map((nudge) => ({ ...wish, y: wish.y + nudge * (wish.height + GAP) }));
-    const free = tries.find((place) => !taken.some((other) => covers(place, other)));
-    if (!free) continue;
-    taken.push(free);
-    places[i] = { x: free.x, y: free.y };
+    const ys = NUDGES.map((nudge) => wish.y + nudge * (wish.height + GAP));
+    const y = ys.find((tried) => !taken.some((other) => covers(wish, tried, other.wish, other.at)));
+    if (y === undefined) continue;
+    const at = { x: wish.x, y };
+    taken.push({ wish, at });
+    places[i] = at;
   }
   return places;
 }

@@ -1,103 +1,197 @@
-/** Names over the canvas: every room's, and that of the body pointed at. Text only, never markup. */
+/** Names over the canvas: rooms always, a piece pointed at or chosen, all pieces on demand, and words of what is wrong. */
 import { Vector3 } from "three";
-import type { Room, Scene } from "../contract";
 import { storeysOf, words, type PlacedBody } from "../house/frame";
-import { layOut } from "./label_layout";
+import type { House } from "../house/house";
+import { roomHolding } from "../house/room_at";
+import { hang, hide, labelElement, moveTo, type LabelElement } from "./label_elements";
+import { layOut, type LabelWish } from "./label_layout";
+import { aheadBy, RANK, sizeSeen } from "./label_wishes";
+import { RoomLabels } from "./room_labels";
 import type { Viewport } from "./viewport";
 
-interface RoomLabel {
-  readonly element: HTMLElement;
-  /** Its size when the name is shown [CSS pixels]. */
-  width: number;
-  height: number;
-  readonly at: Vector3;
-  readonly elevation: number;
-  readonly area: number;
+/** A label asked for in a frame; one that finds no place keeps its dot or is left out. */
+export interface Asked extends LabelWish {
+  readonly label: LabelElement;
+  readonly keepsDot?: boolean;
 }
+
+/** Words at a body: what is wrong with it. */
+export interface MarkWords {
+  readonly id: string;
+  readonly words: string;
+}
+
+type Named = LabelElement & { readonly id: string };
 
 const TIP_LIFT = 22;
-
-function moveTo(element: HTMLElement, x: number, y: number): void {
-  element.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-}
-
-function roomLabel(room: Room, elevation: number): RoomLabel {
-  const element = document.createElement("div");
-  element.className = "room-label";
-  const dot = document.createElement("span");
-  dot.className = "dot";
-  dot.style.backgroundColor = room.accent;
-  const name = document.createElement("span");
-  name.textContent = words(room.type);
-  element.append(dot, name);
-  return {
-    element,
-    width: 0,
-    height: 0,
-    at: new Vector3(room.x + room.width / 2, elevation, room.z + room.depth / 2),
-    elevation,
-    area: room.width * room.depth,
-  };
-}
+const MARK_LIFT = 12;
+/** Who walks reads the names of the pieces this near [m]. */
+const PIECES_WITHIN = 7;
 
 function sizeWords({ width, depth, height }: PlacedBody): string {
   return [width, depth, height].map((metres) => String(Number(metres.toFixed(3)))).join(" × ");
 }
 
+function wordsOf(body: PlacedBody): string {
+  return `${words(body.name)}  ${sizeWords(body)} m`;
+}
+
 export class Labels {
-  readonly #tip = document.createElement("div");
-  #rooms: RoomLabel[] = [];
+  /** Told after each frame how many pieces are named of how many could be; null where that was not asked for. */
+  onNamed: (named: { shown: number; of: number } | null) => void = () => undefined;
+  readonly #tip = labelElement("body-tip", "");
+  readonly #rooms: RoomLabels;
+  #pieces: Named[] = [];
+  #marks: Named[] = [];
+  #chosen: Named | null = null;
   #pointed: PlacedBody | null = null;
+  #house: House | null = null;
+  #all = false;
+  #bodies: ReadonlyMap<string, PlacedBody> = new Map();
 
   constructor(readonly layer: HTMLElement, readonly viewport: Viewport) {
-    this.#tip.className = "body-tip";
-    this.#tip.hidden = true;
-    layer.append(this.#tip);
+    this.#rooms = new RoomLabels(layer, viewport);
+    this.#tip.element.hidden = true;
+    layer.append(this.#tip.element);
     viewport.onFrame(() => this.#follow());
   }
 
   /** Puts the rooms' names where their walls end [m]: there they are seen over the room they belong to. */
   raiseTo(height: number): void {
-    for (const { at, elevation } of this.#rooms) at.y = Math.max(elevation, height);
+    this.#rooms.raiseTo(height);
     this.viewport.invalidate();
   }
 
-  show(scene: Scene): void {
-    const storeys = storeysOf(scene);
-    for (const label of this.#rooms) label.element.remove();
-    this.#rooms = scene.rooms.map((room) => roomLabel(room, storeys.get(room.level)?.elevation ?? 0));
-    this.layer.append(...this.#rooms.map((label) => label.element));
-    for (const label of this.#rooms) [label.width, label.height] = [label.element.offsetWidth, label.element.offsetHeight];
+  show(house: House): void {
+    const storeys = storeysOf(house.scene);
+    this.#house = house;
+    this.#rooms.show(house.scene.rooms, (room) => storeys.get(room.level)?.elevation ?? 0);
+    this.#rename();
     this.point(null);
+  }
+
+  /** Names every piece of furniture, or only those pointed at and chosen. */
+  nameAll(all: boolean): void {
+    this.#all = all;
+    this.#rename();
+    this.viewport.invalidate();
+  }
+
+  #rename(): void {
+    const furniture = this.#all ? (this.#house?.bodies.filter(({ kind }) => kind === "furniture") ?? []) : [];
+    this.#pieces = this.#exchange(this.#pieces, furniture.map((body) => ({ id: body.id, words: words(body.name) })), "piece-label");
+  }
+
+  /** Labels for these in place of the old; those that say the same are kept. */
+  #exchange(old: readonly Named[], wanted: readonly MarkWords[], look: string): Named[] {
+    const keyOf = (id: string, said: string | null): string => `${id}\n${said ?? ""}`;
+    const kept = new Map(old.map((label) => [keyOf(label.id, label.element.textContent), label]));
+    const made: Named[] = [];
+    const labels = wanted.map(({ id, words: said }) => {
+      const same = kept.get(keyOf(id, said));
+      if (same) return same;
+      const label = Object.assign(labelElement(look, said), { id });
+      made.push(label);
+      return label;
+    });
+    const used = new Set(labels);
+    for (const label of old) if (!used.has(label)) label.element.remove();
+    hang(this.layer, made);
+    return labels;
+  }
+
+  /** Sets red words at bodies, in place of those before. */
+  showMarks(marks: readonly MarkWords[]): void {
+    this.#marks = this.#exchange(this.#marks, marks, "mark-label");
+    this.viewport.invalidate();
+  }
+
+  /** Names the body chosen for as long as it is. */
+  choose(id: string | null): void {
+    const body = this.#house?.bodies.find((one) => one.id === id);
+    const wanted = body ? [{ id: body.id, words: wordsOf(body) }] : [];
+    this.#chosen = this.#exchange(this.#chosen ? [this.#chosen] : [], wanted, "piece-label chosen")[0] ?? null;
+    this.viewport.invalidate();
   }
 
   /** Names the body pointed at; tells whether that is another than before. */
   point(body: PlacedBody | null): boolean {
     if (body === this.#pointed) return false;
     this.#pointed = body;
-    this.#tip.hidden = body === null;
-    if (body) this.#tip.textContent = `${words(body.name)}  ${sizeWords(body)} m`;
+    const [name] = this.#tip.element.children;
+    if (body && name) name.textContent = wordsOf(body);
     this.viewport.invalidate();
     return true;
   }
 
   #follow(): void {
-    const seen = this.#rooms.map((label) => ({ label, at: this.viewport.project(label.at) }));
-    const places = layOut(seen.map(({ label, at }) => ({
-      x: at?.x ?? -1e6, y: at?.y ?? -1e6, width: label.width, height: label.height, importance: label.area,
-    })));
-    seen.forEach(({ label, at }, i) => {
-      const place = places[i] ?? at;
-      label.element.hidden = !at;
-      label.element.classList.toggle("crowded-out", !places[i]);
-      if (place) moveTo(label.element, place.x, place.y);
+    this.#bodies = new Map(this.#house?.bodies.map((body) => [body.id, body]));
+    const pieces = this.#askedPieces();
+    const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...pieces]
+      .filter((wish) => this.#onCanvas(wish));
+    const places = layOut(asked);
+    const shown = new Set<LabelElement>();
+    asked.forEach((wish, i) => {
+      const place = places[i] ?? (wish.keepsDot ? wish : null);
+      wish.label.element.classList.toggle("crowded-out", !places[i]);
+      if (!place) return;
+      moveTo(wish.label, place.x, place.y);
+      shown.add(wish.label);
     });
+    for (const label of this.#labels()) if (!shown.has(label)) hide(label);
+    this.onNamed(this.#all ? { shown: this.#pieces.filter((label) => shown.has(label)).length, of: this.#pieces.length } : null);
     this.#followPointed();
   }
 
+  #labels(): LabelElement[] {
+    return [...this.#rooms.all, ...this.#pieces, ...this.#marks, ...(this.#chosen ? [this.#chosen] : [])];
+  }
+
+  #onCanvas({ x, y }: LabelWish): boolean {
+    const { width, height } = this.viewport.size;
+    return x > 0 && y > 0 && x < width && y < height;
+  }
+
+  #overBody(body: PlacedBody): { x: number; y: number } | null {
+    return this.viewport.project(new Vector3(body.x, body.y + body.height, body.z));
+  }
+
+  #askedAt(labels: readonly Named[], lift: number, importance: number): Asked[] {
+    return labels.flatMap((label) => {
+      const body = this.#bodies.get(label.id);
+      const seen = body && this.#overBody(body);
+      return seen ? [{ label, x: seen.x, y: seen.y - lift, width: label.width, height: label.height, importance }] : [];
+    });
+  }
+
+  #askedChosen(): Asked[] {
+    return this.#chosen && this.#chosen.id !== this.#pointed?.id ? this.#askedAt([this.#chosen], TIP_LIFT, RANK.chosen) : [];
+  }
+
+  /** The pieces' names: all of them, or to who walks those of the room walked in; large and near before small and far. */
+  #askedPieces(): Asked[] {
+    const eye = this.viewport.camera.position;
+    return this.#pieces.flatMap((label) => {
+      const body = this.#bodies.get(label.id);
+      const told = label.id === this.#pointed?.id || label.id === this.#chosen?.id;
+      if (!body || told || !this.#isNear(body)) return [];
+      const distance = eye.distanceTo(new Vector3(body.x, body.y, body.z));
+      return this.#askedAt([label], 0, RANK.piece + sizeSeen(body, distance));
+    });
+  }
+
+  #isNear(body: PlacedBody): boolean {
+    const { pose } = this.viewport;
+    const rooms = this.#house?.scene.rooms ?? [];
+    if (!pose) return true;
+    const distance = aheadBy(pose, [body.x, body.y, body.z]);
+    const here = roomHolding(rooms, 0, pose.eye[0], pose.eye[2]);
+    return distance !== null && distance < PIECES_WITHIN && here === roomHolding(rooms, 0, body.x, body.z);
+  }
+
   #followPointed(): void {
-    const body = this.#pointed;
-    const at = body ? this.viewport.project(new Vector3(body.x, body.y + body.height, body.z)) : null;
+    const at = this.#pointed ? this.#overBody(this.#pointed) : null;
     if (at) moveTo(this.#tip, at.x, at.y - TIP_LIFT);
+    else hide(this.#tip);
   }
 }

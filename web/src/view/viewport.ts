@@ -1,22 +1,26 @@
 /** The canvas: renderer, lights, camera. Draws a frame only when something asks for one. */
 import {
-  Box3, Color, DirectionalLight, HemisphereLight, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Raycaster, Scene,
-  Vector2, Vector3, WebGLRenderer, type Object3D,
+  Box3, Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { blend, frame, plus, PRESETS, type Framing, type PresetName, type Vector } from "./cameras";
+import { Daylight, GROUND_REACH, SKY } from "./daylight";
+import { gazeOf, type Pose } from "./walk";
 
 /** Moves something by the seconds since the last frame; false when it has arrived. */
 export type Motion = (seconds: number) => boolean;
 
-const BACKGROUND = "#10141b";
 const FLIGHT_SECONDS = 0.6;
 /** After a long frame things go on from where they were rather than jump [s]. */
 const LONGEST_STEP = 0.25;
 const SHORT_STEP = 1 / 60;
 /** How fast a turned house comes to rest, by time and not by frames: slow machines must not turn for longer [1/s]. */
 const DAMPING = 8;
-const SUN = new Vector3(-0.55, 1, 0.5);
+/** At eye height much is near and at the sides. */
+const WALK_FOV = 65;
+const WALK_NEAR = 0.05;
+/** Who walks looks at what is this far ahead [m]; leaving, the camera turns about it. */
+const WALK_REACH = 3;
 
 function calm(): boolean {
   return window.matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -28,13 +32,16 @@ export class Viewport {
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
   readonly #controls: OrbitControls;
-  readonly #sun = new DirectionalLight("#fff4e2", 2.3);
+  readonly #daylight = new Daylight();
   readonly #motions = new Set<Motion>();
   readonly #afterFrame: (() => void)[] = [];
   #bounds = new Box3(new Vector3(0, 0, 0), new Vector3(20, 1, 15));
   #preset: PresetName | null = "corner";
   /** Where the last flight leads. */
   #goal: Framing | null = null;
+  /** Who walks; the camera is theirs. */
+  #walker: Pose | null = null;
+  #size = { width: 1, height: 1 };
   /** Frames drawn since the page was opened: an idle page draws none. */
   #frames = 0;
   #asked = false;
@@ -51,23 +58,12 @@ export class Viewport {
     this.#renderer.shadowMap.autoUpdate = false;
     this.canvas = this.#renderer.domElement;
     host.prepend(this.canvas);
-    this.#scene.background = new Color(BACKGROUND);
-    this.#light();
+    this.#scene.background = new Color(SKY);
+    this.#scene.add(this.#daylight.root);
+    this.camera.rotation.order = "YXZ";
     this.#controls = this.#orbit();
     new ResizeObserver(() => this.#resize()).observe(host);
     this.#resize();
-  }
-
-  #light(): void {
-    this.#sun.castShadow = true;
-    this.#sun.shadow.mapSize.set(2048, 2048);
-    this.#sun.shadow.radius = 4;
-    this.#sun.shadow.intensity = 0.7;
-    this.#sun.shadow.normalBias = 0.03;
-    this.#sun.shadow.bias = -0.0004;
-    const fill = new DirectionalLight("#d5e3ff", 0.8);
-    fill.position.set(1, 0.7, -0.4);
-    this.#scene.add(new HemisphereLight("#f4f6ff", "#a09588", 2.3), this.#sun, this.#sun.target, fill);
   }
 
   #orbit(): OrbitControls {
@@ -84,7 +80,7 @@ export class Viewport {
   add(root: Object3D, bounds: Box3): void {
     this.#scene.add(root);
     this.#bounds = bounds;
-    this.#aimSun();
+    this.#daylight.around(bounds);
     this.castShadows();
   }
 
@@ -98,16 +94,6 @@ export class Viewport {
     this.invalidate();
   }
 
-  #aimSun(): void {
-    const centre = this.#bounds.getCenter(new Vector3());
-    const radius = this.#bounds.getSize(new Vector3()).length() / 2 + 1;
-    this.#sun.target.position.copy(centre);
-    this.#sun.position.copy(centre).addScaledVector(SUN.clone().normalize(), radius * 2);
-    const camera = this.#sun.shadow.camera;
-    Object.assign(camera, { left: -radius, right: radius, top: radius, bottom: -radius, near: radius * 0.5, far: radius * 3.5 });
-    camera.updateProjectionMatrix();
-  }
-
   /** Looks at the house in one of the presets, flying there unless told to jump. */
   look(preset: PresetName, jump = false): void {
     const goal = frame({ min: this.#bounds.min.toArray(), max: this.#bounds.max.toArray() }, PRESETS[preset], this.camera.aspect);
@@ -117,6 +103,7 @@ export class Viewport {
 
   /** Flies sideways until a point is in the middle, looking the same way from as far. */
   centre(at: Vector): void {
+    if (this.#walker) return;
     const { eye, target, fov } = this.#framing;
     this.#preset = null;
     this.#fly({ eye: plus(eye, plus(at, target, -1)), target: at, fov });
@@ -130,6 +117,8 @@ export class Viewport {
   #fly(goal: Framing, jump = false): void {
     const from = this.#framing;
     this.#goal = goal;
+    this.#walker = null;
+    this.#controls.enabled = true;
     if (jump || calm()) {
       this.#aim(goal);
       return;
@@ -141,6 +130,19 @@ export class Viewport {
       this.#aim(blend(from, goal, flown * flown * (3 - 2 * flown)));
       return flown < 1;
     });
+  }
+
+  /** Looks from where somebody stands; a preset leaves. */
+  stand(pose: Pose): void {
+    this.#preset = null;
+    this.#goal = null;
+    this.#walker = pose;
+    this.#controls.enabled = false;
+    this.camera.fov = WALK_FOV;
+    this.camera.position.set(...pose.eye);
+    this.camera.rotation.set(pose.pitch, pose.yaw, 0);
+    this.#controls.target.copy(this.camera.position).addScaledVector(new Vector3(...gazeOf(pose)), WALK_REACH);
+    this.invalidate();
   }
 
   #aim(framing: Framing): void {
@@ -176,7 +178,7 @@ export class Viewport {
     this.#last = now;
     this.#controls.dampingFactor = 1 - Math.exp(-seconds * DAMPING);
     for (const motion of this.#motions) if (!motion(seconds)) this.#motions.delete(motion);
-    this.#controls.update();
+    if (!this.#walker) this.#controls.update();
     this.#clip();
     this.#renderer.render(this.#scene, this.camera);
     this.#frames += 1;
@@ -190,20 +192,32 @@ export class Viewport {
     const centre = this.#bounds.getCenter(new Vector3());
     const radius = this.#bounds.getSize(new Vector3()).length() / 2 + 4;
     const distance = this.camera.position.distanceTo(centre);
-    this.camera.near = Math.max(0.1, distance - radius);
-    this.camera.far = distance + radius;
+    // The ground before the house is nearer than the house.
+    this.camera.near = this.#walker ? WALK_NEAR : Math.max(0.1, (distance - radius) / 2);
+    this.camera.far = distance + radius * GROUND_REACH;
     this.camera.updateProjectionMatrix();
   }
 
   #resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
+    this.#size = { width, height };
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.#renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (this.#preset) this.look(this.#preset, true);
     this.invalidate();
+  }
+
+  /** Who walks, and looks from where; null from outside. */
+  get pose(): Pose | null {
+    return this.#walker;
+  }
+
+  /** Of the canvas [CSS pixels], read without asking the page for its layout. */
+  get size(): { readonly width: number; readonly height: number } {
+    return this.#size;
   }
 
   /** The ray under a point of the window [CSS pixels]. */
@@ -219,7 +233,7 @@ export class Viewport {
   project(point: Vector3): { x: number; y: number } | null {
     const seen = point.clone().project(this.camera);
     if (seen.z > 1) return null;
-    return { x: ((seen.x + 1) / 2) * this.host.clientWidth, y: ((1 - seen.y) / 2) * this.host.clientHeight };
+    return { x: ((seen.x + 1) / 2) * this.#size.width, y: ((1 - seen.y) / 2) * this.#size.height };
   }
 
   /** Draws a frame with its shadows and one without them; returns what each costs. */
@@ -236,7 +250,7 @@ export class Viewport {
 
   /** How far north is turned clockwise from the top of the screen [rad]. */
   get heading(): number {
-    return this.#controls.getAzimuthalAngle();
+    return this.#walker?.yaw ?? this.#controls.getAzimuthalAngle();
   }
 
   /** What the canvas costs and where it looks from. */
@@ -249,6 +263,7 @@ export class Viewport {
       geometries: memory.geometries,
       eye: this.camera.position.toArray(),
       target: this.#controls.target.toArray(),
+      walking: this.#walker !== null,
     };
   }
 }

@@ -9,6 +9,12 @@ export interface Pose {
   readonly pitch: number;
 }
 
+/** A door to begin at, and on which side of its line the house is. */
+export interface Entrance {
+  readonly opening: Pick<PlacedOpening, "axis" | "line" | "from" | "to">;
+  readonly inward: 1 | -1;
+}
+
 /** What the keys held down ask for, each from -1 to 1. */
 export interface Stride {
   readonly ahead: number;
@@ -30,17 +36,16 @@ const FIRST_PITCH = -0.12;
 const clamp = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
 
 /** Just within the main entrance, looking in; without one, at a corner of the house, looking at its middle. */
-export function firstPose(openings: readonly PlacedOpening[], inward: (opening: PlacedOpening) => 1 | -1, bounds: Bounds): Pose {
-  const entrance = openings.find((opening) => opening.mainEntrance);
+export function firstPose(entrance: Entrance | null, bounds: Bounds): Pose {
   if (!entrance) {
     const middle: Vector = [(bounds.min[0] + bounds.max[0]) / 2, 0, (bounds.min[2] + bounds.max[2]) / 2];
     const eye: Vector = [bounds.min[0], EYE_HEIGHT, bounds.max[2]];
     return { eye, yaw: Math.atan2(eye[0] - middle[0], eye[2] - middle[2]), pitch: FIRST_PITCH };
   }
-  const side = inward(entrance);
-  const [along, across] = [(entrance.from + entrance.to) / 2, entrance.line + side * INSIDE];
-  const eye: Vector = entrance.axis === "x" ? [along, EYE_HEIGHT, across] : [across, EYE_HEIGHT, along];
-  const yaw = entrance.axis === "x" ? (side === 1 ? Math.PI : 0) : side * -Math.PI / 2;
+  const { opening, inward } = entrance;
+  const [along, across] = [(opening.from + opening.to) / 2, opening.line + inward * INSIDE];
+  const eye: Vector = opening.axis === "x" ? [along, EYE_HEIGHT, across] : [across, EYE_HEIGHT, along];
+  const yaw = opening.axis === "x" ? (inward === 1 ? Math.PI : 0) : inward * -Math.PI / 2;
   return { eye, yaw, pitch: FIRST_PITCH };
 }
 

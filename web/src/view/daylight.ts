@@ -1,0 +1,66 @@
+/** The sun with its shadows, the light of the sky, and the ground around the house. */
+import {
+  BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Group, HemisphereLight, Mesh, MeshLambertMaterial, Vector3, type Box3,
+} from "three";
+
+export const SKY = "#b9c8d6";
+const GRASS = "#8a9d74";
+const SUN = new Vector3(-0.55, 1, 0.5).normalize();
+const SHADOW_PIXELS = 2048;
+/** Under the floors: a house stands a little above its ground [m]. */
+const GROUND = -0.12;
+const SECTORS = 48;
+/** Rings of ground in house radii, and how solid it is there: it fades into the sky. */
+const RINGS: readonly (readonly [number, number])[] = [[0, 1], [1.15, 1], [1.7, 0.75], [2.4, 0.35], [3.4, 0]];
+/** How far ground is seen, in house radii. */
+export const GROUND_REACH = 3.4;
+
+function groundGeometry(): BufferGeometry {
+  const { r, g, b } = new Color(GRASS);
+  const points = RINGS.flatMap(([radius, solid]) => Array.from({ length: SECTORS }, (_, i) => {
+    const angle = (i / SECTORS) * 2 * Math.PI;
+    return { at: [Math.cos(angle) * radius, 0, Math.sin(angle) * radius], color: [r, g, b, solid] };
+  }));
+  const index = RINGS.slice(1).flatMap((_, ring) => Array.from({ length: SECTORS }, (_sector, i) => {
+    const [near, next] = [ring * SECTORS + i, ring * SECTORS + ((i + 1) % SECTORS)];
+    const [far, beyond] = [near + SECTORS, next + SECTORS];
+    return [near, next, far, next, beyond, far];
+  }).flat());
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new Float32BufferAttribute(points.flatMap(({ at }) => at), 3));
+  geometry.setAttribute("normal", new Float32BufferAttribute(points.flatMap(() => [0, 1, 0]), 3));
+  geometry.setAttribute("color", new Float32BufferAttribute(points.flatMap(({ color }) => color), 4));
+  geometry.setIndex(index);
+  return geometry;
+}
+
+export class Daylight {
+  readonly root = new Group();
+  readonly #sun = new DirectionalLight("#fff4e2", 2.3);
+  readonly #ground = new Mesh(groundGeometry(), new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+
+  constructor() {
+    const { shadow } = this.#sun;
+    this.#sun.castShadow = true;
+    shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    Object.assign(shadow, { radius: 4, intensity: 0.7, normalBias: 0.03, bias: -0.0004 });
+    const fill = new DirectionalLight("#d5e3ff", 0.8);
+    fill.position.set(1, 0.7, -0.4);
+    this.#ground.receiveShadow = true;
+    this.#ground.renderOrder = -1;
+    this.root.add(new HemisphereLight("#f4f6ff", "#a09588", 2.3), this.#sun, this.#sun.target, fill, this.#ground);
+  }
+
+  /** Lights a house and lays the ground around it. */
+  around(bounds: Box3): void {
+    const centre = bounds.getCenter(new Vector3());
+    const radius = bounds.getSize(new Vector3()).length() / 2 + 1;
+    this.#sun.target.position.copy(centre);
+    this.#sun.position.copy(centre).addScaledVector(SUN, radius * 2);
+    const camera = this.#sun.shadow.camera;
+    Object.assign(camera, { left: -radius, right: radius, top: radius, bottom: -radius, near: radius * 0.5, far: radius * 3.5 });
+    camera.updateProjectionMatrix();
+    this.#ground.position.set(centre.x, bounds.min.y + GROUND, centre.z);
+    this.#ground.scale.setScalar(radius);
+  }
+}
