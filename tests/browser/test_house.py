@@ -49,7 +49,7 @@ def test_every_room_is_named(visit: Visit) -> None:
     rooms = visit.open()["scene"]["rooms"]
     visit.page.get_by_role("button", name="Top down").click()
     visit.settle()
-    shown = visit.page.locator(".room-label").all_inner_texts()
+    shown = visit.page.locator(".room-label .words").all_text_contents()
     assert sorted(shown) == sorted(room["type"].replace("_", " ") for room in rooms)
 
 

@@ -2,7 +2,23 @@
 
 from __future__ import annotations
 
-from tests.browser.visit import SMALL, Visit
+from playwright.sync_api import expect
+
+from tests.browser.visit import SMALL, Document, Visit
+
+EYE_HEIGHT = 1.6
+STEP_MS = 400
+
+
+def entrance_of(answer: Document) -> Document:
+    """The room that the main entrance leads into."""
+    rooms: list[Document] = answer["scene"]["rooms"]
+    return next(room for room in rooms if not room["outdoor"] and any(one["main_entrance"] for one in room["openings"]))
+
+
+def holds(room: Document, eye: list[float]) -> bool:
+    """Whether a room's rectangle holds a point of the plan."""
+    return bool(room["x"] <= eye[0] <= room["x"] + room["width"] and room["z"] <= eye[2] <= room["z"] + room["depth"])
 
 
 def test_a_floor_clicked_tells_its_room(visit: Visit) -> None:
@@ -13,3 +29,89 @@ def test_a_floor_clicked_tells_its_room(visit: Visit) -> None:
     clicked = [room["id"] for room in rooms if visit.click_on(room["id"])]
     assert len(clicked) == len(rooms)
     assert visit.page.evaluate("told") == clicked
+
+
+def test_a_walk_begins_within_the_entrance_and_goes_where_the_keys_say(visit: Visit) -> None:
+    answer = visit.open(SMALL.format(4))
+    visit.page.keyboard.press("1")
+    visit.settle()
+    state = visit.state()
+    start = state["eye"]
+    assert state["walking"]
+    assert start[1] == EYE_HEIGHT
+    assert holds(entrance_of(answer), start)
+    ahead = [state["target"][i] - start[i] for i in (0, 2)]
+    for key in ("w", "ArrowUp"):
+        visit.page.keyboard.down(key)
+        visit.page.wait_for_timeout(STEP_MS)
+        visit.page.keyboard.up(key)
+    visit.settle()
+    reached = visit.state()["eye"]
+    assert (reached[0] - start[0]) * ahead[0] + (reached[2] - start[2]) * ahead[1] > 0
+    assert reached[1] == EYE_HEIGHT
+    visit.page.keyboard.press("Escape")
+    visit.settle()
+    assert not visit.state()["walking"]
+    assert visit.state()["eye"][1] > EYE_HEIGHT
+
+
+def test_keys_in_a_field_do_not_walk_and_a_drag_looks_around(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    visit.page.get_by_role("button", name="Walk through").click()
+    visit.settle()
+    expect(visit.page.get_by_role("button", name="Walk through")).to_have_attribute("aria-pressed", "true")
+    before = visit.state()
+    visit.page.locator("#seed").press("ArrowUp")
+    visit.settle()
+    assert visit.state()["eye"] == before["eye"]
+    box = visit.page.locator("#stage canvas").bounding_box()
+    assert box
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    visit.page.mouse.move(x, y)
+    visit.page.mouse.down()
+    visit.page.mouse.move(x + 120, y, steps=3)
+    visit.page.mouse.up()
+    visit.settle()
+    assert visit.state()["eye"] == before["eye"]
+    assert visit.state()["target"] != before["target"]
+    visit.page.get_by_role("button", name="Top down").click()
+    visit.settle()
+    assert not visit.state()["walking"]
+
+
+def test_all_pieces_are_named_on_demand_and_no_name_covers_another(visit: Visit) -> None:
+    answer = visit.open(SMALL.format(4))
+    names = visit.page.locator(".piece-label:visible")
+    assert names.count() == 0
+    visit.page.keyboard.press("2")
+    visit.page.keyboard.press("l")
+    visit.settle()
+    furniture = [piece for room in answer["scene"]["rooms"] for piece in room["furniture"]]
+    boxes = [box for label in names.all() if (box := label.bounding_box())]
+    assert len(furniture) / 2 < len(boxes) <= len(furniture)
+    if len(boxes) < len(furniture):
+        expect(visit.page.locator("#labels_words")).to_have_text(f"{len(boxes)} of {len(furniture)} fit")
+    for index, one in enumerate(boxes):
+        for other in boxes[index + 1 :]:
+            apart_x = abs(one["x"] + one["width"] / 2 - other["x"] - other["width"] / 2) >= (one["width"] + other["width"]) / 2
+            assert apart_x or abs(one["y"] - other["y"]) >= (one["height"] + other["height"]) / 2
+    visit.page.get_by_label("Names of all pieces").uncheck()
+    expect(names).to_have_count(0)
+
+
+def test_walls_are_drawn_as_high_as_the_slider_says_and_whole_to_who_walks(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    canvas = visit.page.locator("#stage canvas")
+    low, height = canvas.screenshot(), visit.state()["walls"]
+    visit.page.locator("#cut").fill("2.8")
+    visit.settle()
+    assert visit.state()["walls"] == 2.8 > height
+    assert canvas.screenshot() != low
+    visit.page.locator("#cut").fill("0.9")
+    visit.page.keyboard.press("1")
+    visit.settle()
+    assert visit.state()["walls"] >= 2.4
+    visit.page.get_by_role("button", name="3D").click()
+    visit.settle()
+    expect(visit.page.locator("#cut_words")).to_have_text("0.9 m")
+    assert visit.state()["walls"] == 0.9

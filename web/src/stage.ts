@@ -145,6 +145,7 @@ export class Stage {
     return {
       ...this.#viewport.state,
       selected: this.#selected,
+      walls: this.#looking.height,
       openDoors: this.#house?.doors.open ?? [],
       doors: this.#house?.doors.leaves.map((leaf) => leaf.id) ?? [],
       bodies: this.#house?.bodies.map((body) => body.id) ?? [],

@@ -11,7 +11,7 @@ const SHADOW_PIXELS = 2048;
 const GROUND = -0.12;
 const SECTORS = 48;
 /** Rings of ground in house radii, and how solid it is there: it fades into the sky. */
-const RINGS: readonly (readonly [number, number])[] = [[0, 1], [1.15, 1], [1.7, 0.75], [2.4, 0.35], [3.4, 0]];
+const RINGS: readonly (readonly [number, number])[] = [[0, 1], [1, 0.95], [1.5, 0.65], [2.2, 0.3], [3.4, 0]];
 /** How far ground is seen, in house radii. */
 export const GROUND_REACH = 3.4;
 
