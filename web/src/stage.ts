@@ -38,12 +38,18 @@ export class Stage {
 
   show(scene: Scene, issues: readonly Issue[]): void {
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
+    const house = this.#build(scene);
+    house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
+    this.#labels.show(house);
+    this.#looking.show(house, !sameSize);
+  }
+
+  #build(scene: Scene): House {
     this.#house?.dispose();
     this.#house = new House(scene, this.#book);
-    this.#house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
     this.#viewport.add(this.#house.root, this.#house.bounds);
-    this.#labels.show(this.#house);
-    this.#looking.show(this.#house, !sameSize);
+    this.#house.cutAt(this.#looking.height);
+    return this.#house;
   }
 
   /** Learns how kinds look; what is shown from now on is drawn so. */

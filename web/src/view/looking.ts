@@ -33,7 +33,7 @@ export class Looking {
   /** Another house: `jump` looks at it anew, else one looks on from where one was. */
   show(house: House, jump: boolean): void {
     this.#house = house;
-    this.cutWalls();
+    this.labels.raiseTo(this.height);
     if (this.#walk.pose && jump) this.#enter();
     else if (jump) this.look("corner", true);
   }
