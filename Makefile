@@ -14,7 +14,7 @@ FUZZ_ARGS =
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets bench fuzz lint format page pictures chromium pins wheel clean
+.PHONY: help run test targets bench fuzz lint format page page-bench pictures chromium pins wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -35,7 +35,7 @@ INSTALL = $(UV) pip install --quiet --python $(PY) --constraint constraints.txt
 COMPILE = $(PY) -m solver.placement.kernel
 
 help: ## list the targets
-	@sed -n 's/^\([a-z]*\):.*## /  make \1  /p' Makefile
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1  /p' Makefile
 
 run: .venv/run.stamp page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
@@ -66,6 +66,9 @@ format: .venv/dev.stamp ## put the Python sources in ruff's format
 
 page: .venv/python.stamp ## build the page into service/static/
 	@$(PY) scripts/page.py build
+
+page-bench: .venv/dev.stamp page chromium ## measure what the page costs: script time, draw calls, bytes
+	$(PY) -m tests.browser.bench
 
 pictures: .venv/dev.stamp page chromium ## take the README's pictures of the page
 	$(PY) -m tests.browser.pictures

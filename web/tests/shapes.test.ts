@@ -18,14 +18,14 @@ const CATALOG: Catalog = {
   shapes: {
     bed: [solid("oak", { x: [0, 0.25], y: [0.5, 1], z: [0.5, 1] })],
     king_bed: [solid("own"), solid("glass")],
-    rug: [solid("accent")],
+    rug: [solid("rug_border")],
     dog: [solid("own", { form: "ball" })],
   },
   materials: {
     oak: { color: "#a08050", roughness: 0.6, texture: "wood" },
     own: { color: null, shade: -0.5, metalness: 0.25 },
     glass: { color: "#d0e0f0", opacity: 0.3 },
-    accent: { roughness: 0.9 },
+    rug_border: { roughness: 0.9 },
   },
   styles: { dark: { materials: { oak: { color: "#302010" } } } },
 };

@@ -11,8 +11,8 @@ export interface Paint {
   readonly texture: string | null;
 }
 
-/** The slot that is drawn in the accent of the room a body is in. */
-const ACCENT_SLOT = "accent";
+/** The slot that is drawn in the accent of the room a body is in: the hem of rugs. */
+const ACCENT_SLOT = "rug_border";
 
 function channels(color: string): [number, number, number] {
   const value = Number.parseInt(color.slice(1, 7), 16);
