@@ -9,7 +9,7 @@ from statistics import median
 from tests.browser.service_process import ROOT
 from tests.browser.visit import Document, Visit
 
-HOME = "?program=large&decorate=true&seed=2"
+HOME = "?program=large&area=320&decorate=true&seed=2"
 """A home with at least `LEAST` pieces of furniture and as many decorations."""
 LEAST = 150
 WARM_UPS = 3
