@@ -46,6 +46,11 @@ function outlineOf(room: Room): Vector2[] {
   return cornersOf(room).map(([x, z]) => new Vector2(room.x + x, room.z + z));
 }
 
+/** A room with a rug shows its accent there. */
+function hasRug(room: Room): boolean {
+  return room.decorations.some(({ name }) => name === "rug");
+}
+
 function accentBands(room: Room): Vector2[][] {
   const [x0, z0] = [room.x + ACCENT_INSET, room.z + ACCENT_INSET];
   const [x1, z1] = [room.x + room.width - ACCENT_INSET, room.z + room.depth - ACCENT_INSET];
@@ -76,7 +81,7 @@ export function floorMeshes(rooms: readonly Room[], storeys: ReadonlyMap<number,
     const draft = drafts.get(room.flooring.type) ?? new FloorDraft();
     drafts.set(room.flooring.type, draft);
     draft.add(outlineOf(room), y, room.flooring.color, room.depth > room.width);
-    if (!room.outline) for (const band of accentBands(room)) accents.add(band, y + ACCENT_RISE, room.accent);
+    if (!room.outline && !hasRug(room)) for (const band of accentBands(room)) accents.add(band, y + ACCENT_RISE, room.accent);
   }
   for (const [type, draft] of drafts) {
     const mesh = new Mesh(draft.build(), floorMaterial(type));
