@@ -141,9 +141,9 @@ export class Workbench {
       { name: "redo", words: "Redo", sign: "↷", keys: "Control+Shift+Z Control+Y", act: () => this.editor.redo() },
       { name: "left", words: "Turn left", sign: "⟲", keys: "Q", ofPiece: true, act: onPiece((id) => this.editor.rotate(id, 90)) },
       { name: "right", words: "Turn right", sign: "⟳", keys: "E", ofPiece: true, act: onPiece((id) => this.editor.rotate(id, -90)) },
-      { name: "lock", words: "Lock", sign: "🔒", keys: "K", ofPiece: true, act: onPiece((id) => this.editor.toggleLock(id)) },
-      { name: "delete", words: "Delete", sign: "🗑", keys: "Delete", ofPiece: true, act: onPiece((id) => this.editor.remove(id)) },
-      { name: "add", words: "Add a piece", sign: "+", keys: "A", act: () => this.#openPalette() },
+      { name: "lock", words: "Lock", sign: "Lock", keys: "K", ofPiece: true, act: onPiece((id) => this.editor.toggleLock(id)) },
+      { name: "delete", words: "Delete", sign: "Delete", keys: "Delete", ofPiece: true, act: onPiece((id) => this.editor.remove(id)) },
+      { name: "add", words: "Add a piece", sign: "+ Add", keys: "A", act: () => this.#openPalette() },
     ];
   }
 
