@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urllib.parse import urlparse
 
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from tests.browser.service_process import running
 from tests.browser.visit import SMALL, Visit
@@ -66,3 +66,60 @@ def test_a_newer_question_withdraws_the_older(visit: Visit) -> None:
     assert visit.after(lambda: visit.page.keyboard.press("Enter"))["scene"]["seed"] == 3
     expect(visit.page.get_by_role("alert")).to_be_hidden()
     assert "seed 3" in visit.yaml() or "seed: 3" in visit.yaml()
+
+
+def test_a_key_is_asked_for_kept_and_sent(visit: Visit) -> None:
+    keys: list[str | None] = []
+
+    def guarded(route: Route) -> None:
+        keys.append(route.request.headers.get("x-api-key"))
+        if keys[-1] == "sesame":
+            route.continue_()
+        else:
+            route.fulfill(status=401, body="{}")
+
+    visit.page.route("**/generate", guarded)
+    visit.page.goto(visit.address + SMALL.format(3))
+    expect(visit.page.get_by_label("Key", exact=True)).to_be_focused()
+    visit.page.keyboard.type("sesame")
+    visit.after(lambda: visit.page.keyboard.press("Enter"))
+    expect(visit.page.get_by_role("alert")).to_be_hidden()
+    visit.after(lambda: visit.page.keyboard.press("Escape") or visit.page.locator("#random").click())
+    assert keys == [None, "sesame", "sesame"]
+
+
+def test_too_many_requests_are_counted_down(visit: Visit) -> None:
+    visit.open(SMALL.format(3))
+    visit.page.route("**/generate", lambda route: route.fulfill(status=429, headers={"Retry-After": "3"}, body="{}"))
+    visit.page.locator("#generate").click()
+    again = visit.page.locator(".notice-again")
+    expect(again).to_have_text("Try again in 3 seconds")
+    expect(again).to_be_disabled()
+    expect(again).to_have_text("Try again in 1 second")
+    expect(again).to_be_enabled()
+    visit.page.unroute("**/generate")
+    visit.after(again.click)
+    expect(visit.page.get_by_role("alert")).to_be_hidden()
+
+
+def test_too_large_a_request_is_said_to_be(visit: Visit) -> None:
+    visit.open(SMALL.format(3))
+    visit.page.route("**/generate", lambda route: route.fulfill(status=413, body="{}"))
+    visit.page.locator("#generate").click()
+    expect(visit.page.get_by_role("alert")).to_contain_text("too large")
+    expect(visit.page.locator(".notice-again")).to_be_hidden()
+
+
+def test_long_work_is_said_and_short_work_is_not(visit: Visit) -> None:
+    visit.open(SMALL.format(3))
+    held: list[Route] = []
+
+    def hold(route: Route) -> None:
+        held.append(route)
+
+    visit.page.route("**/generate", hold)
+    visit.page.locator("#generate").click()
+    expect(visit.page.locator("#stage")).to_have_attribute("aria-busy", "true")
+    expect(visit.page.locator("#progress")).to_contain_text("Laying out the house")
+    visit.after(held[0].continue_)
+    expect(visit.page.locator("#progress")).to_be_hidden()

@@ -1,0 +1,84 @@
+"""A room in hand and furnishing it anew; saving a scene whole and opening one."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import yaml
+from playwright.sync_api import expect
+
+from tests.browser.visit import SMALL, Document, Visit
+
+DROP = """async ([name, text]) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([text], name));
+    const send = type => window.dispatchEvent(new DragEvent(type, {dataTransfer: transfer, bubbles: true, cancelable: true}));
+    send('dragover');
+    const shown = !document.querySelector('#drop').hidden;
+    send('drop');
+    return shown && document.querySelector('#drop').hidden;
+}"""
+
+
+def saved(visit: Visit, format: str) -> tuple[str, str]:
+    """Save what is shown; returns the file's name and text."""
+    with visit.page.expect_download() as caught:
+        visit.page.locator(f"#download_{format}").click()
+    return caught.value.suggested_filename, Path(caught.value.path()).read_text()
+
+
+def choose(visit: Visit, scene: Document, type_of: str) -> str:
+    """Take the first room of a type in hand; returns its id."""
+    room: str = next(room["id"] for room in scene["rooms"] if room["type"] == type_of)
+    visit.page.locator("#room_choice").select_option(room)
+    return room
+
+
+def test_a_room_is_told_and_furnished_anew_alone(visit: Visit) -> None:
+    scene = visit.open(SMALL.format(4))["scene"]
+    expect(visit.page.locator("#reroll")).to_be_disabled()
+    chosen = choose(visit, scene, "living_room")
+    room = next(one for one in scene["rooms"] if one["id"] == chosen)
+    facts = visit.page.locator("#room_facts")
+    expect(facts).to_contain_text(f"{room['width'] * room['depth']:.1f} m²")
+    expect(facts).to_contain_text(room["flooring"]["type"])
+    others = {one["id"]: one["furniture"] for one in scene["rooms"] if one["id"] != chosen}
+    after = visit.after(lambda: visit.page.locator("#reroll").click())["scene"]
+    assert {one["id"]: one["furniture"] for one in after["rooms"] if one["id"] != chosen} == others
+    assert next(one for one in after["rooms"] if one["id"] == chosen)["furniture"] != room["furniture"]
+    expect(visit.page.locator("#room_choice")).to_have_value(chosen)
+
+
+def test_what_is_saved_is_the_scene(visit: Visit) -> None:
+    scene = visit.open(SMALL.format(4))["scene"]
+    name, text = saved(visit, "json")
+    assert name == "compose-4.json"
+    assert json.loads(text) == scene
+    name, text = saved(visit, "yaml")
+    assert name == "compose-4.yaml"
+    assert yaml.safe_load(text) == scene
+
+
+def test_a_dropped_yaml_file_is_shown(visit: Visit) -> None:
+    scene = visit.open(SMALL.format(4))["scene"]
+    _, text = saved(visit, "yaml")
+    visit.after(lambda: visit.page.keyboard.press("r"))
+    assert visit.page.evaluate(DROP, ["mine.yaml", text]) is True
+    expect(visit.page).to_have_title("Compose: mine.yaml")
+    visit.settle()
+    _, again = saved(visit, "json")
+    assert json.loads(again) == scene
+    visit.page.locator("#copy_link").click()
+    expect(visit.page.locator("#said")).to_contain_text("cannot hold")
+
+
+def test_a_chosen_file_that_is_no_scene_is_refused_in_the_services_words(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    rooms = visit.count("rooms")
+    file = {"name": "bad.json", "mimeType": "application/json", "buffer": b'{"rooms": [{"id": "<b>a</b>", "width": -3, "depth": 2}]}'}
+    with visit.page.expect_file_chooser() as chooser:
+        visit.page.locator("#open_file").click()
+    chooser.value.set_files([file])  # type: ignore[list-item]
+    expect(visit.page.get_by_role("alert")).to_contain_text("width")
+    assert visit.count("rooms") == rooms
