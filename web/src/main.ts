@@ -204,7 +204,7 @@ class Page {
 
 declare global {
   /** What is shown, for tests and the curious; nothing of the page reads it. */
-  var compose: Pick<Stage, "state" | "whereIs">;
+  var compose: Pick<Stage, "state" | "whereIs" | "measure">;
 }
 
 new Page().open();
