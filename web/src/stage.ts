@@ -4,7 +4,7 @@ import type { Catalog, Issue, Scene } from "./contract";
 import { House, type Hit } from "./house/house";
 import { ShapeBook } from "./house/shapes";
 import type { PresetName } from "./view/cameras";
-import { Labels, type MarkWords } from "./view/labels";
+import { Labels, wordsOfIssues, type MarkWords } from "./view/labels";
 import { Looking } from "./view/looking";
 import { listenToPointer } from "./view/pointer";
 import { Viewport } from "./view/viewport";
@@ -41,6 +41,7 @@ export class Stage {
     const house = this.#build(scene);
     house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
     this.#labels.show(house);
+    this.#labels.showMarks(wordsOfIssues(issues.filter((issue) => issue.severity === "error")));
     this.#looking.show(house, !sameSize);
   }
 

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { layOut } from "../src/view/label_layout";
+import { wordsOfIssues } from "../src/view/labels";
 
 const wish = (x: number, y: number, importance: number) => ({ x, y, width: 80, height: 20, importance });
 
@@ -19,6 +20,28 @@ describe("label layout", () => {
     const placed = layOut(wishes).flatMap((place) => place ?? []);
     expect(placed.length).toBeGreaterThan(4);
     expect(placed.length).toBeLessThan(20);
+    for (const [i, a] of placed.entries()) {
+      for (const b of placed.slice(i + 1)) expect(Math.abs(a.x - b.x) >= 80 || Math.abs(a.y - b.y) >= 20).toBe(true);
+    }
+  });
+});
+
+describe("words of what is wrong", () => {
+  it("are the rules in capitals, each once for each body", () => {
+    const issue = (rule: string, ids: string[]) => ({ rule, ids, severity: "error" as const, message: "" });
+    expect(wordsOfIssues([issue("overlap", ["a", "b"]), issue("overlap", ["a", "c"]), issue("blocks_door", ["a"])])).toEqual([
+      { id: "a", words: "OVERLAP, BLOCKS DOOR" }, { id: "b", words: "OVERLAP" }, { id: "c", words: "OVERLAP" },
+    ]);
+  });
+});
+
+describe("a layout of many labels", () => {
+  it("leaves none of 150 covered, keeping the more important", () => {
+    const wishes = Array.from({ length: 150 }, (_, i) => wish((i * 97) % 900, (i * 61) % 600, i));
+    const places = layOut(wishes);
+    expect(places.at(-1)).toEqual({ x: wishes.at(-1)?.x, y: wishes.at(-1)?.y });
+    const placed = places.flatMap((place) => place ?? []);
+    expect(placed.length).toBeGreaterThan(80);
     for (const [i, a] of placed.entries()) {
       for (const b of placed.slice(i + 1)) expect(Math.abs(a.x - b.x) >= 80 || Math.abs(a.y - b.y) >= 20).toBe(true);
     }

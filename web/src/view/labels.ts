@@ -1,5 +1,6 @@
 /** Names over the canvas: rooms always, a piece pointed at or chosen, all pieces on demand, and words of what is wrong. */
 import { Vector3 } from "three";
+import type { Issue } from "../contract";
 import { storeysOf, words, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
 import { roomHolding } from "../house/room_at";
@@ -19,6 +20,15 @@ export interface Asked extends LabelWish {
 export interface MarkWords {
   readonly id: string;
   readonly words: string;
+}
+
+/** The rules that bodies break, in capitals, once for each body. */
+export function wordsOfIssues(issues: readonly Issue[]): MarkWords[] {
+  const said = new Map<string, Set<string>>();
+  for (const { ids, rule } of issues) {
+    for (const id of ids) said.set(id, (said.get(id) ?? new Set()).add(words(rule).toUpperCase()));
+  }
+  return [...said].map(([id, rules]) => ({ id, words: [...rules].join(", ") }));
 }
 
 type Named = LabelElement & { readonly id: string };
