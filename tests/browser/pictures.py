@@ -83,15 +83,15 @@ def _pixels_a_metre(visit: Visit, scene: dict[str, Any]) -> float:
 def main() -> None:
     """Takes the pictures, or those that are named."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", default=["house", "drag"], choices=["house", "drag"])
-    names = parser.parse_args().names
+    parser.add_argument("name", nargs="?", choices=["house", "drag"], help="which one; by default both")
+    name = parser.parse_args().name
     FOLDER.mkdir(exist_ok=True)
     executable = bring()
     with running() as service, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=executable, args=FLAGS)
-        if "house" in names:
+        if name in (None, "house"):
             house(browser, service.address, FOLDER / "house.png")
-        if "drag" in names:
+        if name in (None, "drag"):
             drag(browser, service.address, FOLDER / "drag.webp")
         browser.close()
 
