@@ -169,7 +169,7 @@ export class Labels {
   #askedAt(labels: readonly Named[], lift: number, importance: number): Asked[] {
     return labels.flatMap((label) => {
       const body = this.#bodies.get(label.id);
-      const seen = body && this.#overBody(body);
+      const seen = body ? this.#overBody(body) : this.#rooms.middleOf(label.id);
       return seen ? [{ label, x: seen.x, y: seen.y - lift, width: label.width, height: label.height, importance }] : [];
     });
   }

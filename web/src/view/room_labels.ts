@@ -48,6 +48,12 @@ export class RoomLabels {
     return this.#labels;
   }
 
+  /** Where a room's name would best be on the canvas [CSS pixels]. */
+  middleOf(id: string): { x: number; y: number } | null {
+    const label = this.#labels.find(({ room }) => room.id === id);
+    return label ? this.viewport.project(new Vector3(label.at[0], this.#heightOf(label), label.at[2])) : null;
+  }
+
   /** The names wished for in this frame. */
   asked(): Asked[] {
     const { pose } = this.viewport;
