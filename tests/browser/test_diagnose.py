@@ -235,3 +235,16 @@ def test_issues_are_grouped_and_lead_to_their_piece(visit: Visit) -> None:
     stage = visit.page.locator("#stage").bounding_box()
     if at and stage:
         assert abs(at["x"] - stage["x"] - stage["width"] / 2) < 12
+
+
+def test_words_stand_at_what_is_wrong(visit: Visit) -> None:
+    answer = spoiled(visit)
+    visit.page.keyboard.press("2")
+    visit.settle()
+    rules: dict[str, set[str]] = {}
+    for issue in answer["issues"]:
+        for name in issue["ids"] or [issue["room"]]:
+            rules.setdefault(name, set()).add(issue["rule"].replace("_", " ").upper())
+    marks = visit.page.locator(".mark-label").all_text_contents()
+    assert sorted(sorted(mark.split(", ")) for mark in marks) == sorted(sorted(words) for words in rules.values())
+    expect(visit.page.locator(".mark-label").first).to_be_visible()

@@ -7,7 +7,6 @@ import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
 import { Files, type GivenFile } from "./panel/files";
 import { Issues } from "./panel/issues";
-import { marksOf } from "./panel/mark_words";
 import { Legend } from "./panel/legend";
 import { Link } from "./panel/link";
 import { foldForNarrow } from "./panel/narrow";
@@ -170,7 +169,6 @@ class Page {
     const shown = this.#home.shown;
     if (!shown || how === "live") return;
     this.#stage.show(shown.scene, shown.issues);
-    this.#stage.showMarks(marksOf(shown.issues));
     this.#stage.select(this.#home.selected);
     this.#issues.show(shown.issues);
     this.#legend.show(shown.scene);

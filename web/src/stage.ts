@@ -4,8 +4,9 @@ import type { Catalog, Issue, Scene } from "./contract";
 import { House, type Hit } from "./house/house";
 import { ShapeBook } from "./house/shapes";
 import type { PresetName } from "./view/cameras";
-import { Labels, wordsOfIssues, type MarkWords } from "./view/labels";
+import { Labels } from "./view/labels";
 import { Looking } from "./view/looking";
+import { marksOf } from "./view/mark_words";
 import { listenToPointer } from "./view/pointer";
 import { Viewport } from "./view/viewport";
 
@@ -41,7 +42,7 @@ export class Stage {
     const house = this.#build(scene);
     house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
     this.#labels.show(house);
-    this.#labels.showMarks(wordsOfIssues(issues.filter((issue) => issue.severity === "error")));
+    this.#labels.showMarks(marksOf(issues));
     this.#looking.show(house, !sameSize);
   }
 
@@ -74,11 +75,6 @@ export class Stage {
   /** Names all pieces, or again only those pointed at and chosen. */
   toggleNames(): void {
     this.#looking.toggleNames();
-  }
-
-  /** Sets red words at bodies with issues, in place of those before. */
-  showMarks(marks: readonly MarkWords[]): void {
-    this.#labels.showMarks(marks);
   }
 
   /** Brings a body into the middle of the canvas. */

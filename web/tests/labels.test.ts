@@ -1,6 +1,5 @@
 import { describe, expect, it } from "vitest";
 import { layOut } from "../src/view/label_layout";
-import { wordsOfIssues } from "../src/view/labels";
 
 const wish = (x: number, y: number, importance: number) => ({ x, y, width: 80, height: 20, importance });
 
@@ -23,15 +22,6 @@ describe("label layout", () => {
     for (const [i, a] of placed.entries()) {
       for (const b of placed.slice(i + 1)) expect(Math.abs(a.x - b.x) >= 80 || Math.abs(a.y - b.y) >= 20).toBe(true);
     }
-  });
-});
-
-describe("words of what is wrong", () => {
-  it("are the rules in capitals, each once for each body", () => {
-    const issue = (rule: string, ids: string[]) => ({ rule, ids, severity: "error" as const, message: "" });
-    expect(wordsOfIssues([issue("overlap", ["a", "b"]), issue("overlap", ["a", "c"]), issue("blocks_door", ["a"])])).toEqual([
-      { id: "a", words: "OVERLAP, BLOCKS DOOR" }, { id: "b", words: "OVERLAP" }, { id: "c", words: "OVERLAP" },
-    ]);
   });
 });
 

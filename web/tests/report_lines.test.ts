@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
 import { fixWords } from "../src/panel/fix_words";
 import { groupsOf } from "../src/panel/issues";
-import { marksOf } from "../src/panel/mark_words";
 import { sharedEnds, type Line } from "../src/panel/line_list";
 import { kindOf, reportLines } from "../src/panel/report_lines";
+import { marksOf } from "../src/view/mark_words";
 
 const line = (text: string, id: string | null = null): Line => ({ text, id, className: "line" });
 const issue = (rule: string, severity: "error" | "warning" = "error") => ({ rule, severity, ids: [], message: rule });

@@ -1,12 +1,12 @@
 /** Names over the canvas: rooms always, a piece pointed at or chosen, all pieces on demand, and words of what is wrong. */
 import { Vector3 } from "three";
-import type { Issue } from "../contract";
 import { storeysOf, words, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
 import { roomHolding } from "../house/room_at";
 import { hang, hide, labelElement, moveTo, type LabelElement } from "./label_elements";
 import { layOut, type LabelWish } from "./label_layout";
 import { aheadBy, RANK, sizeSeen } from "./label_wishes";
+import type { MarkWords } from "./mark_words";
 import { RoomLabels } from "./room_labels";
 import type { Viewport } from "./viewport";
 
@@ -14,21 +14,6 @@ import type { Viewport } from "./viewport";
 export interface Asked extends LabelWish {
   readonly label: LabelElement;
   readonly keepsDot?: boolean;
-}
-
-/** Words at a body: what is wrong with it. */
-export interface MarkWords {
-  readonly id: string;
-  readonly words: string;
-}
-
-/** The rules that bodies break, in capitals, once for each body. */
-export function wordsOfIssues(issues: readonly Issue[]): MarkWords[] {
-  const said = new Map<string, Set<string>>();
-  for (const { ids, rule } of issues) {
-    for (const id of ids) said.set(id, (said.get(id) ?? new Set()).add(words(rule).toUpperCase()));
-  }
-  return [...said].map(([id, rules]) => ({ id, words: [...rules].join(", ") }));
 }
 
 type Named = LabelElement & { readonly id: string };
