@@ -118,6 +118,12 @@ def test_fix_shows_what_the_service_made_of_it_and_undo_is_one_step(visit: Visit
     assert text_of(visit) == told
     assert visit.count("issues") == len(fixed["issues"])
     assert poses(fixed["scene"]) != poses(answer["scene"])
+    visit.page.keyboard.press("Escape")
+    visit.page.keyboard.press("Control+z")
+    expect(visit.page.locator("[data-count=issues]")).to_have_text(str(len(answer["issues"])))
+    opened(visit)
+    expect(visit.page.locator(".report-wrong").first).to_be_visible()
+    assert text_of(visit) == ask(visit, "validate", {"scene": answer["scene"], "report": True})["report"]["text"]
 
 
 def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
