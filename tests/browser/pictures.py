@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from PIL import Image
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from tests.browser.service_process import ROOT, running
 from tests.browser.visit import Visit
@@ -20,6 +20,10 @@ ROOM = "?program=one_bed&decorate=true&style=mid_century&seed=4"
 PAGE_SIZE = {"width": 1440, "height": 860}
 DRAG_SIZE = {"width": 1180, "height": 620}
 DRAG_M = 1.5
+NEARER = 7
+"""How often the wheel is turned towards the room."""
+RISE_PX = 10
+"""The wheel is turned this much north of the sofa: towards the middle of its room."""
 STEPS = 16
 FRAME_MS = 90
 PAUSE_MS = 1200
@@ -43,9 +47,8 @@ def drag(browser: Browser, address: str, to: Path) -> None:
     page = browser.new_page(viewport=DRAG_SIZE)
     visit = Visit(page, address)
     scene = visit.open(ROOM)["scene"]
-    page.keyboard.press("2")
-    visit.settle()
     sofa = next(piece for room in scene["rooms"] for piece in room["furniture"] if piece["name"] == "sofa")
+    _come_near(visit, sofa["id"])
     frames = [_frame(page)]
     at = page.evaluate("id => compose.whereIs(id)", sofa["id"])
     scale = _pixels_a_metre(visit, scene)
@@ -56,11 +59,23 @@ def drag(browser: Browser, address: str, to: Path) -> None:
         page.wait_for_timeout(ANSWERED_MS)
         frames.append(_frame(page))
     page.mouse.up()
+    expect(page.locator("#stage[data-editing=true]")).to_have_count(0)
     visit.settle()
     frames.append(_frame(page))
     pauses = [PAUSE_MS, *[FRAME_MS] * (len(frames) - 2), PAUSE_MS]
     frames[0].save(to, save_all=True, append_images=frames[1:], duration=pauses, loop=0, quality=72, method=6)
     page.close()
+
+
+def _come_near(visit: Visit, id_of: str) -> None:
+    """Looks from above, as near as a room is large."""
+    visit.page.keyboard.press("2")
+    visit.settle()
+    at = visit.page.evaluate("id => compose.whereIs(id)", id_of)
+    visit.page.mouse.move(at["x"], at["y"] - RISE_PX)
+    for _ in range(NEARER):
+        visit.page.mouse.wheel(0, -120)
+        visit.settle()
 
 
 def _frame(page: Page) -> Image.Image:
