@@ -8,19 +8,37 @@ import type { WallPanel } from "./walls";
 /** How far before a face the room is that it belongs to [m]. */
 const BEFORE = 0.02;
 
-function outlineOf(room: Room): (readonly [number, number])[] {
-  return cornersOf(room).map(([x, z]) => [room.x + x, room.z + z] as const);
+interface Outline {
+  readonly corners: readonly (readonly [number, number])[];
+  readonly x: Span;
+  readonly z: Span;
+}
+
+/** Walls ask for every room's outline at every face: each is made once. */
+const outlines = new WeakMap<Room, Outline>();
+
+function outlined(room: Room): Outline {
+  const corners = cornersOf(room).map(([x, z]) => [room.x + x, room.z + z] as const);
+  const spanOf = (values: readonly number[]): Span => ({ from: Math.min(...values), to: Math.max(...values) });
+  return { corners, x: spanOf(corners.map(([x]) => x)), z: spanOf(corners.map(([, z]) => z)) };
+}
+
+function outlineOf(room: Room): Outline {
+  const outline = outlines.get(room) ?? outlined(room);
+  outlines.set(room, outline);
+  return outline;
 }
 
 /** Where along a panel the finish may change: at the corners of rooms [m]. */
 export function seamsOf(rooms: readonly Room[], axis: WallPanel["axis"], along: Span): number[] {
-  const ends = rooms.filter((room) => room.walls).flatMap((room) => outlineOf(room).map(([x, z]) => (axis === "x" ? x : z)));
+  const ends = rooms.filter((room) => room.walls).flatMap((room) => outlineOf(room).corners.map(([x, z]) => (axis === "x" ? x : z)));
   return [...new Set(ends)].filter((end) => along.from < end && end < along.to);
 }
 
 /** Whether a point of the plan [m] is within a room's outline. */
 export function holds(room: Room, x: number, z: number): boolean {
-  const corners = outlineOf(room);
+  const { corners, x: across, z: along } = outlineOf(room);
+  if (x < across.from || x > across.to || z < along.from || z > along.to) return false;
   return corners.reduce((inside, [x0, z0], i) => {
     const [x1, z1] = corners[(i + 1) % corners.length] ?? [x0, z0];
     const crosses = z0 > z !== z1 > z && x < x0 + ((z - z0) / (z1 - z0)) * (x1 - x0);

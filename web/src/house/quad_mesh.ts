@@ -30,13 +30,19 @@ export function quadsOf(box: Box, color: string): ColoredQuad[] {
 /** Merges rectangles into one indexed geometry. */
 export function mergeQuads(quads: readonly ColoredQuad[]): BufferGeometry {
   const colors = new Map([...new Set(quads.map((quad) => quad.color))].map((color) => [color, new Color(color).toArray()]));
-  const arrays = {
-    position: quads.flatMap((quad) => quad.corners.flat()),
-    normal: quads.flatMap((quad) => [quad.normal, quad.normal, quad.normal, quad.normal].flat()),
-    color: quads.flatMap((quad) => { const color = colors.get(quad.color) ?? []; return [color, color, color, color].flat(); }),
-  };
+  const arrays = { position: new Float32Array(quads.length * 12), normal: new Float32Array(quads.length * 12), color: new Float32Array(quads.length * 12) };
+  const index = new Uint32Array(quads.length * 6);
+  quads.forEach(({ corners, normal, color }, i) => {
+    corners.forEach((corner, j) => {
+      const at = i * 12 + j * 3;
+      arrays.position.set(corner, at);
+      arrays.normal.set(normal, at);
+      arrays.color.set(colors.get(color) ?? [], at);
+    });
+    TRIANGLES.forEach((corner, j) => (index[i * 6 + j] = i * 4 + corner));
+  });
   const geometry = new BufferGeometry();
-  for (const [name, array] of Object.entries(arrays)) geometry.setAttribute(name, new BufferAttribute(new Float32Array(array), 3));
-  geometry.setIndex(quads.flatMap((_, i) => TRIANGLES.map((corner) => i * 4 + corner)));
+  for (const [name, array] of Object.entries(arrays)) geometry.setAttribute(name, new BufferAttribute(array, 3));
+  geometry.setIndex(new BufferAttribute(index, 1));
   return geometry;
 }
