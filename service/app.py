@@ -59,6 +59,12 @@ async def post_view(request: Request) -> Response:
     return await _called(request, "view")
 
 
+@router.post("/floor", **described("Floor"))
+async def post_floor(request: Request) -> Response:
+    """Says where the floor of rooms is clear of walls, kept free for doors and windows, and free to come to."""
+    return await _called(request, "floor")
+
+
 @router.post("/export/{format}", **described("Export"))
 async def post_export(request: Request, format: str) -> Response:
     """Writes a scene as a file, JSON or YAML; also reads one that is."""

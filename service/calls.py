@@ -17,7 +17,7 @@ from solver.errors import SceneError
 from solver.exchange import read_poses, read_request, read_scene, scene_schema, write_scene
 from solver.requested import Placement
 from solver.scene import MAX_SEED, Generated, Scene, body_ids, check_ids
-from solver.validate import metrics
+from solver.validate import floors, metrics
 from solver.view import report, view
 
 Call: TypeAlias = Callable[[object, Catalogs], Document]
@@ -143,6 +143,21 @@ def view_scene(document: object, _: Catalogs | None = None) -> Document:
     return _lined(*view(_scene(_body(document, ("scene",)))))
 
 
+def floor_of(document: object, _: Catalogs | None = None) -> Document:
+    """Says where the floor of rooms is clear, kept free, and free to come to.
+
+    Args:
+        document: `scene`, and if wanted `rooms` (ids of its rooms; all of them by default).
+
+    Raises:
+        FieldError: a field is wrong.
+    """
+    body = _body(document, ("scene", "rooms"))
+    scene, rooms = _scene(body), _ids(body, "rooms")
+    check_ids("rooms", rooms, [room.id for room in scene.rooms])
+    return {"rooms": floors(scene, rooms)}
+
+
 def _lined(text: str, lines: Sequence[str | None]) -> Document:
     return {"text": text, "lines": list(lines)}
 
@@ -175,7 +190,7 @@ def schema_document(_: Catalogs | None = None) -> Document:
 
 CALLS: Final[Mapping[str, Call]] = {
     "generate": generate_house, "fix": fix_scene, "place": place_pieces, "validate": validate_scene, "view": view_scene,
-    "export": export_scene,
+    "export": export_scene, "floor": floor_of,
 }  # fmt: skip
 """The calls that take a body, by the last word of their path."""
 

@@ -65,6 +65,7 @@ def _bodies() -> Document:
         "FixBody": _record(("scene",), {**scene, "locked": _IDS, "moved": _IDS, "on_conflict": conflict, "previous": _list_of("Pose")}),
         "ValidateBody": _record(("scene",), {**scene, "flagged": _IDS, "report": {"type": "boolean"}}),
         "ViewBody": _record(("scene",), scene),
+        "FloorBody": _record(("scene",), {**scene, "rooms": _IDS}),
         "ExportBody": {"anyOf": [_record(("scene",), scene), _ref("Scene")]},
     }
 
@@ -92,6 +93,7 @@ def _answers() -> Document:
         ),
         "ValidateAnswer": _record(("issues", "metrics"), validated),
         "ViewAnswer": _answer(text={"type": "string"}, lines=lines),
+        "FloorAnswer": _answer(rooms={"type": "array", "items": _floor()}),
         "ExportAnswer": _ref("Scene"),
         "SchemaAnswer": {"type": "object"},
         "HealthAnswer": _answer(status={"const": "ok"}),
@@ -130,6 +132,12 @@ def _components() -> Document:
     types |= _hoisted("PlaceBody", _place_body(), "Place")
     types |= _hoisted("Pose", {**TypeAdapter(Pose).json_schema(), "additionalProperties": False})
     return types | _hoisted("Scene", scene_schema()) | _hoisted("Request", _request()) | _bodies() | _answers()
+
+
+def _floor() -> Document:
+    box = {"type": "array", "items": {"type": "number"}, "minItems": 4, "maxItems": 4}
+    boxes = {"type": "array", "items": box}
+    return _answer(room={"type": "string"}, clear=box, doors=boxes, windows=boxes, free=boxes)
 
 
 def _content(name: str) -> Document:

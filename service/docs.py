@@ -35,6 +35,7 @@ EXAMPLES: Final = {
     "/place": """curl -d @body.json {base}place      # body.json: {"room": {...}, "pieces": [{"id": "desk", "name": "desk"}]}""",
     "/validate": """curl -d @body.json {base}validate   # body.json: {"scene": {...}}""",
     "/view": """curl -d @body.json {base}view       # body.json: {"scene": {...}}""",
+    "/floor": """curl -d @body.json {base}floor      # body.json: {"scene": {...}, "rooms": ["kitchen_1"]}""",
     "/catalog": """curl {base}catalog""",
     "/schema": """curl -H 'Accept: application/yaml' {base}schema""",
     "/healthz": """curl {base}healthz""",

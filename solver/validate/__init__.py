@@ -5,7 +5,8 @@ and the tests. May import: scene, errors, catalogs. Shares no code with the solv
 exact, in integers (lattice.py). Adding a rule: one function, a row in RULES, its two-body test.
 """
 
+from solver.validate.floor import floors
 from solver.validate.metrics import metrics
 from solver.validate.rules import RULES, validate
 
-__all__ = ["RULES", "metrics", "validate"]
+__all__ = ["RULES", "floors", "metrics", "validate"]

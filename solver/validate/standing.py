@@ -157,11 +157,16 @@ def blocks_window(_: World, place: Place) -> Iterator[Finding]:
     """A piece taller than the sill stands within 0.5 m of a window, its width plus 0.1 m each side."""
     for hole in place.holes:
         if hole.opening.kind == "window":
-            zone = hole.edge.strip(hole.start - WINDOW_MARGIN, hole.end + WINDOW_MARGIN, WINDOW_DEPTH)
+            zone = window_zone(hole)
             for body in place.bodies:
                 hides = body.is_furniture and body.high > hole.sill and body.low < hole.top
                 if hides and body.box.meets(zone):
                     yield _hiding(place, body, hole, zone)
+
+
+def window_zone(hole: Hole) -> Box:
+    """Returns the strip before a window where nothing taller than its sill stands."""
+    return hole.edge.strip(hole.start - WINDOW_MARGIN, hole.end + WINDOW_MARGIN, WINDOW_DEPTH)
 
 
 def _hiding(place: Place, body: Body, hole: Hole, zone: Box) -> Finding:

@@ -14,7 +14,7 @@ from catalogs.schema import Relation
 from solver.scene import Furniture, Opening, Request, Room
 from tests.service.problems import problem_of
 
-POSTS = ["/generate", "/fix", "/place", "/validate", "/view"]
+POSTS = ["/generate", "/fix", "/place", "/validate", "/view", "/floor", "/export/json"]
 BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
 RELATED = get_args(Relation)
@@ -90,6 +90,8 @@ BODIES = {
     ),
     "/validate": st.fixed_dictionaries({"scene": SCENES}),
     "/view": st.fixed_dictionaries({"scene": SCENES}),
+    "/floor": st.fixed_dictionaries({"scene": SCENES}, optional={"rooms": IDS}),
+    "/export/json": st.fixed_dictionaries({"scene": SCENES}) | SCENES,
 }
 
 

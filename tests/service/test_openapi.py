@@ -59,7 +59,7 @@ def nodes(value: Any) -> list[dict[str, Any]]:
 def test_it_lists_every_call(document: dict[str, Any]) -> None:
     posts = {path for path, verbs in document["paths"].items() if "post" in verbs}
     gets = {path for path, verbs in document["paths"].items() if "get" in verbs}
-    assert posts == {"/generate", "/fix", "/place", "/validate", "/view", "/export/{format}"}
+    assert posts == {"/generate", "/fix", "/place", "/validate", "/view", "/floor", "/export/{format}"}
     assert gets == {"/catalog", "/schema", "/healthz"}
     assert all(call["description"] for verbs in document["paths"].values() for call in verbs.values())
     statuses = {str(status) for status, _ in STATUS.values()} | {"200"}
@@ -70,7 +70,7 @@ def test_answers_are_as_described(client: TestClient, document: dict[str, Any], 
     crowd = {"name": "bed", "x": 1.0, "z": 1.0, "width": 1.6, "depth": 2.0, "height": 0.5}
     cell = {"rooms": [{"width": 2.0, "depth": 2.1, "furniture": [crowd, crowd]}]}
     assert faults(document, answer_schema(document, "/generate", 200), house) == []
-    for path in ("/fix", "/validate", "/view"):
+    for path in ("/fix", "/validate", "/view", "/floor"):
         for sent in (scene, cell):
             answer = client.post(path, json={"scene": sent})
             assert (answer.status_code, faults(document, answer_schema(document, path, 200), answer.json())) == (200, [])

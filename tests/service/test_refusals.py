@@ -14,7 +14,7 @@ from service.wire import BODY_LIMIT, DRAIN_LIMIT
 from tests.service.problems import entry_of, problem_of
 
 YAML = {"content-type": "application/yaml"}
-POSTS = ["/generate", "/fix", "/validate", "/view"]
+POSTS = ["/generate", "/fix", "/validate", "/view", "/floor"]
 PATIENCE_S = 5.0
 """How long a refusal may take on a busy machine, s."""
 
