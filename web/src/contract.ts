@@ -176,6 +176,21 @@ export interface FixAnswer extends GenerateAnswer {
   readonly conflicts: readonly Conflict[];
 }
 
+export type Rectangle = readonly [number, number, number, number];
+
+/** A room's floor: what is clear of walls, kept free before doors and windows, and free to walk [x0, z0, x1, z1 in the room, m]. */
+export interface RoomFloor {
+  readonly room: string;
+  readonly clear: Rectangle;
+  readonly doors: readonly Rectangle[];
+  readonly windows: readonly Rectangle[];
+  readonly free: readonly Rectangle[];
+}
+
+export interface FloorAnswer {
+  readonly rooms: readonly RoomFloor[];
+}
+
 /** The readable YAML and, for each of its lines, the body it speaks of. */
 export interface ViewAnswer {
   readonly text: string;

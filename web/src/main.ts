@@ -2,6 +2,7 @@
 import { anotherSeed, DEFAULTS, queryFromRequest, requestFromQuery } from "./address";
 import { Asking } from "./asking";
 import type { HouseRequest, Scene } from "./contract";
+import { drawable } from "./house/drawable";
 import { Workbench } from "./edit/workbench";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
@@ -171,7 +172,7 @@ class Page {
     this.#stage.show(shown.scene, shown.issues);
     this.#stage.select(this.#home.selected);
     this.#issues.show(shown.issues);
-    this.#legend.show(shown.scene);
+    this.#legend.show(drawable(shown.scene));
     showShown(element("status"), shown);
     if (this.#home.canUndo) this.#link.holds("edits");
     if (how === "new") document.title = `Compose: house ${shown.scene.seed}`;

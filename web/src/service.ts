@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { Catalog, FieldProblem, FixAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
+import type { Catalog, FieldProblem, FixAnswer, FloorAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 
 /** What is known of a refusal beside its words. */
 interface Refusal {
@@ -130,6 +130,11 @@ export function readFile(text: string, format: FileFormat, signal: AbortSignal):
 
 export function fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer> {
   return post("fix", request, signal);
+}
+
+/** The floor of rooms, all where none are named, as the rules see it. */
+export function floor(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<FloorAnswer> {
+  return post("floor", rooms.length > 0 ? { scene, rooms } : { scene }, signal);
 }
 
 export function view(scene: Scene, signal: AbortSignal): Promise<ViewAnswer> {

@@ -1,6 +1,7 @@
 /** The canvas and what happens on it: the house shown, looked at, pointed at and clicked. */
 import { Vector3 } from "three";
 import type { Catalog, Issue, Scene } from "./contract";
+import { drawable } from "./house/drawable";
 import { House, type Hit } from "./house/house";
 import { ShapeBook } from "./house/shapes";
 import type { PresetName } from "./view/cameras";
@@ -15,6 +16,8 @@ function within<T extends HTMLElement>(id: string): T {
 }
 
 export class Stage {
+  /** How many rectangles of free and kept floor are drawn. */
+  floorZones = 0;
   /** Called with the body clicked, or null for a click beside all. */
   onSelect: (id: string | null) => void = () => undefined;
   /** Called with the room whose floor was clicked, or null for a click beside all. */
@@ -37,7 +40,8 @@ export class Stage {
     });
   }
 
-  show(scene: Scene, issues: readonly Issue[]): void {
+  show(shown: Scene, issues: readonly Issue[]): void {
+    const scene = drawable(shown);
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
     const house = this.#build(scene);
     house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
@@ -153,6 +157,7 @@ export class Stage {
       doors: this.#house?.doors.leaves.map((leaf) => leaf.id) ?? [],
       bodies: this.#house?.bodies.map((body) => body.id) ?? [],
       marks: this.#house?.marks ?? {},
+      floorZones: this.floorZones,
     };
   }
 

@@ -2,14 +2,15 @@
 import type { Scene } from "../contract";
 import { bodiesOf, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
-import { catalog, fix } from "../service";
+import { catalog, fix, floor } from "../service";
 import type { Stage } from "../stage";
 import type { Home, Showing } from "../state/home";
 import { ConflictPanel } from "./conflict_panel";
 import { Editor, type Refusal } from "./editor";
+import { FloorZones } from "./floor";
 import { Hand, type Grasp } from "./hand";
 import { Palette } from "./palette";
-import { carriedBy, type FurnitureKind } from "./scene_edits";
+import { carriedBy, without, type FurnitureKind } from "./scene_edits";
 import { Slide, spotOf } from "./slide";
 import { Toolbar, type Tool } from "./toolbar";
 
@@ -34,6 +35,8 @@ export class Workbench {
   readonly #conflicts = new ConflictPanel(within("conflict"));
   readonly #palette = new Palette(within("palette"));
   readonly #toolbar: Toolbar;
+  readonly #floor: FloorZones;
+  readonly #floorSwitch = within("show_floor") as HTMLInputElement;
   /** The house last drawn: from its places bodies slide to those of the next. */
   #drawn: House | null = null;
   #sliding = false;
@@ -47,8 +50,10 @@ export class Workbench {
       refused: (refusal) => this.#refuse(refusal),
       lifted: (id, scene) => this.#carry(id, scene),
       answered: (id, scene) => this.#frameGoal(id, scene),
-      settled: () => this.stage.house?.frame("settles", []),
+      settled: () => this.#settled(),
     });
+    this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason));
+    this.#floorSwitch.addEventListener("change", () => this.#showFloor());
     this.#toolbar = new Toolbar(within("tools"), this.#tools());
     this.#hand = this.#grasping();
     this.#conflicts.onTake = (refusal, repair) => this.editor.take(refusal, repair);
@@ -64,11 +69,33 @@ export class Workbench {
       grasp: (x, y) => this.#graspAt(x, y),
       rayAt: (x, y) => this.stage.viewport.rayAt(x, y),
       hold: (held) => this.stage.viewport.hold(held),
-      lift: (id) => { if (this.editor.lift(id)) this.home.select(id); },
+      lift: (id) => this.#lift(id),
       drag: (at) => this.editor.drag(at),
       drop: () => this.editor.drop(),
       cancel: () => this.editor.cancel(),
     });
+  }
+
+  /** Takes a piece in hand, and shows the floor it may go to: as if it were not there. */
+  #lift(id: string): void {
+    const room = this.home.find(id)?.room.id;
+    const { scene } = this.home;
+    if (!this.editor.lift(id)) return;
+    this.home.select(id);
+    if (scene && room !== undefined) void this.#floor.show(without(scene, id), [room]);
+  }
+
+  #settled(): void {
+    this.stage.house?.frame("settles", []);
+    if (this.#floorSwitch.checked) this.#showFloor();
+    else this.#floor.hide();
+  }
+
+  /** The floor of all rooms, where that is wished for. */
+  #showFloor(): void {
+    const { scene } = this.home;
+    if (this.#floorSwitch.checked && scene) void this.#floor.show(scene, []);
+    else this.#floor.hide();
   }
 
   #graspAt(x: number, y: number): Grasp | null {
@@ -106,6 +133,8 @@ export class Workbench {
     if (!house || !this.home.scene) return;
     house.mark("locked", [...this.home.locked]);
     this.#offer();
+    if (how !== "live" && this.#floorSwitch.checked) this.#showFloor();
+    else this.#floor.draw(this.home.scene);
     if (how === "new") {
       this.editor.forget();
       this.#hand.cancel();
@@ -203,6 +232,7 @@ export class Workbench {
     if (event.key === "Escape" && this.#hand.holds) return () => this.#hand.cancel();
     if (event.key === "Escape" && this.#refused) return () => this.#refuse(null);
     if (event.key.toLowerCase() === "a") return () => this.#openPalette();
+    if (event.key.toLowerCase() === "o") return () => this.#floorSwitch.click();
     const id = this.home.selected;
     if (id === null) return null;
     const acts: Readonly<Record<string, () => void>> = {

@@ -41,7 +41,7 @@ export function words(name: string): string {
 
 /** Each level's floor height and storey height [m]. */
 export function storeysOf(scene: Scene): Map<number, Storey> {
-  return new Map(scene.levels.map((level) => [level.index, { elevation: level.elevation, height: level.height }]));
+  return new Map((scene.levels ?? []).map((level) => [level.index, { elevation: level.elevation, height: level.height }]));
 }
 
 /** The style that a scene is furnished in; null where it does not say. */

@@ -43,7 +43,7 @@ export function factsOf(room: Room, scene: Scene): [string, string][] {
     ["Type", inWords(room.type)],
     ["Size", `${metres(room.width)} × ${metres(room.depth)}`],
     ["Area", `${floorArea(room).toFixed(1)} m²`],
-    ["Floor", room.flooring.type],
+    ["Floor", room.flooring?.type ?? "not said"],
     ["Doors", doors.length > 0 ? `to ${doors.join(", ")}` : "none"],
     ["Windows", String(windows)],
     ["Furniture", String(room.furniture.length)],

@@ -1,0 +1,69 @@
+/** The floor as the service sees it, shown while something is dragged or on demand: what is free, what is kept free. */
+import { DoubleSide, Mesh, MeshBasicMaterial } from "three";
+import type { FloorAnswer, RoomFloor, Scene } from "../contract";
+import { disposeOf } from "../house/dispose";
+import { storeysOf } from "../house/frame";
+import { mergeQuads, type ColoredQuad } from "../house/quad_mesh";
+import { isAbort } from "../service";
+import type { Stage } from "../stage";
+
+export type AskFloor = (scene: Scene, rooms: readonly string[], signal: AbortSignal) => Promise<FloorAnswer>;
+
+const COLORS = { free: "#35d07f", doors: "#ff9f43", windows: "#6cb6ff" } as const;
+type Zone = keyof typeof COLORS;
+/** How far over the floor the zones lie, each kind over the one before, so that none fights for a pixel [m]. */
+const RISE: Readonly<Record<Zone, number>> = { free: 0.02, windows: 0.024, doors: 0.028 };
+
+/** The zones of rooms as level rectangles in house coordinates [m]. */
+export function zonesOf(scene: Scene, floors: readonly RoomFloor[]): ColoredQuad[] {
+  const storeys = storeysOf(scene);
+  return floors.flatMap((floor) => {
+    const room = scene.rooms.find((one) => one.id === floor.room);
+    if (!room) return [];
+    const ground = storeys.get(room.level)?.elevation ?? 0;
+    return (Object.keys(COLORS) as Zone[]).flatMap((zone) => floor[zone].map(([x0, z0, x1, z1]): ColoredQuad => {
+      const y = ground + RISE[zone];
+      const [west, east, north, south] = [room.x + x0, room.x + x1, room.z + z0, room.z + z1];
+      return { corners: [[west, y, north], [west, y, south], [east, y, south], [east, y, north]], normal: [0, 1, 0], color: COLORS[zone] };
+    }));
+  });
+}
+
+export class FloorZones {
+  #floors: readonly RoomFloor[] = [];
+  #mesh: Mesh | null = null;
+  #pending = new AbortController();
+
+  constructor(readonly stage: Stage, readonly ask: AskFloor, readonly failed: (reason: unknown) => void) {}
+
+  /** Asks for the zones of rooms, all where none are named, and shows them. */
+  async show(scene: Scene, rooms: readonly string[]): Promise<void> {
+    this.#pending.abort();
+    const { signal } = (this.#pending = new AbortController());
+    try {
+      this.#floors = (await this.ask(scene, rooms, signal)).rooms;
+      this.draw(scene);
+    } catch (reason) {
+      if (!isAbort(reason)) this.failed(reason);
+    }
+  }
+
+  hide(): void {
+    this.#pending.abort();
+    this.#floors = [];
+    this.draw(null);
+  }
+
+  /** Draws what is known again, for a house drawn anew. */
+  draw(scene: Scene | null): void {
+    if (this.#mesh) disposeOf(this.#mesh);
+    this.#mesh = null;
+    const quads = scene ? zonesOf(scene, this.#floors) : [];
+    this.stage.floorZones = quads.length;
+    this.stage.viewport.invalidate();
+    if (quads.length === 0) return;
+    const material = new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.3, depthWrite: false, side: DoubleSide, toneMapped: false });
+    this.#mesh = new Mesh(mergeQuads(quads), material);
+    this.stage.house?.root.add(this.#mesh);
+  }
+}

@@ -1,0 +1,33 @@
+/** A scene of somebody else's need not say all that is drawn; what it leaves unsaid is drawn like this. Never sent anywhere. */
+import type { Room, Scene, Sides } from "../contract";
+
+const ALL: Sides = { north: true, south: true, east: true, west: true };
+const FLOORING = { type: "plain", color: "#c9c2b6" } as const;
+const ACCENT = "#9aa5b5";
+const STOREY = { index: 0, elevation: 0, height: 2.8 } as const;
+
+/** What a foreign scene may leave unsaid, as the wire has it. */
+type Unsaid<Whole> = { readonly [Key in keyof Whole]: Whole[Key] | null | undefined };
+
+function drawableRoom(room: Room): Room {
+  const said: Unsaid<Room> = room;
+  return {
+    ...room,
+    level: said.level ?? 0,
+    flooring: said.flooring ?? FLOORING,
+    accent: said.accent ?? ACCENT,
+    wall_flags: said.wall_flags ?? ALL,
+  };
+}
+
+export function drawable(scene: Scene): Scene {
+  const said: Unsaid<Scene> = scene;
+  const rooms = scene.rooms.map(drawableRoom);
+  const levels = said.levels && said.levels.length > 0 ? said.levels : [STOREY];
+  const size = said.size ?? {
+    width: Math.max(0, ...rooms.map((room) => room.x + room.width)),
+    depth: Math.max(0, ...rooms.map((room) => room.z + room.depth)),
+    height: levels[0]?.height ?? STOREY.height,
+  };
+  return { ...scene, rooms, levels, size, wall_thickness: said.wall_thickness ?? 0, dynamic: said.dynamic ?? [] };
+}

@@ -1,0 +1,32 @@
+import { describe, expect, it } from "vitest";
+import type { Scene } from "../src/contract";
+import { drawable } from "../src/house/drawable";
+
+const bare = {
+  seed: null, size: null, wall_thickness: 0, levels: [], dynamic: [],
+  rooms: [{
+    id: "den", index: 0, type: "storage", level: 0, x: 1, z: 2, width: 4, depth: 3, flooring: null, accent: null, wall_flags: null,
+    openings: [], furniture: [], decorations: [],
+  }],
+} as unknown as Scene;
+
+describe("a scene that leaves things unsaid", () => {
+  it("is as large as its rooms reach, and has floors and walls", () => {
+    const { size, levels, rooms } = drawable(bare);
+    expect(size).toEqual({ width: 5, depth: 5, height: 2.8 });
+    expect(levels).toHaveLength(1);
+    expect(rooms[0]?.flooring.color).toMatch(/^#/);
+    expect(Object.values(rooms[0]?.wall_flags ?? {})).toEqual([true, true, true, true]);
+  });
+
+  it("keeps what is said", () => {
+    const said = { ...bare, size: { width: 9, depth: 8, height: 3 }, levels: [{ index: 0, elevation: 1, height: 3 }] };
+    expect(drawable(said)).toMatchObject({ size: { width: 9 }, levels: [{ elevation: 1 }] });
+  });
+
+  it("is not changed itself", () => {
+    const before = JSON.stringify(bare);
+    drawable(bare);
+    expect(JSON.stringify(bare)).toBe(before);
+  });
+});
