@@ -205,7 +205,7 @@ class Page {
 
 declare global {
   /** What is shown, for tests and the curious; nothing of the page reads it. */
-  var compose: Pick<Stage, "state" | "whereIs" | "measure">;
+  var compose: Pick<Stage, "state" | "whereIs" | "measure" | "scene" | "places">;
 }
 
 new Page().open();

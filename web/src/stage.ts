@@ -72,6 +72,17 @@ export class Stage {
     return this.#house;
   }
 
+  /** The scene shown; the moments of an edit under way are only in `places`. */
+  get scene(): Scene | null {
+    return this.#house?.scene ?? null;
+  }
+
+  /** Where every body is drawn: across, along [m] and its turn [degrees]. */
+  get places(): Readonly<Record<string, readonly number[]>> {
+    const bodies = this.#house?.bodies ?? [];
+    return Object.fromEntries(bodies.map(({ id, x, z, turn }) => [id, [x, z, (turn * 180) / Math.PI]]));
+  }
+
   get viewport(): Viewport {
     return this.#viewport;
   }

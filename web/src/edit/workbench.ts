@@ -99,6 +99,7 @@ export class Workbench {
   }
 
   #graspAt(x: number, y: number): Grasp | null {
+    if (this.stage.viewport.state.walking) return null;
     const hit = this.stage.house?.hit(this.stage.viewport.rayAt(x, y));
     const held = hit?.kind === "body" ? this.#carrierOf(hit.body) : null;
     if (!held || this.editor.busy || this.home.locked.has(held.id)) return null;
