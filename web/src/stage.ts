@@ -18,6 +18,7 @@ function within<T extends HTMLElement>(id: string): T {
 export class Stage {
   /** How many rectangles of free and kept floor are drawn. */
   floorZones = 0;
+  #scene: Scene | null = null;
   /** Called with the body clicked, or null for a click beside all. */
   onSelect: (id: string | null) => void = () => undefined;
   /** Called with the room whose floor was clicked, or null for a click beside all. */
@@ -41,6 +42,7 @@ export class Stage {
   }
 
   show(shown: Scene, issues: readonly Issue[]): void {
+    this.#scene = shown;
     const scene = drawable(shown);
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
     const house = this.#build(scene);
@@ -74,7 +76,7 @@ export class Stage {
 
   /** The scene shown; the moments of an edit under way are only in `places`. */
   get scene(): Scene | null {
-    return this.#house?.scene ?? null;
+    return this.#scene;
   }
 
   /** Where every body is drawn: across, along [m] and its turn [degrees]. */
