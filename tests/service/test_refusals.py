@@ -268,10 +268,14 @@ def test_packed_bodies_are_refused(client: TestClient) -> None:
 
 
 @pytest.mark.parametrize(
-    "path", ["/nothing", "/generate/", "/api/generate", "/assets/none.js", "/assets/%2e%2e/index.html", "/%2e%2e/README.md", "/export/glb"]
+    "path", ["/nothing", "/generate/", "/api/generate", "/assets/none.js", "/assets/%2e%2e/index.html", "/%2e%2e/README.md"]
 )
 def test_an_unknown_path_is_not_found(client: TestClient, path: str) -> None:
     assert entry_of(client.get(path), 404)["field"] == "path"
+
+
+def test_an_unknown_format_is_not_found(client: TestClient) -> None:
+    assert entry_of(client.post("/export/glb", json={"rooms": []}), 404)["field"] == "path"
 
 
 @pytest.mark.parametrize(
