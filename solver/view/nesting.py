@@ -76,3 +76,15 @@ def together(body: Body, carried: Mapping[str, Sequence[Decoration]], shown: set
             shown.add(item.id)
             yield depth, item
             stack += [(min(depth + 1, DEEPEST), child) for child in reversed(carried.get(item.id, ()))]
+
+
+def remarks(body: Body) -> Iterator[str]:
+    """Says what else a body is to the room: on which wall, under or on what, locked."""
+    if isinstance(body, Decoration) and body.mounted_on_wall:
+        yield f"mounted on {body.mounted_on_wall} wall"
+    if isinstance(body, Furniture) and body.under:
+        yield f"under {body.under}"
+    if isinstance(body, Furniture | Dynamic) and body.on:
+        yield f"on {body.on}"
+    if isinstance(body, Furniture) and body.locked:
+        yield "locked"

@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
-from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
-from solver.view.nesting import Body, carried_by, people_in, sections, strangers, together
+from solver.scene import Decoration, Dynamic, Opening, Room, Scene
+from solver.view.nesting import Body, carried_by, people_in, remarks, sections, strangers, together
 from solver.view.wording import Line, area_of, decimal, number, proofs, target_of, visible, written
 
 FLAT: Final = 0.02
@@ -120,18 +120,7 @@ def _position(body: Body) -> str:
 
 def _note(body: Body) -> str:
     extents = (body.width, body.depth) if body.height <= FLAT else (body.width, body.depth, body.height)
-    return ", ".join(["×".join(map(number, extents)) + "m", *_remarks(body)])
-
-
-def _remarks(body: Body) -> Iterator[str]:
-    if isinstance(body, Decoration) and body.mounted_on_wall:
-        yield f"mounted on {body.mounted_on_wall} wall"
-    if isinstance(body, Furniture) and body.under:
-        yield f"under {body.under}"
-    if isinstance(body, Furniture | Dynamic) and body.on:
-        yield f"on {body.on}"
-    if isinstance(body, Furniture) and body.locked:
-        yield "locked"
+    return ", ".join(["×".join(map(number, extents)) + "m", *remarks(body)])
 
 
 def _adjacency(scene: Scene) -> Iterator[Line]:

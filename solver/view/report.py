@@ -11,8 +11,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final, NamedTuple
 
-from solver.scene import Decoration, Dynamic, Furniture, Issue, Opening, Room, Scene, body_ids
-from solver.view.nesting import Body, carried_by, people_in, sections, strangers, together
+from solver.scene import Dynamic, Furniture, Issue, Opening, Room, Scene, body_ids
+from solver.view.nesting import Body, carried_by, people_in, remarks, sections, strangers, together
 from solver.view.wording import Line, area_of, number, proofs, room_certificates, target_of, visible, written
 
 WRONG: Final = ">> "
@@ -165,23 +165,11 @@ def _body(depth: int, body: Body, found: _Findings) -> Iterator[Line]:
     name = body.kind if isinstance(body, Dynamic) else body.name
     at = f"at [{_metres(body.x)}, {_metres(body.z)}]{f' y {_metres(body.y)}' if body.y else ''}"
     size = "×".join(map(_metres, (body.width, body.depth, body.height)))
-    words = ", ".join([f"{name} ({body.id}): {at}", size, f"rotation {_metres(body.rotation)}", *_ties(body)])
+    wall = [f"{body.wall} wall"] if isinstance(body, Furniture) and body.wall else []
+    words = ", ".join([f"{name} ({body.id}): {at}", size, f"rotation {_metres(body.rotation)}", *wall, *remarks(body)])
     yield Line(f"{start}{'  ' * (depth + 2)}{visible(words)}{_marks(issues, flagged)}", body.id)
     for issue in issues:
         yield _issue(issue, depth + 3, body.id)
-
-
-def _ties(body: Body) -> Iterator[str]:
-    if isinstance(body, Furniture) and body.wall:
-        yield f"{body.wall} wall"
-    if isinstance(body, Furniture) and body.under:
-        yield f"under {body.under}"
-    if isinstance(body, Furniture | Dynamic) and body.on:
-        yield f"on {body.on}"
-    if isinstance(body, Decoration) and body.mounted_on_wall:
-        yield f"mounted on {body.mounted_on_wall} wall"
-    if isinstance(body, Furniture) and body.locked:
-        yield "locked"
 
 
 def _marks(issues: Sequence[Issue], flagged: bool) -> str:
