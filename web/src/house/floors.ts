@@ -1,4 +1,4 @@
-/** Floors, one mesh a flooring type, and the rooms' accents as a thin line along their walls. */
+/** Floors, one mesh a flooring type, and the accents of rooms inside as a thin line along their walls. */
 import {
   BufferGeometry, Color, Float32BufferAttribute, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, ShapeUtils, Vector2,
 } from "three";
@@ -81,7 +81,7 @@ export function floorMeshes(rooms: readonly Room[], storeys: ReadonlyMap<number,
     const draft = drafts.get(room.flooring.type) ?? new FloorDraft();
     drafts.set(room.flooring.type, draft);
     draft.add(outlineOf(room), y, room.flooring.color, room.depth > room.width);
-    if (!room.outline && !hasRug(room)) for (const band of accentBands(room)) accents.add(band, y + ACCENT_RISE, room.accent);
+    if (!room.outline && !room.outdoor && !hasRug(room)) for (const band of accentBands(room)) accents.add(band, y + ACCENT_RISE, room.accent);
   }
   for (const [type, draft] of drafts) {
     const mesh = new Mesh(draft.build(), floorMaterial(type));
