@@ -151,6 +151,10 @@ def _add_readers(commands: Commands) -> None:
     validate.add_argument("--flag", action="append", default=[], metavar="ID", help="a body to mark PROBLEMATIC in the report")
     _add_format(validate)
     _add_catalog(validate)
+    export = _command(commands, "export", "Write a scene as a file of its own, every default written out.")
+    _add_scene(export)
+    _add_output(export, "the scene")
+    _add_format(export)
 
 
 def _add_tellers(commands: Commands) -> None:

@@ -134,6 +134,12 @@ def _view(options: Namespace) -> int:
     return CLEAN
 
 
+def _export(options: Namespace) -> int:
+    body = {"scene": _scene(options)}
+    _write(_checked(options.scene, lambda: calls.export_scene(body)), options)
+    return CLEAN
+
+
 def _catalog(options: Namespace) -> int:
     _write(calls.catalog_document(_catalogs(options)), options)
     return CLEAN
@@ -157,6 +163,7 @@ COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
     "place": _place,
     "validate": _validate,
     "view": _view,
+    "export": _export,
     "catalog": _catalog,
     "schema": _schema,
 }

@@ -1,15 +1,22 @@
 """What a generated scene says about itself: rules checked, counts, and per room cost, proof and what was left out.
 
+A proof speaks of one placement: each room's part holds a mark of it (`of`), and is worth nothing for another one.
 May import: the ground floor. Holds no times, so that equal requests give equal bytes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from dataclasses import replace
+from hashlib import sha256
+from typing import Any, Final
 
-from solver.scene import Dynamic, Room
+from solver.scene import Dynamic, Room, Scene
 from solver.wanted import Arrangement
+
+OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best"})
+"""What is true of the placement that was made, and of no other."""
+MARK_LENGTH: Final = 12
 
 
 def certificate(
@@ -30,7 +37,7 @@ def certificate(
         "rules": list(rules),
         "counts": counts(rooms, ()),
         **plan,
-        "rooms": {room.id: room_certificate(arrangements[room.id]) for room in rooms},
+        "rooms": {room.id: room_certificate(arrangements[room.id], room) for room in rooms},
     }
 
 
@@ -47,12 +54,41 @@ def counts(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
     }
 
 
-def room_certificate(arrangement: Arrangement) -> dict[str, Any]:
-    """Returns one room's part of the certificate."""
+def room_certificate(arrangement: Arrangement, room: Room) -> dict[str, Any]:
+    """Returns the certificate's part about a finished room."""
     return {
+        "of": mark_of(room),
         "cost": arrangement.cost,
         "proven": arrangement.proven,
         "best": arrangement.best,
         "left_out": [{"piece": label, "reason": reason} for label, reason in arrangement.left_out],
         "notes": list(arrangement.notes),
     }
+
+
+def mark_of(room: Room) -> str:
+    """Returns a mark that a room has in common with no other placement of furniture in it."""
+    poses = sorted((piece.id, piece.x, piece.y, piece.z, piece.rotation, piece.width, piece.depth) for piece in room.furniture)
+    said = [
+        f"{room.width:.4f} {room.depth:.4f}",
+        *(f"{name} " + " ".join(f"{number + 0.0:.4f}" for number in pose) for name, *pose in poses),
+    ]
+    return sha256("\n".join(said).encode(errors="surrogatepass")).hexdigest()[:MARK_LENGTH]
+
+
+def true_of(room: Room, entry: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Returns what still is true of a room's part of the certificate: of changed furniture nothing is proven."""
+    if "of" not in entry or entry["of"] == mark_of(room):
+        return entry
+    return {key: value for key, value in entry.items() if key not in OF_ONE_PLACEMENT}
+
+
+def certified(scene: Scene) -> Scene:
+    """Returns a scene whose certificate says of its rooms only what is true of them as they are now."""
+    entries = (scene.certificate or {}).get("rooms")
+    if not isinstance(entries, Mapping):
+        return scene
+    rooms = {room.id: room for room in scene.rooms}
+    known = {name: entry for name, entry in entries.items() if name in rooms and isinstance(entry, Mapping)}
+    true = {**entries, **{name: true_of(rooms[name], entry) for name, entry in known.items()}}
+    return scene if true == entries else replace(scene, certificate={**(scene.certificate or {}), "rooms": true})

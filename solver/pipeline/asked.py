@@ -94,7 +94,7 @@ def finished(terms: Terms, arrangement: Arrangement) -> Placement:
         request={"robot_width": terms.robot_width},
         wall_thickness=terms.wall_thickness,
         rooms=(room,),
-        certificate={"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement)}},
+        certificate={"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}},
     )
     stands = {piece.id for piece in terms.room.furniture}
     unplaced = tuple(Unplaced(label, reason) for label, reason in arrangement.left_out if label not in stands)

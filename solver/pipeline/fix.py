@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from catalogs import Catalogs, load_catalogs
+from solver.certificate import certified
 from solver.furnish import space_of
 from solver.pipeline.attempt import Terms
 from solver.pipeline.concerned import concerned
@@ -85,7 +86,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     removed = (*(removal for room in answers.rooms for removal in room.removed), *answers.people.removed)
     conflicts = (*(conflict for room in answers.rooms for conflict in room.conflicts), *answers.people.conflicts)
     unsolved = _unsolved(issues, conflicts, answers.scene, _locked_ids(scene, wishes))
-    return Fixed(answers.scene, _moves(scene, answers.scene), removed, (*conflicts, *unsolved), issues, timing.ms)
+    return Fixed(certified(answers.scene), _moves(scene, answers.scene), removed, (*conflicts, *unsolved), issues, timing.ms)
 
 
 def _put_back(scene: Scene, issues: Iterable[Issue], wishes: Wishes, known: Catalogs) -> Scene:

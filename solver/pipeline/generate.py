@@ -244,7 +244,7 @@ def reroll(
     arrangements = _explained(chosen, _arrangements(chosen, setting), setting)
     done = {room.id: room for room in _written(chosen, arrangements, setting)}
     document = dict(scene.certificate or {})
-    reports = {room.id: room_certificate(arrangements[room.id]) for room in chosen}
+    reports = {name: room_certificate(arrangements[name], room) for name, room in done.items()}
     document["rooms"] = {**(document.get("rooms") or {}), **reports}
     new = replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms), certificate=document)
     timing.lap("furniture")

@@ -13,7 +13,7 @@ from typing import Any, Final, NamedTuple
 
 from solver.scene import Dynamic, Furniture, Issue, Opening, Room, Scene, body_ids
 from solver.view.nesting import Body, carried_by, people_in, remarks, sections, strangers, together
-from solver.view.wording import Line, area_of, number, proofs, room_certificates, target_of, visible, written
+from solver.view.wording import Line, area_of, is_changed, number, proofs, room_certificates, target_of, visible, written
 
 WRONG: Final = ">> "
 FLAGGED: Final = "!! "
@@ -73,7 +73,7 @@ def _head(scene: Scene, issues: Sequence[Issue], found: _Findings) -> Iterator[L
     )
     yield Line(f"# House: {size}walls {_metres(scene.wall_thickness)} m thick")
     yield Line(f"# Counts: {_counts(scene)}")
-    yield Line(f"# Placement, as made: {proofs(scene) or 'nothing is said of optimality'}")
+    yield Line(f"# Placement: {proofs(scene) or 'nothing is said of optimality'}")
     yield Line(f"# Issues: {_tally(issues)}")
     if found.flagged:
         yield Line(f"# Flagged: {len(found.flagged)}")
@@ -143,7 +143,9 @@ def _certified(entry: Mapping[str, Any]) -> Iterator[Line]:
     cost = entry.get("cost")
     if isinstance(cost, int | float):
         proof = "proven optimal" if entry.get("proven") is True else "not proven optimal"
-        yield Line(f"{FINE}  placement, as made: cost {number(cost)}, {proof}")
+        yield Line(f"{FINE}  placement: cost {number(cost)}, {proof}")
+    elif is_changed(entry):
+        yield Line(f"{FINE}  placement: changed since it was made")
     left_out = entry.get("left_out")
     for item in left_out if isinstance(left_out, list | tuple) else ():
         if isinstance(item, Mapping):

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from solver.certificate import true_of
 from solver.scene import EXTERIOR, Opening, Room, Scene
 
 
@@ -53,14 +54,25 @@ def target_of(opening: Opening) -> str:
 
 
 def room_certificates(scene: Scene) -> dict[str, Mapping[str, Any]]:
-    """Returns what the certificate says of each room, whatever shape that of a foreign scene has."""
-    rooms = (scene.certificate or {}).get("rooms")
-    if not isinstance(rooms, Mapping):
+    """Returns what the certificate says that still is true of each room, whatever shape that of a foreign scene has."""
+    entries = (scene.certificate or {}).get("rooms")
+    if not isinstance(entries, Mapping):
         return {}
-    return {str(name): entry for name, entry in rooms.items() if isinstance(entry, Mapping)}
+    rooms = {room.id: room for room in scene.rooms}
+    known = {str(name): entry for name, entry in entries.items() if isinstance(entry, Mapping)}
+    return {name: true_of(rooms[name], entry) if name in rooms else entry for name, entry in known.items()}
+
+
+def is_changed(entry: Mapping[str, Any]) -> bool:
+    """Tells whether a room's part of the certificate spoke of furniture as it stands no longer."""
+    return "of" in entry and "proven" not in entry
 
 
 def proofs(scene: Scene) -> str:
     """Says in how many rooms the placement is proven optimal; empty where nothing is known."""
     entries = room_certificates(scene).values()
-    return f"proven optimal in {sum(entry.get('proven') is True for entry in entries)} of {len(entries)} rooms" if entries else ""
+    if not entries:
+        return ""
+    changed = sum(map(is_changed, entries))
+    proven = f"proven optimal in {sum(entry.get('proven') is True for entry in entries)} of {len(entries)} rooms"
+    return proven + (f", {changed} changed since" if changed else "")

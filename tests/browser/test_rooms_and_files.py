@@ -69,8 +69,26 @@ def test_a_dropped_yaml_file_is_shown(visit: Visit) -> None:
     visit.settle()
     _, again = saved(visit, "json")
     assert json.loads(again) == scene
-    visit.page.locator("#copy_link").click()
-    expect(visit.page.locator("#said")).to_contain_text("cannot hold")
+    assert visit.page.url == visit.address
+    expect(visit.page.get_by_role("button", name="Copy link")).to_be_disabled()
+    expect(visit.page.locator("#said")).to_contain_text("No link holds a scene from a file")
+    expect(visit.page.get_by_role("button", name="Decorate current plan")).to_be_disabled()
+
+
+def test_back_forward_and_a_reload_find_the_dropped_file_again(visit: Visit) -> None:
+    scene = visit.open(SMALL.format(4))["scene"]
+    copied = {**scene, "seed": 77}
+    visit.page.evaluate(DROP, ["mine", json.dumps(copied)])
+    expect(visit.page).to_have_title("Compose: mine")
+    visit.after(visit.page.go_back)
+    expect(visit.page.get_by_role("button", name="Copy link")).to_be_enabled()
+    expect(visit.page.locator("#said")).to_have_text("")
+    for again in (visit.page.go_forward, visit.page.reload):
+        again()
+        expect(visit.page).to_have_title("Compose: mine")
+        visit.settle()
+        assert visit.page.evaluate("compose.scene.seed") == 77
+        assert len(visit.state()["bodies"]) > 10
 
 
 def test_a_chosen_file_that_is_no_scene_is_refused_in_the_services_words(visit: Visit) -> None:

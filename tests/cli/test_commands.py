@@ -11,8 +11,10 @@ from typing import Any
 
 import pytest
 import yaml
+from starlette.testclient import TestClient
 
 from service import calls
+from service.app import create_app
 from service.cli import NUMBERS, SWITCHES, WORDS, main
 from solver.scene import Request
 from tests.cli.programs import SMALL
@@ -114,6 +116,28 @@ def test_conflicts_and_removals_are_told(tmp_path: Path, capfdbinary: Captured) 
     assert b"removed " in capfdbinary.readouterr().err
 
 
+@pytest.mark.parametrize("form", ["json", "yaml"])
+def test_export_writes_the_file_that_the_service_gives(house: Path, tmp_path: Path, form: str) -> None:
+    sent = {"rooms": [{"id": "den", "width": 3, "depth": 2, "by": "hand"}]}
+    (tmp_path / "sent.yaml").write_text(yaml.safe_dump(sent))
+    with TestClient(create_app()) as client:
+        for name in (tmp_path / "sent.yaml", house):
+            path = tmp_path / f"out.{form}"
+            assert main(["export", str(name), "-o", str(path)]) == 0
+            assert path.read_bytes() == client.post(f"/export/{form}", content=name.read_bytes(), headers=media_type(name)).content
+    assert yaml.safe_load(path.read_text()) == json.loads(house.read_text())
+
+
+def test_export_refuses_what_is_no_scene(tmp_path: Path, capfdbinary: Captured) -> None:
+    (tmp_path / "bad.json").write_text('{"rooms": [{"width": -3, "depth": 2}]}')
+    assert "scene.rooms[0].width" in refused(capfdbinary, "export", str(tmp_path / "bad.json"))
+
+
+def media_type(path: Path) -> dict[str, str]:
+    """The header that says what a file's body is."""
+    return {"content-type": f"application/{path.suffix[1:]}"}
+
+
 def test_catalog_and_schema_are_documents(capfdbinary: Captured) -> None:
     documents: list[Any] = []
     for arguments in (["catalog"], ["schema"], ["catalog", "--format", "json"], ["schema", "--format", "json"]):
@@ -173,7 +197,7 @@ def test_standard_input_is_named_and_its_format_found(monkeypatch: pytest.Monkey
 
 
 UNKNOWN = [
-    [], ["paint"], ["tidy"], ["export"], ["generate", "--bedrooms", "3"], ["generate", "--seed", "x"], ["generate", "-n", "0"],
+    [], ["paint"], ["tidy"], ["import"], ["generate", "--bedrooms", "3"], ["generate", "--seed", "x"], ["generate", "-n", "0"],
     ["generate", "--force-type", "kitchen"], ["generate", "--engine", "magic"], ["serve", "--port", "99999"], ["fix", "--on-conflict", "x"],
 ]  # fmt: skip
 

@@ -6,6 +6,7 @@ import json
 from typing import Any, get_args
 
 import pytest
+import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from starlette.testclient import TestClient
@@ -14,7 +15,7 @@ from catalogs.schema import Relation
 from solver.scene import Furniture, Opening, Request, Room
 from tests.service.problems import problem_of
 
-POSTS = ["/generate", "/fix", "/place", "/validate", "/view", "/floor", "/export/json"]
+POSTS = ["/generate", "/fix", "/place", "/validate", "/view", "/floor", "/export/json", "/export/yaml"]
 BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
 RELATED = get_args(Relation)
@@ -91,14 +92,14 @@ BODIES = {
     "/validate": st.fixed_dictionaries({"scene": SCENES}),
     "/view": st.fixed_dictionaries({"scene": SCENES}),
     "/floor": st.fixed_dictionaries({"scene": SCENES}, optional={"rooms": IDS}),
-    "/export/json": st.fixed_dictionaries({"scene": SCENES}) | SCENES,
 }
+BODIES |= dict.fromkeys(["/export/json", "/export/yaml"], st.fixed_dictionaries({"scene": SCENES}) | SCENES)
 
 
 def judge(answer: Any) -> None:
     assert answer.status_code < 500, answer.text
     if answer.status_code == TAKEN:
-        assert answer.json()
+        assert answer.json() if answer.headers["content-type"] == "application/json" else yaml.safe_load(answer.text)
     else:
         assert problem_of(answer)["errors"]
 

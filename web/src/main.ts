@@ -6,8 +6,9 @@ import { drawable } from "./house/drawable";
 import { Workbench } from "./edit/workbench";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
-import { Files, type GivenFile } from "./panel/files";
+import { fileOf, Files, rememberFile, type GivenFile } from "./panel/files";
 import { Issues } from "./panel/issues";
+import { Keys } from "./panel/keys";
 import { Legend } from "./panel/legend";
 import { Link } from "./panel/link";
 import { foldForNarrow } from "./panel/narrow";
@@ -39,6 +40,7 @@ class Page {
   readonly #asking = new Asking(element("notice"), new Progress(element("progress"), element("stage")));
   readonly #stage = new Stage(element("stage"));
   readonly #diagnose = new Diagnose(this.#home);
+  readonly #keys = new Keys();
   #wanted: HouseRequest = requestFromQuery(location.search);
   #learnt = false;
   #written = new AbortController();
@@ -55,7 +57,7 @@ class Page {
     this.#stage.onSelect = (id) => this.#home.select(id);
     this.#stage.onRoom = (id) => this.#home.selectRoom(id);
     this.#rooms.onReroll = (id) => this.#reroll(id);
-    this.#files.onOpen = (file) => this.#openFile(file);
+    this.#files.onOpen = (file) => this.#openFile(file, "push");
     this.#files.onFailure = (reason) => this.#asking.notice.show(reason);
     this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
     this.#home.on("shown", (how) => this.#show(how));
@@ -78,7 +80,13 @@ class Page {
     this.#openAddress();
   }
 
+  /** Opens what the page of history holds: a file's scene, else the address' request. */
   #openAddress(): void {
+    const file = fileOf(window.history.state);
+    if (file) {
+      this.#openFile(file, "keep");
+      return;
+    }
     const request = requestFromQuery(location.search);
     this.#controls.show(request);
     void this.#ask(request, "keep");
@@ -105,6 +113,7 @@ class Page {
       2: () => this.#stage.look("top"),
       3: () => this.#stage.look("corner"),
       l: () => this.#stage.toggleNames(),
+      "?": () => this.#keys.open(),
       Escape: () => this.#home.select(null),
     };
     acts[event.key.length === 1 ? event.key.toLowerCase() : event.key]?.();
@@ -112,7 +121,7 @@ class Page {
 
   #remember(request: HouseRequest, history: History): void {
     this.#wanted = request;
-    this.#link.holds("a request");
+    this.#showsRequest(true);
     const query = queryFromRequest(request);
     if (query === location.search) return;
     if (history === "push") window.history.pushState(null, "", query);
@@ -152,17 +161,23 @@ class Page {
     });
   }
 
-  #openFile({ name, text, format }: GivenFile): void {
-    void this.#asking.run(`Reading ${name}`, async (signal) => {
-      const scene = await readFile(text, format, signal);
+  #openFile(file: GivenFile, history: History): void {
+    void this.#asking.run(`Reading ${file.name}`, async (signal) => {
+      const [scene] = await Promise.all([readFile(file.text, file.format, signal), this.#learn(signal)]);
       const { issues } = await report(scene, [], signal);
-      window.history.pushState(null, "", location.pathname);
-      this.#link.holds("a file");
+      if (history === "push") rememberFile(file);
+      this.#showsRequest(false);
       this.#home.select(null);
       this.#home.show({ scene, issues, conflicts: [], timing: 0 }, "new");
       await this.#reads;
-      document.title = `Compose: ${name}`;
+      document.title = `Compose: ${file.name}`;
     });
+  }
+
+  /** Tells whether the address asks for what is shown: a file's scene has no link and is not made anew. */
+  #showsRequest(request: boolean): void {
+    this.#link.holds(request);
+    element<HTMLButtonElement>("decorate_now").disabled = !request;
   }
 
   /** Shows the home as it now is; the moments of an edit are the stage's and the text waits for the end. */
@@ -174,7 +189,7 @@ class Page {
     this.#issues.show(shown.issues);
     this.#legend.show(drawable(shown.scene));
     showShown(element("status"), shown);
-    if (this.#home.canUndo) this.#link.holds("edits");
+    this.#link.edited(this.#home.canUndo);
     if (how === "new") document.title = `Compose: house ${shown.scene.seed}`;
     this.#reads = this.#read(shown.scene);
   }

@@ -9,8 +9,9 @@ import type { Stage } from "../stage";
 
 export type AskFloor = (scene: Scene, rooms: readonly string[], signal: AbortSignal) => Promise<FloorAnswer>;
 
-const COLORS = { free: "#35d07f", doors: "#ff9f43", windows: "#6cb6ff" } as const;
-type Zone = keyof typeof COLORS;
+/** What each kind of floor is drawn in. */
+export const ZONE_COLORS = { free: "#35d07f", doors: "#ff9f43", windows: "#6cb6ff" } as const;
+type Zone = keyof typeof ZONE_COLORS;
 /** How far over the floor the zones lie, each kind over the one before, so that none fights for a pixel [m]. */
 const RISE: Readonly<Record<Zone, number>> = { free: 0.02, windows: 0.024, doors: 0.028 };
 
@@ -21,10 +22,10 @@ export function zonesOf(scene: Scene, floors: readonly RoomFloor[]): ColoredQuad
     const room = scene.rooms.find((one) => one.id === floor.room);
     if (!room) return [];
     const ground = storeys.get(room.level)?.elevation ?? 0;
-    return (Object.keys(COLORS) as Zone[]).flatMap((zone) => floor[zone].map(([x0, z0, x1, z1]): ColoredQuad => {
+    return (Object.keys(ZONE_COLORS) as Zone[]).flatMap((zone) => floor[zone].map(([x0, z0, x1, z1]): ColoredQuad => {
       const y = ground + RISE[zone];
       const [west, east, north, south] = [room.x + x0, room.x + x1, room.z + z0, room.z + z1];
-      return { corners: [[west, y, north], [west, y, south], [east, y, south], [east, y, north]], normal: [0, 1, 0], color: COLORS[zone] };
+      return { corners: [[west, y, north], [west, y, south], [east, y, south], [east, y, north]], normal: [0, 1, 0], color: ZONE_COLORS[zone] };
     }));
   });
 }

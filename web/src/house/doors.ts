@@ -3,14 +3,14 @@ import { BoxGeometry, Color, InstancedMesh, Matrix4, MeshStandardMaterial, Quate
 import { LEAF_THICKNESS, type Leaf } from "./door_leaves";
 
 const UP = new Vector3(0, 1, 0);
-const COLORS = { entrance: "#c0392b", inner: "#96683f", garage: "#aab3bd" } as const;
+export const DOOR_COLORS = { entrance: "#c0392b", inner: "#96683f", garage: "#aab3bd" } as const;
 const SECONDS = 0.45;
 /** What stays visible of a rolled-up panel. */
 const ROLLED = 0.06;
 
 function colorOf(leaf: Leaf): string {
-  if (leaf.mainEntrance) return COLORS.entrance;
-  return leaf.motion === "roll" ? COLORS.garage : COLORS.inner;
+  if (leaf.mainEntrance) return DOOR_COLORS.entrance;
+  return leaf.motion === "roll" ? DOOR_COLORS.garage : DOOR_COLORS.inner;
 }
 
 /** Slow at both ends. */

@@ -19,7 +19,7 @@ import type { Storey, WallPlan } from "./walls";
 
 export type Mark = "selected" | "pointed" | "error" | "locked" | "conflict" | "settles";
 
-const MARK_COLORS: Readonly<Record<Mark, string>> = { selected: "#ffd166", pointed: "#d7e3f4", error: "#ff4d4f", locked: "#6cb6ff", conflict: "#ff4d4f", settles: "#7ee2a8" };
+export const MARK_COLORS: Readonly<Record<Mark, string>> = { selected: "#ffd166", pointed: "#d7e3f4", error: "#ff4d4f", locked: "#6cb6ff", conflict: "#ff4d4f", settles: "#7ee2a8" };
 const SLAB_MARGIN = 0.35;
 const SLAB_DEPTH = 0.16;
 /** Floors lie this much over the slab, so that the two never fight for a pixel. */

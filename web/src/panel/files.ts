@@ -9,6 +9,21 @@ export interface GivenFile {
   readonly text: string;
 }
 
+/** The file that a page of the browser's history holds, if it holds one. */
+export function fileOf(state: unknown): GivenFile | null {
+  const file = (state as { readonly file?: GivenFile } | null)?.file;
+  return file ?? null;
+}
+
+/** Begins a page of history that holds a file, so that back, forward and a reload find it; one too large for that is not kept. */
+export function rememberFile(file: GivenFile): void {
+  try {
+    window.history.pushState({ file }, "", location.pathname);
+  } catch {
+    window.history.pushState(null, "", location.pathname);
+  }
+}
+
 /** A file's format by its name; else by its first character, since JSON begins with a bracket. */
 export function formatOf(name: string, text: string): FileFormat {
   if (/\.json$/i.test(name)) return "json";

@@ -1,38 +1,53 @@
-/** What colours and marks mean: those of the canvas, and the accents of the rooms shown. */
+/** What colours and marks mean: those of the canvas, and the rooms shown, each as its floor and accent are drawn. */
 import type { Scene } from "../contract";
+import { ZONE_COLORS } from "../edit/floor";
+import { DOOR_COLORS } from "../house/doors";
+import { MARK_COLORS } from "../house/house";
 import { inWords } from "./programme";
 
-/** The marks on the canvas, by the class that draws their swatch. */
-const MARKS: readonly (readonly [string, string])[] = [
-  ["swatch-selected", "Selected"],
-  ["swatch-error", "Has an issue"],
-  ["swatch-locked", "Locked: stays where it is"],
-  ["swatch-free", "Free floor, while dragging"],
-  ["swatch-door", "Square of a door: must stay clear"],
-  ["swatch-entrance", "Main entrance"],
+/** How a colour is drawn: as a frame around a body, or as a surface. */
+type Drawn = "frame" | "zone" | "surface";
+
+const MARKS: readonly (readonly [string, Drawn, string])[] = [
+  [MARK_COLORS.selected, "frame", "Selected"],
+  [MARK_COLORS.error, "frame", "Has an issue, or is in conflict"],
+  [MARK_COLORS.locked, "frame", "Locked: stays where it is"],
+  [MARK_COLORS.settles, "frame", "Where a dragged piece will stand"],
+  [ZONE_COLORS.free, "zone", "Floor that is free"],
+  [ZONE_COLORS.doors, "zone", "Before a door: kept clear"],
+  [ZONE_COLORS.windows, "zone", "Before a window: only what is low"],
+  [DOOR_COLORS.entrance, "surface", "Main entrance"],
 ];
 
-function item(swatchClass: string, words: string, color = ""): HTMLLIElement {
-  const line = document.createElement("li");
+function item(drawn: string, words: string, fill: string, line: string): HTMLLIElement {
+  const entry = document.createElement("li");
   const swatch = document.createElement("span");
-  swatch.className = `swatch ${swatchClass}`;
-  if (color) swatch.style.background = color;
-  line.append(swatch, words);
-  return line;
+  swatch.className = `swatch swatch-${drawn}`;
+  swatch.style.backgroundColor = fill;
+  swatch.style.borderColor = line;
+  entry.append(swatch, words);
+  return entry;
 }
 
-/** The accent of every type of room in a scene, once each. */
-export function accentsOf(scene: Scene): [string, string][] {
-  const accents = new Map(scene.rooms.map((room) => [room.type, room.accent]));
-  return [...accents].sort(([a], [b]) => a.localeCompare(b));
+export interface RoomColors {
+  readonly type: string;
+  readonly floor: string;
+  readonly accent: string;
+}
+
+/** The floor and accent of the rooms of a scene, by type, once each. */
+export function roomColors(scene: Scene): RoomColors[] {
+  const colors = scene.rooms.map(({ type, flooring, accent }): RoomColors => ({ type, floor: flooring.color, accent }));
+  const once = new Map(colors.map((one) => [JSON.stringify(one), one]));
+  return [...once.values()].sort((a, b) => a.type.localeCompare(b.type));
 }
 
 export class Legend {
   constructor(marks: HTMLElement, readonly rooms: HTMLElement) {
-    marks.replaceChildren(...MARKS.map(([name, words]) => item(name, words)));
+    marks.replaceChildren(...MARKS.map(([color, drawn, words]) => item(drawn, words, drawn === "frame" ? "" : color, color)));
   }
 
   show(scene: Scene): void {
-    this.rooms.replaceChildren(...accentsOf(scene).map(([type, accent]) => item("swatch-room", inWords(type), accent)));
+    this.rooms.replaceChildren(...roomColors(scene).map(({ type, floor, accent }) => item("room", inWords(type), floor, accent)));
   }
 }

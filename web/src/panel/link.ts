@@ -1,13 +1,8 @@
 /** The link to what is shown, copied; and what it cannot hold. */
 
-/** What is shown: what a request makes, that with a person's edits, or a file's scene. */
-export type Shows = "a request" | "edits" | "a file";
-
-const WORDS: Readonly<Record<Shows, string>> = {
-  "a request": "Link copied: it opens this house.",
-  edits: "Link copied: it opens the house as it was made; your changes go with a saved file.",
-  "a file": "A link cannot hold a scene from a file; save it and send the file.",
-};
+const COPIED = "Link copied: it opens this house.";
+const WITHOUT_EDITS = "Link copied: it opens the house as it was made; your changes go with a saved file.";
+const OF_FILE = "No link holds a scene from a file: save it and send the file.";
 
 /** Copies by the old way, which also works where the clipboard is not given to pages. */
 function copyBySelection(text: string): boolean {
@@ -31,21 +26,28 @@ export async function copy(text: string): Promise<boolean> {
 }
 
 export class Link {
-  #shows: Shows = "a request";
+  #edited = false;
 
-  constructor(button: HTMLElement, readonly said: HTMLElement) {
-    button.addEventListener("click", () => void this.#copy(button));
+  constructor(readonly button: HTMLButtonElement, readonly said: HTMLElement) {
+    button.addEventListener("click", () => void this.#copy());
   }
 
-  holds(shows: Shows): void {
-    if (shows === "edits" && this.#shows === "a file") return;
-    this.#shows = shows;
-    this.said.textContent = "";
+  /** What is shown is what the address asks for, or else a file's scene, which no address can. */
+  holds(request: boolean): void {
+    this.button.disabled = !request;
+    this.said.textContent = request ? "" : OF_FILE;
   }
 
-  async #copy(button: HTMLElement): Promise<void> {
-    const copied = this.#shows === "a file" || (await copy(location.href));
-    this.said.textContent = copied ? WORDS[this.#shows] : `Copy this link: ${location.href}`;
-    button.focus();
+  /** What is shown was changed since it was made, or not. */
+  edited(edited: boolean): void {
+    if (edited !== this.#edited && !this.button.disabled) this.said.textContent = "";
+    this.#edited = edited;
+  }
+
+  async #copy(): Promise<void> {
+    const copied = await copy(location.href);
+    if (!copied) this.said.textContent = `Copy this link: ${location.href}`;
+    else this.said.textContent = this.#edited ? WITHOUT_EDITS : COPIED;
+    this.button.focus();
   }
 }

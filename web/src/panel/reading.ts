@@ -10,6 +10,14 @@ function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
 }
 
+function problematic(): HTMLElement {
+  const [word, mark] = [document.createElement("span"), document.createElement("mark")];
+  word.className = "problematic";
+  mark.textContent = "PROBLEMATIC";
+  word.append("  ", mark);
+  return word;
+}
+
 export class Reading {
   /** Called with the id of the body whose line was chosen. */
   onChoose: (id: string) => void = () => undefined;
@@ -62,9 +70,12 @@ export class Reading {
     for (const line of elements.slice(Math.max(0, Math.floor(first)), Math.ceil(last))) {
       if (this.#coloured.has(line)) continue;
       this.#coloured.add(line);
+      const word = line.querySelector(".problematic");
+      word?.remove();
       const text = line.textContent ?? "";
       line.replaceChildren();
       writeHighlighted(text, line);
+      if (word) line.append(word);
     }
   }
 
@@ -85,8 +96,16 @@ export class Reading {
   /** Marks the lines of the flagged bodies PROBLEMATIC. */
   flag(ids: ReadonlySet<string>): void {
     this.#flagged = ids;
-    for (const button of this.#list.buttons) button.toggleAttribute("data-flagged", ids.has(button.dataset.id ?? ""));
+    for (const button of this.#list.buttons) this.#word(button, ids.has(button.dataset.id ?? ""));
     this.#sayFlag();
+  }
+
+  /** The word is text as the line is: to be copied, found and read out with it. */
+  #word(line: HTMLElement, flagged: boolean): void {
+    if (line.hasAttribute("data-flagged") === flagged) return;
+    line.toggleAttribute("data-flagged", flagged);
+    if (!flagged) line.querySelector(".problematic")?.remove();
+    else line.append(problematic());
   }
 
   /** Flags the selected body, or takes its flag away. */

@@ -39,12 +39,14 @@ function timeWords(ms: number): string {
 export function optimalityOf({ certificate }: Scene): { readonly short: string; readonly full: string } | null {
   const rooms = Object.entries(certificate?.rooms ?? {});
   if (rooms.length === 0) return null;
-  const open = rooms.filter(([, { proven }]) => !proven).map(([id]) => id);
-  const proven = `${rooms.length - open.length} of ${rooms.length}`;
+  const named = (wanted: boolean | undefined): string => rooms.filter(([, { proven }]) => proven === wanted).map(([id]) => id).join(", ");
+  const [open, changed] = [named(false), named(undefined)];
+  const proven = `${rooms.filter(([, room]) => room.proven).length} of ${rooms.length}`;
   const best = "No other placement of the pieces comes closer to what the room's rules want";
-  const full = open.length === 0 ? `${best}: proven for every room.`
-    : `${best}: proven for ${proven} rooms. In the others the search ended at its limit: ${open.join(", ")}.`;
-  return { short: `proven optimal in ${proven} rooms`, full };
+  const said = [open || changed ? `${best}: proven for ${proven} rooms.` : `${best}: proven for every room.`];
+  if (open) said.push(`The search ended at its limit in ${open}.`);
+  if (changed) said.push(`Changed since: ${changed}.`);
+  return { short: `proven optimal in ${proven} rooms`, full: said.join(" ") };
 }
 
 function showOptimality(host: HTMLElement, scene: Scene): void {

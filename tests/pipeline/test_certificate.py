@@ -1,0 +1,73 @@
+"""What is proven is proven of one placement: of furniture that was changed since, nothing is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from catalogs import load_catalogs
+from service.calls import validate_scene, view_scene
+from solver import Request, fix, generate, reroll
+from solver.exchange import dump_text, load_text, read_scene, write_scene
+from solver.scene import Room, Scene
+
+CATALOGS = load_catalogs()
+REQUESTS = [Request(seed=42, width=8.0, depth=6.0, decorate=True), Request(seed=3, program="one_bed")]
+
+
+def entries(scene: Scene) -> dict[str, Any]:
+    return dict((scene.certificate or {})["rooms"])
+
+
+def furnished(scene: Scene) -> Room:
+    return max(scene.rooms, key=lambda room: len(room.furniture))
+
+
+def edited(scene: Scene, **change: Any) -> Scene:
+    """The scene with one piece of its fullest room changed."""
+    room = furnished(scene)
+    new = replace(room, furniture=(replace(room.furniture[0], **change), *room.furniture[1:]))
+    return replace(scene, rooms=tuple(new if one.id == room.id else one for one in scene.rooms))
+
+
+def report(scene: Scene) -> str:
+    text: str = validate_scene({"scene": write_scene(scene), "report": True}, CATALOGS)["report"]["text"]
+    return text
+
+
+@pytest.mark.parametrize("request_", REQUESTS)
+@pytest.mark.parametrize("format", ["json", "yaml"])
+def test_a_scene_as_made_keeps_its_proofs_through_files_and_repairs(request_: Request, format: str) -> None:
+    made = generate(request_).scene
+    read = read_scene(load_text(dump_text(write_scene(made), format), format))
+    assert entries(fix(read).scene) == entries(made)
+    assert "changed since" not in report(read) + view_scene({"scene": write_scene(read)})["text"]
+    assert report(read).count("placement: cost") == len(made.rooms)
+
+
+@pytest.mark.parametrize("change", [{"x": 1.2345}, {"rotation": 45.0}, {"width": 0.7}, {"id": "another"}])
+def test_of_a_changed_room_nothing_is_proven_and_of_the_others_all(change: dict[str, Any]) -> None:
+    made = generate(REQUESTS[0]).scene
+    room = furnished(made).id
+    for scene in (edited(made, **change), fix(edited(made, **change), on_conflict="report").scene):
+        text = report(scene)
+        proven = sum(entry["proven"] for name, entry in entries(made).items() if name != room)
+        assert f"# Placement: proven optimal in {proven} of {len(made.rooms)} rooms, 1 changed since\n" in text
+        assert text.count("placement: cost") == len(made.rooms) - 1
+        assert text.count("placement: changed since it was made") == 1
+        assert "1 changed since" in view_scene({"scene": write_scene(scene)})["text"]
+    assert "proven" not in entries(fix(edited(made, **change)).scene)[room]
+
+
+def test_colours_and_locks_are_no_placement() -> None:
+    made = generate(REQUESTS[0]).scene
+    assert "changed since" not in report(edited(made, color="#123456", locked=True))
+
+
+def test_a_room_furnished_anew_is_proven_anew() -> None:
+    made = generate(REQUESTS[0]).scene
+    changed = fix(edited(made, id="another")).scene
+    again = reroll(changed, [furnished(made).id], seed=5).scene
+    assert "changed since" not in report(again)
