@@ -3,6 +3,7 @@ import { DoubleSide, Mesh, MeshBasicMaterial } from "three";
 import type { FloorAnswer, RoomFloor, Scene } from "../contract";
 import { disposeOf } from "../house/dispose";
 import { storeysOf } from "../house/frame";
+import { keptMaterial } from "../house/kept";
 import { mergeQuads, type ColoredQuad } from "../house/quad_mesh";
 import { isAbort } from "../service";
 import type { Stage } from "../stage";
@@ -14,6 +15,10 @@ export const ZONE_COLORS = { free: "#35d07f", doors: "#ff9f43", windows: "#6cb6f
 type Zone = keyof typeof ZONE_COLORS;
 /** How far over the floor the zones lie, each kind over the one before, so that none fights for a pixel [m]. */
 const RISE: Readonly<Record<Zone, number>> = { free: 0.02, windows: 0.024, doors: 0.028 };
+
+function zoneMaterial(): MeshBasicMaterial {
+  return new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.3, depthWrite: false, side: DoubleSide, toneMapped: false });
+}
 
 /** The zones of rooms as level rectangles in house coordinates [m]. */
 export function zonesOf(scene: Scene, floors: readonly RoomFloor[]): ColoredQuad[] {
@@ -63,8 +68,7 @@ export class FloorZones {
     this.stage.floorZones = quads.length;
     this.stage.viewport.invalidate();
     if (quads.length === 0) return;
-    const material = new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.3, depthWrite: false, side: DoubleSide, toneMapped: false });
-    this.#mesh = new Mesh(mergeQuads(quads), material);
+    this.#mesh = new Mesh(mergeQuads(quads), keptMaterial("floor zone", zoneMaterial));
     this.stage.house?.root.add(this.#mesh);
   }
 }

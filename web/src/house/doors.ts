@@ -1,6 +1,7 @@
 /** Door leaves: all in one instanced mesh, opened and closed by a click. */
 import { BoxGeometry, Color, InstancedMesh, Matrix4, MeshStandardMaterial, Quaternion, Vector3 } from "three";
 import { LEAF_THICKNESS, type Leaf } from "./door_leaves";
+import { keptMaterial } from "./kept";
 
 const UP = new Vector3(0, 1, 0);
 export const DOOR_COLORS = { entrance: "#c0392b", inner: "#96683f", garage: "#aab3bd" } as const;
@@ -38,7 +39,7 @@ export class Doors {
 
   constructor(readonly leaves: readonly Leaf[]) {
     const unit = new BoxGeometry(1, 1, 1).translate(0.5, 0.5, 0);
-    this.mesh = new InstancedMesh(unit, new MeshStandardMaterial({ roughness: 0.6 }), leaves.length);
+    this.mesh = new InstancedMesh(unit, keptMaterial("door", () => new MeshStandardMaterial({ roughness: 0.6 })), leaves.length);
     this.#wanted = leaves.map(() => 0);
     this.#open = leaves.map(() => 0);
     leaves.forEach((leaf, i) => this.mesh.setColorAt(i, new Color(colorOf(leaf))));

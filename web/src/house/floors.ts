@@ -4,6 +4,7 @@ import {
 } from "three";
 import type { Room } from "../contract";
 import { floorTexture, TEXTURE_SPAN } from "./floor_textures";
+import { keptMaterial } from "./kept";
 import { cornersOf } from "./plan";
 import type { Storey } from "./walls";
 
@@ -65,10 +66,8 @@ function accentBands(room: Room): Vector2[][] {
 }
 
 function floorMaterial(type: string): MeshStandardMaterial {
-  const material = new MeshStandardMaterial({ vertexColors: true, roughness: 0.9 });
-  const texture = floorTexture(type);
-  if (texture) material.map = texture;
-  return material;
+  const map = floorTexture(type);
+  return keptMaterial(`floor of ${map ? type : "nothing known"}`, () => new MeshStandardMaterial({ vertexColors: true, roughness: 0.9, map }));
 }
 
 /** The floors of a house. The caller disposes of them with `disposeOf`. */
@@ -88,6 +87,6 @@ export function floorMeshes(rooms: readonly Room[], storeys: ReadonlyMap<number,
     mesh.receiveShadow = true;
     group.add(mesh);
   }
-  group.add(new Mesh(accents.build(), new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.75 })));
+  group.add(new Mesh(accents.build(), keptMaterial("accent", () => new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.75 }))));
   return group;
 }

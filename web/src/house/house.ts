@@ -8,6 +8,7 @@ import { leavesOf } from "./door_leaves";
 import { Doors } from "./doors";
 import { floorMeshes } from "./floors";
 import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
+import { keptMaterial } from "./kept";
 import { openingsOf, type PlacedOpening } from "./openings";
 import { outlinesOf } from "./outlines";
 import { runsOf } from "./plan";
@@ -43,7 +44,7 @@ function slab(bounds: Box3): Mesh {
   const size = bounds.getSize(new Vector3());
   const centre = bounds.getCenter(new Vector3());
   const box = new BoxGeometry(size.x + 2 * SLAB_MARGIN, SLAB_DEPTH, size.z + 2 * SLAB_MARGIN);
-  const mesh = new Mesh(box, new MeshStandardMaterial({ color: "#9a9d9f", roughness: 1 }));
+  const mesh = new Mesh(box, keptMaterial("slab", () => new MeshStandardMaterial({ color: "#9a9d9f", roughness: 1 })));
   mesh.position.set(centre.x, bounds.min.y - SLAB_DEPTH / 2 - SLAB_GAP, centre.z);
   mesh.receiveShadow = true;
   return mesh;

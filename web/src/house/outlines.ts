@@ -4,6 +4,7 @@ import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { bodyMatrix } from "./body_meshes";
 import type { Box } from "./boxes";
 import type { PlacedBody } from "./frame";
+import { keptMaterial } from "./kept";
 import { mergeQuads, quadsOf } from "./quad_mesh";
 
 const BAR = 0.024;
@@ -23,12 +24,15 @@ function bars(body: PlacedBody): Box[] {
   return boxes;
 }
 
+function lines(): MeshBasicMaterial {
+  return new MeshBasicMaterial({ vertexColors: true, depthTest: false, transparent: true, toneMapped: false });
+}
+
 /** One mesh that frames all of the bodies, seen through what stands before them; null for none. */
 export function outlinesOf(bodies: readonly PlacedBody[], color: string): Mesh | null {
   if (bodies.length === 0) return null;
   const frames = bodies.map((body) => mergeQuads(bars(body).flatMap((box) => quadsOf(box, color))).applyMatrix4(bodyMatrix(body)));
-  const material = new MeshBasicMaterial({ vertexColors: true, depthTest: false, transparent: true, toneMapped: false });
-  const mesh = new Mesh(mergeGeometries(frames), material);
+  const mesh = new Mesh(mergeGeometries(frames), keptMaterial("outline", lines));
   for (const frame of frames) frame.dispose();
   mesh.renderOrder = 10;
   return mesh;

@@ -2,7 +2,8 @@
  * The materials that all parts share. A part's size, colour and finish are its instance's: the vertex shader makes the
  * solid of its size (rounding and taper are metres, never stretched) and lays the pattern on in metres.
  */
-import { MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, type Material, type WebGLProgramParametersWithUniforms } from "three";
+import { MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
+import { keptMaterial } from "./kept";
 import { RULE } from "./part_geometry";
 import { patternSpans, patternTexture } from "./patterns";
 
@@ -104,15 +105,11 @@ interface PartMaterials {
   readonly shadow: MeshDepthMaterial;
 }
 
-let made: PartMaterials | undefined;
-
-/** Says that a material outlives a house. */
-export function kept<Kind extends Material>(material: Kind): Kind {
-  material.userData.kept = true;
-  return material;
-}
-
 /** The materials of all parts, made once for the life of the page. */
 export function partMaterials(): PartMaterials {
-  return (made ??= { solid: kept(lit(false)), clear: kept(lit(true)), shadow: kept(shadow()) });
+  return {
+    solid: keptMaterial("part", () => lit(false)),
+    clear: keptMaterial("clear part", () => lit(true)),
+    shadow: keptMaterial("part shadow", shadow),
+  };
 }

@@ -4,6 +4,7 @@ import { clipBelow } from "./boxes";
 import { mergeQuads, quadsOf, type ColoredQuad } from "./quad_mesh";
 import type { Room } from "../contract";
 import { finishOf } from "./finishes";
+import { keptMaterial } from "./kept";
 import { facesOf, type Face } from "./wall_faces";
 import { fittingsOf, wallPanelsOf, type Surface, type WallPanel, type WallPart, type WallPlan } from "./walls";
 
@@ -11,6 +12,10 @@ const WALL = "#dcd5c9";
 /** The cut through a wall is drawn darker than its face, as in a section drawing. */
 const CUT = "#454b55";
 const COLORS: Readonly<Record<Surface, string>> = { railing: "#8a7a66", frame: "#f1ede4", glass: "#9fd0ee" };
+
+function glass(): MeshStandardMaterial {
+  return new MeshStandardMaterial({ vertexColors: true, transparent: true, opacity: 0.38, roughness: 0.15, depthWrite: false });
+}
 
 /** A house's walls, to be drawn at any height. */
 export class Walls {
@@ -29,15 +34,15 @@ export class Walls {
     const stone = this.#panels.flatMap((panel) => facesOf(panel, height).map((face) => this.#colored(face, panel)));
     const solid = new Mesh(
       mergeQuads([...stone, ...this.#boxes(height, ["railing", "frame"])]),
-      new MeshStandardMaterial({ vertexColors: true, roughness: 0.95 }),
+      keptMaterial("wall", () => new MeshStandardMaterial({ vertexColors: true, roughness: 0.95 })),
     );
     solid.castShadow = true;
     solid.receiveShadow = true;
-    const glass = new Mesh(
+    const panes = new Mesh(
       mergeQuads(this.#boxes(height, ["glass"])),
-      new MeshStandardMaterial({ vertexColors: true, transparent: true, opacity: 0.38, roughness: 0.15, depthWrite: false }),
+      keptMaterial("glass", glass),
     );
-    return new Group().add(solid, glass);
+    return new Group().add(solid, panes);
   }
 
   #colored(face: Face, panel: WallPanel): ColoredQuad {

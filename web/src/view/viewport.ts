@@ -51,6 +51,8 @@ export class Viewport {
 
   constructor(readonly host: HTMLElement) {
     this.#renderer = new WebGLRenderer({ antialias: true, powerPreference: "low-power" });
+    // Asking for a shader's log waits until it is made.
+    this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#renderer.toneMappingExposure = 1;
     this.#renderer.shadowMap.enabled = true;
