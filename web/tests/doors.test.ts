@@ -1,8 +1,8 @@
-import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { Opening, Side } from "../src/contract";
 import { leavesOf, type Leaf } from "../src/house/door_leaves";
-import { Doors, leafMatrix } from "../src/house/doors";
+import { partsOfLeaf } from "../src/house/door_shapes";
+import { bodyOfLeaf, Doors, shownOfLeaf } from "../src/house/doors";
 import { openingsOf } from "../src/house/openings";
 import { runsOf } from "../src/house/plan";
 import { opening, room } from "./rooms";
@@ -14,10 +14,17 @@ function leafOf(more: Partial<Opening>): Leaf {
   return leaf;
 }
 
+/** How low and how high what shows of a leaf reaches above its underside [m]; null where nothing shows. */
+function reachOf(leaf: Leaf, open: number, cut: number): [number, number] | null {
+  const parts = shownOfLeaf(leaf, partsOfLeaf(leaf), open, cut).flatMap((part) => part ?? []);
+  const ends = parts.flatMap(({ at, size }) => [at[1] - size[1] / 2, at[1] + size[1] / 2]);
+  return ends.length > 0 ? [Math.min(...ends), Math.max(...ends)] : null;
+}
+
 /** Where the leaf's free edge is, [x, z]. */
 function tip(leaf: Leaf, open: number): [number, number] {
-  const at = new Vector3(1, 0.5, 0).applyMatrix4(leafMatrix(leaf, open, 10));
-  return [at.x, at.z];
+  const body = bodyOfLeaf(leaf, open);
+  return [2 * body.x - leaf.hinge.x, 2 * body.z - leaf.hinge.z];
 }
 
 const HINGES = ["start", "end"] as const;
@@ -51,16 +58,39 @@ describe("a leaf", () => {
 
   it("is cut with the walls", () => {
     const leaf = leafOf({});
-    const top = new Vector3(0.5, 1, 0).applyMatrix4(leafMatrix(leaf, 0, 1.2));
-    expect(top.y).toBeCloseTo(1.2, 9);
+    expect(reachOf(leaf, 0, 1.2)?.[1]).toBeCloseTo(1.2 - leaf.hinge.y, 9);
+    expect(reachOf(leaf, 0, 9)).toEqual([0, expect.closeTo(leaf.height, 9)]);
   });
 
   it("of a garage door rolls up in its wall", () => {
     const leaf = leafOf({ kind: "garage_door", width: 2.4, height: 2.2 });
     expect(leaf.motion).toBe("roll");
-    expect(leafMatrix(leaf, 1, 1.2).determinant()).toBe(0);
-    const raised = new Vector3(0.5, 0, 0).applyMatrix4(leafMatrix(leaf, 1, 2.8));
-    expect(raised.y).toBeGreaterThan(2);
+    expect(reachOf(leaf, 1, 1.2)).toBeNull();
+    expect(reachOf(leaf, 1, 2.8)?.[0]).toBeGreaterThan(2);
+    expect(reachOf(leaf, 1, 2.8)?.[1]).toBeLessThanOrEqual(leaf.height + 1e-9);
+  });
+
+  it("of any kind fills its frame, its handles on both sides at the end away from the hinge", () => {
+    for (const more of [{}, { main_entrance: true }, { kind: "garage_door", width: 2.4 }] as const) {
+      const leaf = leafOf(more);
+      const parts = partsOfLeaf(leaf);
+      const xs = parts.flatMap(({ at, size }) => [at[0] - size[0] / 2, at[0] + size[0] / 2]);
+      expect([Math.min(...xs), Math.max(...xs)]).toEqual([expect.closeTo(-leaf.width / 2, 9), expect.closeTo(leaf.width / 2, 9)]);
+      if (leaf.motion === "roll") continue;
+      const proud = parts.filter(({ at, size }) => Math.abs(at[2]) + size[2] / 2 > 0.03);
+      expect(new Set(proud.map(({ at }) => Math.sign(at[2])))).toEqual(new Set([-1, 1]));
+      for (const { at } of proud) expect(at[0] > leaf.width * 0.2 && Math.abs(at[1] - 1) < 0.1).toBe(true);
+    }
+  });
+
+  it("between a room and a terrace is glazed, in a railing a gate", () => {
+    const door = opening({ wall: "east", connects_to: "b" });
+    const rooms = [room("a", [0, 0, 4, 4], { openings: [door] }), room("b", [4, 0, 4, 4], {
+      outdoor: true, openings: [opening({ id: "gate", wall: "east" })],
+    })];
+    const leaves = leavesOf({ runs: runsOf(rooms), openings: openingsOf(rooms), storeys: new Map(), thickness: 0.1, rooms });
+    expect(leaves.map(({ look }) => look)).toEqual(["glazed", "gate"]);
+    expect(partsOfLeaf(leaves[0] as Leaf).some(({ paint }) => paint.opacity < 1)).toBe(true);
   });
 
   it("is not in a passage or a window", () => {

@@ -49,7 +49,8 @@ export class BodyMeshes {
     const { root, drawn } = batchesOf(bodies, this.#parts);
     this.#drawn = drawn;
     this.batches = root.children.length;
-    this.root = new BodyGroup((ray) => this.#cast(ray)).add(...root.children);
+    this.root = new BodyGroup((ray) => this.#cast(ray));
+    for (const batch of [...root.children]) this.root.add(batch);
   }
 
   /** Hides what hangs on walls where they are cut below its middle: nothing hangs in the air. */

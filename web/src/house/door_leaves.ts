@@ -1,12 +1,16 @@
 /** Where door leaves hang and how they turn; pure, so that it can be tested without a canvas. */
+import { roomsBeside } from "./entrance";
 import type { PlacedOpening } from "./openings";
-import { FRAME, RAILING_HEIGHT, type WallPlan } from "./walls";
+import { FRAME, RAILING_HEIGHT, THRESHOLD, type WallPlan } from "./walls";
+
+/** How a leaf is made: between rooms, at the street, to a terrace, of a garage, in a railing. */
+export type LeafLook = "inner" | "entrance" | "glazed" | "sectional" | "gate";
 
 /** A leaf that turns about its hinge, or a panel that rolls up. Lengths [m], angles [rad] about +y. */
 export interface Leaf {
   readonly id: string;
   readonly motion: "swing" | "roll";
-  readonly mainEntrance: boolean;
+  readonly look: LeafLook;
   readonly hinge: { readonly x: number; readonly y: number; readonly z: number };
   readonly width: number;
   readonly height: number;
@@ -16,7 +20,7 @@ export interface Leaf {
 }
 
 export const LEAF_THICKNESS = 0.04;
-const GROUND_GAP = 0.01;
+const GROUND_GAP = THRESHOLD + 0.002;
 
 /** The angle about +y that brings +x to a direction of the plan. */
 export function angleTowards(x: number, z: number): number {
@@ -30,6 +34,14 @@ function quarterTurn(from: number, to: number): number {
 function hasRailing(opening: PlacedOpening, plan: WallPlan): boolean {
   return plan.runs.some((run) => run.kind === "railing" && run.level === opening.level && run.axis === opening.axis
     && run.line === opening.line && run.from < opening.to && opening.from < run.to);
+}
+
+function lookOf(opening: PlacedOpening, plan: WallPlan): LeafLook {
+  if (opening.kind === "garage_door") return "sectional";
+  if (hasRailing(opening, plan)) return "gate";
+  if (opening.mainEntrance) return "entrance";
+  const [one, other] = roomsBeside(plan.rooms ?? [], opening);
+  return one && other && one.outdoor !== other.outdoor ? "glazed" : "inner";
 }
 
 function leafOf(opening: PlacedOpening, plan: WallPlan): Leaf {
@@ -46,7 +58,7 @@ function leafOf(opening: PlacedOpening, plan: WallPlan): Leaf {
   return {
     id: opening.id,
     motion: swings ? "swing" : "roll",
-    mainEntrance: opening.mainEntrance,
+    look: lookOf(opening, plan),
     hinge: { x, y: elevation + GROUND_GAP, z },
     width: to - from - 2 * FRAME,
     height: (hasRailing(opening, plan) ? Math.min(opening.head, RAILING_HEIGHT) : opening.head) - GROUND_GAP,

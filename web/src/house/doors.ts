@@ -1,57 +1,79 @@
-/** Door leaves: all in one instanced mesh, opened and closed by a click. */
-import { BoxGeometry, Color, InstancedMesh, Matrix4, MeshStandardMaterial, Quaternion, Vector3 } from "three";
+/** The doors of a house: leaves of a few parts each, drawn in one batch, opened and closed by a click. */
+import { Group, Vector3, type Intersection, type Raycaster } from "three";
 import { LEAF_THICKNESS, type Leaf } from "./door_leaves";
-import { keptMaterial } from "./kept";
+import { partsOfLeaf, PLAIN_PAINTS, shown, type DoorPaints } from "./door_shapes";
+import type { PlacedBody } from "./frame";
+import { batchesOf, writeNothing, writePlace, writeSize, type DrawnPart } from "./part_batches";
+import { meets, type Straight } from "./part_hits";
+import type { Part } from "./parts";
 
-const UP = new Vector3(0, 1, 0);
-export const DOOR_COLORS = { entrance: "#c0392b", inner: "#96683f", garage: "#aab3bd" } as const;
 const SECONDS = 0.45;
 /** What stays visible of a rolled-up panel. */
 const ROLLED = 0.06;
-
-function colorOf(leaf: Leaf): string {
-  if (leaf.mainEntrance) return DOOR_COLORS.entrance;
-  return leaf.motion === "roll" ? DOOR_COLORS.garage : DOOR_COLORS.inner;
-}
+/** How far a leaf's handles reach on both sides of it together [m]. */
+const HANDLES = 0.13;
 
 /** Slow at both ends. */
 function eased(share: number): number {
   return share * share * (3 - 2 * share);
 }
 
-/** A leaf's place, `open` from 0 to 1, with what is above `cut` [m] taken off. */
-export function leafMatrix(leaf: Leaf, open: number, cut: number): Matrix4 {
-  const swung = leaf.motion === "swing" ? open : 0;
-  const lifted = leaf.motion === "roll" ? open * (1 - ROLLED) * leaf.height : 0;
-  const bottom = leaf.hinge.y + lifted;
-  const top = Math.min(leaf.hinge.y + leaf.height, cut);
-  const turn = new Quaternion().setFromAxisAngle(UP, leaf.closedAngle + swung * leaf.turn);
-  const size = top > bottom ? new Vector3(leaf.width, top - bottom, LEAF_THICKNESS) : new Vector3(0, 0, 0);
-  return new Matrix4().compose(new Vector3(leaf.hinge.x, bottom, leaf.hinge.z), turn, size);
+/** A leaf as a body: where its middle is, `open` from 0 to 1. */
+export function bodyOfLeaf(leaf: Leaf, open: number): PlacedBody {
+  const turn = leaf.closedAngle + (leaf.motion === "swing" ? open * leaf.turn : 0);
+  const { id, hinge, width, height } = leaf;
+  return {
+    id, name: "door", kind: "furniture", turn, width, height, depth: LEAF_THICKNESS + HANDLES, color: "",
+    x: hinge.x + (Math.cos(turn) * width) / 2, y: hinge.y, z: hinge.z - (Math.sin(turn) * width) / 2,
+  };
+}
+
+/** What shows of a leaf's parts under `cut` [m]: a panel that rolls up goes into its lintel. */
+export function shownOfLeaf(leaf: Leaf, parts: readonly Part[], open: number, cut: number): (Part | null)[] {
+  const lift = leaf.motion === "roll" ? open * (1 - ROLLED) * leaf.height : 0;
+  return parts.map((part) => shown(part, lift, Math.min(leaf.height, cut - leaf.hinge.y)));
+}
+
+/** The leaves' batches; a ray that meets a leaf is told its number as `instanceId`. */
+class DoorGroup extends Group {
+  constructor(readonly cast: (ray: Straight) => readonly { readonly leaf: number; readonly distance: number }[]) {
+    super();
+  }
+
+  override raycast(raycaster: Raycaster, hits: Intersection[]): void {
+    const { origin, direction } = raycaster.ray;
+    for (const { leaf, distance } of this.cast({ origin: origin.toArray(), direction: direction.toArray() })) {
+      hits.push({ object: this, instanceId: leaf, distance, point: raycaster.ray.at(distance, new Vector3()) });
+    }
+  }
 }
 
 /** The doors of a house; `step` moves those under way. */
 export class Doors {
-  readonly mesh: InstancedMesh;
+  readonly root: Group;
   readonly #wanted: number[];
   readonly #open: number[];
+  readonly #drawn: readonly (readonly DrawnPart[])[];
+  readonly #bodies: PlacedBody[];
+  readonly #shown: Part[][];
   #cut = Number.POSITIVE_INFINITY;
 
-  constructor(readonly leaves: readonly Leaf[]) {
-    const unit = new BoxGeometry(1, 1, 1).translate(0.5, 0.5, 0);
-    this.mesh = new InstancedMesh(unit, keptMaterial("door", () => new MeshStandardMaterial({ roughness: 0.6 })), leaves.length);
+  constructor(readonly leaves: readonly Leaf[], paints: DoorPaints = PLAIN_PAINTS) {
     this.#wanted = leaves.map(() => 0);
     this.#open = leaves.map(() => 0);
-    leaves.forEach((leaf, i) => this.mesh.setColorAt(i, new Color(colorOf(leaf))));
-    this.mesh.castShadow = true;
-    this.mesh.receiveShadow = true;
-    this.#place();
+    this.#bodies = leaves.map((leaf) => bodyOfLeaf(leaf, 0));
+    this.#shown = leaves.map(() => []);
+    const { root, drawn } = batchesOf(this.#bodies, leaves.map((leaf) => partsOfLeaf(leaf, paints)));
+    this.#drawn = drawn;
+    this.root = new DoorGroup((ray) => this.#cast(ray));
+    for (const batch of [...root.children]) this.root.add(batch);
+    leaves.forEach((_, i) => this.#place(i));
   }
 
   /** Cuts the leaves at the height of the walls [m]. */
   cutAt(height: number): void {
     this.#cut = height;
-    this.#place();
+    this.leaves.forEach((_, i) => this.#place(i));
   }
 
   /** Opens a closed leaf, closes an open one. */
@@ -66,9 +88,7 @@ export class Doors {
 
   /** How far a leaf is turned from the direction of +x now [rad]. */
   angleOf(index: number): number {
-    const leaf = this.leaves[index];
-    const open = leaf?.motion === "swing" ? eased(this.#open[index] ?? 0) : 0;
-    return leaf ? leaf.closedAngle + open * leaf.turn : 0;
+    return this.#bodies[index]?.turn ?? 0;
   }
 
   /** Moves the leaves by `seconds`; true while one is under way. */
@@ -79,15 +99,35 @@ export class Doors {
       if (now === goal) return;
       const travel = Math.min(Math.abs(goal - now), seconds / SECONDS);
       this.#open[i] = now + Math.sign(goal - now) * travel;
+      this.#place(i);
       moving = true;
     });
-    if (moving) this.#place();
     return moving;
   }
 
-  #place(): void {
-    this.leaves.forEach((leaf, i) => this.mesh.setMatrixAt(i, leafMatrix(leaf, eased(this.#open[i] ?? 0), this.#cut)));
-    this.mesh.instanceMatrix.needsUpdate = true;
-    this.mesh.computeBoundingSphere();
+  #place(index: number): void {
+    const leaf = this.leaves[index];
+    if (!leaf) return;
+    const open = eased(this.#open[index] ?? 0);
+    const body = (this.#bodies[index] = bodyOfLeaf(leaf, open));
+    const drawn = this.#drawn[index] ?? [];
+    const parts = shownOfLeaf(leaf, drawn.map(({ part }) => part), open, this.#cut);
+    this.#shown[index] = parts.flatMap((part) => part ?? []);
+    drawn.forEach(({ batch, instance }, i) => {
+      const places = batch.instanceMatrix.array as Float32Array;
+      const part = parts[i];
+      if (part) {
+        writePlace(places, instance * 16, part, body);
+        writeSize(batch, instance, part);
+      } else writeNothing(places, instance * 16);
+      batch.instanceMatrix.needsUpdate = true;
+    });
+  }
+
+  #cast(ray: Straight): { leaf: number; distance: number }[] {
+    return this.#bodies.flatMap((body, leaf) => {
+      const distance = meets(ray, body, this.#shown[leaf] ?? []);
+      return distance === null ? [] : [{ leaf, distance }];
+    });
   }
 }

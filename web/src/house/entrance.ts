@@ -1,4 +1,4 @@
-/** On which side of an opening the house is. Pure. */
+/** What lies on both sides of an opening. Pure. */
 import type { Room } from "../contract";
 import type { PlacedOpening } from "./openings";
 import { roomHolding } from "./room_at";
@@ -6,13 +6,17 @@ import { roomHolding } from "./room_at";
 /** How far before a wall one asks for the room [m]. */
 const BEFORE = 0.2;
 
-/** The side of an opening's line, 1 towards greater coordinates, that lies in a room under a roof. */
-export function inwardOf(rooms: readonly Room[], { axis, line, from, to, level }: PlacedOpening): 1 | -1 {
+/** The rooms before an opening: towards greater coordinates of its line, then towards smaller. */
+export function roomsBeside(rooms: readonly Room[], { axis, line, from, to, level }: PlacedOpening): [Room | undefined, Room | undefined] {
   const middle = (from + to) / 2;
-  const indoors = ([1, -1] as const).find((side) => {
-    const across = line + side * BEFORE;
-    const room = axis === "x" ? roomHolding(rooms, level, middle, across) : roomHolding(rooms, level, across, middle);
-    return room && !room.outdoor;
-  });
-  return indoors ?? 1;
+  const at = (across: number): Room | undefined =>
+    axis === "x" ? roomHolding(rooms, level, middle, across) : roomHolding(rooms, level, across, middle);
+  return [at(line + BEFORE), at(line - BEFORE)];
+}
+
+/** The side of an opening's line, 1 towards greater coordinates, that lies in a room under a roof. */
+export function inwardOf(rooms: readonly Room[], opening: PlacedOpening): 1 | -1 {
+  const [greater, smaller] = roomsBeside(rooms, opening);
+  if (greater && !greater.outdoor) return 1;
+  return smaller && !smaller.outdoor ? -1 : 1;
 }

@@ -1,4 +1,4 @@
-/** What the faces of walls are finished with: the colour of the room that a face looks into. Pure. */
+/** What the faces of walls are finished with: that of the room that a face looks into. Pure. */
 import type { Room } from "../contract";
 import type { Span } from "./boxes";
 import { cornersOf } from "./plan";
@@ -46,11 +46,13 @@ export function holds(room: Room, x: number, z: number): boolean {
   }, false);
 }
 
-/** The colour of the side of a wall; null outside, at jambs and tops, and where the room does not say. */
-export function finishOf(face: Face, panel: WallPanel, rooms: readonly Room[]): string | null {
+export type Finish = NonNullable<Room["walls"]>;
+
+/** The finish of the side of a wall; null outside, at jambs and tops, and where the room does not say. */
+export function finishOf(face: Face, panel: WallPanel, rooms: readonly Room[]): Finish | null {
   const [nx, ny, nz] = face.normal;
   if (ny !== 0 || (panel.axis === "x" ? nx : nz) !== 0) return null;
   const [a, , c] = face.corners;
   const [x, z] = [(a[0] + c[0]) / 2 + nx * BEFORE, (a[2] + c[2]) / 2 + nz * BEFORE];
-  return rooms.find((room) => room.level === panel.level && holds(room, x, z))?.walls?.color ?? null;
+  return rooms.find((room) => room.level === panel.level && holds(room, x, z))?.walls ?? null;
 }

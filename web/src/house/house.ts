@@ -76,8 +76,8 @@ export class House {
     this.#bodies = bodiesOf(scene);
     this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene));
     this.#walls = new Walls(plan);
-    this.doors = new Doors(leavesOf(plan));
-    this.root.add(slab(this.bounds), floorMeshes(scene.rooms, storeys), this.doors.mesh, this.#bodyMeshes.root);
+    this.doors = new Doors(leavesOf(plan), book.doorPaints(styleOf(scene)));
+    this.root.add(slab(this.bounds), floorMeshes(scene.rooms, storeys), this.doors.root, this.#bodyMeshes.root);
   }
 
   /** Cuts walls, doors and what hangs on walls at a height above the ground [m]. */
@@ -136,7 +136,7 @@ export class House {
 
   /** What a ray meets first, if that is a door, a body or a room's floor. */
   hit(ray: Raycaster): Hit | null {
-    const targets = [this.#bodyMeshes.root, this.doors.mesh, ...(this.#wallMeshes?.children.slice(0, 1) ?? [])];
+    const targets = [this.#bodyMeshes.root, this.doors.root, ...(this.#wallMeshes?.children.slice(0, 1) ?? [])];
     const [nearest] = ray.intersectObjects(targets, false);
     const floor = floorUnder(this.scene.rooms, this.#storeys, ray.ray.origin.toArray(), ray.ray.direction.toArray());
     if (floor && floor.distance < (nearest?.distance ?? Number.POSITIVE_INFINITY)) return { kind: "room", room: floor.room };
@@ -144,7 +144,7 @@ export class House {
   }
 
   #hitOf(nearest: Intersection): Hit | null {
-    if (nearest.object === this.doors.mesh && nearest.instanceId !== undefined) return { kind: "door", index: nearest.instanceId };
+    if (nearest.object === this.doors.root && nearest.instanceId !== undefined) return { kind: "door", index: nearest.instanceId };
     const body = nearest.object === this.#bodyMeshes.root ? this.#bodyMeshes.bodyAt(nearest.instanceId) : undefined;
     return body ? { kind: "body", body } : null;
   }

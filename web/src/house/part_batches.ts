@@ -57,6 +57,13 @@ export function writePlace(into: Float32Array, offset: number, { axis, at: [x, y
   into[offset + 15] = 1;
 }
 
+/** Gives a drawn part another size; what it is made of stays. */
+export function writeSize(batch: InstancedMesh, instance: number, part: Part): void {
+  const spans = batch.geometry.getAttribute("span");
+  spans.setXYZW(instance, ...standing(part), shapeNumber(part));
+  spans.needsUpdate = true;
+}
+
 /** Draws nothing of a part: all of its points coincide. */
 export function writeNothing(into: Float32Array, offset: number): void {
   into.fill(0, offset, offset + 15);

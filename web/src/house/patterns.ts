@@ -55,19 +55,22 @@ function boards(count: number, gap: number): Pattern {
   };
 }
 
-function tiles(across: number, half: number, spread: number, relief: number): Pattern {
+function tiles(across: number, half: number, spread: number, relief: number, depth = 0.28): Pattern {
   return (u, v) => {
     const [i, j] = [Math.floor(u * across), Math.floor(v * across)];
     const dark = Math.max(joint(edge(u * across) / across, half), joint(edge(v * across) / across, half));
-    return (1 - spread * hash(i, j, 31) - relief * rough(u, v, 12, 12, 32)) * (1 - 0.28 * dark);
+    return (1 - spread * hash(i, j, 31) - relief * rough(u, v, 12, 12, 32)) * (1 - depth * dark);
   };
 }
+
+/** Brighter than this a pattern of bricks is mortar. */
+export const MORTAR = 0.93;
 
 function bricks(u: number, v: number): number {
   const row = Math.floor(v * 8);
   const along = u * 4 + (row % 2) * 0.5;
   const dark = Math.max(joint(edge(along) / 4, 0.011), joint(edge(v * 8) / 8, 0.011));
-  const stone = 0.98 - 0.3 * hash(((Math.floor(along) % 4) + 4) % 4, row, 41) - 0.16 * rough(u, v, 24, 24, 42);
+  const stone = MORTAR - 0.05 - 0.26 * hash(((Math.floor(along) % 4) + 4) % 4, row, 41) - 0.14 * rough(u, v, 24, 24, 42);
   return stone * (1 - dark) + 1.0 * dark;
 }
 
@@ -78,6 +81,27 @@ function slabs(u: number, v: number): number {
   const dark = Math.max(joint(edge(along) / 3, 0.012), joint(edge(bent[1] * 4) / 4, 0.012));
   const stone = 1 - 0.22 * hash(((Math.floor(along) % 3) + 3) % 3, ((row % 4) + 4) % 4, 53) - 0.22 * rough(u, v, 9, 9, 54);
   return stone * (1 - 0.5 * dark);
+}
+
+/** Boards that stand side by side. */
+function panelling(u: number, v: number): number {
+  const board = Math.floor(u * 8);
+  return (grain(v, u) - 0.07 * hash(board, 0, 23)) * (1 - 0.45 * joint(edge(u * 8) / 8, 0.005));
+}
+
+/** Broad stripes with a leaf on every other one. */
+function wallpaper(u: number, v: number): number {
+  const [column, row] = [Math.floor(u * 4), Math.floor(v * 4 + (Math.floor(u * 4) % 2) * 0.5)];
+  const [x, y] = [edge(u * 4) * 2 - 1, edge(v * 4 + (column % 2) * 0.5) * 2 - 1];
+  const leaf = Math.max(0, 1 - 9 * Math.abs((x + 0.35) ** 2 + (y + 0.35) ** 2 * 0.6 - 0.1)) * (0.8 + 0.2 * hash(column, row, 24));
+  return 1 - 0.035 * (column % 2) - 0.075 * leaf - 0.02 * noise(u, v, 90, 90, 25);
+}
+
+/** Concrete as it came from its boards, with the holes of the ties. */
+function cast(u: number, v: number): number {
+  const seam = Math.max(joint(edge(u), 0.002), joint(edge(v * 2) / 2, 0.002));
+  const hole = joint(Math.hypot(edge(u * 2 + 0.5) / 2, edge(v * 2 + 0.5) / 2), 0.008);
+  return (1 - 0.13 * rough(u, v, 6, 6, 26) - 0.05 * noise(u, v, 110, 110, 27)) * (1 - 0.22 * seam) * (1 - 0.4 * hole);
 }
 
 function cloth(u: number, v: number): number {
@@ -112,7 +136,11 @@ const LAYERS: Readonly<Record<string, Layer>> = {
   grass: { span: 0.9, pattern: blades },
   deck: { span: 1.1, pattern: boards(8, 0.006) },
   plaster: { span: 1.4, pattern: (u, v) => 1 - 0.05 * rough(u, v, 10, 10, 97) - 0.035 * noise(u, v, 70, 70, 98) },
-  brick: { span: 1.0, pattern: bricks },
+  brick: { span: 0.8, pattern: bricks },
+  wall_tile: { span: 0.8, pattern: tiles(4, 0.003, 0.03, 0.015, 0.2) },
+  panelling: { span: 1.0, pattern: panelling },
+  wallpaper: { span: 0.9, pattern: wallpaper },
+  cast: { span: 2.4, pattern: cast },
 };
 const NAMES = Object.keys(LAYERS);
 

@@ -2,7 +2,8 @@
 import type { Catalog, CatalogPart } from "../contract";
 import type { PlacedBody } from "./frame";
 import { livingParts, seatedParts } from "./living";
-import { isLight, Paints, plainPaint, shade } from "./paints";
+import { PLAIN_PAINTS, type DoorPaints } from "./door_shapes";
+import { isLight, Paints, plainPaint, shade, type Paint } from "./paints";
 import { part, type Part } from "./parts";
 
 /** Lower than this a body is a rug or a mat: it has no front to mark. */
@@ -64,6 +65,14 @@ export class ShapeBook {
     if (!parts) return boxParts(body);
     const paints = this.#paintsOf(style);
     return parts.map((solid) => sized(solid, body, paints));
+  }
+
+  /** What doors are painted with in a house of this style. */
+  doorPaints(style: string | null): DoorPaints {
+    if (!this.catalog) return PLAIN_PAINTS;
+    const paints = this.#paintsOf(style);
+    const of = (slot: keyof DoorPaints): Paint => paints.of(slot, PLAIN_PAINTS[slot]);
+    return { wood: of("wood"), metal: of("metal") };
   }
 
   #paintsOf(style: string | null): Paints {

@@ -15,6 +15,9 @@ export interface Face {
   readonly cut: boolean;
 }
 
+/** So high above the floor a wall may have a skirting [m]. */
+export const SKIRTING = 0.08;
+
 interface Cell {
   readonly along: Span;
   readonly up: Span;
@@ -65,7 +68,7 @@ export function facesOf(panel: WallPanel, cut: number): Face[] {
   if (top <= 0) return [];
   const { axis, across, holes } = panel;
   const columns = spansBetween(stops(panel.along, [...holes.flatMap(({ along }) => [along.from, along.to]), ...panel.seams]));
-  const rows = spansBetween(stops({ from: 0, to: top }, holes.flatMap(({ up }) => [up.from, up.to])));
+  const rows = spansBetween(stops({ from: 0, to: top }, [SKIRTING, ...holes.flatMap(({ up }) => [up.from, up.to])]));
   const solid = columns.map((along) => rows.map((up) => !isHole({ along, up }, holes)));
   const at: Placing = (s, h, c) => (axis === "x" ? [s, panel.elevation + h, c] : [c, panel.elevation + h, s]);
   const endwise = (towards: 1 | -1): Point => (axis === "x" ? [towards, 0, 0] : [0, 0, towards]);

@@ -3,15 +3,28 @@ import { Group, Mesh, MeshStandardMaterial } from "three";
 import { clipBelow } from "./boxes";
 import { mergeQuads, quadsOf, type ColoredQuad } from "./quad_mesh";
 import type { Room } from "../contract";
-import { finishOf } from "./finishes";
+import { finishOf, type Finish } from "./finishes";
 import { keptMaterial } from "./kept";
-import { facesOf, type Face } from "./wall_faces";
+import { facesOf, SKIRTING, type Face } from "./wall_faces";
+import { wallMaterial } from "./wall_shader";
 import { fittingsOf, wallPanelsOf, type Surface, type WallPanel, type WallPart, type WallPlan } from "./walls";
 
-const WALL = "#dcd5c9";
+/** Outside, and where a room does not say. */
+const WALL: Finish = { type: "plaster", color: "#ded7ca" };
+const REVEAL = "#e9e4da";
+const SKIRTING_BOARD = "#f3f0e9";
+/** What each finish is drawn with; one that is not known is plain. */
+const FINISHES: Readonly<Record<string, { readonly pattern: string; readonly roughness: number; readonly skirted: boolean }>> = {
+  plaster: { pattern: "plaster", roughness: 0.95, skirted: true },
+  wallpaper: { pattern: "wallpaper", roughness: 0.9, skirted: true },
+  wood: { pattern: "panelling", roughness: 0.7, skirted: true },
+  tile: { pattern: "wall_tile", roughness: 0.35, skirted: false },
+  brick: { pattern: "brick", roughness: 0.95, skirted: false },
+  concrete: { pattern: "cast", roughness: 0.9, skirted: false },
+};
 /** The cut through a wall is drawn darker than its face, as in a section drawing. */
 const CUT = "#454b55";
-const COLORS: Readonly<Record<Surface, string>> = { railing: "#8a7a66", frame: "#f1ede4", glass: "#9fd0ee" };
+const COLORS: Readonly<Record<Surface, string>> = { railing: "#8a7a66", frame: "#f1ede4", threshold: "#8a7152", glass: "#9fd0ee" };
 
 function glass(): MeshStandardMaterial {
   return new MeshStandardMaterial({ vertexColors: true, transparent: true, opacity: 0.38, roughness: 0.15, depthWrite: false });
@@ -32,10 +45,7 @@ export class Walls {
   /** Meshes of the walls up to `height` [m] above the ground: what is solid, then the glass. The caller disposes of them. */
   meshes(height: number): Group {
     const stone = this.#panels.flatMap((panel) => facesOf(panel, height).map((face) => this.#colored(face, panel)));
-    const solid = new Mesh(
-      mergeQuads([...stone, ...this.#boxes(height, ["railing", "frame"])]),
-      keptMaterial("wall", () => new MeshStandardMaterial({ vertexColors: true, roughness: 0.95 })),
-    );
+    const solid = new Mesh(mergeQuads([...stone, ...this.#boxes(height, ["railing", "frame", "threshold"])]), wallMaterial());
     solid.castShadow = true;
     solid.receiveShadow = true;
     const panes = new Mesh(
@@ -46,8 +56,14 @@ export class Walls {
   }
 
   #colored(face: Face, panel: WallPanel): ColoredQuad {
-    const color = face.cut ? CUT : (finishOf(face, panel, this.#rooms) ?? WALL);
-    return { corners: face.corners, normal: face.normal, color };
+    const { corners, normal, cut } = face;
+    const isSide = normal[1] === 0 && normal[panel.axis === "x" ? 0 : 2] === 0;
+    if (!isSide) return { corners, normal, color: cut ? CUT : REVEAL };
+    const finish = finishOf(face, panel, this.#rooms) ?? WALL;
+    const look = FINISHES[finish.type];
+    const low = Math.max(...corners.map(([, y]) => y)) <= panel.elevation + SKIRTING;
+    if (finish !== WALL && low && look?.skirted) return { corners, normal, color: SKIRTING_BOARD, roughness: 0.6 };
+    return { ...look, corners, normal, color: finish.color };
   }
 
   #boxes(height: number, surfaces: readonly Surface[]): ColoredQuad[] {

@@ -5,7 +5,7 @@ import { seamsOf } from "./finishes";
 import type { PlacedOpening } from "./openings";
 import { byLine, lineKey, type Run } from "./plan";
 
-export type Surface = "railing" | "frame" | "glass";
+export type Surface = "railing" | "frame" | "threshold" | "glass";
 
 export interface WallPart {
   readonly surface: Surface;
@@ -56,6 +56,8 @@ const RAILING_BAR = 0.05;
 const POST_SPACING = 1.2;
 export const FRAME = 0.04;
 const FRAME_PROUD = 0.01;
+/** How high the board is that lies under a leaf, where two floors meet [m]. */
+export const THRESHOLD = 0.008;
 const GLASS_THICKNESS = 0.012;
 const SILL_BOARD = 0.03;
 const DEFAULT_STOREY: Storey = { elevation: 0, height: 2.8 };
@@ -128,6 +130,7 @@ function doorFrame(opening: PlacedOpening, thickness: number, elevation: number)
     bar({ from, to: from + FRAME }, { from: 0, to: head }),
     bar({ from: to - FRAME, to }, { from: 0, to: head }),
     bar({ from, to }, { from: head, to: head + FRAME }),
+    { surface: "threshold", box: boxOnLine(axis, { from: from + FRAME, to: to - FRAME }, around(line, thickness), shifted({ from: -0.01, to: THRESHOLD }, elevation)) },
   ];
 }
 

@@ -1,7 +1,7 @@
 /** What colours and marks mean: those of the canvas, and the rooms shown, each as its floor and accent are drawn. */
 import type { Scene } from "../contract";
 import { ZONE_COLORS } from "../edit/floor";
-import { DOOR_COLORS } from "../house/doors";
+import { ENTRANCE_COLOR } from "../house/door_shapes";
 import { MARK_COLORS } from "../house/house";
 import { inWords } from "./programme";
 
@@ -16,7 +16,7 @@ const MARKS: readonly (readonly [string, Drawn, string])[] = [
   [ZONE_COLORS.free, "zone", "Floor that is free"],
   [ZONE_COLORS.doors, "zone", "Before a door: kept clear"],
   [ZONE_COLORS.windows, "zone", "Before a window: only what is low"],
-  [DOOR_COLORS.entrance, "surface", "Main entrance"],
+  [ENTRANCE_COLOR, "surface", "Main entrance"],
 ];
 
 function item(drawn: string, words: string, fill: string, line: string): HTMLLIElement {

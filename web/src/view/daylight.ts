@@ -36,7 +36,7 @@ function groundGeometry(): BufferGeometry {
 
 export class Daylight {
   readonly root = new Group();
-  readonly #sun = new DirectionalLight("#fff4e2", 2.3);
+  readonly #sun = new DirectionalLight("#fff4e2", 2.2);
   readonly #ground = new Mesh(groundGeometry(), new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
 
   constructor() {
@@ -48,7 +48,7 @@ export class Daylight {
     fill.position.set(1, 0.7, -0.4);
     this.#ground.receiveShadow = true;
     this.#ground.renderOrder = -1;
-    this.root.add(new HemisphereLight("#f4f6ff", "#a09588", 2.3), this.#sun, this.#sun.target, fill, this.#ground);
+    this.root.add(new HemisphereLight("#f4f6ff", "#b8aea2", 2.5), this.#sun, this.#sun.target, fill, this.#ground);
   }
 
   /** Lights a house and lays the ground around it. */

@@ -1,0 +1,37 @@
+/** The material of walls: colour, pattern and roughness are their vertices'. From afar a pattern fades into its mean. */
+import { MeshStandardMaterial, type WebGLProgramParametersWithUniforms } from "three";
+import { keptMaterial } from "./kept";
+import { MORTAR, patternLayer, patternTexture } from "./patterns";
+
+const WOVEN = /* glsl */ `
+{
+  // Where a pattern's square is few pixels wide its lines would flicker.
+  vec2 wide = fwidth(vWeave.xy);
+  float far = smoothstep(0.04, 0.25, max(wide.x, wide.y));
+  vec3 at = vec3(vWeave.xy, floor(vWeave.z + 0.5));
+  float grey = mix(texture(patterns, at).r, textureLod(patterns, at, 16.0).r, far);
+  diffuseColor.rgb *= grey;
+  float mortar = abs(at.z - ${patternLayer("brick")}.0) < 0.5 ? smoothstep(${MORTAR}, 1.0, grey) : 0.0;
+  diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.42, 0.38, 0.34), mortar * 0.7);
+}`;
+
+function weave(shader: WebGLProgramParametersWithUniforms): void {
+  shader.uniforms.patterns = { value: patternTexture() };
+  shader.vertexShader = shader.vertexShader
+    .replace("#include <common>", "#include <common>\nattribute vec4 weave;\nvarying vec4 vWeave;")
+    .replace("#include <project_vertex>", "vWeave = weave;\n#include <project_vertex>");
+  shader.fragmentShader = shader.fragmentShader
+    .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vWeave;")
+    .replace("#include <color_fragment>", `#include <color_fragment>\n${WOVEN}`)
+    .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vWeave.w;");
+}
+
+/** The material of all walls. */
+export function wallMaterial(): MeshStandardMaterial {
+  return keptMaterial("wall", () => {
+    const material = new MeshStandardMaterial({ vertexColors: true });
+    material.onBeforeCompile = weave;
+    material.customProgramCacheKey = () => "wall";
+    return material;
+  });
+}
