@@ -31,17 +31,20 @@ const LOST = new ServiceProblem(
   { status: 0 },
 );
 
-const WORDS: Readonly<Record<number, string>> = {
-  401: "This service wants a key.",
-  413: "The request is too large for this service.",
-  429: "Too many requests for the moment. Wait a little, then try again.",
-  503: "The service is busy. Try again shortly.",
+/** Title and detail where the refusal brings none, as one from a proxy before the service. */
+const WORDS: Readonly<Record<number, readonly [string, string]>> = {
+  401: ["This service wants a key", "Ask whoever runs it for one."],
+  413: ["Too large", "The request is too large for this service."],
+  429: ["Too many requests", "Too many requests for the moment. Wait a little, then try again."],
+  502: ["The service is away", "Something before it answers in its place. Try again shortly."],
+  503: ["The service is busy", "It answers others first. Try again shortly."],
+  504: ["The service is slow", "No answer came in time. Try again, or ask for a smaller house."],
 };
 
 /** Turns a refusal into words; the service's own come first. */
 export function problemFrom(status: number, document: ProblemDocument | null, retryAfter: number | null = null): ServiceProblem {
-  const title = document?.title ?? `The service refused (${status})`;
-  const detail = document?.detail ?? WORDS[status] ?? "It gave no reason.";
+  const [known, why] = WORDS[status] ?? [`The service refused (${status})`, "It gave no reason."];
+  const [title, detail] = [document?.title ?? known, document?.detail ?? why];
   return new ServiceProblem(title, detail, { fields: document?.errors ?? [], status, retryAfter });
 }
 

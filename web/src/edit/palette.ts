@@ -9,9 +9,13 @@ interface Entry {
   readonly button: HTMLButtonElement;
 }
 
-/** The catalog's kinds as pieces of a scene call them. */
+/** What lives in a house is no piece of furniture. */
+const LIVING = "dynamic";
+
+/** The catalog's kinds of furniture as pieces of a scene call them. */
 export function kindsOf(catalog: Catalog): { readonly key: string; readonly kind: FurnitureKind }[] {
-  return Object.entries(catalog.furniture).map(([key, { name, category, size, color }]) => ({
+  const furniture = Object.entries(catalog.furniture).filter(([, { category }]) => category !== LIVING);
+  return furniture.map(([key, { name, category, size, color }]) => ({
     key, kind: { name: name ?? key, category: category ?? "", size, color: color ?? null },
   })).sort((a, b) => a.key.localeCompare(b.key));
 }
@@ -22,6 +26,8 @@ export class Palette {
   readonly #list = document.createElement("ul");
   readonly #nothing = document.createElement("p");
   #entries: Entry[] = [];
+  /** What had the focus before. */
+  #before: Element | null = null;
 
   constructor(readonly host: HTMLElement) {
     const label = document.createElement("label");
@@ -34,8 +40,19 @@ export class Palette {
     this.#search.addEventListener("keydown", (event) => this.#enter(event));
     this.#nothing.textContent = "No such kind.";
     this.#nothing.className = "hint";
-    host.replaceChildren(label, this.#search, this.#list, this.#nothing);
-    host.addEventListener("keydown", (event) => { if (event.key === "Escape") this.open(false); });
+    host.replaceChildren(this.#head(label), this.#search, this.#list, this.#nothing);
+    host.addEventListener("keydown", (event) => this.#escape(event));
+  }
+
+  #head(label: HTMLElement): HTMLElement {
+    const [head, close] = [document.createElement("div"), document.createElement("button")];
+    head.className = "palette-head";
+    close.type = "button";
+    close.textContent = "✕";
+    close.setAttribute("aria-label", "Close");
+    close.addEventListener("click", () => this.open(false));
+    head.append(label, close);
+    return head;
   }
 
   fill(catalog: Catalog): void {
@@ -52,8 +69,12 @@ export class Palette {
     return !this.host.hidden;
   }
 
+  /** Opens or closes; closed, the focus goes back to where it was. */
   open(isOpen: boolean): void {
+    const held = this.host.contains(document.activeElement);
+    if (isOpen && !held) this.#before = document.activeElement;
     this.host.hidden = !isOpen;
+    if (!isOpen && held && this.#before instanceof HTMLElement) this.#before.focus();
     if (!isOpen) return;
     this.#search.value = "";
     this.#filter();
@@ -79,6 +100,12 @@ export class Palette {
 
   #shown(): Entry[] {
     return this.#entries.filter(({ button }) => !button.parentElement?.hidden);
+  }
+
+  #escape(event: KeyboardEvent): void {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    this.open(false);
   }
 
   /** Enter takes the first that is found. */
