@@ -8,6 +8,8 @@ from tests.browser.visit import SMALL, Document, Visit
 
 EYE_HEIGHT = 1.6
 STEP_MS = 400
+PROJECTED = "points => points.map(at => compose.viewport.project(compose.viewport.camera.position.clone().set(...at)))"
+"""Where points of the house are seen on the canvas [CSS pixels]."""
 
 
 def entrance_of(answer: Document) -> Document:
@@ -115,3 +117,36 @@ def test_walls_are_drawn_as_high_as_the_slider_says_and_whole_to_who_walks(visit
     visit.settle()
     expect(visit.page.locator("#cut_words")).to_have_text("0.9 m")
     assert visit.state()["walls"] == 0.9
+
+
+def test_a_tap_on_the_floor_goes_there_and_only_names_in_sight_are_shown(visit: Visit) -> None:
+    answer = visit.open(SMALL.format(4))
+    rooms = answer["scene"]["rooms"]
+    visit.page.keyboard.press("1")
+    visit.settle()
+    start = visit.state()["eye"]
+    shown = visit.page.locator(".room-label:visible .words").all_text_contents()
+    assert len(shown) < len(rooms)
+    room = entrance_of(answer)
+    assert visit.click_on(room["id"])
+    visit.settle()
+    reached = visit.state()
+    assert reached["walking"]
+    assert reached["eye"] != start
+    assert reached["eye"][1] == EYE_HEIGHT
+    assert any(holds(one, reached["eye"]) for one in rooms)
+
+
+def test_the_whole_house_is_in_view_in_windows_of_any_shape(visit: Visit) -> None:
+    for width, height in ((390, 800), (1600, 700), (1000, 700)):
+        visit.page.set_viewport_size({"width": width, "height": height})
+        scene = visit.open(SMALL.format(8))["scene"]
+        canvas = visit.page.locator("#stage canvas").bounding_box()
+        assert canvas
+        ends = [(room, i, j) for room in scene["rooms"] for i in (0, 1) for j in (0, 1)]
+        corners = [[room["x"] + i * room["width"], 0, room["z"] + j * room["depth"]] for room, i, j in ends]
+        seen = visit.page.evaluate(PROJECTED, corners)
+        across, along = [at["x"] / canvas["width"] for at in seen], [at["y"] / canvas["height"] for at in seen]
+        assert min(across + along) > 0
+        assert max(across + along) < 1
+        assert max(max(across) - min(across), max(along) - min(along)) > 0.6

@@ -55,7 +55,7 @@ export class Stage {
   #build(scene: Scene): House {
     this.#house?.dispose();
     this.#house = new House(scene, this.#book);
-    this.#viewport.add(this.#house.root, this.#house.bounds);
+    this.#viewport.add(this.#house.root, this.#house.bounds, this.#house.outline);
     this.#house.cutAt(this.#looking.height);
     return this.#house;
   }
@@ -113,6 +113,8 @@ export class Stage {
 
   #click(clientX: number, clientY: number): void {
     const hit = this.#hitAt(clientX, clientY);
+    const floor = this.#house?.floorOf(hit);
+    if (floor && this.#looking.goTo(floor[0], floor[2])) return;
     if (hit?.kind === "door") this.#toggleDoor(hit.index);
     else this.onSelect(hit?.kind === "body" ? hit.body.id : null);
     if (hit === null || hit.kind === "room") this.onRoom(hit?.room.id ?? null);
@@ -138,10 +140,11 @@ export class Stage {
   /** Where in the window a click meets a body, a door or a room's floor [CSS pixels]; null where something stands before it. */
   whereIs(id: string): { x: number; y: number } | null {
     const points = this.#house?.pointsOf(id, this.#looking.height) ?? [];
-    const { left, top } = this.host.getBoundingClientRect();
+    const { left, top, width, height } = this.host.getBoundingClientRect();
     for (const point of points) {
       const seen = this.#viewport.project(new Vector3(...point));
-      const at = seen && { x: Math.round(seen.x + left), y: Math.round(seen.y + top) };
+      const isOnCanvas = seen && seen.x > 0 && seen.y > 0 && seen.x < width && seen.y < height;
+      const at = isOnCanvas && { x: Math.round(seen.x + left), y: Math.round(seen.y + top) };
       if (at && this.#house?.idOf(this.#hitAt(at.x, at.y)) === id) return at;
     }
     return null;

@@ -4,8 +4,8 @@ import { blend, cornersOfBounds, frame, PRESETS, type Bounds } from "../src/view
 
 const BOUNDS: Bounds = { min: [0, 0, 0], max: [20, 1, 15] };
 
-function seen(preset: keyof typeof PRESETS, aspect: number): Vector3[] {
-  const { eye, target, fov } = frame(BOUNDS, PRESETS[preset], aspect);
+function seen(preset: keyof typeof PRESETS, aspect: number, covered = 0): Vector3[] {
+  const { eye, target, fov } = frame(cornersOfBounds(BOUNDS), PRESETS[preset], { aspect, covered });
   const camera = new PerspectiveCamera(fov, aspect, 0.1, 1000);
   camera.position.set(...eye);
   camera.lookAt(new Vector3(...target));
@@ -24,8 +24,19 @@ describe("a preset", () => {
     }
   });
 
+  it("leaves as much beside the house on both sides, and nothing of it under what lies over the top", () => {
+    for (const aspect of [0.5, 1, 1.8]) {
+      const at = seen("corner", aspect, 0.08);
+      const [xs, ys] = [at.map(({ x }) => x), at.map(({ y }) => y)];
+      expect(Math.max(...ys), `${aspect}`).toBeLessThan(1 - 2 * 0.08);
+      expect(Math.min(...ys), `${aspect}`).toBeGreaterThan(-1);
+      const tight = Math.max(...xs.map(Math.abs)) > 0.9 || Math.max(...ys) - Math.min(...ys) > 2 * 0.92 * 0.9;
+      expect(tight, `${aspect}`).toBe(true);
+    }
+  });
+
   it("from the top has north up and east to the right", () => {
-    const { eye, target, fov } = frame(BOUNDS, PRESETS.top, 1.5);
+    const { eye, target, fov } = frame(cornersOfBounds(BOUNDS), PRESETS.top, { aspect: 1.5 });
     const camera = new PerspectiveCamera(fov, 1.5, 0.1, 1000);
     camera.position.set(...eye);
     camera.lookAt(new Vector3(...target));
@@ -36,7 +47,7 @@ describe("a preset", () => {
   });
 
   it("flies from one framing to the other", () => {
-    const [a, b] = [frame(BOUNDS, PRESETS.top, 1), frame(BOUNDS, PRESETS.corner, 1)];
+    const [a, b] = [frame(cornersOfBounds(BOUNDS), PRESETS.top, { aspect: 1 }), frame(cornersOfBounds(BOUNDS), PRESETS.corner, { aspect: 1 })];
     expect(blend(a, b, 0)).toEqual(a);
     expect(blend(a, b, 1).eye[0]).toBeCloseTo(b.eye[0], 9);
   });

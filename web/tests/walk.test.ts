@@ -2,7 +2,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { inwardOf } from "../src/house/entrance";
 import { openingsOf } from "../src/house/openings";
-import { EYE_HEIGHT, firstPose, gazeOf, OUTSIDE, turned, walked, type Pose } from "../src/view/walk";
+import { EYE_HEIGHT, firstPose, gazeOf, OUTSIDE, turned, walked, walkedTo, type Pose } from "../src/view/walk";
 import { opening, room } from "./rooms";
 
 const BOUNDS = { min: [0, 0, 0], max: [4, 1, 3] } as const;
@@ -60,5 +60,16 @@ describe("a walk", () => {
     const pose = firstPose(null, BOUNDS);
     const gaze = gazeOf(pose);
     expect(gaze[0] * (2 - pose.eye[0]) + gaze[2] * (1.5 - pose.eye[2])).toBeGreaterThan(0);
+  });
+
+  it("goes straight to a place that is asked for and no further", () => {
+    const first = walkedTo(CENTRE, [2, -8.5], 1);
+    expect(first.arrived).toBe(false);
+    expect(first.pose.eye[0]).toBeCloseTo(2, 9);
+    expect(first.pose.eye[2]).toBeLessThan(0);
+    expect(first.pose.eye[2]).toBeGreaterThan(-8.5);
+    const last = walkedTo(first.pose, [2, -8.5], 60);
+    expect(last).toEqual({ arrived: true, pose: { ...CENTRE, eye: [2, EYE_HEIGHT, -8.5] } });
+    expect(walkedTo(last.pose, [2, -8.5], 0).arrived).toBe(true);
   });
 });

@@ -9,10 +9,12 @@ import { Doors } from "./doors";
 import { floorMeshes } from "./floors";
 import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
 import { keptMaterial } from "./kept";
+import { outlineOf } from "./house_outline";
 import { openingsOf, type PlacedOpening } from "./openings";
 import { outlinesOf } from "./outlines";
 import { runsOf } from "./plan";
-import { floorUnder } from "./room_at";
+import { floorUnder, liesFlat } from "./room_at";
+import { isInSight } from "./sight";
 import { ShapeBook } from "./shapes";
 import type { Point } from "./wall_faces";
 import { Walls } from "./wall_meshes";
@@ -28,8 +30,8 @@ const SLAB_GAP = 0.02;
 
 export type Hit =
   | { readonly kind: "door"; readonly index: number }
-  | { readonly kind: "body"; readonly body: PlacedBody }
-  | { readonly kind: "room"; readonly room: Room };
+  | { readonly kind: "body"; readonly body: PlacedBody; readonly at: Point }
+  | { readonly kind: "room"; readonly room: Room; readonly at: Point };
 
 function boundsOf(scene: Scene, height: number): Box3 {
   const box = new Box3();
@@ -59,19 +61,19 @@ export class House {
   readonly #walls: Walls;
   readonly #marked = new Map<Mark, { readonly mesh: Mesh; readonly ids: readonly string[] }>();
   readonly #storeys: ReadonlyMap<number, Storey>;
-  readonly #openings: readonly PlacedOpening[];
+  readonly #plan: WallPlan;
   #bodies: readonly PlacedBody[];
   #wallMeshes: Group | null = null;
 
   constructor(readonly scene: Scene, book: ShapeBook = new ShapeBook(null)) {
     const storeys = (this.#storeys = storeysOf(scene));
-    const plan: WallPlan = {
+    const plan: WallPlan = (this.#plan = {
       runs: runsOf(scene.rooms),
-      openings: (this.#openings = openingsOf(scene.rooms)),
+      openings: openingsOf(scene.rooms),
       storeys,
       thickness: scene.wall_thickness ?? 0,
       rooms: scene.rooms,
-    };
+    });
     this.bounds = boundsOf(scene, 1);
     this.#bodies = bodiesOf(scene);
     this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene));
@@ -91,8 +93,18 @@ export class House {
 
   /** The main entrance and on which side of it the house is; null where there is none. */
   get entrance(): { readonly opening: PlacedOpening; readonly inward: 1 | -1 } | null {
-    const opening = this.#openings.find(({ mainEntrance }) => mainEntrance);
+    const opening = this.#plan.openings.find(({ mainEntrance }) => mainEntrance);
     return opening ? { opening, inward: inwardOf(this.scene.rooms, opening) } : null;
+  }
+
+  /** The points of the house that must be in view to see all of it. */
+  get outline(): readonly Point[] {
+    return outlineOf(this.scene.rooms, this.#storeys, this.#bodies, SLAB_MARGIN);
+  }
+
+  /** Whether nothing of the house's walls is between two points: one sees through passages, windows and open doors. */
+  sees(from: Point, to: Point): boolean {
+    return isInSight(from, to, { ...this.#plan, isOpen: (id) => this.doors.open.includes(id) });
   }
 
   /** How high the highest wall reaches above the ground [m]. */
@@ -139,14 +151,22 @@ export class House {
     const targets = [this.#bodyMeshes.root, this.doors.root, ...(this.#wallMeshes?.children.slice(0, 1) ?? [])];
     const [nearest] = ray.intersectObjects(targets, false);
     const floor = floorUnder(this.scene.rooms, this.#storeys, ray.ray.origin.toArray(), ray.ray.direction.toArray());
-    if (floor && floor.distance < (nearest?.distance ?? Number.POSITIVE_INFINITY)) return { kind: "room", room: floor.room };
+    if (floor && floor.distance < (nearest?.distance ?? Number.POSITIVE_INFINITY)) {
+      return { kind: "room", room: floor.room, at: ray.ray.at(floor.distance, new Vector3()).toArray() };
+    }
     return nearest ? this.#hitOf(nearest) : null;
   }
 
   #hitOf(nearest: Intersection): Hit | null {
     if (nearest.object === this.doors.root && nearest.instanceId !== undefined) return { kind: "door", index: nearest.instanceId };
     const body = nearest.object === this.#bodyMeshes.root ? this.#bodyMeshes.bodyAt(nearest.instanceId) : undefined;
-    return body ? { kind: "body", body } : null;
+    return body ? { kind: "body", body, at: nearest.point.toArray() } : null;
+  }
+
+  /** Where one may stand on what was hit: a floor, or what lies flat on it. */
+  floorOf(hit: Hit | null): Point | null {
+    if (hit?.kind === "body") return liesFlat(hit.body, this.#storeys) ? hit.at : null;
+    return hit?.kind === "room" ? hit.at : null;
   }
 
   /** The id of what was hit. */

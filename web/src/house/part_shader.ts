@@ -54,14 +54,33 @@ vec2 weave(vec3 at) {
   return (sides.x < sides.y ? flatAt.yx : flatAt) / patternSpans[int(finish.w + 0.5)] + shift;
 }`;
 
+/** Rougher than this metal is no mirror. */
+const MIRROR_ROUGHNESS = 0.07;
+
 const REFLECTION = /* glsl */ `
 {
   // Metal and glass show the sky, brighter above than below: there is no picture of the surroundings to mirror.
   vec3 up = normalize((viewMatrix * vec4(0.0, 1.0, 0.0, 0.0)).xyz);
-  float sky = mix(0.18, 0.95, smoothstep(-0.5, 0.8, dot(reflect(-normalize(vViewPosition), normal), up)));
+  vec3 seen = normalize(vViewPosition);
+  float rise = dot(reflect(-seen, normal), up);
+  float sky = mix(0.18, 0.95, smoothstep(-0.5, 0.8, rise));
   totalEmissiveRadiance += diffuseColor.rgb * (vFinish.z + vFinish.y * sky * 0.6);
+  if (vFinish.x < ${MIRROR_ROUGHNESS} && vFinish.y > 0.5) {
+    // A mirror has no colour of its own: a bright room, the sky above it, and light lying across in bands.
+    float across = vWeave.x + vWeave.y * 0.8;
+    float band = smoothstep(0.30, 0.36, fract(across)) * (1.0 - smoothstep(0.56, 0.60, fract(across)))
+      + 0.6 * smoothstep(0.66, 0.69, fract(across)) * (1.0 - smoothstep(0.72, 0.75, fract(across)));
+    float flatly = pow(1.0 - abs(dot(seen, normal)), 3.0);
+    vec3 shown = mix(vec3(0.40, 0.47, 0.52), vec3(0.52, 0.70, 0.86), smoothstep(-0.35, 0.45, rise));
+    totalEmissiveRadiance = shown * 0.8 + vec3(0.22 * band + 0.25 * flatly);
+    diffuseColor.rgb *= 0.3;
+  }
   metalnessFactor *= 0.55;
 }`;
+
+/** What is nearly black is lifted: else its shape is lost in the shade. */
+const LIFT = /* glsl */ `
+diffuseColor.rgb += 0.032 * exp(-16.0 * dot(diffuseColor.rgb, vec3(0.2126, 0.7152, 0.0722)));`;
 
 function shapeVertices(shader: WebGLProgramParametersWithUniforms): void {
   shader.vertexShader = shader.vertexShader
@@ -79,7 +98,7 @@ function paint(shader: WebGLProgramParametersWithUniforms): void {
     .replace("#include <project_vertex>", "vTint = tint; vFinish = finish; vWeave = weave(transformed);\n#include <project_vertex>");
   shader.fragmentShader = shader.fragmentShader
     .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vTint;\nvarying vec4 vFinish;\nvarying vec2 vWeave;")
-    .replace("#include <color_fragment>", "diffuseColor *= vTint;\ndiffuseColor.rgb *= texture(patterns, vec3(vWeave, floor(vFinish.w + 0.5))).r;")
+    .replace("#include <color_fragment>", "diffuseColor *= vTint;\ndiffuseColor.rgb *= texture(patterns, vec3(vWeave, floor(vFinish.w + 0.5))).r;" + LIFT)
     .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vFinish.x;")
     .replace("#include <metalnessmap_fragment>", "float metalnessFactor = vFinish.y;")
     .replace("#include <emissivemap_fragment>", REFLECTION);

@@ -1,8 +1,12 @@
 /** Which room's floor a ray meets. Pure. */
 import type { Room } from "../contract";
 import { holds } from "./finishes";
+import type { PlacedBody } from "./frame";
 import type { Point } from "./wall_faces";
 import type { Storey } from "./walls";
+
+/** A body whose middle is no higher than this over the floor is walked on [m]. */
+const FLAT = 0.03;
 
 export interface FloorHit {
   readonly room: Room;
@@ -26,4 +30,9 @@ export function floorUnder(
     return room ? [{ room, distance }] : [];
   });
   return hits.sort((a, b) => a.distance - b.distance)[0] ?? null;
+}
+
+/** Whether a body lies flat on a floor, as rugs and mats do. */
+export function liesFlat({ y, height }: Pick<PlacedBody, "y" | "height">, storeys: ReadonlyMap<number, Storey>): boolean {
+  return [...storeys.values()].some(({ elevation }) => Math.abs(y + height / 2 - elevation) <= FLAT);
 }

@@ -2,18 +2,25 @@
 
 export type Vector = readonly [number, number, number];
 
-/** A way of looking: `from` is the direction from the house to the camera, `fov` the vertical field of view [deg]. */
+/** A way of looking: the directions from the house to the camera to choose from, and the vertical field of view [deg]. */
 export interface Preset {
-  readonly from: Vector;
+  readonly from: readonly Vector[];
   readonly fov: number;
 }
 
 export type PresetName = "top" | "corner";
 
+/** A direction by how far it is turned from the south to the east, and its height over the horizon [deg]. */
+function towards(turn: number, height: number): Vector {
+  const [a, h] = [(turn * Math.PI) / 180, (height * Math.PI) / 180];
+  return [Math.sin(a) * Math.cos(h), Math.sin(h), Math.cos(a) * Math.cos(h)];
+}
+
 export const PRESETS: Readonly<Record<PresetName, Preset>> = {
   // A hair off the vertical, so that north is up; a narrow view from afar, so that walls hardly lean.
-  top: { from: [0, 1, 0.0001], fov: 12 },
-  corner: { from: [0.42, 1.05, 1], fov: 30 },
+  top: { from: [[0, 1, 0.0001]], fov: 12 },
+  // The first is looked from unless another one shows the house clearly larger in the window as it is.
+  corner: { from: [24, 40, 58].flatMap((turn) => [44, 50].map((height) => towards(turn, height))), fov: 30 },
 };
 
 export interface Bounds {
@@ -28,8 +35,15 @@ export interface Framing {
   readonly fov: number;
 }
 
-const MARGIN = 1.08;
-const PASSES = 4;
+/** The canvas: its width over its height, and the share of its height that something lies over at the top. */
+export interface Window {
+  readonly aspect: number;
+  readonly covered?: number;
+}
+
+const MARGIN = 1.06;
+/** So much nearer another direction must bring the camera. */
+const CLEARLY = 0.94;
 
 const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const plus = (a: Vector, b: Vector, share = 1): Vector => [a[0] + b[0] * share, a[1] + b[1] * share, a[2] + b[2] * share];
@@ -51,26 +65,31 @@ export function axesOf(from: Vector): { right: Vector; up: Vector; back: Vector 
   return { right, up: cross(back, right), back };
 }
 
-/**
- * Places a camera so that the bounds fill the view and are in its middle.
- *
- * The distance is the least at which every corner is inside the view's pyramid; the target is then moved to the
- * middle of what is seen, and the distance taken again.
- */
-export function frame(bounds: Bounds, preset: Preset, aspect: number): Framing {
-  const { right, up, back } = axesOf(preset.from);
-  const slopeUp = Math.tan((preset.fov * Math.PI) / 360) / MARGIN;
-  const slopeRight = slopeUp * aspect;
-  const corners = cornersOfBounds(bounds);
-  let target: Vector = plus([0, 0, 0], plus(bounds.min, bounds.max), 0.5);
-  let distance = 1;
-  for (let pass = 0; pass < PASSES; pass += 1) {
-    const seen = corners.map((corner) => plus(corner, target, -1)).map((at) => ({ x: dot(at, right), y: dot(at, up), z: dot(at, back) }));
-    distance = Math.max(...seen.map(({ x, y, z }) => z + Math.max(Math.abs(x) / slopeRight, Math.abs(y) / slopeUp)));
-    const heights = seen.map(({ y, z }) => y / (distance - z));
-    target = plus(target, up, ((Math.max(...heights) + Math.min(...heights)) / 2) * distance);
-  }
-  return { eye: plus(target, back, distance), target, fov: preset.fov };
+/** A way of looking at all points, and from how far. */
+interface Fitted {
+  readonly framing: Framing;
+  readonly distance: number;
+}
+
+/** The nearest place from which all points are seen within the planes that bound the view; what is left over is left on both sides. */
+function fitted(points: readonly Vector[], from: Vector, fov: number, { aspect, covered = 0 }: Window): Fitted {
+  const { right, up, back } = axesOf(from);
+  const slope = Math.tan((fov * Math.PI) / 360) / MARGIN;
+  const seen = points.map((point) => [dot(point, right), dot(point, up), dot(point, back)] as const);
+  const reach = (k: 0 | 1, side: 1 | -1, steep: number): number => Math.max(...seen.map((at) => side * at[k] + steep * at[2]));
+  const [aside, above] = [slope * aspect, slope * (1 - 2 * covered)];
+  const [east, west, top, bottom] = [reach(0, 1, aside), reach(0, -1, aside), reach(1, 1, above), reach(1, -1, slope)];
+  const depth = Math.max((east + west) / (2 * aside), (top + bottom) / (above + slope));
+  const height = (top - above * depth + (slope * depth - bottom)) / 2;
+  const eye = plus(plus(plus([0, 0, 0], right, (east - west) / 2), up, height), back, depth);
+  const distance = depth - seen.reduce((sum, at) => sum + at[2], 0) / seen.length;
+  return { framing: { eye, target: plus(eye, back, -distance), fov }, distance };
+}
+
+/** Places a camera so that the points fill the view. */
+export function frame(points: readonly Vector[], preset: Preset, window: Window): Framing {
+  const ways = preset.from.map((from) => fitted(points, from, preset.fov, window));
+  return ways.reduce((best, way) => (way.distance < best.distance * (best === ways[0] ? CLEARLY : 1) ? way : best)).framing;
 }
 
 /** Between two framings, `share` from 0 to 1. */

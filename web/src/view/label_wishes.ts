@@ -3,11 +3,12 @@ import type { Point } from "../house/wall_faces";
 import type { Pose } from "./walk";
 import { gazeOf } from "./walk";
 
-/** Words of what is wrong come first, then what is chosen, then rooms, then pieces. */
-export const RANK = { mark: 4e6, chosen: 3e6, room: 2e6, piece: 0 } as const;
+/** Words of what is wrong come first, then what is chosen, then rooms, then what is pointed at, then pieces. */
+export const RANK = { mark: 4e6, chosen: 3e6, room: 2e6, tip: 1e6, piece: 0 } as const;
 
 /** Who walks reads no names further away than this [m]. */
 const ROOMS_WITHIN = 9;
+const MOST_AHEAD = 4;
 /** Less than this ahead a name would hang before one's nose [m]. */
 const NEAREST = 0.6;
 
@@ -18,15 +19,15 @@ export function aheadBy(pose: Pose, [x, , z]: Point): number | null {
   return (dx * gaze[0] + dz * gaze[2]) / Math.hypot(gaze[0], gaze[2]) > NEAREST ? Math.hypot(dx, dz) : null;
 }
 
-/** The rooms whose names are shown to who walks: those near and ahead, the nearest first. */
-export function roomsAhead<Room extends { readonly at: Point }>(pose: Pose, rooms: readonly Room[], most: number): Room[] {
+/** The rooms whose names are shown to who walks: those near, ahead and in sight, the nearest first. */
+export function roomsAhead<Room extends { readonly at: Point }>(pose: Pose, rooms: readonly Room[], isSeen: (room: Room) => boolean): Room[] {
   return rooms
     .flatMap((room) => {
       const distance = aheadBy(pose, room.at);
-      return distance !== null && distance < ROOMS_WITHIN ? [{ room, distance }] : [];
+      return distance !== null && distance < ROOMS_WITHIN && isSeen(room) ? [{ room, distance }] : [];
     })
     .sort((a, b) => a.distance - b.distance)
-    .slice(0, most)
+    .slice(0, MOST_AHEAD)
     .map(({ room }) => room);
 }
 

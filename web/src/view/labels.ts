@@ -1,6 +1,6 @@
 /** Names over the canvas: rooms always, a piece pointed at or chosen, all pieces on demand, and words of what is wrong. */
 import { Vector3 } from "three";
-import { storeysOf, words, type PlacedBody } from "../house/frame";
+import { words, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
 import { roomHolding } from "../house/room_at";
 import { hang, hide, labelElement, moveTo, type LabelElement } from "./label_elements";
@@ -58,9 +58,8 @@ export class Labels {
   }
 
   show(house: House): void {
-    const storeys = storeysOf(house.scene);
     this.#house = house;
-    this.#rooms.show(house.scene.rooms, (room) => storeys.get(room.level)?.elevation ?? 0);
+    this.#rooms.show(house);
     this.#rename();
     this.point(null);
   }
@@ -114,7 +113,11 @@ export class Labels {
     if (body === this.#pointed) return false;
     this.#pointed = body;
     const [name] = this.#tip.element.children;
-    if (body && name) name.textContent = wordsOf(body);
+    if (body && name) {
+      name.textContent = wordsOf(body);
+      this.#tip.element.hidden = false;
+      [this.#tip.width, this.#tip.height] = [this.#tip.element.offsetWidth, this.#tip.element.offsetHeight];
+    }
     this.viewport.invalidate();
     return true;
   }
@@ -122,24 +125,23 @@ export class Labels {
   #follow(): void {
     this.#bodies = new Map(this.#house?.bodies.map((body) => [body.id, body]));
     const pieces = this.#askedPieces();
-    const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...pieces]
+    const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...this.#askedTip(), ...pieces]
       .filter((wish) => this.#onCanvas(wish));
     const places = layOut(asked);
     const shown = new Set<LabelElement>();
     asked.forEach((wish, i) => {
-      const place = places[i] ?? (wish.keepsDot ? wish : null);
-      wish.label.element.classList.toggle("crowded-out", !places[i]);
+      const place = places[i] ?? (wish.keepsDot || wish.label === this.#tip ? wish : null);
+      wish.label.element.classList.toggle("crowded-out", !places[i] && wish.keepsDot === true);
       if (!place) return;
       moveTo(wish.label, place.x, place.y);
       shown.add(wish.label);
     });
     for (const label of this.#labels()) if (!shown.has(label)) hide(label);
     this.onNamed(this.#all ? { shown: this.#pieces.filter((label) => shown.has(label)).length, of: this.#pieces.length } : null);
-    this.#followPointed();
   }
 
   #labels(): LabelElement[] {
-    return [...this.#rooms.all, ...this.#pieces, ...this.#marks, ...(this.#chosen ? [this.#chosen] : [])];
+    return [this.#tip, ...this.#rooms.all, ...this.#pieces, ...this.#marks, ...(this.#chosen ? [this.#chosen] : [])];
   }
 
   #onCanvas({ x, y }: LabelWish): boolean {
@@ -184,9 +186,9 @@ export class Labels {
     return distance !== null && distance < PIECES_WITHIN && here === roomHolding(rooms, 0, body.x, body.z);
   }
 
-  #followPointed(): void {
+  #askedTip(): Asked[] {
     const at = this.#pointed ? this.#overBody(this.#pointed) : null;
-    if (at) moveTo(this.#tip, at.x, at.y - TIP_LIFT);
-    else hide(this.#tip);
+    const { width, height } = this.#tip;
+    return at ? [{ label: this.#tip, x: at.x, y: at.y - TIP_LIFT, width, height, importance: RANK.tip }] : [];
   }
 }

@@ -38,6 +38,12 @@ export class Looking {
     else if (jump) this.look("corner", true);
   }
 
+  /** Walks to a place of the plan [m]; tells whether one walks at all. */
+  goTo(x: number, z: number): boolean {
+    if (this.#walk.pose) this.#walk.goTo([x, z]);
+    return this.#walk.pose !== null;
+  }
+
   look(way: Way, jump = false): void {
     if (way === "walk") this.#enter();
     else this.#leaveFor(way, jump);

@@ -1,7 +1,9 @@
 /** Names of rooms with their areas: over the middle of each; who walks reads those near and ahead. */
 import { Vector3 } from "three";
 import type { Room } from "../contract";
-import { words } from "../house/frame";
+import { storeysOf, words } from "../house/frame";
+import { holds } from "../house/finishes";
+import type { House } from "../house/house";
 import { areaOf, cornersOf } from "../house/plan";
 import type { Point } from "../house/wall_faces";
 import { hang, labelElement, type LabelElement } from "./label_elements";
@@ -18,22 +20,25 @@ interface RoomLabel extends LabelElement {
 
 /** Over the heads of who walks [m]. */
 const WALK_HEIGHT = 2.2;
-const MOST_AHEAD = 4;
 /** How much of its room's width a name may take. */
 const SHARE = 0.9;
 
 export class RoomLabels {
   #labels: RoomLabel[] = [];
   #height = 0;
+  #house: House | null = null;
 
   constructor(readonly layer: HTMLElement, readonly viewport: Viewport) {}
 
-  show(rooms: readonly Room[], elevationOf: (room: Room) => number): void {
+  show(house: House): void {
+    const { rooms } = house.scene;
+    const storeys = storeysOf(house.scene);
+    this.#house = house;
     for (const { element } of this.#labels) element.remove();
     this.#labels = rooms.map((room) => {
       const area = areaOf(room);
       const label = labelElement("room-label", words(room.type), { dot: room.accent, second: `${area.toFixed(1)} m²` });
-      const elevation = elevationOf(room);
+      const elevation = storeys.get(room.level)?.elevation ?? 0;
       return Object.assign(label, { room, elevation, area, at: [room.x + room.width / 2, elevation, room.z + room.depth / 2] as Point });
     });
     hang(this.layer, this.#labels);
@@ -57,7 +62,7 @@ export class RoomLabels {
   /** The names wished for in this frame. */
   asked(): Asked[] {
     const { pose } = this.viewport;
-    const shown = pose ? roomsAhead(pose, this.#labels, MOST_AHEAD) : this.#labels;
+    const shown = pose ? roomsAhead(pose, this.#labels, (label) => this.#isSeen(pose.eye, label)) : this.#labels;
     return shown.flatMap((label, i) => {
       const [x, , z] = label.at;
       const seen = this.viewport.project(new Vector3(x, this.#heightOf(label), z));
@@ -69,6 +74,12 @@ export class RoomLabels {
         importance: RANK.room + (pose ? shown.length - i : label.area), keepsDot: !pose,
       }];
     });
+  }
+
+  /** Names are not seen through walls; that of the room one is in always is. */
+  #isSeen(eye: Point, label: RoomLabel): boolean {
+    const [x, , z] = label.at;
+    return holds(label.room, eye[0], eye[2]) || this.#house?.sees(eye, [x, this.#heightOf(label), z]) === true;
   }
 
   #heightOf({ elevation }: RoomLabel): number {

@@ -10,6 +10,8 @@ import { gazeOf, type Pose } from "./walk";
 /** Moves something by the seconds since the last frame; false when it has arrived. */
 export type Motion = (seconds: number) => boolean;
 
+/** So much of the canvas lies under its toolbar [CSS pixels]. */
+const TOOLBAR = 52;
 const FLIGHT_SECONDS = 0.6;
 /** After a long frame things go on from where they were rather than jump [s]. */
 const LONGEST_STEP = 0.25;
@@ -35,6 +37,8 @@ export class Viewport {
   readonly #daylight = new Daylight();
   readonly #motions = new Set<Motion>();
   readonly #afterFrame: (() => void)[] = [];
+  /** What a preset brings into view. */
+  #outline: readonly Vector[] = [[0, 0, 0], [20, 1, 15]];
   #bounds = new Box3(new Vector3(0, 0, 0), new Vector3(20, 1, 15));
   #preset: PresetName | null = "corner";
   /** Where the last flight leads. */
@@ -78,10 +82,11 @@ export class Viewport {
     return controls;
   }
 
-  /** Shows something new; the shadows are cast anew. */
-  add(root: Object3D, bounds: Box3): void {
+  /** Shows something new, of which presets show these points; the shadows are cast anew. */
+  add(root: Object3D, bounds: Box3, outline: readonly Vector[]): void {
     this.#scene.add(root);
     this.#bounds = bounds;
+    this.#outline = outline;
     this.#daylight.around(bounds);
     this.castShadows();
   }
@@ -98,7 +103,8 @@ export class Viewport {
 
   /** Looks at the house in one of the presets, flying there unless told to jump. */
   look(preset: PresetName, jump = false): void {
-    const goal = frame({ min: this.#bounds.min.toArray(), max: this.#bounds.max.toArray() }, PRESETS[preset], this.camera.aspect);
+    const covered = Math.min(0.2, TOOLBAR / this.#size.height);
+    const goal = frame(this.#outline, PRESETS[preset], { aspect: this.camera.aspect, covered });
     this.#preset = preset;
     this.#fly(goal, jump);
   }

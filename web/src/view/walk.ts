@@ -65,6 +65,15 @@ export function walked(pose: Pose, { ahead, aside, hurried }: Stride, seconds: n
   return keptNear({ ...pose, eye }, bounds);
 }
 
+/** Goes straight towards a place of the plan [m] for some seconds; arrived, one stands there. */
+export function walkedTo(pose: Pose, [x, z]: readonly [number, number], seconds: number): { pose: Pose; arrived: boolean } {
+  const [dx, dz] = [x - pose.eye[0], z - pose.eye[2]];
+  const left = Math.hypot(dx, dz);
+  const way = PACE * HURRY * seconds;
+  const share = left > way ? way / left : 1;
+  return { pose: { ...pose, eye: [pose.eye[0] + dx * share, pose.eye[1], pose.eye[2] + dz * share] }, arrived: share === 1 };
+}
+
 /** Turns the head by angles [rad]. */
 export function turned(pose: Pose, left: number, up: number): Pose {
   return { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -STEEPEST, STEEPEST) };

@@ -1,5 +1,5 @@
-/** Walking: keys held down move the eyes, a drag on the canvas turns them, Escape ends it. */
-import { turned, walked, type Pose, type Stride } from "./walk";
+/** Walking: keys held down or a floor clicked move the eyes, a drag on the canvas turns them, Escape ends it. */
+import { turned, walked, walkedTo, type Pose, type Stride } from "./walk";
 import type { Bounds } from "./cameras";
 import type { Viewport } from "./viewport";
 
@@ -20,6 +20,7 @@ export class WalkMode {
   #hurried = false;
   #moving = false;
   #dragged: PointerEvent | null = null;
+  #goal: readonly [number, number] | null = null;
 
   constructor(readonly viewport: Viewport) {
     const { canvas } = viewport;
@@ -40,6 +41,7 @@ export class WalkMode {
   }
 
   start(pose: Pose, bounds: Bounds): void {
+    this.#goal = null;
     this.#bounds = bounds;
     this.#held.clear();
     this.#stand(pose);
@@ -48,6 +50,17 @@ export class WalkMode {
   stop(): void {
     this.#pose = null;
     this.#held.clear();
+  }
+
+  /** Goes to a place of the plan [m], unless a key or another place is asked for on the way. */
+  goTo(place: readonly [number, number]): void {
+    this.#goal = place;
+    this.viewport.move((seconds) => {
+      if (!this.#pose || this.#goal !== place) return false;
+      const { pose, arrived } = walkedTo(this.#pose, place, seconds);
+      this.#stand(pose);
+      return !arrived;
+    });
   }
 
   #stand(pose: Pose): void {
@@ -67,6 +80,7 @@ export class WalkMode {
   }
 
   #hold(code: string): void {
+    this.#goal = null;
     this.#held.add(code);
     if (this.#moving) return;
     this.#moving = true;
