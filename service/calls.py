@@ -23,6 +23,8 @@ from solver.view import report, view
 Call: TypeAlias = Callable[[object, Catalogs], Document]
 
 ON_CONFLICT: Final = ("report", "remove")
+OF_ANSWERS: Final = frozenset({"issues", "timing_ms", "moves", "removed", "conflicts"})
+"""What answers that hold a scene say beside it."""
 
 
 def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
@@ -166,7 +168,7 @@ def export_scene(document: object, _: Catalogs | None = None) -> Document:
     """Returns a scene as a document of its own, every default written out: what a file of it holds.
 
     Args:
-        document: `scene`; or a scene by itself, as such a file holds it.
+        document: `scene`; or a scene by itself, as such a file holds it; or an answer of /generate or /fix.
 
     Raises:
         FieldError: a field is wrong.
@@ -174,7 +176,7 @@ def export_scene(document: object, _: Catalogs | None = None) -> Document:
     body = _body(document)
     if "scene" not in body and "rooms" in body:
         return write_scene(_scene({"scene": body}))
-    _only(body, ("scene",))
+    _only({key: value for key, value in body.items() if key not in OF_ANSWERS}, ("scene",))
     return write_scene(_scene(body))
 
 

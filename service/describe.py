@@ -11,7 +11,7 @@ from pydantic.alias_generators import to_camel
 from starlette.responses import Response
 
 from catalogs import Catalogs
-from service.calls import ON_CONFLICT
+from service.calls import OF_ANSWERS, ON_CONFLICT
 from service.documents import Document
 from service.placing import PlaceTerms
 from service.problems import MEDIA_TYPE, STATUS
@@ -66,7 +66,7 @@ def _bodies() -> Document:
         "ValidateBody": _record(("scene",), {**scene, "flagged": _IDS, "report": {"type": "boolean"}}),
         "ViewBody": _record(("scene",), scene),
         "FloorBody": _record(("scene",), {**scene, "rooms": _IDS}),
-        "ExportBody": {"anyOf": [_record(("scene",), scene), _ref("Scene")]},
+        "ExportBody": {"anyOf": [_record(("scene",), {**scene, **{key: {} for key in sorted(OF_ANSWERS)}}), _ref("Scene")]},
     }
 
 

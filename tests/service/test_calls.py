@@ -220,6 +220,13 @@ def test_the_schema_is_that_of_scenes(client: TestClient, scene: dict[str, Any])
     assert list(Draft202012Validator(schema).iter_errors({"rooms": [{"id": "a"}]}))
 
 
+@pytest.mark.parametrize("call", ["generate", "fix"])
+def test_an_answer_that_holds_a_scene_is_exported_as_that_scene(client: TestClient, house: dict[str, Any], call: str) -> None:
+    answer = house if call == "generate" else client.post("/fix", json={"scene": house["scene"]}).json()
+    assert client.post("/export/json", json=answer).json() == house["scene"]
+    assert yaml.safe_load(client.post("/export/yaml", json=answer).text) == house["scene"]
+
+
 def test_healthz_answers(client: TestClient) -> None:
     answer = client.get("/healthz")
     assert (answer.status_code, answer.json()) == (200, {"status": "ok"})

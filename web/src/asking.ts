@@ -8,23 +8,15 @@ export class Asking {
   onEnd: (reason: unknown) => void = () => undefined;
   readonly notice: Notice;
   #pending = new AbortController();
-  #again: () => void = () => undefined;
 
   constructor(host: HTMLElement, readonly progress: Progress) {
-    this.notice = new Notice(host, {
-      tryAgain: () => this.#again(),
-      useKey: (key) => {
-        useKey(key);
-        this.#again();
-      },
-    });
+    this.notice = new Notice(host, useKey);
   }
 
   /** Asks; a newer question withdraws an older one. */
   async run(what: string, ask: (signal: AbortSignal) => Promise<void>): Promise<void> {
     this.#pending.abort();
     const { signal } = (this.#pending = new AbortController());
-    this.#again = () => void this.run(what, ask);
     this.progress.start(what);
     try {
       await ask(signal);
@@ -32,7 +24,7 @@ export class Asking {
       this.onEnd(null);
     } catch (reason) {
       if (isAbort(reason)) return;
-      this.notice.show(reason);
+      this.notice.show(reason, () => void this.run(what, ask));
       this.onEnd(reason);
     }
     this.progress.stop();

@@ -6,7 +6,7 @@ import { drawable } from "./house/drawable";
 import { Workbench } from "./edit/workbench";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
-import { fileOf, Files, rememberFile, type GivenFile } from "./panel/files";
+import { fileOf, Files, rememberFile } from "./panel/files";
 import { Issues } from "./panel/issues";
 import { Keys } from "./panel/keys";
 import { Legend } from "./panel/legend";
@@ -16,7 +16,7 @@ import { Progress } from "./panel/progress";
 import { Reading } from "./panel/reading";
 import { RoomPanel } from "./panel/room";
 import { showShown } from "./panel/status";
-import { catalog, generate, isAbort, readFile, report, reroll, ServiceProblem, view } from "./service";
+import { catalog, generate, isAbort, readFile, report, reroll, ServiceProblem, view, type GivenFile } from "./service";
 import { Stage } from "./stage";
 import { Home, type Showing } from "./state/home";
 
@@ -48,7 +48,7 @@ class Page {
 
   constructor() {
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
-    this.#reading.onChoose = (id) => this.#home.select(id);
+    this.#reading.onChoose = (id) => this.#chooseInText(id);
     this.#reading.onFlag = (id) => this.#home.toggleFlag(id);
     this.#issues.onChoose = (id) => this.#goTo(id);
     this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
@@ -58,7 +58,8 @@ class Page {
     this.#stage.onRoom = (id) => this.#home.selectRoom(id);
     this.#rooms.onReroll = (id) => this.#reroll(id);
     this.#files.onOpen = (file) => this.#openFile(file, "push");
-    this.#files.onFailure = (reason) => this.#asking.notice.show(reason);
+    this.#files.onFailure = (reason, again) => this.#asking.notice.show(reason, again);
+    this.#files.onSaved = () => this.#asking.notice.hide();
     this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
     this.#home.on("shown", (how) => this.#show(how));
     this.#home.on("selected", (id) => this.#select(id));
@@ -163,7 +164,7 @@ class Page {
 
   #openFile(file: GivenFile, history: History): void {
     void this.#asking.run(`Reading ${file.name}`, async (signal) => {
-      const [scene] = await Promise.all([readFile(file.text, file.format, signal), this.#learn(signal)]);
+      const [scene] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
       const { issues } = await report(scene, [], signal);
       if (history === "push") rememberFile(file);
       this.#showsRequest(false);
@@ -184,6 +185,7 @@ class Page {
   #show(how: Showing): void {
     const shown = this.#home.shown;
     if (!shown || how === "live") return;
+    this.#asking.notice.hide();
     this.#stage.show(shown.scene, shown.issues);
     this.#stage.select(this.#home.selected);
     this.#issues.show(shown.issues);
@@ -202,8 +204,19 @@ class Page {
       this.#reading.show(await view(scene, signal));
       this.#reading.select(this.#home.selected);
     } catch (reason) {
-      if (!isAbort(reason)) this.#asking.notice.show(reason);
+      if (!isAbort(reason)) this.#asking.notice.show(reason, () => this.#readAgain());
     }
+  }
+
+  #readAgain(): void {
+    this.#asking.notice.hide();
+    if (this.#home.scene) this.#reads = this.#read(this.#home.scene);
+  }
+
+  /** What is chosen already is gone to: in the text arrows go from line to line, in the house they move the piece. */
+  #chooseInText(id: string): void {
+    if (this.#home.selected === id) element("stage").focus();
+    this.#home.select(id);
   }
 
   #select(id: string | null): void {

@@ -5,7 +5,7 @@ import type { Catalog, FieldProblem, FixAnswer, FloorAnswer, FixRequest, Generat
 interface Refusal {
   readonly fields?: readonly FieldProblem[];
   /** The HTTP status; 0 where no answer came. */
-  readonly status?: number;
+  readonly status?: number | null;
   /** When to come back [s], where the service says. */
   readonly retryAfter?: number | null;
 }
@@ -126,9 +126,21 @@ export function exported(scene: Scene, format: FileFormat, signal: AbortSignal):
   return askFor((response) => response.text(), `export/${format}`, init);
 }
 
-/** The scene that a file holds, as the service reads it. */
-export function readFile(text: string, format: FileFormat, signal: AbortSignal): Promise<Scene> {
-  return ask("export/json", { method: "POST", headers: { "Content-Type": `application/${format}` }, body: text, signal });
+/** A file as it was handed over. */
+export interface GivenFile {
+  readonly name: string;
+  readonly format: FileFormat;
+  readonly text: string;
+}
+
+/** The scene that a file holds, as the service reads it; what is wrong with the file is said with its name. */
+export async function readFile({ name, text, format }: GivenFile, signal: AbortSignal): Promise<Scene> {
+  try {
+    return await ask("export/json", { method: "POST", headers: { "Content-Type": `application/${format}` }, body: text, signal });
+  } catch (reason) {
+    if (!(reason instanceof ServiceProblem) || reason.fields.length === 0) throw reason;
+    throw new ServiceProblem(`${name} holds no scene that can be read`, reason.detail, reason);
+  }
 }
 
 export function fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer> {

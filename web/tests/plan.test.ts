@@ -17,7 +17,10 @@ describe("edges of a room", () => {
   });
 
   it("follow an outline clockwise from the north-west", () => {
-    const sides = edgesOf(room("a", [0, 0, 4, 4], { outline: [[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]] })).map((edge) => edge.side);
+    const outline: [number, number][] = [[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]];
+    const backwards = edgesOf(room("a", [0, 0, 4, 4], { outline: [...outline].reverse() })).map(({ side }) => side);
+    expect(backwards.sort()).toEqual(["east", "east", "north", "south", "south", "west"]);
+    const sides = edgesOf(room("a", [0, 0, 4, 4], { outline })).map((edge) => edge.side);
     expect(sides).toEqual(["north", "east", "south", "east", "south", "west"]);
   });
 });

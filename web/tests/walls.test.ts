@@ -44,6 +44,17 @@ describe("openings", () => {
     });
     expect(openingsOf([l])[0]).toMatchObject({ axis: "z", line: 12, from: 2.55, to: 3.45 });
   });
+
+  it.each([[false], [true]])("on a wall lie on its outermost edge at their position, whichever way round the outline runs", (reversed) => {
+    const corners: [number, number][] = [[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]];
+    const at = (wall: "east" | "south", position: number): object | undefined => openingsOf([room("l", [10, 20, 4, 4], {
+      outline: reversed ? [...corners].reverse() : corners, openings: [opening({ wall, position })],
+    })])[0];
+    expect(at("east", 1)).toMatchObject({ axis: "z", line: 14, from: 20.55, to: 21.45 });
+    expect(at("east", 3)).toMatchObject({ axis: "z", line: 12, from: 22.55, to: 23.45 });
+    expect(at("south", 3)).toMatchObject({ axis: "x", line: 22, from: 12.55, to: 13.45 });
+    expect(at("south", 1)).toMatchObject({ axis: "x", line: 24, from: 10.55, to: 11.45 });
+  });
 });
 
 describe("between gaps", () => {

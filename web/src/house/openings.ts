@@ -1,5 +1,5 @@
 /** Openings in house coordinates: both rooms of a door list it, the wall is cut once. */
-import type { Opening, OpeningKind, Room } from "../contract";
+import type { Opening, OpeningKind, Room, Side } from "../contract";
 import type { Axis } from "./boxes";
 import { edgesOf, onLattice, type Edge } from "./plan";
 
@@ -21,14 +21,34 @@ export interface PlacedOpening {
   readonly mainEntrance: boolean;
 }
 
-function edgeOf(edges: readonly Edge[], opening: Opening): Edge | undefined {
-  if (opening.edge !== null && opening.edge !== undefined) return edges[opening.edge];
-  return edges.find((edge) => edge.side === opening.wall);
+const NEGLIGIBLE = 1e-6;
+
+/** Where an opening is: the edge it lies on, and where on its line positions are counted from [m]. */
+interface Spot {
+  readonly edge: Edge;
+  readonly start: number;
 }
 
-function place(edge: Edge, opening: Opening, id: string): PlacedOpening {
+function spotOf(room: Room, edges: readonly Edge[], opening: Opening): Spot | null {
+  const named = opening.edge !== null && opening.edge !== undefined ? edges[opening.edge] : undefined;
+  if (named) return { edge: named, start: named.from };
+  return opening.wall && (opening.edge ?? null) === null ? onWall(room, edges, opening.wall, opening.position) : null;
+}
+
+/** The outermost edge of a wall at a position, or else the line of the room's rectangle. */
+function onWall(room: Room, edges: readonly Edge[], wall: Side, position: number): Spot {
+  const [rectangle] = edgesOf({ ...room, outline: null }).filter((edge) => edge.side === wall) as [Edge];
+  const [start, line] = [rectangle.from, rectangle.line];
+  const here = edges.filter(({ side, from, to }) => (
+    side === wall && from <= start + position + NEGLIGIBLE && start + position <= to + NEGLIGIBLE
+  ));
+  const [outermost] = here.sort((a, b) => Math.abs(a.line - line) - Math.abs(b.line - line));
+  return { edge: outermost ?? rectangle, start };
+}
+
+function place({ edge, start }: Spot, opening: Opening, id: string): PlacedOpening {
   const outward = edge.inward === 1 ? -1 : 1;
-  const centre = edge.from + opening.position;
+  const centre = start + opening.position;
   return {
     id,
     kind: opening.kind,
@@ -54,11 +74,11 @@ export function openingsOf(rooms: readonly Room[]): PlacedOpening[] {
   for (const room of rooms) {
     const edges = edgesOf(room);
     for (const [i, opening] of room.openings.entries()) {
-      const edge = edgeOf(edges, opening);
-      if (!edge) continue;
+      const spot = spotOf(room, edges, opening);
+      if (!spot) continue;
       const id = opening.id ?? `${room.id}/opening_${i}`;
       const drawsLeaf = opening.render_panel !== false;
-      if (!kept.has(id) || (drawsLeaf && !kept.get(id)?.drawsLeaf)) kept.set(id, { placed: place(edge, opening, id), drawsLeaf });
+      if (!kept.has(id) || (drawsLeaf && !kept.get(id)?.drawsLeaf)) kept.set(id, { placed: place(spot, opening, id), drawsLeaf });
     }
   }
   return [...kept.values()].map((entry) => entry.placed);

@@ -44,19 +44,23 @@ export function cornersOf(room: Room): readonly (readonly [number, number])[] {
   return [[0, 0], [room.width, 0], [room.width, room.depth], [0, room.depth]];
 }
 
-/** The floor within a room's outline [m²]. */
-export function areaOf(room: Room): number {
-  const corners = cornersOf(room);
+/** The area within corners [m²]: negative where they go counter-clockwise, as those of others may. */
+function signedArea(corners: ReturnType<typeof cornersOf>): number {
   const twice = corners.reduce((sum, [x, z], i) => {
     const [nextX, nextZ] = corners[(i + 1) % corners.length] ?? [x, z];
     return sum + x * nextZ - nextX * z;
   }, 0);
-  return Math.abs(twice) / 2;
+  return twice / 2;
 }
 
-function edgeBetween(room: Room, a: readonly [number, number], b: readonly [number, number]): Edge {
+/** The floor within a room's outline [m²]. */
+export function areaOf(room: Room): number {
+  return Math.abs(signedArea(cornersOf(room)));
+}
+
+function edgeBetween(room: Room, a: readonly [number, number], b: readonly [number, number], clockwise: boolean): Edge {
   const alongX = Math.abs(b[0] - a[0]) >= Math.abs(b[1] - a[1]);
-  const forwards = alongX ? b[0] > a[0] : b[1] > a[1];
+  const forwards = (alongX ? b[0] > a[0] : b[1] > a[1]) === clockwise;
   const [origin, across] = alongX ? [room.x, room.z + a[1]] : [room.z, room.x + a[0]];
   const ends = alongX ? [a[0], b[0]] : [a[1], b[1]];
   const side: Side = alongX ? (forwards ? "north" : "south") : forwards ? "east" : "west";
@@ -75,7 +79,8 @@ function edgeBetween(room: Room, a: readonly [number, number], b: readonly [numb
 /** A room's edges in the order of its outline's points (north, east, south, west for a rectangle). */
 export function edgesOf(room: Room): Edge[] {
   const corners = cornersOf(room);
-  return corners.map((corner, i) => edgeBetween(room, corner, corners[(i + 1) % corners.length] ?? corner));
+  const clockwise = signedArea(corners) >= 0;
+  return corners.map((corner, i) => edgeBetween(room, corner, corners[(i + 1) % corners.length] ?? corner, clockwise));
 }
 
 export function lineKey(on: { level: number; axis: Axis; line: number }): string {

@@ -1,13 +1,6 @@
 /** Files: the scene shown is saved whole, a scene dropped or chosen is read by the service. */
 import type { Scene } from "../contract";
-import { exported, type FileFormat } from "../service";
-
-/** A file as it was handed over. */
-export interface GivenFile {
-  readonly name: string;
-  readonly format: FileFormat;
-  readonly text: string;
-}
+import { exported, type FileFormat, type GivenFile } from "../service";
 
 /** The file that a page of the browser's history holds, if it holds one. */
 export function fileOf(state: unknown): GivenFile | null {
@@ -46,7 +39,9 @@ function save(text: string, name: string): void {
 export class Files {
   /** Called with a file to be opened. */
   onOpen: (file: GivenFile) => void = () => undefined;
-  onFailure: (reason: unknown) => void = () => undefined;
+  /** Called with what went wrong, and how to do it again where that can help. */
+  onFailure: (reason: unknown, again: (() => void) | null) => void = () => undefined;
+  onSaved: () => void = () => undefined;
   readonly #chooser: HTMLInputElement;
 
   constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Scene | null) {
@@ -64,10 +59,12 @@ export class Files {
   async #download(format: FileFormat): Promise<void> {
     const scene = this.scene();
     if (!scene) return;
+    const again = (): void => void this.#download(format);
     try {
       save(await exported(scene, format, new AbortController().signal), fileName(scene, format));
+      this.onSaved();
     } catch (reason) {
-      this.onFailure(reason);
+      this.onFailure(reason, again);
     }
   }
 
@@ -97,7 +94,7 @@ export class Files {
       const text = await file.text();
       this.onOpen({ name: file.name, format: formatOf(file.name, text), text });
     } catch (reason) {
-      this.onFailure(reason);
+      this.onFailure(reason, null);
     }
   }
 }

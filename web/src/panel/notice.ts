@@ -1,11 +1,8 @@
 /** What the service refuses, or that it is gone, in words over the canvas. */
 import { ServiceProblem } from "../service";
 
-/** What a notice can lead to. */
-export interface NoticeActs {
-  tryAgain(): void;
-  useKey(key: string): void;
-}
+/** Does again what was refused. */
+export type Again = () => void;
 
 function secondsInWords(seconds: number): string {
   return seconds === 1 ? "1 second" : `${seconds} seconds`;
@@ -17,24 +14,27 @@ export class Notice {
   readonly #again: HTMLButtonElement;
   readonly #key: HTMLFormElement;
   #counting = 0;
+  #retry: Again | null = null;
 
-  constructor(readonly host: HTMLElement, readonly acts: NoticeActs) {
+  constructor(readonly host: HTMLElement, readonly useKey: (key: string) => void) {
     this.#title = host.querySelector<HTMLElement>(".notice-title") as HTMLElement;
     this.#detail = host.querySelector<HTMLElement>(".notice-detail") as HTMLElement;
     this.#again = host.querySelector<HTMLButtonElement>(".notice-again") as HTMLButtonElement;
     this.#key = host.querySelector<HTMLFormElement>(".notice-key") as HTMLFormElement;
-    this.#again.addEventListener("click", () => acts.tryAgain());
+    this.#again.addEventListener("click", () => this.#retry?.());
     this.#key.addEventListener("submit", (event) => this.#submitKey(event));
     host.querySelector(".notice-close")?.addEventListener("click", () => this.hide());
   }
 
-  show(reason: unknown): void {
+  /** Says what went wrong; without `again` a person does it again by hand. */
+  show(reason: unknown, again: Again | null = null): void {
+    this.#retry = again;
     const problem = reason instanceof ServiceProblem ? reason : new ServiceProblem("The page failed", String(reason));
     this.#title.textContent = problem.title;
     this.#detail.textContent = problem.detail;
     this.#key.hidden = problem.status !== 401;
     const passes = problem.fields.length === 0 || problem.status === 503 || problem.status === 429;
-    this.#again.hidden = !passes || problem.status === 401 || problem.status === 413;
+    this.#again.hidden = !again || !passes || problem.status === 401 || problem.status === 413;
     this.host.hidden = false;
     this.#countDown(problem.retryAfter ?? 0);
     if (problem.status === 401) this.#field().focus();
@@ -67,6 +67,9 @@ export class Notice {
     event.preventDefault();
     const key = this.#field().value.trim();
     this.#field().value = "";
-    if (key) this.acts.useKey(key);
+    if (!key) return;
+    this.useKey(key);
+    if (this.#retry) this.#retry();
+    else this.hide();
   }
 }
