@@ -11,15 +11,19 @@ from dataclasses import dataclass, field
 
 from solver.furnish.zones import bounds_of, outline_edges
 from solver.geometry import to_mm
-from solver.placement import Budget, arrange_as_wished, settle
-from solver.repair import Walls, Wishes, near_previous, wanted_as_sent
+from solver.placement import Budget, arrange_as_wished, brought_from, settle
+from solver.repair import Last, Walls, Wishes, wanted_as_sent
 from solver.scene import Pose, Room
 from solver.wanted import Arrangement, Space, Wanted
 
-CLEARLY_BETTER = 0.01
-"""Share of the cost by which another answer must beat the one that stays near the last."""
-CLEARLY_CHEAPER = 0.01
-"""What it must be cheaper besides: as much as moving one piece by 10 cm."""
+JUMP_COST = 0.2
+"""What it costs that a neighbour of the dragged piece goes elsewhere than near its last pose: as much as moving it by 45 cm."""
+JUMP_SHARE = 0.1
+"""What it costs besides, as a share of the cost: where much is in the way, little is gained by it."""
+MOST_FREED = 3
+"""How many neighbours are tried elsewhere, each alone."""
+LIVE_WORK = 60_000.0
+"""Work each attempt near the last answer may cost, in QPs of a small room: about 60 ms."""
 
 
 @dataclass(frozen=True)
@@ -56,11 +60,32 @@ def placed(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Arrangemen
 
 def attempt(space: Space, wanted: Sequence[Wanted], terms: Terms) -> Arrangement:
     """Places pieces with least movement; near the last answer unless elsewhere is clearly better."""
-    best = placed(space, wanted, Budget(terms.work))
-    near = near_previous(wanted, space.clear, terms.previous, terms.wishes)
-    if near is None:
+    last = Last(wanted, space.clear, terms.previous, terms.wishes)
+    if not last.known:
+        return placed(space, wanted, Budget(terms.work))
+    work = min(terms.work, LIVE_WORK)
+    best = placed(space, wanted, Budget(work))
+    if _is_sound(best) and not last.jumped(best):
         return best
-    kept = placed(space, near, Budget(terms.work))
-    same = [label for label, _ in kept.left_out] == [label for label, _ in best.left_out]
-    as_walkable = len(kept.notes) <= len(best.notes)
-    return kept if same and as_walkable and kept.cost <= best.cost * (1 + CLEARLY_BETTER) + CLEARLY_CHEAPER else best
+    answers = [*_steady(space, last, last.jumped(best), work), best]
+    return min(answers, key=lambda one: (len(one.left_out), len(one.notes), _cost(one, last)))
+
+
+def _steady(space: Space, last: Last, jumpers: Sequence[str], work: float) -> list[Arrangement]:
+    """Returns answers near the last one: with nobody elsewhere, from where all stood, with one neighbour elsewhere."""
+    free: list[tuple[str, ...]] = [(), *((label,) for label in jumpers[:MOST_FREED] if len(jumpers) > 1)]
+    bound = [pieces for pieces in map(last.near, free) if pieces is not None]
+    answers = [placed(space, pieces, Budget(work)) for pieces in bound]
+    stood = last.places()
+    draft = brought_from(space, [piece for piece, _ in stood], [place for _, place in stood]) if stood else None
+    return [*answers, *([settle([draft], "search")[0]] if draft else [])]
+
+
+def _is_sound(answer: Arrangement) -> bool:
+    return not answer.left_out and not answer.notes
+
+
+def _cost(answer: Arrangement, last: Last) -> float:
+    """Returns what an answer costs, its jumps counted."""
+    jumps = len(last.jumped(answer))
+    return answer.cost * (1 + JUMP_SHARE * jumps) + JUMP_COST * jumps

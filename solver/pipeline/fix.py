@@ -133,7 +133,7 @@ def _settled(scene: Scene, mended: Sequence[Mended], terms: Terms, known: Catalo
     """Settles the rooms that still break a rule although all their pieces found a place, and says what is out of reach."""
     furnished = _with(scene, mended)
     left = _errors(furnished, known)
-    open_rooms = {issue.room for issue in left}
+    open_rooms = {issue.room for issue in left if issue.rule != "floating"}  # what floats is put back without moving any piece
     settles = [result.whole and not result.conflicts and result.room.id in open_rooms for result in mended]
     if not any(settles):
         return tuple(mended), left

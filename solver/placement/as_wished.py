@@ -128,17 +128,23 @@ def _near(space: Space, found: Sequence[Found], budget: Budget) -> Draft | None:
         decisions = core.first_ways()
         if decisions is not None and core.evaluate(decisions, WALK_QPS, budget, True):
             return _brought_back(found_by(core, decisions, core.preference(decisions), True), [one.free for one in found])
-    return _placed_back(space, [one.free for one in found], [one.footprint for one in found])
+    return brought_from(space, [one.free for one in found], [one.footprint for one in found])
 
 
 def _brought_back(draft: Draft, pieces: Sequence[Wanted]) -> Draft:
     """Returns a walkable arrangement of pieces in their only ways brought back towards their wishes, as far as all holds."""
-    given = _placed_back(draft.space, pieces, draft.footprints())
+    given = brought_from(draft.space, pieces, draft.footprints())
     return draft if given is None else replace(given, solves=draft.solves)
 
 
-def _placed_back(space: Space, pieces: Sequence[Wanted], places: Sequence[Rect]) -> Draft | None:
-    """Brings pieces in their only ways from their places back towards their wishes; None if they cannot be used between there."""
+def brought_from(space: Space, pieces: Sequence[Wanted], places: Sequence[Rect | None]) -> Draft | None:
+    """Brings pieces in their only ways from their places back towards their wishes; None if they cannot be used between there.
+
+    Args:
+        space: the room's.
+        pieces: with one way each.
+        places: of each piece; None for one that stands where another takes it.
+    """
     core = Core(encode(space, pieces, "test"))
     decisions = core.first_ways()
     if decisions is None or not core.assemble(decisions):

@@ -213,8 +213,11 @@ class Core:
         positions[:, -1] = 0
         return bool(holds(work, positions))
 
-    def pulled_back(self, places: Sequence[Rect]) -> Outcome | None:
+    def pulled_back(self, places: Sequence[Rect | None]) -> Outcome | None:
         """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.
+
+        Args:
+            places: of each piece; None for one that stands where another takes it.
 
         Returns:
             The places found; None where the pieces could not stand and be walked between at those given.
@@ -222,7 +225,8 @@ class Core:
         positions = self.engine.grid.positions
         for part, place in zip(self.engine.work.parts[self.engine.work.body_part[: len(places)]].tolist(), places, strict=True):
             _, _, x, z, off_x, off_z, *_ = part
-            positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
+            if place is not None:
+                positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
         return self.outcome() if pull_back(self.engine) else None
 
     def rotation(self, piece: int) -> int:

@@ -9,7 +9,7 @@ from solver.repair.as_sent import holders, wanted_as_sent
 from solver.repair.bodies import Body, all_bodies, floor_bodies, squared
 from solver.repair.changes import applied
 from solver.repair.people import Crowd, followed, in_the_way, placed_people
-from solver.repair.previous import near_previous
+from solver.repair.previous import Last
 from solver.repair.resting import rested
 from solver.repair.ways import Walls
 from solver.repair.wishes import Sides, Wishes
@@ -18,6 +18,7 @@ from solver.repair.written import without, written_back
 __all__ = [
     "Body",
     "Crowd",
+    "Last",
     "Sides",
     "Walls",
     "Wishes",
@@ -27,7 +28,6 @@ __all__ = [
     "followed",
     "holders",
     "in_the_way",
-    "near_previous",
     "placed_people",
     "rested",
     "squared",

@@ -1,19 +1,19 @@
 """Near the last answer: while a piece is dragged, the others stay where they were unless elsewhere is clearly better.
 
-Comes in: wanted pieces and the poses of the last answer. Goes out: wanted pieces that may only stand near those.
-May import: the ground floor.
+Comes in: wanted pieces and the poses of the last answer. Goes out: wanted pieces that may only stand near those, who stands
+elsewhere. May import: the ground floor.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from solver.geometry import Rect, rotate, turned
 from solver.repair.bodies import squared
 from solver.repair.wishes import Wishes
 from solver.scene import Pose
-from solver.wanted import Alternative, Attach, Wanted
+from solver.wanted import Alternative, Arrangement, Attach, Wanted
 
 REACH_MM = 200
 """How far along each axis a piece may go from its last pose without having jumped."""
@@ -23,34 +23,89 @@ SAME_MM = 2
 Poses = Mapping[str, Pose]
 
 
-def near_previous(wanted: Sequence[Wanted], clear: Rect, poses: Poses, wishes: Wishes) -> tuple[Wanted, ...] | None:
-    """Restricts pieces to the wall, the rotation and the neighbourhood of their last poses.
+@dataclass(frozen=True)
+class Last:
+    """The last answer, as seen from the next question.
 
     Args:
-        wanted: all pieces of a room.
-        clear: the room's clear rectangle.
-        poses: of the last answer, by id; pieces without one are free.
-        wishes: pieces that were just moved are free too.
-
-    Returns:
-        The restricted pieces; None where none of them has a pose or one can have no such way.
+        wanted: all pieces of the room.
+        clear: its clear rectangle.
+        poses: of the last answer, by id.
+        wishes: pieces that were just moved are not bound to their poses.
     """
-    found = []
-    for piece in wanted:
-        bound = piece.label in poses and piece.label not in wishes.moved
-        found.append(replace(piece, alternatives=_near(piece, clear, poses)) if bound else piece)
-    unbound = all(new is old for new, old in zip(found, wanted, strict=True))
-    return None if unbound or any(not piece.alternatives for piece in found) else tuple(found)
+
+    wanted: Sequence[Wanted]
+    clear: Rect
+    poses: Poses
+    wishes: Wishes
+
+    def _bound(self, piece: Wanted) -> bool:
+        return piece.label in self.poses and piece.label not in self.wishes.moved
+
+    @property
+    def known(self) -> bool:
+        """Whether any piece is bound to a pose."""
+        return any(self._bound(piece) for piece in self.wanted)
+
+    def near(self, free: Collection[str] = ()) -> tuple[Wanted, ...] | None:
+        """Restricts pieces to the wall, the rotation and the neighbourhood of their last poses.
+
+        Args:
+            free: labels of pieces that may stand anywhere nevertheless.
+
+        Returns:
+            The restricted pieces; None where one of them can have no such way.
+        """
+        bound = [self._bound(piece) and piece.label not in free for piece in self.wanted]
+        found = [
+            replace(piece, alternatives=self._near(piece)) if is_bound else piece
+            for piece, is_bound in zip(self.wanted, bound, strict=True)
+        ]
+        return None if any(not piece.alternatives for piece in found) else tuple(found)
+
+    def jumped(self, answer: Arrangement) -> tuple[str, ...]:
+        """Returns the labels of those who stand elsewhere in an answer; who is taken along by another does not jump."""
+        bound = {piece.label for piece in self.wanted if self._bound(piece)}
+        here = [placed for placed in answer.placed if placed.label in bound and placed.chosen.attach is None]
+        return tuple(p.label for p in here if _is_elsewhere(p.footprint, p.rotation, self.poses[p.label]))
+
+    def places(self) -> tuple[tuple[Wanted, Rect | None], ...] | None:
+        """Returns every piece in the way it stood in, and its place; none for those that stand where another takes them.
+
+        Returns:
+            In the pieces' order, those without a pose where they are wished; None where one has no such way.
+        """
+        found = []
+        for piece in self.wanted:
+            ways = self._near(piece) if piece.label in self.poses else piece.alternatives[:1]
+            way = next((own for own in piece.alternatives for near in ways if replace(own, within=near.within) == near), None)
+            if way is None:
+                return None
+            x, z = way.anchor_mm
+            pose = self.poses.get(piece.label, Pose(piece.label, x / 1000, z / 1000))
+            place = None if way.attach is not None else _rect(way, pose)
+            found.append((replace(piece, alternatives=(way,)), place))
+        return tuple(found)
+
+    def _near(self, piece: Wanted) -> tuple[Alternative, ...]:
+        """Returns the ways that hold at a pose: at the parent's side where it was there, else near where it was."""
+        ways, pose = piece.alternatives, self.poses[piece.label]
+        attached = tuple(way for way in ways if way.attach is not None)
+        if attached and (len(attached) == len(ways) or all(_was_there(pose, way.attach, self.poses) for way in attached)):
+            return attached
+        free = (_around(way, self.clear, pose) for way in ways if way.attach is None)
+        return tuple(way for way in free if way is not None)
 
 
-def _near(piece: Wanted, clear: Rect, poses: Poses) -> tuple[Alternative, ...]:
-    """Returns the ways that hold at a pose: at the parent's side where it was there, else near where it was."""
-    ways, pose = piece.alternatives, poses[piece.label]
-    attached = tuple(way for way in ways if way.attach is not None)
-    if attached and (len(attached) == len(ways) or all(_was_there(pose, way.attach, poses) for way in attached)):
-        return attached
-    free = (_around(way, clear, pose) for way in ways if way.attach is None)
-    return tuple(way for way in free if way is not None)
+def _rect(way: Alternative, pose: Pose) -> Rect:
+    width, depth = turned(way.size_mm[0], way.size_mm[1], way.rotation)
+    x, z = round(pose.x * 1000 - width / 2), round(pose.z * 1000 - depth / 2)
+    return Rect(x, z, x + width, z + depth)
+
+
+def _is_elsewhere(own: Rect, rotation: int, pose: Pose) -> bool:
+    dx, dz = own.x0 + own.x1 - pose.x * 2000, own.z0 + own.z1 - pose.z * 2000
+    return max(abs(dx), abs(dz)) > 2 * (REACH_MM + 1) or rotation != squared(pose.rotation)
 
 
 def _was_there(own: Pose, attach: Attach | None, poses: Poses) -> bool:
@@ -70,8 +125,8 @@ def _around(way: Alternative, clear: Rect, pose: Pose) -> Alternative | None:
         return way
     if way.rotation != squared(pose.rotation):
         return None
-    x, z = round(pose.x * 1000 - width / 2), round(pose.z * 1000 - depth / 2)
-    low = max(x - REACH_MM, bounds.x0), max(z - REACH_MM, bounds.z0)
-    high = min(x + width + REACH_MM, bounds.x1), min(z + depth + REACH_MM, bounds.z1)
+    own = _rect(way, pose)
+    low = max(own.x0 - REACH_MM, bounds.x0), max(own.z0 - REACH_MM, bounds.z0)
+    high = min(own.x1 + REACH_MM, bounds.x1), min(own.z1 + REACH_MM, bounds.z1)
     near = Rect(*low, *high)
     return replace(way, within=near) if near.width >= width and near.depth >= depth else None
