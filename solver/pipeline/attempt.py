@@ -47,10 +47,15 @@ class Terms:
 
 def wanted_of(room: Room, space: Space, terms: Terms) -> tuple[Wanted, ...]:
     """Returns a sent room's pieces with all the ways they may stand."""
+    return wanted_as_sent(room, walls_of(room, space, terms), terms.wishes)
+
+
+def walls_of(room: Room, space: Space, terms: Terms) -> Walls:
+    """Returns a room's walls."""
     lines = bounds_of(room)
     bounds = {"north": lines.z0, "south": lines.z1, "west": lines.x0, "east": lines.x1}
     inner = tuple(edge for edge in outline_edges(room) if edge[1] != bounds[edge[0]] and edge[2] < edge[3])
-    return wanted_as_sent(room, Walls(space.clear, (to_mm(terms.wall_thickness) + 1) // 2, inner), terms.wishes)
+    return Walls(space.clear, (to_mm(terms.wall_thickness) + 1) // 2, inner)
 
 
 def placed(space: Space, wanted: Sequence[Wanted], budget: Budget) -> Arrangement:

@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 from catalogs import Catalogs, load_catalogs
 from solver.certificate import certified
 from solver.furnish import space_of
-from solver.pipeline.attempt import Terms
+from solver.pipeline.attempt import Terms, walls_of
 from solver.pipeline.concerned import concerned
 from solver.pipeline.mend import Mended, explain_unreached, mend_room, settle_room
 from solver.pipeline.people import People, mend_people
 from solver.pipeline.timing import Clock, Timing
-from solver.repair import Body, Sides, Wishes, all_bodies, followed, rested
+from solver.repair import Body, Sides, Wishes, all_bodies, followed, rested, said
 from solver.scene import Conflict, Dynamic, Fixed, Furniture, Issue, Move, Pose, Room, Scene, check_ids, robot_width_of
 from solver.validate import RULES, validate
 from solver.wanted import Space
@@ -78,6 +78,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     lying = _put_back(scene, errors, wishes, known)
     answers = _repaired(lying, terms, errors if lying is scene else _errors(lying, known), known)
     timing.lap("placement")
+    answers = replace(answers, scene=_honest(answers.scene, terms, known))
     issues = validate(answers.scene, known)
     lying = _put_back(answers.scene, issues, wishes, known)
     if lying is not answers.scene:
@@ -146,6 +147,15 @@ def _settled(scene: Scene, mended: Sequence[Mended], terms: Terms, known: Catalo
         here = [issue for issue in left if issue.room == room.id]
         explained.append(explain_unreached(room, result, space, terms, here) if does else result)
     return tuple(explained), left
+
+
+def _honest(scene: Scene, terms: Terms, known: Catalogs) -> Scene:
+    """Returns the scene in which moved pieces say at which walls they are."""
+    if not terms.wishes.moved:
+        return scene
+    hugging = {name for name, kind in known.kinds_by_name().items() if kind.stands == "wall"}
+    honest = (said(room, walls_of(room, _space(scene, room), terms), terms.wishes, hugging) for room in scene.rooms)
+    return replace(scene, rooms=tuple(honest))
 
 
 def _errors(scene: Scene, known: Catalogs) -> list[Issue]:

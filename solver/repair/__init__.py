@@ -6,6 +6,7 @@ solving (placement), where a room's furniture may stand (furnish).
 """
 
 from solver.repair.as_sent import holders, wanted_as_sent
+from solver.repair.backs import said
 from solver.repair.bodies import Body, all_bodies, floor_bodies, squared
 from solver.repair.changes import applied
 from solver.repair.people import Crowd, followed, in_the_way, placed_people
@@ -30,6 +31,7 @@ __all__ = [
     "in_the_way",
     "placed_people",
     "rested",
+    "said",
     "squared",
     "wanted_as_sent",
     "without",

@@ -239,8 +239,13 @@ def test_who_walks_drags_nothing(visit: Visit) -> None:
     visit.settle()
     seen = next(id_of for id_of in (ONE, OTHER) if bench.page.evaluate("id => compose.whereIs(id)", id_of))
     x, y = bench.at(seen)
+    before = visit.state()
+    assert before["walking"]
     bench.drag(seen, (x - 120, y))
     bench.page.mouse.up()
     bench.rest()
+    after = visit.state()
+    assert after["eye"] == before["eye"]
+    assert after["target"] != before["target"]
     assert bench.fixes == 0
     assert poses(bench.before) == drawn(bench)

@@ -2,7 +2,7 @@
 import type { Conflict, FixAnswer, FixRequest, Pose, Repair, Room, Scene } from "../contract";
 import type { Home, Shown } from "../state/home";
 import { Live } from "./live";
-import { added, alone, locked, moved, posesOf, repaired, without, type FurnitureKind, type Wish } from "./scene_edits";
+import { added, alone, locked, moved, posesOf, repaired, withRoom, without, type FurnitureKind, type Wish } from "./scene_edits";
 
 export type Fix = (request: FixRequest, signal: AbortSignal) => Promise<FixAnswer>;
 
@@ -174,19 +174,8 @@ export class Editor {
     } else if (conflicts.length === 0) {
       held.previous = posesOf(answer.scene, held.room.id);
       this.words.answered(held.id, answer.scene);
-      this.home.show({ ...before, scene: this.#withRoom(before.scene, answer.scene) }, "live");
+      this.home.show({ ...before, scene: withRoom(before.scene, answer.scene) }, "live");
     }
-  }
-
-  /** The house with one room, and who is in it, as an answer has it. */
-  #withRoom(scene: Scene, answer: Scene): Scene {
-    const rooms = new Map(answer.rooms.map((room) => [room.id, room]));
-    const people = new Map((answer.dynamic ?? []).map((body) => [body.id, body]));
-    return {
-      ...scene,
-      rooms: scene.rooms.map((room) => rooms.get(room.id) ?? room),
-      dynamic: (scene.dynamic ?? []).map((body) => people.get(body.id) ?? body),
-    };
   }
 
   #settle(answer: FixAnswer): void {

@@ -15,6 +15,9 @@ export interface FurnitureKind {
   readonly color: string | null;
 }
 
+/** Offsets that differ by no more are the same [m]: a centre may end in half a millimetre. */
+const SAME = 0.002;
+
 function millimetres(metres: number): number {
   return Math.round(metres * 1000) / 1000;
 }
@@ -51,6 +54,30 @@ export function carriedBy(scene: Scene, id: string): Set<string> {
   return carried;
 }
 
+/**
+ * Who goes along with a piece but is not carried by it: the chairs at it and what lies or sits on them. What is locked stays.
+ */
+export function companionsOf(scene: Scene, id: string): Set<string> {
+  const carried = carriedBy(scene, id);
+  const chairs = roomOf(scene, id).furniture.filter((piece) => piece.under && carried.has(piece.under) && !piece.locked && !carried.has(piece.id));
+  return new Set(chairs.flatMap((chair) => [...carriedBy(scene, chair.id)]));
+}
+
+/** Of those who go along with a piece, the ones that stand to it in one scene as in another. */
+export function keptCompanions(before: Scene, after: Scene, id: string): Set<string> {
+  const offsets = (scene: Scene): Map<string, readonly [number, number]> => {
+    const room = roomOf(scene, id);
+    const held = room.furniture.find((one) => one.id === id) as Furniture;
+    const bodies = [...room.furniture, ...room.decorations, ...(scene.dynamic ?? [])];
+    return new Map(bodies.map((body) => [body.id, [body.x - held.x, body.z - held.z]]));
+  };
+  const [was, is] = [offsets(before), offsets(after)];
+  return new Set([...companionsOf(before, id)].filter((rider) => {
+    const [from, to] = [was.get(rider), is.get(rider)];
+    return from && to && Math.abs(from[0] - to[0]) <= SAME && Math.abs(from[1] - to[1]) <= SAME;
+  }));
+}
+
 /** Moves a body with the piece that carries it: about its centre by a turn [degrees], then to its new centre. */
 function carry<Rider extends Body>(rider: Rider, from: Furniture, to: Wish): Rider {
   const turn = ((to.rotation - (from.rotation ?? 0)) * Math.PI) / 180;
@@ -69,13 +96,13 @@ function centre(metres: number, extent: number): number {
   return Math.round((millimetres(metres - extent / 2) + extent / 2) * 1e4) / 1e4;
 }
 
-/** The piece in hand at another place, all that it carries with it. In hand it need not stand at a wall. */
+/** The piece in hand at another place, all that it carries and its chairs with it. In hand it need not stand at a wall. */
 export function moved(scene: Scene, id: string, wish: Wish): Scene {
   const room = roomOf(scene, id);
   const piece = room.furniture.find((one) => one.id === id) as Furniture;
   const [across, along] = wish.rotation % 180 === 0 ? [piece.width, piece.depth] : [piece.depth, piece.width];
   const to: Wish = { rotation: (wish.rotation + 360) % 360, x: centre(wish.x, across), z: centre(wish.z, along) };
-  const carried = carriedBy(scene, id);
+  const carried = new Set([...carriedBy(scene, id), ...companionsOf(scene, id)]);
   const place = <Rider extends Body>(rider: Rider): Rider => (carried.has(rider.id) && rider.id !== id ? carry(rider, piece, to) : rider);
   const changed = mapRoom(scene, room.id, (old) => ({
     ...old,
@@ -132,17 +159,32 @@ export function repaired(scene: Scene, repair: Repair): Scene {
   }
 }
 
-/** The scene with one room only, and who is in it: what is repaired the quickest. */
+/** The scene with one room only, and who is in it: what is repaired the quickest. Its doors are the ways into it. */
 export function alone(scene: Scene, roomId: string): Scene {
+  const ways = (room: Room): Room => ({
+    ...room, openings: room.openings.map((one) => (one.kind === "window" ? one : { ...one, connects_to: "EXTERIOR" })),
+  });
   return {
     ...scene,
-    rooms: scene.rooms.filter((room) => room.id === roomId),
+    rooms: scene.rooms.filter((room) => room.id === roomId).map(ways),
     dynamic: (scene.dynamic ?? []).filter((body) => body.room === roomId),
   };
 }
 
-/** Where a room's furniture stands. */
+/** The house with one room, and who is in it, as an answer about that room alone has them. */
+export function withRoom(scene: Scene, answer: Scene): Scene {
+  const rooms = new Map(answer.rooms.map((room) => [room.id, room]));
+  const people = new Map((answer.dynamic ?? []).map((body) => [body.id, body]));
+  return {
+    ...scene,
+    rooms: scene.rooms.map((room) => ({ ...(rooms.get(room.id) ?? room), openings: room.openings })),
+    dynamic: (scene.dynamic ?? []).map((body) => people.get(body.id) ?? body),
+  };
+}
+
+/** Where all that stands on a room's floor, or on what stands there, is. */
 export function posesOf(scene: Scene, roomId: string): Pose[] {
   const room = scene.rooms.find((one) => one.id === roomId);
-  return (room?.furniture ?? []).map(({ id, x, z, rotation }) => ({ id, x, z, rotation }));
+  const loose = (room?.decorations ?? []).filter((thing) => !thing.parent && !thing.mounted_on_wall);
+  return [...(room?.furniture ?? []), ...loose].map(({ id, x, z, rotation }) => ({ id, x, z, rotation }));
 }

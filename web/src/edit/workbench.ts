@@ -10,7 +10,7 @@ import { Editor, type Refusal } from "./editor";
 import { FloorZones } from "./floor";
 import { Hand, type Grasp } from "./hand";
 import { Palette } from "./palette";
-import { carriedBy, without, type FurnitureKind } from "./scene_edits";
+import { carriedBy, companionsOf, keptCompanions, without, type FurnitureKind } from "./scene_edits";
 import { Slide, spotOf } from "./slide";
 import { Toolbar, type Tool } from "./toolbar";
 
@@ -42,6 +42,8 @@ export class Workbench {
   #sliding = false;
   #refused: Refusal | null = null;
   #filled = false;
+  /** Who goes along with the piece in hand, as far as the service leaves them to it. */
+  #along: ReadonlySet<string> = new Set();
 
   constructor(readonly home: Home, readonly stage: Stage, readonly words: WorkbenchWords) {
     this.editor = new Editor(home, fix, {
@@ -81,6 +83,7 @@ export class Workbench {
     const room = this.home.find(id)?.room.id;
     const { scene } = this.home;
     if (!this.editor.lift(id)) return;
+    this.#along = scene ? companionsOf(scene, id) : new Set();
     this.home.select(id);
     if (scene && room !== undefined) void this.#floor.show(without(scene, id), [room]);
   }
@@ -118,12 +121,19 @@ export class Workbench {
 
   /** Shows what is in hand where it is wished, at once. */
   #carry(id: string, scene: Scene): void {
-    const carried = carriedBy(scene, id);
+    const carried = this.#inHand(scene, id);
     for (const body of bodiesOf(scene)) if (carried.has(body.id)) this.stage.house?.place(body.id, spotOf(body));
     this.stage.viewport.castShadows();
   }
 
+  /** What is drawn where the hand has it. */
+  #inHand(scene: Scene, id: string): ReadonlySet<string> {
+    return new Set([...carriedBy(scene, id), ...this.#along]);
+  }
+
   #frameGoal(id: string, scene: Scene): void {
+    const before = this.home.settled;
+    if (before) this.#along = keptCompanions(before.scene, scene, id);
     this.stage.house?.frame("settles", bodiesOf(scene).filter((body) => body.id === id));
     this.stage.viewport.invalidate();
   }
@@ -145,7 +155,7 @@ export class Workbench {
   /** Lets every body that is not in hand slide to where the scene has it. */
   #slideFrom(seen: readonly PlacedBody[], house: House, scene: Scene): void {
     const dragged = this.editor.dragged;
-    const carried = dragged === null ? new Set<string>() : carriedBy(scene, dragged);
+    const carried = dragged === null ? new Set<string>() : this.#inHand(scene, dragged);
     const belongs = bodiesOf(scene).filter((body) => !carried.has(body.id));
     if (seen !== house.bodies) for (const body of seen) house.place(body.id, spotOf(body));
     if (!this.#slide.to(house.bodies, belongs) || this.#sliding) return;
