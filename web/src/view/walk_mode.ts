@@ -28,7 +28,10 @@ export class WalkMode {
     window.addEventListener("keydown", (event) => this.#keyDown(event), { capture: true });
     window.addEventListener("keyup", (event) => this.#held.delete(event.code));
     window.addEventListener("blur", () => this.#held.clear());
-    canvas.addEventListener("pointerdown", (event) => { this.#dragged = event; });
+    canvas.addEventListener("pointerdown", (event) => {
+      this.#dragged = event;
+      if (this.#pose) canvas.setPointerCapture(event.pointerId); // the head turns on where the pointer leaves the canvas
+    });
     canvas.addEventListener("pointermove", (event) => this.#drag(event));
     for (const end of ["pointerup", "pointercancel", "pointerleave"] as const) {
       canvas.addEventListener(end, () => { this.#dragged = null; });
