@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { drawing, randomRequest } from "./random_requests";
 import { anotherSeed, DEFAULTS, numberOrText, queryFromRequest, requestFromQuery } from "../src/address";
 
 describe("the address", () => {
@@ -11,6 +12,23 @@ describe("the address", () => {
     for (const request of [DEFAULTS, { ...DEFAULTS, seed: 2 ** 53 - 1, width: 12.5, use_spine: false, outdoor: false }]) {
       expect(requestFromQuery(queryFromRequest(request))).toEqual(request);
     }
+  });
+
+  it("gives back any request, also read from a link that was copied", () => {
+    const draw = drawing(20261121);
+    for (let i = 0; i < 500; i += 1) {
+      const request = randomRequest(draw);
+      const query = queryFromRequest(request);
+      expect(requestFromQuery(query)).toEqual(request);
+      expect(requestFromQuery(new URL(`http://127.0.0.1/${query}`).search)).toEqual(request);
+      expect(queryFromRequest(requestFromQuery(query))).toBe(query);
+    }
+  });
+
+  it("reads the camelCase spelling as the other", () => {
+    const [snake, camel] = ["?min_room_size=2.5&max_depth=3&use_spine=0&robot_width=0.5", "?minRoomSize=2.5&maxDepth=3&useSpine=0&robotWidth=0.5"];
+    expect(requestFromQuery(camel)).toEqual(requestFromQuery(snake));
+    expect(requestFromQuery("?forceTypes.3=kitchen").force_types).toEqual({ 3: "kitchen" });
   });
 
   it("passes on what is no number, for the service to judge", () => {

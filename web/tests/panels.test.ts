@@ -1,0 +1,189 @@
+// @vitest-environment happy-dom
+/** Lists of lines, the legend, the link, the notice, and names that would be markup. */
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { drawing } from "./random_requests";
+import { room, scene } from "./rooms";
+import { fileOf, formatOf } from "../src/panel/files";
+import { tokensOf, writeHighlighted } from "../src/panel/highlight";
+import { Legend, roomColors } from "../src/panel/legend";
+import { LineList, type Line } from "../src/panel/line_list";
+import { Link } from "../src/panel/link";
+import { Notice } from "../src/panel/notice";
+import { optimalityOf } from "../src/panel/status";
+import { ServiceProblem } from "../src/service";
+
+const line = (text: string, id: string | null): Line => ({ text, id, className: "line" });
+
+function listed(): { list: LineList; host: HTMLElement; chosen: string[] } {
+  document.body.innerHTML = "<div></div>";
+  const host = document.querySelector("div") as HTMLElement;
+  const list = new LineList(host);
+  const chosen: string[] = [];
+  list.onChoose = (id) => chosen.push(id);
+  return { list, host, chosen };
+}
+
+describe("a list of lines", () => {
+  it("shows any lines after any others, in order", () => {
+    const draw = drawing(7);
+    const { list, host } = listed();
+    const some = (): Line[] => Array.from({ length: Math.floor(draw() * 9) }, () => {
+      const which = Math.floor(draw() * 4);
+      return line(`text ${which}`, which % 2 ? `id ${which}` : null);
+    });
+    for (let i = 0; i < 300; i += 1) {
+      const lines = some();
+      list.show(lines);
+      expect([...host.children].map((one) => [one.textContent, (one as HTMLElement).dataset.id ?? null])).toEqual(lines.map(({ text, id }) => [text, id]));
+      expect([...host.children]).toEqual(list.elements);
+      expect(list.buttons).toEqual([...host.querySelectorAll("button")]);
+      expect(list.buttons.filter(({ tabIndex }) => tabIndex === 0)).toHaveLength(list.buttons.length > 0 ? 1 : 0);
+    }
+  });
+
+  it("goes by keys no further than its ends, and chooses what is clicked", () => {
+    const { list, host, chosen } = listed();
+    list.show([line("head", null), ...Array.from({ length: 15 }, (_, i) => line(`piece ${i}`, `id ${i}`))]);
+    const press = (key: string): boolean => document.activeElement?.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true })) ?? false;
+    list.buttons[0]?.focus();
+    const reached = (key: string): string | null | undefined => (press(key), document.activeElement?.textContent);
+    expect(["ArrowUp", "ArrowDown", "PageDown", "PageDown", "ArrowDown", "PageUp", "ArrowUp"].map(reached)).toEqual(
+      ["piece 0", "piece 1", "piece 11", "piece 14", "piece 14", "piece 4", "piece 3"],
+    );
+    expect(press("a")).toBe(true);
+    host.querySelector<HTMLElement>("div")?.click();
+    list.buttons[3]?.click();
+    expect(chosen).toEqual(["id 3"]);
+  });
+});
+
+describe("hostile names", () => {
+  const NAMES = ["<img src=x onerror=alert(1)>", "</span><script>1</script>", "a: b # c", "\"'`&lt;", "- [x]: {y}", "\u202Egnp", "${x}", "↔ → ×", "__proto__"];
+
+  it("come out of the highlighting as they went in, as text", () => {
+    const draw = drawing(11);
+    for (let i = 0; i < 400; i += 1) {
+      const text = Array.from({ length: 1 + Math.floor(draw() * 4) }, () => NAMES[Math.floor(draw() * NAMES.length)]).join(draw() < 0.5 ? " " : ": ");
+      const into = document.createElement("div");
+      writeHighlighted(text, into);
+      expect(into.textContent).toBe(text);
+      expect(tokensOf(text).map((token) => token.text).join("")).toBe(text);
+      expect([...into.querySelectorAll("*")].filter((one) => one.tagName !== "SPAN" || one.children.length > 0)).toEqual([]);
+    }
+  });
+
+  it("are text in lists and the legend too", () => {
+    const { list, host } = listed();
+    list.show(NAMES.map((name) => line(name, name)));
+    expect(host.textContent).toBe(NAMES.join(""));
+    expect(list.linesOf(NAMES[0] ?? "")).toEqual([list.buttons[0]]);
+    const [marks, rooms] = [document.createElement("ul"), document.createElement("ul")];
+    new Legend(marks, rooms).show(scene(NAMES.map((name, i) => room(`r${i}`, [0, 0, 1, 1], { type: name }))));
+    expect([marks, rooms].flatMap((one) => [...one.querySelectorAll("*")]).every(({ tagName }) => ["LI", "SPAN"].includes(tagName))).toBe(true);
+  });
+});
+
+describe("the legend", () => {
+  const flooring = { type: "tile", color: "#cccccc" };
+  const home = scene([
+    room("b", [0, 0, 2, 2], { type: "kitchen", accent: "#ff0000" }), room("a", [2, 0, 2, 2], { type: "bathroom", flooring }),
+    room("c", [4, 0, 2, 2], { type: "kitchen", accent: "#ff0000" }), room("d", [6, 0, 2, 2], { type: "kitchen", accent: "#00ff00" }),
+  ]);
+
+  it("names each type once for each floor and accent it is drawn with", () => {
+    expect(roomColors(home)).toEqual([
+      { type: "bathroom", floor: "#cccccc", accent: "#336699" },
+      { type: "kitchen", floor: "#c49a6c", accent: "#ff0000" }, { type: "kitchen", floor: "#c49a6c", accent: "#00ff00" },
+    ]);
+  });
+
+  it("forgets the rooms of the house before", () => {
+    const rooms = document.createElement("ul");
+    const legend = new Legend(document.createElement("ul"), rooms);
+    legend.show(home);
+    legend.show(scene([room("a", [0, 0, 2, 2], { type: "home_office" })]));
+    expect(rooms.textContent).toBe("Home office");
+  });
+});
+
+describe("the link", () => {
+  afterEach(() => vi.unstubAllGlobals());
+
+  it("is not given for a file, and says so; it says what it leaves out of an edited house", async () => {
+    document.body.innerHTML = "<button></button><p></p>";
+    const [button, said] = [document.querySelector("button") as HTMLButtonElement, document.querySelector("p") as HTMLElement];
+    const copied: string[] = [];
+    vi.stubGlobal("navigator", { clipboard: { writeText: (text: string) => (copied.push(text), Promise.resolve()) } });
+    const link = new Link(button, said);
+    const words = async (): Promise<string | null> => (button.click(), await new Promise((done) => setTimeout(done)), said.textContent);
+    expect(await words()).toContain("opens this house");
+    link.edited(true);
+    expect(said.textContent).toBe("");
+    expect(await words()).toContain("as it was made");
+    link.holds(false);
+    expect([button.disabled, said.textContent]).toEqual([true, expect.stringContaining("file")]);
+    link.holds(true);
+    link.edited(false);
+    expect([button.disabled, said.textContent]).toEqual([false, ""]);
+    expect(copied).toEqual([location.href, location.href]);
+  });
+});
+
+describe("the notice", () => {
+  function noticed(): { notice: Notice; again: HTMLButtonElement; key: HTMLFormElement; keys: string[] } {
+    document.body.innerHTML = '<div hidden><strong class="notice-title"></strong><p class="notice-detail"></p><form class="notice-key" hidden><input />'
+      + '</form><button class="notice-again"></button><button class="notice-close"></button></div>';
+    const keys: string[] = [];
+    const host = document.querySelector("div") as HTMLElement;
+    return { notice: new Notice(host, (key) => keys.push(key)), keys, again: host.querySelector(".notice-again") as HTMLButtonElement, key: host.querySelector("form") as HTMLFormElement };
+  }
+
+  it("does again what was refused, and nothing else", () => {
+    const { notice, again } = noticed();
+    const done: string[] = [];
+    notice.show(new ServiceProblem("a", "b"), () => done.push("first"));
+    notice.show(new ServiceProblem("a", "b"), () => done.push("second"));
+    again.click();
+    notice.show(new ServiceProblem("a", "b"));
+    expect(again.hidden).toBe(true);
+    again.click();
+    expect(done).toEqual(["second"]);
+  });
+
+  it.each([[401, true], [413, true], [429, false], [503, false], [0, false]])("offers to try again what %i refused: hidden is %s", (status, hidden) => {
+    const { notice, again, key } = noticed();
+    notice.show(new ServiceProblem("a", "b", { status }), () => undefined);
+    expect([again.hidden, key.hidden]).toEqual([hidden, status !== 401]);
+  });
+
+  it("takes a key and then does again what was refused", () => {
+    const { notice, key, keys } = noticed();
+    let done = 0;
+    notice.show(new ServiceProblem("a", "b", { status: 401 }), () => { done += 1; });
+    key.dispatchEvent(new Event("submit", { cancelable: true }));
+    (key.querySelector("input") as HTMLInputElement).value = " sesame ";
+    key.dispatchEvent(new Event("submit", { cancelable: true }));
+    expect([keys, done]).toEqual([["sesame"], 1]);
+  });
+});
+
+describe("files", () => {
+  it("are of the format that their name says, else their first character", () => {
+    expect([["a.json", ""], ["a.YML", "{"], ["a.yaml", "["], ["a", " {"], ["a", "rooms:"], ["a.txt", "[1]"]].map(([name = "", text = ""]) => formatOf(name, text))).toEqual(
+      ["json", "yaml", "yaml", "json", "yaml", "json"],
+    );
+    expect([null, {}, { file: { name: "a", format: "json", text: "{}" } }].map(fileOf)).toEqual([null, null, { name: "a", format: "json", text: "{}" }]);
+  });
+});
+
+describe("what is proven", () => {
+  it("is said of every room, also of those whose search ended or that were changed", () => {
+    const of = (rooms: object) => optimalityOf({ ...scene([]), certificate: { rooms } as never });
+    expect(of({})).toBeNull();
+    expect(of({ a: { proven: true } })?.full).toContain("for every room");
+    const some = of({ a: { proven: true }, b: { proven: false }, c: { left_out: [] } });
+    expect(some?.short).toBe("proven optimal in 1 of 3 rooms");
+    expect(some?.full).toContain("ended at its limit in b.");
+    expect(some?.full).toContain("Changed since: c.");
+  });
+});
