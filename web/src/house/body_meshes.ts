@@ -2,7 +2,7 @@
 import { Group, Matrix4, Quaternion, Vector3, type Intersection, type Raycaster } from "three";
 import type { PlacedBody } from "./frame";
 import { meets, type Straight } from "./part_hits";
-import { batchesOf, writeNothing, writePlace, type DrawnPart } from "./part_batches";
+import { PartBatches } from "./part_batches";
 import type { Part } from "./parts";
 import { ShapeBook } from "./shapes";
 
@@ -38,7 +38,7 @@ export class BodyMeshes {
   readonly batches: number;
   readonly #bodies: PlacedBody[];
   readonly #parts: readonly (readonly Part[])[];
-  readonly #drawn: readonly (readonly DrawnPart[])[];
+  readonly #drawn: PartBatches;
   readonly #numbers: ReadonlyMap<string, number>;
   #cut = Number.POSITIVE_INFINITY;
 
@@ -46,11 +46,10 @@ export class BodyMeshes {
     this.#bodies = [...bodies];
     this.#numbers = new Map(bodies.map((body, i) => [body.id, i]));
     this.#parts = bodies.map((body) => book.partsOf(body, style));
-    const { root, drawn } = batchesOf(bodies, this.#parts);
-    this.#drawn = drawn;
-    this.batches = root.children.length;
+    this.#drawn = new PartBatches(bodies, this.#parts);
+    this.batches = this.#drawn.meshes.length;
     this.root = new BodyGroup((ray) => this.#cast(ray));
-    for (const batch of [...root.children]) this.root.add(batch);
+    for (const batch of this.#drawn.meshes) this.root.add(batch);
   }
 
   /** Hides what hangs on walls where they are cut below its middle: nothing hangs in the air. */
@@ -74,13 +73,7 @@ export class BodyMeshes {
 
   #write(number: number): void {
     const body = this.#bodies[number];
-    if (!body) return;
-    for (const { part, batch, instance } of this.#drawn[number] ?? []) {
-      const matrix = batch.instanceMatrix;
-      if (this.#hidden(body)) writeNothing(matrix.array as Float32Array, instance * 16);
-      else writePlace(matrix.array as Float32Array, instance * 16, part, body);
-      matrix.needsUpdate = true;
-    }
+    if (body) this.#drawn.place(number, body, this.#hidden(body) ? [] : this.#parts[number]);
   }
 
   #hidden(body: PlacedBody): boolean {

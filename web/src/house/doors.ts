@@ -3,7 +3,7 @@ import { Group, Vector3, type Intersection, type Raycaster } from "three";
 import { LEAF_THICKNESS, type Leaf } from "./door_leaves";
 import { partsOfLeaf, PLAIN_PAINTS, shown, type DoorPaints } from "./door_shapes";
 import type { PlacedBody } from "./frame";
-import { batchesOf, writeNothing, writePlace, writeSize, type DrawnPart } from "./part_batches";
+import { PartBatches } from "./part_batches";
 import { meets, type Straight } from "./part_hits";
 import type { Part } from "./parts";
 
@@ -53,21 +53,21 @@ export class Doors {
   readonly root: Group;
   readonly #wanted: number[];
   readonly #open: number[];
-  readonly #drawn: readonly (readonly DrawnPart[])[];
+  readonly #parts: readonly (readonly Part[])[];
+  readonly #drawn: PartBatches;
   readonly #bodies: PlacedBody[];
-  readonly #shown: Part[][];
+  readonly #shown: (readonly Part[])[];
   #cut = Number.POSITIVE_INFINITY;
 
   constructor(readonly leaves: readonly Leaf[], paints: DoorPaints = PLAIN_PAINTS) {
     this.#wanted = leaves.map(() => 0);
     this.#open = leaves.map(() => 0);
     this.#bodies = leaves.map((leaf) => bodyOfLeaf(leaf, 0));
-    this.#shown = leaves.map(() => []);
-    const { root, drawn } = batchesOf(this.#bodies, leaves.map((leaf) => partsOfLeaf(leaf, paints)));
-    this.#drawn = drawn;
+    this.#parts = leaves.map((leaf) => partsOfLeaf(leaf, paints));
+    this.#shown = [...this.#parts];
+    this.#drawn = new PartBatches(this.#bodies, this.#parts);
     this.root = new DoorGroup((ray) => this.#cast(ray));
-    for (const batch of [...root.children]) this.root.add(batch);
-    leaves.forEach((_, i) => this.#place(i));
+    for (const batch of this.#drawn.meshes) this.root.add(batch);
   }
 
   /** Cuts the leaves at the height of the walls [m]. */
@@ -110,18 +110,9 @@ export class Doors {
     if (!leaf) return;
     const open = eased(this.#open[index] ?? 0);
     const body = (this.#bodies[index] = bodyOfLeaf(leaf, open));
-    const drawn = this.#drawn[index] ?? [];
-    const parts = shownOfLeaf(leaf, drawn.map(({ part }) => part), open, this.#cut);
-    this.#shown[index] = parts.flatMap((part) => part ?? []);
-    drawn.forEach(({ batch, instance }, i) => {
-      const places = batch.instanceMatrix.array as Float32Array;
-      const part = parts[i];
-      if (part) {
-        writePlace(places, instance * 16, part, body);
-        writeSize(batch, instance, part);
-      } else writeNothing(places, instance * 16);
-      batch.instanceMatrix.needsUpdate = true;
-    });
+    const parts = shownOfLeaf(leaf, this.#parts[index] ?? [], open, this.#cut);
+    this.#shown[index] = parts.filter((part) => part !== null);
+    this.#drawn.place(index, body, parts);
   }
 
   #cast(ray: Straight): { leaf: number; distance: number }[] {

@@ -29,10 +29,23 @@ function outlineOf(room: Room): Outline {
   return outline;
 }
 
+type Ends = Readonly<Record<WallPanel["axis"], readonly number[]>>;
+
+const ends = new WeakMap<readonly Room[], Ends>();
+
+/** Where rooms with a finish end, each place once [m]. */
+function endsOf(rooms: readonly Room[]): Ends {
+  const known = ends.get(rooms);
+  if (known) return known;
+  const corners = rooms.filter((room) => room.walls).flatMap((room) => outlineOf(room).corners);
+  const found = { x: [...new Set(corners.map(([x]) => x))], z: [...new Set(corners.map(([, z]) => z))] };
+  ends.set(rooms, found);
+  return found;
+}
+
 /** Where along a panel the finish may change: at the corners of rooms [m]. */
 export function seamsOf(rooms: readonly Room[], axis: WallPanel["axis"], along: Span): number[] {
-  const ends = rooms.filter((room) => room.walls).flatMap((room) => outlineOf(room).corners.map(([x, z]) => (axis === "x" ? x : z)));
-  return [...new Set(ends)].filter((end) => along.from < end && end < along.to);
+  return endsOf(rooms)[axis].filter((end) => along.from < end && end < along.to);
 }
 
 /** Whether a point of the plan [m] is within a room's outline. */

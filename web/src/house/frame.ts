@@ -67,14 +67,18 @@ function place(body: Body, name: string, kind: BodyKind, room: Room, elevation: 
 }
 
 /** A decoration in the house; what hangs on a wall, or lies on what does, knows at which height. */
-function placeDecoration(piece: Decoration, room: Room, elevation: number): PlacedBody {
+function placeDecoration(piece: Decoration, others: ReadonlyMap<string, Decoration>, room: Room, elevation: number): PlacedBody {
   const body = place(piece, piece.name, "decoration", room, elevation);
   let carrier: Decoration | undefined = piece;
   for (let step = 0; carrier && !carrier.mounted_on_wall && step < room.decorations.length; step += 1) {
-    const below: string | null | undefined = carrier.parent;
-    carrier = room.decorations.find((other) => other.id === below);
+    carrier = others.get(carrier.parent ?? "");
   }
   return carrier?.mounted_on_wall ? { ...body, hung: elevation + carrier.y + carrier.height / 2 } : body;
+}
+
+function placeDecorations(room: Room, elevation: number): PlacedBody[] {
+  const others = new Map(room.decorations.map((piece) => [piece.id, piece]));
+  return room.decorations.map((piece) => placeDecoration(piece, others, room, elevation));
 }
 
 /** Every body of a scene in house coordinates. */
@@ -84,7 +88,7 @@ export function bodiesOf(scene: Scene): PlacedBody[] {
   const rooms = new Map(scene.rooms.map((room) => [room.id, room]));
   const standing = scene.rooms.flatMap((room) => [
     ...room.furniture.map((piece) => place(piece, piece.name, "furniture", room, elevation(room))),
-    ...room.decorations.map((piece) => placeDecoration(piece, room, elevation(room))),
+    ...placeDecorations(room, elevation(room)),
   ]);
   const living = (scene.dynamic ?? []).flatMap((body: Dynamic) => {
     const room = rooms.get(body.room);

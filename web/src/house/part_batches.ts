@@ -1,6 +1,10 @@
 /** Parts drawn in few batches: one a solid, those that are seen through apart. Each part is an instance with its own size and paint. */
-import { Color, Group, InstancedBufferAttribute, InstancedMesh, Sphere, Vector3, BufferGeometry } from "three";
+import {
+  BufferGeometry, Color, InstancedBufferAttribute, InstancedInterleavedBuffer, InstancedMesh, InterleavedBufferAttribute, Sphere, Vector3,
+} from "three";
+import type { PartForm } from "../contract";
 import type { PlacedBody } from "./frame";
+import type { Paint } from "./paints";
 import { solidGeometry, solidOf, type Solid } from "./part_geometry";
 import { partMaterials } from "./part_shader";
 import { patternLayer } from "./patterns";
@@ -9,72 +13,92 @@ import type { Part } from "./parts";
 /** Roundings [m]: of a soft-edged block, never more than this share of its thinnest side. */
 const ROUNDING = 0.035;
 const ROUNDING_SHARE = 0.42;
+const SOLIDS: readonly Solid[] = ["box", "rounded", "round", "ball", "capsule"];
+/** Every solid can be drawn twice: solid, and seen through. */
+const BATCHES = SOLIDS.length * 2;
+const MATRIX = 16;
+/** The numbers of an instance's look: span, tint and finish, as the shader has them. */
+const LOOK = 12;
+const LOOKS = ["span", "tint", "finish"] as const;
 
-/** A part of a body, and where it went. */
-export interface DrawnPart {
-  readonly part: Part;
-  readonly batch: InstancedMesh;
-  readonly instance: number;
-}
+const first: Readonly<Record<PartForm, number>> = Object.fromEntries(
+  (["box", "rounded", "cylinder", "cone", "ball", "capsule"] as const).map((form) => [form, SOLIDS.indexOf(solidOf(form)) * 2]),
+) as Record<PartForm, number>;
 
-interface Draft {
-  readonly solid: Solid;
-  readonly clear: boolean;
-  readonly parts: { readonly part: Part; readonly body: number }[];
-}
-
-const linear = new Map<string, readonly [number, number, number]>();
-
-function linearColor(color: string): readonly [number, number, number] {
-  const known = linear.get(color) ?? new Color(color).toArray();
-  linear.set(color, known as [number, number, number]);
-  return known as [number, number, number];
+function batchOf(part: Part): number {
+  return first[part.form] + (part.paint.opacity < 1 ? 1 : 0);
 }
 
 function shapeNumber({ form, size, taper }: Part): number {
-  if (form === "rounded") return Math.min(ROUNDING, Math.min(...size) * ROUNDING_SHARE);
+  if (form === "rounded") return Math.min(ROUNDING, Math.min(size[0], size[1], size[2]) * ROUNDING_SHARE);
   return form === "cylinder" || form === "cone" ? taper : 0;
 }
 
-/** A part's size as its solid has it, before it is laid along its axis. */
-function standing({ axis, size: [x, y, z] }: Part): readonly [number, number, number] {
-  if (axis === "x") return [y, x, z];
-  return axis === "z" ? [x, z, y] : [x, y, z];
+/** A paint's tint and finish. */
+function painted({ color, opacity, roughness, metalness, glow, texture }: Paint): number[] {
+  return [...new Color(color).toArray(), opacity, Math.max(0.05, roughness), metalness, glow, patternLayer(texture)];
+}
+
+const paints = new WeakMap<Paint, readonly number[]>();
+
+/** Writes a part's size as its solid has it, before it is laid along its axis, and its shape's number. */
+function writeSpan(into: Float32Array, offset: number, part: Part): void {
+  const { axis, size: [x, y, z] } = part;
+  into[offset] = axis === "x" ? y : x;
+  into[offset + 1] = axis === "x" ? x : axis === "z" ? z : y;
+  into[offset + 2] = axis === "z" ? y : z;
+  into[offset + 3] = shapeNumber(part);
+}
+
+function writeLook(into: Float32Array, offset: number, part: Part): void {
+  writeSpan(into, offset, part);
+  const known = paints.get(part.paint) ?? painted(part.paint);
+  paints.set(part.paint, known);
+  for (let i = 0; i < known.length; i += 1) into[offset + 4 + i] = known[i] ?? 0;
+}
+
+const looks = new WeakMap<readonly Part[], Float32Array>();
+
+/** The looks of a body's parts, kept for as long as its parts are. */
+function looksOf(parts: readonly Part[]): Float32Array {
+  const known = looks.get(parts);
+  if (known) return known;
+  const made = new Float32Array(parts.length * LOOK);
+  for (let i = 0; i < parts.length; i += 1) writeLook(made, i * LOOK, parts[i] as Part);
+  looks.set(parts, made);
+  return made;
+}
+
+function writeColumn(into: Float32Array, offset: number, x: number, y: number, z: number): void {
+  into[offset] = x;
+  into[offset + 1] = y;
+  into[offset + 2] = z;
+  into[offset + 3] = 0;
 }
 
 /** Writes the place of a part of a body into the sixteen numbers of its matrix. */
-export function writePlace(into: Float32Array, offset: number, { axis, at: [x, y, z] }: Part, body: PlacedBody): void {
+export function writePlace(into: Float32Array, offset: number, { axis, at }: Part, body: PlacedBody): void {
   const [cos, sin] = [Math.cos(body.turn), Math.sin(body.turn)];
-  const columns: readonly number[] =
-    axis === "x" ? [0, -1, 0, cos, 0, -sin, sin, 0, cos] : axis === "z" ? [cos, 0, -sin, sin, 0, cos, 0, -1, 0] : [cos, 0, -sin, 0, 1, 0, sin, 0, cos];
-  for (let column = 0; column < 3; column += 1) {
-    for (let row = 0; row < 3; row += 1) into[offset + column * 4 + row] = columns[column * 3 + row] ?? 0;
-    into[offset + column * 4 + 3] = 0;
-  }
-  into[offset + 12] = body.x + x * cos + z * sin;
-  into[offset + 13] = body.y + y;
-  into[offset + 14] = body.z - x * sin + z * cos;
+  if (axis === "x") {
+    writeColumn(into, offset, 0, -1, 0);
+    writeColumn(into, offset + 4, cos, 0, -sin);
+  } else writeColumn(into, offset, cos, 0, -sin);
+  if (axis === "y") writeColumn(into, offset + 4, 0, 1, 0);
+  if (axis === "z") {
+    writeColumn(into, offset + 4, sin, 0, cos);
+    writeColumn(into, offset + 8, 0, -1, 0);
+  } else writeColumn(into, offset + 8, sin, 0, cos);
+  writeColumn(into, offset + 12, body.x + at[0] * cos + at[2] * sin, body.y + at[1], body.z - at[0] * sin + at[2] * cos);
   into[offset + 15] = 1;
-}
-
-/** Gives a drawn part another size; what it is made of stays. */
-export function writeSize(batch: InstancedMesh, instance: number, part: Part): void {
-  const spans = batch.geometry.getAttribute("span");
-  spans.setXYZW(instance, ...standing(part), shapeNumber(part));
-  spans.needsUpdate = true;
-}
-
-/** Draws nothing of a part: all of its points coincide. */
-export function writeNothing(into: Float32Array, offset: number): void {
-  into.fill(0, offset, offset + 15);
 }
 
 /** A batch's geometry; the solid's own attributes outlive it. */
 class PartGeometry extends BufferGeometry {
-  constructor(readonly solid: BufferGeometry) {
+  constructor(readonly solid: BufferGeometry, ofAll: InstancedInterleavedBuffer) {
     super();
     for (const [name, attribute] of Object.entries(solid.attributes)) this.setAttribute(name, attribute);
     this.setIndex(solid.index);
+    LOOKS.forEach((name, i) => this.setAttribute(name, new InterleavedBufferAttribute(ofAll, 4, i * 4)));
   }
 
   override dispose(): void {
@@ -84,46 +108,85 @@ class PartGeometry extends BufferGeometry {
   }
 }
 
-function instanced({ solid, clear, parts }: Draft): InstancedMesh {
-  const geometry = new PartGeometry(solidGeometry(solid));
-  const arrays = { span: new Float32Array(parts.length * 4), tint: new Float32Array(parts.length * 4), finish: new Float32Array(parts.length * 4) };
-  parts.forEach(({ part }, i) => {
-    const { paint } = part;
-    arrays.span.set([...standing(part), shapeNumber(part)], i * 4);
-    arrays.tint.set([...linearColor(paint.color), paint.opacity], i * 4);
-    arrays.finish.set([Math.max(0.05, paint.roughness), paint.metalness, paint.glow, patternLayer(paint.texture)], i * 4);
-  });
-  for (const [name, array] of Object.entries(arrays)) geometry.setAttribute(name, new InstancedBufferAttribute(array, 4));
+/** One batch, and the numbers of its instances: to be written before it is first drawn. */
+interface Batch {
+  readonly mesh: InstancedMesh;
+  readonly places: Float32Array;
+  readonly looks: InstancedInterleavedBuffer;
+}
+
+function batchFor(number: number, count: number): Batch {
+  const clear = number % 2 === 1;
+  const places = new Float32Array(count * MATRIX);
+  const ofAll = new InstancedInterleavedBuffer(new Float32Array(count * LOOK), LOOK);
   const materials = partMaterials();
-  const mesh = new InstancedMesh(geometry, clear ? materials.clear : materials.solid, parts.length);
+  const geometry = new PartGeometry(solidGeometry(SOLIDS[number >> 1] as Solid), ofAll);
+  // Made for none: three would write every matrix once, only to have it written again.
+  const mesh = new InstancedMesh(geometry, clear ? materials.clear : materials.solid, 0);
+  mesh.instanceMatrix = new InstancedBufferAttribute(places, MATRIX);
+  mesh.count = count;
   Object.assign(mesh, { castShadow: !clear, receiveShadow: true, frustumCulled: false, customDepthMaterial: materials.shadow });
   mesh.boundingSphere = new Sphere(new Vector3(), 1);
   if (clear) mesh.renderOrder = 2;
-  return mesh;
+  return { mesh, places, looks: ofAll };
 }
 
-/** Draws the parts of bodies; returns the batches and, body by body, its drawn parts. */
-export function batchesOf(bodies: readonly PlacedBody[], parts: readonly (readonly Part[])[]): { root: Group; drawn: DrawnPart[][] } {
-  const drafts = new Map<string, Draft>();
-  parts.forEach((ofBody, body) => {
-    for (const part of ofBody) {
-      const [solid, clear] = [solidOf(part.form), part.paint.opacity < 1];
-      const key = `${solid} ${clear}`;
-      const draft = drafts.get(key) ?? { solid, clear, parts: [] };
-      drafts.set(key, draft);
-      draft.parts.push({ part, body });
-    }
-  });
-  const root = new Group();
-  const drawn: DrawnPart[][] = bodies.map(() => []);
-  for (const draft of drafts.values()) {
-    const batch = instanced(draft);
-    draft.parts.forEach(({ part, body }, instance) => {
-      const placed = bodies[body];
-      if (placed) writePlace(batch.instanceMatrix.array as Float32Array, instance * 16, part, placed);
-      drawn[body]?.push({ part, batch, instance });
-    });
-    root.add(batch);
+/** The parts of bodies, drawn. Of a body's parts those of one batch are neighbours there. */
+export class PartBatches {
+  readonly meshes: readonly InstancedMesh[];
+  readonly #batches: readonly (Batch | undefined)[];
+  readonly #parts: readonly (readonly Part[])[];
+  /** Which of a batch's instances is a body's first; body by body the number for each batch. */
+  readonly #firsts: Int32Array;
+  /** Where the parts of the body in hand go next. */
+  readonly #next = new Int32Array(BATCHES);
+
+  constructor(bodies: readonly PlacedBody[], parts: readonly (readonly Part[])[]) {
+    this.#parts = parts;
+    this.#firsts = new Int32Array(bodies.length * BATCHES);
+    this.#batches = Array.from(this.#count(), (count, number) => (count > 0 ? batchFor(number, count) : undefined));
+    this.meshes = this.#batches.flatMap((batch) => batch?.mesh ?? []);
+    bodies.forEach((body, number) => this.#write(number, body));
   }
-  return { root, drawn };
+
+  /** How many instances every batch has. */
+  #count(): Int32Array {
+    const counts = new Int32Array(BATCHES);
+    this.#parts.forEach((own, body) => {
+      this.#firsts.set(counts, body * BATCHES);
+      for (const part of own) counts[batchOf(part)] = (counts[batchOf(part)] as number) + 1;
+    });
+    return counts;
+  }
+
+  #each(body: number, visit: (part: Part, number: number, batch: Batch, instance: number) => void): void {
+    const [next, own] = [this.#next, this.#parts[body] ?? []];
+    for (let i = 0; i < BATCHES; i += 1) next[i] = this.#firsts[body * BATCHES + i] as number;
+    for (let i = 0; i < own.length; i += 1) {
+      const number = batchOf(own[i] as Part);
+      visit(own[i] as Part, i, this.#batches[number] as Batch, next[number] as number);
+      next[number] = (next[number] as number) + 1;
+    }
+  }
+
+  #write(number: number, body: PlacedBody): void {
+    const own = looksOf(this.#parts[number] ?? []);
+    this.#each(number, (part, i, { places, looks: { array } }, instance) => {
+      writePlace(places, instance * MATRIX, part, body);
+      for (let k = 0; k < LOOK; k += 1) array[instance * LOOK + k] = own[i * LOOK + k] as number;
+    });
+  }
+
+  /** Puts a body's parts anew, as large as they now are; of a part that is not there all points coincide. */
+  place(number: number, body: PlacedBody, shown: readonly (Part | null)[] = []): void {
+    this.#each(number, (own, i, { mesh, places, looks: spans }, instance) => {
+      const part = shown[i];
+      if (part) writePlace(places, instance * MATRIX, part, body);
+      else places.fill(0, instance * MATRIX, instance * MATRIX + MATRIX - 1);
+      mesh.instanceMatrix.needsUpdate = true;
+      if (!part || part === own) return;
+      writeSpan(spans.array as Float32Array, instance * LOOK, part);
+      spans.needsUpdate = true;
+    });
+  }
 }

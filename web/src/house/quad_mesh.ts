@@ -33,33 +33,49 @@ export function quadsOf(box: Box, color: string): ColoredQuad[] {
   return BOX_FACES.map(({ normal, corners: [a, b, c, d] }) => ({ corners: [at(a), at(b), at(c), at(d)], normal, color }));
 }
 
-/** Where on its pattern a point of a face lies: along the face and up, in squares of the pattern. */
-function wovenAt([x, y, z]: Point, [nx, ny]: Point, span: number): [number, number] {
-  if (ny !== 0) return [x / span, z / span];
-  return [(nx === 0 ? x : z) / span, y / span];
+function write(into: Float32Array, at: number, values: Point): void {
+  into[at] = values[0];
+  into[at + 1] = values[1];
+  into[at + 2] = values[2];
+}
+
+/** Writes where on its pattern a point of a face lies: along the face and up, in squares of the pattern. */
+function writeWoven(into: Float32Array, at: number, [x, y, z]: Point, [nx, ny]: Point, span: number): void {
+  into[at] = (ny !== 0 || nx === 0 ? x : z) / span;
+  into[at + 1] = (ny !== 0 ? z : y) / span;
+}
+
+type Arrays = readonly [position: Float32Array, normal: Float32Array, color: Float32Array, weave: Float32Array];
+
+function writeQuad([position, normals, colors, weave]: Arrays, i: number, quad: ColoredQuad, tint: Point): void {
+  const { corners, normal, pattern = PLAIN.pattern, roughness = PLAIN.roughness } = quad;
+  const layer = patternLayer(pattern);
+  const span = patternSpans[layer] ?? 1;
+  for (let j = 0; j < 4; j += 1) {
+    const [at, woven, corner] = [i * 12 + j * 3, i * 16 + j * 4, corners[j] as Point];
+    write(position, at, corner);
+    write(normals, at, normal);
+    write(colors, at, tint);
+    writeWoven(weave, woven, corner, normal, span);
+    weave[woven + 2] = layer;
+    weave[woven + 3] = roughness;
+  }
 }
 
 /** Merges rectangles into one indexed geometry; `weave` is the place on the pattern, its layer, the roughness. */
 export function mergeQuads(quads: readonly ColoredQuad[]): BufferGeometry {
-  const colors = new Map([...new Set(quads.map((quad) => quad.color))].map((color) => [color, new Color(color).toArray()]));
-  const points = (): Float32Array<ArrayBuffer> => new Float32Array(quads.length * 12);
-  const [position, normals, tints, weave] = [points(), points(), points(), new Float32Array(quads.length * 16)];
+  const tints = new Map<string, Point>();
+  const numbers = (each: number): Float32Array<ArrayBuffer> => new Float32Array(quads.length * 4 * each);
+  const arrays = [numbers(3), numbers(3), numbers(3), numbers(4)] as const;
   const index = new Uint32Array(quads.length * 6);
-  quads.forEach(({ corners, normal, color, pattern = PLAIN.pattern, roughness = PLAIN.roughness }, i) => {
-    const layer = patternLayer(pattern);
-    const [tint, span] = [colors.get(color) ?? [], patternSpans[layer] ?? 1];
-    corners.forEach((corner, j) => {
-      const at = i * 12 + j * 3;
-      position.set(corner, at);
-      normals.set(normal, at);
-      tints.set(tint, at);
-      weave.set([...wovenAt(corner, normal, span), layer, roughness], i * 16 + j * 4);
-    });
-    TRIANGLES.forEach((corner, j) => (index[i * 6 + j] = i * 4 + corner));
+  quads.forEach((quad, i) => {
+    const tint = tints.get(quad.color) ?? (new Color(quad.color).toArray() as number[] as [number, number, number]);
+    tints.set(quad.color, tint);
+    writeQuad(arrays, i, quad, tint);
+    for (let j = 0; j < 6; j += 1) index[i * 6 + j] = i * 4 + (TRIANGLES[j] as number);
   });
   const geometry = new BufferGeometry();
-  for (const [name, array] of Object.entries({ position, normal: normals, color: tints })) geometry.setAttribute(name, new BufferAttribute(array, 3));
-  geometry.setAttribute("weave", new BufferAttribute(weave, 4));
+  ["position", "normal", "color", "weave"].forEach((name, k) => geometry.setAttribute(name, new BufferAttribute(arrays[k] as Float32Array, k < 3 ? 3 : 4)));
   geometry.setIndex(new BufferAttribute(index, 1));
   return geometry;
 }

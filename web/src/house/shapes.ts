@@ -9,6 +9,8 @@ import { part, type Part } from "./parts";
 /** Lower than this a body is a rug or a mat: it has no front to mark. */
 const FLAT = 0.05;
 const ARROW_HEIGHT = 0.006;
+/** The parts of this many bodies are remembered: those of several houses. */
+const MOST_KNOWN = 5000;
 
 /** A small arrow on top, at the front edge: which way a box looks. */
 function frontArrow(body: PlacedBody): Part {
@@ -51,6 +53,7 @@ export class ShapeBook {
   readonly #furniture: ReadonlyMap<string, readonly Variant[]>;
   readonly #decorations: ReadonlyMap<string, readonly Variant[]>;
   readonly #paints = new Map<string, Paints>();
+  readonly #known = new Map<string, readonly Part[]>();
 
   constructor(readonly catalog: Catalog | null) {
     const shapes = catalog?.shapes ?? {};
@@ -58,8 +61,17 @@ export class ShapeBook {
     this.#decorations = indexOf(catalog?.decorations, shapes);
   }
 
-  /** The parts that a body is drawn with in a house of this style. */
-  partsOf(body: PlacedBody, style: string | null): Part[] {
+  /** The parts that a body is drawn with in a house of this style; bodies that are alike share them. */
+  partsOf(body: PlacedBody, style: string | null): readonly Part[] {
+    const { kind, name, seat, width, depth, height, color, accent } = body;
+    const key = `${style} ${kind} ${name} ${seat} ${width} ${depth} ${height} ${color} ${accent}`;
+    const known = this.#known.get(key) ?? this.#make(body, style);
+    if (this.#known.size > MOST_KNOWN) this.#known.clear();
+    this.#known.set(key, known);
+    return known;
+  }
+
+  #make(body: PlacedBody, style: string | null): Part[] {
     const parts = this.#solidsOf(body);
     if (!parts && body.kind === "dynamic") return body.seat === undefined ? livingParts(body) : seatedParts(body, body.seat);
     if (!parts) return boxParts(body);
