@@ -1,40 +1,140 @@
-"""`make page-bench`: what the page costs, as a table for BENCHMARKS.md."""
+"""`make page-bench`: what the page costs, as tables for BENCHMARKS.md."""
 
 from __future__ import annotations
 
-from playwright.sync_api import sync_playwright
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
 
-from tests.browser.cost import MAX_DRAW_CALLS, MAX_REBUILD_MS, MAX_SCRIPT_BYTES, Cost, measured
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from tests.browser.cost import (
+    BUILT,
+    DRAWN,
+    HOME,
+    LEAST,
+    MAX_DRAW_CALLS,
+    MAX_REBUILD_MS,
+    MAX_SCRIPT_BYTES,
+    WRITTEN,
+    Cost,
+    Steps,
+    Summary,
+    Took,
+    clock,
+    counts,
+    cpu,
+    measured,
+    script_bytes,
+    thinned,
+    traced,
+)
 from tests.browser.service_process import running
+from tests.browser.test_rooms_and_files import DROP
 from tests.browser.visit import Visit
 from tests.chromium import FLAGS, bring
 
 TIMES = 20
+OTHERS = 10
+"""Houses asked for one after another."""
 
 
-def table(cost: Cost) -> str:
-    """Returns the figures as a Markdown table."""
+@dataclass(frozen=True)
+class Opening:
+    """The first house of a page and others after it: steps, and the whole of what the page's thread did for each other house, ms."""
+
+    first: Steps
+    others: Steps
+    whole: Sequence[float]
+    pieces: Sequence[tuple[int, int]]
+
+
+def thread_ms(page: Page) -> float:
+    """Returns how long the page's thread was busy so far, on its processor."""
+    session = page.context.new_cdp_session(page)
+    session.send("Performance.enable", {"timeDomain": "threadTicks"})
+    found = {entry["name"]: entry["value"] for entry in session.send("Performance.getMetrics")["metrics"]}
+    session.detach()
+    return float(found["TaskDuration"]) * 1000
+
+
+def opened(visit: Visit) -> Opening:
+    """Opens a page on a home, then asks for others like it."""
+    with traced(visit.page) as first:
+        visit.open(HOME)
+    whole, pieces = [], []
+    with traced(visit.page) as others:
+        for _ in range(OTHERS):
+            before = thread_ms(visit.page)
+            answer = visit.after(lambda: visit.page.locator("#random").click())
+            whole.append(thread_ms(visit.page) - before)
+            pieces.append(counts(answer["scene"]))
+    return Opening(first.steps, others.steps, whole, pieces)
+
+
+def show(visit: Visit, scene: dict[str, object]) -> None:
+    """Drops a scene on the page."""
+    assert visit.page.evaluate(DROP, ["home.json", json.dumps(scene)])
+    visit.page.wait_for_function("title => document.title === title", arg="Compose: home.json")
+    visit.settle()
+
+
+def words(times: Summary) -> str:
+    """Returns the median and the longest."""
+    return f"{times.median_ms:.1f}, {times.longest_ms:.1f}"
+
+
+def both(took: Sequence[Took]) -> str:
+    """Returns two cells: on the processor, by the clock."""
+    return f"{words(cpu(took))} | {words(clock(took))}"
+
+
+def times_table(costs: Sequence[Cost], opening: Opening) -> str:
+    """Returns the times as a Markdown table."""
+    wanted = f"{MAX_REBUILD_MS} at most"
+    rebuilds = [(f"rebuilt: {cost.furniture} + {cost.decorations}", both(cost.rebuilds), wanted) for cost in costs]
+    pieces = f"{min(low for low, _ in opening.pieces)}-{max(high for high, _ in opening.pieces)} + "
+    pieces += f"{min(low for _, low in opening.pieces)}-{max(high for _, high in opening.pieces)}"
     rows = [
-        ("furniture, decorations", f"{cost.furniture}, {cost.decorations}", "150, 150 at least"),
-        ("scene rebuilt, median of 20 [ms of script]", f"{cost.median_ms:.1f}", f"{MAX_REBUILD_MS} at most"),
-        ("scene rebuilt, longest of 20 [ms of script]", f"{max(cost.rebuilds):.1f}", ""),
+        *rebuilds,
+        ("built first after the page was opened", both(opening.first[BUILT][:1]), ""),
+        (f"another house built: {pieces}", both(opening.others[BUILT]), ""),
+        ("its first frame, script of it", both(opening.others[DRAWN]), ""),
+        ("its readable YAML shown", both(opening.others[WRITTEN]), ""),
+        ("all that the page does from the press of Random to the YAML shown", f"{words(Summary.of(opening.whole))} |", ""),
+    ]
+    head = ["| median, longest [ms] | processor | clock | wanted |", "|---|---|---|---|"]
+    return "\n".join([*head, *(f"| {' | '.join(row)} |" for row in rows)])
+
+
+def other_table(cost: Cost) -> str:
+    """Returns the other figures as a Markdown table."""
+    rows = [
         ("draw calls without the shadow pass", f"{cost.draw_calls}", f"{MAX_DRAW_CALLS} at most"),
         ("draw calls of the shadow pass", f"{cost.shadow_calls}", ""),
         ("triangles", f"{cost.triangles:,}", ""),
         ("frames in a second in which nothing changes", f"{cost.idle_frames}", "0"),
-        ("page script, gzip [KB]", f"{cost.script_bytes / 1024:.0f}", f"{MAX_SCRIPT_BYTES // 1024} at most"),
+        ("page script, gzip [KB]", f"{script_bytes() / 1024:.0f}", f"{MAX_SCRIPT_BYTES // 1024} at most"),
     ]
-    lines = ["| of a decorated large home | measured | wanted |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)]
-    return "\n".join(lines)
+    return "\n".join(["| of that home | measured | wanted |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)])
+
+
+def fresh(browser: Browser, address: str) -> Visit:
+    """Returns a visit by a page of its own."""
+    return Visit(browser.new_page(viewport={"width": 1000, "height": 600}), address)
 
 
 def main() -> None:
-    """Measures the built page in headless Chromium and prints the table."""
+    """Measures the built page in headless Chromium and prints the tables."""
     path = bring()
     with running() as service, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
-        page = browser.new_page(viewport={"width": 1000, "height": 600})
-        print(table(measured(Visit(page, service.address), TIMES)))
+        visit = fresh(browser, service.address)
+        opening = opened(visit)
+        scene = visit.open(HOME)["scene"]
+        whole = measured(visit, TIMES)
+        show(visit, thinned(scene, LEAST))
+        print(times_table([measured(visit, TIMES), whole], opening), other_table(whole), sep="\n\n")
         browser.close()
 
 

@@ -79,6 +79,7 @@ class Page {
     globalThis.compose = this.#stage;
     foldForNarrow();
     this.#openAddress();
+    void this.#stage.rehearse();
   }
 
   /** Opens what the page of history holds: a file's scene, else the address' request. */
@@ -233,7 +234,7 @@ class Page {
 
 declare global {
   /** What is shown, for tests and the curious; nothing of the page reads it. */
-  var compose: Pick<Stage, "state" | "whereIs" | "measure" | "scene" | "places">;
+  var compose: Pick<Stage, "state" | "whereIs" | "measure" | "rebuild" | "scene" | "places">;
 }
 
 new Page().open();

@@ -3,7 +3,9 @@ import { Vector3 } from "three";
 import type { Catalog, Issue, Scene } from "./contract";
 import { drawable } from "./house/drawable";
 import { House, type Hit } from "./house/house";
+import { rehearse, rehearseKinds } from "./house/rehearsal";
 import { ShapeBook } from "./house/shapes";
+import { timed } from "./timing";
 import type { PresetName } from "./view/cameras";
 import { Labels } from "./view/labels";
 import { Looking } from "./view/looking";
@@ -53,16 +55,25 @@ export class Stage {
   }
 
   #build(scene: Scene): House {
-    this.#house?.dispose();
-    this.#house = new House(scene, this.#book);
-    this.#viewport.add(this.#house.root, this.#house.bounds, this.#house.outline);
-    this.#house.cutAt(this.#looking.height);
-    return this.#house;
+    return timed("house built", () => {
+      this.#house?.dispose();
+      const house = (this.#house = new House(scene, this.#book));
+      this.#viewport.add(house.root, house.bounds, house.outline);
+      house.cutAt(this.#looking.height);
+      return house;
+    });
+  }
+
+  /** From the first frame until there is a house, makes what that will need. */
+  async rehearse(): Promise<void> {
+    await new Promise<void>((drawn) => this.#viewport.onFrame(drawn));
+    await rehearse((root) => this.#viewport.prepare(root), () => this.#house === null);
   }
 
   /** Learns how kinds look; what is shown from now on is drawn so. */
   dress(catalog: Catalog): void {
     this.#book = new ShapeBook(catalog);
+    if (!this.#house) rehearseKinds(catalog);
   }
 
   look(way: PresetName | "walk"): void {
@@ -150,13 +161,17 @@ export class Stage {
     return null;
   }
 
+  /** Builds the shown house anew; returns how long the script took [ms]. */
+  rebuild(): number {
+    const start = performance.now();
+    if (this.#house) this.#build(this.#house.scene);
+    return performance.now() - start;
+  }
+
   /** Builds the shown house anew a number of times; returns how long the script took for each [ms], and what a frame costs. */
   measure(times: number) {
-    const scene = this.#house?.scene;
-    const rebuilds = Array.from({ length: scene ? times : 0 }, () => {
-      const start = performance.now();
-      if (scene) this.#build(scene);
-      const built = performance.now() - start;
+    const rebuilds = Array.from({ length: this.#house ? times : 0 }, () => {
+      const built = this.rebuild();
       this.#viewport.cost();
       return built;
     });

@@ -12,6 +12,8 @@ interface Outline {
   readonly corners: readonly (readonly [number, number])[];
   readonly x: Span;
   readonly z: Span;
+  /** Whether it fills those spans. */
+  readonly whole: boolean;
 }
 
 /** Walls ask for every room's outline at every face: each is made once. */
@@ -20,7 +22,7 @@ const outlines = new WeakMap<Room, Outline>();
 function outlined(room: Room): Outline {
   const corners = cornersOf(room).map(([x, z]) => [room.x + x, room.z + z] as const);
   const spanOf = (values: readonly number[]): Span => ({ from: Math.min(...values), to: Math.max(...values) });
-  return { corners, x: spanOf(corners.map(([x]) => x)), z: spanOf(corners.map(([, z]) => z)) };
+  return { corners, whole: !room.outline, x: spanOf(corners.map(([x]) => x)), z: spanOf(corners.map(([, z]) => z)) };
 }
 
 function outlineOf(room: Room): Outline {
@@ -50,8 +52,9 @@ export function seamsOf(rooms: readonly Room[], axis: WallPanel["axis"], along: 
 
 /** Whether a point of the plan [m] is within a room's outline. */
 export function holds(room: Room, x: number, z: number): boolean {
-  const { corners, x: across, z: along } = outlineOf(room);
+  const { corners, x: across, z: along, whole } = outlineOf(room);
   if (x < across.from || x > across.to || z < along.from || z > along.to) return false;
+  if (whole) return true;
   return corners.reduce((inside, [x0, z0], i) => {
     const [x1, z1] = corners[(i + 1) % corners.length] ?? [x0, z0];
     const crosses = z0 > z !== z1 > z && x < x0 + ((z - z0) / (z1 - z0)) * (x1 - x0);

@@ -71,6 +71,9 @@ const PAINTERS: Readonly<Record<string, Painter>> = {
   grass: speckles(16000, 0.7, 1.05, 9),
 };
 
+/** The flooring types that have a texture. */
+export const FLOOR_TYPES: readonly string[] = Object.keys(PAINTERS);
+
 const made = new Map<string, Texture>();
 
 /** The texture of a flooring type, or null for a type that is not known: it is drawn plain. */

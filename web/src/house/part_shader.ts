@@ -5,7 +5,7 @@
 import { MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
 import { keptMaterial } from "./kept";
 import { RULE } from "./part_geometry";
-import { patternSpans, patternTexture } from "./patterns";
+import { patternSpans, patternUniform } from "./patterns";
 
 const SHAPE = /* glsl */ `
 attribute vec4 span; // size [m]; rounding [m] of a block, taper of a cylinder
@@ -90,7 +90,7 @@ function shapeVertices(shader: WebGLProgramParametersWithUniforms): void {
 
 function paint(shader: WebGLProgramParametersWithUniforms): void {
   shapeVertices(shader);
-  shader.uniforms.patterns = { value: patternTexture() };
+  shader.uniforms.patterns = patternUniform;
   shader.uniforms.patternSpans = { value: patternSpans };
   shader.vertexShader = shader.vertexShader
     .replace(SHAPE, SHAPE + WEAVE)

@@ -162,11 +162,21 @@ export function patternGreys(name: string, size = SIZE): Uint8Array<ArrayBuffer>
   return greys;
 }
 
+const greys: Uint8Array[] = [];
+
+/** Makes the next pattern; false when all are made. */
+export function makeNextPattern(): boolean {
+  const name = NAMES[greys.length];
+  if (name !== undefined) greys.push(patternGreys(name));
+  return name !== undefined;
+}
+
 let made: DataArrayTexture | undefined;
 
 function make(): DataArrayTexture {
+  while (makeNextPattern());
   const layers = new Uint8Array(SIZE * SIZE * NAMES.length);
-  NAMES.forEach((name, i) => layers.set(patternGreys(name), i * SIZE * SIZE));
+  greys.forEach((layer, i) => layers.set(layer, i * SIZE * SIZE));
   const texture = new DataArrayTexture(layers, SIZE, SIZE, NAMES.length);
   Object.assign(texture, {
     format: RedFormat, type: UnsignedByteType, wrapS: RepeatWrapping, wrapT: RepeatWrapping,
@@ -175,7 +185,9 @@ function make(): DataArrayTexture {
   return texture;
 }
 
-/** All patterns as one texture. */
-export function patternTexture(): DataArrayTexture {
-  return (made ??= make());
-}
+/** All patterns as one texture, for shaders: made when something is first drawn with it. */
+export const patternUniform = {
+  get value(): DataArrayTexture {
+    return (made ??= make());
+  },
+};

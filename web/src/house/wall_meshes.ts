@@ -61,9 +61,9 @@ export class Walls {
     if (!isSide) return { corners, normal, color: cut ? CUT : REVEAL };
     const finish = finishOf(face, panel, this.#rooms) ?? WALL;
     const look = FINISHES[finish.type];
-    const low = Math.max(...corners.map(([, y]) => y)) <= panel.elevation + SKIRTING;
+    const low = Math.max(corners[0][1], corners[2][1]) <= panel.elevation + SKIRTING;
     if (finish !== WALL && low && look?.skirted) return { corners, normal, color: SKIRTING_BOARD, roughness: 0.6 };
-    return { ...look, corners, normal, color: finish.color };
+    return look ? { corners, normal, color: finish.color, pattern: look.pattern, roughness: look.roughness } : { corners, normal, color: finish.color };
   }
 
   #boxes(height: number, surfaces: readonly Surface[]): ColoredQuad[] {

@@ -1,7 +1,7 @@
 /** The material of walls: colour, pattern and roughness are their vertices'. From afar a pattern fades into its mean. */
 import { MeshStandardMaterial, type WebGLProgramParametersWithUniforms } from "three";
 import { keptMaterial } from "./kept";
-import { MORTAR, patternLayer, patternTexture } from "./patterns";
+import { MORTAR, patternLayer, patternUniform } from "./patterns";
 
 const WOVEN = /* glsl */ `
 {
@@ -16,7 +16,7 @@ const WOVEN = /* glsl */ `
 }`;
 
 function weave(shader: WebGLProgramParametersWithUniforms): void {
-  shader.uniforms.patterns = { value: patternTexture() };
+  shader.uniforms.patterns = patternUniform;
   shader.vertexShader = shader.vertexShader
     .replace("#include <common>", "#include <common>\nattribute vec4 weave;\nvarying vec4 vWeave;")
     .replace("#include <project_vertex>", "vWeave = weave;\n#include <project_vertex>");

@@ -1,5 +1,6 @@
 /** The readable YAML: lines that select their body, a search among them, and a flag for the selected one. */
 import type { ViewAnswer } from "../contract";
+import { timed } from "../timing";
 import { writeHighlighted } from "./highlight";
 import { LineList } from "./line_list";
 
@@ -44,6 +45,10 @@ export class Reading {
   }
 
   show(answer: ViewAnswer): void {
+    timed("text shown", () => this.#show(answer));
+  }
+
+  #show(answer: ViewAnswer): void {
     const texts = answer.text.replace(/\n$/, "").split("\n");
     this.#list.show(texts.map((text, i) => ({ text, id: answer.lines[i] ?? null, className: "yaml-line" })));
     this.flag(this.#flagged);

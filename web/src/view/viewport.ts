@@ -3,6 +3,7 @@ import {
   Box3, Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { timed } from "../timing";
 import { blend, frame, plus, PRESETS, type Framing, type PresetName, type Vector } from "./cameras";
 import { Daylight, GROUND_REACH, SKY } from "./daylight";
 import { gazeOf, type Pose } from "./walk";
@@ -52,6 +53,8 @@ export class Viewport {
   /** Whether nothing moved before the frame under way. */
   #resting = true;
   #last = 0;
+  /** Whether something was added since the last frame. */
+  #new = false;
 
   constructor(readonly host: HTMLElement) {
     this.#renderer = new WebGLRenderer({ antialias: true, powerPreference: "low-power" });
@@ -88,7 +91,13 @@ export class Viewport {
     this.#bounds = bounds;
     this.#outline = outline;
     this.#daylight.around(bounds);
+    this.#new = true;
     this.castShadows();
+  }
+
+  /** Has the shaders made with which something will be drawn, without waiting for them. */
+  prepare(root: Object3D): void {
+    this.#renderer.compile(root, this.camera, this.#scene);
   }
 
   /** Keeps the camera still while something is held. */
@@ -188,11 +197,18 @@ export class Viewport {
     for (const motion of this.#motions) if (!motion(seconds)) this.#motions.delete(motion);
     if (!this.#walker) this.#controls.update();
     this.#clip();
-    this.#renderer.render(this.#scene, this.camera);
+    this.#render();
     this.#frames += 1;
     for (const listener of this.#afterFrame) listener();
     if (this.#motions.size > 0) this.invalidate();
     this.#resting = !this.#asked;
+  }
+
+  #render(): void {
+    const render = (): void => this.#renderer.render(this.#scene, this.camera);
+    if (this.#new) timed("house drawn", render);
+    else render();
+    this.#new = false;
   }
 
   /** Keeps the depth range tight around the house: from far away a millimetre must still be told apart. */
