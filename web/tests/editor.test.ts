@@ -1,0 +1,250 @@
+import { describe, expect, it } from "vitest";
+import type { Conflict, FixAnswer, FixRequest, Scene } from "../src/contract";
+import { Editor, type Refusal } from "../src/edit/editor";
+import { Home } from "../src/state/home";
+import { piece, room, scene } from "./rooms";
+
+const ONE = "den/one";
+const OTHER = "den/other";
+const turn = (): Promise<void> => new Promise((resolve) => { setTimeout(resolve, 0); });
+
+interface Call {
+  readonly request: FixRequest;
+  readonly signal: AbortSignal;
+  /** Answers as sent, but for what is changed. */
+  answer(change?: (sent: Scene) => Scene, conflicts?: readonly Conflict[]): Promise<void>;
+  lose(): Promise<void>;
+}
+
+function house(): Scene {
+  const furniture = [piece(ONE, { x: 1, z: 1, width: 1, depth: 1 }), piece(OTHER, { x: 3, z: 2, width: 1, depth: 1 }), piece("den/held", { x: 5, z: 3, locked: true })];
+  return scene([room("den", [0, 0, 6, 4], { furniture }), room("hall", [0, 4, 6, 2], { furniture: [piece("hall/rack", { width: 1 })] })]);
+}
+
+/** A home that is edited, a service that answers when told, and all that is said of it. */
+function bench() {
+  const home = new Home();
+  const calls: Call[] = [];
+  const said = { busy: [] as boolean[], refused: [] as (Refusal | null)[], failed: [] as unknown[], settled: 0, lifted: 0, answered: 0 };
+  const editor = new Editor(home, (request, signal) => new Promise((resolve, reject) => {
+    calls.push({
+      request, signal,
+      answer: async (change = (sent) => sent, conflicts = []) => {
+        resolve({ scene: change(request.scene), issues: [], conflicts, moves: [], removed: [], timing_ms: 1 } as unknown as FixAnswer);
+        await turn();
+      },
+      lose: async () => {
+        reject(new Error("lost"));
+        await turn();
+      },
+    });
+  }), {
+    busy: (busy) => said.busy.push(busy), failed: (reason) => said.failed.push(reason), refused: (refusal) => said.refused.push(refusal),
+    lifted: () => { said.lifted += 1; }, answered: () => { said.answered += 1; }, settled: () => { said.settled += 1; },
+  });
+  home.show({ scene: house(), issues: [], conflicts: [], timing: 1 }, "new");
+  const at = (id: string): readonly number[] => { const found = home.find(id); return [found?.piece.x ?? NaN, found?.piece.z ?? NaN]; };
+  const call = (number: number): Call => { const found = calls[number]; if (!found) throw new Error(`only ${calls.length} calls`); return found; };
+  return { home, editor, calls, call, said, at };
+}
+
+const pushed = (x: number) => (sent: Scene): Scene => ({
+  ...sent, rooms: sent.rooms.map((one) => ({ ...one, furniture: one.furniture.map((body) => (body.id === OTHER ? { ...body, x } : body)) })),
+});
+const stuck: readonly Conflict[] = [{ ids: [ONE, OTHER], message: "10 cm short", repairs: [{ action: "leave_out", id: OTHER }] }] as const;
+
+describe("a drag", () => {
+  it("asks for its room alone, one question at a time, with where all stood last", async () => {
+    const { editor, calls, call, home, at, said } = bench();
+    expect(editor.lift(ONE)).toBe(true);
+    for (const x of [1.2, 1.4, 1.6]) editor.drag({ x, z: 1 });
+    expect(calls).toHaveLength(1);
+    expect(call(0).request.scene.rooms.map(({ id }) => id)).toEqual(["den"]);
+    expect(call(0).request).toMatchObject({ moved: [ONE], on_conflict: "report" });
+    expect(call(0).request.previous?.find(({ id }) => id === OTHER)).toMatchObject({ x: 3, z: 2 });
+    await call(0).answer(pushed(3.5));
+    expect(at(OTHER)).toEqual([3.5, 2]);
+    expect(home.settled?.scene).toEqual(house());
+    expect(calls).toHaveLength(2);
+    expect(call(1).request.scene.rooms[0]?.furniture[0]?.x).toBe(1.6);
+    expect(call(1).request.scene.rooms[0]?.furniture[1]?.x).toBe(3);
+    await call(1).answer(pushed(3.6));
+    editor.drag({ x: 1.7, z: 1 });
+    expect(call(2).request.previous?.find(({ id }) => id === OTHER)).toMatchObject({ x: 3.6 });
+    expect([said.answered, said.lifted]).toEqual([2, 4]);
+  });
+
+  it("becomes one step when it is let go: the answer for the whole house", async () => {
+    const { editor, call, at, said } = bench();
+    editor.lift(ONE);
+    editor.drag({ x: 2, z: 1 });
+    await call(0).answer(pushed(3.5));
+    editor.drop();
+    editor.drag({ x: 5, z: 1 });
+    expect(call(1).request.scene.rooms).toHaveLength(2);
+    await call(1).answer(pushed(3.7));
+    expect([at(ONE), at(OTHER)]).toEqual([[2, 1], [3.7, 2]]);
+    expect([editor.busy, editor.dragged, said.settled, said.busy.at(-1)]).toEqual([false, null, 1, false]);
+    editor.undo();
+    expect([at(ONE), at(OTHER)]).toEqual([[1, 1], [3, 2]]);
+    editor.redo();
+    expect([at(ONE), at(OTHER)]).toEqual([[2, 1], [3.7, 2]]);
+  });
+
+  it("that is let go before the first answer shows only the last", async () => {
+    const { editor, calls, call, at } = bench();
+    editor.lift(ONE);
+    editor.drag({ x: 2, z: 1 });
+    editor.drop();
+    expect(calls).toHaveLength(1);
+    await call(0).answer(pushed(4));
+    await call(1).answer(pushed(3.2));
+    expect([at(ONE), at(OTHER), editor.busy]).toEqual([[2, 1], [3.2, 2], false]);
+  });
+
+  it("stays within its room", () => {
+    const { editor, call } = bench();
+    editor.lift(ONE);
+    editor.drag({ x: 99, z: -99 });
+    expect(call(0).request.scene.rooms[0]?.furniture[0]).toMatchObject({ x: 5.5, z: 0.5 });
+  });
+
+  it("that is refused says so, keeps what was shown, and ends where it began", async () => {
+    const { editor, call, at, said, home } = bench();
+    editor.lift(ONE);
+    editor.drag({ x: 2, z: 1 });
+    await call(0).answer(pushed(3.5));
+    editor.drag({ x: 3, z: 2 });
+    await call(1).answer(pushed(9), stuck);
+    expect(at(OTHER)).toEqual([3.5, 2]);
+    expect(said.refused.at(-1)).toMatchObject({ live: true, conflicts: stuck });
+    editor.drop();
+    await call(2).answer(pushed(9), stuck);
+    expect([at(ONE), at(OTHER), home.canUndo]).toEqual([[1, 1], [3, 2], false]);
+    expect(said.refused.at(-1)).toMatchObject({ live: false, conflicts: stuck });
+  });
+
+  it("that is given up ends where it began, whatever is answered later", async () => {
+    const { editor, call, at, said, calls } = bench();
+    editor.lift(ONE);
+    editor.drag({ x: 2, z: 1 });
+    editor.drag({ x: 3, z: 1 });
+    editor.cancel();
+    expect(call(0).signal.aborted).toBe(true);
+    await call(0).answer(pushed(4));
+    expect([at(ONE), at(OTHER), editor.busy, said.settled, calls.length]).toEqual([[1, 1], [3, 2], false, 1, 1]);
+    expect(editor.lift(OTHER)).toBe(true);
+  });
+
+  it("ends where it began when the service is lost, and says so once", async () => {
+    const { editor, call, at, said } = bench();
+    editor.lift(ONE);
+    editor.drag({ x: 2, z: 1 });
+    await call(0).answer(pushed(3.5));
+    editor.drag({ x: 3, z: 1 });
+    await call(1).lose();
+    expect([at(ONE), at(OTHER), editor.busy, said.failed.length]).toEqual([[1, 1], [3, 2], false, 1]);
+    editor.drag({ x: 4, z: 1 });
+    editor.drop();
+    expect([at(ONE), editor.busy]).toEqual([[1, 1], false]);
+  });
+
+  it("takes nothing that is locked or not there, nor a second piece", () => {
+    const { editor } = bench();
+    expect([editor.lift("den/held"), editor.lift("den/none")]).toEqual([false, false]);
+    expect([editor.lift(ONE), editor.lift(OTHER), editor.dragged]).toEqual([true, false, ONE]);
+  });
+
+  it("ends with another house, which stays as it came", async () => {
+    const { editor, call, home } = bench();
+    editor.lift(ONE);
+    editor.drag({ x: 2, z: 1 });
+    const next = { scene: scene([room("new", [0, 0, 3, 3])]), issues: [], conflicts: [], timing: 1 };
+    home.show(next, "new");
+    editor.forget();
+    await call(0).answer();
+    expect([home.shown, editor.dragged]).toEqual([next, null]);
+  });
+});
+
+describe("single edits", () => {
+  it("are asked one after the other, each of what the one before left", async () => {
+    const { editor, calls, call, home } = bench();
+    editor.rotate(ONE, 90);
+    editor.rotate(ONE, 90);
+    await turn();
+    expect(calls).toHaveLength(1);
+    await call(0).answer();
+    await call(1).answer();
+    expect(home.find(ONE)?.piece.rotation).toBe(180);
+    editor.undo();
+    expect(home.find(ONE)?.piece.rotation).toBe(90);
+  });
+
+  it("add up the steps of arrow keys while one is under way", async () => {
+    const { editor, calls, call, at } = bench();
+    editor.rotate(OTHER, 90);
+    for (const dx of [0.05, 0.05, 0.05]) editor.nudge(ONE, dx, 0);
+    await turn();
+    await call(0).answer();
+    await call(1).answer();
+    expect([calls.length, at(ONE)[0]]).toEqual([2, 1.15]);
+  });
+
+  it("put a new piece beside the others if they can stay, else make them give way", async () => {
+    const { editor, call, home } = bench();
+    editor.add("den", { name: "crate", category: "storage", size: [1, 1, 1], color: null });
+    await turn();
+    expect(call(0).request.locked).toEqual([ONE, OTHER, "den/held"]);
+    await call(0).answer((sent) => sent, [{ ids: ["den/crate_1", ONE], message: "short", repairs: [] }]);
+    expect(call(1).request.locked).toBeUndefined();
+    await call(1).answer();
+    expect([home.find("den/crate_1")?.room.id, home.selected]).toEqual(["den", "den/crate_1"]);
+  });
+
+  it("that are refused change nothing, and a repair of theirs is asked of what was sent", async () => {
+    const { editor, call, home, said, at } = bench();
+    editor.rotate(ONE, 90);
+    await turn();
+    await call(0).answer(pushed(9), stuck);
+    expect([at(OTHER), home.canUndo]).toEqual([[3, 2], false]);
+    const refusal = said.refused.at(-1);
+    const repair = refusal?.conflicts[0]?.repairs[0];
+    if (!refusal || !repair) throw new Error("no repair was offered");
+    editor.take(refusal, repair);
+    await turn();
+    await call(1).answer();
+    expect([home.find(OTHER), home.find(ONE)?.piece.rotation, said.refused.at(-1)]).toEqual([null, 90, null]);
+  });
+
+  it("lock and unlock, leave what is locked alone, and take away", async () => {
+    const { editor, call, calls, home } = bench();
+    editor.toggleLock(ONE);
+    await turn();
+    await call(0).answer();
+    expect(home.locked).toEqual(new Set([ONE, "den/held"]));
+    editor.rotate(ONE, 90);
+    editor.remove(ONE);
+    await turn();
+    expect([calls.length, editor.busy]).toEqual([1, false]);
+    editor.remove(OTHER);
+    await turn();
+    await call(1).answer();
+    expect(home.find(OTHER)).toBeNull();
+  });
+
+  it("do not begin while a piece is in hand, and undo waits for what is under way", async () => {
+    const { editor, calls, home } = bench();
+    editor.lift(ONE);
+    editor.rotate(OTHER, 90);
+    await turn();
+    expect(calls).toHaveLength(0);
+    editor.cancel();
+    editor.rotate(OTHER, 90);
+    await turn();
+    await calls[0]?.answer();
+    editor.lift(ONE);
+    editor.undo();
+    expect(home.find(OTHER)?.piece.rotation).toBe(90);
+  });
+});

@@ -1,0 +1,81 @@
+import { Raycaster, Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+import { Hand, type Point } from "../src/edit/hand";
+
+/** A canvas seen from straight above, a hundred pixels a metre, and what a hand on it says. */
+function table(locked = false) {
+  const host = new EventTarget();
+  const canvas = Object.assign(new EventTarget(), { parentElement: host, setPointerCapture: () => undefined });
+  const said: string[] = [];
+  const wanted: Point[] = [];
+  const hand = new Hand(canvas as unknown as HTMLCanvasElement, {
+    grasp: (x) => (x < 300 && !locked ? { id: "sofa", at: { x: 1, z: 1 }, height: 0.4 } : null),
+    rayAt: (x, y) => new Raycaster(new Vector3(x / 100, 10, y / 100), new Vector3(0, -1, 0)),
+    hold: (held) => said.push(held ? "hold" : "free"),
+    lift: (id) => said.push(`lift ${id}`),
+    drag: (at) => wanted.push(at),
+    drop: () => said.push("drop"),
+    cancel: () => said.push("cancel"),
+  });
+  const pointer = (type: string, clientX: number, clientY: number, more: object = {}): void => {
+    const event = Object.assign(new Event(type), { clientX, clientY, button: 0, isPrimary: true, pointerId: 7, shiftKey: false, ctrlKey: false, ...more });
+    if (type === "pointerdown") Object.defineProperty(event, "target", { value: canvas });
+    (type === "pointerdown" ? host : canvas).dispatchEvent(event);
+  };
+  return { hand, said, wanted, pointer };
+}
+
+describe("a hand", () => {
+  it("takes hold, lifts with the first real move, drags by the point held, and drops", () => {
+    const { hand, said, wanted, pointer } = table();
+    pointer("pointerdown", 120, 110);
+    pointer("pointermove", 123, 112);
+    expect([said, wanted, hand.holds]).toEqual([["hold"], [], false]);
+    pointer("pointermove", 220, 160);
+    expect(hand.holds).toBe(true);
+    expect(wanted).toEqual([{ x: expect.closeTo(2, 9), z: expect.closeTo(1.5, 9) }]);
+    pointer("pointerup", 220, 160);
+    pointer("pointermove", 250, 160);
+    expect([said, wanted.length, hand.holds]).toEqual([["hold", "lift sofa", "free", "drop"], 1, false]);
+  });
+
+  it("takes a press that stays for a click", () => {
+    const { said, pointer } = table();
+    pointer("pointerdown", 120, 110);
+    pointer("pointerup", 121, 111);
+    expect(said).toEqual(["hold", "free"]);
+  });
+
+  it("puts back when it is given up, and when the pointer is lost", () => {
+    for (const end of ["cancel", "pointercancel", "lostpointercapture"]) {
+      const { hand, said, pointer } = table();
+      pointer("pointerdown", 120, 110);
+      pointer("pointermove", 220, 160);
+      if (end === "cancel") hand.cancel();
+      else pointer(end, 0, 0);
+      pointer("pointerup", 220, 160);
+      expect(said).toEqual(["hold", "lift sofa", "free", "cancel"]);
+    }
+  });
+
+  it("leaves other buttons, other fingers, keys held and empty places to the camera", () => {
+    for (const more of [{ button: 2 }, { isPrimary: false }, { shiftKey: true }, { ctrlKey: true }]) {
+      const { said, pointer } = table();
+      pointer("pointerdown", 120, 110, more);
+      pointer("pointermove", 220, 160);
+      expect(said).toEqual([]);
+    }
+    const { said, pointer } = table();
+    pointer("pointerdown", 400, 110);
+    pointer("pointermove", 220, 160);
+    expect(said).toEqual([]);
+  });
+
+  it("follows the pointer that took hold and no other", () => {
+    const { said, wanted, pointer } = table();
+    pointer("pointerdown", 120, 110);
+    pointer("pointermove", 220, 160, { pointerId: 8 });
+    pointer("pointerup", 220, 160, { pointerId: 8 });
+    expect([said, wanted]).toEqual([["hold"], []]);
+  });
+});
