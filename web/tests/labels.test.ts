@@ -25,6 +25,17 @@ describe("label layout", () => {
   });
 });
 
+describe("a layout beside what lies over the canvas", () => {
+  const bar = { x: 100, y: 25, width: 200, height: 42 };
+
+  it("moves labels out from under it, or leaves them out", () => {
+    const [under, below, beside] = layOut([wish(60, 30, 1), wish(60, 90, 1), wish(300, 30, 1)], [bar]);
+    expect(under?.y).toBeGreaterThanOrEqual(25 + 21 + 10);
+    expect([below, beside]).toEqual([{ x: 60, y: 90 }, { x: 300, y: 30 }]);
+    expect(layOut([wish(60, 30, 1)], [{ ...bar, height: 400 }])).toEqual([null]);
+  });
+});
+
 describe("a layout of many labels", () => {
   it("leaves none of 150 covered, keeping the more important", () => {
     const wishes = Array.from({ length: 150 }, (_, i) => wish((i * 97) % 900, (i * 61) % 600, i));

@@ -15,28 +15,30 @@ export interface LabelPlace {
   readonly y: number;
 }
 
+/** What labels keep clear of: a rectangle around its centre [CSS pixels]. */
+export type Kept = Omit<LabelWish, "importance">;
+
 const GAP = 3;
 /** Tried in turn, in label heights. */
-const NUDGES = [0, -0.5, 0.5, -1, 1, -1.5, 1.5, -2, 2];
+const NUDGES = [0, -0.5, 0.5, -1, 1, -1.5, 1.5, -2, 2, 2.5];
 
-function covers(a: LabelWish, y: number, b: LabelWish, at: LabelPlace): boolean {
-  return Math.abs(a.x - at.x) < (a.width + b.width) / 2 + GAP && Math.abs(y - at.y) < (a.height + b.height) / 2 + GAP;
+function covers(a: LabelWish, y: number, b: Kept): boolean {
+  return Math.abs(a.x - b.x) < (a.width + b.width) / 2 + GAP && Math.abs(y - b.y) < (a.height + b.height) / 2 + GAP;
 }
 
-/** Places for the wishes, in their order; null where every nudge would cover another label. */
-export function layOut(wishes: readonly LabelWish[]): (LabelPlace | null)[] {
+/** Places for the wishes, in their order; null where every nudge would cover another label or what is kept clear. */
+export function layOut(wishes: readonly LabelWish[], kept: readonly Kept[] = []): (LabelPlace | null)[] {
   const order = [...wishes.keys()].sort((a, b) => (wishes[b]?.importance ?? 0) - (wishes[a]?.importance ?? 0));
-  const taken: { readonly wish: LabelWish; readonly at: LabelPlace }[] = [];
+  const taken: Kept[] = [...kept];
   const places: (LabelPlace | null)[] = wishes.map(() => null);
   for (const i of order) {
     const wish = wishes[i];
     if (!wish) continue;
     const ys = NUDGES.map((nudge) => wish.y + nudge * (wish.height + GAP));
-    const y = ys.find((tried) => !taken.some((other) => covers(wish, tried, other.wish, other.at)));
+    const y = ys.find((tried) => !taken.some((other) => covers(wish, tried, other)));
     if (y === undefined) continue;
-    const at = { x: wish.x, y };
-    taken.push({ wish, at });
-    places[i] = at;
+    taken.push({ ...wish, y });
+    places[i] = { x: wish.x, y };
   }
   return places;
 }

@@ -4,7 +4,7 @@ import { words, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
 import { roomHolding } from "../house/room_at";
 import { hang, hide, labelElement, moveTo, type LabelElement } from "./label_elements";
-import { layOut, type LabelWish } from "./label_layout";
+import { layOut, type Kept, type LabelWish } from "./label_layout";
 import { aheadBy, RANK, sizeSeen } from "./label_wishes";
 import type { MarkWords } from "./mark_words";
 import { RoomLabels } from "./room_labels";
@@ -18,6 +18,8 @@ export interface Asked extends LabelWish {
 
 type Named = LabelElement & { readonly id: string };
 
+/** What lies over the canvas and over labels. */
+const OVERLAYS = "#tools, #compass";
 const TIP_LIFT = 22;
 const MARK_LIFT = 12;
 /** Who walks reads the names of the pieces this near [m]. */
@@ -42,6 +44,7 @@ export class Labels {
   #pointed: PlacedBody | null = null;
   #house: House | null = null;
   #all = false;
+  #kept: readonly Kept[] = [];
   #bodies: ReadonlyMap<string, PlacedBody> = new Map();
 
   constructor(readonly layer: HTMLElement, readonly viewport: Viewport) {
@@ -49,6 +52,9 @@ export class Labels {
     this.#tip.element.hidden = true;
     layer.append(this.#tip.element);
     viewport.onFrame(() => this.#follow());
+    const overlays = [...document.querySelectorAll<HTMLElement>(OVERLAYS)];
+    const watch = new ResizeObserver(() => this.#keepClear(overlays));
+    for (const element of [...overlays, layer]) watch.observe(element);
   }
 
   /** Puts the rooms' names where their walls end [m]: there they are seen over the room they belong to. */
@@ -68,6 +74,14 @@ export class Labels {
   nameAll(all: boolean): void {
     this.#all = all;
     this.#rename();
+    this.viewport.invalidate();
+  }
+
+  #keepClear(overlays: readonly HTMLElement[]): void {
+    const { left, top } = this.layer.getBoundingClientRect();
+    this.#kept = overlays.map((element) => element.getBoundingClientRect())
+      .map(({ x, y, width, height }) => ({ x: x - left + width / 2, y: y - top + height / 2, width, height }))
+      .filter(({ width }) => width > 0);
     this.viewport.invalidate();
   }
 
@@ -127,7 +141,7 @@ export class Labels {
     const pieces = this.#askedPieces();
     const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...this.#askedTip(), ...pieces]
       .filter((wish) => this.#onCanvas(wish));
-    const places = layOut(asked);
+    const places = layOut(asked, this.#kept);
     const shown = new Set<LabelElement>();
     asked.forEach((wish, i) => {
       const place = places[i] ?? (wish.keepsDot || wish.label === this.#tip ? wish : null);
