@@ -43,7 +43,7 @@ export interface Window {
 
 const MARGIN = 1.06;
 /** So much nearer another direction must bring the camera. */
-const CLEARLY = 0.94;
+const CLEARLY = 0.9;
 
 const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const plus = (a: Vector, b: Vector, share = 1): Vector => [a[0] + b[0] * share, a[1] + b[1] * share, a[2] + b[2] * share];

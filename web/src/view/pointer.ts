@@ -6,8 +6,13 @@ export interface PointerWords {
   over(at: { clientX: number; clientY: number } | null): void;
 }
 
-/** Further than this [CSS pixels] a press is a drag. */
-const STILL = 5;
+/** Further than this [CSS pixels] a press is a drag; fingers are less still. */
+const STILL = { touch: 12, other: 5 } as const;
+
+function isStill(from: PointerEvent, to: PointerEvent): boolean {
+  const reach = Math.hypot(to.clientX - from.clientX, to.clientY - from.clientY);
+  return reach <= (to.pointerType === "touch" ? STILL.touch : STILL.other);
+}
 
 export function listenToPointer(canvas: HTMLCanvasElement, say: PointerWords): void {
   let pressed: PointerEvent | null = null;
@@ -17,7 +22,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, say: PointerWords): v
     const from = pressed;
     pressed = null;
     if (!from || event.button !== 0) return;
-    if (Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) <= STILL) say.click(event.clientX, event.clientY);
+    if (isStill(from, event)) say.click(event.clientX, event.clientY);
   });
   canvas.addEventListener("pointermove", (event) => {
     if (pressed) return;
