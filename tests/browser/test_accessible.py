@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
-import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Route, expect
 
 from tests.browser.visit import SMALL, Visit
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 RUN = "() => axe.run().then(found => found.violations.map(one => `${one.id}: ${one.nodes.map(node => node.html).join(' ')}`))"
+OVER = """() => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File(['a'], 'a'));
+    window.dispatchEvent(new DragEvent('dragover', {dataTransfer: transfer, cancelable: true}));
+}"""
 PHONE = {"width": 390, "height": 800}
 
 
@@ -22,33 +27,76 @@ def violations(visit: Visit) -> list[str]:
     return found
 
 
-def test_the_start_and_a_room_in_hand(visit: Visit) -> None:
+def test_the_house_in_all_its_states(visit: Visit) -> None:
+    page = visit.page
+    scene = visit.open(SMALL.format(4))["scene"]
+    found = {"start": violations(visit)}
+    page.locator("#room_choice").select_option(index=1)
+    page.locator("#program").select_option("own")
+    page.locator("#legend summary").click()
+    found["room in hand, rooms counted, legend"] = violations(visit)
+    visit.line_of(scene["rooms"][0]["furniture"][0]["id"]).click()
+    for key in ("f", "l", "o"):
+        page.keyboard.press(key)
+    page.locator("#find").fill("a")
+    expect(page.locator("#yaml mark")).to_have_count(1)
+    found["chosen, flagged, found, named, floor"] = violations(visit)
+    page.evaluate(OVER)
+    expect(page.locator("#drop")).to_be_visible()
+    found["file over the page"] = violations(visit)
+    page.evaluate("window.dispatchEvent(new DragEvent('dragleave', {relatedTarget: null})), 0")
+    page.get_by_role("button", name="Walk through").click()
+    visit.settle()
+    found["walking"] = violations(visit)
+    assert {state: wrong for state, wrong in found.items() if wrong} == {}
+
+
+def test_dialogs_palette_conflict_and_notice(visit: Visit) -> None:
+    page = visit.page
     visit.open(SMALL.format(4))
-    assert violations(visit) == []
-    visit.page.locator("#room_choice").select_option(index=1)
-    visit.page.locator("#program").select_option("own")
-    assert violations(visit) == []
+    found: dict[str, list[str]] = {}
+    for key, name in (("?", "Keys"), ("d", "Diagnosis")):
+        page.keyboard.press(key)
+        expect(page.get_by_role("dialog", name=name)).to_be_visible()
+        found[name] = violations(visit)
+        page.keyboard.press("Escape")
+        expect(page.get_by_role("dialog", name=name)).to_be_hidden()
+    page.keyboard.press("a")
+    expect(page.locator("#palette li button").first).to_be_visible()
+    found["palette"] = violations(visit)
+    page.route("**/fix", in_conflict)
+    page.locator("#palette button[data-kind=armchair]").click()
+    expect(page.locator("#conflict")).to_be_visible()
+    found["conflict"] = violations(visit)
+    for status in (401, 429):
+        page.route("**/generate", refusing(status))
+        page.locator("#generate").click()
+        expect(page.get_by_role("alert")).to_be_visible()
+        found[f"notice of {status}"] = violations(visit)
+        page.locator(".notice-close").click()
+        expect(page.get_by_role("alert")).to_be_hidden()
+        page.unroute("**/generate")
+    assert {state: wrong for state, wrong in found.items() if wrong} == {}
 
 
-def test_the_diagnose_dialog(visit: Visit) -> None:
-    visit.open(SMALL.format(4))
-    visit.page.keyboard.press("d")
-    expect(visit.page.locator("#diagnose_dialog")).to_be_visible()
-    assert violations(visit) == []
+def refusing(status: int) -> Callable[[Route], None]:
+    """What refuses every call with a status."""
+    return lambda route: route.fulfill(status=status, headers={"Retry-After": "30"}, body="{}")
 
 
-@pytest.mark.parametrize("status", [401, 429])
-def test_a_notice(visit: Visit, status: int) -> None:
-    visit.open(SMALL.format(4))
-    visit.page.route("**/generate", lambda route: route.fulfill(status=status, headers={"Retry-After": "30"}, body="{}"))
-    visit.page.locator("#generate").click()
-    expect(visit.page.get_by_role("alert")).to_be_visible()
-    assert violations(visit) == []
+def in_conflict(route: Route) -> None:
+    """Says that nothing of the scene can stand together."""
+    scene = route.request.post_data_json["scene"]
+    ids = [piece["id"] for room in scene["rooms"] for piece in room["furniture"]]
+    conflict = {"ids": ids, "message": "10 cm short", "repairs": [{"action": "leave_out", "id": ids[0]}]}
+    route.fulfill(json={"scene": scene, "moves": [], "removed": [], "issues": [], "timing_ms": {}, "conflicts": [conflict]})
 
 
 def test_a_narrow_screen(visit: Visit) -> None:
     visit.page.set_viewport_size(PHONE)
     visit.open(SMALL.format(4))
+    assert violations(visit) == []
+    visit.page.locator("details.group").evaluate_all("all => all.forEach(one => { one.open = true; })")
     assert violations(visit) == []
     assert visit.page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from urllib.parse import urlparse
 
+import pytest
 from playwright.sync_api import Page, Route, expect
 
 from tests.browser.service_process import running
-from tests.browser.visit import SMALL, Visit
+from tests.browser.visit import SMALL, Visit, furniture_of
 
 
 def test_a_refused_field_is_said_beside_it_and_the_house_stays(visit: Visit) -> None:
@@ -102,14 +104,6 @@ def test_too_many_requests_are_counted_down(visit: Visit) -> None:
     expect(visit.page.get_by_role("alert")).to_be_hidden()
 
 
-def test_too_large_a_request_is_said_to_be(visit: Visit) -> None:
-    visit.open(SMALL.format(3))
-    visit.page.route("**/generate", lambda route: route.fulfill(status=413, body="{}"))
-    visit.page.locator("#generate").click()
-    expect(visit.page.get_by_role("alert")).to_contain_text("too large")
-    expect(visit.page.locator(".notice-again")).to_be_hidden()
-
-
 def test_long_work_is_said_and_short_work_is_not(visit: Visit) -> None:
     visit.open(SMALL.format(3))
     held: list[Route] = []
@@ -123,3 +117,50 @@ def test_long_work_is_said_and_short_work_is_not(visit: Visit) -> None:
     expect(visit.page.locator("#progress")).to_contain_text("Laying out the house")
     visit.after(held[0].continue_)
     expect(visit.page.locator("#progress")).to_be_hidden()
+
+
+def test_what_is_refused_beside_houses_is_said_and_tried_again_alone(visit: Visit) -> None:
+    page = visit.page
+    busy = {"type": "about:blank", "title": "The service is busy", "status": 503, "detail": "Come back in 2 s.", "errors": []}
+    piece = next(iter(furniture_of(visit.open(SMALL.format(3)))))
+    notice, again = page.get_by_role("alert"), page.get_by_role("button", name="Try again")
+
+    def refused(call: str, act: Callable[[], object]) -> None:
+        page.route(f"**/{call}", lambda route: route.fulfill(status=503, json=busy))
+        act()
+        expect(notice).to_contain_text("The service is busy")
+        page.unroute(f"**/{call}")
+
+    refused("export/yaml", page.get_by_role("button", name="Save YAML").click)
+    with page.expect_download():
+        again.click()
+    expect(notice).to_be_hidden()
+    refused("view", lambda: visit.after(page.get_by_role("button", name="Generate").click))
+    with page.expect_response(lambda response: response.url.endswith("/view")):
+        again.click()
+    expect(notice).to_be_hidden()
+    visit.line_of(piece).click()
+    for call, key in (("fix", "Delete"), ("floor", "o")):
+        refused(call, lambda key=key: page.keyboard.press(key))  # type: ignore[misc]
+        expect(again).to_be_hidden()
+        page.locator(".notice-close").click()
+    page.locator("#show_floor").uncheck()
+    with page.expect_response(lambda response: response.url.endswith("/fix")):
+        page.keyboard.press("Delete")
+    expect(visit.line_of(piece)).to_have_count(0)
+    assert sum(url.endswith("/generate") for url in visit.requests) == 2
+
+
+@pytest.mark.parametrize(
+    ("status", "words"),
+    [(401, "wants a key"), (413, "Too large"), (429, "Too many requests"), (503, "busy"), (504, "slow"), (500, "refused")],
+)
+def test_a_bare_refusal_has_plain_words_and_the_page_goes_on(visit: Visit, status: int, words: str) -> None:
+    visit.page.route("**/generate", lambda route: route.fulfill(status=status, body="<html>gone</html>"))
+    visit.page.goto(visit.address + SMALL.format(3))
+    expect(visit.page.get_by_role("alert")).to_contain_text(words)
+    expect(visit.page.get_by_role("alert")).not_to_contain_text("<html>")
+    expect(visit.page.get_by_role("button", name="Try again")).to_be_visible(visible=status not in (401, 413))
+    visit.page.unroute("**/generate")
+    assert visit.after(visit.page.get_by_role("button", name="Random").click)["scene"]["rooms"]
+    expect(visit.page.get_by_role("alert")).to_be_hidden()

@@ -13,14 +13,13 @@ export class Asking {
     this.notice = new Notice(host, useKey);
   }
 
-  /** Asks; a newer question withdraws an older one. */
+  /** Asks; a newer question withdraws an older one. What is shown of the answer hides the notice. */
   async run(what: string, ask: (signal: AbortSignal) => Promise<void>): Promise<void> {
     this.#pending.abort();
     const { signal } = (this.#pending = new AbortController());
     this.progress.start(what);
     try {
       await ask(signal);
-      this.notice.hide();
       this.onEnd(null);
     } catch (reason) {
       if (isAbort(reason)) return;
