@@ -105,7 +105,7 @@ class Page {
   }
 
   #key(event: KeyboardEvent): void {
-    const typing = event.target instanceof Element && event.target.matches("input:not([type=range], [type=checkbox]), select, textarea, dialog *");
+    const typing = event.target instanceof Element && event.target.matches("input:not([type=range], [type=checkbox]), select, textarea, dialog[open] *");
     if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
     const acts: Readonly<Record<string, () => void>> = {
       r: () => this.#random(),

@@ -226,7 +226,7 @@ export class Workbench {
 
   #key(event: KeyboardEvent): void {
     const target = event.target instanceof Element ? event.target : null;
-    if (event.defaultPrevented || event.altKey || target?.closest("input:not([type=checkbox]), select, textarea, dialog")) return;
+    if (event.defaultPrevented || event.altKey || target?.closest("input:not([type=checkbox]), select, textarea, dialog[open]")) return;
     const act = event.ctrlKey || event.metaKey ? this.#travelKey(event) : (this.#arrowKey(event, target) ?? this.#pieceKey(event));
     if (!act) return;
     event.preventDefault();

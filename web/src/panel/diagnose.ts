@@ -32,7 +32,7 @@ export class Diagnose {
     this.#remove.addEventListener("click", () => void this.#mend("remove"));
     this.#dialog.addEventListener("close", () => this.#withdraw());
     // Keys pressed in the dialog are no shortcuts of the page behind it.
-    this.#dialog.addEventListener("keydown", (event) => event.stopPropagation());
+    this.#dialog.addEventListener("keydown", (event) => { if (this.#dialog.open) event.stopPropagation(); });
     home.on("shown", (how) => { if (how !== "live") void this.#diagnose(); });
     home.on("flagged", () => void this.#diagnose());
   }

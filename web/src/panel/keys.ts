@@ -11,7 +11,7 @@ export class Keys {
     within("keys").addEventListener("click", () => this.open());
     within("keys_close").addEventListener("click", () => this.#dialog.close());
     // Keys pressed in the dialog are no shortcuts of the page behind it.
-    this.#dialog.addEventListener("keydown", (event) => event.stopPropagation());
+    this.#dialog.addEventListener("keydown", (event) => { if (this.#dialog.open) event.stopPropagation(); });
   }
 
   open(): void {

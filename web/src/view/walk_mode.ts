@@ -7,7 +7,7 @@ const STEPS: Readonly<Record<string, readonly [number, number]>> = {
   KeyW: [1, 0], ArrowUp: [1, 0], KeyS: [-1, 0], ArrowDown: [-1, 0], KeyA: [0, -1], ArrowLeft: [0, -1], KeyD: [0, 1], ArrowRight: [0, 1],
 };
 /** Where keys mean something else: fields, lines of text, questions that wait for an answer. */
-const DEAF = "input, select, textarea, [contenteditable], .yaml, dialog";
+const DEAF = "input, select, textarea, [contenteditable], .yaml, dialog[open]";
 /** A drag across the canvas turns the head by about this much [rad]. */
 const TURN = 2;
 
