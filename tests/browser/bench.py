@@ -49,25 +49,29 @@ class Opening:
     pieces: Sequence[tuple[int, int]]
 
 
-def thread_ms(page: Page) -> float:
-    """Returns how long the page's thread was busy so far, on its processor."""
-    session = page.context.new_cdp_session(page)
-    session.send("Performance.enable", {"timeDomain": "threadTicks"})
-    found = {entry["name"]: entry["value"] for entry in session.send("Performance.getMetrics")["metrics"]}
-    session.detach()
-    return float(found["TaskDuration"]) * 1000
+class PageThread:
+    """The thread on which the page's script, layout and style run."""
+
+    def __init__(self, page: Page) -> None:
+        self._session = page.context.new_cdp_session(page)
+        self._session.send("Performance.enable", {"timeDomain": "threadTicks"})
+
+    def busy_ms(self) -> float:
+        """Returns how long it was busy since this began, on its processor."""
+        found = {entry["name"]: entry["value"] for entry in self._session.send("Performance.getMetrics")["metrics"]}
+        return float(found["TaskDuration"]) * 1000
 
 
 def opened(visit: Visit) -> Opening:
     """Opens a page on a home, then asks for others like it."""
     with traced(visit.page) as first:
         visit.open(HOME)
-    whole, pieces = [], []
+    whole, pieces, thread = [], [], PageThread(visit.page)
     with traced(visit.page) as others:
         for _ in range(OTHERS):
-            before = thread_ms(visit.page)
+            before = thread.busy_ms()
             answer = visit.after(lambda: visit.page.locator("#random").click())
-            whole.append(thread_ms(visit.page) - before)
+            whole.append(thread.busy_ms() - before)
             pieces.append(counts(answer["scene"]))
     return Opening(first.steps, others.steps, whole, pieces)
 
@@ -101,7 +105,7 @@ def times_table(costs: Sequence[Cost], opening: Opening) -> str:
         (f"another house built: {pieces}", both(opening.others[BUILT]), ""),
         ("its first frame, script of it", both(opening.others[DRAWN]), ""),
         ("its readable YAML shown", both(opening.others[WRITTEN]), ""),
-        ("all that the page does from the press of Random to the YAML shown", f"{words(Summary.of(opening.whole))} |", ""),
+        ("all that the page does from the press of Random to the YAML shown", f"{words(Summary.of(opening.whole))} | ", ""),
     ]
     head = ["| median, longest [ms] | processor | clock | wanted |", "|---|---|---|---|"]
     return "\n".join([*head, *(f"| {' | '.join(row)} |" for row in rows)])
