@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { layOut } from "../src/view/label_layout";
+import { keptInside, layOut } from "../src/view/label_layout";
 
 const wish = (x: number, y: number, importance: number) => ({ x, y, width: 80, height: 20, importance });
 
@@ -33,6 +33,17 @@ describe("a layout beside what lies over the canvas", () => {
     expect(under?.y).toBeGreaterThanOrEqual(25 + 21 + 10);
     expect([below, beside]).toEqual([{ x: 60, y: 90 }, { x: 300, y: 30 }]);
     expect(layOut([wish(60, 30, 1)], [{ ...bar, height: 400 }])).toEqual([null]);
+  });
+});
+
+describe("a label at the edge", () => {
+  it("is moved onto the canvas, others stay", () => {
+    const canvas = { width: 400, height: 300 };
+    expect(keptInside(wish(200, 150, 1), canvas)).toEqual({ x: 200, y: 150 });
+    for (const at of [wish(1, 1, 1), wish(399, 299, 1)]) {
+      const { x, y } = keptInside(at, canvas);
+      expect(x - 40 >= 0 && x + 40 <= 400 && y - 10 >= 0 && y + 10 <= 300).toBe(true);
+    }
   });
 });
 

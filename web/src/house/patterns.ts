@@ -86,7 +86,7 @@ function slabs(u: number, v: number): number {
 /** Boards that stand side by side. */
 function panelling(u: number, v: number): number {
   const board = Math.floor(u * 8);
-  return (grain(v, u) - 0.07 * hash(board, 0, 23)) * (1 - 0.45 * joint(edge(u * 8) / 8, 0.005));
+  return (grain(v, u) - 0.07 * hash(board, 0, 23)) * (1 - 0.32 * joint(edge(u * 8) / 8, 0.0045));
 }
 
 /** Broad stripes with a leaf on every other one. */

@@ -10,7 +10,8 @@ import { wallMaterial } from "./wall_shader";
 import { fittingsOf, wallPanelsOf, type Surface, type WallPanel, type WallPart, type WallPlan } from "./walls";
 
 /** Outside, and where a room does not say. */
-const WALL: Finish = { type: "plaster", color: "#ded7ca" };
+const WALL: Finish = { type: "plaster", color: "#e3dfd8" };
+const PLINTH = "#97938c";
 const REVEAL = "#e9e4da";
 const SKIRTING_BOARD = "#f3f0e9";
 /** What each finish is drawn with; one that is not known is plain. */
@@ -62,7 +63,8 @@ export class Walls {
     const finish = finishOf(face, panel, this.#rooms) ?? WALL;
     const look = FINISHES[finish.type];
     const low = Math.max(corners[0][1], corners[2][1]) <= panel.elevation + SKIRTING;
-    if (finish !== WALL && low && look?.skirted) return { corners, normal, color: SKIRTING_BOARD, roughness: 0.6 };
+    if (low && finish === WALL) return { corners, normal, color: PLINTH };
+    if (low && look?.skirted) return { corners, normal, color: SKIRTING_BOARD, roughness: 0.6 };
     return look ? { corners, normal, color: finish.color, pattern: look.pattern, roughness: look.roughness } : { corners, normal, color: finish.color };
   }
 

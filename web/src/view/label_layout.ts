@@ -26,6 +26,12 @@ function covers(a: LabelWish, y: number, b: Kept): boolean {
   return Math.abs(a.x - b.x) < (a.width + b.width) / 2 + GAP && Math.abs(y - b.y) < (a.height + b.height) / 2 + GAP;
 }
 
+/** Where a label whose middle is on the canvas is on it as a whole. */
+export function keptInside({ x, y, width, height }: Kept, canvas: { readonly width: number; readonly height: number }): LabelPlace {
+  const within = (at: number, size: number, room: number): number => Math.max(size / 2 + GAP, Math.min(room - size / 2 - GAP, at));
+  return { x: within(x, width, canvas.width), y: within(y, height, canvas.height) };
+}
+
 /** Places for the wishes, in their order; null where every nudge would cover another label or what is kept clear. */
 export function layOut(wishes: readonly LabelWish[], kept: readonly Kept[] = []): (LabelPlace | null)[] {
   const order = [...wishes.keys()].sort((a, b) => (wishes[b]?.importance ?? 0) - (wishes[a]?.importance ?? 0));

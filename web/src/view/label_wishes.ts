@@ -3,8 +3,8 @@ import type { Point } from "../house/wall_faces";
 import type { Pose } from "./walk";
 import { gazeOf } from "./walk";
 
-/** Words of what is wrong come first, then what is chosen, then rooms, then what is pointed at, then pieces. */
-export const RANK = { mark: 4e6, chosen: 3e6, room: 2e6, tip: 1e6, piece: 0 } as const;
+/** Words of what is wrong come first, then what is pointed at, then what is chosen, then rooms, then pieces. */
+export const RANK = { mark: 4e6, tip: 3.5e6, chosen: 3e6, room: 2e6, piece: 0 } as const;
 
 /** Who walks reads no names further away than this [m]. */
 const ROOMS_WITHIN = 9;

@@ -4,7 +4,7 @@ import { words, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
 import { roomHolding } from "../house/room_at";
 import { hang, hide, labelElement, moveTo, type LabelElement } from "./label_elements";
-import { layOut, type Kept, type LabelWish } from "./label_layout";
+import { keptInside, layOut, type Kept, type LabelWish } from "./label_layout";
 import { aheadBy, RANK, sizeSeen } from "./label_wishes";
 import type { MarkWords } from "./mark_words";
 import { RoomLabels } from "./room_labels";
@@ -140,7 +140,8 @@ export class Labels {
     this.#bodies = new Map(this.#house?.bodies.map((body) => [body.id, body]));
     const pieces = this.#askedPieces();
     const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...this.#askedTip(), ...pieces]
-      .filter((wish) => this.#onCanvas(wish));
+      .filter((wish) => this.#onCanvas(wish))
+      .map((wish) => ({ ...wish, ...keptInside(wish, this.viewport.size) }));
     const places = layOut(asked, this.#kept);
     const shown = new Set<LabelElement>();
     asked.forEach((wish, i) => {
