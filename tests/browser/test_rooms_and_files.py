@@ -100,3 +100,56 @@ def test_a_chosen_file_that_is_no_scene_is_refused_in_the_services_words(visit: 
     chooser.value.set_files([file])  # type: ignore[list-item]
     expect(visit.page.get_by_role("alert")).to_contain_text("width")
     assert visit.count("rooms") == rooms
+
+
+TRAP = "<img src=x onerror=console.error('ran')>"
+BROKEN = {
+    "unclosed.yaml": ("rooms: [a", "not YAML"),
+    "notes": ("hello there", "is a text"),
+    "empty.json": ("", "is empty"),
+    "list.json": ("[1, 2]", "is a list"),
+    "null.json": ("null", "is null"),
+    "nan.json": ('{"rooms": [{"width": NaN, "depth": 2}]}', "rooms[0].width: is nan"),
+    "huge.json": ('{"rooms": [{"width": 1e300, "depth": 2}]}', "up to 1000"),
+    "named <b>.json": ('{"rooms": [{"width": 3, "depth": 2, "furniture": 7}]}', "rooms[0].furniture"),
+    "large.json": ('{"rooms": [' + " " * 9_000_000 + "]}", "at most"),
+}
+
+
+def test_a_scene_of_others_is_drawn_and_its_names_are_text(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    bodies = [
+        {"id": f"{TRAP}\"'&{side}", "name": TRAP, "category": TRAP, "x": x, "z": 1, "width": 0.5, "depth": 0.5, "height": 1}
+        for side, x in (("in", 1), ("out", 9))
+    ]
+    backwards = [[0, 4], [2, 4], [2, 2], [4, 2], [4, 0], [0, 0]]
+    door = {"id": TRAP, "kind": "door", "wall": "east", "position": 3, "width": 0.9}
+    room = {"id": TRAP, "type": TRAP, "width": 4, "depth": 4, "outline": backwards, "openings": [door], "furniture": bodies}
+    visit.page.evaluate(DROP, ["others", json.dumps({"rooms": [room]})])
+    expect(visit.page).to_have_title("Compose: others")
+    visit.settle()
+    assert visit.state()["bodies"] == [body["id"] for body in bodies]
+    assert visit.page.locator("[data-count=issues]").inner_text() != "0"
+    at, corner = (visit.page.evaluate("id => compose.whereIs(id)", one) for one in (TRAP, bodies[0]["id"]))
+    assert at and corner
+    visit.page.locator("#room_choice").select_option(TRAP)
+    visit.line_of(bodies[0]["id"].replace("\\", "\\\\").replace('"', '\\"')).click()
+    for key in ("f", "l"):
+        visit.page.keyboard.press(key)
+    visit.page.keyboard.press("d")
+    expect(visit.page.locator("#report")).to_contain_text(f"{TRAP} (")
+    assert visit.page.locator("img").count() == 0
+    assert visit.console == []
+
+
+def test_broken_files_are_refused_by_name_and_the_house_stays(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    shown = visit.page.evaluate("compose.scene")
+    notice = visit.page.get_by_role("alert")
+    for name, (text, words) in BROKEN.items():
+        visit.page.evaluate(DROP, [name, text])
+        expect(notice).to_contain_text(f"{name} holds no scene that can be read")
+        expect(notice).to_contain_text(words)
+        notice.get_by_role("button", name="Close").click()
+    assert visit.page.evaluate("compose.scene") == shown
+    expect(visit.page.get_by_role("button", name="Copy link")).to_be_enabled()

@@ -35,7 +35,7 @@ const LOST = new ServiceProblem(
 const WORDS: Readonly<Record<number, readonly [string, string]>> = {
   401: ["This service wants a key", "Ask whoever runs it for one."],
   413: ["Too large", "The request is too large for this service."],
-  429: ["Too many requests", "Too many requests for the moment. Wait a little, then try again."],
+  429: ["Too many requests", "It takes no more for the moment. Wait a little, then try again."],
   502: ["The service is away", "Something before it answers in its place. Try again shortly."],
   503: ["The service is busy", "It answers others first. Try again shortly."],
   504: ["The service is slow", "No answer came in time. Try again, or ask for a smaller house."],

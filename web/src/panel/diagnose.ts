@@ -51,6 +51,7 @@ export class Diagnose {
     if (!this.#dialog.open || !scene) return;
     this.#asked.abort();
     const { signal } = (this.#asked = new AbortController());
+    this.#dialog.setAttribute("aria-busy", "true");
     try {
       const { report: told, issues } = await report(scene, [...this.home.flagged], signal);
       this.#text = told.text;
@@ -96,6 +97,7 @@ export class Diagnose {
 
   #explain(reason: unknown): void {
     if (isAbort(reason)) return;
+    this.#dialog.setAttribute("aria-busy", "false");
     this.#say(reason instanceof ServiceProblem ? [reason.title, reason.detail] : [String(reason)]);
   }
 
