@@ -31,13 +31,15 @@ const SECTION = 0.55;
 const GROOVE = 0.012;
 const SLAT = 0.05;
 
+type Reach = readonly [number, number];
+
 /** A box between two corners of the leaf's plane, so thick. */
-function board(x: readonly [number, number], y: readonly [number, number], thick: number, paint: Paint): Part {
+function board(x: Reach, y: Reach, thick: number, paint: Paint): Part {
   return part("box", [x[1] - x[0], y[1] - y[0], thick], [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2, 0], paint);
 }
 
 /** Stiles and rails round fields of these heights, and what fills a field. */
-function framed({ width, height }: Leaf, fields: readonly (readonly [number, number])[], paint: Paint, fill: (x: readonly [number, number], y: readonly [number, number]) => Part[]): Part[] {
+function framed({ width, height }: Leaf, fields: readonly Reach[], paint: Paint, fill: (x: Reach, y: Reach) => Part[]): Part[] {
   const [half, inner] = [width / 2, width / 2 - Math.min(STILE, width * 0.17)];
   const rails = [0, ...fields.flat(), height];
   return [
@@ -65,7 +67,7 @@ function handles({ width, height }: Leaf, metal: Paint): Part[] {
 function panelled(leaf: Leaf, paint: Paint, metal: Paint): Part[] {
   const sunk = { ...paint, color: shade(paint.color, -0.14) };
   const fields = [[BOTTOM_RAIL, LOCK_RAIL[0]], [LOCK_RAIL[1], leaf.height - TOP_RAIL]] as const;
-  const fill = (x: readonly [number, number], y: readonly [number, number]): Part[] => [
+  const fill = (x: Reach, y: Reach): Part[] => [
     board(x, y, LEAF_THICKNESS - 2 * INSET, sunk),
     board([x[0] + MOULDING, x[1] - MOULDING], [y[0] + MOULDING, y[1] - MOULDING], LEAF_THICKNESS - INSET, paint),
   ];
@@ -83,12 +85,12 @@ function sectional({ width, height }: Leaf, metal: Paint): Part[] {
   const [step, fields] = [height / count, Math.max(2, Math.round(width / 0.7))];
   const [half, pitch] = [width / 2, width / fields];
   const rows = Array.from({ length: count }, (_, i) => i * step);
-  const groove = { ...GARAGE, color: shade(GARAGE.color, -0.5) };
+  const [groove, raised] = [-0.5, 0.2].map((share): Paint => ({ ...GARAGE, color: shade(GARAGE.color, share) })) as [Paint, Paint];
+  const columns = Array.from({ length: fields }, (_, j): Reach => [j * pitch - half + 0.07, (j + 1) * pitch - half - 0.07]);
   return [
     board([-half, half], [0, height], 0.02, groove),
     ...rows.map((low) => board([-half, half], [low, low + step - GROOVE], LEAF_THICKNESS, GARAGE)),
-    ...rows.flatMap((low) => Array.from({ length: fields }, (_, j) =>
-      board([j * pitch - half + 0.07, (j + 1) * pitch - half - 0.07], [low + 0.1, low + step - 0.1 - GROOVE], LEAF_THICKNESS + 0.016, { ...GARAGE, color: shade(GARAGE.color, 0.2) }))),
+    ...rows.flatMap((low) => columns.map((x) => board(x, [low + 0.1, low + step - 0.1 - GROOVE], LEAF_THICKNESS + 0.016, raised))),
     board([-0.1, 0.1], [0.04, 0.07], LEAF_THICKNESS + 0.06, metal),
   ];
 }
