@@ -34,8 +34,9 @@ class Terms:
         wishes: what is locked and what was moved.
         wall_thickness: m.
         on_conflict: "report" or "remove".
-        work: what each attempt and the explanation may cost a room, in QPs of a small room.
+        work: what each attempt may cost a room, in QPs of a small room.
         previous: poses of the last answer, by id.
+        telling: what saying why not may cost a room, in QPs of a small room; it changes nothing, so broken rooms alone share it.
     """
 
     wishes: Wishes
@@ -43,6 +44,7 @@ class Terms:
     on_conflict: str
     work: float
     previous: Mapping[str, Pose] = field(default_factory=dict)
+    telling: float = 0.0
 
 
 def wanted_of(room: Room, space: Space, terms: Terms) -> tuple[Wanted, ...]:

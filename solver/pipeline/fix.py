@@ -25,7 +25,7 @@ MOST_ROOM_WORK = 300_000.0
 """Work each attempt at a room, and its explanation, may cost, in QPs of a small room: about a third of a second."""
 SCENE_WORK = 400_000.0
 """Work one scene may cost, in QPs of a small room, dealt to its rooms alike: by their number, not by how many are broken,
-so that a repaired scene is repaired on the same terms again."""
+so that a repaired scene is repaired on the same terms again; as much again for saying why not, dealt to the broken ones."""
 MOVED = 0.001
 """A body that moved by more, m, is listed in `moves` (contract)."""
 
@@ -108,6 +108,7 @@ def _repaired(scene: Scene, terms: Terms, errors: Sequence[Issue], known: Catalo
         return _Answers(scene, (), People(scene.dynamic))
     alone = _without_people(scene, errors, known)
     broken = concerned(scene, alone)
+    terms = replace(terms, telling=min(MOST_ROOM_WORK, SCENE_WORK / max(len(broken), 1)))
     mended = tuple(_mended(scene, room, terms, alone) if room.id in broken else Mended(room) for room in scene.rooms)
     furnished, left = _with(scene, mended), errors
     if broken:

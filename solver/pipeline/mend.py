@@ -19,8 +19,8 @@ from solver.wanted import Arrangement, Space, Wanted
 ROUNDS = 3
 """Times a room that cannot be repaired whole is repaired again, until nothing changes any more."""
 
-WALKING_SHARE = 16
-"""Why pieces are out of reach may cost this part of a room's work: it is said, not mended."""
+WALKING_SHARE = 4
+"""Why pieces are out of reach may cost this part of what telling may: it is said, not mended."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ def explain_unreached(sent: Room, mended: Mended, space: Space, terms: Terms, is
     stuck = [label for issue in blocked for label in issue.ids if label in labels]
     if blocked and wanted and not stuck:
         stuck = [wanted[-1].label]  # nobody can walk in the room at all: whoever comes last closes it
-    conflicts = unreached(Unplaced(sent, mended.room, space, wanted, stuck), terms, Budget(terms.work / WALKING_SHARE))
+    conflicts = unreached(Unplaced(sent, mended.room, space, wanted, stuck), terms, Budget(terms.telling / WALKING_SHARE))
     return replace(mended, conflicts=(*mended.conflicts, *conflicts))
 
 
@@ -85,7 +85,7 @@ def _mended(room: Room, space: Space, terms: Terms, wrong: frozenset[str] = froz
     if not stuck and not wrong:
         return Mended(mended)
     answer = _settled(room, mended, space, replace(terms, previous={}), wrong)
-    conflicts = conflicts_of(Unplaced(room, answer, space, wanted, stuck), terms, Budget(terms.work))
+    conflicts = conflicts_of(Unplaced(room, answer, space, wanted, stuck), terms, Budget(terms.telling))
     if terms.on_conflict == "remove":
         reasons = {label: next(c.message for c in conflicts if label in c.ids) for label in stuck}
         fewer, removed = _taken_out(mended, reasons)

@@ -73,6 +73,37 @@ def test_no_more_neighbours_jump_where_ways_are_kept_free() -> None:
     assert held <= free
 
 
+def by_its_doors(scene: Scene) -> Scene:
+    """A room alone whose doors lead out of it, as the page asks for it."""
+    room = scene.rooms[0]
+    openings = tuple(replace(one, connects_to="EXTERIOR") if one.kind != "window" else one for one in room.openings)
+    return replace(scene, rooms=(replace(room, openings=openings),))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_what_stood_is_always_an_answer(seed: int) -> None:
+    scene = by_its_doors(living_room(seed))
+    assert errors(scene) == []
+    last = tuple(Pose(label, *pose) for label, pose in poses(scene).items())
+    for k in range(40):
+        sent, sofa = sofa_at(scene, k / 39)
+        fixed = fix(sent, moved=[sofa], previous=last)
+        assert (fixed.conflicts, errors(fixed.scene)) == ((), [])
+        assert fix(fixed.scene, moved=[sofa], previous=last).scene == fixed.scene
+        last = tuple(Pose(label, *pose) for label, pose in poses(fixed.scene).items())
+
+
+def test_neighbours_stay_each_on_its_side_of_the_dragged_piece() -> None:
+    long = body("sofa_1", 2.0, 2.0, (2.6, 1.0, 0.8))
+    near = (body("box_1", 1.2, 1.95, (0.5, 0.5, 0.4)), body("box_2", 2.8, 1.95, (0.5, 0.5, 0.4)))
+    last = [Pose("room_0/box_1", 1.2, 2.75, 0), Pose("room_0/box_2", 2.8, 1.25, 0)]
+    free = pieces(fix(room_of(long, *near), moved=["room_0/sofa_1"]).scene)
+    held = pieces(fix(room_of(long, *near), moved=["room_0/sofa_1"], previous=last).scene)
+    assert free["room_0/box_1"].z < 1.5
+    assert held["room_0/box_1"].z == pytest.approx(2.75, abs=0.2)
+    assert held["room_0/box_2"].z == pytest.approx(1.25, abs=0.2)
+
+
 def between() -> Scene:
     """A box in the middle of a narrow way: it gives way north or south, alike but for a centimetre."""
     return room_of(body("sofa_1", 2.0, 2.0, (1.0, 1.0, 0.8)), body("box_1", 2.0, 1.995, (0.4, 0.4, 0.4)), width=4.0)

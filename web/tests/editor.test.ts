@@ -174,6 +174,7 @@ describe("single edits", () => {
     editor.rotate(ONE, 90);
     await turn();
     expect(calls).toHaveLength(1);
+    expect(call(0).request.previous?.find(({ id }) => id === OTHER)).toMatchObject({ x: 3, z: 2 });
     await call(0).answer();
     await call(1).answer();
     expect(home.find(ONE)?.piece.rotation).toBe(180);

@@ -296,7 +296,7 @@ export class Editor {
 
   /** Asks with the draft's own locks first, then without. */
   async #judge({ scene, moved: ids = [], locked: held, room }: Draft, before: Shown): Promise<FixAnswer> {
-    const request: FixRequest = { scene, moved: ids, on_conflict: "report" };
+    const request: FixRequest = { scene, moved: ids, on_conflict: "report", previous: posesOf(before.scene, room) };
     if (held) {
       const answer = await this.fix({ ...request, locked: held }, NEVER);
       if (conflictsIn(answer, room, before).length === 0) return answer;
