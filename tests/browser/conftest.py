@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from tests.browser.service_process import ServiceProcess, running
-from tests.browser.visit import Visit
+from tests.browser.visit import ANSWER_MS, Visit
+
+expect.set_options(timeout=ANSWER_MS)
 
 
 @pytest.fixture(scope="session")

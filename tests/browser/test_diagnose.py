@@ -153,6 +153,22 @@ def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
     expect(leaving).to_be_hidden()
 
 
+def test_opened_again_before_its_closing_is_told_it_reads_the_report_anew(visit: Visit) -> None:
+    visit.open(QUERY)
+    dialog = opened(visit)
+    expect(dialog).to_have_attribute("aria-busy", "false")
+    visit.page.evaluate("""async () => {
+        const { fetch } = window;
+        const told = new Promise((resolve) => document.querySelector("dialog[open]").addEventListener("close", resolve, {once: true}));
+        window.fetch = async (...asked) => { await told; return fetch(...asked); };
+        document.querySelector("dialog[open]").close();
+        document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "d", bubbles: true}));
+        await told;
+    }""")
+    expect(dialog).to_be_visible()
+    expect(dialog).to_have_attribute("aria-busy", "false")
+
+
 @pytest.mark.parametrize("allowed", [True, False])
 def test_copy_gives_the_whole_report(visit: Visit, allowed: bool) -> None:
     visit.open(QUERY)

@@ -30,7 +30,8 @@ export class Diagnose {
     within("diagnose_close").addEventListener("click", () => this.#dialog.close());
     this.#fix.addEventListener("click", () => void this.#mend("report"));
     this.#remove.addEventListener("click", () => void this.#mend("remove"));
-    this.#dialog.addEventListener("close", () => this.#withdraw());
+    // Told late: by then the dialog may have been opened again.
+    this.#dialog.addEventListener("close", () => { if (!this.#dialog.open) this.#withdraw(); });
     // Keys pressed in the dialog are no shortcuts of the page behind it.
     this.#dialog.addEventListener("keydown", (event) => { if (this.#dialog.open) event.stopPropagation(); });
     home.on("shown", (how) => { if (how !== "live") void this.#diagnose(); });
@@ -39,6 +40,7 @@ export class Diagnose {
 
   open(): void {
     if (this.#dialog.open || !this.home.scene) return;
+    this.#withdraw();
     this.#say([]);
     this.#remove.hidden = true;
     this.#dialog.showModal();
