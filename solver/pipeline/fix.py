@@ -155,7 +155,11 @@ def _honest(scene: Scene, terms: Terms, known: Catalogs) -> Scene:
     if not terms.wishes.moved:
         return scene
     hugging = {name for name, kind in known.kinds_by_name().items() if kind.stands == "wall"}
-    honest = (said(room, walls_of(room, _space(scene, room), terms), terms.wishes, hugging) for room in scene.rooms)
+    touched = {room.id for room in scene.rooms if any(piece.id in terms.wishes.moved for piece in room.furniture)}
+    honest = (
+        said(room, walls_of(room, _space(scene, room), terms), terms.wishes, hugging) if room.id in touched else room
+        for room in scene.rooms
+    )
     return replace(scene, rooms=tuple(honest))
 
 

@@ -1,7 +1,7 @@
 /** Draws all bodies of a house in few batches, moves them, and tells which body a ray meets. */
-import { Group, Matrix4, Quaternion, Vector3, type Intersection, type Raycaster } from "three";
+import { Matrix4, Quaternion, Vector3, type Group } from "three";
 import type { PlacedBody } from "./frame";
-import { meets, type Straight } from "./part_hits";
+import { HitGroup } from "./hit_group";
 import { PartBatches } from "./part_batches";
 import type { Part } from "./parts";
 import { ShapeBook } from "./shapes";
@@ -16,20 +16,6 @@ export function bodyMatrix(body: PlacedBody): Matrix4 {
 
 /** Where a body is put: its footprint's centre and underside [m], its turn about +y [rad]; what is not said stays. */
 export type BodyPose = Partial<Pick<PlacedBody, "x" | "y" | "z" | "turn">>;
-
-/** The bodies' batches; a ray that meets a part is told the body's number as `instanceId`. */
-class BodyGroup extends Group {
-  constructor(readonly cast: (ray: Straight) => readonly { readonly body: number; readonly distance: number }[]) {
-    super();
-  }
-
-  override raycast(raycaster: Raycaster, hits: Intersection[]): void {
-    const { origin, direction } = raycaster.ray;
-    for (const { body, distance } of this.cast({ origin: origin.toArray(), direction: direction.toArray() })) {
-      hits.push({ object: this, instanceId: body, distance, point: raycaster.ray.at(distance, new Vector3()) });
-    }
-  }
-}
 
 /** The drawn bodies of a house. */
 export class BodyMeshes {
@@ -48,8 +34,7 @@ export class BodyMeshes {
     this.#parts = bodies.map((body) => book.partsOf(body, style));
     this.#drawn = new PartBatches(bodies, this.#parts);
     this.batches = this.#drawn.meshes.length;
-    this.root = new BodyGroup((ray) => this.#cast(ray));
-    for (const batch of this.#drawn.meshes) this.root.add(batch);
+    this.root = new HitGroup(this.#drawn, this.#bodies, (number) => this.#partsShown(number));
   }
 
   /** Hides what hangs on walls where they are cut below its middle: nothing hangs in the air. */
@@ -80,11 +65,9 @@ export class BodyMeshes {
     return body.hung !== undefined && body.hung > this.#cut;
   }
 
-  #cast(ray: Straight): { body: number; distance: number }[] {
-    return this.#bodies.flatMap((body, i) => {
-      const distance = this.#hidden(body) ? null : meets(ray, body, this.#parts[i] ?? []);
-      return distance === null ? [] : [{ body: i, distance }];
-    });
+  #partsShown(number: number): readonly Part[] {
+    const body = this.#bodies[number];
+    return !body || this.#hidden(body) ? [] : (this.#parts[number] ?? []);
   }
 
   /** Points of a body's parts at which it may be seen: the middles of their tops, then of the parts. */

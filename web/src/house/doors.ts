@@ -1,10 +1,10 @@
 /** The doors of a house: leaves of a few parts each, drawn in one batch, opened and closed by a click. */
-import { Group, Vector3, type Intersection, type Raycaster } from "three";
+import type { Group } from "three";
 import { LEAF_THICKNESS, type Leaf } from "./door_leaves";
 import { partsOfLeaf, PLAIN_PAINTS, shown, type DoorPaints } from "./door_shapes";
 import type { PlacedBody } from "./frame";
+import { HitGroup } from "./hit_group";
 import { PartBatches } from "./part_batches";
-import { meets, type Straight } from "./part_hits";
 import type { Part } from "./parts";
 
 const SECONDS = 0.45;
@@ -34,20 +34,6 @@ export function shownOfLeaf(leaf: Leaf, parts: readonly Part[], open: number, cu
   return parts.map((part) => shown(part, lift, Math.min(leaf.height, cut - leaf.hinge.y)));
 }
 
-/** The leaves' batches; a ray that meets a leaf is told its number as `instanceId`. */
-class DoorGroup extends Group {
-  constructor(readonly cast: (ray: Straight) => readonly { readonly leaf: number; readonly distance: number }[]) {
-    super();
-  }
-
-  override raycast(raycaster: Raycaster, hits: Intersection[]): void {
-    const { origin, direction } = raycaster.ray;
-    for (const { leaf, distance } of this.cast({ origin: origin.toArray(), direction: direction.toArray() })) {
-      hits.push({ object: this, instanceId: leaf, distance, point: raycaster.ray.at(distance, new Vector3()) });
-    }
-  }
-}
-
 /** The doors of a house; `step` moves those under way. */
 export class Doors {
   readonly root: Group;
@@ -66,8 +52,7 @@ export class Doors {
     this.#parts = leaves.map((leaf) => partsOfLeaf(leaf, paints));
     this.#shown = [...this.#parts];
     this.#drawn = new PartBatches(this.#bodies, this.#parts);
-    this.root = new DoorGroup((ray) => this.#cast(ray));
-    for (const batch of this.#drawn.meshes) this.root.add(batch);
+    this.root = new HitGroup(this.#drawn, this.#bodies, (number) => this.#shown[number] ?? []);
   }
 
   /** Cuts the leaves at the height of the walls [m]. */
@@ -113,12 +98,5 @@ export class Doors {
     const parts = shownOfLeaf(leaf, this.#parts[index] ?? [], open, this.#cut);
     this.#shown[index] = parts.filter((part) => part !== null);
     this.#drawn.place(index, body, parts);
-  }
-
-  #cast(ray: Straight): { leaf: number; distance: number }[] {
-    return this.#bodies.flatMap((body, leaf) => {
-      const distance = meets(ray, body, this.#shown[leaf] ?? []);
-      return distance === null ? [] : [{ leaf, distance }];
-    });
   }
 }

@@ -31,7 +31,9 @@ export function totalMs(timing: GenerateAnswer["timing_ms"]): number {
   return timing.total ?? Object.values(timing).reduce((sum, stage) => sum + stage, 0);
 }
 
+/** Nothing where nothing was made: a file was only read. */
 function timeWords(ms: number): string {
+  if (ms === 0) return "";
   return ms >= 1000 ? `${(ms / 1000).toFixed(1)} s` : `${ms < 10 ? ms.toFixed(1) : ms.toFixed(0)} ms`;
 }
 
