@@ -28,6 +28,8 @@ class Visit:
         self.console: list[str] = []
         self.requests: list[str] = []
         self.answers: list[Document] = []
+        # Kept all the time: switched on under way, interception reaches a busy page later than the click it is for.
+        page.route("**/no-such-call", lambda route: route.abort())
         page.on("console", lambda message: self.console.append(f"{message.type}: {message.text}"))
         page.on("request", lambda request: self.requests.append(request.url))
 
