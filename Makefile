@@ -14,7 +14,7 @@ FUZZ_ARGS =
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets bench fuzz lint format page page-bench pictures chromium pins wheel clean
+.PHONY: help run test targets bench fuzz lint format kernel page page-bench pictures chromium pins wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -37,21 +37,21 @@ COMPILE = $(PY) -m solver.placement.kernel
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1  /p' Makefile
 
-run: .venv/run.stamp page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
+run: kernel page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
 
-test: .venv/dev.stamp page chromium ## run every test: Python, page, browser
+test: .venv/dev.stamp kernel page chromium ## run every test: Python, page, browser
 	$(PY) scripts/page.py check
 	$(PY) scripts/page.py test
 	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 --dist loadgroup $(PYTEST_ARGS)
 
-targets: .venv/dev.stamp page ## run the long checks and benches: thousands of seeds, timings
+targets: .venv/dev.stamp kernel page ## run the long checks and benches: thousands of seeds, timings
 	$(PY) -m tests.targets
 
-bench: .venv/dev.stamp ## measure the placement core: against exact oracles, OSQP with heuristics, and the clock
+bench: .venv/dev.stamp kernel ## measure the placement core: against exact oracles, OSQP with heuristics, and the clock
 	$(PY) -m tests.bench $(BENCH_ARGS)
 
-fuzz: .venv/dev.stamp ## place 100,000 random rooms and check each in exact integers
+fuzz: .venv/dev.stamp kernel ## place 100,000 random rooms and check each in exact integers
 	$(PY) -m tests.bench.fuzz $(FUZZ_ARGS)
 
 lint: .venv/dev.stamp ## check style and types: ruff, mypy, tsc
@@ -64,13 +64,15 @@ format: .venv/dev.stamp ## put the Python sources in ruff's format
 	$(PY) -m ruff check --fix-only .
 	$(PY) -m ruff format .
 
+kernel: .venv/kernel.stamp ## compile the placement kernel where it is not yet
+
 page: .venv/python.stamp ## build the page into service/static/
 	@$(PY) scripts/page.py build
 
-page-bench: .venv/dev.stamp page chromium ## measure what the page costs: script time, draw calls, bytes
+page-bench: .venv/dev.stamp kernel page chromium ## measure what the page costs: script time, draw calls, bytes
 	$(PY) -m tests.browser.bench
 
-pictures: .venv/dev.stamp page chromium ## take the README's pictures of the page
+pictures: .venv/dev.stamp kernel page chromium ## take the README's pictures of the page
 	$(PY) -m tests.browser.pictures
 
 chromium: .venv/dev.stamp ## bring the Chromium of the browser tests
@@ -93,12 +95,14 @@ clean: ## remove everything that make brought or built
 	$(UV) venv --quiet --clear --python '$(PYTHON_VERSIONS)' .venv
 	@touch $@
 
-.venv/run.stamp: .venv/python.stamp $(PINS) $(KERNEL)
+.venv/run.stamp: .venv/python.stamp $(PINS)
 	$(INSTALL) --editable .
-	$(COMPILE)
 	@touch $@
 
-.venv/dev.stamp: .venv/python.stamp $(PINS) $(KERNEL)
+.venv/dev.stamp: .venv/python.stamp $(PINS)
 	$(INSTALL) --editable . --group dev
-	$(COMPILE)
 	@touch $@ .venv/run.stamp
+
+.venv/kernel.stamp: .venv/run.stamp $(KERNEL)
+	$(COMPILE)
+	@touch $@

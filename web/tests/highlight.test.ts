@@ -56,6 +56,7 @@ describe("the reading panel", () => {
       '<aside id="reading"><button id="flag"></button><button id="reading_toggle" aria-expanded="true"></button>' +
       '<input id="find" /><span id="find_words"></span><div id="yaml"></div></aside>';
     const host = document.getElementById("yaml") as HTMLElement;
+    vi.spyOn(host, "clientHeight", "get").mockReturnValue(400);
     const reading = new Reading(host);
     const chosen: string[] = [];
     reading.onChoose = (id) => chosen.push(id);

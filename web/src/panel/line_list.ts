@@ -82,6 +82,7 @@ export class LineList {
     const line = (id === null ? this.#plain : this.#button).cloneNode() as HTMLElement;
     line.className = className;
     line.textContent = text;
+    line.style.setProperty("--indent", String(text.length - text.trimStart().length));
     if (id !== null) line.dataset.id = id;
     return line;
   }

@@ -4,11 +4,20 @@ import { timed } from "../timing";
 import { writeHighlighted } from "./highlight";
 import { LineList } from "./line_list";
 
-/** Lines highlighted beyond those near the view. */
-const MARGIN = 40;
-
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
+}
+
+/** How many lines begin above a height under the first one [CSS pixels]. */
+function lineAt(lines: readonly HTMLElement[], height: number): number {
+  const top = lines[0]?.offsetTop ?? 0;
+  let [first, last] = [0, lines.length];
+  while (first < last) {
+    const middle = (first + last) >> 1;
+    if ((lines[middle] as HTMLElement).offsetTop - top < height) first = middle + 1;
+    else last = middle;
+  }
+  return first;
 }
 
 function problematic(): HTMLElement {
@@ -69,10 +78,8 @@ export class Reading {
   /** Highlights the lines in view and a screen around them: a house has thousands, of which few are ever read. */
   #colour(): void {
     const { elements } = this.#list;
-    const { scrollTop, clientHeight, scrollHeight } = this.host;
-    const each = Math.max(1, scrollHeight / elements.length);
-    const [first, last] = [(scrollTop - clientHeight) / each, (scrollTop + 2 * clientHeight) / each + MARGIN];
-    for (const line of elements.slice(Math.max(0, Math.floor(first)), Math.ceil(last))) {
+    const { scrollTop, clientHeight } = this.host;
+    for (const line of elements.slice(lineAt(elements, scrollTop - clientHeight), lineAt(elements, scrollTop + 2 * clientHeight))) {
       if (this.#coloured.has(line)) continue;
       this.#coloured.add(line);
       const word = line.querySelector(".problematic");
