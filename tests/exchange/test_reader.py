@@ -253,9 +253,9 @@ def test_reading_takes_time_in_proportion() -> None:
 
     def seconds(count: int) -> float:
         document = scene(room(*[piece()] * count))
-        start = time.perf_counter()
+        start = time.process_time()
         read_scene(document)
-        return time.perf_counter() - start
+        return time.process_time() - start
 
     small = min(seconds(400) for _ in range(3))
     assert min(seconds(4000) for _ in range(2)) < 60 * small

@@ -64,10 +64,10 @@ def test_texts_that_are_no_documents(text: bytes | str, name: str) -> None:
 @pytest.mark.parametrize("levels", [65, 5000, 200_000])
 @pytest.mark.parametrize(("opening", "closing"), [("[", "]"), ('{"a":', "}")])
 def test_deep_nesting_is_refused(name: str, levels: int, opening: str, closing: str) -> None:
-    start = time.perf_counter()
+    start = time.process_time()
     assert "nested too deeply" in refused(opening * levels + "1" + closing * levels, name)
     assert refused(opening * levels, name)
-    assert time.perf_counter() - start < 5
+    assert time.process_time() - start < 5
     assert load_text(opening * 64 + "1" + closing * 64, name)
 
 
@@ -111,10 +111,10 @@ def bomb(levels: int) -> str:
 
 
 def test_a_bomb_of_aliases_does_not_go_off() -> None:
-    start = time.perf_counter()
+    start = time.process_time()
     assert "aliases" in refused(bomb(10), "yaml")
     assert "aliases" in refused(bomb(10).replace("[", "{b: [").replace("]", "]}"), "yaml")
-    assert time.perf_counter() - start < 1
+    assert time.process_time() - start < 1
 
 
 def test_aliases_are_read_in_reason() -> None:

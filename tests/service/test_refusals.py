@@ -17,7 +17,7 @@ YAML = {"content-type": "application/yaml"}
 EXPORTS = ["/export/json", "/export/yaml"]
 OF_SCENES = ["/fix", "/validate", "/view", "/floor", *EXPORTS]
 POSTS = ["/generate", "/place", *OF_SCENES]
-PATIENCE_S = 5.0
+PATIENCE_S = 20.0
 """How long a refusal may take on a busy machine, s."""
 
 REQUESTS = [

@@ -91,7 +91,7 @@ def test_memory_is_bounded() -> None:
 
 
 def test_the_service_answers_while_all_workers_are_busy(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workers, "SECONDS", 3.0)
+    monkeypatch.setattr(workers, "SECONDS", 5.0)
     with ThreadPoolExecutor(RUNNING) as callers:
         running = [callers.submit(client.post, "/generate", json=LONG) for _ in range(RUNNING)]
         time.sleep(0.5)
@@ -99,7 +99,7 @@ def test_the_service_answers_while_all_workers_are_busy(client: TestClient, monk
         assert client.get("/docs").status_code == 200
         assert not any(call.done() for call in running)
         for call in running:
-            assert "3 s" in entry_of(call.result(), 422)["problem"]
+            assert "5 s" in entry_of(call.result(), 422)["problem"]
     monkeypatch.setattr(workers, "SECONDS", heavy.PATIENCE_S)
     assert client.post("/view", json={"scene": {"rooms": []}}).status_code == 200
 

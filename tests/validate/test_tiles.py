@@ -52,9 +52,9 @@ def test_a_town_is_walked_from_tile_to_tile() -> None:
 
 def test_a_hall_of_thousands_of_pieces_is_walked_in_seconds() -> None:
     crates = [piece(1.0 + x, 1.0 + z, 0.3, 0.3, id=f"{x}.{z}", name="sofa") for x in range(60) for z in range(60)]
-    start = time.perf_counter()
+    start = time.process_time()
     assert told(scene(room(*crates, width=61.0, depth=61.0)), "unreachable", "overlap") == set()
-    assert time.perf_counter() - start < 20
+    assert time.process_time() - start < 20
 
 
 @given(st.integers(0, 12), st.integers(0, 12), st.data())
