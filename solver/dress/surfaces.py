@@ -17,6 +17,8 @@ GAP_MM: Final = 5
 """Between two things on a surface. Our choice."""
 SEAT_MM: Final = 300
 """How far from a table a chair may stand to count as a seat at it. Our choice."""
+LONGEST_SEAT_MM: Final = 1000
+"""What is longer from front to back is to lie on. Our choice."""
 
 
 class Spot(NamedTuple):
@@ -98,12 +100,13 @@ def _seats(scenery: Scenery, table: Carrier, surface: Surface) -> Iterator[Spot]
 
 def _sits_at(chair: Carrier, table: Carrier) -> bool:
     """Tells whether a chair stands before a table's edge, facing it."""
-    if not any(surface.name == "seat" for surface in chair.surfaces):
-        return False
     fx, fz = FACING[chair.rotation]
     rect = chair.rect
+    length = rect.width if fx else rect.depth
+    if length > LONGEST_SEAT_MM or not any(surface.name == "seat" for surface in chair.surfaces):
+        return False
     x, z = (rect.x0 + rect.x1) // 2, (rect.z0 + rect.z1) // 2
-    before = Rect(x - 1, z - 1, x + 1, z + 1), (rect.width if fx else rect.depth) // 2 + SEAT_MM
+    before = Rect(x - 1, z - 1, x + 1, z + 1), length // 2 + SEAT_MM
     ahead = Rect(
         before[0].x0 + min(0, fx * before[1]), before[0].z0 + min(0, fz * before[1]),
         before[0].x1 + max(0, fx * before[1]), before[0].z1 + max(0, fz * before[1]),

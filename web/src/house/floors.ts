@@ -49,7 +49,7 @@ function outlineOf(room: Room): Vector2[] {
 
 /** A room with a rug shows its accent there. */
 function hasRug(room: Room): boolean {
-  return room.decorations.some(({ name }) => name === "rug");
+  return room.decorations.some(({ name }) => name === "rug" || name === "runner");
 }
 
 function accentBands(room: Room): Vector2[][] {
