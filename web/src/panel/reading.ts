@@ -3,6 +3,7 @@ import type { ViewAnswer } from "../contract";
 import { timed } from "../timing";
 import { writeHighlighted } from "./highlight";
 import { LineList } from "./line_list";
+import { bringIntoView } from "./scroll_within";
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -101,7 +102,7 @@ export class Reading {
     this.#sayFlag();
     const [first] = id === null ? [] : this.#list.linesOf(id);
     if (!first) return;
-    first.scrollIntoView({ block: "nearest" });
+    bringIntoView(this.host, first);
     this.#list.reach(first);
   }
 
@@ -136,7 +137,7 @@ export class Reading {
     const holds = (button: HTMLButtonElement): boolean => `${button.dataset.id} ${button.textContent}`.toLowerCase().includes(wanted);
     this.#found = wanted === "" ? [] : this.#list.buttons.filter(holds);
     for (const button of this.#found) button.classList.add("found");
-    this.#found[0]?.scrollIntoView({ block: "nearest" });
+    if (this.#found[0]) bringIntoView(this.host, this.#found[0]);
     within("find_words").textContent = wanted === "" ? "" : `${this.#found.length} found`;
   }
 
@@ -159,5 +160,6 @@ export class Reading {
     const open = toggle.getAttribute("aria-expanded") !== "true";
     toggle.setAttribute("aria-expanded", String(open));
     within("reading").classList.toggle("folded", !open);
+    if (open) this.select(this.#selected);
   }
 }

@@ -1,0 +1,45 @@
+"""A narrow screen: what is done on the house leaves the house where it is."""
+
+from __future__ import annotations
+
+from tests.browser.test_editing import ONE, OTHER, Bench, crate, den
+from tests.browser.visit import Document, Visit
+
+PHONE = {"width": 390, "height": 844}
+OF_LINES = """id => {
+    const [region, line] = ['#yaml', `#yaml [data-id="${id}"]`].map(one => document.querySelector(one).getBoundingClientRect());
+    return {above: line.top - region.top, below: region.bottom - line.bottom};
+}"""
+"""How far a piece's line is from the ends of the text's region [CSS pixels]."""
+
+
+def crowd(count: int) -> Document:
+    """A room of so many crates in a row: more lines than the region shows."""
+    many = (crate(f"den/crate_{number:02}", 1 + 0.7 * number, 0.5, 0.4) for number in range(count))
+    return den(crate(ONE, 1, 2.6), *many, crate(OTHER, 3, 2.6), width=0.7 * count + 2, depth=4)
+
+
+def scrolled(visit: Visit) -> int:
+    """How far the page is scrolled down [CSS pixels]."""
+    down: int = visit.page.evaluate("window.scrollY")
+    return down
+
+
+def test_a_piece_touched_and_dragged_scrolls_its_line_into_view_and_nothing_else(visit: Visit) -> None:
+    visit.page.set_viewport_size(PHONE)
+    bench = Bench(visit, crowd(60))
+    for piece in (OTHER, ONE):
+        visit.page.mouse.click(*bench.at(piece))
+        visit.settle()
+        assert visit.state()["selected"] == piece
+        assert scrolled(visit) == 0
+        assert min(visit.page.evaluate(OF_LINES, piece).values()) >= 0
+    bench.drag(OTHER, bench.at(ONE))
+    assert scrolled(visit) == 0
+    bench.page.mouse.up()
+    bench.rest()
+    visit.page.locator("#find").fill("crate_59")
+    visit.page.evaluate("window.scrollTo(0, 0)")
+    visit.page.locator("#find").dispatch_event("input")
+    assert scrolled(visit) == 0
+    assert min(visit.page.evaluate(OF_LINES, "den/crate_59").values()) >= 0
