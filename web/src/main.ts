@@ -17,6 +17,7 @@ import { Reading } from "./panel/reading";
 import { RoomPanel } from "./panel/room";
 import { showShown } from "./panel/status";
 import { catalog, generate, isAbort, readFile, report, reroll, ServiceProblem, view, type GivenFile } from "./service";
+import { listenToSkips } from "./panel/skips";
 import { Stage } from "./stage";
 import { Home, type Showing } from "./state/home";
 
@@ -41,7 +42,10 @@ class Page {
   readonly #stage = new Stage(element("stage"));
   readonly #diagnose = new Diagnose(this.#home);
   readonly #keys = new Keys();
+  readonly #workbench: Workbench;
   #wanted: HouseRequest = requestFromQuery(location.search);
+  /** What the house shown was asked for by; null for a file's. */
+  #made: HouseRequest | null = null;
   #learnt = false;
   #written = new AbortController();
   #reads: Promise<void> = Promise.resolve();
@@ -63,12 +67,12 @@ class Page {
     this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
     this.#home.on("shown", (how) => this.#show(how));
     this.#home.on("selected", (id) => this.#select(id));
-    new Workbench(this.#home, this.#stage, {
+    this.#workbench = new Workbench(this.#home, this.#stage, {
       busy: (busy) => { element("stage").dataset.editing = String(busy); },
       failed: (reason) => this.#asking.notice.show(reason),
     });
     element("random").addEventListener("click", () => this.#random());
-    element("decorate_now").addEventListener("click", () => this.#submit({ ...this.#wanted, decorate: true }));
+    element("decorate_now").addEventListener("click", () => { if (this.#made) this.#submit({ ...this.#made, decorate: true }); });
     element("reset").addEventListener("click", () => this.#submit(DEFAULTS));
     window.addEventListener("popstate", () => this.#openAddress());
     document.addEventListener("keydown", (event) => this.#key(event));
@@ -78,6 +82,7 @@ class Page {
   open(): void {
     globalThis.compose = this.#stage;
     foldForNarrow();
+    listenToSkips();
     this.#openAddress();
     void this.#stage.rehearse();
   }
@@ -106,7 +111,7 @@ class Page {
 
   #key(event: KeyboardEvent): void {
     const typing = event.target instanceof Element && event.target.matches("input:not([type=range], [type=checkbox]), select, textarea, dialog[open] *");
-    if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (typing || event.repeat || event.ctrlKey || event.metaKey || event.altKey) return;
     const acts: Readonly<Record<string, () => void>> = {
       r: () => this.#random(),
       d: () => this.#diagnose.open(),
@@ -123,7 +128,6 @@ class Page {
 
   #remember(request: HouseRequest, history: History): void {
     this.#wanted = request;
-    this.#showsRequest(true);
     const query = queryFromRequest(request);
     if (query === location.search) return;
     if (history === "push") window.history.pushState(null, "", query);
@@ -134,6 +138,7 @@ class Page {
     this.#remember(request, history);
     return this.#asking.run("Laying out the house", async (signal) => {
       const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal)]);
+      this.#shows(request);
       this.#home.select(null);
       this.#home.show({ scene, issues, conflicts: [], timing }, "new");
       await this.#reads;
@@ -153,14 +158,15 @@ class Page {
     }
   }
 
+  /** Furnishes a room anew, in turn with the edits: none made before or meanwhile is lost. */
   #reroll(room: string): void {
-    const before = this.#home.settled?.scene;
-    if (!before) return;
-    void this.#asking.run("Furnishing the room anew", async (signal) => {
+    void this.#asking.run("Furnishing the room anew", (signal) => this.#workbench.editor.inTurn(async () => {
+      const before = this.#home.settled?.scene;
+      if (!before || signal.aborted) return;
       const { scene, issues, timing_ms: timing } = await reroll(before, [room], signal);
       this.#home.show({ scene, issues, conflicts: [], timing }, "step");
       await this.#reads;
-    });
+    }));
   }
 
   #openFile(file: GivenFile, history: History): void {
@@ -168,7 +174,7 @@ class Page {
       const [scene] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
       const { issues } = await report(scene, [], signal);
       if (history === "push") rememberFile(file);
-      this.#showsRequest(false);
+      this.#shows(null);
       this.#home.select(null);
       this.#home.show({ scene, issues, conflicts: [], timing: 0 }, "new");
       await this.#reads;
@@ -176,9 +182,10 @@ class Page {
     });
   }
 
-  /** Tells whether the address asks for what is shown: a file's scene has no link and is not made anew. */
-  #showsRequest(request: boolean): void {
-    this.#link.holds(request);
+  /** Keeps what the house shown was asked for by: a file's scene has no link and is not made anew. */
+  #shows(request: HouseRequest | null): void {
+    this.#made = request;
+    this.#link.opens(request && queryFromRequest(request));
     element<HTMLButtonElement>("decorate_now").disabled = !request;
   }
 

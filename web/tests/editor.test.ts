@@ -171,6 +171,7 @@ describe("single edits", () => {
   it("are asked one after the other, each of what the one before left", async () => {
     const { editor, calls, call, home } = bench();
     editor.rotate(ONE, 90);
+    await turn();
     editor.rotate(ONE, 90);
     await turn();
     expect(calls).toHaveLength(1);
@@ -182,14 +183,75 @@ describe("single edits", () => {
     expect(home.find(ONE)?.piece.rotation).toBe(90);
   });
 
-  it("add up the steps of arrow keys while one is under way", async () => {
-    const { editor, calls, call, at } = bench();
+  it("add up the steps and turns of one piece while one is under way", async () => {
+    const { editor, calls, call, at, home } = bench();
     editor.rotate(OTHER, 90);
     for (const dx of [0.05, 0.05, 0.05]) editor.nudge(ONE, dx, 0);
+    for (let i = 0; i < 30; i += 1) editor.rotate(ONE, -90);
     await turn();
     await call(0).answer();
     await call(1).answer();
-    expect([calls.length, at(ONE)[0]]).toEqual([2, 1.15]);
+    expect([calls.length, at(ONE)[0], home.find(ONE)?.piece.rotation]).toEqual([2, 1.15, 180]);
+  });
+
+  it("do not add up over another edit, and undo waits for its turn", async () => {
+    const { editor, calls, call, home } = bench();
+    editor.rotate(OTHER, 90);
+    editor.rotate(ONE, 90);
+    editor.toggleLock(OTHER);
+    editor.rotate(ONE, 90);
+    editor.undo();
+    await turn();
+    for (let i = 0; i < 4; i += 1) await call(i).answer();
+    expect([calls.length, home.find(ONE)?.piece.rotation, home.find(OTHER)?.piece.locked]).toEqual([4, 90, true]);
+    expect([home.canRedo, editor.busy]).toEqual([true, false]);
+  });
+
+  it("of a house that is gone are not done to the next, whose pieces have the same ids", async () => {
+    const { editor, calls, call, home, said } = bench();
+    editor.rotate(ONE, 90);
+    editor.remove(OTHER);
+    await turn();
+    home.show({ scene: house(), issues: [], conflicts: [], timing: 1 }, "new");
+    editor.forget();
+    await call(0).answer();
+    expect([calls.length, home.find(OTHER)?.piece.x, home.find(ONE)?.piece.rotation, home.canUndo]).toEqual([1, 3, 0, false]);
+    editor.remove(OTHER);
+    await turn();
+    await call(1).answer();
+    expect([home.find(OTHER), said.busy.at(-1), said.failed]).toEqual([null, false, []]);
+  });
+
+  it("wait for other changes in their turn, and those for them", async () => {
+    const { editor, calls, call } = bench();
+    const done: string[] = [];
+    let end = (): void => undefined;
+    editor.rotate(ONE, 90);
+    const first = editor.inTurn(async () => { done.push("begun"); await new Promise<void>((resolve) => { end = resolve; }); throw new Error("lost"); });
+    editor.rotate(OTHER, 90);
+    await turn();
+    expect([calls.length, done]).toEqual([1, []]);
+    await call(0).answer();
+    expect([calls.length, done, editor.lift(ONE)]).toEqual([1, ["begun"], false]);
+    end();
+    await expect(first).rejects.toThrow("lost");
+    await turn();
+    await call(1).answer();
+    expect([calls.length, editor.busy]).toEqual([2, false]);
+  });
+
+  it("that leave out what was never put in ask nothing", async () => {
+    const { editor, calls, call, said, home } = bench();
+    editor.add("den", { name: "crate", category: "storage", size: [1, 1, 1], color: null });
+    await turn();
+    await call(0).answer((sent) => sent, [{ ids: ["den/crate_1"], message: "short", repairs: [] }]);
+    await call(1).answer((sent) => sent, [{ ids: ["den/crate_1"], message: "short", repairs: [{ action: "leave_out", id: "den/crate_1" }] }]);
+    const refusal = said.refused.at(-1);
+    const repair = refusal?.conflicts[0]?.repairs[0];
+    if (!refusal || !repair) throw new Error("no repair was offered");
+    editor.take(refusal, repair);
+    await turn();
+    expect([calls.length, home.canUndo, said.refused.at(-1)]).toEqual([2, false, null]);
   });
 
   it("put a new piece beside the others if they can stay, else make them give way", async () => {

@@ -65,6 +65,9 @@ describe("what is in hand", () => {
     home.show(shown(1), "new");
     home.select("sofa_1");
     home.select("sofa_1");
+    home.select("gone_1");
+    home.toggleFlag("gone_1");
+    expect([home.selected, home.flagged.size]).toEqual(["sofa_1", 0]);
     home.toggleFlag("sofa_1");
     expect(told.mock.calls).toEqual([["sofa_1"]]);
     expect(toldHow.mock.calls).toEqual([["new"]]);

@@ -116,16 +116,19 @@ describe("the link", () => {
     vi.stubGlobal("navigator", { clipboard: { writeText: (text: string) => (copied.push(text), Promise.resolve()) } });
     const link = new Link(button, said);
     const words = async (): Promise<string | null> => (button.click(), await new Promise((done) => setTimeout(done)), said.textContent);
+    expect(button.disabled).toBe(true);
+    link.opens("?seed=5");
     expect(await words()).toContain("opens this house");
     link.edited(true);
     expect(said.textContent).toBe("");
     expect(await words()).toContain("as it was made");
-    link.holds(false);
+    link.opens(null);
     expect([button.disabled, said.textContent]).toEqual([true, expect.stringContaining("file")]);
-    link.holds(true);
+    link.opens("?seed=6");
     link.edited(false);
     expect([button.disabled, said.textContent]).toEqual([false, ""]);
-    expect(copied).toEqual([location.href, location.href]);
+    await words();
+    expect(copied).toEqual(["?seed=5", "?seed=5", "?seed=6"].map((query) => new URL(query, location.href).href));
   });
 });
 

@@ -52,6 +52,14 @@ interface Draft {
   readonly moved?: readonly string[];
 }
 
+/** How far a piece is moved [m] and turned, counter-clockwise seen from above [degrees]. */
+interface Shift {
+  readonly id: string;
+  dx: number;
+  dz: number;
+  degrees: number;
+}
+
 const NEVER = new AbortController().signal;
 
 function within(value: number, extent: number, whole: number): number {
@@ -77,7 +85,10 @@ export class Editor {
   #dropped = false;
   #edits = 0;
   #queue: Promise<void> = Promise.resolve();
-  #nudged: { readonly id: string; dx: number; dz: number } | null = null;
+  /** How many houses were shown: what was asked of one is not done to the next. */
+  #houses = 0;
+  /** What is wished for a piece and has not begun: more of the same is added up. */
+  #shifted: Shift | null = null;
 
   constructor(readonly home: Home, readonly fix: Fix, readonly words: EditorWords) {
     this.#live = new Live({
@@ -145,6 +156,7 @@ export class Editor {
 
   /** Another house is shown: what was under way is about none of it. */
   forget(): void {
+    this.#houses += 1;
     this.#live.stop();
     if (this.#held) this.#end();
     this.words.refused(null);
@@ -195,27 +207,33 @@ export class Editor {
 
   /** Turns a piece by an angle, counter-clockwise seen from above [degrees]. */
   rotate(id: string, degrees: number): void {
-    this.#edit(() => this.#draft(id, (scene, room, piece) => {
-      const wish = { x: piece.x, z: piece.z, rotation: ((piece.rotation ?? 0) + degrees + 360) % 360 };
-      return { scene: moved(scene, id, wish), id, room: room.id, moved: [id] };
-    }));
+    this.#shift({ id, dx: 0, dz: 0, degrees });
   }
 
-  /** Moves a piece [m]; what is asked while an edit is under way is added up. */
+  /** Moves a piece [m]. */
   nudge(id: string, dx: number, dz: number): void {
-    if (this.#nudged?.id === id) {
-      this.#nudged.dx += dx;
-      this.#nudged.dz += dz;
+    this.#shift({ id, dx, dz, degrees: 0 });
+  }
+
+  /** Moves and turns a piece; what is asked while an edit is under way is added up. */
+  #shift(more: Shift): void {
+    const waiting = this.#shifted;
+    if (this.#held) return;
+    if (waiting?.id === more.id) {
+      waiting.dx += more.dx;
+      waiting.dz += more.dz;
+      waiting.degrees += more.degrees;
       return;
     }
-    const nudged = (this.#nudged = { id, dx, dz });
     this.#edit(() => {
-      if (this.#nudged === nudged) this.#nudged = null;
-      return this.#draft(id, (scene, room, piece) => {
-        const wish = { x: piece.x + nudged.dx, z: piece.z + nudged.dz, rotation: piece.rotation ?? 0 };
-        return { scene: moved(scene, id, wish), id, room: room.id, moved: [id] };
+      if (this.#shifted === more) this.#shifted = null;
+      return this.#draft(more.id, (scene, room, piece) => {
+        const rotation = (((piece.rotation ?? 0) + more.degrees) % 360 + 360) % 360;
+        const wish = { x: piece.x + more.dx, z: piece.z + more.dz, rotation };
+        return { scene: moved(scene, more.id, wish), id: more.id, room: room.id, moved: [more.id] };
       });
     });
+    this.#shifted = more;
   }
 
   toggleLock(id: string): void {
@@ -241,8 +259,12 @@ export class Editor {
     });
   }
 
-  /** Takes a repair that was offered. */
+  /** Takes a repair that was offered; to leave out what is not there yet is to let it be. */
   take(refusal: Refusal, repair: Repair): void {
+    if (repair.action === "leave_out" && !this.home.find(repair.id)) {
+      this.words.refused(null);
+      return;
+    }
     this.#edit(() => ({
       scene: repaired(refusal.sent, repair), id: refusal.moved[0] ?? repair.id, room: refusal.room,
       moved: repair.action === "leave_out" ? [] : refusal.moved,
@@ -257,10 +279,16 @@ export class Editor {
     this.#travel(() => this.home.redo());
   }
 
+  /** Goes back or forth, after the edits that were asked for before. */
   #travel(go: () => void): void {
-    if (this.busy) return;
-    this.words.refused(null);
-    go();
+    if (this.#held) return;
+    const act = (): void => {
+      this.words.refused(null);
+      go();
+    };
+    this.#shifted = null;
+    if (this.busy) void this.inTurn(() => Promise.resolve(act()));
+    else act();
   }
 
   #draft(id: string, make: (scene: Scene, room: Room, piece: Room["furniture"][number]) => Draft): Draft | null {
@@ -269,15 +297,24 @@ export class Editor {
     return found && scene && !found.piece.locked ? make(scene, found.room, found.piece) : null;
   }
 
-  /** One edit after the other, each on what the one before left. */
   #edit(make: () => Draft | null): void {
     if (this.#held) return;
+    this.#shifted = null;
+    this.inTurn(() => this.#carryOut(make)).catch((reason: unknown) => this.words.failed(reason));
+  }
+
+  /** Changes the home in turn: one change after the other, each on what the one before left, none of another house. */
+  inTurn(change: () => Promise<void>): Promise<void> {
+    const house = this.#houses;
+    this.cancel();
     this.#edits += 1;
     this.words.busy(true);
-    this.#queue = this.#queue.then(() => this.#carryOut(make)).catch((reason: unknown) => this.words.failed(reason)).then(() => {
+    const done = this.#queue.then(() => (house === this.#houses ? change() : undefined)).finally(() => {
       this.#edits -= 1;
       if (this.#edits === 0) this.words.busy(false);
     });
+    this.#queue = done.catch(() => undefined);
+    return done;
   }
 
   async #carryOut(make: () => Draft | null): Promise<void> {

@@ -18,6 +18,8 @@ import { Toolbar, type Tool } from "./toolbar";
 const STEP = 0.05;
 const SMALL_STEP = 0.01;
 const QUARTER = Math.PI / 2;
+/** The keys that act again while they are held. */
+const REPEATED: ReadonlySet<string> = new Set(["arrowup", "arrowleft", "arrowdown", "arrowright", "q", "e", "z", "y"]);
 
 export interface WorkbenchWords {
   busy(busy: boolean): void;
@@ -143,6 +145,7 @@ export class Workbench {
     this.#drawn = house;
     if (!house || !this.home.scene) return;
     house.mark("locked", [...this.home.locked]);
+    if (how === "step" && this.#refused) this.#refuse(null); // it spoke of a home that is no longer shown
     this.#offer();
     if (how !== "live" && this.#floorSwitch.checked) this.#showFloor();
     else this.#floor.draw(this.home.scene);
@@ -230,7 +233,7 @@ export class Workbench {
     const act = event.ctrlKey || event.metaKey ? this.#travelKey(event) : (this.#arrowKey(event, target) ?? this.#pieceKey(event));
     if (!act) return;
     event.preventDefault();
-    act();
+    if (!event.repeat || REPEATED.has(event.key.toLowerCase())) act();
   }
 
   #travelKey(event: KeyboardEvent): (() => void) | null {

@@ -27,15 +27,18 @@ export async function copy(text: string): Promise<boolean> {
 
 export class Link {
   #edited = false;
+  #query: string | null = null;
 
   constructor(readonly button: HTMLButtonElement, readonly said: HTMLElement) {
+    button.disabled = true;
     button.addEventListener("click", () => void this.#copy());
   }
 
-  /** What is shown is what the address asks for, or else a file's scene, which no address can. */
-  holds(request: boolean): void {
-    this.button.disabled = !request;
-    this.said.textContent = request ? "" : OF_FILE;
+  /** The query that makes what is shown; null for a file's scene, which no query makes. */
+  opens(query: string | null): void {
+    this.#query = query;
+    this.button.disabled = query === null;
+    this.said.textContent = query === null ? OF_FILE : "";
   }
 
   /** What is shown was changed since it was made, or not. */
@@ -45,8 +48,9 @@ export class Link {
   }
 
   async #copy(): Promise<void> {
-    const copied = await copy(location.href);
-    if (!copied) this.said.textContent = `Copy this link: ${location.href}`;
+    const link = new URL(this.#query ?? "", location.href).href;
+    const copied = await copy(link);
+    if (!copied) this.said.textContent = `Copy this link: ${link}`;
     else this.said.textContent = this.#edited ? WITHOUT_EDITS : COPIED;
     this.button.focus();
   }

@@ -119,7 +119,7 @@ export class Home {
   }
 
   select(id: string | null): void {
-    if (id === this.#selected) return;
+    if (id === this.#selected || (id !== null && !this.#bodyIds().has(id))) return;
     this.#selected = id;
     this.#tell("selected", id);
   }
@@ -141,6 +141,7 @@ export class Home {
   }
 
   toggleFlag(id: string): void {
+    if (!this.#bodyIds().has(id)) return;
     const flagged = new Set(this.#flagged);
     if (!flagged.delete(id)) flagged.add(id);
     this.#flag(flagged);

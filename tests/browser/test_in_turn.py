@@ -1,0 +1,129 @@
+"""What is asked while something else waits: nothing done is lost, nothing is done to another house."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from playwright.sync_api import Page, Route, expect
+
+from tests.browser.visit import SMALL, Document, Visit, furniture_of
+
+
+def held(page: Page, call: str, act: Callable[[], object]) -> Route:
+    """Does something that makes a call, and holds the call back."""
+    routes: list[Route] = []
+
+    def hold(route: Route) -> None:
+        routes.append(route)
+
+    page.route(f"**/{call}", hold)
+    with page.expect_request(lambda request: request.url.endswith(call)):
+        act()
+    while not routes:
+        page.wait_for_timeout(10)
+    page.unroute(f"**/{call}")
+    return routes[0]
+
+
+def at_rest(visit: Visit) -> None:
+    expect(visit.page.locator("#stage")).not_to_have_attribute("data-editing", "true")
+    visit.settle()
+
+
+def shown(visit: Visit) -> dict[str, Document]:
+    """The furniture of the shown scene by its id."""
+    scene = visit.page.evaluate("compose.scene")
+    return {piece["id"]: piece for room in scene["rooms"] for piece in room["furniture"]}
+
+
+def roomy(answer: Document, least: int) -> list[Document]:
+    """The rooms with so many pieces."""
+    return [room for room in answer["scene"]["rooms"] if len(room["furniture"]) >= least]
+
+
+def test_a_skip_link_moves_the_focus_and_keeps_what_was_edited(visit: Visit) -> None:
+    piece = furniture_of(visit.open(SMALL.format(3)))[0]
+    visit.line_of(piece).click()
+    visit.page.keyboard.press("Delete")
+    expect(visit.line_of(piece)).to_have_count(0)
+    asked, address = len(visit.requests), visit.page.url
+    for name, region in (("To the text", "reading"), ("To the controls", "controls"), ("To the house", "stage")):
+        visit.page.get_by_role("link", name=name).focus()
+        visit.page.keyboard.press("Enter")
+        expect(visit.page.locator(f"#{region}")).to_be_focused()
+    at_rest(visit)
+    assert (len(visit.requests), visit.page.url, piece in shown(visit)) == (asked, address, False)
+    expect(visit.page.get_by_role("button", name="Undo")).to_be_enabled()
+
+
+def test_a_room_furnished_anew_and_an_edit_of_another_room_both_stay(visit: Visit) -> None:
+    answer = visit.open(SMALL.format(3))
+    one, other = roomy(answer, 3)[:2]
+    locked, gone = other["furniture"][0]["id"], other["furniture"][1]["id"]
+    visit.page.get_by_label("Room", exact=True).select_option(one["id"])
+    waiting = held(visit.page, "generate", visit.page.get_by_role("button", name="Re-roll this room").click)
+    visit.line_of(locked).click()
+    visit.page.keyboard.press("k")
+    visit.line_of(gone).click()
+    visit.page.keyboard.press("Delete")
+    waiting.continue_()
+    expect(visit.line_of(gone)).to_have_count(0)
+    at_rest(visit)
+    assert shown(visit)[locked]["locked"]
+    anew = {id_of: (piece["x"], piece["z"]) for id_of, piece in shown(visit).items() if id_of.startswith(f"{one['id']}/")}
+    assert anew != {piece["id"]: (piece["x"], piece["z"]) for piece in one["furniture"]}
+    for _ in range(3):
+        visit.page.keyboard.press("Control+z")
+    at_rest(visit)
+    assert visit.page.evaluate("compose.scene") == answer["scene"]
+    expect(visit.page.get_by_role("button", name="Undo")).to_be_disabled()
+
+
+def test_what_was_asked_of_a_house_is_not_done_to_the_next(visit: Visit) -> None:
+    piece = roomy(visit.open(SMALL.format(3)), 3)[0]["furniture"][0]["id"]
+    visit.line_of(piece).click()
+    waiting = held(visit.page, "fix", lambda: visit.page.keyboard.press("e"))
+    visit.page.keyboard.press("Delete")
+    visit.after(visit.page.get_by_role("button", name="Generate").click)
+    waiting.continue_()
+    at_rest(visit)
+    expect(visit.line_of(piece)).to_be_visible()
+    assert piece in shown(visit)
+    expect(visit.page.get_by_role("button", name="Undo")).to_be_disabled()
+
+
+def test_the_copied_link_opens_the_house_that_is_shown(visit: Visit) -> None:
+    visit.open(SMALL.format(3))
+    visit.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    visit.page.locator("#width").fill("2")
+    visit.page.get_by_role("button", name="Generate").click()
+    expect(visit.page.get_by_role("alert")).to_be_visible()
+    visit.page.get_by_role("button", name="Copy link").click()
+    expect(visit.page.locator("#said")).to_contain_text("it opens this house")
+    link = visit.page.evaluate("navigator.clipboard.readText()")
+    assert "seed=3" in link
+    assert "width=12" in link
+    answer = visit.after(visit.page.get_by_role("button", name="Decorate current plan").click)
+    assert answer["scene"]["size"]["width"] == 12
+    assert any(room["decorations"] for room in answer["scene"]["rooms"])
+
+
+def test_a_key_that_is_held_asks_once(visit: Visit) -> None:
+    visit.open(SMALL.format(3))
+    before = sum(url.endswith("/generate") for url in visit.requests)
+    for _ in range(5):
+        visit.page.keyboard.down("r")
+    visit.page.keyboard.up("r")
+    at_rest(visit)
+    assert sum(url.endswith("/generate") for url in visit.requests) == before + 1
+
+
+def test_a_conflict_goes_with_the_home_it_spoke_of(visit: Visit) -> None:
+    one, other = roomy(visit.open(SMALL.format(3)), 2)[:2]
+    visit.page.get_by_label("Room", exact=True).select_option(one["id"])
+    visit.page.get_by_role("button", name="Add a piece").click()
+    visit.page.locator("#palette button[data-kind=pool]").click()
+    expect(visit.page.locator("#conflict")).to_be_visible()
+    visit.page.get_by_label("Room", exact=True).select_option(other["id"])
+    visit.after(visit.page.get_by_role("button", name="Re-roll this room").click)
+    expect(visit.page.locator("#conflict")).to_be_hidden()

@@ -1,0 +1,10 @@
+/** The links that skip to a region: they only move the focus, since an address that changes would open its house again. */
+
+export function listenToSkips(): void {
+  for (const link of document.querySelectorAll<HTMLAnchorElement>(".skips a")) {
+    link.addEventListener("click", (event) => {
+      event.preventDefault();
+      document.getElementById(link.hash.slice(1))?.focus();
+    });
+  }
+}
