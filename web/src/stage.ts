@@ -7,10 +7,12 @@ import { rehearse, rehearseKinds } from "./house/rehearsal";
 import { ShapeBook } from "./house/shapes";
 import { timed } from "./timing";
 import type { PresetName } from "./view/cameras";
+import { doorInView } from "./view/door_in_view";
 import { Labels } from "./view/labels";
 import { Looking } from "./view/looking";
 import { marksOf } from "./view/mark_words";
 import { listenToPointer } from "./view/pointer";
+import { listenToViewKeys } from "./view/view_keys";
 import { Viewport } from "./view/viewport";
 
 function within<T extends HTMLElement>(id: string): T {
@@ -40,6 +42,15 @@ export class Stage {
     listenToPointer(this.#viewport.canvas, {
       click: (x, y) => this.#click(x, y),
       over: (at) => this.#point(at && this.#hitAt(at.clientX, at.clientY)),
+    });
+    this.#listenToKeys();
+  }
+
+  #listenToKeys(): void {
+    listenToViewKeys({
+      hasChosen: () => this.#selected !== null,
+      orbit: (step) => this.#viewport.orbit(step),
+      toggleDoor: () => this.#toggleDoor(this.#house ? doorInView(this.#house, this.#viewport, (id) => this.whereIs(id) !== null) : undefined),
     });
   }
 
@@ -131,8 +142,9 @@ export class Stage {
     if (hit === null || hit.kind === "room") this.onRoom(hit?.room.id ?? null);
   }
 
-  #toggleDoor(index: number): void {
+  #toggleDoor(index: number | undefined): void {
     const doors = this.#house?.doors;
+    if (index === undefined) return;
     doors?.toggle(index);
     this.#viewport.move((seconds) => {
       this.#viewport.castShadows();

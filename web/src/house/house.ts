@@ -97,6 +97,16 @@ export class House {
     return opening ? { opening, inward: inwardOf(this.scene.rooms, opening) } : null;
   }
 
+  /** The middle of every door's opening on its floor, by the number of its leaf. */
+  get doorways(): { readonly id: string; readonly index: number; readonly at: Point }[] {
+    return this.doors.leaves.flatMap(({ id, hinge }, index) => {
+      const opening = this.#plan.openings.find((one) => one.id === id);
+      if (!opening) return [];
+      const [along, across] = [(opening.from + opening.to) / 2, opening.line];
+      return [{ id, index, at: opening.axis === "x" ? [along, hinge.y, across] : [across, hinge.y, along] }];
+    });
+  }
+
   /** The points of the house that must be in view to see all of it. */
   get outline(): readonly Point[] {
     return outlineOf(this.scene.rooms, this.#storeys, this.#bodies, SLAB_MARGIN);

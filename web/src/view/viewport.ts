@@ -6,6 +6,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { timed } from "../timing";
 import { blend, frame, plus, PRESETS, type Framing, type PresetName, type Vector } from "./cameras";
 import { Daylight, GROUND_REACH, SKY } from "./daylight";
+import { Orbiting, type OrbitStep } from "./orbiting";
 import { gazeOf, type Pose } from "./walk";
 
 /** Moves something by the seconds since the last frame; false when it has arrived. */
@@ -24,6 +25,9 @@ const WALK_FOV = 65;
 const WALK_NEAR = 0.05;
 /** Who walks looks at what is this far ahead [m]; leaving, the camera turns about it. */
 const WALK_REACH = 3;
+/** How near the camera comes to what it turns about [m], and how far it goes, in house radii. */
+const NEAREST = 0.5;
+const FARTHEST = 100;
 
 function calm(): boolean {
   return window.matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -35,6 +39,7 @@ export class Viewport {
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
   readonly #controls: OrbitControls;
+  readonly #orbiting: Orbiting;
   readonly #daylight = new Daylight();
   readonly #motions = new Set<Motion>();
   readonly #afterFrame: (() => void)[] = [];
@@ -71,6 +76,7 @@ export class Viewport {
     this.#scene.add(this.#daylight.root);
     this.camera.rotation.order = "YXZ";
     this.#controls = this.#orbit();
+    this.#orbiting = new Orbiting(this.#controls);
     new ResizeObserver(() => this.#resize()).observe(host);
     this.#resize();
   }
@@ -79,17 +85,35 @@ export class Viewport {
     const controls = new OrbitControls(this.camera, this.canvas);
     controls.enableDamping = true;
     controls.maxPolarAngle = Math.PI * 0.49;
+    controls.minDistance = NEAREST;
     controls.zoomToCursor = true;
     controls.addEventListener("change", () => this.invalidate());
-    controls.addEventListener("start", () => { [this.#preset, this.#goal] = [null, null]; });
+    controls.addEventListener("start", () => this.#takeOver());
     return controls;
   }
+
+  /** The person's hand moves the camera: what else did ends. */
+  #takeOver(): void {
+    [this.#preset, this.#goal] = [null, null];
+    this.#orbiting.stop();
+  }
+
+  /** Turns the house, tilts it or comes nearer by a step, on from those under way. */
+  orbit(step: OrbitStep): void {
+    if (this.#walker) return;
+    [this.#preset, this.#goal] = [null, null];
+    if (this.#orbiting.ask(step)) this.move(this.#orbits);
+  }
+
+  /** One for all steps: a motion asked for again goes on. */
+  readonly #orbits: Motion = (seconds) => this.#orbiting.step(calm() ? Number.POSITIVE_INFINITY : seconds);
 
   /** Shows something new, of which presets show these points; the shadows are cast anew. */
   add(root: Object3D, bounds: Box3, outline: readonly Vector[]): void {
     this.#scene.add(root);
     this.#bounds = bounds;
     this.#outline = outline;
+    this.#controls.maxDistance = FARTHEST * bounds.getSize(new Vector3()).length();
     this.#daylight.around(bounds);
     this.#new = true;
     this.castShadows();
@@ -133,6 +157,7 @@ export class Viewport {
   /** Flies to a framing, unless another flight or the person's hand takes over. */
   #fly(goal: Framing, jump = false): void {
     const from = this.#framing;
+    this.#orbiting.stop();
     this.#goal = goal;
     this.#walker = null;
     this.#controls.enabled = true;
@@ -151,8 +176,7 @@ export class Viewport {
 
   /** Looks from where somebody stands; a preset leaves. */
   stand(pose: Pose): void {
-    this.#preset = null;
-    this.#goal = null;
+    this.#takeOver();
     this.#walker = pose;
     this.#controls.enabled = false;
     this.camera.fov = WALK_FOV;

@@ -3,18 +3,31 @@ import { turned, walked, walkedTo, type Pose, type Stride } from "./walk";
 import type { Bounds } from "./cameras";
 import type { Viewport } from "./viewport";
 
-const STEPS: Readonly<Record<string, readonly [number, number]>> = {
-  KeyW: [1, 0], ArrowUp: [1, 0], KeyS: [-1, 0], ArrowDown: [-1, 0], KeyA: [0, -1], ArrowLeft: [0, -1], KeyD: [0, 1], ArrowRight: [0, 1],
+/** Ahead, aside to the right, and a turn to the left. */
+const STEPS: Readonly<Record<string, readonly [number, number, number]>> = {
+  KeyW: [1, 0, 0], ArrowUp: [1, 0, 0], KeyS: [-1, 0, 0], ArrowDown: [-1, 0, 0],
+  KeyA: [0, -1, 0], KeyD: [0, 1, 0], ArrowLeft: [0, 0, 1], ArrowRight: [0, 0, -1],
 };
 /** Where keys mean something else: fields, lines of text, questions that wait for an answer. */
 const DEAF = "input, select, textarea, [contenteditable], .yaml, dialog[open]";
 /** A drag across the canvas turns the head by about this much [rad]. */
 const TURN = 2;
+/** How fast a key held down turns the head [rad/s]. */
+const TURNING = 1.6;
+
+/** What keys ask for together, each from -1 to 1. */
+function summed(codes: ReadonlySet<string>): [number, number, number] {
+  const steps = [...codes].map((code) => STEPS[code] ?? [0, 0, 0]);
+  const sum = (which: 0 | 1 | 2): number => Math.sign(steps.reduce((total, step) => total + step[which], 0));
+  return [sum(0), sum(1), sum(2)];
+}
 
 export class WalkMode {
   /** Called with Escape. */
   onLeave: () => void = () => undefined;
   readonly #held = new Set<string>();
+  /** Pressed since the last frame: a key counts also where it is let go before the next one. */
+  readonly #pressed = new Set<string>();
   #pose: Pose | null = null;
   #bounds: Bounds = { min: [0, 0, 0], max: [1, 1, 1] };
   #hurried = false;
@@ -27,7 +40,7 @@ export class WalkMode {
     // Before all others: a key that walks does nothing else.
     window.addEventListener("keydown", (event) => this.#keyDown(event), { capture: true });
     window.addEventListener("keyup", (event) => this.#held.delete(event.code));
-    window.addEventListener("blur", () => this.#held.clear());
+    window.addEventListener("blur", () => this.#letGo());
     canvas.addEventListener("pointerdown", (event) => {
       this.#dragged = event;
       if (this.#pose) canvas.setPointerCapture(event.pointerId); // the head turns on where the pointer leaves the canvas
@@ -46,13 +59,18 @@ export class WalkMode {
   start(pose: Pose, bounds: Bounds): void {
     this.#goal = null;
     this.#bounds = bounds;
-    this.#held.clear();
+    this.#letGo();
     this.#stand(pose);
   }
 
   stop(): void {
     this.#pose = null;
+    this.#letGo();
+  }
+
+  #letGo(): void {
     this.#held.clear();
+    this.#pressed.clear();
   }
 
   /** Goes to a place of the plan [m], unless a key or another place is asked for on the way. */
@@ -85,6 +103,7 @@ export class WalkMode {
   #hold(code: string): void {
     this.#goal = null;
     this.#held.add(code);
+    this.#pressed.add(code);
     if (this.#moving) return;
     this.#moving = true;
     this.viewport.move((seconds) => this.#step(seconds));
@@ -92,16 +111,14 @@ export class WalkMode {
 
   /** One frame's way; false when no key is held any more. */
   #step(seconds: number): boolean {
-    const stride = this.#stride();
-    this.#moving = this.#pose !== null && this.#held.size > 0;
-    if (this.#pose && this.#moving) this.#stand(walked(this.#pose, stride, seconds, this.#bounds));
-    return this.#moving;
-  }
-
-  #stride(): Stride {
-    const steps = [...this.#held].map((code) => STEPS[code] ?? [0, 0]);
-    const sum = (which: 0 | 1): number => Math.sign(steps.reduce((total, step) => total + step[which], 0));
-    return { ahead: sum(0), aside: sum(1), hurried: this.#hurried };
+    const asked = new Set([...this.#held, ...this.#pressed]);
+    this.#pressed.clear();
+    this.#moving = this.#pose !== null && asked.size > 0;
+    if (!this.#pose || !this.#moving) return false;
+    const [ahead, aside, left] = summed(asked);
+    const stride: Stride = { ahead, aside, hurried: this.#hurried };
+    this.#stand(turned(walked(this.#pose, stride, seconds, this.#bounds), left * TURNING * seconds, 0));
+    return true;
   }
 
   #drag(event: PointerEvent): void {

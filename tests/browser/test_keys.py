@@ -1,0 +1,122 @@
+"""The house by keys alone: turned, tilted, come nearer to, its doors opened, walked through."""
+
+from __future__ import annotations
+
+from math import acos, atan2, degrees, dist
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser.test_every_control import tab_to
+from tests.browser.test_looking import STEP_MS
+from tests.browser.visit import SMALL, Visit
+
+
+def angles(visit: Visit) -> tuple[float, float, float]:
+    """How the camera stands to what it looks at: turned from the south to the east, from the vertical [degrees]; how far [m]."""
+    state = visit.state()
+    x, y, z = (a - b for a, b in zip(state["eye"], state["target"], strict=True))
+    away = dist((0, 0, 0), (x, y, z))
+    return degrees(atan2(x, z)), degrees(acos(y / away)), away
+
+
+def pressed(visit: Visit, *keys: str) -> tuple[float, float, float]:
+    """Press keys and wait; returns how the camera then stands."""
+    for key in keys:
+        visit.page.keyboard.press(key)
+    visit.settle()
+    return angles(visit)
+
+
+def test_arrows_turn_the_house_and_plus_and_minus_come_nearer_and_go_away(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    tab_to(visit.page, "a[href='#stage']")
+    visit.page.keyboard.press("Enter")
+    expect(visit.page.locator("#stage")).to_be_focused()
+    turn, tilt, away = angles(visit)
+    assert pressed(visit, "ArrowRight", "ArrowRight") == pytest.approx((turn - 20, tilt, away), abs=0.01)
+    assert pressed(visit, "ArrowLeft", "ArrowUp") == pytest.approx((turn - 10, tilt - 10, away), abs=0.01)
+    assert pressed(visit, "ArrowLeft", "ArrowDown") == pytest.approx((turn, tilt, away), abs=0.01)
+    assert pressed(visit, *["ArrowDown"] * 9)[1] == pytest.approx(90 * 0.98, abs=0.01)
+    assert pressed(visit, *["ArrowUp"] * 12)[1] < 1
+    visit.page.keyboard.press("3")
+    visit.settle()
+    near = pressed(visit, "+", "=")[2]
+    assert near < away / 1.3
+    assert pressed(visit, "-", "-")[2] == pytest.approx(away, rel=1e-6)
+    frames = visit.state()["frames"]
+    visit.page.wait_for_timeout(STEP_MS)
+    assert visit.state()["frames"] == frames
+    assert visit.console == []
+
+
+def test_arrows_move_the_chosen_piece_and_keys_in_fields_are_text(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    page = visit.page
+    before = angles(visit)
+    piece = visit.page.locator("#yaml button").first.get_attribute("data-id")
+    assert piece is not None
+    visit.line_of(piece).click()
+    stage = page.locator("#stage")
+    stage.focus()
+    with page.expect_request(lambda request: request.url.endswith("/fix")):
+        page.keyboard.press("ArrowRight")
+    expect(stage).not_to_have_attribute("data-editing", "true")
+    assert pressed(visit) == pytest.approx(before, abs=1e-6)
+    for field in ("#seed", "#find"):
+        page.locator(field).focus()
+        pressed(visit, "t", "+", "-", "ArrowRight")
+    page.locator("#reading").focus()
+    pressed(visit, "Escape", "ArrowRight")
+    assert angles(visit) == pytest.approx(before, abs=1e-6)
+    assert visit.state()["openDoors"] == []
+
+
+def test_t_opens_the_door_in_the_middle_and_closes_it_again(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    tab_to(visit.page, "a[href='#stage']")
+    visit.page.keyboard.press("Enter")
+    expect(visit.page.locator("#stage")).to_be_focused()
+    doors = visit.state()["doors"]
+    seen = {door: at for door in doors if (at := visit.page.evaluate("id => compose.whereIs(id)", door))}
+    canvas = visit.page.locator("#stage canvas").bounding_box()
+    assert canvas
+    middle = (canvas["x"] + canvas["width"] / 2, canvas["y"] + canvas["height"] / 2)
+    far = {door: dist(middle, (at["x"], at["y"])) for door, at in seen.items()}
+    closed = visit.page.locator("#stage canvas").screenshot()
+    pressed(visit, "t")
+    [opened] = visit.state()["openDoors"]
+    # What is clicked of a leaf need not be the middle of its doorway.
+    assert far[opened] <= min(far.values()) + 30
+    assert visit.page.locator("#stage canvas").screenshot() != closed
+    pressed(visit, "T")
+    assert visit.state()["openDoors"] == []
+
+
+def test_who_walks_turns_and_opens_the_door_ahead_by_keys(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    pressed(visit, "1")
+    start = visit.state()
+    opened: list[str] = []
+    for _ in range(12):
+        pressed(visit, "t")
+        opened = visit.state()["openDoors"]
+        if opened:
+            break
+        visit.page.keyboard.down("ArrowLeft")
+        visit.page.wait_for_timeout(STEP_MS)
+        visit.page.keyboard.up("ArrowLeft")
+        visit.settle()
+        pressed(visit, "+", "-")
+    assert len(opened) == 1
+    assert visit.state()["eye"] == start["eye"]
+    assert visit.state()["walking"]
+    pressed(visit, "t")
+    assert visit.state()["openDoors"] == []
+    visit.page.keyboard.down("ArrowRight")
+    visit.page.wait_for_timeout(STEP_MS)
+    visit.page.keyboard.up("ArrowRight")
+    visit.settle()
+    after = visit.state()
+    assert after["eye"] == start["eye"]
+    assert after["target"] != start["target"]

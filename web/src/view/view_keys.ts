@@ -1,0 +1,46 @@
+/** Keys that do on the house what a drag, the wheel and a click do: turn it, come nearer, open a door. */
+import type { OrbitStep } from "./orbiting";
+
+export interface ViewActs {
+  /** Whether a piece is chosen: arrows move that. */
+  hasChosen(): boolean;
+  orbit(step: OrbitStep): void;
+  toggleDoor(): void;
+}
+
+const TURN = Math.PI / 18;
+const NEARER = 1.2;
+
+const ARROWS: Readonly<Record<string, OrbitStep>> = {
+  ArrowLeft: { right: -TURN }, ArrowRight: { right: TURN }, ArrowUp: { up: TURN }, ArrowDown: { up: -TURN },
+};
+const ZOOM: Readonly<Record<string, OrbitStep>> = { "+": { nearer: NEARER }, "=": { nearer: NEARER }, "-": { nearer: 1 / NEARER } };
+
+/** Where keys are text or a choice. */
+const TYPING = "input:not([type=range], [type=checkbox]), select, textarea, dialog[open] *";
+/** What lies over the house and scrolls by itself. */
+const OVER = ".palette, .messages";
+
+/** Whether arrows are for the house: it has the focus, or nothing has and there is nothing to scroll. */
+function isOnHouse(target: Element | null): boolean {
+  const { scrollHeight, clientHeight } = document.documentElement;
+  if (target === document.body) return scrollHeight <= clientHeight;
+  return target?.closest("#stage") != null && !target.closest(OVER);
+}
+
+function actOf(event: KeyboardEvent, acts: ViewActs): (() => void) | null {
+  const target = event.target instanceof Element ? event.target : null;
+  if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || target?.matches(TYPING)) return null;
+  if (event.key.toLowerCase() === "t") return event.repeat ? null : () => acts.toggleDoor();
+  const step = ZOOM[event.key] ?? (!acts.hasChosen() && isOnHouse(target) ? ARROWS[event.key] : undefined);
+  return step ? () => acts.orbit(step) : null;
+}
+
+export function listenToViewKeys(acts: ViewActs): void {
+  document.addEventListener("keydown", (event) => {
+    const act = actOf(event, acts);
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+}
