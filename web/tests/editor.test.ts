@@ -240,6 +240,33 @@ describe("single edits", () => {
     expect([calls.length, editor.busy]).toEqual([2, false]);
   });
 
+  it("wait for a piece that was let go to be judged, and a drop that is taken back holds up nothing", async () => {
+    const { editor, calls, call, home, at, said } = bench();
+    editor.lift(ONE);
+    editor.drag({ x: 2, z: 1 });
+    editor.drop();
+    editor.remove(OTHER);
+    await turn();
+    expect(calls).toHaveLength(1);
+    await call(0).answer();
+    await call(1).answer();
+    expect([at(ONE)[0], home.find(OTHER)?.piece.id]).toEqual([2, OTHER]);
+    await call(2).answer();
+    expect([home.find(OTHER), at(ONE)[0], said.busy.at(-1), editor.busy]).toEqual([null, 2, false, false]);
+    editor.undo();
+    editor.undo();
+    expect([home.find(OTHER)?.piece.id, at(ONE)[0]]).toEqual([OTHER, 1]);
+    editor.lift(ONE);
+    editor.drag({ x: 3, z: 1 });
+    editor.drop();
+    editor.cancel();
+    editor.remove(OTHER);
+    await turn();
+    expect([at(ONE)[0], editor.dragged]).toEqual([1, null]);
+    await call(calls.length - 1).answer();
+    expect([home.find(OTHER), editor.busy]).toEqual([null, false]);
+  });
+
   it("that leave out what was never put in ask nothing", async () => {
     const { editor, calls, call, said, home } = bench();
     editor.add("den", { name: "crate", category: "storage", size: [1, 1, 1], color: null });

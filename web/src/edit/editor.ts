@@ -83,6 +83,8 @@ export class Editor {
   readonly #live: Live<Question, FixAnswer>;
   #held: Held | null = null;
   #dropped = false;
+  /** Told when the piece that was let go is judged: what is asked meanwhile waits for that. */
+  #landed: (() => void) | null = null;
   #edits = 0;
   #queue: Promise<void> = Promise.resolve();
   /** How many houses were shown: what was asked of one is not done to the next. */
@@ -105,6 +107,11 @@ export class Editor {
 
   get dragged(): string | null {
     return this.#held?.id ?? null;
+  }
+
+  /** Whether a piece is held that was not let go yet. */
+  get #inHand(): boolean {
+    return this.#held !== null && !this.#dropped;
   }
 
   lift(id: string): boolean {
@@ -142,7 +149,7 @@ export class Editor {
     const [held, before] = [this.#held, this.home.settled];
     if (!held || !before) return;
     this.#dropped = true;
-    this.words.busy(true);
+    void this.#enqueue(() => (this.#held ? new Promise((landed) => { this.#landed = landed; }) : Promise.resolve()));
     this.#live.want({ held, last: true, request: this.#wishFor(held, moved(before.scene, held.id, held.wish)) });
   }
 
@@ -170,7 +177,9 @@ export class Editor {
 
   #end(): void {
     this.#held = null;
-    this.words.busy(false);
+    this.#landed?.();
+    this.#landed = null;
+    this.words.busy(this.#edits > 0);
     this.words.settled();
   }
 
@@ -218,7 +227,7 @@ export class Editor {
   /** Moves and turns a piece; what is asked while an edit is under way is added up. */
   #shift(more: Shift): void {
     const waiting = this.#shifted;
-    if (this.#held) return;
+    if (this.#inHand) return;
     if (waiting?.id === more.id) {
       waiting.dx += more.dx;
       waiting.dz += more.dz;
@@ -281,7 +290,7 @@ export class Editor {
 
   /** Goes back or forth, after the edits that were asked for before. */
   #travel(go: () => void): void {
-    if (this.#held) return;
+    if (this.#inHand) return;
     const act = (): void => {
       this.words.refused(null);
       go();
@@ -298,15 +307,19 @@ export class Editor {
   }
 
   #edit(make: () => Draft | null): void {
-    if (this.#held) return;
+    if (this.#inHand) return;
     this.#shifted = null;
     this.inTurn(() => this.#carryOut(make)).catch((reason: unknown) => this.words.failed(reason));
   }
 
   /** Changes the home in turn: one change after the other, each on what the one before left, none of another house. */
   inTurn(change: () => Promise<void>): Promise<void> {
+    if (this.#inHand) this.cancel();
+    return this.#enqueue(change);
+  }
+
+  #enqueue(change: () => Promise<void>): Promise<void> {
     const house = this.#houses;
-    this.cancel();
     this.#edits += 1;
     this.words.busy(true);
     const done = this.#queue.then(() => (house === this.#houses ? change() : undefined)).finally(() => {

@@ -243,7 +243,7 @@ export class Workbench {
   }
 
   #pieceKey(event: KeyboardEvent): (() => void) | null {
-    if (event.key === "Escape" && this.#hand.holds) return () => this.#hand.cancel();
+    if (event.key === "Escape" && this.editor.dragged !== null) return () => { this.#hand.cancel(); this.editor.cancel(); };
     if (event.key === "Escape" && this.#refused) return () => this.#refuse(null);
     if (event.key.toLowerCase() === "a") return () => this.#openPalette();
     if (event.key.toLowerCase() === "o") return () => this.#floorSwitch.click();
