@@ -16,7 +16,7 @@ from solver.pipeline.concerned import concerned
 from solver.pipeline.mend import Mended, explain_unreached, mend_room, settle_room
 from solver.pipeline.people import People, mend_people
 from solver.pipeline.timing import Clock, Timing
-from solver.repair import Body, Sides, Wishes, all_bodies, followed, rested, said
+from solver.repair import Body, Sides, Wishes, all_bodies, followed, put_upon, rested, said
 from solver.scene import Conflict, Dynamic, Fixed, Furniture, Issue, Move, Pose, Room, Scene, check_ids, robot_width_of
 from solver.validate import RULES, validate
 from solver.wanted import Space
@@ -75,12 +75,12 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     wishes = Wishes(kept, frozenset(moved), _required_kinds(known), use_sides(known) if _walks() else {})
     work = min(MOST_ROOM_WORK, SCENE_WORK / max(len(scene.rooms), 1))
     terms = Terms(wishes, scene.wall_thickness, on_conflict, work, {pose.id: pose for pose in previous})
-    lying = _put_back(scene, errors, wishes, known)
+    lying = _put_back(_put_upon(scene, errors, wishes, known), errors, wishes, known)
     answers = _repaired(lying, terms, errors if lying is scene else _errors(lying, known), known)
     timing.lap("placement")
     answers = replace(answers, scene=_honest(answers.scene, terms, known))
     issues = validate(answers.scene, known)
-    lying = _put_back(answers.scene, issues, wishes, known)
+    lying = _put_back_all(answers.scene, issues, wishes, known)
     if lying is not answers.scene:
         answers, issues = replace(answers, scene=lying), validate(lying, known)
     timing.lap("validate_again")
@@ -88,6 +88,27 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     conflicts = (*(conflict for room in answers.rooms for conflict in room.conflicts), *answers.people.conflicts)
     unsolved = _unsolved(issues, conflicts, answers.scene, _locked_ids(scene, wishes))
     return Fixed(certified(answers.scene), _moves(scene, answers.scene), removed, (*conflicts, *unsolved), issues, timing.ms)
+
+
+def _put_upon(scene: Scene, errors: Sequence[Issue], wishes: Wishes, known: Catalogs) -> Scene:
+    """Returns the scene with floating furniture on what carries it, or on the floor; locked pieces stay, who sits goes along.
+
+    Of what was moved on what carries it, also what is in the way there.
+    """
+    wrong = {label: issue.rule == "floating" for issue in sorted(errors, key=lambda one: one.rule == "floating") for label in issue.ids}
+    rooms = []
+    for room in scene.rooms:
+        free = [piece for piece in room.furniture if piece.on is not None and piece.id in wrong and not wishes.is_locked(piece)]
+        here = {piece.id for piece in free if wrong[piece.id] or piece.id in wishes.moved}
+        rooms.append(put_upon(room, _space(scene, room), here, wishes.moved, known) if here else room)
+    return scene if tuple(rooms) == scene.rooms else _with_rooms(scene, tuple(rooms))
+
+
+def _put_back_all(scene: Scene, issues: Sequence[Issue], wishes: Wishes, known: Catalogs) -> Scene:
+    """Returns a repaired scene with all that floats back on what carries it: what turned square is narrower than it was."""
+    floating = [issue for issue in issues if issue.rule == "floating"]
+    still = frozenset(piece.id for piece in _furniture(scene.rooms)).difference(*(issue.ids for issue in floating))
+    return _put_back(_put_upon(scene, floating, replace(wishes, moved=still), known), floating, wishes, known)
 
 
 def _put_back(scene: Scene, issues: Iterable[Issue], wishes: Wishes, known: Catalogs) -> Scene:
@@ -169,7 +190,10 @@ def _errors(scene: Scene, known: Catalogs) -> list[Issue]:
 
 def _with(scene: Scene, mended: Sequence[Mended]) -> Scene:
     """Returns the scene with its rooms repaired; who sits goes along with the seat."""
-    rooms = tuple(result.room for result in mended)
+    return _with_rooms(scene, tuple(result.room for result in mended))
+
+
+def _with_rooms(scene: Scene, rooms: tuple[Room, ...]) -> Scene:
     return replace(scene, rooms=rooms, dynamic=followed(scene.dynamic, _furniture(scene.rooms), _furniture(rooms)))
 
 

@@ -12,6 +12,7 @@ from solver.repair.changes import applied
 from solver.repair.people import Crowd, followed, in_the_way, placed_people
 from solver.repair.previous import Last
 from solver.repair.resting import rested
+from solver.repair.upon import put_upon
 from solver.repair.ways import Walls
 from solver.repair.wishes import Sides, Wishes
 from solver.repair.written import without, written_back
@@ -30,6 +31,7 @@ __all__ = [
     "holders",
     "in_the_way",
     "placed_people",
+    "put_upon",
     "rested",
     "said",
     "squared",

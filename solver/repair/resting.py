@@ -89,19 +89,20 @@ def _at_rest(thing: Decoration, bodies: Mapping[str, Body], room: Room, half: in
     parent = bodies.get(thing.parent or "")
     if parent is None:
         return _placed(thing, _floor(room).shrunk(half), 0)
-    places = [(to_mm(parent.y) + height, rect) for height, rect in _surfaces(parent, catalogs)]
+    places = [(to_mm(parent.y) + height, rect) for height, rect in surfaces_of(parent, catalogs)]
     level, rect = min(places, key=lambda place: abs(place[0] - to_mm(thing.y)))
     return _placed(thing, rect, level)
 
 
-def _surfaces(parent: Body, catalogs: Catalogs) -> Sequence[tuple[int, Rect]]:
-    """Returns a body's surfaces: heights above its underside and rectangles, mm."""
+def surfaces_of(parent: Body, catalogs: Catalogs, tall_mm: int = 0) -> Sequence[tuple[int, Rect]]:
+    """Returns a body's surfaces with so much free height above them: heights above its underside and rectangles, mm."""
     rect = footprint(parent)
     known = [(entry.name or kind, entry.size, entry.surfaces) for kind, entry in catalogs.furniture.items()]
     known += [(kind, thing.size, thing.surfaces) for kind, thing in catalogs.decorations.items()]
     size = (parent.width, parent.depth, parent.height)
     found: tuple[Surface, ...] = next((carries for name, extent, carries in known if (name, extent) == (parent.name, size)), ())
-    return [(to_mm(one.height), rect.shrunk(to_mm(one.inset))) for one in found] or [(size_of(parent)[2], rect)]
+    tall = [one for one in found if one.clearance is None or to_mm(one.clearance) >= tall_mm] or found
+    return [(to_mm(one.height), rect.shrunk(to_mm(one.inset))) for one in tall] or [(size_of(parent)[2], rect)]
 
 
 def _floor(room: Room) -> Rect:

@@ -1,10 +1,11 @@
-"""The rule `floating`: a decoration lies on something, or hangs at its wall.
+"""The rule `floating`: a decoration lies on something, or hangs at its wall; furniture stands `on` what it says.
 
 Comes in: a `World`, one of its places and the catalogs. Goes out: findings. May import: scene, catalogs.
 
 A parent of a kind and size that the catalogs know carries things on its surfaces, each as far in from its edges as the kind says. Any
 other parent is what its sizes say: it carries on all of its top, and at the heights that the catalogs know for its name. A thing
-without a parent, or whose parent is not in the room, lies on the floor or on any of the room's bodies.
+without a parent, or whose parent is not in the room, lies on the floor or on any of the room's bodies. Furniture that says `on`
+what it stands is judged like a thing with that parent; of other furniture nothing is said: a cupboard may hang.
 """
 
 from __future__ import annotations
@@ -36,35 +37,48 @@ class Support(NamedTuple):
 
 
 def floating(world: World, place: Place, kinds: Kinds) -> Iterator[Finding]:
-    """A decoration's middle is not over its parent's surface at its height, or it hangs at no wall."""
+    """A body's middle is not over a surface of what carries it at its height, or a decoration hangs at no wall."""
     bodies: dict[str, Carrier] = {piece.id: piece for piece in place.room.furniture}
     bodies |= {thing.id: thing for thing in place.room.decorations}
+    for piece in place.room.furniture:
+        if piece.on is not None:
+            yield from _not_carried(place, kinds, piece, bodies)
     for thing in place.room.decorations:
         if thing.mounted_on_wall is not None:
             yield from _off_its_wall(world, place, thing)
-            continue
-        parent = bodies.get(thing.parent or "")
-        if parent is not None and _carries_itself(thing, bodies):
-            how = "its own parent" if parent is thing else f"on {parent.id}, and that on {thing.id} in the end"
-            yield Finding((thing.id,), 0, f"{thing.id} is {how}: nothing carries it")
-            continue
-        if parent is not None:
-            found = list(_supports(parent, kinds))
         else:
-            others = [body for body in bodies.values() if body is not thing]
-            found = [Support(None, place.outline.bounds, 0), *(one for body in others for one in _supports(body, kinds))]
-        yield from _unsupported(thing, found, parent)
+            yield from _not_carried(place, kinds, thing, bodies)
 
 
-def _carries_itself(thing: Decoration, bodies: Mapping[str, Carrier]) -> bool:
-    """Tells whether what carries a thing, and what carries that, comes back to the thing; what hangs is carried by its wall."""
-    seen, at = {""}, thing.parent or ""
+def _not_carried(place: Place, kinds: Kinds, thing: Carrier, bodies: Mapping[str, Carrier]) -> Iterator[Finding]:
+    parent = bodies.get(_below(thing))
+    if parent is not None and _carries_itself(thing, bodies):
+        how = "its own parent" if parent is thing else f"on {parent.id}, and that on {thing.id} in the end"
+        yield Finding((thing.id,), 0, f"{thing.id} is {how}: nothing carries it")
+        return
+    if parent is not None:
+        found = list(_supports(parent, kinds))
+    else:
+        others = [body for body in bodies.values() if body is not thing]
+        found = [Support(None, place.outline.bounds, 0), *(one for body in others for one in _supports(body, kinds))]
+    yield from _unsupported(thing, found, parent)
+
+
+def _below(body: Carrier) -> str:
+    """Returns the id of what a body says carries it; nothing for what hangs: its wall does."""
+    if isinstance(body, Decoration):
+        return (body.parent or "") if body.mounted_on_wall is None else ""
+    return body.on or ""
+
+
+def _carries_itself(thing: Carrier, bodies: Mapping[str, Carrier]) -> bool:
+    """Tells whether what carries a thing, and what carries that, comes back to the thing."""
+    seen, at = {""}, _below(thing)
     while at not in seen:
         seen.add(at)
         if at == thing.id:
             return True
-        body = bodies.get(at)
-        at = (body.parent or "") if isinstance(body, Decoration) and body.mounted_on_wall is None else ""
+        at = _below(bodies[at]) if at in bodies else ""
     return False
 
 
@@ -81,12 +95,13 @@ def _footprint(body: Carrier) -> Box:
     return Box(x - across // 2, z - along // 2, x + across // 2, z + along // 2)
 
 
-def _unsupported(thing: Decoration, supports: Sequence[Support], parent: Carrier | None) -> Iterator[Finding]:
+def _unsupported(thing: Carrier, supports: Sequence[Support], parent: Carrier | None) -> Iterator[Finding]:
     x, y, z = exact(thing.x), exact(thing.y), exact(thing.z)
     misses = [(_miss(support, x, y, z), support) for support in supports]
     if any(miss == (0, 0) for miss, _ in misses):
         return
-    below = f"its parent {parent.id}" if parent is not None else "anything"
+    own = "its parent " if isinstance(thing, Decoration) else ""
+    below = f"{own}{parent.id}" if parent is not None else "anything"
     (beside, above), _ = min(misses, key=lambda miss: max(miss[0]))
     how = f"{words(above)} above or below" if above >= beside else f"with its middle {words(beside)} beside"
     yield Finding((thing.id,), max(beside, above), f"{thing.id} floats {how} what could carry it on {below}")

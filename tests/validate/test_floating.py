@@ -143,3 +143,31 @@ def test_things_that_carry_each_other_in_a_ring_lie_on_nothing(others: list[str]
 def test_what_a_hanging_thing_is_said_to_lie_on_makes_no_ring() -> None:
     shelf = thing(1.0, 0.05, 1.5, "thing_1", id="shelf_1", mounted_on_wall="north")
     assert told(room(decorations=(shelf, thing(1.0, 0.05, 1.6, "shelf_1")))) == []
+
+
+CRATE = piece(2.0, 2.0, 1.0, 1.0, id="crate_1", name="never_heard_of", height=0.7)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "count"), [(2.0, 0.7, 0), (2.5, 0.7, 0), (2.501, 0.7, 1), (2.0, 0.71, 0), (2.0, 0.711, 1), (2.0, 0.0, 1), (3.5, 0.0, 1)]
+)
+def test_furniture_stands_on_what_it_says(x: float, y: float, count: int) -> None:
+    case = piece(x, 2.0, 0.2, 0.2, id="case_1", name="case", height=0.3, y=y, on="crate_1")
+    found = told(room(CRATE, case))
+    assert [issue.ids for issue in found] == [("case_1",)] * count
+    assert all("crate_1" in issue.message and "parent" not in issue.message for issue in found)
+
+
+def test_furniture_that_says_nothing_may_hang() -> None:
+    assert told(room(CRATE, piece(0.5, 0.5, 0.2, 0.2, id="cupboard_1", name="cupboard", height=0.3, y=1.4))) == []
+
+
+def test_furniture_on_what_is_not_there_stands_on_the_floor_or_on_something() -> None:
+    for x, y, count in ((0.5, 0.0, 0), (0.5, 0.7, 1), (2.0, 0.7, 0)):
+        case = piece(x, 2.0, 0.2, 0.2, id="case_1", name="case", height=0.3, y=y, on="gone")
+        assert len(told(room(CRATE, case))) == count
+
+
+def test_pieces_that_stand_on_each_other_in_a_ring_stand_on_nothing() -> None:
+    ring = [piece(x, 2.0, 0.2, 0.2, id=name, name="case", height=0.3, on=on) for name, on, x in (("a", "b", 1.0), ("b", "a", 2.0))]
+    assert [issue.ids for issue in told(room(*ring))] == [("a",), ("b",)]
