@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from playwright.sync_api import expect
+
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den
-from tests.browser.visit import Document, Visit
+from tests.browser.visit import SMALL, Document, Visit
 
 PHONE = {"width": 390, "height": 844}
 OF_LINES = """id => {
@@ -43,3 +45,27 @@ def test_a_piece_touched_and_dragged_scrolls_its_line_into_view_and_nothing_else
     visit.page.locator("#find").dispatch_event("input")
     assert scrolled(visit) == 0
     assert min(visit.page.evaluate(OF_LINES, "den/crate_59").values()) >= 0
+
+
+def test_the_way_out_of_a_walk_is_over_the_house_for_finger_and_key(visit: Visit) -> None:
+    visit.page.set_viewport_size(PHONE)
+    visit.open(SMALL.format(4))
+    leave = visit.page.get_by_role("button", name="Leave the walk")
+    canvas = visit.page.locator("#stage canvas").bounding_box()
+    assert canvas
+    expect(leave).to_be_hidden()
+    for act in (leave.click, lambda: visit.page.keyboard.press("Enter"), lambda: visit.page.keyboard.press("Escape")):
+        visit.page.keyboard.press("1")
+        visit.settle()
+        assert visit.state()["walking"]
+        at = leave.bounding_box()
+        assert at
+        assert at["y"] >= canvas["y"]
+        assert at["y"] + at["height"] <= canvas["y"] + canvas["height"]
+        leave.focus()
+        act()
+        visit.settle()
+        assert not visit.state()["walking"]
+        expect(leave).to_be_hidden()
+        expect(visit.page.locator("#stage")).to_be_focused()
+    assert scrolled(visit) == 0

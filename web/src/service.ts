@@ -104,9 +104,11 @@ function post<Answer>(call: string, body: unknown, signal: AbortSignal): Promise
   return ask(call, { method: "POST", headers, body: JSON.stringify(body), signal });
 }
 
-/** What the service knows of every kind: how it is drawn, and of which materials. */
-export function catalog(signal: AbortSignal): Promise<Catalog> {
-  return ask("catalog", { headers: { Accept: "application/json" }, signal });
+let known: Catalog | null = null;
+
+/** What the service knows of every kind: how it is drawn, and of which materials; asked for until it was told. */
+export async function catalog(signal: AbortSignal): Promise<Catalog> {
+  return (known ??= await ask<Catalog>("catalog", { headers: { Accept: "application/json" }, signal }));
 }
 
 export function generate(request: HouseRequest, signal: AbortSignal): Promise<GenerateAnswer> {

@@ -60,6 +60,7 @@ export class Stage {
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
     const house = this.#build(scene);
     house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
+    within("no_rooms").hidden = scene.rooms.length > 0;
     this.#labels.show(house);
     this.#labels.showMarks(marksOf(issues));
     this.#looking.show(house, !sameSize);

@@ -9,6 +9,9 @@ interface Entry {
   readonly button: HTMLButtonElement;
 }
 
+const LOADING = "Loading…";
+const NOT_LOADED = "The kinds could not be loaded.";
+const NONE = "No such kind.";
 /** What lives in a house is no piece of furniture. */
 const LIVING = "dynamic";
 
@@ -38,7 +41,7 @@ export class Palette {
     this.#search.placeholder = "sofa, lamp, desk…";
     this.#search.addEventListener("input", () => this.#filter());
     this.#search.addEventListener("keydown", (event) => this.#enter(event));
-    this.#nothing.textContent = "No such kind.";
+    this.#nothing.textContent = LOADING;
     this.#nothing.className = "hint";
     host.replaceChildren(this.#head(label), this.#search, this.#list, this.#nothing);
     host.addEventListener("keydown", (event) => this.#escape(event));
@@ -55,7 +58,19 @@ export class Palette {
     return head;
   }
 
-  fill(catalog: Catalog): void {
+  /** Offers the kinds of a catalog that is on its way, and says so meanwhile. */
+  async await(coming: Promise<Catalog>): Promise<void> {
+    this.#nothing.textContent = LOADING;
+    try {
+      this.#fill(await coming);
+    } catch (reason) {
+      this.#nothing.textContent = NOT_LOADED;
+      throw reason;
+    }
+  }
+
+  #fill(catalog: Catalog): void {
+    this.#nothing.textContent = NONE;
     this.#entries = kindsOf(catalog).map(({ key, kind }) => this.#entry(key, kind));
     this.#list.replaceChildren(...this.#entries.map(({ button }) => {
       const item = document.createElement("li");

@@ -204,7 +204,7 @@ export class Workbench {
   #openPalette(): void {
     if (!this.#filled) {
       this.#filled = true;
-      catalog(new AbortController().signal).then((known) => this.#palette.fill(known)).catch((reason: unknown) => {
+      this.#palette.await(catalog(new AbortController().signal)).catch((reason: unknown) => {
         this.#filled = false;
         this.words.failed(reason);
       });

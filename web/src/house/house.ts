@@ -9,7 +9,7 @@ import { Doors } from "./doors";
 import { floorMeshes } from "./floors";
 import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
 import { keptMaterial } from "./kept";
-import { outlineOf } from "./house_outline";
+import { outlineOf, PLOT } from "./house_outline";
 import { openingsOf, type PlacedOpening } from "./openings";
 import { outlinesOf } from "./outlines";
 import { runsOf } from "./plan";
@@ -39,7 +39,7 @@ function boundsOf(scene: Scene, height: number): Box3 {
     box.expandByPoint(new Vector3(room.x, 0, room.z));
     box.expandByPoint(new Vector3(room.x + room.width, height, room.z + room.depth));
   }
-  return box.isEmpty() ? new Box3(new Vector3(0, 0, 0), new Vector3(1, 1, 1)) : box;
+  return box.isEmpty() ? new Box3(new Vector3(0, 0, 0), new Vector3(PLOT.width, height, PLOT.depth)) : box;
 }
 
 function slab(bounds: Box3): Mesh {
@@ -79,7 +79,8 @@ export class House {
     this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene));
     this.#walls = new Walls(plan);
     this.doors = new Doors(leavesOf(plan), book.doorPaints(styleOf(scene)));
-    this.root.add(slab(this.bounds), floorMeshes(scene.rooms, storeys), this.doors.root, this.#bodyMeshes.root);
+    if (scene.rooms.length > 0) this.root.add(slab(this.bounds));
+    this.root.add(floorMeshes(scene.rooms, storeys), this.doors.root, this.#bodyMeshes.root);
   }
 
   /** Cuts walls, doors and what hangs on walls at a height above the ground [m]. */
@@ -119,7 +120,7 @@ export class House {
 
   /** How high the highest wall reaches above the ground [m]. */
   get wallTop(): number {
-    return Math.max(...[...this.#storeys.values()].map(({ elevation, height }) => elevation + height));
+    return Math.max(0, ...[...this.#storeys.values()].map(({ elevation, height }) => elevation + height));
   }
 
   /** Every body, where it is drawn now. */

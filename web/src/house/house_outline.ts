@@ -8,6 +8,9 @@ import type { Storey } from "./walls";
 /** Walls are looked at cut about here [m]. */
 const CUT = 1.2;
 
+/** The ground that is looked at where there is no room [m]. */
+export const PLOT = { width: 12, depth: 9 } as const;
+
 /** `margin` is how far the ground reaches beyond the rooms [m]. */
 export function outlineOf(rooms: readonly Room[], storeys: ReadonlyMap<number, Storey>, bodies: readonly PlacedBody[], margin: number): Point[] {
   const floors = rooms.flatMap((room) => cornersOf(room).flatMap(([x, z]): Point[] => {
@@ -19,5 +22,5 @@ export function outlineOf(rooms: readonly Room[], storeys: ReadonlyMap<number, S
     const half = Math.max(width, depth) / 2;
     return [-half, half].flatMap((dx) => [-half, half].map((dz): Point => [x + dx, y + height, z + dz]));
   });
-  return floors.length > 0 ? [...floors, ...tall] : [[0, 0, 0], [1, 1, 1]];
+  return floors.length > 0 ? [...floors, ...tall] : [0, PLOT.width].flatMap((x) => [0, PLOT.depth].map((z): Point => [x, 0, z]));
 }

@@ -1,6 +1,7 @@
 /** The form: reads and shows a request, and says beside a field what the service says of it. */
 import { anotherSeed, DEFAULTS, numberOrText, NUMBERS, OF_PLAIN_PLANS, SWITCHES, withoutGaps } from "../address";
 import type { Catalog, FieldProblem, HouseRequest, Typed } from "../contract";
+import { asNumber } from "./number_text";
 import { inWords, Programme } from "./programme";
 
 /** What to say beside a field. */
@@ -110,16 +111,17 @@ export class Controls {
     return this.form.elements.namedItem(name) as HTMLInputElement;
   }
 
-  #write(name: string, value: string): void {
+  #write(name: string, text: string): void {
+    const value = asNumber(text);
     this.#input(name).value = value;
     const slider = this.form.querySelector<HTMLInputElement>(`input[data-for="${name}"]`);
-    if (slider) slider.value = value;
+    if (slider && value !== "") slider.value = value;
   }
 
   /** A slider and its number say the same. */
   #tie(slider: HTMLInputElement): void {
     const number = this.#input(slider.dataset.for ?? "");
     slider.addEventListener("input", () => { number.value = slider.value; });
-    number.addEventListener("input", () => { slider.value = number.value; });
+    number.addEventListener("input", () => { if (number.value !== "") slider.value = number.value; });
   }
 }

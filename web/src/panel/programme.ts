@@ -1,6 +1,7 @@
 /** What home is asked for: a plain plan, a named programme, an area, or rooms counted one by one. */
 import { numberOrText } from "../address";
 import type { Catalog, Counts, HouseRequest } from "../contract";
+import { asNumber } from "./number_text";
 
 const PLAIN = "";
 const BY_AREA = "by_area";
@@ -64,7 +65,7 @@ export class Programme {
   }
 
   show({ program, area }: HouseRequest): void {
-    this.#area.value = String(area ?? "");
+    this.#area.value = asNumber(String(area ?? ""));
     if (typeof program === "string") this.#choice.value = this.#presetOption(program).value;
     else if (program) this.#choice.value = OWN;
     else this.#choice.value = area === undefined ? PLAIN : BY_AREA;
@@ -112,7 +113,7 @@ export class Programme {
 
   #showCounts(counts: Counts): void {
     for (const input of this.#counts.querySelectorAll("input")) input.value = "";
-    for (const [word, count] of Object.entries(counts)) this.#countField(word).value = String(count);
+    for (const [word, count] of Object.entries(counts)) this.#countField(word).value = asNumber(String(count));
   }
 
   /** One's own rooms start as those of the home chosen before. */

@@ -19,7 +19,7 @@ export interface Asked extends LabelWish {
 type Named = LabelElement & { readonly id: string };
 
 /** What lies over the canvas and over labels. */
-const OVERLAYS = "#tools, #compass";
+const OVERLAYS = "#tools, #walk_leave, #compass";
 const TIP_LIFT = 22;
 const MARK_LIFT = 12;
 /** Who walks reads the names of the pieces this near [m]. */
@@ -41,7 +41,7 @@ export class Labels {
   #pieces: Named[] = [];
   #marks: Named[] = [];
   #chosen: Named | null = null;
-  #pointed: PlacedBody | null = null;
+  #pointed: string | null = null;
   #house: House | null = null;
   #all = false;
   #kept: readonly Kept[] = [];
@@ -124,8 +124,8 @@ export class Labels {
 
   /** Names the body pointed at; tells whether that is another than before. */
   point(body: PlacedBody | null): boolean {
-    if (body === this.#pointed) return false;
-    this.#pointed = body;
+    if ((body?.id ?? null) === this.#pointed) return false;
+    this.#pointed = body?.id ?? null;
     const [name] = this.#tip.element.children;
     if (body && name) {
       name.textContent = wordsOf(body);
@@ -177,7 +177,7 @@ export class Labels {
   }
 
   #askedChosen(): Asked[] {
-    return this.#chosen && this.#chosen.id !== this.#pointed?.id ? this.#askedAt([this.#chosen], TIP_LIFT, RANK.chosen) : [];
+    return this.#chosen && this.#chosen.id !== this.#pointed ? this.#askedAt([this.#chosen], TIP_LIFT, RANK.chosen) : [];
   }
 
   /** The pieces' names: all of them, or to who walks those of the room walked in; large and near before small and far. */
@@ -185,7 +185,7 @@ export class Labels {
     const eye = this.viewport.camera.position;
     return this.#pieces.flatMap((label) => {
       const body = this.#bodies.get(label.id);
-      const told = label.id === this.#pointed?.id || label.id === this.#chosen?.id;
+      const told = label.id === this.#pointed || label.id === this.#chosen?.id;
       if (!body || told || !this.#isNear(body)) return [];
       const distance = eye.distanceTo(new Vector3(body.x, body.y, body.z));
       return this.#askedAt([label], 0, RANK.piece + sizeSeen(body, distance));
@@ -202,7 +202,8 @@ export class Labels {
   }
 
   #askedTip(): Asked[] {
-    const at = this.#pointed ? this.#overBody(this.#pointed) : null;
+    const body = this.#pointed === null ? undefined : this.#bodies.get(this.#pointed);
+    const at = body ? this.#overBody(body) : null;
     const { width, height } = this.#tip;
     return at ? [{ label: this.#tip, x: at.x, y: at.y - TIP_LIFT, width, height, importance: RANK.tip }] : [];
   }

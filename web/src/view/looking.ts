@@ -18,6 +18,8 @@ export class Looking {
   readonly #walk: WalkMode;
   readonly #cut = within<HTMLInputElement>("cut");
   readonly #names = within<HTMLInputElement>("all_labels");
+  /** Over the canvas: on a narrow screen the other buttons are far below it. */
+  readonly #leave = within<HTMLButtonElement>("walk_leave");
   #house: House | null = null;
 
   constructor(readonly viewport: Viewport, readonly labels: Labels) {
@@ -26,6 +28,7 @@ export class Looking {
     this.#cut.addEventListener("input", () => this.cutWalls());
     this.#names.addEventListener("change", () => this.#nameAll());
     for (const way of Object.keys(BUTTONS) as Way[]) within(BUTTONS[way]).addEventListener("click", () => this.look(way));
+    this.#leave.addEventListener("click", () => this.look("corner"));
     labels.onNamed = (named) => this.#tellNamed(named);
     this.#cutWords();
   }
@@ -49,6 +52,12 @@ export class Looking {
     else this.#leaveFor(way, jump);
     for (const [name, id] of Object.entries(BUTTONS)) within(id).setAttribute("aria-pressed", String(name === way));
     within("walk_hint").hidden = way !== "walk";
+    this.#offerLeaving(this.#walk.pose !== null);
+  }
+
+  #offerLeaving(walks: boolean): void {
+    if (!walks && document.activeElement === this.#leave) this.viewport.host.focus({ preventScroll: true });
+    this.#leave.hidden = !walks;
   }
 
   #enter(): void {

@@ -1,0 +1,56 @@
+// @vitest-environment happy-dom
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Catalog } from "../src/contract";
+import { Palette } from "../src/edit/palette";
+
+const CATALOG = { furniture: { sofa: { category: "seating", size: [2, 0.9, 0.8] } }, decorations: {} } as unknown as Catalog;
+let host: HTMLElement;
+let palette: Palette;
+
+/** What is said in place of kinds; nothing where that is hidden. */
+function said(): string {
+  const words = host.querySelector<HTMLElement>("p");
+  return words && !words.hidden ? (words.textContent ?? "") : "";
+}
+
+beforeEach(() => {
+  document.body.innerHTML = "<section hidden></section>";
+  host = document.querySelector("section") as HTMLElement;
+  palette = new Palette(host);
+});
+
+describe("the palette", () => {
+  it("says that kinds are on their way, and only then that there is none", async () => {
+    let come: (catalog: Catalog) => void = () => undefined;
+    const filled = palette.await(new Promise<Catalog>((resolve) => { come = resolve; }));
+    palette.open(true);
+    expect(said()).toBe("Loading…");
+    come(CATALOG);
+    await filled;
+    expect(said()).toBe("");
+    expect(host.querySelectorAll("li button")).toHaveLength(1);
+    const search = host.querySelector("input") as HTMLInputElement;
+    search.value = "piano";
+    search.dispatchEvent(new Event("input"));
+    expect(said()).toBe("No such kind.");
+  });
+
+  it("says that they did not come, and says so to who asked", async () => {
+    palette.open(true);
+    await expect(palette.await(Promise.reject(new Error("gone")))).rejects.toThrow("gone");
+    expect(said()).toBe("The kinds could not be loaded.");
+  });
+
+  it("is filled with what the page was told already, without another question", async () => {
+    vi.resetModules();
+    const { catalog } = await import("../src/service");
+    const answers = [new Response("{}", { status: 503 }), new Response(JSON.stringify(CATALOG))];
+    const fetched = vi.fn(async () => answers.shift() as Response);
+    vi.stubGlobal("fetch", fetched);
+    const { signal } = new AbortController();
+    await expect(catalog(signal)).rejects.toMatchObject({ status: 503 });
+    for (let i = 0; i < 3; i += 1) expect(await catalog(signal)).toEqual(CATALOG);
+    expect(fetched).toHaveBeenCalledTimes(2);
+    vi.unstubAllGlobals();
+  });
+});
