@@ -65,7 +65,9 @@ def test_colours_that_tell_apart_are_kept_in_forced_colours(visit: Visit) -> Non
     assert shown.evaluate_all(COLORS) == before
 
 
-@pytest.mark.parametrize("query", ["?width=NaN", "?seed=" + "9" * 400, "?max_depth=deep&area=1e999", "?program.bedrooms=many&min_room_size=-"])
+@pytest.mark.parametrize(
+    "query", ["?width=NaN", "?seed=" + "9" * 400, "?max_depth=deep&area=1e999", "?program.bedrooms=many&min_room_size=-"]
+)
 def test_what_is_no_number_is_said_beside_its_field_and_nothing_on_the_console(visit: Visit, query: str) -> None:
     visit.page.goto(visit.address + query)
     expect(visit.page.get_by_role("alert")).to_be_visible()
