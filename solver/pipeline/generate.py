@@ -6,13 +6,14 @@ Comes in: Request or Scene. Goes out: Generated. May import: every stage. Not he
 from __future__ import annotations
 
 import secrets
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 from catalogs import Catalogs, load_catalogs
 from catalogs.styles import Style
 from solver.certificate import certificate, counts, room_certificate
+from solver.errors import SceneError
 from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
 from solver.furnish import space_of, wanted_pieces, with_comfort
 from solver.furnished import furnished
@@ -20,6 +21,7 @@ from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
 from solver.people import Home, peopled
 from solver.pipeline.decorate import decorated
+from solver.pipeline.kept import Kept, around, kept_in, rejoined, stand_all, with_kinds, with_things
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place
@@ -52,6 +54,8 @@ class _Setting:
     thickness: float = WALL_THICKNESS
     robot_width: float = ROBOT_WIDTH
     style: Style | None = None
+    kept: Mapping[str, Kept] = field(default_factory=dict)
+    """What stays in rooms that are furnished anew, by their ids."""
 
 
 def generate(
@@ -104,9 +108,16 @@ def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict
 
 
 def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Wanted, ...]]:
+    _, space, wanted = _around(room, setting)
+    return space, with_comfort(wanted, setting.catalogs)
+
+
+def _around(room: Room, setting: _Setting) -> tuple[Kept, Space, tuple[Wanted, ...]]:
+    """Returns what stays in a room, and what is wanted around that."""
     space = replace(space_of(room, setting.thickness, setting.robot_width), cover_mm2=_cover_mm2(room, setting))
     wanted = wanted_pieces(room, space, setting.catalogs, Stream(setting.seed, "furnish", room.index))
-    return space, with_comfort(wanted, setting.catalogs)
+    kept = setting.kept.get(room.id)
+    return around(kept, space, wanted, setting.catalogs) if kept else (Kept(room), space, wanted)
 
 
 def _cover_mm2(room: Room, setting: _Setting) -> int:
@@ -224,6 +235,8 @@ def reroll(
 ) -> Generated:
     """Furnishes and peoples the named rooms of a scene anew, in the style of the house; the others stay untouched.
 
+    What is locked in them stays where it is, with what lies on it; the rest is furnished around it.
+
     Args:
         scene: the house; its openings stay.
         rooms: ids of the rooms to furnish.
@@ -232,29 +245,64 @@ def reroll(
         clock: a clock in seconds, to fill `timing_ms`.
 
     Raises:
-        SceneError: a room's id is not in the scene.
+        SceneError: a room's id is not in the scene, or nothing valid was found around what is locked in it.
     """
     known = catalogs or load_catalogs()
     check_ids("reroll", rooms, [room.id for room in scene.rooms])
     timing = Timing(clock)
     drawn = scene.seed if seed is None else seed
     home = known.of_home([room.type for room in scene.rooms]) if _is_planned(scene) else known
-    setting = _Setting(drawn or 0, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known))
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
+    stays = {room.id: kept for room in chosen if (kept := kept_in(room)).ids}
+    home = with_kinds(home, stays.values())
+    setting = _Setting(drawn or 0, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known), stays)
     arrangements = _explained(chosen, _arrangements(chosen, setting), setting)
-    done = {room.id: room for room in _written(chosen, arrangements, setting)}
+    done = _rejoined(chosen, arrangements, setting)
     document = dict(scene.certificate or {})
     reports = {name: room_certificate(arrangements[name], room) for name, room in done.items()}
     document["rooms"] = {**(document.get("rooms") or {}), **reports}
     new = replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms), certificate=document)
     timing.lap("furniture")
     new = decorated(new, done, known, setting.seed)
+    new = replace(new, rooms=tuple(with_things(room, stays[room.id]) if room.id in stays else room for room in new.rooms))
     timing.lap("decorations")
     new = _peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic)
     timing.lap("people")
     issues = validate(new, known)
+    if stays:
+        before = {(issue.rule, issue.ids) for issue in validate(scene, known)}
+        _check_kept(rooms, stays, {issue.room for issue in issues if issue.severity == "error" and (issue.rule, issue.ids) not in before})
     timing.lap("validate")
     return Generated(new, issues, timing.ms)
+
+
+def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Room]:
+    """Writes the furniture into its rooms, around what stays in them.
+
+    Raises:
+        SceneError: what stays cannot be furnished around.
+    """
+    done = {room.id: room for room in _written(rooms, arrangements, setting)}
+    for room in rooms:
+        if room.id in setting.kept:
+            kept, _, _ = _around(room, setting)
+            if not stand_all(kept, arrangements[room.id]):
+                _check_kept([one.id for one in rooms], setting.kept, {room.id})
+            done[room.id] = rejoined(done[room.id], arrangements[room.id], kept)
+    return done
+
+
+def _check_kept(asked: Sequence[str], kept: Mapping[str, Kept], wrong: Collection[str | None]) -> None:
+    """Refuses rooms in which nothing valid was found around what is locked.
+
+    Raises:
+        SceneError: names the room and what is locked in it.
+    """
+    for k, name in enumerate(asked):
+        if name in wrong and name in kept:
+            ids = ", ".join(kept[name].locked)
+            problem = f"room {name} holds locked pieces: {ids}; no valid way to furnish the rest around them was found"
+            raise SceneError(f"reroll[{k}]", problem, "another room; or unlock them first")
 
 
 def _style_of(scene: Scene, known: Catalogs) -> Style | None:

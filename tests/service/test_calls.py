@@ -133,6 +133,29 @@ def test_reroll_touches_only_the_named_rooms(client: TestClient, scene: dict[str
     assert any(furnished_room(other) != furnished_room(scene) for other in others)
 
 
+def test_reroll_keeps_what_is_locked(client: TestClient, scene: dict[str, Any]) -> None:
+    room = copy.deepcopy(furnished_room(scene))
+    locked = {**room["furniture"][0], "locked": True}
+    room["furniture"][0] = locked
+    sent = {**scene, "rooms": [room if one["id"] == room["id"] else one for one in scene["rooms"]]}
+    for seed in range(4):
+        answer = client.post("/generate", json={"scene": sent, "reroll": [room["id"]], "seed": seed}).json()
+        after = next(one for one in answer["scene"]["rooms"] if one["id"] == room["id"])
+        assert locked in after["furniture"]
+        assert [issue for issue in answer["issues"] if issue["severity"] == "error"] == []
+
+
+def test_furniture_dragged_off_what_carries_it_is_named_and_brought_back(client: TestClient) -> None:
+    stand = {"id": "s", "name": "tv_stand", "x": 2.0, "z": 0.23, "width": 1.6, "depth": 0.4, "height": 0.5}
+    tv = {"id": "t", "name": "tv", "x": 3.4, "y": 0.5, "z": 2.0, "width": 1.24, "depth": 0.14, "height": 0.74, "on": "s"}
+    scene = {"rooms": [{"id": "r", "width": 5.0, "depth": 4.0, "furniture": [stand, tv]}]}
+    issues = client.post("/validate", json={"scene": scene}).json()["issues"]
+    assert [(issue["rule"], issue["ids"]) for issue in issues] == [("floating", ["t"])]
+    fixed = client.post("/fix", json={"scene": scene, "moved": ["t"]}).json()
+    assert [(move["id"], move["dx"], move["dz"]) for move in fixed["moves"]] == [("t", -1.22, -1.64)]
+    assert (fixed["issues"], fixed["conflicts"]) == ([], [])
+
+
 def test_fix_leaves_a_clean_scene_alone(client: TestClient, scene: dict[str, Any]) -> None:
     answer = client.post("/fix", json={"scene": scene}).json()
     assert set(answer) == {"scene", "moves", "removed", "conflicts", "issues", "timing_ms"}

@@ -192,6 +192,14 @@ def test_reroll_takes_a_scene_rooms_and_a_seed(client: TestClient, scene: dict[s
         assert entry_of(client.post("/generate", json=body), 422)["field"] == field
 
 
+def test_a_room_that_cannot_be_furnished_around_what_is_locked_is_refused(client: TestClient) -> None:
+    wall = {"id": "block", "name": "wall", "x": 2.0, "z": 2.0, "width": 4.0, "depth": 3.0, "height": 2.0, "locked": True}
+    scene = {"rooms": [{"id": "r", "type": "bedroom", "width": 4.0, "depth": 4.0, "furniture": [wall]}]}
+    entry = entry_of(client.post("/generate", json={"scene": scene, "reroll": ["r"]}), 422)
+    assert entry["field"] == "reroll[0]"
+    assert "block" in entry["problem"] and "unlock" in entry["allowed"]
+
+
 BODY = {"id": "sofa_1", "name": "sofa", "x": 1.0, "z": 1.0, "width": 2.0, "depth": 0.9, "height": 0.8}
 ROOM = {"id": "salon", "width": 4.0, "depth": 4.0, "furniture": [BODY]}
 WRONG_SCENES = [
