@@ -37,6 +37,13 @@ def test_arrows_turn_the_house_and_plus_and_minus_come_nearer_and_go_away(visit:
     assert pressed(visit, "ArrowRight", "ArrowRight") == pytest.approx((turn - 20, tilt, away), abs=0.01)
     assert pressed(visit, "ArrowLeft", "ArrowUp") == pytest.approx((turn - 10, tilt - 10, away), abs=0.01)
     assert pressed(visit, "ArrowLeft", "ArrowDown") == pytest.approx((turn, tilt, away), abs=0.01)
+    target = visit.state()["target"]
+    assert pressed(visit, "Shift+ArrowRight") == pytest.approx((turn, tilt, away), abs=0.01)
+    aside = [now - then for now, then in zip(visit.state()["target"], target, strict=True)]
+    # To the right on the screen is a quarter turn further than towards the camera.
+    assert degrees(atan2(aside[0], aside[2])) == pytest.approx(turn + 90, abs=0.1)
+    pressed(visit, "Shift+ArrowLeft", "Shift+ArrowUp", "Shift+ArrowDown")
+    assert visit.state()["target"] == pytest.approx(target, abs=1e-6)
     assert pressed(visit, *["ArrowDown"] * 9)[1] == pytest.approx(90 * 0.98, abs=0.01)
     assert pressed(visit, *["ArrowUp"] * 12)[1] < 1
     visit.page.keyboard.press("3")

@@ -63,6 +63,9 @@ def test_colours_that_tell_apart_are_kept_in_forced_colours(visit: Visit) -> Non
     visit.page.emulate_media(forced_colors="active")
     assert visit.page.evaluate("matchMedia('(forced-colors: active)').matches")
     assert shown.evaluate_all(COLORS) == before
+    lines = visit.page.locator("#yaml button")
+    lines.first.click()
+    assert len(set(lines.evaluate_all(COLORS)[:2])) == 2
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,11 @@ const NEARER = 1.2;
 const ARROWS: Readonly<Record<string, OrbitStep>> = {
   ArrowLeft: { right: -TURN }, ArrowRight: { right: TURN }, ArrowUp: { up: TURN }, ArrowDown: { up: -TURN },
 };
+/** With Shift, what is looked at. */
+const ASIDE = 60;
+const SHIFTED: Readonly<Record<string, OrbitStep>> = {
+  ArrowLeft: { east: -ASIDE }, ArrowRight: { east: ASIDE }, ArrowUp: { north: ASIDE }, ArrowDown: { north: -ASIDE },
+};
 const ZOOM: Readonly<Record<string, OrbitStep>> = { "+": { nearer: NEARER }, "=": { nearer: NEARER }, "-": { nearer: 1 / NEARER } };
 
 /** Where keys are text or a choice. */
@@ -32,7 +37,8 @@ function actOf(event: KeyboardEvent, acts: ViewActs): (() => void) | null {
   const target = event.target instanceof Element ? event.target : null;
   if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || target?.matches(TYPING)) return null;
   if (event.key.toLowerCase() === "t") return event.repeat ? null : () => acts.toggleDoor();
-  const step = ZOOM[event.key] ?? (!acts.hasChosen() && isOnHouse(target) ? ARROWS[event.key] : undefined);
+  const arrows = event.shiftKey ? SHIFTED : ARROWS;
+  const step = ZOOM[event.key] ?? (!acts.hasChosen() && isOnHouse(target) ? arrows[event.key] : undefined);
   return step ? () => acts.orbit(step) : null;
 }
 

@@ -98,7 +98,7 @@ export class Viewport {
     this.#orbiting.stop();
   }
 
-  /** Turns the house, tilts it or comes nearer by a step, on from those under way. */
+  /** Turns the house, tilts it, comes nearer or looks aside by a step, on from those under way. */
   orbit(step: OrbitStep): void {
     if (this.#walker) return;
     [this.#preset, this.#goal] = [null, null];
