@@ -16,12 +16,15 @@ from typing import Any, TypeVar
 
 from catalogs import Catalogs
 from catalogs.schema import Piece, RoomType
-from solver.free_places import footprint, nearest_place, solid_of
+from solver.free_places import footprint, nearest_place
 from solver.geometry import Rect, to_mm
 from solver.repair.bodies import above, climb, size_of, squared
 from solver.repair.resting import surfaces_of
 from solver.scene import Decoration, Furniture, Room
 from solver.wanted import Space, Zone
+
+MOST_BESIDE = 20
+"""Pieces on a carrier beside which a place for another is sought; on a fuller one they stand in each other."""
 
 T = TypeVar("T", Furniture, Decoration)
 
@@ -170,15 +173,28 @@ def _put_on(piece: Furniture, carrier: Furniture, now: Mapping[str, Furniture], 
     places = surfaces_of(straight, known.catalogs, height)
     level, surface = min(places, key=lambda place: abs(base + place[0] - to_mm(piece.y)))
     area, bottom = _area(own, surface, footprint(straight)), base + level
-    below = {carrier.id, *_below(carrier, now)}
-    beside = (other for other in now.values() if other.id not in below and piece.id not in (other.id, *_below(other, now)))
-    solids = [solid_of(other) for other in beside]
-    blocks = [solid.rect for solid in solids if solid.bottom < bottom + height and bottom < solid.top]
-    blocks += [zone.rect for zone in known.zones if zone.above_mm < bottom + height]
+    blocks = _beside_on(piece, (carrier, area), (bottom, bottom + height), now)
+    blocks += [zone.rect for zone in known.zones if zone.above_mm < bottom + height and zone.rect.overlaps(area)]
     place = nearest_place(own, area, blocks) or nearest_place(own, area, ())
     dx, dz = (place.x0 - own.x0, place.z0 - own.z0) if place else (0, 0)
     x, z = round(piece.x + dx / 1000, 4), round(piece.z + dz / 1000, 4)
     return replace(piece, x=x, y=bottom / 1000, z=z, on=carrier.id, wall=None if dx or dz else piece.wall)
+
+
+def _beside_on(piece: Furniture, to: tuple[Furniture, Rect], heights: tuple[int, int], now: Mapping[str, Furniture]) -> list[Rect]:
+    """Returns what is in a piece's way on its carrier (and in that area) at those heights, mm; nothing where there is too much."""
+    (carrier, area), (low, high) = to, heights
+    found: list[Rect] = []
+    below = {carrier.id, *_below(carrier, now)}
+    for other in now.values():
+        apart = max(abs(other.x - carrier.x), abs(other.z - carrier.z))
+        far = 2 * apart > sum(body.width + body.depth for body in (piece, carrier, other))
+        if far or other.id in below or other.y * 1000 >= high or (other.y + other.height) * 1000 <= low:
+            continue
+        rect = footprint(other)
+        if rect.overlaps(area) and piece.id not in (other.id, *_below(other, now)):
+            found.append(rect)
+    return found if len(found) <= MOST_BESIDE else []
 
 
 def _area(own: Rect, surface: Rect, carrier: Rect) -> Rect:

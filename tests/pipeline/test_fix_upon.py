@@ -138,3 +138,10 @@ def test_dragged_off_in_a_house_it_never_hangs_in_the_air(seed: int, by: tuple[f
         )
         assert abs(after[piece.id].x - under.x) <= max(under.width, under.depth) / 2
         assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_a_carrier_too_full_for_all_is_answered_at_once_and_in_words() -> None:
+    cases = [replace(at(CASE, 3.4, 1.0 + k / 100), id=f"room_0/case_{k}") for k in range(24)]
+    fixed = fix(room_of(BENCH, *cases), moved=[BENCH.id])
+    assert floating(fixed.scene) == [] and fixed.conflicts
+    assert fix(fixed.scene).scene == fixed.scene
