@@ -8,10 +8,13 @@ from __future__ import annotations
 import math
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import replace
+from typing import Any, TypeVar
 
 from solver.free_places import footprint
 from solver.geometry import Rect, turned
 from solver.scene import Decoration, Furniture, Room
+
+T = TypeVar("T", Furniture, Decoration)
 
 BODY_MM = 20
 """Furniture or a floor decoration is a body when it is higher than this (contract, Rules)."""
@@ -120,6 +123,19 @@ def climb(start: str, parents: Mapping[str, str], stop: Container[str] = ()) -> 
         at = parents[at]
         seen.add(at)
     return at
+
+
+def carried_along(thing: T, before: Body | None, after: Body | None) -> T:
+    """Returns a thing moved as what carries it was; as it is where that is not there or did not move."""
+    if before is None or after is None or before is after:
+        return thing
+    x, y, z = (round(a + c - b, 4) for a, b, c in zip(_at(thing), _at(before), _at(after), strict=True))
+    pose: dict[str, Any] = {"x": x, "y": y, "z": z}
+    return replace(thing, **pose)
+
+
+def _at(body: Body) -> tuple[float, float, float]:
+    return body.x, body.y, body.z
 
 
 def tables_of(bodies: Sequence[Body]) -> dict[str, Body]:

@@ -12,7 +12,7 @@ from catalogs import Catalogs
 from catalogs.entries import Surface
 from solver.free_places import footprint
 from solver.geometry import Rect, to_mm
-from solver.repair.bodies import Body, above, all_bodies, size_of
+from solver.repair.bodies import Body, above, all_bodies, carried_along, size_of
 from solver.scene import Decoration, Room
 
 
@@ -32,7 +32,7 @@ def rested(room: Room, floating: Container[str], catalogs: Catalogs, wall_thickn
     sent: dict[str, Body] = {body.id: body for body in all_bodies(room)}
     bodies = dict(sent)
     for thing in _parents_first(room):
-        after = _carried_along(thing, sent, bodies)
+        after = carried_along(thing, sent.get(thing.parent or ""), bodies.get(thing.parent or ""))
         bodies[thing.id] = _at_rest(after, bodies, room, half, catalogs) if thing.id in floating else after
     things = [bodies[thing.id] for thing in room.decorations]
     return replace(room, decorations=tuple(thing for thing in things if isinstance(thing, Decoration)))
@@ -68,19 +68,6 @@ def _parents_first(room: Room) -> list[Decoration]:
         return len(seen)
 
     return sorted(room.decorations, key=depth)
-
-
-def _carried_along(thing: Decoration, sent: Mapping[str, Body], now: Mapping[str, Body]) -> Decoration:
-    """Returns a thing moved as its parent was."""
-    before, after = sent.get(thing.parent or ""), now.get(thing.parent or "")
-    if before is None or after is None or before is after:
-        return thing
-    x, y, z = (round(a + c - b, 4) for a, b, c in zip(_at(thing), _at(before), _at(after), strict=True))
-    return replace(thing, x=x, y=y, z=z)
-
-
-def _at(body: Body) -> tuple[float, float, float]:
-    return body.x, body.y, body.z
 
 
 def _at_rest(thing: Decoration, bodies: Mapping[str, Body], room: Room, half: int, catalogs: Catalogs) -> Decoration:

@@ -12,21 +12,18 @@ from __future__ import annotations
 
 from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeVar
 
 from catalogs import Catalogs
 from catalogs.schema import Piece, RoomType
 from solver.free_places import footprint, nearest_place
 from solver.geometry import Rect, to_mm
-from solver.repair.bodies import above, climb, size_of, squared
+from solver.repair.bodies import above, carried_along, climb, size_of, squared
 from solver.repair.resting import surfaces_of
-from solver.scene import Decoration, Furniture, Room
+from solver.scene import Furniture, Room
 from solver.wanted import Space, Zone
 
 MOST_BESIDE = 20
 """Pieces on a carrier beside which a place for another is sought; on a fuller one they stand in each other."""
-
-T = TypeVar("T", Furniture, Decoration)
 
 
 @dataclass(frozen=True)
@@ -66,7 +63,7 @@ def put_upon(room: Room, space: Space, floating: Collection[str], moved: Contain
     sent = {piece.id: piece for piece in _opened(room.furniture, floating)}
     now = dict(sent)
     for piece in _carriers_first(sent):
-        after = _carried_along(piece, sent.get(piece.on or ""), now.get(piece.on or ""))
+        after = carried_along(piece, sent.get(piece.on or ""), now.get(piece.on or ""))
         now[piece.id] = _put(after, now, known) if piece.id in floating and piece.on else after
     parents, before = above(room), {piece.id: piece for piece in room.furniture}
     changed = {label for label, piece in before.items() if (piece.x, piece.y, piece.z) != (now[label].x, now[label].y, now[label].z)}
@@ -74,7 +71,7 @@ def put_upon(room: Room, space: Space, floating: Collection[str], moved: Contain
     for thing in room.decorations:
         carrier = climb(thing.id, parents, changed)
         goes = carrier in changed and thing.mounted_on_wall is None
-        things.append(_carried_along(thing, before[carrier], now[carrier]) if goes else thing)
+        things.append(carried_along(thing, before[carrier], now[carrier]) if goes else thing)
     return replace(room, furniture=tuple(now[piece.id] for piece in room.furniture), decorations=tuple(things))
 
 
@@ -123,19 +120,6 @@ def _below(piece: Furniture, pieces: Mapping[str, Furniture]) -> list[str]:
 
 def _carriers_first(pieces: Mapping[str, Furniture]) -> list[Furniture]:
     return sorted(pieces.values(), key=lambda piece: len(_below(piece, pieces)))
-
-
-def _carried_along(thing: T, before: Furniture | None, after: Furniture | None) -> T:
-    """Returns a thing moved as what carries it was."""
-    if before is None or after is None or before is after:
-        return thing
-    x, y, z = (round(a + c - b, 4) for a, b, c in zip(_at(thing), _at(before), _at(after), strict=True))
-    pose: dict[str, Any] = {"x": x, "y": y, "z": z}
-    return replace(thing, **pose)
-
-
-def _at(body: Furniture | Decoration) -> tuple[float, float, float]:
-    return body.x, body.y, body.z
 
 
 def _put(piece: Furniture, now: Mapping[str, Furniture], known: _Known) -> Furniture:

@@ -20,6 +20,7 @@ export class Asking {
     this.progress.start(what);
     try {
       await ask(signal);
+      if (signal.aborted) return; // it ended without an answer: the newer question's progress goes on
       this.onEnd(null);
     } catch (reason) {
       if (isAbort(reason)) return;

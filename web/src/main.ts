@@ -18,6 +18,7 @@ import { RoomPanel } from "./panel/room";
 import { showShown } from "./panel/status";
 import { catalog, generate, isAbort, readFile, report, reroll, ServiceProblem, view, type GivenFile } from "./service";
 import { listenToSkips } from "./panel/skips";
+import { isTyped } from "./panel/typing";
 import { Stage } from "./stage";
 import { Home, type Showing } from "./state/home";
 
@@ -110,8 +111,7 @@ class Page {
   }
 
   #key(event: KeyboardEvent): void {
-    const typing = event.target instanceof Element && event.target.matches("input:not([type=range], [type=checkbox]), select, textarea, dialog[open] *");
-    if (typing || event.repeat || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.repeat || isTyped(event)) return;
     const acts: Readonly<Record<string, () => void>> = {
       r: () => this.#random(),
       d: () => this.#diagnose.open(),
@@ -160,13 +160,15 @@ class Page {
 
   /** Furnishes a room anew, in turn with the edits: none made before or meanwhile is lost. */
   #reroll(room: string): void {
-    void this.#asking.run("Furnishing the room anew", (signal) => this.#workbench.editor.inTurn(async () => {
-      const before = this.#home.settled?.scene;
-      if (!before || signal.aborted) return;
-      const { scene, issues, timing_ms: timing } = await reroll(before, [room], signal);
-      this.#home.show({ scene, issues, conflicts: [], timing }, "step");
+    void this.#asking.run("Furnishing the room anew", async (signal) => {
+      await this.#workbench.editor.inTurn(async () => {
+        const before = this.#home.settled?.scene;
+        if (!before || signal.aborted) return;
+        const { scene, issues, timing_ms: timing } = await reroll(before, [room], signal);
+        this.#home.show({ scene, issues, conflicts: [], timing }, "step");
+      });
       await this.#reads;
-    }));
+    });
   }
 
   #openFile(file: GivenFile, history: History): void {

@@ -1,4 +1,5 @@
 /** Keys that do on the house what a drag, the wheel and a click do: turn it, come nearer, open a door. */
+import { isTyped } from "../panel/typing";
 import type { OrbitStep } from "./orbiting";
 
 export interface ViewActs {
@@ -21,8 +22,6 @@ const SHIFTED: Readonly<Record<string, OrbitStep>> = {
 };
 const ZOOM: Readonly<Record<string, OrbitStep>> = { "+": { nearer: NEARER }, "=": { nearer: NEARER }, "-": { nearer: 1 / NEARER } };
 
-/** Where keys are text or a choice. */
-const TYPING = "input:not([type=range], [type=checkbox]), select, textarea, dialog[open] *";
 /** What lies over the house and scrolls by itself. */
 const OVER = ".palette, .messages";
 
@@ -35,7 +34,7 @@ function isOnHouse(target: Element | null): boolean {
 
 function actOf(event: KeyboardEvent, acts: ViewActs): (() => void) | null {
   const target = event.target instanceof Element ? event.target : null;
-  if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || target?.matches(TYPING)) return null;
+  if (event.defaultPrevented || isTyped(event)) return null;
   if (event.key.toLowerCase() === "t") return event.repeat ? null : () => acts.toggleDoor();
   const arrows = event.shiftKey ? SHIFTED : ARROWS;
   const step = ZOOM[event.key] ?? (!acts.hasChosen() && isOnHouse(target) ? arrows[event.key] : undefined);
