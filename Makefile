@@ -40,7 +40,7 @@ help: ## list the targets
 run: kernel page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
 
-test: .venv/dev.stamp kernel page chromium ## run every test: Python, page, browser
+test: .venv/dev.stamp kernel page chromium ## run every test: Python, page, browser; some minutes on two cores
 	$(PY) scripts/page.py check
 	$(PY) scripts/page.py test
 	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 --dist loadgroup $(PYTEST_ARGS)

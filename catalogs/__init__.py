@@ -4,7 +4,21 @@ Comes in: YAML files of this folder. Goes out: `load_catalogs()`, checked and fr
 and line is wrong. May import: nothing of ours. Not here: what the data leads to (solver).
 """
 
-from catalogs.reading import CatalogError, load_catalogs
-from catalogs.schema import Catalogs
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from catalogs.faults import CatalogError
+
+if TYPE_CHECKING:
+    from catalogs.reading import load_catalogs
+    from catalogs.schema import Catalogs
+else:
+
+    def __getattr__(name: str) -> object:
+        """Imports what reads the files when it is first named: the errors cost none of it."""
+        return getattr(import_module(f"{__name__}.reading"), name)
+
 
 __all__ = ["CatalogError", "Catalogs", "load_catalogs"]

@@ -6,13 +6,12 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from catalogs.entries import Colour, Entry, Length, Surface, Words
+from catalogs.entries import PIECE_NAMES, Entry, KindSpec, Metres, Probability, RoomTypeNames, Share, Words
+from catalogs.references import Names
 
-Share = Annotated[float, Field(ge=0, le=1)]
-"""A part of a whole, 0 to 1."""
-Place = tuple[Share, Share]
+SurfacePlace = tuple[Share, Share]
 """Where on a surface: from its left (0) to its right (1) edge, and from its back (0) to its front (1)."""
-Reach = Annotated[float, Field(ge=0, le=20)]
+ReachMetres = Annotated[float, Field(ge=0, le=20)]
 Group = Literal[
     "soft_goods", "lighting", "wall_art", "books", "tech", "containers", "drinkware", "decor", "plants", "dining", "kitchen",
     "bedroom", "bathroom", "entry", "kids", "floor", "workshop", "outdoor", "shelves",
@@ -25,25 +24,19 @@ INDOOR = "indoor"
 """The entry whose rows are for every indoor room."""
 
 
-class DecorationKind(Entry):
+class DecorationKind(KindSpec):
     """One kind of decoration. `jitter`: it lies up to 15 degrees askew. `mixed`: of several each has its own colour.
 
-    Its `surfaces` carry other decorations. `size` is width, depth and height, m, as it lies. `shape` is how it looks, where
-    that is not the shape of its own name.
+    Its `surfaces` carry other decorations. Its `size` is meant as it lies.
     """
 
     group: Group
-    shape: str | None = None
-    size: tuple[Length, Length, Length]
-    color: Colour
-    variants: tuple[Colour, ...] = ()
     mass: Annotated[float, Field(gt=0, le=500)]
     jitter: bool = False
     mixed: bool = False
-    surfaces: tuple[Surface, ...] = ()
 
 
-class Row(Entry):
+class DressingRow(Entry):
     """What every row says: which kinds (several take turns), how often, in which styles, how small they get.
 
     `rooms` and `not_in`: only in rooms of these types, and in none of those.
@@ -52,16 +45,16 @@ class Row(Entry):
     room's accent colour. `chance` is drawn once for the row on each parent.
     """
 
-    put: Words = Field(min_length=1)
-    chance: Annotated[float, Field(gt=0, le=1)] = 1.0
-    styles: Words = ()
-    rooms: Words = ()
-    not_in: Words = ()
-    least: Annotated[float, Field(gt=0, le=1)] = 1.0
+    put: Annotated[Words, Names("decoration", "a key of decorations.yaml")] = Field(min_length=1)
+    chance: Probability = 1.0
+    styles: Annotated[Words, Names("style", "a key of styles.yaml")] = ()
+    rooms: RoomTypeNames = ()
+    not_in: RoomTypeNames = ()
+    least: Probability = 1.0
     accent: bool = False
 
 
-class Lies(Row):
+class Lies(DressingRow):
     """Something on a surface of its parent.
 
     `at` are its places, or `seats`: one before every chair that stands at the table. `surface` names the parent's surfaces
@@ -71,16 +64,16 @@ class Lies(Row):
     Where its place is taken it goes to the nearest free one, at most `reach` m away.
     """
 
-    at: tuple[Place, ...] | Literal["seats"] = ((0.5, 0.5),)
+    at: tuple[SurfacePlace, ...] | Literal["seats"] = ((0.5, 0.5),)
     surface: Words = ()
     upon: Words = ()
     turn: Literal[0, 90, 180, 270] = 0
     upright: bool = False
     fill: tuple[Share, Share] | None = None
-    reach: Reach | None = None
+    reach: ReachMetres | None = None
 
 
-class Hangs(Row):
+class Hangs(DressingRow):
     """Something on the wall behind its parent, or on the longest free wall of a room.
 
     `height` is its underside above the floor, m; over a parent it hangs at least `gap` above that one's top. `at` are places
@@ -88,11 +81,11 @@ class Hangs(Row):
     """
 
     at: Annotated[tuple[Share, ...], Field(min_length=1)] = (0.5,)
-    height: Length
+    height: Metres
     gap: Annotated[float, Field(ge=0, le=2)] = 0.1
 
 
-class Stands(Row):
+class Stands(DressingRow):
     """Something on a room's floor, `count` of it, one for every `per_area` m2 if that is given.
 
     `where`: in the `middle`, in a `corner`, `beside` a piece named by `of` (the first names first; else at a wall), at a
@@ -101,13 +94,13 @@ class Stands(Row):
     """
 
     where: Literal["middle", "corner", "beside", "wall", "free"]
-    of: Words = ()
+    of: Annotated[Words, PIECE_NAMES] = ()
     count: Annotated[int, Field(ge=1, le=12)] = 1
     per_area: Annotated[float, Field(gt=0)] | None = None
     min_side: Annotated[float, Field(ge=0)] = 0.0
-    fill: Annotated[float, Field(gt=0, le=1)] | None = None
-    widest: Length | None = None
-    reach: Reach = 0.8
+    fill: Probability | None = None
+    widest: Metres | None = None
+    reach: ReachMetres = 0.8
 
     @model_validator(mode="after")
     def _complete(self) -> Stands:
@@ -119,7 +112,7 @@ class Stands(Row):
 
 
 class Dressing(Entry):
-    """What dresses a kind of furniture or decoration (`lies`, `hangs`) or a room type (`stands`, `hangs`), in this order.
+    """What decorates a kind of furniture or decoration (`lies`, `hangs`) or a room type (`stands`, `hangs`), in this order.
 
     `together`: the room's pieces of that name share the rows, so that a run of counters has one coffee maker.
     `indoor: false`: a room type that goes without the rows for every indoor room.

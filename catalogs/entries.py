@@ -7,12 +7,37 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
+from catalogs.references import Names
+
+Category = Literal[
+    "bed", "seating", "table", "storage", "appliance", "bathroom", "lighting",
+    "decor", "electronics", "vehicle", "structure", "water", "dynamic", "misc",
+]  # fmt: skip
 Side = Literal["front", "back", "left", "right"]
 Colour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
-Length = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
-Cost = Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)]
+Metres = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
+Share = Annotated[float, Field(ge=0, le=1)]
+"""A part of a whole, 0 to 1."""
+Probability = Annotated[float, Field(gt=0, le=1)]
+Cost = Annotated[float, Field(strict=True, ge=0, le=100, allow_inf_nan=False)]
+
+
+def _whole_centimetres(length: float) -> float:
+    if abs(length * 100 - round(length * 100)) > 1e-9:
+        raise ValueError(f"{length} m is not a whole number of centimetres")
+    return length
+
+
+def _ordered(ends: tuple[Any, Any]) -> tuple[Any, Any]:
+    if all(isinstance(end, float) for end in ends) and ends[0] > ends[1]:
+        raise ValueError("must be [least, most]")
+    return ends
+
+
+ORDERED = AfterValidator(_ordered)
+"""Of a pair: the first is not more than the second, where both are numbers."""
 
 
 def _words(value: Any) -> Any:
@@ -25,9 +50,19 @@ def _interval(value: Any) -> Any:
     return (value, value) if isinstance(value, int | float) and not isinstance(value, bool) else value
 
 
+Centimetres = Annotated[Metres, AfterValidator(_whole_centimetres)]
+"""A length of whole centimetres, m."""
 Words = Annotated[tuple[str, ...], BeforeValidator(_words, json_schema_input_type=str | tuple[str, ...])]
-Gap = Annotated[float, Field(ge=-2, le=20, allow_inf_nan=False)]
-Interval = Annotated[tuple[Gap, Gap], BeforeValidator(_interval, json_schema_input_type=Gap | tuple[Gap, Gap])]
+_Gap = Annotated[float, Field(strict=True, ge=-2, le=20, allow_inf_nan=False)]
+GapInterval = Annotated[tuple[_Gap, _Gap], ORDERED, BeforeValidator(_interval, json_schema_input_type=_Gap | tuple[_Gap, _Gap])]
+
+
+ROOM_TYPE = Names("room type", "a file of rooms/")
+RoomTypeNames = Annotated[Words, ROOM_TYPE]
+FlooringName = Annotated[str, Names("flooring", "a key of floorings.yaml")]
+MaterialName = Annotated[str, Names("material", "a key of materials.yaml")]
+KindName = Annotated[str, Names("kind", "a key of furniture.yaml")]
+PIECE_NAMES = Names("piece name", "a name of furniture.yaml")
 
 
 class Entry(BaseModel):
@@ -44,6 +79,20 @@ class Surface(Entry):
     """
 
     name: str
-    height: Length
+    height: Metres
     inset: Annotated[float, Field(ge=0, le=1)] = 0.02
-    clearance: Length | None = None
+    clearance: Metres | None = None
+
+
+class KindSpec(Entry):
+    """One kind of something that is drawn, has a size and may carry things.
+
+    `size` is width, depth and height, m. `shape` is how it looks, where that is not the shape of its own name. `color` is its
+    colour, `variants` are others it may have.
+    """
+
+    shape: Annotated[str, Names("shape", "a name of shapes/")] | None = None
+    size: tuple[Centimetres, Centimetres, Centimetres]
+    color: Colour
+    variants: tuple[Colour, ...] = ()
+    surfaces: tuple[Surface, ...] = ()

@@ -1,8 +1,14 @@
-"""A fault of a catalog: what cannot be, and where it is said."""
+"""Faults of a catalog: what cannot be, and where it is said; and the base of all errors, which the solver's have too.
+
+It stands here because catalogs import nothing of ours.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+
+Key = tuple[str | int, ...]
+"""Where in a file: keys of mappings and indices of lists, from the outside in."""
 
 
 @dataclass(frozen=True)
@@ -10,7 +16,7 @@ class Fault:
     """Something that cannot be: in which file (its path without `.yaml`), at which key, what, what is allowed."""
 
     file: str
-    at: tuple[str | int, ...]
+    at: Key
     problem: str
     allowed: str = ""
 
@@ -19,3 +25,28 @@ class Fault:
         """The section it is in and the name of the entry."""
         section, _, name = self.file.partition("/")
         return section, name or str(self.at[0])
+
+
+class ComposeError(Exception):
+    """Base of everything this project raises on purpose."""
+
+
+class CatalogError(ComposeError):
+    """A catalog cannot be used.
+
+    Args:
+        file: the file's path.
+        key: which key, such as `bed.size` or `pieces.3.rules.0.of`; empty if the file as a whole is meant.
+        line: its line, from 1.
+        problem: what is wrong, in words.
+        allowed: what would be accepted, in words; empty if there is nothing to add.
+    """
+
+    def __init__(self, file: str, key: str, line: int, problem: str, allowed: str = "") -> None:
+        self.file, self.key, self.line, self.problem, self.allowed = file, key, line, problem, allowed
+        where = f"{file}:{line}" + (f": {key}" if key else "")
+        super().__init__(f"{where}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
+
+    def __reduce__(self) -> tuple[type[CatalogError], tuple[str, str, int, str, str]]:
+        """Lets it go from one process to another: a pool raises it again."""
+        return type(self), (self.file, self.key, self.line, self.problem, self.allowed)

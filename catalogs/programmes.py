@@ -6,7 +6,8 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
-from catalogs.entries import Entry, Length
+from catalogs.entries import Entry, Metres
+from catalogs.references import Names
 
 
 class Home(Entry):
@@ -18,8 +19,8 @@ class Home(Entry):
     outline is too small for the programme, rooms are left out by `spare`, the highest first, and never those without.
     """
 
-    area: tuple[Length, Length, Length]
-    width: Length
+    area: tuple[Metres, Metres, Metres]
+    width: Metres
     aspect: Annotated[float, Field(ge=1, le=5)] = 2.0
     length: Annotated[float, Field(ge=0, le=20)] = 0.0
     word: str | None = None
@@ -36,8 +37,11 @@ class Home(Entry):
         return self
 
 
+RoomWord = Annotated[str, Names("word for rooms", "the room types and their words")]
+
+
 class Preset(Entry):
     """A named programme: how many rooms of each word (cars, for garages), and what it is, in words."""
 
-    rooms: dict[str, Annotated[int, Field(ge=0, le=12)]] = Field(min_length=1)
+    rooms: dict[RoomWord, Annotated[int, Field(ge=0, le=12)]] = Field(min_length=1)
     says: str = ""

@@ -8,7 +8,7 @@ from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import blake2b
-from itertools import chain
+from os import PathLike
 from pathlib import Path
 from typing import Any, ClassVar, Final
 
@@ -17,11 +17,14 @@ from pydantic import TypeAdapter, ValidationError
 
 from catalogs.checks import faults
 from catalogs.dressing import DecorationKind, Dressing
-from catalogs.faults import Fault
+from catalogs.dwellers import Dweller
+from catalogs.faults import CatalogError, Fault
+from catalogs.misfits import misfit
 from catalogs.programmes import Preset
-from catalogs.schema import Catalogs, FlooringSpec, Furniture, RoomType
-from catalogs.shapes import Material, Shape
-from catalogs.shapes_checks import shape_faults, shaped
+from catalogs.references import near
+from catalogs.schema import Catalogs, FlooringSpec, FurnitureSpec, RoomType
+from catalogs.shapes import Material, ShapeParts
+from catalogs.shapes_checks import shaped
 from catalogs.styles import Style
 
 HERE = Path(__file__).parent
@@ -31,40 +34,25 @@ _SHAPES = "shapes"
 ROW_KEY: Final = 2
 """The key of a row of dressing.yaml is longer: entry, list, number."""
 _SECTIONS: Final[dict[str, TypeAdapter[Any]]] = {
-    "furniture": TypeAdapter(dict[str, Furniture]),
+    "furniture": TypeAdapter(dict[str, FurnitureSpec]),
     "floorings": TypeAdapter(dict[str, FlooringSpec]),
     "decorations": TypeAdapter(dict[str, DecorationKind]),
     "dressing": TypeAdapter(dict[str, Dressing]),
     "styles": TypeAdapter(dict[str, Style]),
     "presets": TypeAdapter(dict[str, Preset]),
+    "people": TypeAdapter(dict[str, Dweller]),
     "materials": TypeAdapter(dict[str, Material]),
 }
 """What each file of a catalog holds: `<section>.yaml`."""
+_FILES: Final = (*(f"{section}.yaml" for section in _SECTIONS), f"{_ROOMS}/<type>.yaml", f"{_SHAPES}/<any>.yaml")
 _ROOM = TypeAdapter(RoomType)
-_SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, Shape])
+_SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, ShapeParts])
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
     "fingerprint": True, "shapes": True, "materials": True, "styles": {"__all__": {"materials"}},
     "furniture": {"__all__": {"shape"}}, "decorations": {"__all__": {"shape"}},
 }  # fmt: skip
 """What no home depends on: a seed makes the same home however its pieces are drawn, so its fingerprint stays too."""
-
-
-class CatalogError(Exception):
-    """A catalog cannot be used.
-
-    Args:
-        file: the file's path.
-        key: which key, such as `bed.size` or `pieces.3.rules.0.of`; empty if the file as a whole is meant.
-        line: its line, from 1.
-        problem: what is wrong, in words.
-        allowed: what would be accepted, in words; empty if there is nothing to add.
-    """
-
-    def __init__(self, file: str, key: str, line: int, problem: str, allowed: str = "") -> None:
-        self.file, self.key, self.line, self.problem, self.allowed = file, key, line, problem, allowed
-        where = f"{file}:{line}" + (f": {key}" if key else "")
-        super().__init__(f"{where}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
 
 
 class _Loader(_LOADER):  # type: ignore[misc]
@@ -89,17 +77,20 @@ class _Loader(_LOADER):  # type: ignore[misc]
 _Loader.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile(r"^(?:true|True|TRUE|false|False|FALSE)$"), list("tTfF"))
 
 
-def load_catalogs(directory: Path | None = None) -> Catalogs:
+def load_catalogs(directory: str | PathLike[str] | None = None) -> Catalogs:
     """Reads and checks our catalogs (once), or those with a directory's own laid over them.
 
     Args:
         directory: holds any of a catalog's files, as ours are (a file's stem in rooms/ is the room type's name).
-            What it names anew is added; what ours has too is replaced.
+            What it names anew is added; what ours has too is replaced. A YAML file of any other name is refused.
 
     Raises:
         CatalogError: a file cannot be read, is not YAML, or says something that cannot be; the first fault found.
     """
-    return _default() if directory is None else _checked(_laid_over(_layer(HERE), _layer(directory)), over_ours=True)
+    if directory is None:
+        return _default()
+    _refuse_strays(Path(directory))
+    return _checked(_laid_over(_layer(HERE), _layer(Path(directory))), over_ours=True)
 
 
 @lru_cache(maxsize=1)
@@ -120,14 +111,26 @@ def _layer(directory: Path) -> _Layer:
     room_files = {path.stem: path for path in sorted((directory / _ROOMS).glob("*.yaml"))}
     shape_files = sorted((directory / _SHAPES).glob("*.yaml"))
     if not room_files and not shape_files and not any(path.exists() for path in paths.values()):
-        known = ", ".join([*(path.name for path in paths.values()), "rooms/<type>.yaml", "shapes/<any>.yaml"])
-        raise CatalogError(str(directory), "", 1, "holds no catalog", known)
+        raise CatalogError(str(directory), "", 1, "holds no catalog", ", ".join(_FILES))
     entries = {section: _read(path, _SECTIONS[section]) if path.exists() else {} for section, path in paths.items()}
     entries[_ROOMS] = {name: _read(path, _ROOM) for name, path in room_files.items()}
     files = {(section, name): paths[section] for section in paths for name in entries[section]}
     files |= {(_ROOMS, name): path for name, path in room_files.items()}
     entries[_SHAPES], shapes_in = _shapes(shape_files)
     return _Layer(entries, files | shapes_in)
+
+
+def _refuse_strays(directory: Path) -> None:
+    """Refuses a directory with a YAML file, in it or one folder down, that nobody would read.
+
+    Raises:
+        CatalogError: names the file, and one that may have been meant.
+    """
+    for path in sorted(path for pattern in ("*.y*ml", "*/*.y*ml") for path in directory.glob(pattern)):
+        folder, name = path.parent.relative_to(directory).name, path.name
+        if not (name in _FILES if not folder else folder in (_ROOMS, _SHAPES) and path.suffix == ".yaml"):
+            meant = near(folder, (_ROOMS, _SHAPES)) if folder else near(path.stem, (*_SECTIONS, _ROOMS, _SHAPES))
+            raise CatalogError(str(path), "", 1, f"is no file of a catalog{meant}", ", ".join(_FILES))
 
 
 def _shapes(paths: list[Path]) -> tuple[dict[str, Any], dict[tuple[str, str], Path]]:
@@ -157,7 +160,7 @@ def _checked(layer: _Layer, over_ours: bool = False) -> Catalogs:
     """
     written = {section: named for section, named in layer.entries.items() if section != _SHAPES}
     catalogs, shapes = Catalogs(**written, fingerprint=""), layer.entries[_SHAPES]
-    for fault in chain(faults(catalogs), shape_faults(catalogs, shapes)):
+    for fault in faults(catalogs, shapes):
         file = layer.files[fault.entry]
         is_row_of_ours = file.parent == HERE and fault.file == "dressing" and len(fault.at) > ROW_KEY
         is_shape_of_ours = file.parent == HERE / _SHAPES
@@ -180,12 +183,7 @@ def _read(path: Path, adapter: TypeAdapter[Any]) -> Any:
     except yaml.YAMLError as error:
         raise _broken(path, error) from error
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        unknown = first["type"] == "extra_forbidden"
-        message = "unknown key" if unknown else first["msg"].removeprefix("Value error, ")
-        allowed = "the keys that schema.py describes" if unknown else str(first.get("ctx", {}).get("expected", ""))
-        at = tuple(part for part in first["loc"] if part != "[key]")
-        raise _located(path, Fault("", at, message, allowed)) from error
+        raise _located(path, misfit(error, adapter.json_schema())) from error
 
 
 def _broken(path: Path, error: yaml.YAMLError) -> CatalogError:

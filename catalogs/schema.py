@@ -9,20 +9,33 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Annotated, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from catalogs.dressing import DecorationKind, Dressing
-from catalogs.entries import Colour, Cost, Entry, Interval, Length, Side, Surface, Words
+from catalogs.dwellers import Dweller
+from catalogs.entries import (
+    ORDERED,
+    PIECE_NAMES,
+    ROOM_TYPE,
+    Category,
+    Colour,
+    Cost,
+    Entry,
+    FlooringName,
+    GapInterval,
+    KindName,
+    KindSpec,
+    Metres,
+    Probability,
+    RoomTypeNames,
+    Side,
+    Words,
+)  # fmt: skip
 from catalogs.programmes import Home, Preset
 from catalogs.shapes import Material, Solid
 from catalogs.styles import Style
 
-Category = Literal[
-    "bed", "seating", "table", "storage", "appliance", "bathroom", "lighting",
-    "decor", "electronics", "vehicle", "structure", "water", "dynamic", "misc",
-]  # fmt: skip
-Share = Annotated[float, Field(gt=0, le=1)]
-Relation = Literal[
+RelationWord = Literal[
     "against_wall", "in_corner", "beside", "in_front_of", "opposite", "facing", "near", "far_from", "around",
     "aligned_with", "centred", "in_row", "at_window", "near_door", "far_from_door", "on", "under",
 ]  # fmt: skip
@@ -33,32 +46,26 @@ class Use(Entry):
 
     sides: tuple[Side, ...] = Field(min_length=1)
     need: Literal["any", "all"] = "any"
-    clearance: Length = 0.6
+    clearance: Metres = 0.6
 
 
-class Furniture(Entry):
-    """One kind of furniture. `stands: wall` means it hugs a wall (its back 3 cm from the wall's face).
+class FurnitureSpec(KindSpec):
+    """One kind of furniture. `stands: wall` means that its back is 3 cm from a wall's face.
 
     `name` is what scenes call it, where that is not the kind's own name: size variants of a sofa are all a `sofa`.
-    `shape` is how it looks, where that is neither the shape of its own name nor that of its `name`.
     """
 
     category: Category
     name: str | None = None
-    shape: str | None = None
-    size: tuple[Length, Length, Length]
-    color: Colour
-    variants: tuple[Colour, ...] = ()
     mass: Annotated[float, Field(gt=0, le=5000)]
     stands: Literal["wall", "free"]
     use: Use | None = None
-    comfort: dict[Side, Length] = Field(default_factory=dict)
+    comfort: dict[Side, Metres] = Field(default_factory=dict)
     """Floor that is better kept free at a side, m deep: wished, never asked."""
-    surfaces: tuple[Surface, ...] = ()
 
 
-class Rule(Entry):
-    """One relation of a piece to the room or to other pieces; README.md says what each type means.
+class RelationSpec(Entry):
+    """One relation of a piece to the room or to other pieces; docs/relations.md says what each type means.
 
     Hard when `required`; otherwise `cost` is what it costs to do without it and `weight` (per m2) pulls towards it.
     `of` names other pieces of the room type by their `piece` names (any of them will do), or an opening: door,
@@ -68,39 +75,34 @@ class Rule(Entry):
     {door: 2, window: 1}. `wall`, for two pieces: how their walls should lie.
     """
 
-    type: Relation
+    type: RelationWord
     of: Words = ()
-    required: bool = False
+    required: Annotated[bool, Field(strict=True)] = False
     cost: Cost = 2.0
-    weight: Annotated[float, Field(ge=0, le=20)] = 0.3
-    distance: Annotated[float, Field(ge=0, le=100)] | None = None
-    gap: Interval | None = None
+    weight: Annotated[float, Field(strict=True, ge=0, le=20)] = 0.3
+    distance: Annotated[float, Field(strict=True, ge=0, le=100)] | None = None
+    gap: GapInterval | None = None
     sides: tuple[Side, ...] = ()
     align: Literal["back", "centre", "front", "any"] | None = None
     walls: dict[Literal["door", "window", "exterior", "plain", "short", "long"], Cost] = Field(default_factory=dict)
     wall: Literal["same", "opposite", "adjacent", "other"] | None = None
 
-    @model_validator(mode="after")
-    def _ordered(self) -> Rule:
-        if self.gap and self.gap[0] > self.gap[1]:
-            raise ValueError("a gap must be one number or [least, most]")
-        return self
-
 
 class Variant(Entry):
     """A size variant of a wanted piece: a kind of furniture, what settling for it costs, and the area it needs, m2."""
 
-    kind: str
+    kind: KindName
     cost: Cost = 0.0
     min_area: Annotated[float, Field(ge=0)] = 0.0
 
 
-class Piece(Entry):
+class PieceSpec(Entry):
     """A piece a room type holds. The order of pieces in the file is their importance.
 
     `piece` is its name inside the room type; `kinds` its size variants from wanted down to least (default: the kind of
     the same name). An optional piece is wanted only where the room has `min_area` m2, and then with probability
-    `chance`. `count` copies are wanted; with `per_area`, one for every so many m2, at least one and at most `count`.
+    `chance`. `count` copies are wanted; with `per_area` a seed draws between half and all of one for every so many m2, at
+    least one and at most `count`. A required piece is wanted in its whole count and takes no `min_area`, `chance` or `per_area`.
     `approach` are sides that must stay reachable besides the kind's own use: a desk's front, before its chair comes.
     `with_next`: an optional piece that is left out where the piece after it, which only stands with it, finds no place.
     `without`: the piece is wanted only in a home planned without rooms of these types: a bed where there is no bedroom.
@@ -113,16 +115,16 @@ class Piece(Entry):
     count: Annotated[int, Field(ge=1, le=24)] = 1
     per_area: Annotated[float, Field(gt=0)] | None = None
     min_area: Annotated[float, Field(ge=0)] = 0.0
-    chance: Annotated[float, Field(gt=0, le=1)] = 1.0
+    chance: Probability = 1.0
     skip_cost: Cost = 10.0
     approach: tuple[Side, ...] = ()
     with_next: bool = False
-    without: Words = ()
+    without: RoomTypeNames = ()
     among: str | None = None
-    rules: tuple[Rule, ...] = ()
+    rules: tuple[RelationSpec, ...] = ()
 
     @model_validator(mode="after")
-    def _certain(self) -> Piece:
+    def _certain(self) -> PieceSpec:
         if self.required and (self.min_area or self.chance < 1 or self.per_area):
             raise ValueError("a required piece takes no min_area, chance or per_area")
         return self
@@ -136,8 +138,8 @@ class Piece(Entry):
 class Area(Entry):
     """Floor area between wall lines, m2. `min` is by number of doors: one, two and more."""
 
-    min: tuple[Length, Length]
-    typical: Length
+    min: tuple[Metres, Metres]
+    typical: Metres
     max: Annotated[float, Field(gt=0, le=10000)]
 
     @model_validator(mode="after")
@@ -163,7 +165,7 @@ class Plan(Entry):
     swings_in: bool = True
     passage: bool = False
     """Between two rooms with `passage` an opening without a leaf is cut instead of a door."""
-    behind: tuple[str, ...] = ()
+    behind: tuple[Annotated[str, ROOM_TYPE], ...] = ()
     windows: bool = True
     garage_door: bool = False
 
@@ -190,23 +192,16 @@ class RoomType(Entry):
 
     outdoor: bool = False
     area: Area
-    short_side: Length = 2.4
+    short_side: Metres = 2.4
     aspect: Annotated[float, Field(ge=1, le=20)] = 2.0
-    flooring: str
+    flooring: FlooringName
     accent: Colour
     plan: Plan = Plan()
     home: Home | None = None
-    requires: tuple[dict[str, Annotated[int, Field(ge=1, le=12)]], ...] = ()
-    cover: tuple[Share, Share] | None = None
+    requires: tuple[dict[Annotated[str, PIECE_NAMES], Annotated[int, Field(ge=1, le=12)]], ...] = ()
+    cover: Annotated[tuple[Probability, Probability], ORDERED] | None = None
     run: Run | None = None
-    pieces: tuple[Piece, ...] = ()
-
-    @field_validator("cover")
-    @classmethod
-    def _ordered(cls, cover: tuple[float, float] | None) -> tuple[float, float] | None:
-        if cover and cover[0] > cover[1]:
-            raise ValueError("a cover must be [least, most]")
-        return cover
+    pieces: tuple[PieceSpec, ...] = ()
 
 
 class FlooringSpec(Entry):
@@ -221,13 +216,14 @@ class Catalogs(Entry):
     `shapes` are written out for every kind of furniture and decoration that has one.
     """
 
-    furniture: dict[str, Furniture]
+    furniture: dict[str, FurnitureSpec]
     floorings: dict[str, FlooringSpec]
     rooms: dict[str, RoomType]
     decorations: dict[str, DecorationKind] = Field(default_factory=dict)
     dressing: dict[str, Dressing] = Field(default_factory=dict)
     styles: dict[str, Style] = Field(default_factory=dict)
     presets: dict[str, Preset] = Field(default_factory=dict)
+    people: dict[str, Dweller] = Field(default_factory=dict)
     materials: dict[str, Material] = Field(default_factory=dict)
     shapes: dict[str, tuple[Solid, ...]] = Field(default_factory=dict)
     fingerprint: str
@@ -252,7 +248,11 @@ class Catalogs(Entry):
         entry = self.furniture.get(kind)
         return entry.name if entry and entry.name else kind
 
-    def kinds_by_name(self) -> dict[str, Furniture]:
+    def kinds_by_name(self) -> dict[str, FurnitureSpec]:
         """Returns the kinds by what scenes call them; a kind of that very name goes before size variants."""
         named = {self.name_of(kind): entry for kind, entry in reversed(self.furniture.items())}
         return named | {kind: entry for kind, entry in self.furniture.items() if self.name_of(kind) == kind}
+
+    def use_sides(self) -> dict[str, tuple[tuple[Side, ...], bool]]:
+        """Returns from which sides pieces are used, and whether all of them are needed, by what scenes call them."""
+        return {name: (kind.use.sides, kind.use.need == "all") for name, kind in self.kinds_by_name().items() if kind.use}

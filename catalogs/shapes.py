@@ -11,7 +11,7 @@ from typing import Annotated, Any, Final, Literal
 
 from pydantic import AfterValidator, Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
-from catalogs.entries import Colour, Entry
+from catalogs.entries import Colour, Entry, MaterialName, Share
 
 Form = Literal["box", "rounded", "cylinder", "cone", "ball", "capsule"]
 """A `rounded` is a box with soft edges; a `ball` fills its box as an ellipsoid."""
@@ -20,7 +20,6 @@ Texture = Literal["wood", "fabric", "metal", "tile", "concrete", "stone", "grass
 LONG: Final = ("cylinder", "cone", "capsule")
 """Forms that have an axis."""
 MOST_PARTS: Final = 16
-Share = Annotated[float, Field(ge=0, le=1)]
 Ratio = Annotated[float, Field(ge=0, le=10)]
 
 
@@ -36,11 +35,11 @@ def _within(end: float | str) -> float | str:
     return end
 
 
-Span = Annotated[tuple[Share, Share], AfterValidator(_ordered)]
+Ends = Annotated[tuple[Share, Share], AfterValidator(_ordered)]
 End = Annotated[float | str, AfterValidator(_within)]
 
 
-class Part(Entry):
+class ShapePart(Entry):
     """One part of a shape as a file writes it.
 
     An end of `y` may be the name of one of the kind's surfaces. `axis` is that of a cylinder, cone or capsule; `taper` the
@@ -49,16 +48,16 @@ class Part(Entry):
     """
 
     form: Form
-    x: Span = (0.0, 1.0)
+    x: Ends = (0.0, 1.0)
     y: Annotated[tuple[End, End], AfterValidator(_ordered)] = (0.0, 1.0)
-    z: Span = (0.0, 1.0)
+    z: Ends = (0.0, 1.0)
     axis: Axis = "y"
     taper: Annotated[float, Field(gt=0, le=10)] = 1.0
-    material: str = "body"
+    material: MaterialName = "body"
     mirror: Literal["x", "z", "xz"] | None = None
 
     @model_validator(mode="after")
-    def _sensible(self) -> Part:
+    def _sensible(self) -> ShapePart:
         if self.axis != "y" and self.form not in LONG:
             raise ValueError(f"a {self.form} has no axis")
         if self.taper != 1 and self.form != "cylinder":
@@ -68,7 +67,7 @@ class Part(Entry):
         return self
 
 
-Shape = Annotated[tuple[Part, ...], Field(min_length=1, max_length=MOST_PARTS)]
+ShapeParts = Annotated[tuple[ShapePart, ...], Field(min_length=1, max_length=MOST_PARTS)]
 
 
 class Solid(Entry):
@@ -109,7 +108,7 @@ class MaterialChange(Material):
         return {key: value for key, value in write(self).items() if key in self.model_fields_set}
 
 
-def solids(parts: tuple[Part, ...], surfaces: Mapping[str, float]) -> tuple[Solid, ...]:
+def solids(parts: tuple[ShapePart, ...], surfaces: Mapping[str, float]) -> tuple[Solid, ...]:
     """Writes a shape out for a kind.
 
     Args:
@@ -119,7 +118,7 @@ def solids(parts: tuple[Part, ...], surfaces: Mapping[str, float]) -> tuple[Soli
     return tuple(image for part in parts for image in _images(part, heights(part, surfaces)))
 
 
-def heights(part: Part, surfaces: Mapping[str, float]) -> tuple[float, float]:
+def heights(part: ShapePart, surfaces: Mapping[str, float]) -> tuple[float, float]:
     """Returns a part's lower and higher end as shares of its kind's height.
 
     Raises:
@@ -129,7 +128,7 @@ def heights(part: Part, surfaces: Mapping[str, float]) -> tuple[float, float]:
     return low, high
 
 
-def _images(part: Part, y: tuple[float, float]) -> list[Solid]:
+def _images(part: ShapePart, y: tuple[float, float]) -> list[Solid]:
     taper = 0.0 if part.form == "cone" else part.taper
     made = [Solid(form=part.form, x=part.x, y=y, z=part.z, axis=part.axis, taper=taper, material=part.material)]
     for axis in part.mirror or "":

@@ -6,13 +6,12 @@ from collections.abc import Iterator, Mapping
 from math import pi
 from typing import Final
 
-from catalogs.dressing import DecorationKind
-from catalogs.entries import Surface
+from catalogs.entries import KindSpec, Surface
 from catalogs.faults import Fault
-from catalogs.schema import Catalogs, Furniture
-from catalogs.shapes import MOST_PARTS, Part, Solid, heights, solids
+from catalogs.schema import Catalogs
+from catalogs.shapes import MOST_PARTS, ShapePart, Solid, heights, solids
 
-Shapes = Mapping[str, tuple[Part, ...]]
+Shapes = Mapping[str, tuple[ShapePart, ...]]
 LEVEL: Final = 0.01
 """A part's top is a surface if it lies within so much of it, m."""
 CARRYING: Final = 0.25
@@ -22,10 +21,10 @@ POSES: Final = ("seated", "upright")
 """A kind may have shapes of its own for these: `person_seated`, `book_upright` (tipped onto its lower edge)."""
 
 
-def shape_of(catalogs: Catalogs, kind: str, shapes: Shapes) -> str | None:
-    """Returns the name of a kind's shape: the one it names, else that of its own name, else that of what scenes call it."""
+def shape_of(catalogs: Catalogs, kind: str, shapes: Shapes) -> str:
+    """Returns the name of a kind's shape: the one it names, else that of its own name, else what scenes call it: there may be none."""
     entry = catalogs.furniture.get(kind) or catalogs.decorations[kind]
-    return entry.shape or next((name for name in (kind, catalogs.name_of(kind)) if name in shapes), None)
+    return entry.shape or (kind if kind in shapes else catalogs.name_of(kind))
 
 
 def shaped(catalogs: Catalogs, shapes: Shapes) -> dict[str, tuple[Solid, ...]]:
@@ -33,30 +32,23 @@ def shaped(catalogs: Catalogs, shapes: Shapes) -> dict[str, tuple[Solid, ...]]:
     made = {}
     for kind, entry in (catalogs.furniture | catalogs.decorations).items():
         name = shape_of(catalogs, kind, shapes)
-        if name is not None and name in shapes and not any(_fit_faults(name, shapes[name], kind, entry)):
+        if name in shapes and not any(_fit_faults(name, shapes[name], kind, entry)):
             made[kind] = solids(shapes[name], _levels(entry))
             made |= {f"{kind}_{pose}": solids(shapes[posed], {}) for pose in POSES if (posed := f"{name}_{pose}") in shapes}
     return made
 
 
 def shape_faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
-    """Yields everything about shapes and materials that does not fit together."""
-    slots = ", ".join(catalogs.materials)
+    """Yields everything about shapes that does not fit together."""
     for name, parts in shapes.items():
-        for i, part in enumerate(parts):
-            if part.material not in catalogs.materials:
-                yield Fault("shapes", (name, i, "material"), f"unknown material {part.material!r}", slots)
         yield from _pose_faults(name, parts)
-    for style, entry in catalogs.styles.items():
-        for slot in entry.materials:
-            if slot not in catalogs.materials:
-                yield Fault("styles", (style, "materials", slot), f"unknown material {slot!r}", slots)
-    for section, kinds in (("furniture", catalogs.furniture), ("decorations", catalogs.decorations)):
-        for kind in kinds:
-            yield from _kind_faults(catalogs, section, kind, shapes)
+    for kind, entry in (catalogs.furniture | catalogs.decorations).items():
+        shape = shape_of(catalogs, kind, shapes)
+        if shape in shapes:
+            yield from _fit_faults(shape, shapes[shape], kind, entry)
 
 
-def _pose_faults(name: str, parts: tuple[Part, ...]) -> Iterator[Fault]:
+def _pose_faults(name: str, parts: tuple[ShapePart, ...]) -> Iterator[Fault]:
     """Refuses names of surfaces in the shape of a pose: what sits, or is tipped, carries nothing."""
     if name.endswith(tuple(f"_{pose}" for pose in POSES)):
         for i, part in enumerate(parts):
@@ -64,17 +56,7 @@ def _pose_faults(name: str, parts: tuple[Part, ...]) -> Iterator[Fault]:
                 yield Fault("shapes", (name, i, "y"), "the shape of a pose has no surfaces", "numbers")
 
 
-def _kind_faults(catalogs: Catalogs, section: str, kind: str, shapes: Shapes) -> Iterator[Fault]:
-    entry = catalogs.furniture.get(kind) or catalogs.decorations[kind]
-    if entry.shape and entry.shape not in shapes:
-        yield Fault(section, (kind, "shape"), f"unknown shape {entry.shape!r}", "a name of shapes/")
-        return
-    name = shape_of(catalogs, kind, shapes)
-    if name is not None:
-        yield from _fit_faults(name, shapes[name], kind, entry)
-
-
-def _fit_faults(name: str, parts: tuple[Part, ...], kind: str, entry: Furniture | DecorationKind) -> Iterator[Fault]:
+def _fit_faults(name: str, parts: tuple[ShapePart, ...], kind: str, entry: KindSpec) -> Iterator[Fault]:
     """Checks that a shape is one for a kind; every fault is the shape's."""
     levels = _levels(entry)
     known = ", ".join(levels) or f"numbers: {kind!r} has no surfaces"
@@ -92,7 +74,7 @@ def _fit_faults(name: str, parts: tuple[Part, ...], kind: str, entry: Furniture 
         yield from _whole_faults(name, solids(parts, levels), kind, entry)
 
 
-def _whole_faults(name: str, made: tuple[Solid, ...], kind: str, entry: Furniture | DecorationKind) -> Iterator[Fault]:
+def _whole_faults(name: str, made: tuple[Solid, ...], kind: str, entry: KindSpec) -> Iterator[Fault]:
     if len(made) > MOST_PARTS:
         yield Fault("shapes", (name,), f"has {len(made)} parts with its mirror images", f"at most {MOST_PARTS}")
     for surface in entry.surfaces:
@@ -101,7 +83,7 @@ def _whole_faults(name: str, made: tuple[Solid, ...], kind: str, entry: Furnitur
             yield Fault("shapes", (name,), problem, f"a part with y: [..., {surface.name}]")
 
 
-def _levels(entry: Furniture | DecorationKind) -> dict[str, float]:
+def _levels(entry: KindSpec) -> dict[str, float]:
     return {surface.name: min(surface.height / entry.size[2], 1.0) for surface in entry.surfaces}
 
 

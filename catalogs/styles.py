@@ -6,21 +6,26 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from catalogs.entries import Colour, Entry, Words
+from catalogs.entries import Colour, Entry, FlooringName, MaterialName, Words
+from catalogs.references import Names
 from catalogs.shapes import MaterialChange
 
 Finish = Literal["plaster", "wallpaper", "wood", "brick", "concrete", "tile"]
 """What a wall is finished with."""
 
 
-class Floor(Entry):
+Decorations = Annotated[Words, Names("decoration or group", "a kind or group of decorations.yaml")]
+PAINTED = Names("kind or category", "a kind or category of furniture.yaml, a kind or group of decorations.yaml")
+
+
+class FloorFinish(Entry):
     """A floor as a style lays it: its colour, and another material of floorings.yaml where it takes one."""
 
-    type: str | None = None
+    type: FlooringName | None = None
     color: Colour
 
 
-class Wall(Entry):
+class WallPaint(Entry):
     """The finish of a room's walls and its colour."""
 
     type: Finish
@@ -30,8 +35,8 @@ class Wall(Entry):
 class Leaning(Entry):
     """Decorations a style likes to see and those it does without: their kinds or groups."""
 
-    favoured: Words = ()
-    avoided: Words = ()
+    favoured: Decorations = ()
+    avoided: Decorations = ()
 
 
 class Style(Entry):
@@ -43,11 +48,11 @@ class Style(Entry):
     changes what parts of shapes are made of, by slot.
     """
 
-    palette: dict[str, tuple[Colour, ...]]
-    floors: dict[str, Annotated[tuple[Floor, ...], Field(min_length=1)]] = Field(default_factory=dict)
-    walls: dict[str, Annotated[tuple[Wall, ...], Field(min_length=1)]] = Field(default_factory=dict)
+    palette: dict[Annotated[str, PAINTED], tuple[Colour, ...]]
+    floors: dict[FlooringName, Annotated[tuple[FloorFinish, ...], Field(min_length=1)]] = Field(default_factory=dict)
+    walls: dict[FlooringName, Annotated[tuple[WallPaint, ...], Field(min_length=1)]] = Field(default_factory=dict)
     decorations: Leaning = Leaning()
-    materials: dict[str, MaterialChange] = Field(default_factory=dict)
+    materials: dict[MaterialName, MaterialChange] = Field(default_factory=dict)
 
     def colours(self, *names: str) -> tuple[Colour, ...]:
         """Returns the palette of the first of some names that has one, such as kind, name and category; else none."""

@@ -1,111 +1,125 @@
-"""The HTTP service: every call in one page. Start reading here."""
+"""The HTTP service: every call in one page. Start reading here.
+
+The functions declare what a call takes and answers, and FastAPI describes it; `calls` does it, in a worker that reads the body.
+"""
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
-from http import HTTPStatus
-from typing import Final, cast
+from typing import Any, Final, Literal
 
-from fastapi import Request
-from fastapi.routing import APIRouter
+from fastapi import FastAPI, Request
+from fastapi.routing import APIRoute, APIRouter
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.responses import Response
 
 from catalogs import Catalogs, load_catalogs
-from service import calls, page, problems
-from service.describe import DescribedApp, described
+from service import calls, contract, page, problems
 from service.docs import docs
-from service.documents import Document
 from service.guard import Guard
+from service.openapi import completed, refusals
 from service.wire import body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, do_alone, packed, warm
 from service.workers import Workers
 from solver.exchange import FORMATS
-from solver.pipeline.generate import VERSION
+from solver.scene import Fixed, Generated, Scene
+from solver.scene import Request as HouseRequest
+from solver.version import VERSION
 
-router = APIRouter()
 DESCRIPTION: Final = "Lays out whole furnished homes and proves they work. JSON and YAML, in by Content-Type and out by Accept."
 
 
-@router.post("/generate", **described("Generate"))
-async def post_generate(request: Request) -> Response:
+class WorkerRoute(APIRoute):
+    """A call that a worker makes: it reads the body, so that FastAPI does not."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Returns what answers a request."""
+
+        async def answer(request: Request) -> Response:
+            format = request.path_params.get("format")
+            if format not in (None, *FORMATS):
+                raise HTTPException(404)
+            app: ComposeApp = request.app
+            job = Job(self.name, await body_of(request), format_sent(request), format or format_wanted(request), app.packed_catalogs)
+            done = await app.workers.run(do_alone, job)
+            if isinstance(done, Failure):
+                raise RuntimeError(f"/{self.name} failed in its worker:\n{done.trace}")
+            return done
+
+        return answer
+
+
+class PlainRoute(APIRoute):
+    """A call that takes no body and no time."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Returns what answers a request."""
+
+        async def answer(request: Request) -> Response:
+            app: ComposeApp = request.app
+            wanted = format_wanted(request)
+            return await run_in_threadpool(lambda: written(calls.QUESTIONS[self.name](app.catalogs), wanted))
+
+        return answer
+
+
+posts = APIRouter(route_class=WorkerRoute, responses=refusals(400, 405, 408, 413, 415, 422, 500, 503))
+gets = APIRouter(route_class=PlainRoute, responses=refusals(405, 500))
+
+
+@posts.post("/generate")
+def generate(body: HouseRequest | contract.RerollBody | None = None) -> Generated:  # type: ignore[empty-body]
     """Makes a furnished house, or furnishes some rooms of one anew."""
-    return await _called(request, "generate")
 
 
-@router.post("/fix", **described("Fix"))
-async def post_fix(request: Request) -> Response:
+@posts.post("/fix")
+def fix(body: contract.FixBody) -> Fixed:  # type: ignore[empty-body]
     """Repairs a scene by moving as little as possible."""
-    return await _called(request, "fix")
 
 
-@router.post("/place", **described("Place"))
-async def post_place(request: Request) -> Response:
+@posts.post("/place")
+def place(body: contract.PlaceBody) -> contract.PlaceAnswer:  # type: ignore[empty-body]
     """Places a list of pieces, with their relations, in a room of the caller's own."""
-    return await _called(request, "place")
 
 
-@router.post("/validate", **described("Validate"))
-async def post_validate(request: Request) -> Response:
+@posts.post("/validate")
+def validate(body: contract.ValidateBody) -> contract.ValidateAnswer:  # type: ignore[empty-body]
     """Lists which rules a scene breaks, and by how much."""
-    return await _called(request, "validate")
 
 
-@router.post("/view", **described("View"))
-async def post_view(request: Request) -> Response:
+@posts.post("/view")
+def view(body: contract.ViewBody) -> contract.Lines:  # type: ignore[empty-body]
     """Writes a scene as readable YAML, and which body each line is."""
-    return await _called(request, "view")
 
 
-@router.post("/floor", **described("Floor"))
-async def post_floor(request: Request) -> Response:
+@posts.post("/floor")
+def floor(body: contract.FloorBody) -> contract.FloorAnswer:  # type: ignore[empty-body]
     """Says where the floor of rooms is clear of walls, kept free for doors and windows, and free to come to."""
-    return await _called(request, "floor")
 
 
-@router.post("/export/{format}", **described("Export"))
-async def post_export(request: Request, format: str) -> Response:
+@posts.post("/export/{format}", responses=refusals(404))
+def export(format: Literal["json", "yaml"], body: contract.ExportBody | contract.SceneByItself) -> Scene:  # type: ignore[empty-body]
     """Writes a scene as a file, JSON or YAML; also reads one that is."""
-    if format not in FORMATS:
-        raise HTTPException(HTTPStatus.NOT_FOUND)
-    return await _called(request, "export", format)
 
 
-@router.get("/catalog", **described("Catalog"))
-async def get_catalog(request: Request) -> Response:
+@gets.get("/catalog")
+def catalog() -> Catalogs:  # type: ignore[empty-body]
     """Returns the furniture, decorations, room types, styles and presets the service knows."""
-    return await _asked(request, calls.catalog_document)
 
 
-@router.get("/schema", **described("Schema"))
-async def get_schema(request: Request) -> Response:
+@gets.get("/schema")
+def schema() -> dict[str, Any]:  # type: ignore[empty-body]
     """Returns the JSON Schema of a scene."""
-    return await _asked(request, calls.schema_document)
 
 
-@router.get("/healthz", **described("Health"))
-async def get_healthz(request: Request) -> Response:
+@gets.get("/healthz")
+def healthz() -> contract.Health:  # type: ignore[empty-body]
     """Answers at once while the service lives."""
-    return written({"status": "ok"}, format_wanted(request))
 
 
-async def _called(request: Request, call: str, format: str | None = None) -> Response:
-    sent, wanted, app = format_sent(request), format or format_wanted(request), cast(ComposeApp, request.app)
-    job = Job(call, await body_of(request), sent, wanted, app.packed_catalogs)
-    done = await app.workers.run(do_alone, job)
-    if isinstance(done, Failure):
-        raise RuntimeError(f"/{call} failed in its worker:\n{done.trace}")
-    return done
-
-
-async def _asked(request: Request, call: Callable[[Catalogs], Document]) -> Response:
-    wanted, app = format_wanted(request), cast(ComposeApp, request.app)
-    return await run_in_threadpool(lambda: written(call(app.catalogs), wanted))
-
-
-class ComposeApp(DescribedApp):
+class ComposeApp(FastAPI):
     """The application with what its calls share.
 
     Args:
@@ -120,6 +134,11 @@ class ComposeApp(DescribedApp):
         self.catalogs = catalogs
         self.packed_catalogs = packed(catalogs)
         self.workers = Workers()
+
+    def openapi(self) -> dict[str, Any]:
+        """Returns the OpenAPI document."""
+        self.openapi_schema = self.openapi_schema or completed(super().openapi(), self.catalogs)
+        return self.openapi_schema
 
 
 @asynccontextmanager
@@ -141,7 +160,8 @@ def create_app(catalogs: Catalogs | None = None) -> ComposeApp:
     for kind in problems.STATUS:
         app.add_exception_handler(kind, problems.of_error)
     app.add_exception_handler(HTTPException, problems.of_http)
-    app.include_router(router)
+    app.include_router(posts)
+    app.include_router(gets)
     app.add_route("/", page.index, include_in_schema=False)
     app.add_route("/docs", docs, include_in_schema=False)
     app.mount("/assets", page.Assets())

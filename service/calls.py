@@ -3,181 +3,173 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, replace
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from time import perf_counter
-from typing import Any, Final, TypeAlias
+from typing import Final, TypeAlias
 
 from catalogs import Catalogs
-from service.documents import Document
-from service.placing import read_place
-from service.refusals import BodyError
+from service.contract import (
+    ExportBody,
+    FixBody,
+    FloorAnswer,
+    FloorBody,
+    Health,
+    Lines,
+    PlaceAnswer,
+    PlaceBody,
+    RerollBody,
+    ValidateAnswer,
+    ValidateBody,
+    ViewBody,
+)
 from solver import fix, generate, place, reroll, validate
-from solver.errors import SceneError
-from solver.exchange import read_poses, read_request, read_scene, scene_schema, write_scene
-from solver.requested import Placement
-from solver.scene import MAX_SEED, Generated, Scene, body_ids, check_ids
-from solver.validate import floors, metrics
+from solver.errors import FieldError
+from solver.exchange import read, read_request, scene_schema, write, write_scene
+from solver.plain import Document
+from solver.requested import PieceRequest
+from solver.scene import MAX_SEED, body_ids, check_ids
+from solver.validator import floors, metrics
 from solver.view import report, view
 
 Call: TypeAlias = Callable[[object, Catalogs], Document]
-
-ON_CONFLICT: Final = ("report", "remove")
-OF_ANSWERS: Final = frozenset({"issues", "timing_ms", "moves", "removed", "conflicts"})
-"""What answers that hold a scene say beside it."""
 
 
 def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
     """Makes a house, or furnishes some rooms of one anew.
 
     Args:
-        document: a request; or `scene`, `reroll` (ids of its rooms) and, if wanted, `seed`.
+        document: a `Request`, or a `RerollBody`.
         catalogs: the data to furnish from.
         engine: the engine of the final QP.
 
     Raises:
         FieldError: a field is wrong.
     """
-    body = _body(document)
-    if "scene" in body or "reroll" in body:
-        made = _rerolled(body, catalogs)
-    else:
-        request = read_request(body)
-        seeded = request if request.seed is not None else replace(request, seed=draw_seed())
-        made = generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter)
-    return {"scene": write_scene(made.scene), "issues": _listed(made.issues), "timing_ms": dict(made.timing_ms)}
+    if isinstance(document, Mapping) and not {"scene", "reroll"}.isdisjoint(document):
+        body = read(RerollBody, document)
+        rooms, seed = tuple(dict.fromkeys(body.reroll)), draw_seed() if body.seed is None else body.seed
+        return write(reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter))
+    request = read_request(document, "body")
+    seeded = request if request.seed is not None else replace(request, seed=draw_seed())
+    return write(generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter))
 
 
 def fix_scene(document: object, catalogs: Catalogs) -> Document:
     """Repairs a scene with least movement.
 
     Args:
-        document: `scene`, and if wanted `locked`, `moved` (ids of bodies), `on_conflict` (report or remove) and `previous`
-            (poses of the last answer, while something is dragged).
+        document: a `FixBody`.
         catalogs: what the pieces' kinds are.
 
     Raises:
         FieldError: a field is wrong.
     """
-    body = _body(document, ("scene", "locked", "moved", "on_conflict", "previous"))
-    scene = _scene(body)
-    locked, moved = _ids(body, "locked"), _ids(body, "moved")
-    on_conflict = body.get("on_conflict", ON_CONFLICT[0])
-    if on_conflict not in ON_CONFLICT:
-        raise BodyError("on_conflict", f"is {on_conflict!r}", " or ".join(ON_CONFLICT))
-    previous = read_poses(body.get("previous", []))
+    body = read(FixBody, document)
     fixed = fix(
-        scene, locked=locked, moved=moved, on_conflict=on_conflict, previous=previous, catalogs=catalogs, clock=perf_counter
+        body.scene, locked=tuple(dict.fromkeys(body.locked)), moved=tuple(dict.fromkeys(body.moved)), on_conflict=body.on_conflict,
+        previous=body.previous, catalogs=catalogs, clock=perf_counter,
     )  # fmt: skip
-    return {
-        "scene": write_scene(fixed.scene),
-        "moves": _listed(fixed.moves),
-        "removed": [dict(entry) for entry in fixed.removed],
-        "conflicts": _listed(fixed.conflicts),
-        "issues": _listed(fixed.issues),
-        "timing_ms": dict(fixed.timing_ms),
-    }
+    return write(fixed)
 
 
 def place_pieces(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
     """Places a list of pieces in a room.
 
     Args:
-        document: `room`, `pieces`, and if wanted `alternatives`, `wall_thickness`, `robot_width`.
+        document: a `PlaceBody`.
         catalogs: what pieces are whose sizes are not given.
         engine: the engine of the final QP.
 
     Raises:
         FieldError: a field is wrong.
     """
-    room, wishes, terms = read_place(_body(document))
+    body = read_place(document)
     answer = place(
-        room, wishes, alternatives=terms.alternatives, wall_thickness=terms.wall_thickness, robot_width=terms.robot_width,
+        body.room, body.pieces, alternatives=body.alternatives, wall_thickness=body.wall_thickness, robot_width=body.robot_width,
         catalogs=catalogs, engine=engine, clock=perf_counter,
     )  # fmt: skip
-    others = [{**_placed(other), "issues": _listed(other.issues), "cost": other.cost} for other in answer.alternatives]
-    return {
-        **_placed(answer.best),
-        "alternatives": others,
-        "conflicts": _listed(answer.conflicts),
-        "issues": _listed(answer.best.issues),
-        "timing_ms": dict(answer.timing_ms),
-    }
+    best = answer.best
+    return write(
+        PlaceAnswer(
+            best.scene, best.relations, best.unplaced, answer.alternatives, answer.conflicts, best.issues, answer.timing_ms
+        )
+    )  # fmt: skip
 
 
-def _placed(placement: Placement) -> Document:
-    return {
-        "scene": write_scene(placement.scene),
-        "relations": _listed(placement.relations),
-        "unplaced": _listed(placement.unplaced),
-    }
+def read_place(document: object) -> PlaceBody:
+    """Reads the body of /place; a piece without an id is called by its name, and the other way round.
+
+    Raises:
+        FieldError: a field is wrong.
+    """
+    body = read(PlaceBody, document)
+    return replace(body, pieces=tuple(_named(index, wish) for index, wish in enumerate(body.pieces)))
+
+
+def _named(index: int, wish: PieceRequest) -> PieceRequest:
+    if not wish.id and not wish.name:
+        raise FieldError(f"pieces[{index}].id", "is missing, and so is the name", "an id, or a name")
+    return replace(wish, id=wish.id or wish.name, name=wish.name or wish.id)
 
 
 def validate_scene(document: object, catalogs: Catalogs) -> Document:
     """Lists what breaks the rules in a scene, and measures it.
 
     Args:
-        document: `scene`; and if a report is wanted, `flagged` (ids of bodies a person finds problematic) or `report: true`.
+        document: a `ValidateBody`.
         catalogs: which sides of a piece are used, and what rooms require.
 
     Raises:
         FieldError: a field is wrong.
     """
-    body = _body(document, ("scene", "flagged", "report"))
-    scene, flagged, wanted = _scene(body), _ids(body, "flagged"), body.get("report", "flagged" in body)
-    if not isinstance(wanted, bool):
-        raise BodyError("report", f"is {_word(wanted)}", "true or false")
+    body = read(ValidateBody, document)
+    scene, flagged = body.scene, tuple(dict.fromkeys(body.flagged or ()))
     check_ids("flagged", flagged, body_ids(scene))
     issues = validate(scene, catalogs)
-    answer: Document = {"issues": _listed(issues), "metrics": metrics(scene, catalogs)}
-    return {**answer, "report": _lined(*report(scene, issues, flagged))} if wanted else answer
+    is_wanted = body.flagged is not None if body.report is None else body.report
+    words = Lines(*report(scene, issues, flagged)) if is_wanted else None
+    return write(ValidateAnswer(tuple(issues), metrics(scene, catalogs), words))
 
 
 def view_scene(document: object, _: Catalogs | None = None) -> Document:
     """Writes a scene for a person to read.
 
     Args:
-        document: `scene`.
+        document: a `ViewBody`.
 
     Raises:
         FieldError: a field is wrong.
     """
-    return _lined(*view(_scene(_body(document, ("scene",)))))
+    return write(Lines(*view(read(ViewBody, document).scene)))
 
 
 def floor_of(document: object, _: Catalogs | None = None) -> Document:
     """Says where the floor of rooms is clear, kept free, and free to come to.
 
     Args:
-        document: `scene`, and if wanted `rooms` (ids of its rooms; all of them by default).
+        document: a `FloorBody`.
 
     Raises:
         FieldError: a field is wrong.
     """
-    body = _body(document, ("scene", "rooms"))
-    scene, rooms = _scene(body), _ids(body, "rooms")
-    check_ids("rooms", rooms, [room.id for room in scene.rooms])
-    return {"rooms": floors(scene, rooms)}
-
-
-def _lined(text: str, lines: Sequence[str | None]) -> Document:
-    return {"text": text, "lines": list(lines)}
+    body = read(FloorBody, document)
+    check_ids("rooms", body.rooms, [room.id for room in body.scene.rooms])
+    return write(FloorAnswer(tuple(floors(body.scene, body.rooms))))
 
 
 def export_scene(document: object, _: Catalogs | None = None) -> Document:
     """Returns a scene as a document of its own, every default written out: what a file of it holds.
 
     Args:
-        document: `scene`; or a scene by itself, as such a file holds it; or an answer of /generate or /fix.
+        document: an `ExportBody`; or a scene by itself, as such a file holds it.
 
     Raises:
         FieldError: a field is wrong.
     """
-    body = _body(document)
-    if "scene" not in body and "rooms" in body:
-        return write_scene(_scene({"scene": body}))
-    _only({key: value for key, value in body.items() if key not in OF_ANSWERS}, ("scene",))
-    return write_scene(_scene(body))
+    if isinstance(document, Mapping) and "scene" not in document and "rooms" in document:
+        document = {"scene": document}
+    return write_scene(read(ExportBody, document).scene)
 
 
 def catalog_document(catalogs: Catalogs) -> Document:
@@ -194,66 +186,15 @@ CALLS: Final[Mapping[str, Call]] = {
     "generate": generate_house, "fix": fix_scene, "place": place_pieces, "validate": validate_scene, "view": view_scene,
     "export": export_scene, "floor": floor_of,
 }  # fmt: skip
-"""The calls that take a body, by the last word of their path."""
+"""The calls that take a body, by the names of their routes."""
+MAY_BE_EMPTY: Final = frozenset({"generate"})
+"""Those whose body may be left out: it asks for all defaults then."""
+QUESTIONS: Final[Mapping[str, Callable[[Catalogs], Document]]] = {
+    "catalog": catalog_document, "schema": schema_document, "healthz": lambda _: write(Health()),
+}  # fmt: skip
+"""Those that take none."""
 
 
 def draw_seed() -> int:
     """Draws a seed for a request that has none."""
     return secrets.randbelow(MAX_SEED + 1)
-
-
-def has_errors(issues: Sequence[Mapping[str, Any]]) -> bool:
-    """Tells whether any issue of an answer is an error, so that the scene is not clean."""
-    return any(issue["severity"] == "error" for issue in issues)
-
-
-def _rerolled(body: Document, catalogs: Catalogs) -> Generated:
-    _only(body, ("scene", "reroll", "seed"))
-    scene = _scene(body)
-    if not body.get("reroll"):
-        raise BodyError("reroll", "is missing or empty", "ids of the rooms to furnish anew")
-    seed = read_request({"seed": body.get("seed")}).seed
-    return reroll(scene, _ids(body, "reroll"), seed=draw_seed() if seed is None else seed, catalogs=catalogs, clock=perf_counter)
-
-
-def _listed(records: Sequence[Any]) -> list[Document]:
-    return [asdict(record) for record in records]
-
-
-def _body(document: object, keys: Sequence[str] = ()) -> Document:
-    if not isinstance(document, dict):
-        raise BodyError("body", f"is {_word(document)}", "an object")
-    if keys:
-        _only(document, keys)
-    return document
-
-
-def _only(body: Document, keys: Sequence[str]) -> None:
-    for key in body:
-        if key not in keys:
-            raise BodyError(str(key), "is not a key of this call", ", ".join(keys))
-
-
-def _scene(body: Document) -> Scene:
-    if "scene" not in body:
-        raise BodyError("scene", "is missing", "a scene, as GET /schema describes it")
-    try:
-        return read_scene(body["scene"])
-    except SceneError as error:
-        field = "scene" if error.field in ("", "scene") else f"scene.{error.field}"
-        raise SceneError(field, error.problem, error.allowed) from None
-
-
-def _ids(body: Document, key: str) -> tuple[str, ...]:
-    given = body.get(key, [])
-    if not isinstance(given, list):
-        raise BodyError(key, f"is {_word(given)}", "a list of ids")
-    for index, name in enumerate(given):
-        if not isinstance(name, str):
-            raise BodyError(f"{key}[{index}]", f"is {_word(name)}", "an id, a text")
-    return tuple(dict.fromkeys(given))
-
-
-def _word(value: object) -> str:
-    names = {bool: "true or false", int: "a number", float: "a number", str: "a text", list: "a list", dict: "an object"}
-    return "null" if value is None else names.get(type(value), type(value).__name__)

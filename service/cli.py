@@ -1,11 +1,11 @@
-"""The command line. Reads arguments only; `commands` does the work, and is not imported before there is any."""
+"""The command line: what there is to say, and no more; `commands` does the work and is not imported before there is any."""
 
 from __future__ import annotations
 
 import os
-from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, Namespace, _SubParsersAction
-from collections.abc import Sequence
-from importlib import import_module
+from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _SubParsersAction
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Final, TypeAlias
 
 Commands: TypeAlias = "_SubParsersAction[ArgumentParser]"
@@ -13,33 +13,17 @@ Commands: TypeAlias = "_SubParsersAction[ArgumentParser]"
 THREADED: Final = ("OMP", "OPENBLAS", "MKL", "NUMEXPR")
 """Libraries below numpy whose threads would only cost on small matrices, and whose sums must not depend on the machine."""
 STATUSES: Final = "Exit status: 0 clean, 1 errors found in the scene, 2 bad use."
-NUMBERS: Final = {
-    "seed": (int, "0 ... 2^53-1; drawn when there is none"),
-    "width": (float, "of the house, m (20, or what the programme needs)"),
-    "depth": (float, "of the house, m (15, or what the programme needs)"),
-    "area": (float, "of the house's floor, m2: a home is planned for it"),
-    "min_room_size": (float, "shortest side of a room, m (3)"),
-    "max_depth": (int, "how often the plan is split (5)"),
-    "robot_width": (float, "of what must be able to walk everywhere, m (0.6)"),
-}
-SWITCHES: Final = {
-    "use_spine": "a hallway through the house (on)",
-    "outdoor": "turn rooms at the outside into a backyard and a patio (off)",
-    "decorate": "decorate surfaces, walls and floors (off)",
-}
-
-WORDS: Final = ("program", "style")
-"""The options of a request that are words."""
 
 
-def _forced(text: str) -> tuple[str, str]:
+def forced(text: str) -> tuple[str, str]:
+    """Reads a room's number and the type it shall have, such as 3=kitchen."""
     index, equals, room_type = text.partition("=")
     if not (index.isdecimal() and equals and room_type):
         raise ArgumentTypeError(f"{text!r} is not INDEX=TYPE, such as 3=kitchen")
     return index, room_type
 
 
-def _program(text: str) -> str | dict[str, int]:
+def program(text: str) -> str | dict[str, int]:
     """Reads a preset's name, or counts such as bedrooms=3,bathrooms=2."""
     if "=" not in text:
         return text
@@ -52,32 +36,35 @@ def _program(text: str) -> str | dict[str, int]:
     return counts
 
 
-def _port(text: str) -> int:
-    if not text.isdecimal() or int(text) > 65535:
-        raise ArgumentTypeError(f"{text!r} is not a port (0 ... 65535)")
-    return int(text)
+def _whole(least: int, most: int) -> Callable[[str], int]:
+    """Returns what reads a whole number from `least` to `most`."""
+
+    def read(text: str) -> int:
+        if not text.isdecimal() or not least <= int(text) <= most:
+            raise ArgumentTypeError(f"{text!r} is not a whole number from {least} to {most}")
+        return int(text)
+
+    return read
 
 
-def _count(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise ArgumentTypeError(f"{text!r} is not a number (1 or more)")
-    return int(text)
+_COUNT: Final = _whole(1, 10**9)
 
 
 def _command(commands: Commands, name: str, words: str) -> ArgumentParser:
     return commands.add_parser(name, help=words, description=words, epilog=STATUSES, allow_abbrev=False)
 
 
-def _add_output(command: ArgumentParser, what: str) -> None:
+def _add_output(command: ArgumentParser, what: str, formats: tuple[str, ...] = ("yaml", "json")) -> None:
     command.add_argument("-o", "--output", metavar="FILE", default="-", help=f"where to write {what} (standard output)")
-
-
-def _add_format(command: ArgumentParser) -> None:
-    command.add_argument("--format", choices=("yaml", "json"), help="of what is written (by the output's name, else yaml)")
+    command.add_argument("--format", choices=formats, help=f"of what is written (by the output's name, else {formats[0]})")
 
 
 def _add_catalog(command: ArgumentParser) -> None:
     command.add_argument("--catalog", metavar="DIR", help="a folder of your own catalog files, laid over ours (catalogs/example)")
+
+
+def _add_engine(command: ArgumentParser) -> None:
+    command.add_argument("--engine", choices=("osqp", "reference"), default="osqp", help="of the final QP (osqp)")
 
 
 def _add_scene(command: ArgumentParser) -> None:
@@ -85,100 +72,103 @@ def _add_scene(command: ArgumentParser) -> None:
 
 
 def _add_request(command: ArgumentParser) -> None:
-    """Adds the request file and an option for each of its fields."""
-    command.add_argument("request", nargs="?", metavar="REQUEST", help="a request, YAML or JSON; - for standard input")
-    for name, (kind, words) in NUMBERS.items():
-        command.add_argument(f"--{name.replace('_', '-')}", dest=name, type=kind, metavar="N", help=words)
-    for name, words in SWITCHES.items():
-        command.add_argument(f"--{name.replace('_', '-')}", dest=name, action=BooleanOptionalAction, default=None, help=words)
-    command.add_argument(
-        "--program", type=_program, metavar="PRESET|WORD=N,...", help="the rooms of a home: family; bedrooms=3,bathrooms=2"
-    )
-    command.add_argument("--style", metavar="NAME", help="the style of the house")
-    command.add_argument("--force-type", dest="force_types", action="append", type=_forced, metavar="INDEX=TYPE", help="a room's type")
+    """Adds the request file and an option for each field of `Request`, under the field's name."""
+    add = command.add_argument
+    add("request", nargs="?", metavar="REQUEST", help="a request, YAML or JSON; - for standard input")
+    add("--seed", type=int, metavar="N", help="0 ... 2^53-1; drawn when there is none")
+    add("--program", type=program, metavar="PRESET|WORD=N,...", help="the rooms of a home: family; bedrooms=3,bathrooms=2")
+    add("--area", type=float, metavar="N", help="of the house's floor, m2: a home is planned for it")
+    add("--width", type=float, metavar="N", help="of the house, m (20, or what the programme needs)")
+    add("--depth", type=float, metavar="N", help="of the house, m (15, or what the programme needs)")
+    add("--style", metavar="NAME", help="the style of the house")
+    add("--min-room-size", type=float, metavar="N", help="shortest side of a room, m (3)")
+    add("--max-depth", type=int, metavar="N", help="how often the plan is split (5)")
+    add("--robot-width", type=float, metavar="N", help="of what must be able to walk everywhere, m (0.6)")
+    add("--force-type", dest="force_types", action="append", type=forced, metavar="INDEX=TYPE", help="a room's type")
+    switch = partial(add, action=BooleanOptionalAction)
+    switch("--use-spine", help="a hallway through the house (on)")
+    switch("--outdoor", help="turn rooms at the outside into a backyard and a patio (off)")
+    switch("--decorate", help="decorate surfaces, walls and floors (off)")
 
 
 def _add_generate(commands: Commands) -> None:
     command = _command(commands, "generate", "Make a furnished house; options win over the request file.")
     _add_request(command)
-    command.add_argument("--engine", choices=("osqp", "reference"), default="osqp", help="of the final QP (osqp)")
-    command.add_argument("-n", "--count", type=_count, metavar="N", help="make N houses of successive seeds into the folder -o")
+    command.add_argument("-n", "--count", type=_COUNT, metavar="N", help="make N houses of successive seeds into the folder -o")
+    _add_engine(command)
     _add_output(command, "the scene")
-    _add_format(command)
-    _add_catalog(command)
-
-
-def _add_stats(commands: Commands) -> None:
-    words = "Make many houses and say what they are like; --seed is the first one's (0), and they are decorated if nothing else is said."
-    command = _command(commands, "stats", words)
-    _add_request(command)
-    command.add_argument("-n", "--count", type=_count, default=100, metavar="N", help="how many houses (100)")
-    command.add_argument("--presets", action="store_true", help="as many of each preset, side by side")
-    command.add_argument("--workers", type=_count, default=os.cpu_count() or 1, metavar="N", help="processes (one a core)")
-    _add_output(command, "it")
-    command.add_argument("--format", choices=("table", "yaml", "json"), help="of what is written (by the output's name, else table)")
     _add_catalog(command)
 
 
 def _add_fix(commands: Commands) -> None:
     command = _command(commands, "fix", "Repair a scene by moving as little as possible.")
     _add_scene(command)
-    command.add_argument("--lock", action="append", default=[], metavar="ID", help="a body that stays where it is; may be repeated")
+    command.add_argument(
+        "--lock", dest="locked", action="append", default=[], metavar="ID", help="a body that stays where it is; may be repeated"
+    )
     command.add_argument("--moved", action="append", default=[], metavar="ID", help="a body that was just moved; may be repeated")
     command.add_argument("--on-conflict", choices=("report", "remove"), default="report", help="what becomes of what cannot stand")
     _add_output(command, "the scene")
-    _add_format(command)
     _add_catalog(command)
 
 
 def _add_place(commands: Commands) -> None:
     command = _command(commands, "place", "Place a list of pieces in a room; writes the placement with its relations and reasons.")
     command.add_argument("request", nargs="?", default="-", metavar="REQUEST", help="room and pieces, YAML or JSON (standard input)")
-    command.add_argument("-n", "--alternatives", type=_count, metavar="N", help="find up to N truly different placements")
-    command.add_argument("--engine", choices=("osqp", "reference"), default="osqp", help="of the final QP (osqp)")
+    command.add_argument("-n", "--alternatives", type=_COUNT, metavar="N", help="find up to N truly different placements")
+    _add_engine(command)
     _add_output(command, "the answer")
-    _add_format(command)
     _add_catalog(command)
 
 
 def _add_readers(commands: Commands) -> None:
     validate = _command(commands, "validate", "List which rules a scene breaks.")
-    view = _command(commands, "view", "Write a scene for a person to read.")
-    for command, what in ((validate, "issues and metrics"), (view, "the text")):
-        _add_scene(command)
-        _add_output(command, what)
+    _add_scene(validate)
     validate.add_argument("--report", action="store_true", help="write all there is in words, what is wrong marked >>")
-    validate.add_argument("--flag", action="append", default=[], metavar="ID", help="a body to mark PROBLEMATIC in the report")
-    _add_format(validate)
+    validate.add_argument(
+        "--flag", dest="flagged", action="append", default=[], metavar="ID", help="a body to mark PROBLEMATIC in the report"
+    )
+    _add_output(validate, "issues and metrics")
     _add_catalog(validate)
+    view = _command(commands, "view", "Write a scene for a person to read.")
+    _add_scene(view)
+    view.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write the text (standard output)")
     export = _command(commands, "export", "Write a scene as a file of its own, every default written out.")
     _add_scene(export)
     _add_output(export, "the scene")
-    _add_format(export)
-
-
-def _add_tellers(commands: Commands) -> None:
-    catalog = _command(commands, "catalog", "Write all furniture, decorations, room types, styles and presets there are.")
-    schema = _command(commands, "schema", "Write the JSON Schema of a scene.")
-    for command in (catalog, schema):
-        _add_output(command, "it")
-        _add_format(command)
-    _add_catalog(catalog)
 
 
 def _add_serve(commands: Commands) -> None:
     command = _command(commands, "serve", "Answer over HTTP, with the page at /.")
     command.add_argument("--host", default="127.0.0.1", help="address to listen at (127.0.0.1)")
-    command.add_argument("--port", type=_port, default=8000, help="port to listen at; 0 for any free one (8000)")
+    command.add_argument("--port", type=_whole(0, 65535), default=8000, help="port to listen at; 0 for any free one (8000)")
+    _add_catalog(command)
+
+
+def _add_tellers(commands: Commands) -> None:
+    catalog = _command(commands, "catalog", "Write all furniture, decorations, room types, styles and presets there are.")
+    _add_output(catalog, "it")
+    _add_catalog(catalog)
+    _add_output(_command(commands, "schema", "Write the JSON Schema of a scene."), "it")
+
+
+def _add_stats(commands: Commands) -> None:
+    words = "Make many houses and say what they are like; --seed is the first one's (0), and they are decorated if nothing else is said."
+    command = _command(commands, "stats", words)
+    _add_request(command)
+    command.add_argument("-n", "--count", type=_COUNT, default=100, metavar="N", help="how many houses (100)")
+    command.add_argument("--presets", action="store_true", help="as many of each preset, side by side")
+    command.add_argument("--workers", type=_COUNT, default=os.cpu_count() or 1, metavar="N", help="processes (one a core)")
+    _add_output(command, "it", ("table", "yaml", "json"))
     _add_catalog(command)
 
 
 def parser() -> ArgumentParser:
-    """Returns the parser of the whole command line."""
+    """Returns the parser of the whole command line, the commands in the order of their use: what takes long comes last."""
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_serve, _add_generate, _add_stats, _add_fix, _add_place, _add_readers, _add_tellers):
+    for add in (_add_generate, _add_fix, _add_place, _add_readers, _add_serve, _add_tellers, _add_stats):
         add(commands)
     return whole
 
@@ -192,8 +182,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns:
         The exit status: 0 clean, 1 errors found, 2 bad use.
     """
-    options: Namespace = parser().parse_args(arguments)
+    options = parser().parse_args(arguments)
     for library in THREADED:
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
-    status: int = import_module("service.commands").run(options)
-    return status
+    from service.commands import run  # --help needs none of it
+
+    return run(options)

@@ -1,4 +1,7 @@
-"""What each command does. Nothing but the document goes to standard output; words for a person go to standard error."""
+"""What each command does. Nothing but the document goes to standard output; words for a person go to standard error.
+
+A command imports what it needs when it runs: `compose schema` starts without the solver.
+"""
 
 from __future__ import annotations
 
@@ -6,20 +9,17 @@ import os
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Mapping
-from importlib import import_module
+from dataclasses import fields
 from pathlib import Path
-from typing import Any, Final, TypeVar
+from typing import TYPE_CHECKING, Any, Final, TypeVar
 
-from tqdm import tqdm
-
-from catalogs import CatalogError, Catalogs, load_catalogs
-from service import calls, survey
-from service.cli import NUMBERS, SWITCHES, WORDS
-from service.documents import Document, format_of_content, format_of_name, parse
-from service.tables import report
 from solver.errors import ComposeError, FieldError, SyntaxFault
-from solver.exchange import dump_text, read_request
-from solver.scene import MAX_SEED
+from solver.exchange import dump_text, format_of_content, format_of_name, load_text, read_request, scene_schema
+from solver.plain import Document
+from solver.scene import MAX_SEED, Request
+
+if TYPE_CHECKING:
+    from catalogs import Catalogs
 
 T = TypeVar("T")
 
@@ -37,7 +37,7 @@ def run(options: Namespace) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return BAD_USE
-    except (ComposeError, CatalogError, OSError) as error:
+    except (ComposeError, OSError) as error:
         _say(f"compose: {error}")
         return BAD_USE
 
@@ -52,17 +52,23 @@ def _generate(options: Namespace) -> int:
 
 
 def _made(options: Namespace, request: Mapping[str, Any], catalogs: Catalogs) -> Document:
+    from service import calls
+
     return _checked(options.request, lambda: calls.generate_house(request, catalogs, options.engine))
 
 
 def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Catalogs) -> int:
     """Makes a set of houses into a folder, one file a seed."""
+    from tqdm import tqdm
+
+    from service.calls import draw_seed
+
     folder = Path(options.output)
     if options.output == STREAM or folder.is_file():
         raise FieldError("--output", f"{options.output} holds one document", "with --count, a folder")
     folder.mkdir(parents=True, exist_ok=True)
     given = read_request({"seed": request.get("seed")}).seed
-    start = calls.draw_seed() if given is None else given
+    start = draw_seed() if given is None else given
     status, format = CLEAN, options.format or "yaml"
     for number in tqdm(range(options.count), unit="house", disable=None):
         seed = (start + number) % (MAX_SEED + 1)
@@ -74,20 +80,29 @@ def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Cat
 
 def _stats(options: Namespace) -> int:
     """Makes many houses, of one request or of every preset, and writes what they are like."""
+    from service.survey import survey
+    from service.tables import report
+
     catalogs, request = _catalogs(options), {"decorate": True, **_request(options)}
     if options.presets and ("program" in request or not catalogs.presets):
         raise FieldError("--presets", "asks for every preset there is", "without --program, and with presets in the catalog")
     requests = [{**request, "program": name} for name in catalogs.presets] if options.presets else [request]
-    found = _checked(options.request, lambda: survey.statistics(requests, options.count, options.workers, catalogs))
+    found = _checked(options.request, lambda: survey(requests, options.count, options.workers, catalogs))
     format = options.format or format_of_name(options.output) or "table"
     _put(report(found).encode() if format == "table" else dump_text(found, format), options.output)
-    broken = any(entry["severity"] == "error" for one in found["sets"] for entry in one["issues"])
-    return ERRORS_FOUND if broken else CLEAN
+    return max(_exit_status(one["issues"]) for one in found["sets"])
+
+
+def _answer(options: Namespace, **more: object) -> Document:
+    """Makes the service's call of the command's name on its scene; what is wrong with that is said with its file's name."""
+    from service.calls import CALLS
+
+    body = {"scene": _scene(options), **more}
+    return _checked(options.scene, lambda: CALLS[options.command](body, _catalogs(options)))
 
 
 def _fix(options: Namespace) -> int:
-    body = {"scene": _scene(options), "locked": options.lock, "moved": options.moved, "on_conflict": options.on_conflict}
-    answer = _checked(options.scene, lambda: calls.fix_scene(body, _catalogs(options)))
+    answer = _answer(options, locked=options.locked, moved=options.moved, on_conflict=options.on_conflict)
     _write(answer["scene"], options)
     _say(f"{len(answer['moves'])} moved, {len(answer['removed'])} removed, {len(answer['conflicts'])} in conflict")
     for entry in answer["removed"]:
@@ -97,6 +112,8 @@ def _fix(options: Namespace) -> int:
 
 
 def _place(options: Namespace) -> int:
+    from service import calls
+
     given = _read(options.request)
     more = {} if options.alternatives is None else {"alternatives": options.alternatives}
     body = {**given, **more} if isinstance(given, dict) else given
@@ -110,16 +127,8 @@ def _place(options: Namespace) -> int:
     return max(_judged(answer), _contested(answer))
 
 
-def _contested(answer: Mapping[str, Any]) -> int:
-    """Says what cannot stand together and returns the exit status."""
-    for conflict in answer["conflicts"]:
-        _say(f"conflict {', '.join(conflict['ids'])}: {conflict['message']}")
-    return ERRORS_FOUND if answer["conflicts"] else CLEAN
-
-
 def _validate(options: Namespace) -> int:
-    body = {"scene": _scene(options), "flagged": options.flag, "report": options.report}
-    answer = _checked(options.scene, lambda: calls.validate_scene(body, _catalogs(options)))
+    answer = _answer(options, flagged=options.flagged, report=options.report)
     if options.report:
         _put(answer["report"]["text"].encode(), options.output)
     else:
@@ -128,45 +137,36 @@ def _validate(options: Namespace) -> int:
 
 
 def _view(options: Namespace) -> int:
-    body = {"scene": _scene(options)}
-    answer = _checked(options.scene, lambda: calls.view_scene(body))
-    _put(answer["text"].encode(), options.output)
+    _put(_answer(options)["text"].encode(), options.output)
     return CLEAN
 
 
 def _export(options: Namespace) -> int:
-    body = {"scene": _scene(options)}
-    _write(_checked(options.scene, lambda: calls.export_scene(body)), options)
+    _write(_answer(options), options)
     return CLEAN
 
 
 def _catalog(options: Namespace) -> int:
-    _write(calls.catalog_document(_catalogs(options)), options)
+    _write(_catalogs(options).model_dump(mode="json"), options)
     return CLEAN
 
 
 def _schema(options: Namespace) -> int:
-    _write(calls.schema_document(), options)
+    _write(scene_schema(), options)
     return CLEAN
 
 
 def _serve(options: Namespace) -> int:
-    import_module("service.server").serve(options.host, options.port, _catalogs(options))
+    from service.server import serve
+
+    serve(options.host, options.port, _catalogs(options))
     return CLEAN
 
 
 COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
-    "serve": _serve,
-    "generate": _generate,
-    "stats": _stats,
-    "fix": _fix,
-    "place": _place,
-    "validate": _validate,
-    "view": _view,
-    "export": _export,
-    "catalog": _catalog,
-    "schema": _schema,
-}
+    "generate": _generate, "fix": _fix, "place": _place, "validate": _validate, "view": _view, "export": _export, "serve": _serve,
+    "catalog": _catalog, "schema": _schema, "stats": _stats,
+}  # fmt: skip
 
 
 def _say(words: str) -> None:
@@ -174,14 +174,21 @@ def _say(words: str) -> None:
 
 
 def _catalogs(options: Namespace) -> Catalogs:
-    return load_catalogs(options.catalog and Path(options.catalog))
+    """Reads our catalogs, or a folder of the user's own laid over them.
+
+    Raises:
+        CatalogError: there is a mistake in the folder; names its file, line and key.
+    """
+    from catalogs import load_catalogs
+
+    return load_catalogs(getattr(options, "catalog", None) or None)
 
 
 def _read(name: str) -> object:
     """Reads a file or standard input, by its name's ending or else by its first character."""
     content = sys.stdin.buffer.read() if name == STREAM else Path(name).read_bytes()
     format = format_of_name(name) or format_of_content(content)
-    return _checked(name, lambda: parse(content, format))
+    return _checked(name, lambda: load_text(content, format))
 
 
 def _checked(name: str | None, work: Callable[[], T]) -> T:
@@ -206,17 +213,17 @@ def _scene(options: Namespace) -> object:
 
 
 def _request(options: Namespace) -> dict[str, Any]:
+    """Reads the request's file, if there is one; what the options say goes before it."""
     document = {} if options.request is None else _read(options.request)
     if not isinstance(document, dict):
         raise FieldError(f"{_spoken(options.request)}request", "is not an object", "an object")
-    given = {name: getattr(options, name) for name in (*NUMBERS, *SWITCHES, *WORDS) if getattr(options, name) is not None}
+    given = {field.name: getattr(options, field.name) for field in fields(Request)}
     forced = {"force_types": dict(options.force_types)} if options.force_types else {}
-    return {**document, **given, **forced}
+    return {**document, **{name: value for name, value in given.items() if value is not None}, **forced}
 
 
 def _write(document: Mapping[str, Any], options: Namespace) -> None:
-    format: str = options.format or format_of_name(options.output) or "yaml"
-    _put(dump_text(document, format), options.output)
+    _put(dump_text(document, options.format or format_of_name(options.output) or "yaml"), options.output)
 
 
 def _put(content: bytes, name: str) -> None:
@@ -227,8 +234,19 @@ def _put(content: bytes, name: str) -> None:
     sys.stdout.buffer.flush()
 
 
+def _contested(answer: Mapping[str, Any]) -> int:
+    """Says what cannot stand together and returns the exit status."""
+    for conflict in answer["conflicts"]:
+        _say(f"conflict {', '.join(conflict['ids'])}: {conflict['message']}")
+    return ERRORS_FOUND if answer["conflicts"] else CLEAN
+
+
 def _judged(answer: Mapping[str, Any], prefix: str = "") -> int:
     """Says what breaks the rules and returns the exit status."""
     for issue in answer["issues"]:
         _say(f"{prefix}{issue['severity']} {issue['rule']} {issue['room'] or ''}: {issue['message']}")
-    return ERRORS_FOUND if calls.has_errors(answer["issues"]) else CLEAN
+    return _exit_status(answer["issues"])
+
+
+def _exit_status(issues: list[Document]) -> int:
+    return ERRORS_FOUND if any(issue["severity"] == "error" for issue in issues) else CLEAN

@@ -11,7 +11,7 @@ from typing import Any, Final
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
-from service.describe import REFERENCES
+from service.openapi import REFERENCES
 
 STYLE: Final = """
 body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; color: #1d2125; background: #fff }
@@ -29,17 +29,6 @@ POLICY: Final = (
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
 """The style sheet above by its digest, and nothing else."""
-EXAMPLES: Final = {
-    "/generate": """curl -d '{"seed": 42}' {base}generate""",
-    "/fix": """curl -d @body.json {base}fix        # body.json: {"scene": {...}, "locked": [], "moved": []}""",
-    "/place": """curl -d @body.json {base}place      # body.json: {"room": {...}, "pieces": [{"id": "desk", "name": "desk"}]}""",
-    "/validate": """curl -d @body.json {base}validate   # body.json: {"scene": {...}}""",
-    "/view": """curl -d @body.json {base}view       # body.json: {"scene": {...}}""",
-    "/floor": """curl -d @body.json {base}floor      # body.json: {"scene": {...}, "rooms": ["kitchen_1"]}""",
-    "/catalog": """curl {base}catalog""",
-    "/schema": """curl -H 'Accept: application/yaml' {base}schema""",
-    "/healthz": """curl {base}healthz""",
-}
 
 
 async def docs(request: Request) -> Response:
@@ -66,7 +55,8 @@ def _call(path: str, verb: str, call: dict[str, Any], base: str) -> str:
         f"<tr><td>{escape(status)}</td><td>{escape(answer['description'])}</td><td>{_linked(_first_schema(answer['content']))}</td></tr>"
         for status, answer in call["responses"].items()
     )
-    example = EXAMPLES.get(path, "").replace("{base}", base)
+    sent = f" -d '{_shown(_example(call['requestBody']))}'" if "requestBody" in call else ""
+    example = f"curl{sent} {base}{path.removeprefix('/')}\n\n{_shown(_example(call['responses']['200']))}"
     return (
         f"<h2><b>{escape(verb.upper())}</b> {escape(path)}</h2><p>{escape(call.get('description', ''))}</p>"
         f"<pre>{escape(example)}</pre><p>Takes {takes}.</p><table>{rows}</table>"
@@ -100,6 +90,14 @@ def _linked(schema: dict[str, Any]) -> str:
         return f"list of {_linked(schema['items'])}"
     kind = schema.get("type", "any")
     return escape(" or ".join(kind) if isinstance(kind, list) else str(kind))
+
+
+def _example(part: dict[str, Any]) -> Any:
+    return next(iter(part["content"].values()))["example"]
+
+
+def _shown(example: Any) -> str:
+    return json.dumps(example, ensure_ascii=False)
 
 
 def _first_schema(content: dict[str, Any]) -> dict[str, Any]:

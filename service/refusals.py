@@ -7,10 +7,6 @@ from typing import Final
 from solver.errors import FieldError
 
 
-class BodyError(FieldError):
-    """A body that is an object, but not the one this call takes."""
-
-
 class TooLarge(FieldError):
     """A body over the limit."""
 

@@ -1,41 +1,30 @@
-"""Statistics over many houses: makes them in some processes and hands their figures on, in the order of the seeds."""
+"""A survey: many houses made in some processes, and the statistics of what they show, in the order of the seeds."""
 
 from __future__ import annotations
 
 import multiprocessing
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from functools import partial
 from typing import Any, Final
 
 from tqdm import tqdm
 
 from catalogs import Catalogs
-from service.documents import Document
 from service.work import packed, unpacked
-from solver.errors import FieldError, RequestError
+from solver import generate
 from solver.exchange import read_request
-from solver.pipeline.survey import survey
+from solver.plain import Document
 from solver.scene import MAX_SEED, Request
-from solver.statistics import House, summary
-from solver.validate import RULES
+from solver.statistics import House, house_of, summary
+from solver.validator import RULES, metrics
 
 BATCH: Final = 4
 """Houses that a process is given at a time: enough that handing them over costs nothing, few enough for a smooth bar."""
-_CATALOGS: dict[str, Catalogs] = {}
-"""What a process of ours furnishes with."""
 
 
-@dataclass(frozen=True)
-class Refusal:
-    """What is wrong with a request, in a form that can be sent between processes."""
-
-    field: str
-    problem: str
-    allowed: str
-
-
-def statistics(requests: Sequence[Mapping[str, Any]], count: int, workers: int, catalogs: Catalogs) -> Document:
+def survey(requests: Sequence[Mapping[str, Any]], count: int, workers: int, catalogs: Catalogs) -> Document:
     """Makes sets of houses and returns what they show; the number of processes changes nothing in it.
 
     Args:
@@ -49,7 +38,7 @@ def statistics(requests: Sequence[Mapping[str, Any]], count: int, workers: int, 
     """
     read = [read_request(request) for request in requests]
     jobs = [replace(one, seed=((one.seed or 0) + k) % (MAX_SEED + 1)) for one in read for k in range(count)]
-    houses = list(_told(_made(jobs, workers, catalogs), len(jobs)))
+    houses = list(tqdm(_made(jobs, workers, packed(catalogs)), total=len(jobs), unit="house", disable=None))
     sets = []
     for k, request in enumerate(requests):
         shown = {name: value for name, value in request.items() if name != "seed"}
@@ -67,38 +56,21 @@ def _name(request: Request) -> str:
     return ", ".join(words) if request.planned else "{:g} x {:g} m".format(*request.extents)
 
 
-def _told(found: Iterable[House | Refusal], total: int) -> Iterator[House]:
-    """Shows how far it is; a refusal becomes the error again."""
-    for one in tqdm(found, total=total, unit="house", disable=None):
-        if isinstance(one, Refusal):
-            raise RequestError(one.field, one.problem, one.allowed)
-        yield one
-
-
-def _made(jobs: Sequence[Request], workers: int, catalogs: Catalogs) -> Iterator[House | Refusal]:
+def _made(jobs: Sequence[Request], workers: int, catalogs: bytes) -> Iterator[House]:
+    make = partial(_house, catalogs)
     if min(workers, len(jobs)) == 1:
-        yield from (_house(job, catalogs) for job in jobs)
+        yield from map(make, jobs)
         return
     # Processes start empty: one that is a copy of this one would share whatever its threads hold.
-    context = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(workers, context, initializer=_furnish_with, initargs=(packed(catalogs),))
+    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"))
     try:
-        yield from pool.map(_house_here, jobs, chunksize=BATCH)
+        yield from pool.map(make, jobs, chunksize=BATCH)
     finally:
         pool.shutdown(cancel_futures=True)
 
 
-def _furnish_with(catalogs: bytes) -> None:
-    """Prepares a process."""
-    _CATALOGS["here"] = unpacked(catalogs)
-
-
-def _house_here(request: Request) -> House | Refusal:
-    return _house(request, _CATALOGS["here"])
-
-
-def _house(request: Request, catalogs: Catalogs) -> House | Refusal:
-    try:
-        return survey(request, catalogs)
-    except FieldError as error:
-        return Refusal(error.field, error.problem, error.allowed)
+def _house(catalogs: bytes, request: Request) -> House:
+    """Makes a house and returns what it shows."""
+    known = unpacked(catalogs)
+    made = generate(request, catalogs=known)
+    return house_of(made.scene, made.issues, metrics(made.scene, known))

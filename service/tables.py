@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-from service.documents import Document
+from solver.plain import Document
 
 Spread = Mapping[str, float]
 REASONS: Final = 8

@@ -8,9 +8,9 @@ from typing import Final
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.documents import Document
 from service.refusals import TooLarge, TooSlow, WrongMediaType
 from solver.exchange import FORMATS, dump_text
+from solver.plain import Document
 
 BODY_LIMIT: Final = 8 * 1024 * 1024
 """Largest body, bytes. Our choice: a furnished house of 30 x 20 m is 0.1 MB."""

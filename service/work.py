@@ -13,10 +13,11 @@ from starlette.responses import Response
 
 from catalogs import Catalogs
 from service import calls, problems
-from service.documents import parse
 from service.refusals import TooMuch
 from service.wire import written
 from solver.errors import ComposeError
+from solver.exchange import load_text
+from solver.placement import compiled_kernel
 
 if sys.platform != "win32":
     import resource
@@ -65,7 +66,7 @@ def unpacked(catalogs: bytes) -> Catalogs:
 def do(job: Job) -> Response | Failure:
     """Makes a call; what is wrong with the request becomes a problem document."""
     try:
-        document = parse(job.body, job.sent)
+        document = load_text(job.body, job.sent) if job.body.strip() or job.call not in calls.MAY_BE_EMPTY else {}
         return written(calls.CALLS[job.call](document, unpacked(job.catalogs)), job.wanted)
     except ComposeError as error:
         return problems.of_error(None, error)
@@ -86,3 +87,4 @@ def do_alone(job: Job) -> Response | Failure:
 def warm(catalogs: bytes) -> None:
     """Does nothing but load what calls need."""
     unpacked(catalogs)
+    compiled_kernel()

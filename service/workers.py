@@ -50,10 +50,10 @@ class Workers:
                 raise TooMuch("body", f"takes longer than {SECONDS:g} s", TooMuch.SMALLER) from None
 
     async def start(self, work: Callable[[Unpack[Given]], object], *given: *Given) -> None:
-        """Starts all processes by running something in each."""
+        """Starts all processes by running something in each, however long it takes: a first start may compile."""
 
         async def run() -> None:
-            await self.run(work, *given)
+            await to_process.run_sync(work, *given, cancellable=True, limiter=self._unbounded)
 
         async with create_task_group() as group:
             for _ in range(RUNNING):

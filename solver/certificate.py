@@ -11,8 +11,8 @@ from dataclasses import replace
 from hashlib import sha256
 from typing import Any, Final
 
-from solver.scene import Dynamic, Room, Scene
-from solver.wanted import Arrangement
+from solver.pieces import Arrangement
+from solver.scene import Room, Scene, counted
 
 OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best"})
 """What is true of the placement that was made, and of no other."""
@@ -35,22 +35,9 @@ def certificate(
     """
     return {
         "rules": list(rules),
-        "counts": counts(rooms, ()),
+        "counts": counted(rooms, ()),
         **plan,
         "rooms": {room.id: room_certificate(arrangements[room.id], room) for room in rooms},
-    }
-
-
-def counts(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
-    """Returns how many there are in a house of everything that is counted."""
-    openings = [opening for room in rooms for opening in room.openings]
-    return {
-        "rooms": len(rooms),
-        "doors": len({opening.id for opening in openings if opening.kind != "window"}),
-        "windows": sum(opening.kind == "window" for opening in openings),
-        "furniture": sum(len(room.furniture) for room in rooms),
-        "decorations": sum(len(room.decorations) for room in rooms),
-        "dynamic": len(people),
     }
 
 

@@ -4,17 +4,17 @@
     ├── FieldError          a field of a document is wrong: which, and what is allowed
     │   ├── RequestError      ... of a request
     │   └── SceneError        ... of a scene
-    └── SyntaxFault         the text is not JSON or YAML at all
+    ├── SyntaxFault         the text is not JSON or YAML at all
+    └── CatalogError        a catalog cannot be used: which file, line and key (catalogs.faults, as the base)
 
-A bad scene (one that breaks rules) is not an error: validate() returns issues. A catalog that cannot be read raises
-catalogs.CatalogError, which stands alone because catalogs import nothing of ours.
+A bad scene (one that breaks rules) is not an error: validate() returns issues.
 """
 
 from __future__ import annotations
 
+from catalogs.faults import ComposeError
 
-class ComposeError(Exception):
-    """Base of everything this project raises on purpose."""
+__all__ = ["ComposeError", "FieldError", "RequestError", "SceneError", "SyntaxFault"]
 
 
 class FieldError(ComposeError):
@@ -29,6 +29,10 @@ class FieldError(ComposeError):
     def __init__(self, field: str, problem: str, allowed: str = "") -> None:
         self.field, self.problem, self.allowed = field, problem, allowed
         super().__init__(f"{field}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
+
+    def __reduce__(self) -> tuple[type[FieldError], tuple[str, str, str]]:
+        """Lets it go from one process to another: a pool raises it again."""
+        return type(self), (self.field, self.problem, self.allowed)
 
 
 class RequestError(FieldError):

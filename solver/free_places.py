@@ -1,4 +1,4 @@
-"""Footprints of a scene's bodies, and the free place nearest to a wished one, exactly.
+"""What bodies of a scene take up, and the free place nearest to a wished one, exactly.
 
 Comes in: bodies in metres, rectangles in integer millimetres. Goes out: rectangles. May import: scene, geometry.
 
@@ -10,83 +10,89 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from typing import Final, NamedTuple
 
-from solver.geometry import Rect
+from solver.geometry import Rect, extents
 from solver.scene import Decoration, Dynamic, Furniture
 
+FLAT_MM: Final = 20
+"""Rugs and mats: what is no higher is no body, one stands on it (docs/scene.md, The rules)."""
 
-@dataclass(frozen=True)
-class Solid:
-    """What nobody can be in: a rectangle from `bottom` to `top`, mm."""
+
+class Block(NamedTuple):
+    """What takes up space: a rectangle from `low` to `high`, mm, and the id of whose it is."""
 
     rect: Rect
-    bottom: float
-    top: float
+    low: float
+    high: float
+    id: str = ""
 
-    def beside(self, other: Solid) -> bool:
-        """Tells whether two are at different heights, so that they may share floor."""
-        return self.bottom >= other.top or other.bottom >= self.top
+    def between(self, low: float, high: float) -> bool:
+        """Tells whether it takes up any of some heights."""
+        return self.low < high and low < self.high
 
 
 def footprint(body: Furniture | Decoration | Dynamic) -> Rect:
     """Returns the bounding rectangle of a body, mm, rounded outwards by less than a millimetre."""
-    angle = math.radians(body.rotation % 360)
-    c, s = abs(math.cos(angle)), abs(math.sin(angle))
-    if body.rotation % 90 == 0:
-        c, s = round(c), round(s)
-    width, depth = body.width * c + body.depth * s, body.width * s + body.depth * c
+    width, depth = extents(body.width, body.depth, body.rotation)
     sides = (body.x - width / 2, body.z - depth / 2, body.x + width / 2, body.z + depth / 2)
     low, high = [math.floor(v * 1000 + 1e-6) for v in sides[:2]], [math.ceil(v * 1000 - 1e-6) for v in sides[2:]]
     return Rect(low[0], low[1], high[0], high[1])
 
 
-def solid_of(body: Furniture | Decoration | Dynamic) -> Solid:
+def block_of(body: Furniture | Decoration | Dynamic) -> Block:
     """Returns the space a body takes up."""
-    return Solid(footprint(body), body.y * 1000, (body.y + body.height) * 1000)
+    return Block(footprint(body), body.y * 1000, (body.y + body.height) * 1000, body.id)
 
 
-def nearest_place(own: Rect, clear: Rect, blocks: Sequence[Rect]) -> Rect | None:
+def nearest_place(own: Rect, area: Rect, blocks: Sequence[Rect], reach: int | None = None) -> Rect | None:
     """Returns the free place nearest to a box, or None where there is none.
 
     Args:
         own: the box where it is wished.
-        clear: where it has to stay.
+        area: where it has to stay.
         blocks: what it must not overlap.
+        reach: how far from the wish it may be, mm; None: anywhere.
 
     Ties go to the lesser step along x, then along z.
     """
-    xs = _steps(own.x0, own.width, (clear.x0, clear.x1), [(rect.x0, rect.x1) for rect in blocks])
-    zs = _steps(own.z0, own.depth, (clear.z0, clear.z1), [(rect.z0, rect.z1) for rect in blocks])
-    best: tuple[int, Rect] | None = None
-    for x in xs:
-        if best is not None and (x - own.x0) ** 2 >= best[0]:
+    taken = [(rect.x0 - own.width, rect.x1, rect.z0 - own.depth, rect.z1) for rect in blocks]
+    limit = math.inf if reach is None else reach * reach + 1
+    best: Rect | None = None
+    for x in _steps(own.x0, (area.x0, area.x1 - own.width), [(west, east) for west, east, _, _ in taken]):
+        aside = (x - own.x0) ** 2
+        if aside >= limit:
             break
-        beside = [(rect.z0 - own.depth, rect.z1) for rect in blocks if rect.x0 < x + own.width and x < rect.x1]
-        for z in zs:
-            distance = (x - own.x0) ** 2 + (z - own.z0) ** 2
-            if best is not None and distance >= best[0]:
-                break
-            if not any(before < z < behind for before, behind in beside):
-                best = distance, Rect(x, z, x + own.width, z + own.depth)
-                break
-    return best[1] if best else None
+        beside = [(low, high) for west, east, low, high in taken if west < x < east]
+        z = _nearest_free(own.z0, (area.z0, area.z1 - own.depth), beside)
+        if z is not None and aside + (z - own.z0) ** 2 < limit:
+            best, limit = own.moved(x - own.x0, z - own.z0), aside + (z - own.z0) ** 2
+    return best
 
 
 def free_places(own: Rect, clear: Rect, blocks: Sequence[Rect], apart: int) -> Iterator[Rect]:
     """Yields free places of a box, nearest first: those that `nearest_place` tries, and those `apart` mm from obstacles and walls."""
     inner = clear.shrunk(apart)
     edges = [*blocks, *(rect.shrunk(-apart) for rect in blocks), Rect(inner.x1, inner.z1, inner.x0, inner.z0)]
-    xs = _steps(own.x0, own.width, (clear.x0, clear.x1), [(rect.x0, rect.x1) for rect in edges])
-    zs = _steps(own.z0, own.depth, (clear.z0, clear.z1), [(rect.z0, rect.z1) for rect in edges])
+    xs = _steps(own.x0, (clear.x0, clear.x1 - own.width), [(rect.x0 - own.width, rect.x1) for rect in edges])
+    zs = _steps(own.z0, (clear.z0, clear.z1 - own.depth), [(rect.z0 - own.depth, rect.z1) for rect in edges])
     for x, z in sorted(((x, z) for x in xs for z in zs), key=lambda at: (at[0] - own.x0) ** 2 + (at[1] - own.z0) ** 2):
-        place = Rect(x, z, x + own.width, z + own.depth)
+        place = own.moved(x - own.x0, z - own.z0)
         if not any(place.overlaps(rect) for rect in blocks):
             yield place
 
 
-def _steps(at: int, extent: int, bounds: tuple[int, int], blocks: Sequence[tuple[int, int]]) -> list[int]:
-    """Returns the min coordinates worth trying along an axis, nearest first."""
-    low, high = bounds[0], bounds[1] - extent
-    tried = {at, low, high, *(b for _, b in blocks), *(a - extent for a, _ in blocks)}
-    return sorted((v for v in tried if low <= v <= high), key=lambda v: (abs(v - at), v))
+def _steps(wish: int, bounds: tuple[int, int], taken: Sequence[tuple[int, int]]) -> list[int]:
+    """Returns the coordinates within bounds worth trying along an axis, nearest first: the wish, and the ends of what is taken."""
+    tried = {wish, *bounds, *(end for ends in taken for end in ends)}
+    return sorted((v for v in tried if bounds[0] <= v <= bounds[1]), key=lambda v: (abs(v - wish), v))
+
+
+def _nearest_free(wish: int, bounds: tuple[int, int], taken: Sequence[tuple[int, int]]) -> int | None:
+    """Returns the coordinate within bounds nearest to a wish that lies inside none of the open intervals, or None."""
+    up = down = min(max(wish, bounds[0]), bounds[1])
+    for low, high in sorted(taken):
+        up = high if low < up < high else up
+    for low, high in sorted(taken, key=lambda ends: -ends[1]):
+        down = low if low < down < high else down
+    return min((v for v in (down, up) if bounds[0] <= v <= bounds[1]), key=lambda v: (abs(v - wish), v), default=None)

@@ -10,9 +10,12 @@ from dataclasses import replace
 from catalogs import Catalogs
 from catalogs.styles import Style
 from solver.geometry import half_m, to_m
+from solver.pieces import Arrangement, Placed
 from solver.scene import Furniture, Room
 from solver.streams import Stream
-from solver.wanted import Arrangement, Placed
+
+PLAIN_COLOUR = "#9a9a9a"
+"""Of what the catalogs do not know."""
 
 
 def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: Stream, style: Style | None = None) -> Room:
@@ -36,18 +39,18 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
 
 def _palette(kind: str, catalogs: Catalogs, style: Style | None) -> tuple[str, ...]:
     """Returns the colours a style has for a kind; none where it leaves the kind as it is."""
-    return style.colours(kind, catalogs.name_of(kind), catalogs.furniture[kind].category) if style else ()
+    return style.colours(kind, catalogs.name_of(kind), _category(kind, catalogs)) if style else ()
 
 
 def _colours(palettes: dict[str, tuple[str, ...]], catalogs: Catalogs, stream: Stream) -> dict[str, str]:
     colours: dict[str, str] = {}
     matching: dict[tuple[str, ...], str] = {}
     for kind, palette in palettes.items():
-        spec = catalogs.furniture[kind]
+        spec = catalogs.furniture.get(kind)
         if palette in matching:
             colours[kind] = matching[palette]
         else:
-            colours[kind] = stream.pick(palette or (spec.color, *spec.variants))
+            colours[kind] = stream.pick(palette or ((spec.color, *spec.variants) if spec else (PLAIN_COLOUR,)))
         if palette:
             matching[palette] = colours[kind]
     return colours
@@ -59,7 +62,7 @@ def _piece(placed: Placed, ids: dict[str, str], colours: dict[str, str], catalog
     return Furniture(
         id=ids[placed.label],
         name=catalogs.name_of(chosen.kind),
-        category=catalogs.furniture[chosen.kind].category,
+        category=_category(chosen.kind, catalogs),
         x=half_m(rect.x0 + rect.x1),
         y=to_m(chosen.bottom_mm),
         z=half_m(rect.z0 + rect.z1),
@@ -72,3 +75,8 @@ def _piece(placed: Placed, ids: dict[str, str], colours: dict[str, str], catalog
         under=ids.get(chosen.under or ""),
         on=ids.get(chosen.on or ""),
     )
+
+
+def _category(kind: str, catalogs: Catalogs) -> str:
+    spec = catalogs.furniture.get(kind)
+    return spec.category if spec else "misc"

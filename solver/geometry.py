@@ -5,9 +5,16 @@ Comes in and goes out: integers (mm) and `Rect`. May import: nothing of ours.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+import math
+from typing import Final, NamedTuple, TypeVar
+
+Number = TypeVar("Number", int, float)
 
 OPPOSITE: Final = {"north": "south", "south": "north", "east": "west", "west": "east"}
+ALONG_X: Final = ("north", "south")
+"""Walls that run along x; the others run along z."""
+INWARDS: Final = {"north": 1, "west": 1, "south": -1, "east": -1}
+"""Which way along its other axis a wall's room lies."""
 _WALLS_FACED: Final = ("south", "east", "north", "west")
 _QUARTERS: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
 ROTATION_AT_WALL: Final = {"north": 0, "west": 90, "south": 180, "east": 270}
@@ -37,15 +44,39 @@ def turned(width: int, depth: int, rotation: int) -> tuple[int, int]:
     return (depth, width) if rotation % 180 == 90 else (width, depth)
 
 
-def rotate(across: int, along: int, rotation: int) -> tuple[int, int]:
+def rotate(across: Number, along: Number, rotation: int) -> tuple[Number, Number]:
     """Turns a vector from a body's frame (across = its +x side, along = its front) to the room's (x, z)."""
     dx, dz = FACING[rotation % 360]
     return dz * across + dx * along, dz * along - dx * across
 
 
+def extents(width: float, depth: float, rotation: float) -> tuple[float, float]:
+    """Returns the extents along x and z of a footprint's bounding rectangle at any rotation; exact at right angles."""
+    if rotation % 90 == 0:
+        return (depth, width) if rotation % 180 else (width, depth)
+    angle = math.radians(rotation % 180)
+    c, s = abs(math.cos(angle)), abs(math.sin(angle))
+    return width * c + depth * s, width * s + depth * c
+
+
+def walls_beside(wall: str) -> tuple[str, str]:
+    """Returns the two walls that meet a wall: at its west or north end, then at its other end."""
+    return ("west", "east") if wall in ALONG_X else ("north", "south")
+
+
+def wall_turned(wall: str, turn: int) -> str:
+    """Returns the wall that a wall becomes when the room is turned by right angles."""
+    return WALL_BEHIND[(ROTATION_AT_WALL[wall] + turn) % 360]
+
+
 def wall_faced(side: str, rotation: float) -> str:
     """Returns the wall that a side of a body looks to, at the right angle nearest to its rotation."""
     return _WALLS_FACED[(round(rotation / 90) + _QUARTERS[side]) % 4]
+
+
+def outwards(side: str, rotation: int) -> tuple[int, int]:
+    """Returns the unit vector (x, z) that a side of a body looks along, at a right-angled rotation."""
+    return FACING[(rotation + 90 * _QUARTERS[side]) % 360]
 
 
 class Rect(NamedTuple):
@@ -55,6 +86,17 @@ class Rect(NamedTuple):
     z0: int
     x1: int
     z1: int
+
+    @classmethod
+    def around(cls, centre: tuple[int, int], extent: tuple[int, int]) -> Rect:
+        """Returns the rectangle of some extents along x and z around a centre; an odd extent's half is rounded down."""
+        x0, z0 = centre[0] - extent[0] // 2, centre[1] - extent[1] // 2
+        return cls(x0, z0, x0 + extent[0], z0 + extent[1])
+
+    @property
+    def centre(self) -> tuple[int, int]:
+        """Its middle (x, z), mm, rounded down."""
+        return (self.x0 + self.x1) // 2, (self.z0 + self.z1) // 2
 
     @property
     def width(self) -> int:
@@ -75,6 +117,24 @@ class Rect(NamedTuple):
         """Moves every edge inwards by that many mm."""
         return Rect(self.x0 + by, self.z0 + by, self.x1 - by, self.z1 - by)
 
+    def moved(self, dx: int, dz: int) -> Rect:
+        """Shifts the rectangle."""
+        return Rect(self.x0 + dx, self.z0 + dz, self.x1 + dx, self.z1 + dz)
+
+    def held_in(self, area: Rect) -> Rect:
+        """Returns the rectangle shifted by the shortest way into a larger one."""
+        x0 = min(max(self.x0, area.x0), area.x1 - self.width)
+        z0 = min(max(self.z0, area.z0), area.z1 - self.depth)
+        return self.moved(x0 - self.x0, z0 - self.z0)
+
+    def swept(self, dx: int, dz: int) -> Rect:
+        """Returns the bounds of all that the rectangle covers while it is shifted so far."""
+        return Rect(self.x0 + min(0, dx), self.z0 + min(0, dz), self.x1 + max(0, dx), self.z1 + max(0, dz))
+
+    def common(self, other: Rect) -> Rect:
+        """Returns what both cover; its extents are negative where they lie apart."""
+        return Rect(max(self.x0, other.x0), max(self.z0, other.z0), min(self.x1, other.x1), min(self.z1, other.z1))
+
     def overlaps(self, other: Rect) -> bool:
         """Tells whether the interiors meet (touching edges do not count)."""
         return self.x0 < other.x1 and other.x0 < self.x1 and self.z0 < other.z1 and other.z0 < self.z1
@@ -85,15 +145,36 @@ class Rect(NamedTuple):
 
     def along(self, wall: str) -> tuple[int, int]:
         """Returns the interval a wall spans: along x for north and south, along z for east and west."""
-        return (self.x0, self.x1) if wall in ("north", "south") else (self.z0, self.z1)
+        return (self.x0, self.x1) if wall in ALONG_X else (self.z0, self.z1)
+
+    def line(self, wall: str) -> int:
+        """Returns where the edge at a wall lies: its z for north and south, its x for east and west."""
+        return {"north": self.z0, "south": self.z1, "west": self.x0, "east": self.x1}[wall]
+
+    def wall_distance(self, wall: str, room: Rect) -> int:
+        """Returns how far the edge at a wall is from that wall of a room's rectangle; negative beyond it."""
+        return (self.line(wall) - room.line(wall)) * INWARDS[wall]
+
+    def point_at(self, wall: str, along: int, into: int) -> tuple[int, int]:
+        """Returns the point (x, z) at a coordinate along a wall, so far inside of it."""
+        across = self.line(wall) + INWARDS[wall] * into
+        return (along, across) if wall in ALONG_X else (across, along)
+
+    def distance_to_point(self, point: tuple[float, float]) -> float:
+        """Returns how far a point (x, z) is; 0 inside."""
+        return math.hypot(max(self.x0 - point[0], point[0] - self.x1, 0), max(self.z0 - point[1], point[1] - self.z1, 0))
+
+    def distance_to(self, other: Rect) -> float:
+        """Returns the free distance to another rectangle; 0 where they touch or overlap."""
+        return math.hypot(max(self.x0 - other.x1, other.x0 - self.x1, 0), max(self.z0 - other.z1, other.z0 - self.z1, 0))
 
 
 def strip(rect: Rect, wall: str, interval: tuple[int, int], depth: int) -> Rect:
     """Returns the rectangle that lies along a wall of `rect`, inside it, over an interval of that wall, `depth` deep."""
-    a, b = interval
-    return {
-        "north": Rect(a, rect.z0, b, rect.z0 + depth),
-        "south": Rect(a, rect.z1 - depth, b, rect.z1),
-        "west": Rect(rect.x0, a, rect.x0 + depth, b),
-        "east": Rect(rect.x1 - depth, a, rect.x1, b),
-    }[wall]
+    return strip_at(wall, rect.line(wall), interval, depth)
+
+
+def strip_at(wall: str, line: int, interval: tuple[int, int], depth: int) -> Rect:
+    """Returns the rectangle over an interval of a wall whose line is given, `depth` deep into its room."""
+    low, high = sorted((line, line + INWARDS[wall] * depth))
+    return Rect(interval[0], low, interval[1], high) if wall in ALONG_X else Rect(low, interval[0], high, interval[1])

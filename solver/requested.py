@@ -1,23 +1,25 @@
 """A room of the user's own and the list of pieces wanted in it: what `place` is asked with, checked.
 
-Comes in: a `Room` and `Wish`es. Goes out: the wishes in an order in which every piece comes after those it refers to, and
-the catalogs with one kind for every wish. May import: catalogs, the ground floor. Not here: ways to stand (furnish),
-reading documents (service).
+Comes in: a `Room` and `PieceRequest`s. Goes out: the requests in an order in which every piece comes after those it refers to,
+and the kind of each in its size. May import: catalogs, the ground floor. Not here: candidates (furnish), reading documents (service).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Annotated, Final
+
+from annotated_types import Ge, Le, MaxLen, MinLen
 
 from catalogs import Catalogs
 from catalogs.checks import BETWEEN, OPENINGS, TO_SOMETHING
-from catalogs.entries import Surface
-from catalogs.schema import Furniture as Kind
-from catalogs.schema import Piece, Rule, Variant
+from catalogs.schema import RelationSpec
 from solver.errors import RequestError
-from solver.scene import Conflict, Furniture, Issue, Room, Scene
+from solver.fields import MADE_UP, STRICT, WHOLE, Flag, Record
+from solver.relations import RELATIONS
+from solver.relations.subject import Kind
+from solver.scene import Conflict, Issue, Room, Scene
 
 MOST_PIECES: Final = 64
 """Most pieces of one request, copies counted; our choice: a furnished living room holds fifteen."""
@@ -31,15 +33,15 @@ LEAST_LENGTH: Final = 0.001
 """Smallest size of a wished piece, m: the lattice's step."""
 RELATION_COST: Final = 6.0
 """What doing without a relation costs where the request does not say: as much as moving 2.4 m."""
-DENSITY: Final = 150.0
-"""Mass per volume of a piece of no known kind, kg/m3: furniture of wood, mostly air."""
-FIRM: Final = ("beside", "in_front_of", "around", "in_row", "on", "under")
+GIVING_PLACE: Final = tuple(word for word, relation in RELATIONS.items() if relation.gives_place)
 """Relations that give a piece its place at another one, which must then be placed before it."""
-PLAIN_COLOUR: Final = "#9a9a9a"
+
+WishedMetres = Annotated[float, STRICT, Ge(LEAST_LENGTH), Le(MOST_LENGTH)]
+WishedName = Annotated[str, MinLen(1), MaxLen(100), STRICT, MADE_UP]
 
 
 @dataclass(frozen=True)
-class Wish:
+class PieceRequest(Record):
     """One line of the list: what is wanted, how large, how many times, and how it relates to the rest.
 
     Args:
@@ -50,17 +52,22 @@ class Wish:
         height: m.
         count: how many of it.
         required: left out last of all.
-        relations: rules of the catalogs' vocabulary; `of` names ids of wishes or of what stands in the room already.
+        relations: rules of the catalogs' vocabulary; `of` names ids of requests or of what stands in the room already.
     """
 
-    id: str
-    name: str
-    width: float | None = None
-    depth: float | None = None
-    height: float | None = None
-    count: int = 1
-    required: bool = True
-    relations: tuple[Rule, ...] = ()
+    id: WishedName
+    name: WishedName
+    width: WishedMetres | None = None
+    depth: WishedMetres | None = None
+    height: WishedMetres | None = None
+    count: Annotated[int, Ge(1), Le(MOST_PIECES), WHOLE] = 1
+    required: Flag = True
+    relations: Annotated[tuple[RelationSpec, ...], MaxLen(MOST_RELATIONS)] = ()
+
+    @property
+    def size(self) -> tuple[float, float, float] | None:
+        """Its width, depth and height, m; None where they are not all given."""
+        return (self.width, self.depth, self.height) if self.width and self.depth and self.height else None
 
     @property
     def labels(self) -> tuple[str, ...]:
@@ -68,44 +75,44 @@ class Wish:
         return (self.id,) if self.count == 1 else tuple(f"{self.id}_{n}" for n in range(1, self.count + 1))
 
 
-def checked(room: Room, wishes: Sequence[Wish], catalogs: Catalogs) -> tuple[Wish, ...]:
-    """Returns the wishes with every size and every relation's worth filled in.
+def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) -> tuple[PieceRequest, ...]:
+    """Returns the requests with every size and every relation's worth filled in.
 
     Raises:
         RequestError: names the field and what is allowed.
     """
-    if sum(wish.count for wish in wishes) > MOST_PIECES:
-        raise RequestError("pieces", f"are {sum(wish.count for wish in wishes)}, copies counted", f"at most {MOST_PIECES}")
+    if sum(request.count for request in requests) > MOST_PIECES:
+        raise RequestError("pieces", f"are {sum(request.count for request in requests)}, copies counted", f"at most {MOST_PIECES}")
     taken = {piece.id for piece in room.furniture} | {thing.id for thing in room.decorations}
-    for k, wish in enumerate(wishes):
-        _check_identity(f"pieces[{k}]", wish, taken)
-        taken.update({wish.id, *wish.labels})
-    names = [*(wish.id for wish in wishes), *(piece.id for piece in room.furniture)]
-    for k, wish in enumerate(wishes):
-        _check_relations(f"pieces[{k}]", wish, names)
-    return tuple(_sized(f"pieces[{k}]", wish, catalogs) for k, wish in enumerate(wishes))
+    for k, request in enumerate(requests):
+        _check_identity(f"pieces[{k}]", request, taken)
+        taken.update({request.id, *request.labels})
+    names = [*(request.id for request in requests), *(piece.id for piece in room.furniture)]
+    for k, request in enumerate(requests):
+        _check_relations(f"pieces[{k}]", request, names)
+    return tuple(_sized(f"pieces[{k}]", request, catalogs) for k, request in enumerate(requests))
 
 
-def _check_identity(field: str, wish: Wish, taken: set[str]) -> None:
-    if not wish.id or wish.id in OPENINGS:
-        raise RequestError(f"{field}.id", f"is {wish.id!r}", f"a text that is none of {', '.join(OPENINGS)}")
-    for label in dict.fromkeys((wish.id, *wish.labels)):
+def _check_identity(field: str, request: PieceRequest, taken: set[str]) -> None:
+    if not request.id or request.id in OPENINGS:
+        raise RequestError(f"{field}.id", f"is {request.id!r}", f"a text that is none of {', '.join(OPENINGS)}")
+    for label in dict.fromkeys((request.id, *request.labels)):
         if label in taken:
             raise RequestError(f"{field}.id", f"{label!r} is given twice", "ids that differ, also from those of what stands in the room")
-    if not wish.name:
+    if not request.name:
         raise RequestError(f"{field}.name", "is empty", "a kind of the catalog, or any word")
-    if not 1 <= wish.count <= MOST_PIECES:
-        raise RequestError(f"{field}.count", f"is {wish.count}", f"a whole number from 1 to {MOST_PIECES}")
+    if not 1 <= request.count <= MOST_PIECES:
+        raise RequestError(f"{field}.count", f"is {request.count}", f"a whole number from 1 to {MOST_PIECES}")
 
 
-def _check_relations(field: str, wish: Wish, names: Sequence[str]) -> None:
-    if len(wish.relations) > MOST_RELATIONS:
-        raise RequestError(f"{field}.relations", f"are {len(wish.relations)}", f"at most {MOST_RELATIONS}")
-    for j, rule in enumerate(wish.relations):
-        _check_relation(f"{field}.relations[{j}]", wish, rule, names)
+def _check_relations(field: str, request: PieceRequest, names: Sequence[str]) -> None:
+    if len(request.relations) > MOST_RELATIONS:
+        raise RequestError(f"{field}.relations", f"are {len(request.relations)}", f"at most {MOST_RELATIONS}")
+    for j, rule in enumerate(request.relations):
+        _check_relation(f"{field}.relations[{j}]", request, rule, names)
 
 
-def _check_relation(field: str, wish: Wish, rule: Rule, names: Sequence[str]) -> None:
+def _check_relation(field: str, request: PieceRequest, rule: RelationSpec, names: Sequence[str]) -> None:
     takes = rule.type in BETWEEN + TO_SOMETHING
     if not takes and not rule.of:
         return
@@ -118,129 +125,92 @@ def _check_relation(field: str, wish: Wish, rule: Rule, names: Sequence[str]) ->
     for other in rule.of:
         if other not in known:
             raise RequestError(f"{field}.of", f"nothing is called {other!r}", _some(known))
-        if other == wish.id and (wish.count == 1 or rule.type not in ("in_row", "near", "far_from", "beside", "aligned_with")):
-            raise RequestError(f"{field}.of", f"{wish.id!r} cannot be {rule.type} itself", "another piece")
+        if other == request.id and (request.count == 1 or not RELATIONS[rule.type].among_copies):
+            raise RequestError(f"{field}.of", f"{request.id!r} cannot be {rule.type} itself", "another piece")
 
 
 def _some(known: Sequence[str]) -> str:
     return "one of " + ", ".join(known[:20]) + (", ..." if len(known) > 20 else "")
 
 
-def _sized(field: str, wish: Wish, catalogs: Catalogs) -> Wish:
-    kind = catalogs.furniture.get(wish.name)
+def _sized(field: str, request: PieceRequest, catalogs: Catalogs) -> PieceRequest:
+    kind = catalogs.furniture.get(request.name)
     sizes: list[float] = []
     for axis, key in enumerate(("width", "depth", "height")):
-        given = getattr(wish, key)
+        given = getattr(request, key)
         if given is None and kind is None:
-            raise RequestError(f"{field}.{key}", f"is missing, and {wish.name!r} is no kind of the catalog", _range())
+            raise RequestError(f"{field}.{key}", f"is missing, and {request.name!r} is no kind of the catalog", _range())
         value = kind.size[axis] if given is None and kind else given
         if not LEAST_LENGTH <= value <= MOST_LENGTH:
             raise RequestError(f"{field}.{key}", f"is {value!r}", _range())
         sizes.append(round(value * 1000) / 1000)
     width, depth, height = sizes
-    return replace(wish, relations=tuple(map(_weighed, wish.relations)), width=width, depth=depth, height=height)
+    return replace(request, relations=tuple(map(_weighed, request.relations)), width=width, depth=depth, height=height)
 
 
 def _range() -> str:
     return f"a number from {LEAST_LENGTH:g} to {MOST_LENGTH:g}, m"
 
 
-def in_order(wishes: Sequence[Wish]) -> tuple[Wish, ...]:
-    """Returns the wishes so that each comes after those it refers to, required ones first, else as given.
+def in_order(requests: Sequence[PieceRequest]) -> tuple[PieceRequest, ...]:
+    """Returns the requests so that each comes after those it refers to, required ones first, else as given.
 
-    Where they refer to each other in a circle, places at another piece (`FIRM`) go before other relations, and then the
+    Where they refer to each other in a circle, places at another piece (`GIVING_PLACE`) go before other relations, and then the
     given order decides.
     """
-    waiting = sorted(wishes, key=lambda wish: not wish.required)
-    ordered: list[Wish] = []
+    waiting = sorted(requests, key=lambda request: not request.required)
+    ordered: list[PieceRequest] = []
     while waiting:
-        names = {wish.id for wish in waiting}
-        free = _first_free(waiting, names, FIRM + tuple(BETWEEN + TO_SOMETHING)) or _most_wanted(waiting, names)
+        names = {request.id for request in waiting}
+        free = _first_free(waiting, names, GIVING_PLACE + tuple(BETWEEN + TO_SOMETHING)) or _most_wanted(waiting, names)
         ordered.append(free)
         waiting.remove(free)
     return tuple(ordered)
 
 
-def _most_wanted(waiting: Sequence[Wish], names: set[str]) -> Wish:
+def _most_wanted(waiting: Sequence[PieceRequest], names: set[str]) -> PieceRequest:
     """Returns where to cut a circle: the piece that most others refer to, of those that have no place at a waiting one."""
-    refers = [other for wish in waiting for other in {name for rule in wish.relations for name in rule.of} - {wish.id}]
-    free = [wish for wish in waiting if _first_free([wish], names, FIRM)] or waiting
-    return max(free, key=lambda wish: refers.count(wish.id))
+    refers = [other for request in waiting for other in {name for rule in request.relations for name in rule.of} - {request.id}]
+    free = [request for request in waiting if _first_free([request], names, GIVING_PLACE)] or waiting
+    return max(free, key=lambda request: refers.count(request.id))
 
 
-def _first_free(waiting: Sequence[Wish], names: set[str], kinds: Sequence[str]) -> Wish | None:
-    """Returns the first wish that none of these relations ties to a wish that waits too."""
-    for wish in waiting:
-        ties = {other for rule in wish.relations if rule.type in kinds for other in rule.of}
-        if not (ties & names) - {wish.id}:
-            return wish
+def _first_free(waiting: Sequence[PieceRequest], names: set[str], kinds: Sequence[str]) -> PieceRequest | None:
+    """Returns the first request that none of these relations makes wait for another request."""
+    for request in waiting:
+        refers_to = {other for rule in request.relations if rule.type in kinds for other in rule.of}
+        if not (refers_to & names) - {request.id}:
+            return request
     return None
 
 
-def kinds_for(room: Room, wishes: Sequence[Wish], catalogs: Catalogs) -> Catalogs:
-    """Returns the catalogs with one kind more for every wish and everything that stands in the room already."""
-    added: dict[str, Kind] = {kind_of(wish.id): _kind(wish, catalogs) for wish in wishes}
-    added |= {kind_of(piece.id): _kind(_as_wish(piece), catalogs) for piece in room.furniture}
-    return catalogs.model_copy(update={"furniture": {**catalogs.furniture, **added}})
+def kinds_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) -> dict[str, Kind]:
+    """Returns the kinds, in their sizes, of what is wanted and of what stands in the room already, by id."""
+    known = catalogs.furniture.get
+    standing = {one.id: Kind.of(one.name, known(one.name), (one.width, one.depth, one.height)) for one in room.furniture}
+    return standing | {one.id: Kind.of(one.name, known(one.name), one.size) for one in requests}
 
 
-def kind_of(name: str) -> str:
-    """Returns what the kind of a wish, or of a piece that stands already, is called."""
-    return f"asked {name}"
-
-
-def _as_wish(piece: Furniture) -> Wish:
-    return Wish(piece.id, piece.name, piece.width, piece.depth, piece.height)
-
-
-def _kind(wish: Wish, catalogs: Catalogs) -> Kind:
-    size = (wish.width or 1.0, wish.depth or 1.0, wish.height or 1.0)
-    known = catalogs.furniture.get(wish.name)
-    name = catalogs.name_of(wish.name)
-    if known is not None:
-        grown = size[2] / known.size[2]
-        surfaces = tuple(surface.model_copy(update={"height": round(surface.height * grown, 3)}) for surface in known.surfaces)
-        return known.model_copy(update={"name": name, "size": size, "surfaces": surfaces})
-    top = Surface.model_construct(name="top", height=size[2], inset=0.0, clearance=None)
-    mass = max(0.1, min(DENSITY * size[0] * size[1] * size[2], 5000.0))
-    return Kind.model_construct(
-        category="misc", name=name, size=size, color=PLAIN_COLOUR, variants=(), mass=mass, stands="free", use=None, surfaces=(top,)
-    )
-
-
-def pieces_of(wishes: Sequence[Wish]) -> tuple[Piece, ...]:
-    """Returns the wishes as pieces of a room type."""
-    return tuple(
-        Piece.model_construct(
-            piece=wish.id,
-            kinds=(Variant.model_construct(kind=kind_of(wish.id), cost=0.0, min_area=0.0),),
-            required=wish.required, count=wish.count, per_area=None, min_area=0.0, chance=1.0,
-            skip_cost=100.0, approach=(), rules=wish.relations,
-        )
-        for wish in wishes
-    )  # fmt: skip
-
-
-def _weighed(rule: Rule) -> Rule:
+def _weighed(rule: RelationSpec) -> RelationSpec:
     """Gives a rule that does not say what it is worth the worth of a wish."""
     return rule if "cost" in rule.model_fields_set else rule.model_copy(update={"cost": RELATION_COST})
 
 
-def relations_of(wishes: Sequence[Wish]) -> Iterator[tuple[str, Rule]]:
+def relations_of(requests: Sequence[PieceRequest]) -> Iterator[tuple[str, RelationSpec]]:
     """Yields every relation that is asked for, as (id of the copy, rule)."""
-    for wish in wishes:
-        for label in wish.labels:
-            for rule in wish.relations:
+    for request in requests:
+        for label in request.labels:
+            for rule in request.relations:
                 yield label, rule
 
 
-def labels_by_name(room: Room, wishes: Sequence[Wish]) -> Mapping[str, tuple[str, ...]]:
+def labels_by_name(room: Room, requests: Sequence[PieceRequest]) -> Mapping[str, tuple[str, ...]]:
     """Returns the ids of the bodies that each name of an `of` stands for."""
-    return {**{piece.id: (piece.id,) for piece in room.furniture}, **{wish.id: wish.labels for wish in wishes}}
+    return {**{piece.id: (piece.id,) for piece in room.furniture}, **{request.id: request.labels for request in requests}}
 
 
 @dataclass(frozen=True)
-class Held:
+class Held(Record):
     """What became of one relation: the piece's id, the relation, what it was to (None: the room), and whether it is held."""
 
     piece: str
@@ -250,7 +220,7 @@ class Held:
 
 
 @dataclass(frozen=True)
-class Unplaced:
+class Unplaced(Record):
     """A piece that is not in the scene, and why."""
 
     id: str
@@ -258,7 +228,7 @@ class Unplaced:
 
 
 @dataclass(frozen=True)
-class Placement:
+class Placement(Record):
     """One placement: the scene, which relations it holds, who is missing, what the relations it misses are worth, and issues."""
 
     scene: Scene

@@ -1,46 +1,74 @@
 """Every type of the scene document and of the request, with its units.
 
 Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by key, in its order.
-May import: errors. Not here: reading and writing (exchange), rules (validate).
+May import: errors, fields. Not here: reading and writing (exchange), rules (validate).
 
 Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen
 from above, 0 facing south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner;
 `y` is its underside. Edges lie on integer millimetres, so a centre may end in 0.0005.
 
-Field metadata states what a reader accepts (`positive`, `at_least`, `at_most`, `choices`); the reader and the published
-JSON Schema are both derived from it.
+Each field's type states what a reader accepts (solver/fields.py); reading and the published JSON Schema are made from it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Final
+from typing import Annotated, Any, ClassVar, Final
 
+from annotated_types import Ge, Le, MinLen
+
+from solver.answers import OfferedRepair, Removal
 from solver.errors import SceneError
+from solver.fields import (
+    MAX_WHOLE,
+    OMITTED,
+    REQUIRED,
+    STRICT,
+    WHOLE,
+    Counted,
+    Flag,
+    Free,
+    Identity,
+    Index,
+    Like,
+    Name,
+    Number,
+    OneOf,
+    PositiveMetres,
+    Record,
+    Says,
+    Text,
+    TextByIndex,
+    Whole,
+)
 
 FORMAT: Final = "compose-scene/1"
-MAX_SEED: Final = 2**53 - 1
-"""Largest seed: the largest integer that every JSON reader keeps exactly."""
-MAX_LENGTH: Final = 1000.0
-"""Largest size of anything in a scene, m."""
+MAX_SEED: Final = MAX_WHOLE
 EXTERIOR: Final = "EXTERIOR"
 """What an opening connects to when it leads outside."""
 WALLS: Final = ("north", "south", "east", "west")
 ROBOT_WIDTH: Final = 0.6
-"""Side of the square that must be able to walk, m, where nothing else is said (contract)."""
+"""Side of the square that must be able to walk, m, where nothing else is said."""
 PLAIN_SIZE: Final = (20.0, 15.0)
-"""Width and depth of a house where nothing else is asked for, m (contract)."""
-FITTED: Final = "chosen to fit where a programme or an area is asked for"
+"""Width and depth of a house where nothing else is asked for, m."""
+FITTED: Final = "unless a programme or an area chooses it"
 MAX_COUNT: Final = 12
 """Most rooms of one word, or cars, that a programme may count; our choice, more than any home has."""
 OPENING_KINDS: Final = ("door", "garage_door", "passage", "window")
 SEVERITIES: Final = ("error", "warning")
+ADJACENCY: Final = (
+    "pairs of rooms, by index, with a common wall long enough for a door; the certificate's `unjoined` are those of them, by id, "
+    "that no door or passage joins"
+)
 
-
-def _length(**more: Any) -> Any:
-    """Declares a required size in metres: finite, > 0 and <= MAX_LENGTH."""
-    return field(metadata={"positive": True, "at_most": MAX_LENGTH, **more})
+WallName = Annotated[str, OneOf(*WALLS)]
+RequiredNumber = Annotated[Number, REQUIRED]
+RequiredMetres = Annotated[PositiveMetres, REQUIRED]
+Seed = Annotated[int, Ge(0), Le(MAX_SEED), WHOLE]
+RobotWidth = Annotated[float, STRICT, Ge(0.1), Le(2.0)]
+WallThickness = Annotated[float, STRICT, Ge(0.0), Le(1.0)]
+Extent = Annotated[float, STRICT, Ge(2.0), Le(1000.0)]
 
 
 def _extra() -> Any:
@@ -49,29 +77,31 @@ def _extra() -> Any:
 
 
 @dataclass(frozen=True)
-class Request:
+class Request(Record):
     """What to generate; all optional. Unknown keys are refused.
 
     `program` counts rooms by word (`{bedrooms: 3, bathrooms: 2, garage: 1}`) or names a preset; `area` is the wished
     floor of the house, m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where
     they are not given; else the house is 20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say
     how its rectangle is cut into rooms. `force_types` maps a room's index to a room type. `robot_width` is the side, m,
-    of the square that must be able to walk everywhere. `decorate` dresses surfaces, walls and floors. `style` names a style.
+    of the square that must be able to walk everywhere. `decorate` decorates surfaces, walls and floors. `style` names a style.
     """
 
-    seed: int | None = field(default=None, metadata={"at_least": 0, "at_most": MAX_SEED})
-    width: float | None = field(default=None, metadata={"at_least": 2.0, "at_most": 1000.0, "says": f"{PLAIN_SIZE[0]:g} m; {FITTED}"})
-    depth: float | None = field(default=None, metadata={"at_least": 2.0, "at_most": 1000.0, "says": f"{PLAIN_SIZE[1]:g} m; {FITTED}"})
-    min_room_size: float = field(default=3.0, metadata={"at_least": 1.5, "at_most": 50.0})
-    max_depth: int = field(default=5, metadata={"at_least": 0, "at_most": 16})
-    use_spine: bool = True
-    outdoor: bool = False
-    decorate: bool = False
-    force_types: Mapping[int, str] = field(default_factory=dict)
-    robot_width: float = field(default=ROBOT_WIDTH, metadata={"at_least": 0.1, "at_most": 2.0})
-    program: Mapping[str, int] | str | None = field(default=None, metadata={"at_least": 0, "at_most": MAX_COUNT})
-    area: float | None = field(default=None, metadata={"at_least": 15.0, "at_most": 1000.0})
-    style: str | None = None
+    camel_case: ClassVar[bool] = True
+
+    seed: Annotated[Seed | None, Says("drawn where there is none")] = None
+    width: Annotated[Extent | None, Says(f"m, {PLAIN_SIZE[0]:g} {FITTED}")] = None
+    depth: Annotated[Extent | None, Says(f"m, {PLAIN_SIZE[1]:g} {FITTED}")] = None
+    min_room_size: Annotated[float, STRICT, Ge(1.5), Le(50.0), Says("m, at most the house's shorter side")] = 3.0
+    max_depth: Annotated[int, Ge(0), Le(16), WHOLE, Says("how often the rectangle is split")] = 5
+    use_spine: Flag = True
+    outdoor: Flag = False
+    decorate: Flag = False
+    force_types: Annotated[TextByIndex, Says("room types by the room's index")] = field(default_factory=dict)
+    robot_width: RobotWidth = ROBOT_WIDTH
+    program: Annotated[Mapping[str, int] | str | None, Counted(MAX_COUNT), Says("a preset's name, or how many rooms of each word")] = None
+    area: Annotated[float, STRICT, Ge(15.0), Le(1000.0)] | None = None
+    style: Text | None = None
 
     @property
     def planned(self) -> bool:
@@ -86,55 +116,55 @@ class Request:
 
 
 @dataclass(frozen=True)
-class Size:
+class Size(Record):
     """Outer extents of the house, m."""
 
-    width: float = _length()
-    depth: float = _length()
-    height: float = field(default=2.8, metadata={"positive": True, "at_most": MAX_LENGTH})
-    extra: Mapping[str, Any] = _extra()
+    width: PositiveMetres
+    depth: PositiveMetres
+    height: PositiveMetres = 2.8
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Level:
+class Level(Record):
     """One storey: elevation of its floor and its height, m."""
 
-    index: int = 0
-    elevation: float = 0.0
-    height: float = field(default=2.8, metadata={"positive": True, "at_most": MAX_LENGTH})
-    extra: Mapping[str, Any] = _extra()
+    index: Whole = 0
+    elevation: Number = 0.0
+    height: PositiveMetres = 2.8
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Flooring:
+class Flooring(Record):
     """What the floor is made of: a name of catalogs/floorings.yaml and a colour."""
 
-    type: str = "wood"
-    color: str = "#b08d57"
-    extra: Mapping[str, Any] = _extra()
+    type: Text = "wood"
+    color: Text = "#b08d57"
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class WallFinish:
+class WallFinish(Record):
     """What a room's walls are finished with on its side, and the colour."""
 
-    type: str = "plaster"
-    color: str = "#f0ede6"
-    extra: Mapping[str, Any] = _extra()
+    type: Text = "plaster"
+    color: Text = "#f0ede6"
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Sides:
+class Sides(Record):
     """A yes or no for each of a room's four walls."""
 
-    north: bool = False
-    south: bool = False
-    east: bool = False
-    west: bool = False
+    north: Flag = False
+    south: Flag = False
+    east: Flag = False
+    west: Flag = False
 
 
 @dataclass(frozen=True)
-class Opening:
+class Opening(Record):
     """A door, garage door, passage or window in a wall.
 
     `position` is the opening's centre along the wall from its west or north end, m. Both rooms of a door list it under
@@ -142,139 +172,139 @@ class Opening:
     sweeps. On an outlined room `edge` (from outline point i to the next) replaces `wall`.
     """
 
-    id: str
-    kind: str = field(default="door", metadata={"choices": OPENING_KINDS})
-    wall: str | None = field(default=None, metadata={"choices": WALLS})
-    position: float = 0.0
-    width: float = field(default=0.9, metadata={"positive": True, "at_most": MAX_LENGTH})
-    height: float = field(default=2.1, metadata={"positive": True, "at_most": MAX_LENGTH})
-    sill: float = 0.0
-    connects_to: str | None = None
-    hinge: str | None = field(default=None, metadata={"choices": ("start", "end")})
-    swing: str | None = field(default=None, metadata={"choices": ("in", "out")})
-    main_entrance: bool = False
-    render_panel: bool = True
-    edge: int | None = field(default=None, metadata={"at_least": 0, "omit_none": True})
-    extra: Mapping[str, Any] = _extra()
+    id: Identity
+    kind: Annotated[str, OneOf(*OPENING_KINDS)] = "door"
+    wall: WallName | None = None
+    position: Number = 0.0
+    width: PositiveMetres = 0.9
+    height: PositiveMetres = 2.1
+    sill: Number = 0.0
+    connects_to: Text | None = None
+    hinge: Annotated[str, OneOf("start", "end")] | None = None
+    swing: Annotated[str, OneOf("in", "out")] | None = None
+    main_entrance: Flag = False
+    render_panel: Flag = True
+    edge: Index | None = field(default=None, metadata={OMITTED: True})
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Furniture:
+class Furniture(Record):
     """A piece of furniture: full unrotated extents, m; `width` is across its front, `depth` front to back.
 
     `wall` is the wall it must stand at; `under` the table a chair is tucked under, `on` the piece it stands on (ids).
     """
 
-    id: str
-    name: str
-    category: str | None = None
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    rotation: float = 0
-    width: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
-    depth: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
-    height: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
-    color: str | None = None
-    wall: str | None = field(default=None, metadata={"choices": WALLS})
-    under: str | None = None
-    on: str | None = None
-    locked: bool = False
-    extra: Mapping[str, Any] = _extra()
+    id: Identity
+    name: Text
+    category: Text | None = None
+    x: RequiredNumber = 0.0
+    y: Number = 0.0
+    z: RequiredNumber = 0.0
+    rotation: Number = 0
+    width: RequiredMetres = 0.0
+    depth: RequiredMetres = 0.0
+    height: RequiredMetres = 0.0
+    color: Text | None = None
+    wall: WallName | None = None
+    under: Text | None = None
+    on: Text | None = None
+    locked: Flag = False
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Decoration:
+class Decoration(Record):
     """A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any."""
 
-    id: str
-    name: str
-    parent: str | None = None
-    mounted_on_wall: str | None = field(default=None, metadata={"choices": WALLS})
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    rotation: float = 0
-    width: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
-    depth: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
-    height: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
-    color: str | None = None
-    extra: Mapping[str, Any] = _extra()
+    id: Identity
+    name: Text
+    parent: Text | None = None
+    mounted_on_wall: WallName | None = None
+    x: RequiredNumber = 0.0
+    y: Number = 0.0
+    z: RequiredNumber = 0.0
+    rotation: Number = 0
+    width: RequiredMetres = 0.0
+    depth: RequiredMetres = 0.0
+    height: RequiredMetres = 0.0
+    color: Text | None = None
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Dynamic:
+class Dynamic(Record):
     """A person or a pet; `room` is the room's id, the pose relative to that room; `on` the seat one sits on (its id)."""
 
-    id: str
-    kind: str = "person"
-    room: str | None = None
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    rotation: float = 0
-    width: float = field(default=0.5, metadata={"positive": True, "at_most": MAX_LENGTH})
-    depth: float = field(default=0.3, metadata={"positive": True, "at_most": MAX_LENGTH})
-    height: float = field(default=1.7, metadata={"positive": True, "at_most": MAX_LENGTH})
-    color: str | None = field(default=None, metadata={"omit_none": True})
-    on: str | None = field(default=None, metadata={"omit_none": True})
-    extra: Mapping[str, Any] = _extra()
+    id: Identity
+    kind: Text = "person"
+    room: Text | None = None
+    x: Number = 0.0
+    y: Number = 0.0
+    z: Number = 0.0
+    rotation: Number = 0
+    width: PositiveMetres = 0.5
+    depth: PositiveMetres = 0.3
+    height: PositiveMetres = 1.7
+    color: Text | None = field(default=None, metadata={OMITTED: True})
+    on: Text | None = field(default=None, metadata={OMITTED: True})
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Room:
+class Room(Record):
     """A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner.
 
     `outline` lists corner points clockwise from the north-west, room-relative, where the room is not that rectangle; `walls`
     says what its walls are finished with, where that is known.
     """
 
-    id: str
-    index: int = 0
-    type: str = "room"
-    level: int = 0
-    x: float = 0.0
-    z: float = 0.0
-    width: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
-    depth: float = field(default=0.0, metadata={"positive": True, "at_most": MAX_LENGTH, "required": True})
-    outline: tuple[tuple[float, float], ...] | None = None
-    outdoor: bool = False
+    id: Identity
+    index: Whole = 0
+    type: Text = "room"
+    level: Whole = 0
+    x: Number = 0.0
+    z: Number = 0.0
+    width: RequiredMetres = 0.0
+    depth: RequiredMetres = 0.0
+    outline: Annotated[tuple[tuple[Number, Number], ...], MinLen(4)] | None = None
+    outdoor: Flag = False
     flooring: Flooring | None = None
-    accent: str | None = None
-    walls: WallFinish | None = field(default=None, metadata={"omit_none": True})
+    accent: Text | None = None
+    walls: WallFinish | None = field(default=None, metadata={OMITTED: True})
     exterior_walls: Sides | None = None
     wall_flags: Sides | None = None
     openings: tuple[Opening, ...] = ()
     furniture: tuple[Furniture, ...] = ()
     decorations: tuple[Decoration, ...] = ()
-    extra: Mapping[str, Any] = _extra()
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(Record):
     """A whole house: the document of /generate, /fix and /validate."""
 
-    format: str = field(default=FORMAT, metadata={"choices": (FORMAT,)})
-    seed: int | None = None
-    request: Mapping[str, Any] | None = None
-    generator: Mapping[str, Any] | None = None
+    format: Annotated[str, OneOf(FORMAT)] = FORMAT
+    seed: Whole | None = None
+    request: Free | None = None
+    generator: Free | None = None
     size: Size | None = None
-    wall_thickness: float = field(default=0.0, metadata={"at_least": 0.0, "at_most": 1.0})
+    wall_thickness: WallThickness = 0.0
     levels: tuple[Level, ...] = ()
     rooms: tuple[Room, ...] = ()
-    corridors: tuple[Mapping[str, Any], ...] = ()
-    adjacency: tuple[tuple[int, int], ...] = ()
+    corridors: tuple[Free, ...] = ()
+    adjacency: Annotated[tuple[tuple[Whole, Whole], ...], Says(ADJACENCY)] = ()
     dynamic: tuple[Dynamic, ...] = ()
-    certificate: Mapping[str, Any] | None = None
-    extra: Mapping[str, Any] = _extra()
+    certificate: Free | None = None
+    extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
-class Issue:
-    """One broken rule: the contract's word, the room's id, the ids of the bodies, and by how much, m."""
+class Issue(Record):
+    """One broken rule: its name, the room's id, the ids of the bodies, and by how much, m."""
 
     rule: str
-    severity: str
+    severity: Annotated[str, OneOf(*SEVERITIES)]
     room: str | None
     ids: tuple[str, ...]
     amount: float
@@ -282,16 +312,16 @@ class Issue:
 
 
 @dataclass(frozen=True)
-class Conflict:
+class Conflict(Record):
     """Bodies that cannot stand together, why, and what would help."""
 
     ids: tuple[str, ...]
     message: str
-    repairs: tuple[Mapping[str, Any], ...] = ()
+    repairs: tuple[Annotated[Mapping[str, object], Like(OfferedRepair)], ...] = ()
 
 
 @dataclass(frozen=True)
-class Move:
+class Move(Record):
     """How far /fix moved a body, m, and the rotation it has now, degrees."""
 
     id: str
@@ -301,17 +331,17 @@ class Move:
 
 
 @dataclass(frozen=True)
-class Pose:
+class Pose(Record):
     """Where a body was in the last answer of /fix: its footprint's centre in its room, m, and its rotation, degrees."""
 
-    id: str
-    x: float = field(metadata={"required": True})
-    z: float = field(metadata={"required": True})
-    rotation: float = 0
+    id: Name
+    x: Number
+    z: Number
+    rotation: Number = 0
 
 
 @dataclass(frozen=True)
-class Generated:
+class Generated(Record):
     """The answer of generate: the scene, what the validator says, and stage times in ms."""
 
     scene: Scene
@@ -320,21 +350,35 @@ class Generated:
 
 
 @dataclass(frozen=True)
-class Fixed:
+class Fixed(Record):
     """The answer of fix."""
 
     scene: Scene
     moves: tuple[Move, ...]
-    removed: tuple[Mapping[str, str], ...]
+    removed: tuple[Annotated[Mapping[str, str], Like(Removal)], ...]
     conflicts: tuple[Conflict, ...]
     issues: tuple[Issue, ...]
     timing_ms: Mapping[str, float]
 
 
 def robot_width_of(scene: Scene) -> float:
-    """Returns the side of the square that must be able to walk, m: the request's, or the contract's."""
+    """Returns the side of the square that must be able to walk, m: the request's, or 0.6."""
     width = (scene.request or {}).get("robot_width")
-    return float(width) if isinstance(width, int | float) and 0.1 <= width <= 2.0 else ROBOT_WIDTH
+    return float(width) if isinstance(width, int | float) and not isinstance(width, bool) and 0.1 <= width <= 2.0 else ROBOT_WIDTH
+
+
+def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
+    """Returns how many there are in a house of everything that is counted; a door that two rooms list is one."""
+    openings = {opening.id: opening.kind for room in rooms for opening in room.openings}
+    windows = sum(kind == "window" for kind in openings.values())
+    return {
+        "rooms": len(rooms),
+        "doors": len(openings) - windows,
+        "windows": windows,
+        "furniture": sum(len(room.furniture) for room in rooms),
+        "decorations": sum(len(room.decorations) for room in rooms),
+        "dynamic": len(people),
+    }
 
 
 def body_ids(scene: Scene) -> list[str]:

@@ -43,7 +43,7 @@ def bring() -> Path:
         SystemExit: neither could be had.
     """
     sys.path.insert(0, str(SCRIPTS))
-    import debian
+    import debian  # type: ignore[import-not-found]
 
     if not debian.run([*PLAYWRIGHT, "--version"]):
         debian.install("libatomic1")  # what playwright's own Node loads, and a bare Debian lacks

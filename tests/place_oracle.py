@@ -8,38 +8,17 @@ left out: what the oracle holds is at least what can be held. Every piece stands
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
+from tests.place_oracle_sides import FRONT, ROTATIONS, Placed, at_sides, between
 from tests.programme import BIG, Expr, Programme
 
-NEARLY, AT_WALL, GAP = 0.1, 0.03, 0.02
-ROTATIONS = (0, 90, 180, 270)
-FRONT = {0: (0, 1), 90: (1, 0), 180: (0, -1), 270: (-1, 0)}
+NEARLY, AT_WALL = 0.1, 0.03
 WALL_OF = {0: "north", 90: "west", 180: "south", 270: "east"}
 DIRECTIONS = [(1, 0), (-1, 0), (0, 1), (0, -1)] + [(s * 0.7071, t * 0.7071) for s in (1, -1) for t in (1, -1)]
-GAPS = {"beside": (0.0, 0.3), "in_front_of": (0.0, 0.7), "around": (-9.0, 0.3), "under": (-9.0, -0.01), "in_row": (0.0, 0.02)}
 
 
 Kinds = Mapping[str, tuple[tuple[float, float, float], str]]
-
-
-@dataclass
-class Placed:
-    """A piece's expressions: min corner, extents, rotation binaries."""
-
-    name: str
-    low: tuple[Expr, Expr]
-    extent: tuple[Expr, Expr]
-    turn: dict[int, Expr]
-    height: float
-    at_wall: bool
-
-    def high(self, axis: int) -> Expr:
-        return self.low[axis] + self.extent[axis]
-
-    def middle(self, axis: int) -> Expr:
-        return self.low[axis] + self.extent[axis].times(0.5)
 
 
 class Oracle:
@@ -88,7 +67,7 @@ class Oracle:
                 dx, dz = {"front": (fx, fz), "back": (-fx, -fz), "left": (-fz, fx), "right": (fz, -fx)}[side]
                 axis, sign = (0, dx) if dx else (1, dz)
                 touch = stand[axis] - piece.high(axis) if sign > 0 else piece.low[axis] - stand[axis] - size
-                self._between(touch, 0.0, 0.0, chosen, piece.turn[r])
+                between(self.p, touch, 0.0, 0.0, chosen, piece.turn[r])
                 p.at_least(stand[1 - axis] + size / 2 - piece.low[1 - axis], 0.0, chosen, piece.turn[r])
                 p.at_least(piece.high(1 - axis) - stand[1 - axis] - size / 2, 0.0, chosen, piece.turn[r])
             for other in self.pieces.values():
@@ -170,10 +149,6 @@ class Oracle:
     def _option(self) -> Expr:
         return self.p.binary()
 
-    def _between(self, expr: Expr, least: float, most: float, *when: Expr) -> None:
-        self.p.at_least(expr, least, *when)
-        self.p.at_least(-expr, -most, *when)
-
     def _against_wall(self, own: Placed, *_: Any) -> list[Expr]:
         options = []
         for r in ROTATIONS:
@@ -199,10 +174,10 @@ class Oracle:
         options = self._against_wall(own)
         for r, option in zip(ROTATIONS, options, strict=True):
             axis = 1 - self.walls[WALL_OF[r]][0]
-            self._between(own.middle(axis), middle[axis] - NEARLY, middle[axis] + NEARLY, option)
+            between(self.p, own.middle(axis), middle[axis] - NEARLY, middle[axis] + NEARLY, option)
         options.append(self._option())
         for axis in (0, 1):
-            self._between(own.middle(axis), middle[axis] - NEARLY, middle[axis] + NEARLY, options[-1])
+            between(self.p, own.middle(axis), middle[axis] - NEARLY, middle[axis] + NEARLY, options[-1])
         return options
 
     def _at_window(self, own: Placed, *_: Any) -> list[Expr]:
@@ -215,7 +190,7 @@ class Oracle:
                     self.p.at_least(-own.low[axis], -(self.low[axis] + 0.2), options[-1])
                 else:
                     self.p.at_least(own.high(axis), self.high[axis] - 0.2, options[-1])
-                self._between(own.middle(1 - axis), position - NEARLY, position + NEARLY, options[-1])
+                between(self.p, own.middle(1 - axis), position - NEARLY, position + NEARLY, options[-1])
         return options
 
     def _points(self, kind: str) -> list[tuple[float, float]]:
@@ -283,7 +258,7 @@ class Oracle:
         options = []
         for k in (0, 1):
             options.append(self._option())
-            self._between(own.middle(k) - other.middle(k), -NEARLY, NEARLY, options[-1])
+            between(self.p, own.middle(k) - other.middle(k), -NEARLY, NEARLY, options[-1])
         return options
 
     def _facing(self, own: Placed, other: Placed, *_: Any) -> list[Expr]:
@@ -323,53 +298,26 @@ class Oracle:
                 self._back_at_wall(own, r, options[-1])
         return options
 
-    def _at_sides(self, own: Placed, other: Placed, relation: dict[str, Any], sides: Sequence[str], turned: bool) -> list[Expr]:
-        low, high = GAPS[relation["type"]]
-        if "gap" in relation:
-            low, high = relation["gap"][0] - GAP, relation["gap"][1] + GAP
-        options = []
-        for r, (fx, fz) in FRONT.items():
-            for side in sides:
-                dx, dz = {"front": (fx, fz), "back": (-fx, -fz), "left": (-fz, fx), "right": (fz, -fx)}[side]
-                axis, sign = (0, dx) if dx else (1, dz)
-                gap = own.low[axis] - other.high(axis) if sign > 0 else other.low[axis] - own.high(axis)
-                for longer in (own, other):
-                    option = self._option()
-                    options.append(option)
-                    self.p.at_least(other.turn[r], 1.0, option)
-                    self._between(gap, low, high, option)
-                    aside = own.middle(1 - axis) - other.middle(1 - axis)
-                    half = longer.extent[1 - axis].times(0.5)
-                    self.p.at_least(half - aside, 0.0, option)
-                    self.p.at_least(half + aside, 0.0, option)
-                    if turned:
-                        self.p.at_least(own.turn[next(q for q in ROTATIONS if FRONT[q] == (-dx, -dz))], 1.0, option)
-                        self.p.at_least(gap + 0.0, -self._depth(own, axis), option)
-        return options
-
-    def _depth(self, own: Placed, axis: int) -> float:
-        return min(value for key, value in own.extent[axis].items() if key >= 0) - 0.15
-
     def _beside(self, own: Placed, other: Placed, relation: dict[str, Any], _: Any) -> list[Expr]:
-        return self._at_sides(own, other, relation, ("left", "right"), False)
+        return at_sides(self.p, (own, other), relation, ("left", "right"), False)
 
     def _in_front_of(self, own: Placed, other: Placed, relation: dict[str, Any], _: Any) -> list[Expr]:
-        return self._at_sides(own, other, relation, ("front",), False)
+        return at_sides(self.p, (own, other), relation, ("front",), False)
 
     def _around(self, own: Placed, other: Placed, relation: dict[str, Any], _: Any) -> list[Expr]:
-        return self._at_sides(own, other, relation, ("front", "back", "left", "right"), True)
+        return at_sides(self.p, (own, other), relation, ("front", "back", "left", "right"), True)
 
     def _under(self, own: Placed, other: Placed, relation: dict[str, Any], _: Any) -> list[Expr]:
-        return self._at_sides(own, other, relation, ("front",), True)
+        return at_sides(self.p, (own, other), relation, ("front",), True)
 
     def _in_row(self, own: Placed, other: Placed, relation: dict[str, Any], _: Any) -> list[Expr]:
-        options = self._at_sides(own, other, relation, ("left", "right"), False)
+        options = at_sides(self.p, (own, other), relation, ("left", "right"), False)
         for k, option in enumerate(options):
             r = ROTATIONS[k // 4]
             self.p.at_least(own.turn[r], 1.0, option)
             axis, positive = {0: (1, False), 90: (0, False), 180: (1, True), 270: (0, True)}[r]
             ends = (own.high(axis), other.high(axis)) if positive else (own.low[axis], other.low[axis])
-            self._between(ends[0] - ends[1], -NEARLY, NEARLY, option)
+            between(self.p, ends[0] - ends[1], -NEARLY, NEARLY, option)
         return options
 
     def most(self, more_than: int, seconds: float) -> tuple[str, list[bool], dict[str, tuple[float, float, int]]]:

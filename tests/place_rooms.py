@@ -16,7 +16,7 @@ from time import process_time
 from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
-from service.placing import read_place
+from service.calls import read_place
 from solver import place
 from solver.requested import Placement
 from tests.place_oracle import Oracle
@@ -182,13 +182,13 @@ class Tally:
 
 def timed(seed: int, catalogs: Catalogs) -> tuple[Placement, float]:
     """Places a seed's room; returns the best placement and the CPU time it took, ms."""
-    room, wishes, terms = read_place(place_request(seed))
+    body = read_place(place_request(seed))
     start = process_time()
-    best = place(room, wishes, wall_thickness=terms.wall_thickness, catalogs=catalogs).best
+    best = place(body.room, body.pieces, wall_thickness=body.wall_thickness, catalogs=catalogs).best
     return best, 1000 * (process_time() - start)
 
 
-def tally(seed: int, best: Placement, cpu_ms: float, catalogs: Catalogs, seconds: float = 30.0) -> Tally:
+def tally(seed: int, best: Placement, cpu_ms: float, catalogs: Catalogs, seconds: float = 120.0) -> Tally:
     """Counts what a placement holds; where it misses a relation, asks the oracle for a placement that holds more."""
     request = place_request(seed)
     own, word, more = sum(entry.held for entry in best.relations), "solved", list[bool]()

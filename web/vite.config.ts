@@ -7,6 +7,8 @@ const STATIC_DIRECTORY = "../service/static";
 const SERVICE = "http://127.0.0.1:8000";
 const CALLS = ["/generate", "/fix", "/validate", "/view", "/floor", "/export", "/catalog", "/schema", "/healthz"];
 
+const GUARD_MS = 600_000;
+
 export default defineConfig({
   base: "./",
   build: {
@@ -18,5 +20,6 @@ export default defineConfig({
     chunkSizeWarningLimit: 900,
   },
   server: { proxy: Object.fromEntries(CALLS.map((call) => [call, SERVICE])) },
-  test: { include: ["tests/**/*.test.ts"], environment: "node" },
+  // No test is about time: the limits are guards against one that never ends. All files share a process: starting many takes longer.
+  test: { include: ["tests/**/*.test.ts"], environment: "node", isolate: false, testTimeout: GUARD_MS, hookTimeout: GUARD_MS, teardownTimeout: GUARD_MS },
 });

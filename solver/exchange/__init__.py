@@ -3,23 +3,28 @@
 Comes in: text, or a document of plain values. Goes out: `Scene` and `Request` objects, documents, text, a JSON Schema.
 May import: the ground floor. Not here: rules (validate), where bytes come from (service).
 
-One table, made from the dataclasses of `solver.scene`, drives the reader, the writer and the schema.
+The types of the fields in `solver.scene` (`solver.fields`) drive the reader, the writer and the schema.
 """
 
-from solver.exchange.reader import read_poses, read_request, read_scene
-from solver.exchange.schema import request_schema, scene_schema
-from solver.exchange.text import FORMATS, dump_text, load_text
-from solver.exchange.writer import write_request, write_scene
+from solver.exchange.reader import SentRoom, SentScene, adapter, checked_request, read, read_request, read_scene, scene_schema
+from solver.exchange.text import FORMATS, dump_text, format_of_content, format_of_name, load_text
+from solver.exchange.writer import write, write_request, write_scene
 
 __all__ = [
     "FORMATS",
+    "SentRoom",
+    "SentScene",
+    "adapter",
+    "checked_request",
     "dump_text",
+    "format_of_content",
+    "format_of_name",
     "load_text",
-    "read_poses",
+    "read",
     "read_request",
     "read_scene",
-    "request_schema",
     "scene_schema",
+    "write",
     "write_request",
     "write_scene",
 ]

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeVar, cast
 
-from solver.exchange.plain import Wrong
+from solver.plain import Wrong
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
 
 Named = TypeVar("Named", Furniture, Decoration, Opening, Dynamic, Room)

@@ -9,7 +9,7 @@ import json
 from typing import Any
 
 from solver.errors import SyntaxFault
-from solver.exchange.plain import MAX_NESTING, is_text
+from solver.plain import MAX_NESTING, is_text
 
 
 def load(text: str) -> object:

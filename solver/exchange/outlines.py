@@ -1,20 +1,28 @@
 """What an outline must be to be one.
 
-Comes in: a room. Goes out: nothing, or what is wrong. May import: scene.
+Comes in: a scene. Goes out: nothing, or what is wrong. May import: scene.
 """
 
 from __future__ import annotations
 
-from solver.exchange.plain import Wrong
-from solver.scene import Room
+from solver.plain import Wrong
+from solver.scene import Room, Scene
 
 
-def check_outline(room: Room) -> None:
-    """Checks that a room's outline, if it has one, is rectilinear (to the micrometre) and encloses something.
+def check_outlines(scene: Scene) -> None:
+    """Checks that outlines are rectilinear (to the micrometre) and enclose something, and that openings are at their edges.
 
     Raises:
         Wrong: a line runs at an angle, or everything lies on one line; or an opening names an edge that is not there.
     """
+    for place, room in enumerate(scene.rooms):
+        try:
+            _check_outline(room)
+        except Wrong as wrong:
+            raise wrong.inside(place).inside("rooms") from None
+
+
+def _check_outline(room: Room) -> None:
     if room.outline is not None:
         _check_corners(room.outline)
     for index, opening in enumerate(room.openings):

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import Any, Final
 
 from solver.errors import FieldError, SyntaxFault
 from solver.exchange import json_text, yaml_text
-from solver.exchange.plain import Wrong, plain
+from solver.plain import Wrong, path, plain
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,17 @@ FORMATS: Final = {
     "json": TextFormat(json_text.load, json_text.dump, "application/json", (".json",)),
     "yaml": TextFormat(yaml_text.load, yaml_text.dump, "application/yaml", (".yaml", ".yml")),
 }
+ENDINGS: Final = {ending: name for name, format in FORMATS.items() for ending in format.endings}
+
+
+def format_of_name(name: str) -> str | None:
+    """Tells a file's format by its name, None where the name does not say."""
+    return ENDINGS.get(PurePath(name).suffix.lower())
+
+
+def format_of_content(content: bytes) -> str:
+    """Tells a document's format by its first character: JSON objects and lists begin with a bracket."""
+    return "json" if content.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"[") else "yaml"
 
 
 def load_text(text: bytes | str, format: str) -> object:
@@ -44,6 +56,8 @@ def load_text(text: bytes | str, format: str) -> object:
     Raises:
         SyntaxFault: not a document of that format, a key given twice, or nested deeper than MAX_NESTING.
     """
+    if not text.strip():
+        raise SyntaxFault("the text is empty; {} asks for all defaults where there are any")
     return FORMATS[format].load(_decoded(text))
 
 
@@ -56,7 +70,7 @@ def dump_text(document: object, format: str) -> bytes:
     try:
         checked = plain(document)
     except Wrong as wrong:
-        raise FieldError(wrong.path() or "document", wrong.problem, wrong.allowed) from None
+        raise FieldError(path(wrong.way) or "document", wrong.problem, wrong.allowed) from None
     return FORMATS[format].dump(checked).encode()
 
 

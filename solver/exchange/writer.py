@@ -1,42 +1,33 @@
-"""`Scene` and `Request` -> documents of plain values, in the contract's key order.
+"""Objects -> documents of plain values, in the key order of docs/scene.md.
 
-Comes in: objects. Goes out: what `text.dump_text` writes and `reader` reads back to equal objects.
-May import: the ground floor.
+Comes in: objects whose types `solver.fields` describes. Goes out: what `text.dump_text` writes and `reader` reads back to
+equal objects. May import: the ground floor.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, cast
+from collections.abc import Callable, Mapping
+from dataclasses import fields, is_dataclass
+from functools import lru_cache
+from types import UnionType
+from typing import Any, Final, NamedTuple, Union, get_args, get_origin, get_type_hints
 
 from solver.errors import FieldError, RequestError, SceneError
-from solver.exchange.fields import (
-    EXTRA,
-    WHOLE,
-    Counted,
-    Field,
-    Flag,
-    Free,
-    Indexed,
-    Number,
-    Record,
-    Several,
-    Shape,
-    Text,
-    keeps_extra,
-    table,
-)
-from solver.exchange.plain import Wrong, plain
+from solver.fields import EXTRA, OMITTED
+from solver.plain import Wrong, path, plain
 from solver.scene import Request, Scene
+
+DEGREES: Final = "rotation"
+"""The key of a number that is written whole where it is whole."""
 
 
 def write_scene(scene: Scene) -> dict[str, Any]:
-    """Returns a scene's document: every key, in the contract's order, then the unknown ones that were kept.
+    """Returns a scene's document: every key, in the order of docs/scene.md, then the unknown ones that were kept.
 
     Raises:
         SceneError: the scene holds something that JSON cannot say, such as a number that is not finite.
     """
-    return _named(SceneError, scene)
+    return write(scene, SceneError)
 
 
 def write_request(request: Request) -> dict[str, Any]:
@@ -45,72 +36,86 @@ def write_request(request: Request) -> dict[str, Any]:
     Raises:
         RequestError: the request holds something that JSON cannot say.
     """
-    return _named(RequestError, request)
-
-
-def _named(error: type[FieldError], record: Scene | Request) -> dict[str, Any]:
-    try:
-        return _record(record)
-    except Wrong as wrong:
-        raise error(wrong.path(), wrong.problem, wrong.allowed) from None
-
-
-def _record(record: Any) -> dict[str, Any]:
-    of = type(record)
-    document: dict[str, Any] = {}
-    for row in table(of):
-        value = getattr(record, row.name)
-        if value is not None or not row.omit_none:
-            document[row.name] = _value(row, value)
-    if keeps_extra(of):
-        document.update(cast(dict[str, Any], plain(getattr(record, EXTRA))))
+    document = write(request, RequestError)
+    for name in ("force_types", "program"):
+        if isinstance(getattr(request, name), Mapping):
+            document[name] = {str(key): value for key, value in sorted(getattr(request, name).items())}
     return document
 
 
-def _value(row: Field, value: Any) -> Any:
-    if value is None:
-        return None
+def write(record: object, error: type[FieldError] = FieldError) -> dict[str, Any]:
+    """Returns the document of a dataclass.
+
+    Raises:
+        FieldError: it holds something that JSON cannot say; names the place.
+    """
     try:
-        written = _WRITERS[type(row.shape)](row.shape, value)
+        return _record(record)
     except Wrong as wrong:
-        raise wrong.inside(row.name) from None
-    return int(written) if row.name in WHOLE and written == int(written) else written
+        raise error(path(wrong.way), wrong.problem, wrong.allowed) from None
 
 
-def _number(shape: Number, value: Any) -> Any:
-    return int(value) if shape.whole else plain(float(value))
+class _Key(NamedTuple):
+    """A key of a record: how its value is written, and whether it is left out where it is None."""
+
+    name: str
+    write: Callable[[Any], Any]
+    is_omitted: bool
 
 
-def _indexed(_: Indexed, value: Any) -> dict[str, str]:
-    return {str(index): str(name) for index, name in sorted(value.items())}
+@lru_cache
+def _keys(of: type[Any]) -> tuple[_Key, ...]:
+    hints = get_type_hints(of)
+    return tuple(
+        _Key(part.name, _writer(part.name, hints[part.name]), OMITTED in part.metadata) for part in fields(of) if part.name != EXTRA
+    )
 
 
-def _counted(_: Counted, value: Any) -> Any:
-    return plain(value) if isinstance(value, str) else {str(word): int(count) for word, count in sorted(value.items())}
+def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
+    """Returns what writes a value: numbers as their type says, whatever Python's number it is."""
+    kinds = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
+    if float in kinds:
+        return _degrees if name == DEGREES else _number
+    return int if int in kinds and bool not in kinds else _any
 
 
-def _several(shape: Several, value: Any) -> list[Any]:
-    write = _WRITERS[type(shape.item)]
-    written = []
-    for index, item in enumerate(value):
-        try:
-            written.append(write(shape.item, item))
-        except Wrong as wrong:
-            raise wrong.inside(index) from None
-    return written
+def _record(record: Any) -> dict[str, Any]:
+    document: dict[str, Any] = {}
+    for name, write_value, is_omitted in _keys(record.__class__):
+        value = getattr(record, name)
+        if value is not None:
+            try:
+                document[name] = write_value(value)
+            except Wrong as wrong:
+                raise wrong.inside(name) from None
+        elif not is_omitted:
+            document[name] = None
+    extra = getattr(record, EXTRA, None)
+    if extra:
+        document.update(plain(extra))
+    return document
 
 
-def _plain(_: Shape, value: Any) -> Any:
+def _number(value: Any) -> float:
+    number = float(value) + 0.0
+    return number if number - number == 0.0 else plain(number)
+
+
+def _degrees(value: Any) -> float:
+    number = _number(value)
+    return int(number) if number.is_integer() else number
+
+
+def _any(value: Any) -> Any:
+    if is_dataclass(value):
+        return _record(value)
+    if isinstance(value, tuple):
+        return [_item(index, item) for index, item in enumerate(value)]
     return plain(value)
 
 
-_WRITERS: dict[type[Any], Callable[[Any, Any], Any]] = {
-    Text: _plain,
-    Number: _number,
-    Flag: lambda _, value: bool(value),
-    Free: _plain,
-    Indexed: _indexed,
-    Counted: _counted,
-    Several: _several,
-    Record: lambda _, value: _record(value),
-}
+def _item(index: int, value: Any) -> Any:
+    try:
+        return _any(value)
+    except Wrong as wrong:
+        raise wrong.inside(index) from None

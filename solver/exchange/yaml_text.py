@@ -9,15 +9,13 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterable
 from typing import Any, Final
 
 import yaml
 
 from solver.errors import SyntaxFault
-from solver.exchange.plain import MAX_NESTING
-from solver.exchange.yaml_emitter import dump
-
-__all__ = ["dump", "load"]
+from solver.plain import MAX_NESTING
 
 MAX_ALIASED: Final = 1_000_000
 """How many values a document may say by aliases; what is said outright is limited by its length. Our choice."""
@@ -33,6 +31,9 @@ _CONSTANTS: Final[dict[str, Any]] = {
 }
 _WHOLE: Final = re.compile(r"[-+]?[0-9]+|0o[0-7]+|0x[0-9a-fA-F]+")
 _DECIMAL: Final = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
+_PLAIN: Final = re.compile(r"[A-Za-z_][A-Za-z0-9_./|@+-]*( [A-Za-z0-9_./|@+-]+)*")
+_RESERVED: Final = frozenset({"null", "true", "false", "yes", "no", "on", "off"})
+"""Words that YAML 1.1 or 1.2 takes for something else than a text."""
 _NUMBER_START: Final = frozenset("+-.0123456789")
 
 
@@ -47,6 +48,45 @@ def load(text: str) -> object:
     except (RecursionError, ValueError) as error:
         raise SyntaxFault(f"not YAML: {error}") from None
     return builder.document()
+
+
+def dump(document: Any) -> str:
+    """Writes plain values as YAML that reads well: what is flat on one line, what is not as a block."""
+    text: str = yaml.dump(document, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=2**31 - 1)
+    return text.removesuffix("...\n")
+
+
+class _Dumper(getattr(yaml, "CSafeDumper", yaml.SafeDumper)):  # type: ignore[misc]
+    """Writes what readers of YAML 1.1 and 1.2 understand alike."""
+
+    def ignore_aliases(self, data: Any) -> bool:
+        """Writes everything out."""
+        return True
+
+    def represent_mapping(self, tag: str, mapping: Any, flow_style: bool | None = None) -> Any:
+        """Writes a mapping."""
+        return super().represent_mapping(tag, mapping, _is_flat(mapping.values()))
+
+    def represent_sequence(self, tag: str, sequence: Any, flow_style: bool | None = None) -> Any:
+        """Writes a list."""
+        return super().represent_sequence(tag, sequence, _is_flat(sequence))
+
+
+def _quoted(dumper: _Dumper, text: str) -> Any:
+    """Writes a text in quotes where it is not made of plain words."""
+    style = None if _PLAIN.fullmatch(text) and text.lower() not in _RESERVED else '"'
+    return dumper.represent_scalar(_TAG + "str", text, style=style)
+
+
+_Dumper.add_representer(str, _quoted)
+
+
+def _is_flat(items: Iterable[Any]) -> bool:
+    """Tells whether items read well on one line: scalars, or lists of scalars."""
+    return all(
+        not isinstance(item, dict | list) or (isinstance(item, list) and not any(isinstance(one, dict | list) for one in item))
+        for item in items
+    )
 
 
 def _worded(error: yaml.YAMLError) -> str:

@@ -1,4 +1,4 @@
-"""Who is entered through whom: the ways planned before rooms have types, and the tree of doors once they have.
+"""Who is entered through whom: planned before rooms have types, and the tree of doors once they have.
 
 Comes in: a `Layout`, its joints, later the types. Goes out: a planned parent for every room, then the joint that gets
 each room's door. May import: the ground floor, catalogs. Not here: where in the wall a door stands (doors.py).
@@ -12,7 +12,7 @@ from heapq import heappop, heappush
 from typing import Final
 
 from catalogs.schema import RoomType
-from solver.floorplan.layout import Joint, Layout, exterior_sides, neighbours
+from solver.floorplan.tiling import Joint, Layout, exterior_sides, neighbours
 from solver.geometry import Rect
 from solver.scene import WALLS
 
@@ -34,8 +34,8 @@ AS_PLANNED: Final = 0.5
 
 
 @dataclass(frozen=True)
-class Ways:
-    """The ways planned before types are known.
+class AccessPlan:
+    """Who is to be entered through whom, planned before types are known.
 
     `parent[i]` is the room that room i is entered from (None: it is a hallway, touches one, or is the first room);
     `through` are the rooms, not hallways, that others are entered from.
@@ -45,27 +45,27 @@ class Ways:
     through: frozenset[int]
 
 
-def plan_ways(layout: Layout, shared: Sequence[Joint]) -> Ways:
+def plan_access(layout: Layout, shared: Sequence[Joint]) -> AccessPlan:
     """Plans which rooms are ways through: the layout's cells, or without hallways a connected dominating set."""
     if layout.spine:
         parents = tuple(layout.behind.get(i) for i in range(len(layout.rooms)))
-        return Ways(parents, frozenset(layout.behind.values()))
+        return AccessPlan(parents, frozenset(layout.behind.values()))
     return _dominating(layout, neighbours(len(layout.rooms), tuple(shared)))
 
 
-def _dominating(layout: Layout, by_room: list[list[Joint]]) -> Ways:
+def _dominating(layout: Layout, by_room: list[list[Joint]]) -> AccessPlan:
     """Tries every room on the street as the root of a greedy tree (Guha and Khuller 1998) and keeps the smallest."""
     rooms = layout.rooms
     if len(rooms) == 1:
-        return Ways((None,), frozenset())
+        return AccessPlan((None,), frozenset())
     street = [i for i, rect in enumerate(rooms) if rect.z1 == layout.outline.z1]
     spared = min(range(len(rooms)), key=lambda i: (rooms[i].area_m2, i))
     roots = [i for i in street if i != spared][:8] or street[:1]
     grown = [_grow(root, spared, rooms, by_room) for root in roots]
-    return min(grown, key=lambda ways: len(ways.through | {ways.parent.index(None)}))
+    return min(grown, key=lambda plan: len(plan.through | {plan.parent.index(None)}))
 
 
-def _grow(root: int, spared: int, rooms: Sequence[Rect], by_room: list[list[Joint]]) -> Ways:
+def _grow(root: int, spared: int, rooms: Sequence[Rect], by_room: list[list[Joint]]) -> AccessPlan:
     parent: list[int | None] = [None] * len(rooms)
     seen, inner = {root}, [root]
     edge = _open(root, parent, seen, by_room)
@@ -77,7 +77,7 @@ def _grow(root: int, spared: int, rooms: Sequence[Rect], by_room: list[list[Join
         edge.remove(chosen)
         inner.append(chosen)
         edge += _open(chosen, parent, seen, by_room)
-    return Ways(tuple(parent), frozenset(p for p in parent if p is not None))
+    return AccessPlan(tuple(parent), frozenset(p for p in parent if p is not None))
 
 
 def _open(room: int, parent: list[int | None], seen: set[int], by_room: list[list[Joint]]) -> list[int]:
@@ -109,22 +109,22 @@ def is_private(name: str, rooms: Mapping[str, RoomType]) -> bool:
 
 
 @dataclass(frozen=True)
-class Typed:
+class RoomAccess:
     """Rooms with types: what the door tree is grown over."""
 
     types: tuple[str, ...]
     shared: tuple[Joint, ...]
-    ways: Ways
+    access_plan: AccessPlan
     rooms: Mapping[str, RoomType]
 
     def cost(self, through: int, entered: int) -> float:
         """Returns what it costs to enter one room through another; as planned is best."""
         cost = HOP + passing_cost(self.types[through], self.types[entered], self.rooms)
-        planned = self.ways.parent[entered] == through and cost < THROUGH_OTHER
+        planned = self.access_plan.parent[entered] == through and cost < THROUGH_OTHER
         return min(cost, AS_PLANNED) if planned else cost
 
 
-def door_tree(entrance: int, typed: Typed) -> tuple[tuple[Joint, int], ...]:
+def door_tree(entrance: int, typed: RoomAccess) -> tuple[tuple[Joint, int], ...]:
     """Finds the cheapest way to every room (Dijkstra 1959 over passing_cost).
 
     Args:

@@ -9,15 +9,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from heapq import heappop, heappush
+from itertools import takewhile
 from typing import Any, Final
 
-from solver.floorplan.layout import HALLWAY_MM, Layout, touching
 from solver.floorplan.plots import halves
+from solver.floorplan.tiling import HALLWAY_MM, Layout, touching
 from solver.geometry import Rect, half_m, to_m
 from solver.streams import Stream
 
 SHARES: Final = (0.4, 0.6)
-"""A cut falls in this part of a side; with it the predecessor's room counts are met (floorplan.md's table)."""
+"""A cut falls in this part of a side; chosen for the number of rooms that plain requests come to."""
 MAX_ROOMS: Final = 256
 """Cutting stops here, the largest rectangles having been cut first: more rooms than anyone furnishes in seconds."""
 ROUND_MM: Final = 50
@@ -94,17 +95,11 @@ def _corridors(paths: list[str], rooms: tuple[Rect, ...]) -> tuple[Mapping[str, 
     """Joins the two children of every cut through the rooms that share the longest wall across it."""
     best: dict[str, tuple[int, int, int]] = {}
     for a, b, _, low, high in touching(rooms):
-        node = _common(paths[a], paths[b])
+        shared = takewhile(lambda pair: pair[0] == pair[1], zip(paths[a], paths[b], strict=False))
+        node = "".join(step for step, _ in shared)
         candidate = (low - high, a, b)
         best[node] = min(best.get(node, candidate), candidate)
     return tuple(_corridor(rooms, a, b) for _, (_, a, b) in sorted(best.items()))
-
-
-def _common(one: str, other: str) -> str:
-    length = 0
-    while length < min(len(one), len(other)) and one[length] == other[length]:
-        length += 1
-    return one[:length]
 
 
 def _corridor(rooms: tuple[Rect, ...], a: int, b: int) -> Mapping[str, Any]:

@@ -1,6 +1,6 @@
 """Gives every room its type: a deterministic sequence of rules, then the rest by fitness and variety.
 
-Comes in: a layout, its joints and planned ways, the request, the catalog of room types. Goes out: a type for every room
+Comes in: a layout, its joints and who is entered through whom, the request, the catalog of room types. Goes out: a type for every room
 and notes. May import: the ground floor, catalogs. No randomness: the plan's rooms are varied enough.
 """
 
@@ -17,7 +17,7 @@ from solver.scene import Request
 
 KITCHEN_M2: Final = 8.0
 MASTER_M2: Final = 12.0
-"""Least kitchen and least master bedroom where the rooms allow, m2 (the predecessor's 4.1)."""
+"""Least kitchen and least master bedroom where the rooms allow, m2."""
 PROGRAMME: Final = (
     "bathroom", "kitchen", "living_room", "bedroom_master", "bedroom", "dining_room", "bathroom", "office", "laundry",
     "bedroom", "garage", "bathroom", "bedroom", "workshop", "office", "bedroom", "living_room", "bathroom", "bedroom",
@@ -77,7 +77,7 @@ class _Draft:
         self.types: list[str | None] = ["hallway" if i < layout.hallways else None for i in range(len(layout.rooms))]
         for index, name in request.force_types.items():
             self.types[index] = name
-        self.usable = sorted((i for i, t in enumerate(self.types) if t is None), key=lambda i: (self.area[i], i))
+        self.unforced = sorted((i for i, t in enumerate(self.types) if t is None), key=lambda i: (self.area[i], i))
         self.fixed: set[int] = set()
         self.counts = Counter(self.group(t) for t in self.types if t is not None)
         self.wish = self._wishes(len(layout.rooms) - layout.hallways)
@@ -106,11 +106,11 @@ class _Draft:
 
     def untyped(self) -> list[int]:
         """Returns the rooms without a type, smallest first."""
-        return [i for i in self.usable if self.types[i] is None]
+        return [i for i in self.unforced if self.types[i] is None]
 
     def essentials(self) -> None:
         """Bathroom, kitchen, living room and master bedroom, as far as the rooms go and nobody forced them."""
-        rooms = len(self.usable)
+        rooms = len(self.unforced)
         if rooms >= 2 and not self.counts["bathroom"]:
             self.give(self.untyped()[0], "bathroom", fixed=True)
         if rooms >= 2 and not self.counts["kitchen"]:
@@ -125,11 +125,11 @@ class _Draft:
     def _living(self, room: int) -> tuple[float, int]:
         """A living room is the largest that is not too large; best one that others are entered through."""
         cost = self.fitness.cost(room, "living_room", self.types) - 0.05 * self.area[room]
-        return cost - (2.0 if room in self.fitness.ways.through else 0.0), room
+        return cost - (2.0 if room in self.fitness.access_plan.through else 0.0), room
 
     def _master(self, room: int) -> tuple[float, int]:
         small = 20.0 if self.area[room] < MASTER_M2 else 0.0
-        own = 1.0 if room in self.fitness.ways.through else 0.0
+        own = 1.0 if room in self.fitness.access_plan.through else 0.0
         return self.fitness.cost(room, "bedroom_master", self.types) + small - own, room
 
     def repeated(self, name: str) -> float:
@@ -145,7 +145,7 @@ class _Draft:
 
     def names_for(self, room: int) -> list[str]:
         """Returns the types to choose from: a room that others are entered through may be a hallway."""
-        foyer = room in self.fitness.ways.through and not self.fitness.layout.spine
+        foyer = room in self.fitness.access_plan.through and not self.fitness.layout.spine
         return [*self.names, "hallway"] if foyer else self.names
 
     def best(self, room: int) -> str:
@@ -154,7 +154,7 @@ class _Draft:
 
     def fronts(self) -> None:
         """Rooms that others are entered through, largest first, each together with a room behind it."""
-        for room in reversed([i for i in self.untyped() if i in self.fitness.ways.through]):
+        for room in reversed([i for i in self.untyped() if i in self.fitness.access_plan.through]):
             behind = [i for i in self.fitness.children.get(room, ()) if self.types[i] is None]
             if len(behind) == 1:
                 self._pair(room, behind[0])
@@ -179,14 +179,14 @@ class _Draft:
         fitness = self.fitness
 
         def order(room: int) -> tuple[bool, float, int]:
-            return bool(fitness.outside[room]) and fitness.ways.parent[room] is None, -self.area[room], room
+            return bool(fitness.outside[room]) and fitness.access_plan.parent[room] is None, -self.area[room], room
 
         for room in sorted(self.untyped(), key=order):
             self.give(room, self.best(room))
 
     def improve(self) -> None:
         """Looks at every free room once more, now that the others are known."""
-        for room in self.usable:
+        for room in self.unforced:
             now = self.types[room]
             if room not in self.fixed and now is not None:
                 self.counts[self.group(now)] -= 1
@@ -197,7 +197,7 @@ class _Draft:
         """Turns the largest rooms that the house can spare into a garden and a terrace."""
         notes = []
         for name in OUTDOOR:
-            spare = [i for i in self.usable if self._spare(i, name)]
+            spare = [i for i in self.unforced if self._spare(i, name)]
             if spare:
                 self.give(max(spare, key=lambda i: (self.area[i], -i)), name, fixed=True)
             else:
@@ -206,12 +206,12 @@ class _Draft:
 
     def _spare(self, room: int, name: str) -> bool:
         """Tells whether the house can do without the room, and nobody walks through it or privately into it."""
-        if room in self.fixed or room in self.fitness.ways.through or not self.fitness.outside[room]:
+        if room in self.fixed or room in self.fitness.access_plan.through or not self.fitness.outside[room]:
             return False
         return self.fitness.access(room, name, self.types) < IMPOSSIBLE and self.area[room] >= self.fitness.rooms[name].area.min[0]
 
     def kids(self) -> None:
         """The smallest plain bedroom is the children's, where there is another to sleep in."""
-        plain = [i for i in self.usable if self.types[i] == "bedroom"]
+        plain = [i for i in self.unforced if self.types[i] == "bedroom"]
         if plain and self.counts["bedroom_master"] + len(plain) >= 2 and not self.counts["kids_bedroom"]:
             self.give(plain[0], "kids_bedroom")

@@ -13,15 +13,15 @@ from math import sqrt
 from typing import Final
 
 from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
-from solver.floorplan.layout import HALLWAY_MM, exterior_sides
 from solver.floorplan.plots import ASPECT, ENDS, OTHER, Plot, halves, span
+from solver.floorplan.tiling import HALLWAY_MM, exterior_sides
 from solver.geometry import Rect
 from solver.streams import Stream
 
 HALLWAY_SHARE: Final = 0.15
-"""Side hallways and alcoves are added up to this part of the floor (floorplan.md)."""
+"""Side hallways and alcoves are added up to this part of the floor."""
 SUITES: Final = 2
-"""Cells of a bedroom with its own bathroom behind it (floorplan.md)."""
+"""Cells of a bedroom with its own bathroom behind it."""
 PUBLIC: Final = 2
 """Cells of a living or dining room with rooms behind it: a house has one of each."""
 BLOCK: Final = (1.02, 1.2, 1.3)

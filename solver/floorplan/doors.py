@@ -14,33 +14,33 @@ from typing import Final
 
 from catalogs.schema import RoomType
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
-from solver.floorplan.layout import HALLWAY_MM, Joint, Layout, exterior_sides
-from solver.geometry import OPPOSITE, Rect
+from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout, exterior_sides
+from solver.geometry import OPPOSITE, Rect, strip
 
 LEAF_MM: Final = 900
-"""Width of a door (the predecessor's 6.1)."""
+"""Width of a door."""
 WIDE_MM: Final = 1200
 """Width of a passage where two hallways meet or the shared wall is at least WIDE_WALL_MM."""
 WIDE_WALL_MM: Final = 3000
 """Shared wall from which a passage is wide: what is left takes a sofa's end. Our choice."""
 JAMB_MM: Final = 100
-"""Least wall between an opening and the end of its stretch of wall (floorplan.md: ends + 0.55 m)."""
+"""Least wall between an opening and the end of its stretch of wall."""
 LEAST_JAMB_MM: Final = 50
 """Least jamb of an opening as wide as its wall allows: half a wall, or it would cut into the wall at the corner."""
 STEP_MM: Final = 100
-"""Distance of the places tried along a wall (floorplan.md)."""
+"""Distance of the places tried along a wall."""
 SQUARE_MM: Final = 900
-"""Greatest depth of the square that stays free at a door (contract)."""
+"""Greatest depth of the square that stays free at a door."""
 COLLISION: Final = 1000.0
 """Score of a leaf that meets a leaf or another door's square, or of two openings in one place."""
 CROWDED: Final = 10.0
-"""Score of two doors' squares that overlap in a furnished room (floorplan.md)."""
+"""Score of two doors' squares that overlap in a furnished room."""
 EJECTIONS: Final = 3
 """How many doors in a row may give way to one another in a house too small for doors in the middle of walls."""
 TRIES: Final = 2000
 """Places tried in all for them: a count, so that the same request always ends the same way."""
 SHIFTED: Final = 0.5
-"""Score of a place other than the middle (floorplan.md)."""
+"""Score of a place other than the middle."""
 
 
 @dataclass(frozen=True)
@@ -123,8 +123,10 @@ class Doorways:
 
     def colliding(self, cut: Cut) -> list[Cut]:
         """Returns the openings that this one cannot stand together with."""
-        others = dict.fromkeys(side.cut for room in cut.sides for side in self._by_room.get(room, ()) if side.cut.id != cut.id)
-        return [other for other in others if sum(self._against(cut, room, other) for room in cut.sides) >= COLLISION]
+        scores: dict[Cut, float] = {}
+        for other, score in self._meetings(cut):
+            scores[other] = scores.get(other, 0.0) + score
+        return [other for other, score in scores.items() if score >= COLLISION]
 
     def plan_of(self, room: int) -> RoomType:
         """Returns the type of a room."""
@@ -137,14 +139,15 @@ class Doorways:
 
     def score(self, cut: Cut) -> float:
         """Scores an opening against those placed: 0 is free of all, COLLISION and more cannot be."""
-        return sum(self._score_in(cut, room) for room in cut.sides)
+        return sum([score for _, score in self._meetings(cut)])
 
-    def _score_in(self, cut: Cut, room: int) -> float:
-        side = self._side(cut, room)
-        return sum(self._meeting(side, other, room) for other in self._by_room.get(room, ()) if other.cut.id != cut.id)
-
-    def _against(self, cut: Cut, room: int, other: Cut) -> float:
-        return self._meeting(self._side(cut, room), self._side(other, room), room) if room in other.sides else 0.0
+    def _meetings(self, cut: Cut) -> Iterator[tuple[Cut, float]]:
+        """Yields the other openings of a cut's rooms, each with the score of the two in that room."""
+        for room in cut.sides:
+            side = self._side(cut, room)
+            for other in self._by_room.get(room, ()):
+                if other.cut.id != cut.id:
+                    yield other.cut, self._meeting(side, other, room)
 
     def _meeting(self, side: _Side, other: _Side, room: int) -> float:
         if side.wall == other.wall and max(side.low, other.low) < min(side.high, other.high) + JAMB_MM:
@@ -175,14 +178,7 @@ class Doorways:
 
 def _square(rect: Rect, wall: str, low: int, high: int) -> Rect:
     """Returns what stays free at a door: as deep as it is wide, at most SQUARE_MM."""
-    deep = min(high - low, SQUARE_MM)
-    if wall == "north":
-        return Rect(low, rect.z0, high, rect.z0 + deep)
-    if wall == "south":
-        return Rect(low, rect.z1 - deep, high, rect.z1)
-    if wall == "west":
-        return Rect(rect.x0, low, rect.x0 + deep, high)
-    return Rect(rect.x1 - deep, low, rect.x1, high)
+    return strip(rect, wall, (low, high), min(high - low, SQUARE_MM))
 
 
 def places(width: int, stretch: tuple[int, int]) -> Iterator[int]:

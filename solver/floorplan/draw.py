@@ -7,15 +7,15 @@ from __future__ import annotations
 
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
-from solver.floorplan.access import THROUGH_OTHER, Typed, door_tree, entrance_of, passing_cost, plan_ways
+from solver.floorplan.access import THROUGH_OTHER, RoomAccess, door_tree, entrance_of, passing_cost, plan_access
 from solver.floorplan.bsp import partition
 from solver.floorplan.classify import check_forced, classify
 from solver.floorplan.doors import Doorways, place_doors, place_entrance, place_garage_doors
 from solver.floorplan.fitness import Fitness
-from solver.floorplan.layout import HALLWAY_MM, Joint, Layout, joints
 from solver.floorplan.plan import Drawing, FloorPlan, written
 from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
+from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout, joints
 from solver.floorplan.windows import place_windows
 from solver.geometry import Rect, to_m, to_mm
 from solver.scene import Request
@@ -40,22 +40,22 @@ def _partitioned(request: Request, catalogs: Catalogs) -> FloorPlan:
     layout, notes = _layout(request, catalogs)
     check_forced(request, len(layout.rooms), catalogs.rooms)
     shared = joints(layout.rooms)
-    ways = plan_ways(layout, shared)
-    fitness = Fitness(layout, shared, ways, catalogs.rooms)
+    access_plan = plan_access(layout, shared)
+    fitness = Fitness(layout, shared, access_plan, catalogs.rooms)
     types, more = classify(fitness, request)
     entrance = entrance_of(layout, types, catalogs.rooms)
-    return _opened(layout, Typed(types, shared, ways, catalogs.rooms), entrance, catalogs, (*notes, *more))
+    return _opened(layout, RoomAccess(types, shared, access_plan, catalogs.rooms), entrance, catalogs, (*notes, *more))
 
 
 def _planned(request: Request, catalogs: Catalogs) -> FloorPlan:
     """A programme: types are dealt, and their rooms' widths are solved."""
     home = plan_home(request, catalogs)
     entrance = entrance_of(home.layout, home.types, catalogs.rooms, by_hallway=False)
-    typed = home.ways(joints(home.layout.rooms), catalogs, entrance[0])
+    typed = home.access(joints(home.layout.rooms), catalogs, entrance[0])
     return _opened(home.layout, typed, entrance, catalogs, home.notes)
 
 
-def _opened(layout: Layout, typed: Typed, entrance: tuple[int, str], catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
+def _opened(layout: Layout, typed: RoomAccess, entrance: tuple[int, str], catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
     """Cuts doors and windows into the walls of typed rooms."""
     tree = door_tree(entrance[0], typed)
     doorways = Doorways(layout, typed.types, catalogs.rooms)

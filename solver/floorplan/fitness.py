@@ -1,6 +1,6 @@
 """How well a room suits a type: one number, lower is better.
 
-Comes in: a layout with its joints and planned ways, the catalog of room types. Goes out: `Fitness`.
+Comes in: a layout with its joints and who is entered through whom, the catalog of room types. Goes out: `Fitness`.
 May import: the ground floor, catalogs. All area, side and access numbers are the catalog's; the weights are our choice.
 """
 
@@ -11,8 +11,8 @@ from math import log
 from typing import Final
 
 from catalogs.schema import RoomType
-from solver.floorplan.access import THROUGH_OTHER, Ways, passing_cost
-from solver.floorplan.layout import Joint, Layout, exterior_sides, neighbours
+from solver.floorplan.access import THROUGH_OTHER, AccessPlan, passing_cost
+from solver.floorplan.tiling import Joint, Layout, exterior_sides, neighbours
 
 CAR_DOOR_MM: Final = 2400
 """Width of a garage door, mm a car."""
@@ -37,13 +37,13 @@ def cars_of(kind: RoomType) -> int:
 class Fitness:
     """Costs of types in the rooms of one layout; remembers what it has computed."""
 
-    def __init__(self, layout: Layout, shared: Sequence[Joint], ways: Ways, rooms: Mapping[str, RoomType]) -> None:
-        self.layout, self.ways, self.rooms = layout, ways, rooms
+    def __init__(self, layout: Layout, shared: Sequence[Joint], access_plan: AccessPlan, rooms: Mapping[str, RoomType]) -> None:
+        self.layout, self.access_plan, self.rooms = layout, access_plan, rooms
         by_room = neighbours(len(layout.rooms), tuple(shared))
         self.beside = [tuple(joint.other(i) for joint in by_room[i]) for i in range(len(layout.rooms))]
         self.outside = [exterior_sides(rect, layout.outline) for rect in layout.rooms]
         self.children: dict[int, list[int]] = {}
-        for child, parent in enumerate(ways.parent):
+        for child, parent in enumerate(access_plan.parent):
             if parent is not None:
                 self.children.setdefault(parent, []).append(child)
         self.cars = {name: cars_of(kind) for name, kind in rooms.items() if kind.plan.garage_door}
@@ -62,7 +62,7 @@ class Fitness:
 
     def _area(self, room: int, name: str) -> float:
         area, limits = self.area[room], self.rooms[name].area
-        least = limits.min[1 if room in self.ways.through else 0]
+        least = limits.min[1 if room in self.access_plan.through else 0]
         if area < least:
             return 10.0 + 20.0 * (least - area) / least
         over = 2.0 + 8.0 * log(area / limits.max) if area > limits.max else 0.0
@@ -83,7 +83,7 @@ class Fitness:
 
     def access(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""
-        parent, children = self.ways.parent[room], self.children.get(room)
+        parent, children = self.access_plan.parent[room], self.children.get(room)
         through = types[parent] if parent is not None else None
         cost = IMPOSSIBLE if through is not None and not self._leads(through, name) else 0.0
         if not children or self.rooms[name].plan.way_through:
@@ -92,7 +92,7 @@ class Fitness:
 
     def _may_own(self, name: str, child: int, given: str | None) -> bool:
         """Tells whether the room behind is, or could well be, one that may lie behind the type; it must lead no further."""
-        if child in self.ways.through:
+        if child in self.access_plan.through:
             return False
         if given is not None:
             return self._leads(name, given)

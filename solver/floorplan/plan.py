@@ -11,13 +11,13 @@ from typing import Any, Final
 
 from catalogs.schema import Catalogs
 from solver.floorplan.doors import CROWDED, STEP_MM, Cut, Doorways, places
-from solver.floorplan.layout import Joint, Layout, exterior_sides, touching
+from solver.floorplan.tiling import Joint, Layout, exterior_sides, touching
 from solver.floorplan.windows import pane_of
-from solver.geometry import Rect, half_m, to_m
+from solver.geometry import OPPOSITE, Rect, half_m, to_m
 from solver.scene import EXTERIOR, WALLS, Flooring, Opening, Room, Sides
 
 DOOR_HEIGHT: Final = 2.1
-"""Height of doors and passages, m (contract's example)."""
+"""Height of doors and passages, m."""
 GARAGE_DOOR_HEIGHT: Final = 2.2
 """Height of garage doors, m. Our choice."""
 
@@ -39,7 +39,7 @@ class Drawing:
 
 @dataclass(frozen=True)
 class FloorPlan:
-    """Typed rooms with openings, without furniture.
+    """RoomAccess rooms with openings, without furniture.
 
     `adjacency` are the pairs of rooms whose shared wall could take a door; `unjoined` those of them, by id, without one.
     `notes` are for the certificate. `drawing` is what with_door_at needs.
@@ -138,7 +138,7 @@ def _wall_flags(rooms: tuple[Rect, ...]) -> list[Sides]:
     """A room draws a side unless rooms of lower index draw its whole length."""
     covered: dict[tuple[int, str], int] = {}
     for _, b, wall, low, high in touching(rooms):
-        side = (b, {"north": "south", "south": "north", "east": "west", "west": "east"}[wall])
+        side = (b, OPPOSITE[wall])
         covered[side] = covered.get(side, 0) + high - low
     sides = []
     for i, rect in enumerate(rooms):

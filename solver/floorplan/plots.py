@@ -16,7 +16,7 @@ ENDS: Final = {"x": ("west", "east"), "z": ("north", "south")}
 ACROSS: Final = {"x": ("north", "south"), "z": ("west", "east")}
 """The two sides that a cut across an axis crosses: both children keep a part of each."""
 ASPECT: Final = 2
-"""Longest side over shortest that a cut may leave (floorplan.md: p95 <= 2.0)."""
+"""Longest side over shortest that a cut may leave."""
 OTHER: Final = {"x": "z", "z": "x"}
 
 

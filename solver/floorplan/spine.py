@@ -2,7 +2,7 @@
 
 Comes in: an outline, the smallest side, a depth, a seed, the largest bathroom. Goes out: a `Layout` in which every room
 touches a hallway or is `behind` a room planned for that; None where the spine does not fit.
-May import: the ground floor. The scheme is floorplan.md's: a cut keeps its two crossed sides in both children and its
+May import: the ground floor. A cut keeps its two crossed sides in both children and its
 own side in one; a cut that would take a child off the hallway is turned, becomes a side hallway, a cell or an alcove.
 Not here: what is built in a column that stays on one hallway (columns.py).
 """
@@ -13,8 +13,8 @@ from typing import Final
 
 from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
 from solver.floorplan.columns import Books, Columns
-from solver.floorplan.layout import HALLWAY_MM, Layout, exterior_sides
 from solver.floorplan.plots import ASPECT, ENDS, OTHER, Plot, halves, span
+from solver.floorplan.tiling import HALLWAY_MM, Layout, exterior_sides
 from solver.geometry import Rect
 from solver.streams import Stream
 

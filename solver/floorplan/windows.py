@@ -11,7 +11,7 @@ from typing import Final
 
 from catalogs.schema import RoomType
 from solver.floorplan.doors import Cut, Doorways
-from solver.floorplan.layout import exterior_sides
+from solver.floorplan.tiling import exterior_sides
 from solver.geometry import Rect
 
 
@@ -25,7 +25,7 @@ class Pane:
 
 
 PANE: Final = Pane(1200, 1400, 900)
-"""The window of a living space (the predecessor's 6.3)."""
+"""The window of a living space."""
 SMALL_PANE: Final = Pane(600, 600, 1400)
 """The window of a bathroom or laundry: a basin and a washer stand below it. Our choice."""
 EDGE_MM: Final = 300

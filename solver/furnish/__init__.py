@@ -1,13 +1,13 @@
-"""Furnish: a typed room -> its space, and every wanted piece with all the ways it may stand.
+"""Furnish: a room -> its space, and every piece to be placed with its candidates; by the rules of its type, or by a user's list.
 
-Comes in: a `scene.Room` with openings, the catalogs, the room's stream. Goes out: `wanted.Space` and `wanted.Wanted`.
-May import: catalogs and the ground floor. Not here: choosing among the ways to stand and exact places (placement).
+Comes in: a `scene.Room` with openings, the catalogs, the room's stream, or a list of requests. Goes out: `pieces.Space` and
+`pieces.Piece`. May import: catalogs and the ground floor. Not here: choosing among candidates and exact places (placement).
 """
 
-from solver.furnish.anchors import wanted_pieces
-from solver.furnish.asked import Asked, asked_pieces
 from solver.furnish.comfort import with_comfort
-from solver.furnish.walls import WallOccupancy
-from solver.furnish.zones import space_of
+from solver.furnish.listed_pieces import ListedPieces, listed_pieces
+from solver.furnish.room_types import unwanted_pieces, wanted_pieces
+from solver.furnish.wall_occupancy import WallOccupancy
+from solver.furnish.zones import scope_of, space_of
 
-__all__ = ["Asked", "WallOccupancy", "asked_pieces", "space_of", "wanted_pieces", "with_comfort"]
+__all__ = ["ListedPieces", "WallOccupancy", "listed_pieces", "scope_of", "space_of", "unwanted_pieces", "wanted_pieces", "with_comfort"]

@@ -1,81 +1,74 @@
-"""Ways to stand that need no other piece: along the clear stretches of each wall, in corners, and free in the room."""
+"""Candidates that need no other piece: along the clear stretches of each wall, in corners, and free in the room."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
-from catalogs.schema import Furniture
-from solver.furnish.ask import Ask, Effect, Size
+from solver.furnish.wall_occupancy import WallOccupancy
 from solver.geometry import ROTATION_AT_WALL, turned
+from solver.pieces import Candidate
+from solver.relations.relation import Effect
+from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
-from solver.wanted import Alternative
 
 DRAW = 0.05
 """Pull towards an anchor that no rule asks to be firm, m^-2."""
-
 INTENDED_COST = 0.3
 """What a place at a wall costs where an earlier piece is meant to stand: it may not be taken after all."""
 
+Anchor = Callable[[tuple[int, int]], tuple[int, int]]
+"""Extents along x and z -> the centre (x, z) wished for a footprint of them, mm."""
 
-def candidates(ask: Ask, effects: Sequence[Effect]) -> list[Alternative]:
+
+def own_candidates(subject: Subject, walls: WallOccupancy, effects: Sequence[Effect]) -> list[Candidate]:
     """Returns the ways a piece may stand by itself, each with its variant's cost.
 
     Where no wall has a clear stretch for any variant, every wall is tried nevertheless: placement says why it is not there.
     """
-    found = list(_standing(ask, effects))
+    found = list(_standing(subject, walls, effects))
     return found or [
-        at_wall(ask, variant.kind, wall, sum(ask.scope.space.clear.along(wall)) // 2, variant.cost)
-        for variant in ask.piece.variants
+        at_wall(subject.scope, kind, wall, sum(subject.scope.clear.along(wall)) // 2, cost)
+        for kind, cost in subject.variants
         for wall in WALLS
     ]
 
 
-def _standing(ask: Ask, effects: Sequence[Effect]) -> Iterator[Alternative]:
+def _standing(subject: Subject, walls: WallOccupancy, effects: Sequence[Effect]) -> Iterator[Candidate]:
     backs = any(effect.backs for effect in effects)
-    for variant in ask.piece.variants:
-        entry, size = ask.scope.entry(variant.kind), ask.scope.size(variant.kind)
-        if entry.stands == "wall" or backs:
+    for kind, cost in subject.variants:
+        if kind.at_walls or backs:
             for wall in WALLS:
-                for centre, cost in _centres(ask, effects, wall, variant.kind):
-                    yield at_wall(ask, variant.kind, wall, centre, variant.cost + cost)
-        if entry.stands == "free":
-            for spot in _spots(ask, effects, variant.kind):
-                for rotation in _rotations(entry, size):
-                    yield Alternative(
-                        variant.kind, size, rotation, anchor_mm=spot(turned(size[0], size[1], rotation)),
-                        weights=(DRAW, DRAW), cost=variant.cost,
-                    )  # fmt: skip
+                for centre, more in _centres(walls, effects, wall, kind):
+                    yield at_wall(subject.scope, kind, wall, centre, cost + more)
+        if not kind.at_walls:
+            for anchor in _anchors(subject.scope, effects, kind):
+                for rotation in rotations(kind):
+                    at = anchor(turned(*kind.size[:2], rotation))
+                    yield Candidate(kind.name, kind.size, rotation, anchor_mm=at, weights=(DRAW, DRAW), cost=cost)
 
 
-def at_wall(ask: Ask, kind: str, wall: str, centre_mm: int, cost: float) -> Alternative:
-    """Returns the alternative with its back at a wall, its middle at a coordinate along it."""
-    size, clear, gap = ask.scope.size(kind), ask.scope.space.clear, ask.scope.space.gap_mm
-    across = gap + size[1] // 2
-    anchor = {
-        "north": (centre_mm, clear.z0 + across),
-        "south": (centre_mm, clear.z1 - across),
-        "west": (clear.x0 + across, centre_mm),
-        "east": (clear.x1 - across, centre_mm),
-    }[wall]
-    return Alternative(kind, size, ROTATION_AT_WALL[wall], wall, anchor, (DRAW, DRAW), cost=cost)
+def at_wall(scope: Scope, kind: Kind, wall: str, centre_mm: int, cost: float) -> Candidate:
+    """Returns the candidate with its back at a wall, its middle at a coordinate along it."""
+    anchor = scope.clear.point_at(wall, centre_mm, scope.gap_mm + kind.size[1] // 2)
+    return Candidate(kind.name, kind.size, ROTATION_AT_WALL[wall], wall, anchor, (DRAW, DRAW), cost=cost)
 
 
-def _centres(ask: Ask, effects: Sequence[Effect], wall: str, kind: str) -> list[tuple[int, float]]:
+def _centres(walls: WallOccupancy, effects: Sequence[Effect], wall: str, kind: Kind) -> list[tuple[int, float]]:
     """Returns the centres to try along a wall, with what each costs: first clear of where earlier pieces are meant to stand."""
-    size = ask.scope.size(kind)
-    proposed = [p for effect in effects for on_wall, of_kind, p in effect.positions if (on_wall, of_kind) == (wall, kind)]
+    width, depth, height = kind.size
+    proposed = [p for effect in effects for on_wall, of_kind, p in effect.positions if (on_wall, of_kind) == (wall, kind.name)]
     for occupied, cost in ((True, 0.0), (False, INTENDED_COST)):
-        stretches = ask.scope.walls.stretches(wall, size[1], size[2], occupied)
-        found = [centre for stretch in stretches for centre in _in_stretch(ask, wall, stretch, size[0], proposed)]
+        stretches = walls.stretches(wall, depth, height, occupied)
+        found = [centre for stretch in stretches for centre in _in_stretch(walls, wall, stretch, width, proposed)]
         if found:
             return [(centre, cost) for centre in dict.fromkeys(found)]
     return []
 
 
-def _in_stretch(ask: Ask, wall: str, stretch: tuple[int, int], width: int, proposed: Sequence[int]) -> list[int]:
-    """Returns the centres to try in one clear stretch: what the rules propose, its ends and its middle."""
+def _in_stretch(walls: WallOccupancy, wall: str, stretch: tuple[int, int], width: int, proposed: Sequence[int]) -> list[int]:
+    """Returns the centres to try in one clear stretch: what the relations propose, its ends and its middle."""
     a, b = stretch
-    clear, gap, half = ask.scope.space.clear.along(wall), ask.scope.space.gap_mm, width // 2
+    clear, gap, half = walls.space.clear.along(wall), walls.space.gap_mm, width // 2
     spare = b - a - width
     if spare < 0:
         return []
@@ -84,40 +77,31 @@ def _in_stretch(ask: Ask, wall: str, stretch: tuple[int, int], width: int, propo
     return [*(min(max(p, a + half), b - half) for p in proposed), low, high, (a + b) // 2]
 
 
-class _Spot:
-    """An anchor that depends on the footprint's extents: a corner, or a fixed point."""
-
-    def __init__(self, ask: Ask, corner: tuple[int, int] | None, point: tuple[int, int] = (0, 0)) -> None:
-        self._clear, self._gap = ask.scope.space.clear, ask.scope.space.gap_mm
-        self._corner, self._point = corner, point
-
-    def __call__(self, extent: tuple[int, int]) -> tuple[int, int]:
-        """Returns the anchor, mm."""
-        if self._corner is None:
-            return self._point
-        low, high = (self._clear.x0, self._clear.z0), (self._clear.x1, self._clear.z1)
-        x, z = (
-            high[axis] - self._gap - extent[axis] // 2 if self._corner[axis] else low[axis] + self._gap + extent[axis] // 2
-            for axis in (0, 1)
-        )
-        return x, z
-
-
-def _spots(ask: Ask, effects: Sequence[Effect], kind: str) -> list[_Spot]:
-    """Returns the free anchors to try: what the rules propose, else the room's middle and the middles of its quarters."""
-    spots = [_Spot(ask, None, point) for effect in effects for of_kind, point in effect.spots if of_kind == kind]
+def _anchors(scope: Scope, effects: Sequence[Effect], kind: Kind) -> list[Anchor]:
+    """Returns the free anchors to try: what the relations propose, else the room's middle and the middles of its quarters."""
+    found = [_point(at) for effect in effects for of_kind, at in effect.spots if of_kind == kind.name]
     if any(effect.corners for effect in effects):
-        spots += [_Spot(ask, (x, z)) for z in (0, 1) for x in (0, 1)]
-    if spots:
-        return spots
-    clear = ask.scope.space.clear
-    at = [(clear.x0 + clear.width * x // 4, clear.z0 + clear.depth * z // 4) for z in (1, 3) for x in (1, 3)]
-    middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)
-    return [_Spot(ask, None, point) for point in (middle, *at)]
+        found += [_corner(scope, east, south) for south in (False, True) for east in (False, True)]
+    clear = scope.clear
+    quarters = [(clear.x0 + clear.width * x // 4, clear.z0 + clear.depth * z // 4) for z in (1, 3) for x in (1, 3)]
+    return found or [_point(at) for at in (clear.centre, *quarters)]
 
 
-def _rotations(entry: Furniture, size: Size) -> tuple[int, ...]:
+def _point(at: tuple[int, int]) -> Anchor:
+    return lambda _: at
+
+
+def _corner(scope: Scope, east: bool, south: bool) -> Anchor:
+    """Returns the anchor in a corner, the usual gap from both its walls."""
+    clear, gap = scope.clear, scope.gap_mm
+    return lambda extent: (
+        clear.x1 - gap - extent[0] // 2 if east else clear.x0 + gap + extent[0] // 2,
+        clear.z1 - gap - extent[1] // 2 if south else clear.z0 + gap + extent[1] // 2,
+    )
+
+
+def rotations(kind: Kind) -> tuple[int, ...]:
     """Returns the rotations that differ: four for what has a front, two for what is only longer one way, else one."""
-    if entry.use and len(entry.use.sides) < 4:
+    if 0 < len(kind.use_sides) < 4:
         return (0, 90, 180, 270)
-    return (0,) if size[0] == size[1] else (0, 90)
+    return (0,) if kind.size[0] == kind.size[1] else (0, 90)

@@ -1,18 +1,18 @@
 """Floor that people like to have free about a piece: beside a toilet, behind a chair, before a kitchen run.
 
-Comes in: a wanted piece. Goes out: wanted pieces that stand for that floor (`wanted.EMPTY_FLOOR`): rigid at a side of the
+Comes in: a wanted piece. Goes out: wanted pieces that stand for that floor (`Piece.is_floor`): rigid at a side of the
 piece, no bodies, but bodies keep out of them; people, doors and other kept floor do not. Each may be left out for COMFORT_COST:
 comfort is kept where there is a way and never hard.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from catalogs.schema import Catalogs
-from solver.furnish.relations.slots import beside_offset
 from solver.geometry import to_mm
-from solver.wanted import EMPTY_FLOOR, Alternative, Attach, Wanted
+from solver.pieces import Attach, Candidate, Piece
+from solver.relations.at_side import at_side, whole
 
 COMFORT_COST = 0.6
 """What doing without a piece's comfort costs (measured: kept in nearly all pieces)."""
@@ -21,7 +21,7 @@ PERSON_MM = 1800
 WEIGHTS = (0.02, 0.02)
 
 
-def with_comfort(wanted: Sequence[Wanted], catalogs: Catalogs) -> tuple[Wanted, ...]:
+def with_comfort(wanted: Sequence[Piece], catalogs: Catalogs) -> tuple[Piece, ...]:
     """Returns the pieces and the floor to keep free: what required pieces wish for before the optional pieces, the rest last."""
     required = [piece for piece in wanted if piece.required]
     optional = [piece for piece in wanted if not piece.required]
@@ -29,20 +29,21 @@ def with_comfort(wanted: Sequence[Wanted], catalogs: Catalogs) -> tuple[Wanted, 
     return (*required, *floors[0], *optional, *floors[1])
 
 
-def _kept_floor(piece: Wanted, catalogs: Catalogs) -> Iterator[Wanted]:
+def _kept_floor(piece: Piece, catalogs: Catalogs) -> Iterator[Piece]:
     """Yields the floor to keep free about a piece, one a side."""
-    kinds = {alternative.kind: alternative.size_mm for alternative in piece.alternatives}
-    sides = dict.fromkeys(side for kind in kinds for side in catalogs.furniture[kind].comfort)
+    ways = {(one.kind, one.stance): one for one in piece.candidates}.values()
+    wishes = {name: spec.comfort for name in {one.kind: None for one in ways} if (spec := catalogs.furniture.get(name))}
+    sides = dict.fromkeys(side for comfort in wishes.values() for side in comfort)
     for side in sides:
-        depths = {kind: to_mm(catalogs.furniture[kind].comfort[side]) for kind in kinds if side in catalogs.furniture[kind].comfort}
-        yield Wanted(
-            f"{EMPTY_FLOOR} {side} of {piece.label}", False, tuple(_strips(piece, side, kinds, depths)), skip_cost=COMFORT_COST / len(sides)
-        )
+        strips = (_strip(piece.label, one, side, wishes[one.kind][side]) for one in ways if side in wishes.get(one.kind, {}))
+        cost = COMFORT_COST / len(sides)
+        yield Piece(f"floor at the {side} of {piece.label}", False, tuple(strips), skip_cost=cost, is_floor=True)
 
 
-def _strips(piece: Wanted, side: str, kinds: Mapping[str, tuple[int, int, int]], depths: Mapping[str, int]) -> Iterator[Alternative]:
-    for kind, deep in depths.items():
-        width, depth, _ = kinds[kind]
-        extent = (deep, depth) if side in ("left", "right") else (width, deep)
-        across, along = beside_offset(kinds[kind], extent, side, (0, 0), "centre")
-        yield Alternative("floor", (*extent, PERSON_MM), 0, weights=WEIGHTS, attach=Attach(piece.label, kind, across, along))
+def _strip(label: str, parent: Candidate, side: str, depth_m: float) -> Candidate:
+    """Returns the floor at a side of a piece that stands so."""
+    width, depth, _ = parent.size_mm
+    extent = (to_mm(depth_m), depth) if side in ("left", "right") else (width, to_mm(depth_m))
+    across, along = whole(at_side(((width, depth), extent), side, (0, 0), "centre"))
+    attach = Attach(label, parent.kind, across, along, parent_stance=parent.stance)
+    return Candidate("floor", (*extent, PERSON_MM), 0, weights=WEIGHTS, attach=attach)

@@ -12,12 +12,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
-from catalogs.schema import Piece, Run
-from solver.furnish.ask import Scope, Size
-from solver.geometry import FACING, ROTATION_AT_WALL
+from catalogs.schema import Run
+from solver.furnish.candidates import at_wall
+from solver.furnish.preferences import CountedPiece
+from solver.furnish.wall_occupancy import WallOccupancy
+from solver.geometry import FACING, walls_beside
+from solver.pieces import Candidate
+from solver.relations.subject import Kind, Scope
 from solver.scene import WALLS
 from solver.streams import Stream
-from solver.wanted import Alternative
 
 DRAWS = 300
 """Runs drawn for a room; the best of those that fit is taken (measured: more find no better triangles)."""
@@ -30,20 +33,18 @@ LEG_COST, PERIMETER_COST = 8.0, 8.0
 """What a metre beyond these costs."""
 MISSED_COST = 0.7
 """What a run without a piece that it could hold costs."""
-WHIM = 0.5
-"""Most that a run costs by the seed's whim alone."""
+PREFERENCE = 0.5
+"""Most that a run costs by the seed alone."""
 FIRM = 20.0
 """Pull of a piece to its place in the run, m^-2."""
 OFF_PLAN_COST = 3.0
 """What standing elsewhere than planned costs."""
-NEXT_WALL = {"north": ("west", "east"), "south": ("west", "east"), "west": ("north", "south"), "east": ("north", "south")}
-"""The walls at the low and the high end of a wall."""
 
 CORNER_MM = 900 + 50
 """Least width of a piece in a corner: what stands round the corner covers 0.6 m of its front, a person takes half of 0.6 m."""
 
-Item = tuple[str, str, float]
-"""A piece of a run: its name, variant, and that variant's cost."""
+Item = tuple[str, Kind, float]
+"""A piece of a run: its name, kind, and what that variant costs."""
 
 
 @dataclass(frozen=True)
@@ -58,36 +59,30 @@ class Leg:
 class _Walls:
     """Where bodies of a depth and height may stand along the walls; asked many times, looked up once."""
 
-    def __init__(self, scope: Scope) -> None:
-        self.scope = scope
-        self._sizes: dict[str, Size] = {}
+    def __init__(self, scope: Scope, walls: WallOccupancy) -> None:
+        self.scope, self._walls = scope, walls
         self._free: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
 
-    def size(self, kind: str) -> Size:
-        """Returns a kind's unrotated extents, mm."""
-        if kind not in self._sizes:
-            self._sizes[kind] = self.scope.size(kind)
-        return self._sizes[kind]
-
-    def holds(self, wall: str, kind: str, start: int) -> bool:
+    def holds(self, wall: str, kind: Kind, start: int) -> bool:
         """Tells whether a piece may stand at a wall from a coordinate on."""
-        width, depth, height = self.size(kind)
+        width, depth, height = kind.size
         key = (wall, depth, height)
         if key not in self._free:
-            self._free[key] = self.scope.walls.stretches(wall, depth, height, occupied=False)
+            self._free[key] = self._walls.stretches(wall, depth, height, occupied=False)
         return any(a <= start and start + width <= b for a, b in self._free[key])
 
 
-def planned_run(scope: Scope, run: Run, pieces: Mapping[str, Piece], stream: Stream) -> dict[str, Alternative]:
+def planned_run(scope: Scope, free: WallOccupancy, run: Run, pieces: Mapping[str, CountedPiece], stream: Stream) -> dict[str, Candidate]:
     """Returns where each piece of the best run drawn is meant to stand; empty where none fits.
 
     Args:
         scope: the room.
+        free: its walls.
         run: the run of its type.
-        pieces: the pieces that are wanted, by name, with the variants that suit the room.
+        pieces: the pieces that are wanted, by name.
         stream: the room's own.
     """
-    best, least, walls = dict[str, Alternative](), math.inf, _Walls(scope)
+    best, least, walls = dict[str, Candidate](), math.inf, _Walls(scope, free)
     for _ in range(DRAWS):
         legs, cost = _drawn(walls, run, pieces, stream)
         places = _places(walls, legs)
@@ -99,23 +94,23 @@ def planned_run(scope: Scope, run: Run, pieces: Mapping[str, Piece], stream: Str
     return best
 
 
-def _drawn(walls: _Walls, run: Run, pieces: Mapping[str, Piece], stream: Stream) -> tuple[list[Leg], float]:
+def _drawn(walls: _Walls, run: Run, pieces: Mapping[str, CountedPiece], stream: Stream) -> tuple[list[Leg], float]:
     """Draws a run: an order, which way round, what it holds in which variants, at a wall or round a corner; and what it costs."""
     order, mirrored = stream.pick(run.orders), stream.chance(0.5)
-    cost = stream.uniform(0.0, WHIM)
+    cost = stream.uniform(0.0, PREFERENCE)
     items: list[Item] = []
     for name in order[::-1] if mirrored else order:
         piece = pieces.get(name)
         if piece is None:
             continue
-        if not piece.required and stream.chance(0.3):
+        if not piece.spec.required and stream.chance(0.3):
             cost += MISSED_COST
             continue
-        variant = stream.pick(piece.variants)
-        items.append((name, variant.kind, variant.cost))
-        cost += variant.cost
+        kind, more = stream.pick(piece.variants)
+        items.append((name, kind, more))
+        cost += more
     wall, high = stream.pick(WALLS), stream.chance(0.5)
-    corners = [i for i, (name, kind, _) in enumerate(items[:-1]) if name in run.corners and walls.size(kind)[0] >= CORNER_MM]
+    corners = [i for i, (name, kind, _) in enumerate(items[:-1]) if name in run.corners and kind.size[0] >= CORNER_MM]
     at = stream.pick(corners) + 1 if corners and stream.chance(0.7) else len(items)
     return _legs(walls, wall, high, (items[:at], items[at:])), cost
 
@@ -125,50 +120,38 @@ def _legs(walls: _Walls, wall: str, high: bool, halves: tuple[list[Item], list[I
 
     The first half's last item is the one in the corner.
     """
-    clear, gap = walls.scope.space.clear, walls.scope.space.gap_mm
+    clear, gap = walls.scope.clear, walls.scope.gap_mm
     first, second = halves
     low, end = clear.along(wall)
-    length = sum(walls.size(kind)[0] for _, kind, _ in first)
+    length = sum(kind.size[0] for _, kind, _ in first)
     legs = [Leg(wall, tuple(first), end - gap - length) if high else Leg(wall, tuple(reversed(first)), low + gap)]
     if second:
-        turn = NEXT_WALL[wall][high]
-        beyond = gap + walls.size(first[-1][1])[1]
+        turn = walls_beside(wall)[high]
+        beyond = gap + first[-1][1].size[1]
         low, end = clear.along(turn)
         if wall in ("north", "west"):
             legs.append(Leg(turn, tuple(second), low + beyond))
         else:
-            length = sum(walls.size(kind)[0] for _, kind, _ in second)
+            length = sum(kind.size[0] for _, kind, _ in second)
             legs.append(Leg(turn, tuple(reversed(second)), end - beyond - length))
     return legs
 
 
-def _places(walls: _Walls, legs: Sequence[Leg]) -> dict[str, Alternative] | None:
+def _places(walls: _Walls, legs: Sequence[Leg]) -> dict[str, Candidate] | None:
     """Returns the places of a run's pieces; None where one of them is in the way of an opening or does not fit."""
-    found: dict[str, Alternative] = {}
+    found: dict[str, Candidate] = {}
     for leg in legs:
         at = leg.start
         for name, kind, cost in leg.items:
-            size = walls.size(kind)
             if not walls.holds(leg.wall, kind, at):
                 return None
-            found[name] = replace(_at(walls.scope, leg.wall, kind, at + size[0] // 2), cost=cost)
-            at += size[0]
+            place = at_wall(walls.scope, kind, leg.wall, at + kind.size[0] // 2, cost)
+            found[name] = replace(place, weights=(FIRM, FIRM))
+            at += kind.size[0]
     return found
 
 
-def _at(scope: Scope, wall: str, kind: str, centre: int) -> Alternative:
-    size, clear, gap = scope.size(kind), scope.space.clear, scope.space.gap_mm
-    across = gap + size[1] // 2
-    anchor = {
-        "north": (centre, clear.z0 + across),
-        "south": (centre, clear.z1 - across),
-        "west": (clear.x0 + across, centre),
-        "east": (clear.x1 - across, centre),
-    }[wall]
-    return Alternative(kind, size, ROTATION_AT_WALL[wall], wall, anchor, (FIRM, FIRM))
-
-
-def _triangle_cost(names: Sequence[str], places: Mapping[str, Alternative]) -> float:
+def _triangle_cost(names: Sequence[str], places: Mapping[str, Candidate]) -> float:
     """Returns what a run costs by its working triangle, measured between the middles of the fronts."""
     fronts = [_front(places[name]) for name in names if name in places]
     legs = [math.dist(one, two) / 1000 for one, two in combinations(fronts, 2)]
@@ -177,6 +160,6 @@ def _triangle_cost(names: Sequence[str], places: Mapping[str, Alternative]) -> f
     return LEG_COST * beyond + PERIMETER_COST * around
 
 
-def _front(place: Alternative) -> tuple[float, float]:
+def _front(place: Candidate) -> tuple[float, float]:
     dx, dz = FACING[place.rotation]
     return place.anchor_mm[0] + dx * place.size_mm[1] / 2, place.anchor_mm[1] + dz * place.size_mm[1] / 2

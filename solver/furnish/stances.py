@@ -1,132 +1,123 @@
-"""How an asked piece may be turned and at which wall its back may be, and where in the room it then holds which relations."""
+"""How a listed piece may be turned and at which wall its back may be, and where in the room it then holds which relations."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
+from math import inf
 from typing import TypeAlias
 
-from catalogs.schema import Rule
-from solver.furnish.ask import Ask, Size
-from solver.furnish.relations.regions import REGIONS, Way, within_both
-from solver.furnish.walls import Stretch
-from solver.geometry import ROTATION_AT_WALL, Rect, turned
+from catalogs.checks import OPENINGS
+from catalogs.schema import RelationSpec
+from solver.furnish.candidates import rotations
+from solver.furnish.wall_occupancy import Stretch, WallOccupancy
+from solver.geometry import INWARDS, ROTATION_AT_WALL, Rect, strip_at, turned
+from solver.pieces import Stance
+from solver.relations import RELATIONS
+from solver.relations.relation import missed
+from solver.relations.subject import Footing, Kind, Subject
 from solver.scene import WALLS
 
-Stance: TypeAlias = Way
-Kept: TypeAlias = tuple[Rect, float]
-"""Where a footprint stays, and what it costs to miss the relations that do not hold there."""
-AT_WALLS = ("against_wall", "in_row", "opposite")
+Costed: TypeAlias = tuple[Rect, float]
+"""A rectangle, and what it costs to miss the relations that do not hold there."""
 PLACES_KEPT = 12
 """Most rectangles of one stance."""
-TURNING = ("facing", "opposite", "around", "under", "in_row")
 
 
 @dataclass(frozen=True)
-class Asking:
-    """One copy of a piece with its rules, those to the room apart from those to other pieces."""
+class ListedPiece:
+    """One copy of a listed piece, and what its candidates are made from.
 
-    ask: Ask
-    to_room: tuple[Rule, ...]
-    to_pieces: tuple[Rule, ...]
-    reach: Mapping[tuple[str, str], Rect]
-    """Where the centre of another piece may be, by its label and the way it stands, mm."""
-    dear: Collection[tuple[str, str]]
-    """Ways of other pieces that miss a relation which others of their ways hold: too unlikely to seek places beside them."""
+    Args:
+        subject: the piece.
+        walls: the room's.
+        reach: where the centre of an earlier piece may be, by its label and stance, mm.
+        unlikely: stances of earlier pieces that miss a relation which others hold: no places are sought beside them.
+    """
+
+    subject: Subject
+    walls: WallOccupancy
+    reach: Mapping[tuple[str, Stance], Rect]
+    unlikely: Collection[tuple[str, Stance]]
+
+    @property
+    def kind(self) -> Kind:
+        """Its kind and size."""
+        return self.subject.kind
 
     @cached_property
-    def kind(self) -> str:
-        """Its kind in the catalogs."""
-        return self.ask.piece.variants[0].kind
+    def to_room(self) -> tuple[RelationSpec, ...]:
+        """Its relations to the room and its openings; those to pieces that come later are these pieces' business."""
+        relations = (spec for spec in self.subject.relations if not self.subject.labels(spec.of))
+        return tuple(spec for spec in relations if not spec.of or set(spec.of) & set(OPENINGS))
 
     @cached_property
-    def size(self) -> Size:
-        """Its unrotated extents, mm."""
-        return self.ask.scope.size(self.kind)
-
-    @cached_property
-    def at_walls(self) -> bool:
-        """Whether its kind hugs a wall."""
-        return self.ask.scope.entry(self.kind).stands == "wall"
+    def to_pieces(self) -> tuple[RelationSpec, ...]:
+        """Its relations to earlier pieces."""
+        return tuple(spec for spec in self.subject.relations if self.subject.labels(spec.of))
 
     @cached_property
     def stretches(self) -> Mapping[str, list[Stretch]]:
         """The clear stretches of each wall for it."""
-        return {wall: self.ask.scope.walls.stretches(wall, self.size[1], self.size[2]) for wall in WALLS}
+        return {wall: self.walls.stretches(wall, self.kind.size[1], self.kind.size[2]) for wall in WALLS}
 
     @cached_property
-    def places(self) -> Sequence[tuple[Stance, list[Kept]]]:
-        """Its stances, each with the rectangles that hold relations to the room."""
-        return [(stance, kept(self, stance)) for stance in stances(self)]
+    def places(self) -> Sequence[tuple[Footing, list[Costed]]]:
+        """Its footings, each with the rectangles that hold relations to the room, cheapest first."""
+        return [(footing, _places(self, footing)) for footing in _footings(self)]
 
 
-def variant(kind: str, rotation: int, wall: str | None) -> str:
-    """Returns what a kind is called while it stands so: a tie holds for one way of the other piece only."""
-    return f"{kind}@{rotation}{'w' if wall else ''}"
-
-
-@lru_cache(maxsize=4096)
-def stance_of(kind: str) -> tuple[str, int, bool]:
-    """Splits what `variant` joined: the kind, the rotation, whether it stands at a wall."""
-    base, _, stance = kind.rpartition("@")
-    return base, int(stance.removesuffix("w")), stance.endswith("w")
-
-
-def stances(asking: Asking) -> Iterator[Stance]:
+def _footings(listed: ListedPiece) -> Iterator[Footing]:
     """Yields the ways a piece may be turned: with its back at each wall, and free in the room."""
-    clear, gap = asking.ask.scope.space.clear, asking.ask.scope.space.gap_mm
-    width, depth, _ = asking.size
-    bands = {
-        "north": Rect(clear.x0, clear.z0 + gap, clear.x1, clear.z0 + gap + depth),
-        "south": Rect(clear.x0, clear.z1 - gap - depth, clear.x1, clear.z1 - gap),
-        "west": Rect(clear.x0 + gap, clear.z0, clear.x0 + gap + depth, clear.z1),
-        "east": Rect(clear.x1 - gap - depth, clear.z0, clear.x1 - gap, clear.z1),
-    }
-    if asking.at_walls or any(rule.type in AT_WALLS for rule in asking.ask.piece.rules):
+    clear, gap = listed.walls.space.clear, listed.walls.space.gap_mm
+    width, depth, _ = listed.kind.size
+    relations = [RELATIONS[spec.type] for spec in listed.subject.relations]
+    if listed.kind.at_walls or any(relation.at_walls for relation in relations):
         for wall in WALLS:
-            yield Way(turned(width, depth, ROTATION_AT_WALL[wall]), ROTATION_AT_WALL[wall], wall, bands[wall])
-    if not asking.at_walls:
-        for rotation in _turns(asking):
-            yield Way(turned(width, depth, rotation), rotation, None, clear)
+            turn = ROTATION_AT_WALL[wall]
+            reach = strip_at(wall, clear.line(wall) + INWARDS[wall] * gap, clear.along(wall), depth)
+            yield Footing(turn, wall, turned(width, depth, turn), reach)
+    if not listed.kind.at_walls:
+        turns = (0, 90, 180, 270) if any(relation.turns for relation in relations) else rotations(listed.kind)
+        for turn in turns:
+            yield Footing(turn, None, turned(width, depth, turn), clear)
 
 
-def _turns(asking: Asking) -> tuple[int, ...]:
-    """Returns the rotations that make a difference to a free piece."""
-    use = asking.ask.scope.entry(asking.kind).use
-    if any(rule.type in TURNING for rule in asking.ask.piece.rules) or (use and len(use.sides) < 4):
-        return (0, 90, 180, 270)
-    return (0,) if asking.size[0] == asking.size[1] else (0, 90)
-
-
-def kept(asking: Asking, stance: Stance) -> list[Kept]:
-    """Returns rectangles for a stance, each holding some of the relations to the room, cheapest first."""
-    found = [(stance.reach, 0.0)] if within_both(stance.reach, stance.reach, stance.extent) else []
-    for rule in asking.to_room:
-        regions = REGIONS[rule.type](asking.ask.scope, rule, stance)
-        held = [(both, cost) for rect, cost in found for region in regions if (both := within_both(rect, region, stance.extent))]
-        without = missed(rule)
-        found = best_places([*held, *((rect, cost + without) for rect, cost in found)])
+def _places(listed: ListedPiece, footing: Footing) -> list[Costed]:
+    """Returns rectangles for a footing, each holding some of the relations to the room, cheapest first."""
+    found = [(footing.reach, 0.0)] if within_both(footing.reach, footing.reach, footing.extent) else []
+    for spec in listed.to_room:
+        regions = RELATIONS[spec.type].regions(listed.subject.scope, spec, footing)
+        held = [(both, cost) for rect, cost in found for region in regions if (both := within_both(rect, region, footing.extent))]
+        without = missed(spec)
+        found = cheapest([*held, *((rect, cost + without) for rect, cost in found)], PLACES_KEPT)
     return found
 
 
-def missed(rule: Rule) -> float:
-    """Returns what doing without a rule costs: everything, where it is hard."""
-    return math.inf if rule.required else rule.cost
-
-
-def best_places(found: Sequence[Kept]) -> list[Kept]:
-    """Sorts by cost and drops what lies within a rectangle that costs no more."""
-    best: list[Kept] = []
+def cheapest(found: Sequence[Costed], most: int) -> list[Costed]:
+    """Sorts by cost, the largest first, and drops what lies within a rectangle that costs no more."""
+    best: list[Costed] = []
     for rect, cost in sorted(found, key=_by_cost_then_size):
-        if len(best) == PLACES_KEPT or cost == math.inf:
+        if len(best) == most or cost == inf:
             break
-        if not any(other.contains(rect) for other, _ in best):
+        x0, z0, x1, z1 = rect
+        for (a0, b0, a1, b1), _ in best:
+            if a0 <= x0 and b0 <= z0 and x1 <= a1 and z1 <= b1:
+                break
+        else:
             best.append((rect, cost))
     return best
 
 
-def _by_cost_then_size(place: Kept) -> tuple[float, int]:
+def _by_cost_then_size(place: Costed) -> tuple[float, int]:
     (x0, z0, x1, z1), cost = place
     return cost, (x0 - x1) * (z1 - z0)
+
+
+def within_both(a: Rect, b: Rect, extent: tuple[int, int]) -> Rect | None:
+    """Returns what two rectangles share, if a footprint of that extent fits in it."""
+    (a_x0, a_z0, a_x1, a_z1), (b_x0, b_z0, b_x1, b_z1) = a, b
+    x0, x1 = a_x0 if a_x0 > b_x0 else b_x0, a_x1 if a_x1 < b_x1 else b_x1
+    z0, z1 = a_z0 if a_z0 > b_z0 else b_z0, a_z1 if a_z1 < b_z1 else b_z1
+    return Rect(x0, z0, x1, z1) if x1 - x0 >= extent[0] and z1 - z0 >= extent[1] else None

@@ -1,4 +1,4 @@
-"""From a room of the scene to the space its furniture may stand in: the contract's zones, in integer millimetres."""
+"""From a room of the scene to the space its furniture may stand in, and the zones kept free (docs/scene.md), in integer millimetres."""
 
 from __future__ import annotations
 
@@ -6,16 +6,17 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from solver.geometry import OPPOSITE, Rect, to_mm
-from solver.scene import Opening, Room
-from solver.wanted import Doorway, Space, Zone
+from solver.geometry import OPPOSITE, Rect, strip_at, to_mm
+from solver.pieces import Doorway, Space, Zone
+from solver.relations.subject import Opened, Scope
+from solver.scene import WALLS, Opening, Room, Sides
 
 DOOR_SQUARE_MM = 900
-"""A door's square is as deep as the door is wide, but at most this (contract: blocks_door)."""
+"""A door's square is as deep as the door is wide, but at most this (docs/scene.md, blocks_door)."""
 WINDOW_DEPTH_MM, WINDOW_SIDE_MM = 500, 100
-"""Before a window and to each side of it nothing taller than its sill may stand (contract: blocks_window)."""
+"""Before a window and to each side of it nothing taller than its sill may stand (docs/scene.md, blocks_window)."""
 
-Line = tuple[str, int, int, int]
+WallLine = tuple[str, int, int, int]
 """A stretch of wall line: the wall it is part of, its coordinate across, and its ends along, mm."""
 
 
@@ -43,6 +44,18 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
     return Space(room.id, lines.shrunk(half), tuple(zones), (*doorways, *beyond), to_mm(robot_width))
+
+
+def scope_of(room: Room, space: Space) -> Scope:
+    """Returns a room as the relations see it, with the openings whose wall it tells."""
+    found: list[Opened] = []
+    for opening in room.openings:
+        line = line_of(room, opening)
+        if line is not None:
+            wall, across, start, _ = line
+            centre, half = start + to_mm(opening.position), to_mm(opening.width) // 2
+            found.append(Opened(opening.kind, wall, (centre - half, centre + half), across))
+    return Scope(space.clear, tuple(found), space.gap_mm, room.exterior_walls or Sides())
 
 
 def bounds_of(room: Room) -> Rect:
@@ -79,27 +92,27 @@ def doorways_of_others(room: Room, others: Sequence[Room]) -> list[Doorway]:
     return found
 
 
-def line_of(room: Room, opening: Opening) -> Line | None:
+def line_of(room: Room, opening: Opening) -> WallLine | None:
     """Returns the stretch of wall line an opening is in, or None where it names no wall or edge of the room."""
     edges = outline_edges(room)
     if opening.edge is not None:
         return edges[opening.edge] if opening.edge < len(edges) else None
     lines, wall = bounds_of(room), opening.wall or ""
     at = to_mm(opening.position)
-    bound = {"north": lines.z0, "south": lines.z1, "west": lines.x0, "east": lines.x1}.get(wall)
-    if bound is None:
+    if wall not in WALLS:
         return None
+    bound = lines.line(wall)
     here = [line for name, line, start, end in edges if name == wall and start <= at <= end and start < end]
     across = min(here, key=lambda line: abs(line - bound), default=bound)
     return (wall, across, 0, lines.along(wall)[1])
 
 
-def outline_edges(room: Room) -> list[Line]:
+def outline_edges(room: Room) -> list[WallLine]:
     """Returns the edges of a room's outline, from its first point on; empty without an outline."""
     points = [(to_mm(x), to_mm(z)) for x, z in room.outline or ()]
     following = points[1:] + points[:1]
     clockwise = sum(x0 * z1 - z0 * x1 for (x0, z0), (x1, z1) in zip(points, following, strict=True)) > 0
-    edges: list[Line] = []
+    edges: list[WallLine] = []
     for (x0, z0), (x1, z1) in zip(points, following, strict=True):
         if z0 == z1:
             edges.append(("north" if (x1 > x0) == clockwise else "south", z0, min(x0, x1), max(x0, x1)))
@@ -108,7 +121,7 @@ def outline_edges(room: Room) -> list[Line]:
     return edges
 
 
-def opening_zone(opening: Opening, line: Line, room: Rect) -> Zone | None:
+def opening_zone(opening: Opening, line: WallLine, room: Rect) -> Zone | None:
     """Returns what an opening keeps free of the room, or None if nothing; rounded outwards by less than a millimetre."""
     start, width = line[2], opening.width * 1000
     if opening.kind in ("door", "passage"):
@@ -119,24 +132,12 @@ def opening_zone(opening: Opening, line: Line, room: Rect) -> Zone | None:
         return None
     centre = start + opening.position * 1000
     low, high = _down(centre - width / 2) - side, _up(centre + width / 2) + side
-    rect = _clipped(_inward(line, (low, high), depth), room)
+    rect = _clipped(strip_at(line[0], line[1], (low, high), depth), room)
     return Zone(rect, above, opening.id) if rect else None
 
 
-def _inward(line: Line, interval: tuple[int, int], depth: int) -> Rect:
-    """Returns the rectangle over an interval of a wall line that reaches `depth` into the room."""
-    wall, across, _, _ = line
-    a, b = interval
-    return {
-        "north": Rect(a, across, b, across + depth),
-        "south": Rect(a, across - depth, b, across),
-        "west": Rect(across, a, across + depth, b),
-        "east": Rect(across - depth, a, across, b),
-    }[wall]
-
-
 def _clipped(rect: Rect, room: Rect) -> Rect | None:
-    cut = Rect(max(rect.x0, room.x0), max(rect.z0, room.z0), min(rect.x1, room.x1), min(rect.z1, room.z1))
+    cut = rect.common(room)
     return cut if cut.width > 0 and cut.depth > 0 else None
 
 

@@ -1,4 +1,4 @@
-"""Who is in a house, and where: a person in some rooms, at most four, and perhaps a pet.
+"""Who is in a house, and where: what the catalogs' people.yaml says, drawn by a seed.
 
 Comes in: rooms, their spaces, who was there before. Goes out: people and pets. May import: the ground floor, catalogs.
 """
@@ -7,34 +7,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
 
 from catalogs import Catalogs
-from solver.people.floor import Floor
-from solver.people.poses import roaming, sitting, standing
+from catalogs.dwellers import Dweller
+from solver.free_floor import FreeFloor, Goal
+from solver.free_places import block_of
+from solver.people.poses import POSES, Surroundings
+from solver.pieces import Space
 from solver.scene import Dynamic, Room
 from solver.streams import Stream
-from solver.wanted import Space
-
-MAJOR: Final = ("living_room", "studio", "kitchen", "dining_room", "bedroom_master", "backyard", "patio", "outdoor_deck")
-"""Room types that people are seen in."""
-PERSON_CHANCE: Final = 0.3
-MOST_PEOPLE: Final = 4
-PET_CHANCE: Final = 0.7
-PETS: Final = ("dog", "cat")
-PETS_LIKE: Final = ("living_room", "studio", "backyard", "kitchen")
-"""Where a pet is rather than elsewhere; these and the numbers above are the predecessor's, section 8."""
-PETS_TAKE: Final = ("dining_room", "bedroom_master", "hallway", "patio", "outdoor_deck", "bedroom", "office", "kids_bedroom")
-"""Where it is else."""
 
 
 @dataclass(frozen=True)
-class Home:
+class Household:
     """What decides who is in a house.
 
     Args:
         seed: of the house, or of what is done anew.
-        catalogs: sizes and colours of people and pets, and which sides of furniture are used.
+        catalogs: who may be there, their sizes and colours, and which sides of furniture are used.
         spaces: of each room that may be peopled, by id: its clear rectangle, doorways and the width of who walks.
     """
 
@@ -43,92 +33,87 @@ class Home:
     spaces: Mapping[str, Space]
 
 
-def peopled(rooms: Sequence[Room], home: Home, before: Sequence[Dynamic] | None = None) -> tuple[Dynamic, ...]:
+def peopled(rooms: Sequence[Room], household: Household, before: Sequence[Dynamic] | None = None) -> tuple[Dynamic, ...]:
     """Returns the people and pets of a house.
 
     Args:
         rooms: furnished; they are peopled.
-        home: what decides who comes.
-        before: who was in the house, where only some of its rooms are peopled anew: those elsewhere stay as they are, and
-            pets that were in one of these rooms come back to one of them. None: nobody was, the house is new.
+        household: what decides who comes.
+        before: who was in the house, where only some of its rooms are peopled anew: those elsewhere stay as they are, and who
+            belongs to the home, as pets do, and was in one of these rooms comes back to one of them. None: the house is new.
     """
     ids = {room.id for room in rooms}
-    staying = [one for one in before or () if one.room not in ids]
-    returning = [one for one in before or () if one.room in ids and one.kind != "person"]
-    floors = _Floors(rooms, home)
-    people = _people(rooms, floors, home, [one for one in staying if one.kind == "person"])
-    pets = _drawn_pet(home) if before is None else returning
-    return (*staying, *people, *_settled(pets, rooms, floors, home))
+    drawing = _Drawing(rooms, household, [one for one in before or () if one.room not in ids])
+    of_home = {name: entry for name, entry in household.catalogs.people.items() if entry.per == "home"}
+    for name, entry in household.catalogs.people.items():
+        if entry.per == "room":
+            drawing.people_rooms(name, entry)
+        elif before is None:
+            drawing.settle_one(name, entry)
+    coming_anew = {kind for entry in household.catalogs.people.values() if entry.per == "room" for kind in entry.kinds}
+    for one in before or ():
+        named = next((name for name, entry in of_home.items() if one.kind in entry.kinds), next(iter(of_home), None))
+        if one.room in ids and one.kind not in coming_anew and named:
+            drawing.settle(one, named, of_home[named])
+    return tuple(drawing.there)
 
 
-class _Floors(dict[str, Floor]):
-    """The floors of rooms by id, made when they are asked for."""
+class _Drawing:
+    """The people drawn so far, and what the rooms leave them."""
 
-    def __init__(self, rooms: Sequence[Room], home: Home) -> None:
-        super().__init__()
-        self.rooms, self.home = {room.id: room for room in rooms}, home
+    def __init__(self, rooms: Sequence[Room], household: Household, there: Iterable[Dynamic]) -> None:
+        self.rooms, self.household, self.there = rooms, household, list(there)
+        self._surroundings: dict[str, Surroundings] = {}
 
-    def __missing__(self, room_id: str) -> Floor:
-        """Makes a room's floor."""
-        self[room_id] = Floor(self.rooms[room_id], self.home.spaces[room_id], self.home.catalogs)
-        return self[room_id]
+    def people_rooms(self, name: str, entry: Dweller) -> None:
+        """Draws somebody for some of the rooms, until there are enough in the house."""
+        for room in self.rooms:
+            stream = Stream(self.household.seed, name, room.index)
+            enough = sum(one.kind in entry.kinds for one in self.there) >= entry.most
+            if room.type in entry.rooms and not enough and stream.chance(entry.chance):
+                self._place(self._newcomer(entry, stream), room, entry, stream)
 
+    def settle_one(self, name: str, entry: Dweller) -> None:
+        """Draws whether the house has one, and which."""
+        stream = Stream(self.household.seed, name)
+        if stream.chance(entry.chance):
+            self.settle(self._newcomer(entry, stream), name, entry)
 
-def _people(rooms: Sequence[Room], floors: _Floors, home: Home, others: Sequence[Dynamic]) -> list[Dynamic]:
-    """Draws a person for some of the rooms, until there are enough with the others."""
-    found: list[Dynamic] = []
-    for room in rooms:
-        stream = Stream(home.seed, "people", room.index)
-        if room.type not in MAJOR or len(others) + len(found) >= MOST_PEOPLE or not stream.chance(PERSON_CHANCE):
-            continue
-        person = replace(_newcomer("person", home, stream), room=room.id)
-        ways = (sitting, standing) if stream.chance(0.5) else (standing, sitting)
-        placed = next((one for way in ways if (one := way(floors[room.id], person, stream))), None)
-        if placed is not None:
-            named = replace(placed, id=_free_id("person", (*others, *found)))
-            floors[room.id].add(named)
-            found.append(named)
-    return found
-
-
-def _drawn_pet(home: Home) -> list[Dynamic]:
-    """Draws whether a new house has a pet, and which."""
-    stream = Stream(home.seed, "pet")
-    if not stream.chance(PET_CHANCE):
-        return []
-    kind = stream.pick(PETS)
-    return [replace(_newcomer(kind, home, stream), id=f"{kind}_1")]
-
-
-def _settled(pets: Iterable[Dynamic], rooms: Sequence[Room], floors: _Floors, home: Home) -> list[Dynamic]:
-    """Finds pets places in the rooms; where there is none the pet is not in the house."""
-    found: list[Dynamic] = []
-    for pet in pets:
-        for room in _liked(rooms, Stream(home.seed, "pet", pet.id)) or rooms:
-            placed = roaming(floors[room.id], replace(pet, room=room.id, y=0.0, on=None), Stream(home.seed, "pet", room.index))
-            if placed is not None:
-                floors[room.id].add(placed)
-                found.append(placed)
+    def settle(self, one: Dynamic, name: str, entry: Dweller) -> None:
+        """Finds somebody a place in the rooms; where there is none they are not in the house."""
+        seed = self.household.seed
+        for room in self._liked(entry, Stream(seed, name, one.id)) or self.rooms:
+            if self._place(replace(one, y=0.0, on=None), room, entry, Stream(seed, name, room.index)):
                 break
-    return found
 
+    def _liked(self, entry: Dweller, stream: Stream) -> list[Room]:
+        """Returns the rooms one may be in, those liked first, each group in random order."""
+        groups = [[room for room in self.rooms if room.type in types] for types in (entry.rooms, entry.otherwise)]
+        for group in groups:
+            stream.shuffle(group)
+        return [room for group in groups for room in group]
 
-def _liked(rooms: Sequence[Room], stream: Stream) -> list[Room]:
-    """Returns the rooms a pet may be in, those it likes first, each group in random order."""
-    groups = [[room for room in rooms if room.type in types] for types in (PETS_LIKE, PETS_TAKE)]
-    for group in groups:
-        stream.shuffle(group)
-    return [room for group in groups for room in group]
+    def _newcomer(self, entry: Dweller, stream: Stream) -> Dynamic:
+        """Returns somebody without a place, of the catalogs' size, in one of its colours."""
+        kind = stream.pick(entry.kinds) if len(entry.kinds) > 1 else entry.kinds[0]
+        spec = self.household.catalogs.furniture[kind]
+        width, depth, height = spec.size
+        taken = {one.id for one in self.there}
+        label = next(name for number in range(1, len(taken) + 2) if (name := f"{kind}_{number}") not in taken)
+        return Dynamic(label, kind, width=width, depth=depth, height=height, color=stream.pick((spec.color, *spec.variants)))
 
-
-def _newcomer(kind: str, home: Home, stream: Stream) -> Dynamic:
-    """Returns somebody without a place, of the catalogs' size, in one of its colours."""
-    spec = home.catalogs.furniture[kind]
-    width, depth, height = spec.size
-    color = stream.pick((spec.color, *spec.variants))
-    return Dynamic("", kind, width=width, depth=depth, height=height, color=color)
-
-
-def _free_id(kind: str, others: Sequence[Dynamic]) -> str:
-    taken = {one.id for one in others}
-    return next(name for number in range(1, len(taken) + 2) if (name := f"{kind}_{number}") not in taken)
+    def _place(self, one: Dynamic, room: Room, entry: Dweller, stream: Stream) -> bool:
+        """Places somebody in a room; tells whether there was a place."""
+        if room.id not in self._surroundings:
+            floor = FreeFloor.of_room(room, self.household.spaces[room.id], self.household.catalogs.use_sides())
+            self._surroundings[room.id] = Surroundings(room, floor, self.household.catalogs)
+        floor, poses = self._surroundings[room.id].floor, list(entry.poses)
+        stream.shuffle(poses)
+        here = replace(one, room=room.id)
+        placed = next((found for pose in poses if (found := POSES[pose](self._surroundings[room.id], here, entry, stream))), None)
+        if placed is not None:
+            stands = placed.on is None
+            floor.add(block_of(placed), in_the_way=stands)
+            floor.goals += [Goal.beside(block_of(placed).rect)] if stands else []
+            self.there.append(placed)
+        return placed is not None

@@ -1,21 +1,24 @@
 """One pose for somebody in a room: standing, sitting, or a pet's.
 
-Comes in: a `Floor` and somebody without a place. Goes out: the same with a place, or None. May import: the ground floor, catalogs.
+Comes in: a room's `Surroundings` and somebody without a place. Goes out: the same with a place, or None. May import: the ground
+floor, catalogs.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Final
 
+from catalogs import Catalogs
+from catalogs.dwellers import Dweller, Seats
 from catalogs.entries import Surface
-from solver.free_places import Solid, footprint
-from solver.geometry import rotate
-from solver.people.floor import Floor
+from solver.free_floor import FreeFloor, Goal
+from solver.free_places import Block, block_of, footprint
+from solver.geometry import half_m, rotate, wall_faced
 from solver.people.sights import Sight, faces, sights
-from solver.scene import Dynamic, Furniture
+from solver.scene import Dynamic, Furniture, Room
 from solver.streams import Stream
 
 TRIES: Final = 40
@@ -26,24 +29,42 @@ TALKING: Final = (0.5, 1.4)
 """How far from a thing one stands to look at it, m, to one's middle."""
 STEP: Final = 15
 """Degrees that people turn by."""
-SEAT_HEIGHTS: Final = (0.35, 0.6)
-"""A surface at these heights, m, is sat on."""
-SITTING: Final = (0.46, 0.5, 0.9)
-"""Shoulders, thighs and sitting height of somebody who sits, m: 95th, 50th and 50th percentile of men (S. Pheasant,
-Bodyspace, 2nd edition, table 10.1, rounded)."""
 CUSHION_MM: Final = 60
 """What lies on a seat and is no thicker is sat on."""
-SEATS: Final = ("seating", "bed")
 
 
-def standing(floor: Floor, person: Dynamic, stream: Stream) -> Dynamic | None:
+@dataclass(frozen=True)
+class Surroundings:
+    """A furnished room as whoever is to be in it finds it: what is there, and the floor that is left."""
+
+    room: Room
+    floor: FreeFloor
+    catalogs: Catalogs
+
+    def near(self, person: Dynamic, gap_mm: int) -> Dynamic | None:
+        """Returns somebody at the free place nearest to the pose, with a gap all around, or None where there is none."""
+        found = self.floor.nearest(block_of(person), gap_mm)
+        if found is None:
+            return None
+        return replace(person, x=half_m(found.x0 + found.x1), z=half_m(found.z0 + found.z1))
+
+    def leaves_all_reachable(self, person: Dynamic) -> bool:
+        """Tells whether everything stays within reach with somebody there on the floor, and so is who stands there."""
+        return self.floor.connects([footprint(person)], [Goal.beside(footprint(person))])
+
+    def front_reachable(self, piece: Furniture) -> bool:
+        """Tells whether one can come to a piece's front, those who stand there being in the way."""
+        return self.floor.connects(goals=[Goal(footprint(piece), (wall_faced("front", piece.rotation),))])
+
+
+def standing(here: Surroundings, person: Dynamic, _: Dweller, stream: Stream) -> Dynamic | None:
     """Returns a person on free floor who faces something near, within reach and in nobody's way."""
-    seen = sights(floor.room, floor.space, floor.catalogs)
+    seen = sights(here.room, here.floor.space, here.catalogs)
     for k in range(TRIES if seen else 0):
         sight = stream.pick(seen)
         wish = _before(sight, person, stream)
-        placed = floor.near(wish, GAP_MM if k < TRIES // 2 else 0)
-        if placed and faces(placed, sight) and floor.leaves_all_reachable(placed):
+        placed = here.near(wish, GAP_MM if k < TRIES // 2 else 0)
+        if placed and faces(placed, sight) and here.leaves_all_reachable(placed):
             return placed
     return None
 
@@ -59,47 +80,51 @@ def _before(sight: Sight, person: Dynamic, stream: Stream) -> Dynamic:
     return replace(person, x=round(x) / 1000, z=round(z) / 1000, rotation=round(turn / STEP) * STEP % 360)
 
 
-def roaming(floor: Floor, pet: Dynamic, stream: Stream) -> Dynamic | None:
+def roaming(here: Surroundings, pet: Dynamic, _: Dweller, stream: Stream) -> Dynamic | None:
     """Returns a pet somewhere on free floor, within reach and in nobody's way."""
-    clear = floor.space.clear
+    clear = here.floor.space.clear
     for k in range(TRIES):
         x, z = stream.uniform(clear.x0, clear.x1), stream.uniform(clear.z0, clear.z1)
         turn = STEP * stream.below(360 // STEP)
         wish = replace(pet, x=round(x) / 1000, z=round(z) / 1000, rotation=turn)
-        placed = floor.near(wish, GAP_MM if k < TRIES // 2 else 0)
-        if placed and floor.leaves_all_reachable(placed):
+        placed = here.near(wish, GAP_MM if k < TRIES // 2 else 0)
+        if placed and here.leaves_all_reachable(placed):
             return placed
     return None
 
 
-def sitting(floor: Floor, person: Dynamic, stream: Stream) -> Dynamic | None:
+def sitting(here: Surroundings, person: Dynamic, entry: Dweller, stream: Stream) -> Dynamic | None:
     """Returns a person who sits on a seat or at the end of a bed, whose front can be reached."""
-    seats = [(piece, seat) for piece in floor.room.furniture if (seat := _seat(floor, piece))]
+    wanted = entry.seats
+    if wanted is None:
+        return None
+    seats = [(piece, seat) for piece in here.room.furniture if (seat := _seat(here, piece, wanted))]
     stream.shuffle(seats)
+    sitter = replace(person, width=wanted.size[0], depth=wanted.size[1], height=wanted.size[2])
     for piece, seat in seats:
-        for across in _places(piece, seat, stream):
+        for across in _places(piece, seat, sitter.width, stream):
             for behind in (seat.inset, 0.0):  # at the very edge before what leans on the back
-                placed = _seated(person, piece, seat, (across, behind))
-                if _fits(floor, placed, piece) and floor.front_reachable(piece):
+                placed = _seated(sitter, piece, seat, (across, behind))
+                if _fits(here.floor, placed, piece) and here.front_reachable(piece):
                     return placed
     return None
 
 
-def _seat(floor: Floor, piece: Furniture) -> Surface | None:
+def _seat(here: Surroundings, piece: Furniture, wanted: Seats) -> Surface | None:
     """Returns what somebody can sit on of a piece; nobody sits on a chair that is tucked in, or on one that stands on something."""
-    if piece.category not in SEATS or piece.under or piece.on or piece.y or piece.rotation % 90:
+    if piece.category not in wanted.categories or piece.under or piece.on or piece.y or piece.rotation % 90:
         return None
-    kinds = floor.catalogs.furniture
+    kinds = here.catalogs.furniture
     sizes = (piece.width, piece.depth, piece.height)
-    kind = next((kind for name, kind in kinds.items() if floor.catalogs.name_of(name) == piece.name and kind.size == sizes), None)
+    kind = next((kind for name, kind in kinds.items() if here.catalogs.name_of(name) == piece.name and kind.size == sizes), None)
     surfaces = kind.surfaces if kind else ()
-    low, high = SEAT_HEIGHTS
+    low, high = wanted.heights
     return next((one for one in surfaces if low <= one.height <= high and one.clearance is None), None)
 
 
-def _places(piece: Furniture, seat: Surface, stream: Stream) -> Sequence[int]:
+def _places(piece: Furniture, seat: Surface, width: float, stream: Stream) -> Sequence[int]:
     """Returns middles across a seat to try, mm: one at random, then from end to end."""
-    room = round((piece.width - 2 * seat.inset - SITTING[0]) * 1000) // 2
+    room = round((piece.width - 2 * seat.inset - width) * 1000) // 2
     if room <= 0:
         return (0,)
     ends = [-room, room, 0, -room // 2, room // 2]
@@ -110,17 +135,21 @@ def _places(piece: Furniture, seat: Surface, stream: Stream) -> Sequence[int]:
 def _seated(person: Dynamic, piece: Furniture, seat: Surface, place: tuple[int, float]) -> Dynamic:
     """Returns a person on a seat, within the piece's footprint: so far across (mm), so far behind its front edge (m)."""
     across, behind = place
-    width, depth = min(SITTING[0], piece.width), min(SITTING[1], piece.depth)
+    width, depth = min(person.width, piece.width), min(person.depth, piece.depth)
     along = max(0, round((piece.depth / 2 - behind - depth / 2) * 1000), round((depth - piece.depth) * 500))
     x, z = rotate(across, along, round(piece.rotation))
     centre = (round(piece.x + x / 1000, 4), round(piece.z + z / 1000, 4))
     return replace(
         person, x=centre[0], y=round(piece.y + seat.height, 4), z=centre[1], rotation=piece.rotation,
-        width=width, depth=depth, height=SITTING[2], on=piece.id,
+        width=width, depth=depth, on=piece.id,
     )  # fmt: skip
 
 
-def _fits(floor: Floor, placed: Dynamic, piece: Furniture) -> bool:
-    low = round(placed.y * 1000)
-    body = Solid(footprint(placed), low + CUSHION_MM, low + placed.height * 1000)
-    return floor.is_free(body, frozenset({piece.id}))
+def _fits(floor: FreeFloor, placed: Dynamic, piece: Furniture) -> bool:
+    body = block_of(placed)
+    return floor.is_free(Block(body.rect, round(body.low) + CUSHION_MM, body.high), piece.id)
+
+
+Posing = Callable[[Surroundings, Dynamic, Dweller, Stream], Dynamic | None]
+POSES: Final[Mapping[str, Posing]] = {"stands": standing, "sits": sitting, "roams": roaming}
+"""How somebody finds a place, by the word of people.yaml."""

@@ -12,10 +12,9 @@ from typing import Final
 
 from catalogs import Catalogs
 from solver.free_places import footprint
-from solver.geometry import Rect, strip, to_mm
-from solver.people.floor import side_of
+from solver.geometry import OPPOSITE, Rect, strip, to_mm, wall_faced
+from solver.pieces import Space
 from solver.scene import Dynamic, Furniture, Room
-from solver.wanted import Space
 
 NEAR_MM: Final = 2000
 """How far from somebody what they look at may be: a person's length and a bit; our choice."""
@@ -48,20 +47,19 @@ def sights(room: Room, space: Space, catalogs: Catalogs) -> list[Sight]:
 
 def _open_side(piece: Furniture) -> str:
     """Returns the side a piece is looked at from: a chair at a table from behind, all else from the front."""
-    return side_of(piece, "back" if piece.under else "front")
+    return wall_faced("back" if piece.under else "front", piece.rotation)
 
 
 def _openings(room: Room, space: Space) -> Iterator[Sight]:
     """Yields the openings of a rectangular room, and the doorways of any other."""
-    opposite = {"north": "south", "south": "north", "west": "east", "east": "west"}
     if room.outline is not None:
         for door in space.doorways:
-            yield Sight(door.square, opposite[door.wall])
+            yield Sight(door.square, OPPOSITE[door.wall])
         return
     for opening in room.openings:
         if opening.kind in OPENINGS and opening.wall is not None:
             middle, half = to_mm(opening.position), to_mm(opening.width) // 2
-            yield Sight(strip(space.clear, opening.wall, (middle - half, middle + half), 0), opposite[opening.wall])
+            yield Sight(strip(space.clear, opening.wall, (middle - half, middle + half), 0), OPPOSITE[opening.wall])
 
 
 def faces(person: Dynamic, sight: Sight) -> bool:

@@ -1,11 +1,12 @@
-"""The flows, top to bottom; the only place where two stages meet. Start reading here.
+"""The flows, top to bottom; the only place where two stages meet. Start reading here: generate.py, fix.py, place.py.
 
-Comes in: Request, Scene, or a Room and Wishes. Goes out: Generated, Fixed or Answered.
+Comes in: Request, Scene, or a Room and a list of pieces. Goes out: Generated, Fixed or Answered.
 May import: every stage. Not here: what a stage does inside.
 """
 
 from solver.pipeline.fix import fix
 from solver.pipeline.generate import generate, reroll
 from solver.pipeline.place import place
+from solver.validator import validate
 
-__all__ = ["fix", "generate", "place", "reroll"]
+__all__ = ["fix", "generate", "place", "reroll", "validate"]

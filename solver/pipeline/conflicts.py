@@ -1,135 +1,108 @@
-"""Why pieces of a room cannot stand together: a minimal conflict, in lengths, with what would help.
+"""Why pieces of a room cannot stand, or be used, together: a minimal conflict, in lengths, with what would help.
 
-Comes in: a room whose pieces did not all find a place. Goes out: Conflicts. Not here: the search for a place (attempt).
+Comes in: the repair of a room in which some found no place. Goes out: Conflicts. May import: every stage. Not here: the search for
+a place (repair_room), what would help (repairs).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from solver.geometry import Rect
-from solver.pipeline.attempt import Terms, placed, wanted_of
-from solver.pipeline.repairs import Case, repairs_of, unlocked
-from solver.placement import Budget, feasible, minimal_conflict
-from solver.placement.lengths import Shortfall, centimetres, metres, sentence, shortfall
-from solver.repair import Body, all_bodies, holders
-from solver.scene import Conflict, Issue, Room
-from solver.wanted import Space, Wanted
+from solver.pieces import Piece, Space
+from solver.pipeline.least_movement import missing_length
+from solver.pipeline.repair_room import RoomRepair
+from solver.pipeline.repairs import RepairGoal, repairs_of, unlocked
+from solver.placement import Budget, minimal_conflict
+from solver.placement.lengths import Shortfall, centimetres, metres, sentence
+from solver.repair import RepairSettings, all_bodies, pieces_as_sent
+from solver.scene import Conflict, Issue
+from solver.validator import Checked
 
-STANDING = ("cannot stand anywhere", "cannot stand together")
+WALKING_SHARE = 4
+"""Why pieces are out of reach may cost this part of what telling may: it is said, not repaired."""
 
 
-@dataclass(frozen=True)
-class Unplaced:
-    """A room in which some pieces found no place.
+def conflicts_of(repair: RoomRepair) -> tuple[Conflict, ...]:
+    """Explains what is locked wrongly, every piece that found no place, and those that stand where nobody can use them.
 
-    Args:
-        sent: the room as sent.
-        answer: the room as it will be answered.
-        space: where its furniture may stand.
-        wanted: its pieces, as sent.
-        stuck: those without a place, or out of reach.
+    Each by a minimal set that cannot stand, or be used, together; or by saying that none was found.
     """
-
-    sent: Room
-    answer: Room
-    space: Space
-    wanted: Sequence[Wanted]
-    stuck: Sequence[str]
-
-    @property
-    def rooms(self) -> tuple[Room, ...]:
-        """The room that is answered, and the room as sent where it differs."""
-        return (self.answer,) if self.answer == self.sent else (self.answer, self.sent)
-
-
-def conflicts_of(unplaced: Unplaced, terms: Terms, budget: Budget) -> tuple[Conflict, ...]:
-    """Explains every piece that found no place: a minimal set that cannot stand together, or that none was found."""
-    found = []
-    for label in unplaced.stuck:
-        group = [piece for piece in unplaced.wanted if piece.label == label or piece.label not in unplaced.stuck]
-        found.append(_conflict(unplaced, group, label, Case(unplaced.rooms, unplaced.space, terms, _labels(group), budget)))
+    settings = repair.problem.settings
+    found = [_of_a_lock(repair, label, problem) for label, problem in repair.misplaced.items()]
+    budget = Budget(settings.explaining_work)
+    for label in repair.unplaced:
+        group = [piece for piece in repair.pieces if piece.label == label or piece.label not in repair.unplaced]
+        found.append(_conflict(_goal(repair, group, budget), repair.pieces, group, label))
+    if repair.unreached:
+        pieces = pieces_as_sent(replace(repair.problem, room=repair.room))
+        goal = replace(_goal(repair, pieces, Budget(settings.explaining_work / WALKING_SHARE)), walk=True)
+        for label in repair.unreached:
+            if not any(label in conflict.ids for conflict in found):
+                found.append(_conflict(goal, pieces, pieces, label))
     return tuple(found)
 
 
-def unreached(unplaced: Unplaced, terms: Terms, budget: Budget) -> tuple[Conflict, ...]:
-    """Explains pieces that stand where nobody can come to use them: a minimal set that cannot be used together."""
-    found: list[Conflict] = []
-    case = Case(unplaced.rooms, unplaced.space, terms, _labels(unplaced.wanted), budget, walk=True)
-    for label in unplaced.stuck:
-        if not any(label in conflict.ids for conflict in found):
-            found.append(_conflict(unplaced, unplaced.wanted, label, case))
-    return tuple(found)
+def _of_a_lock(repair: RoomRepair, label: str, problem: str) -> Conflict:
+    group = tuple(piece.label for piece in pieces_as_sent(repair.problem))
+    repaired = unlocked(RepairGoal((repair.problem,), group, Budget(repair.problem.settings.work)), label)
+    repairs = (*([repaired] if repaired else []), {"action": "leave_out", "id": label})
+    return Conflict((label,), f"locked where it cannot stand: {problem}", repairs)
 
 
-def _conflict(unplaced: Unplaced, group: Sequence[Wanted], label: str, case: Case) -> Conflict:
-    names = names_of(unplaced.sent)
-    members = minimal_conflict(unplaced.space, group, label, case.budget, case.walk)
-    if members is None:
-        missing = f"a way to {names[label]}, which can stand," if case.walk else f"a place for {names[label]}"
-        message = f"not found: the search for {missing} in {unplaced.sent.id} ended at its limit"
-        return Conflict((label,), message)
-    pieces = [piece if case.walk else replace(piece, stands=()) for piece in unplaced.wanted if piece.label in members]
-    short = _shortfall(unplaced.space, pieces, case)
-    return Conflict(members, _message(unplaced, members, case.walk, short), repairs_of(case, members, short))
+def _goal(repair: RoomRepair, group: Sequence[Piece], budget: Budget) -> RepairGoal:
+    """Returns what has to be made possible, in the room that is answered, and in the room as sent where it differs."""
+    rooms = (repair.room,) if repair.room == repair.asked else (repair.room, repair.asked)
+    problems = tuple(replace(repair.problem, room=room) for room in rooms)
+    return RepairGoal(problems, tuple(piece.label for piece in group), budget)
 
 
-def _labels(pieces: Sequence[Wanted]) -> tuple[str, ...]:
-    return tuple(piece.label for piece in pieces)
+def _conflict(goal: RepairGoal, pieces: Sequence[Piece], group: Sequence[Piece], label: str) -> Conflict:
+    """Explains why one of the room's pieces cannot stand, or be used, with a group of them."""
+    sent, space = goal.problems[-1].room, goal.problems[0].space
+    names = {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(sent)}
+    ids = minimal_conflict(space, group, label, goal.budget, goal.walk)
+    if ids is None:
+        missing = f"a way to {names[label]}, which can stand," if goal.walk else f"a place for {names[label]}"
+        return Conflict((label,), f"not found: the search for {missing} in {sent.id} ended at its limit")
+    members = [piece if goal.walk else replace(piece, stands=()) for piece in pieces if piece.label in ids]
+    stay = all(_still(piece) is not None for piece in members)
+    short = None if stay else missing_length(space, members, goal.budget, goal.walk, prove=False)
+    why = ("" if goal.walk else _where_they_stay(space, members)) or _length(space, short)
+    what = f"{' and '.join(names[member] for member in ids)} {_cannot(len(ids) == 1, goal.walk)} in {sent.id}"
+    return Conflict(ids, f"{what}: {why}", repairs_of(goal, ids, short))
 
 
-def names_of(room: Room) -> dict[str, str]:
-    """Returns what every body is and its size, by id."""
-    return {body.id: _name(body) for body in all_bodies(room)}
+def _cannot(alone: bool, walk: bool) -> str:
+    if walk:
+        return "can stand but cannot be reached" if alone else "can stand but cannot all be reached"
+    return "cannot stand anywhere" if alone else "cannot stand together"
 
 
-def _name(body: Body) -> str:
-    return f"{body.name} {body.width:.2f} x {body.depth:.2f} m"
+def _length(space: Space, short: Shortfall | None) -> str:
+    if short:
+        return sentence(short)
+    floor = f"the {metres(space.clear.width)} x {metres(space.clear.depth)} m of {space.room}"
+    return f"no one length is missing in {floor}, clear of its doors and windows"
 
 
-def _shortfall(space: Space, pieces: Sequence[Wanted], case: Case) -> Shortfall | None:
-    if all(_still(piece) is not None for piece in pieces):
-        return None
-    budget = case.budget
-    return shortfall(
-        space,
-        pieces,
-        lambda longer, some: feasible(longer, some, budget, case.walk, prove=False),
-        lambda longer, some: placed(longer, some, budget),
-    )
-
-
-def _message(unplaced: Unplaced, members: Sequence[str], walk: bool, short: Shortfall | None) -> str:
-    names = names_of(unplaced.sent)
-    alone, together = ("can stand but cannot be reached", "can stand but cannot all be reached") if walk else STANDING
-    how = alone if len(members) == 1 else together
-    what = f"{' and '.join(names[member] for member in members)} {how} in {unplaced.sent.id}"
-    fixed = "" if walk else _where_they_stay(unplaced, members)
-    if fixed:
-        return f"{what}: {fixed}"
-    clear = unplaced.space.clear
-    floor = f"the {metres(clear.width)} x {metres(clear.depth)} m of {unplaced.sent.id}, clear of its doors and windows"
-    return f"{what}: {sentence(short)}" if short else f"{what}: no one length is missing in {floor}"
-
-
-def _still(piece: Wanted) -> Rect | None:
+def _still(piece: Piece) -> Rect | None:
     """Returns where a piece stays, if it may stand in one place only."""
-    way = piece.alternatives[0]
-    return way.within if len(piece.alternatives) == 1 else None
+    way = piece.candidates[0]
+    return way.within if len(piece.candidates) == 1 else None
 
 
-def _where_they_stay(unplaced: Unplaced, members: Sequence[str]) -> str:
+def _where_they_stay(space: Space, members: Sequence[Piece]) -> str:
     """Says how pieces that all stay as sent are in each other's way, or in that of a door; empty where some may move."""
-    rects = [_still(piece) for piece in unplaced.wanted if piece.label in members]
-    still = [rect for rect in rects if rect is not None]
-    if len(still) < len(rects):
+    still = [rect for rect in map(_still, members) if rect is not None]
+    if len(still) < len(members):
         return ""
     if len(still) == 2:
-        wide, deep = _shared(still[0], still[1])
-        return f"both stay as sent and share {metres(wide)} x {metres(deep)} m"
-    blocked = [(zone, min(_shared(still[0], zone.rect))) for zone in unplaced.space.zones if zone.rect.overlaps(still[0])]
-    where = [f"{centimetres(by)} {_in_words(zone.cause)}" for zone, by in blocked]
+        shared = still[0].common(still[1])
+        return f"both stay as sent and share {metres(shared.width)} x {metres(shared.depth)} m"
+    blocked = [(zone.cause, still[0].common(zone.rect)) for zone in space.zones if zone.rect.overlaps(still[0])]
+    where = [f"{centimetres(min(shared.width, shared.depth))} {_in_words(cause)}" for cause, shared in blocked]
     return f"it stays as sent, {' and '.join(where)}" if where else ""
 
 
@@ -137,21 +110,23 @@ def _in_words(cause: str) -> str:
     return "outside the outline" if cause == "outline" else f"in the floor before {cause}"
 
 
-def _shared(a: Rect, b: Rect) -> tuple[int, int]:
-    return min(a.x1, b.x1) - max(a.x0, b.x0), min(a.z1, b.z1) - max(a.z0, b.z0)
+def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairSettings) -> tuple[Conflict, ...]:
+    """Names every error that is left and that no conflict explains; one of a whole room any conflict in that room explains."""
+    named = {member for conflict in conflicts for member in conflict.ids}
+    bodies = {room.id: all_bodies(room) for room in house.scene.rooms}
+    contested = {name for name, here in bodies.items() if any(body.id in named for body in here)}
+    locked = settings.locked.union(body.id for here in bodies.values() for body in here if settings.is_locked(body))
+    left = [issue for issue in house.errors if not named & set(issue.ids)]
+    told = [issue for issue in left if issue.ids or issue.room not in contested]
+    return tuple(Conflict(issue.ids, _left(issue, locked, issue.room in contested)) for issue in told)
 
 
-def locked_wrongly(room: Room, space: Space, terms: Terms, issues: Sequence[Issue]) -> tuple[Conflict, ...]:
-    """Names the bodies that break a rule all by themselves where they are locked: outside the room, or far from their wall."""
-    locked = holders(room, terms.wishes)
-    reasons: dict[str, list[str]] = {}
-    for issue in issues:
-        if issue.rule in ("out_of_bounds", "wall_far") and issue.room == room.id and set(issue.ids) <= locked.keys():
-            reasons.setdefault(issue.ids[0], []).append(issue.message)
-    everyone = tuple(piece.label for piece in wanted_of(room, space, terms)) if reasons else ()
-    found = []
-    for label, messages in reasons.items():
-        repair = unlocked(Case((room,), space, terms, everyone, Budget(terms.work)), label)
-        repairs = (*([repair] if repair else []), {"action": "leave_out", "id": label})
-        found.append(Conflict((label,), f"locked where it cannot stand: {' and '.join(messages)}", repairs))
-    return tuple(found)
+def _left(issue: Issue, locked: frozenset[str], contested: bool) -> str:
+    """Says why an error is left; ways are only kept free where everything can be kept, so not in a contested room."""
+    if issue.ids and locked.issuperset(issue.ids):
+        return f"locked where it cannot stand: {issue.message}"
+    if issue.rule == "unreachable" and contested:
+        return f"out of reach as long as the room's other conflicts last: {issue.message}"
+    if issue.rule == "unreachable" and issue.ids:
+        return f"not found: it can stand, but no way was found to reach it: {issue.message}"
+    return f"not found: no repair for this: {issue.message}"

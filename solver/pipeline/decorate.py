@@ -1,4 +1,4 @@
-"""Furnished rooms of a scene -> the same rooms dressed.
+"""Furnished rooms of a scene -> the same rooms decorated.
 
 Comes in: a Scene, which rooms. Goes out: the Scene; furniture stays as it is. May import: every stage.
 """
@@ -9,29 +9,29 @@ from collections.abc import Container
 from dataclasses import replace
 
 from catalogs import Catalogs
-from solver.dress import Terms, dressed
+from solver.decorations import DecorationSettings, decorations_of
 from solver.furnish import space_of
 from solver.scene import Room, Scene, robot_width_of
 from solver.streams import Stream
 
 
 def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int) -> Scene:
-    """Dresses the rooms of those ids anew if the scene's request asks for it, each from a stream of its own.
+    """Decorates the rooms of those ids anew if the scene's request asks for it, each from a stream of its own.
 
     Args:
         scene: furnished; its request also names the style.
-        rooms: ids; what dressed them before goes.
-        catalogs: what to dress with.
+        rooms: ids; what decorated them before goes.
+        catalogs: what to decorate with.
         seed: decides.
     """
     asked = scene.request or {}
     wanted, style = asked.get("decorate") is True, asked.get("style")
     name = style if isinstance(style, str) else ""
-    terms = Terms(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8)
+    settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8)
 
     def done(room: Room) -> Room:
         space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
         bare = replace(room, decorations=())
-        return replace(bare, decorations=dressed(bare, space, terms, Stream(seed, "dress", room.index))) if wanted else bare
+        return replace(bare, decorations=decorations_of(bare, space, settings, Stream(seed, "decorations", room.index))) if wanted else bare
 
     return replace(scene, rooms=tuple(done(room) if room.id in rooms else room for room in scene.rooms))

@@ -7,35 +7,35 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from catalogs import Catalogs, load_catalogs
 from catalogs.styles import Style
-from solver.certificate import certificate, counts, room_certificate
+from solver.certificate import certificate, room_certificate
 from solver.errors import SceneError
+from solver.exchange import checked_request, write_request
 from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
-from solver.furnish import space_of, wanted_pieces, with_comfort
+from solver.furnish import space_of, unwanted_pieces, wanted_pieces, with_comfort
 from solver.furnished import furnished
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
-from solver.people import Home, peopled
+from solver.people import Household, peopled
+from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.decorate import decorated
-from solver.pipeline.kept import Kept, around, kept_in, rejoined, stand_all, with_kinds, with_things
 from solver.pipeline.reasons import with_lengths
+from solver.pipeline.staying import Staying, around, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place
-from solver.scene import MAX_SEED, ROBOT_WIDTH, Dynamic, Generated, Level, Request, Room, Scene, Size, check_ids, robot_width_of
+from solver.scene import MAX_SEED, ROBOT_WIDTH, Dynamic, Generated, Level, Request, Room, Scene, Size, check_ids, counted, robot_width_of
 from solver.streams import Stream
-from solver.validate import RULES, validate
-from solver.wanted import Arrangement, Space, Wanted
+from solver.validator import RULES, validate
+from solver.version import VERSION
 
-VERSION = "0.1.0"
-"""Version of the generator; a seed means something only with it and the catalog's fingerprint."""
 WALL_THICKNESS = 0.1
-"""Thickness of the walls of generated houses, m (contract)."""
+"""Thickness of the walls of generated houses, m."""
 STOREY_HEIGHT = 2.8
-"""Height of a storey, m (contract's example)."""
+"""Height of a storey, m."""
 SHIFTED_ROOMS = 40
 """Rooms of a house whose doors are tried elsewhere; a house with more rooms too small for their type keeps the rest."""
 EXPLAINED_ROOMS = 40
@@ -54,7 +54,7 @@ class _Setting:
     thickness: float = WALL_THICKNESS
     robot_width: float = ROBOT_WIDTH
     style: Style | None = None
-    kept: Mapping[str, Kept] = field(default_factory=dict)
+    staying: Mapping[str, Staying] = field(default_factory=dict)
     """What stays in rooms that are furnished anew, by their ids."""
 
 
@@ -74,10 +74,16 @@ def generate(
         clock: a clock in seconds, to fill `timing_ms`; the scene does not depend on it.
 
     Raises:
-        RequestError: a field of the request cannot be met by any house.
+        RequestError: a field of the request is wrong, or cannot be met by any house.
+
+    Example:
+        >>> from compose_homes import Request, generate
+        >>> made = generate(Request(seed=42, width=7, depth=5))
+        >>> made.scene.size.width, [issue for issue in made.issues if issue.severity == "error"]
+        (7.0, [])
     """
     known = catalogs or load_catalogs()
-    asked = request or Request()
+    asked = Request() if request is None else checked_request(request)
     seed = secrets.randbelow(MAX_SEED + 1) if asked.seed is None else asked.seed
     asked = replace(asked, seed=seed, style=chosen_style(asked.style, known, seed))
     setting = _Setting(seed, known, engine, robot_width=asked.robot_width, style=known.styles.get(asked.style or ""))
@@ -101,23 +107,38 @@ def generate(
 def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
     """Furnishes all rooms, shifting a door where a required piece would not fit otherwise, and says why one does not."""
     arrangements = _arrangements(plan.rooms, setting)
-    lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting.catalogs)]
+    lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
     for room_id in lacking[:SHIFTED_ROOMS]:
         plan = _shift_doors(plan, room_id, arrangements, setting)
     return plan, _explained(plan.rooms, arrangements, setting)
 
 
-def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Wanted, ...]]:
-    _, space, wanted = _around(room, setting)
-    return space, with_comfort(wanted, setting.catalogs)
+def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tuple[Piece, ...], tuple[tuple[str, str], ...]]:
+    """Returns what placement was asked for in a room of a generated scene, and what not.
+
+    Returns:
+        The room's space, the pieces with their candidates, and what else its type lists with the reasons why that is not wanted.
+    """
+    setting = _setting_of(scene, catalogs, scene.seed or 0)
+    space, wanted = _wished(room, setting)
+    return space, wanted, unwanted_pieces(room, setting.catalogs, _furnishing(room, setting), wanted)
 
 
-def _around(room: Room, setting: _Setting) -> tuple[Kept, Space, tuple[Wanted, ...]]:
+def _furnishing(room: Room, setting: _Setting) -> Stream:
+    return Stream(setting.seed, "furnish", room.index)
+
+
+def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Piece, ...]]:
+    return _around(room, setting)[1:]
+
+
+def _around(room: Room, setting: _Setting) -> tuple[Staying, Space, tuple[Piece, ...]]:
     """Returns what stays in a room, and what is wanted around that."""
     space = replace(space_of(room, setting.thickness, setting.robot_width), cover_mm2=_cover_mm2(room, setting))
-    wanted = wanted_pieces(room, space, setting.catalogs, Stream(setting.seed, "furnish", room.index))
-    kept = setting.kept.get(room.id)
-    return around(kept, space, wanted, setting.catalogs) if kept else (Kept(room), space, wanted)
+    wanted = wanted_pieces(room, space, setting.catalogs, _furnishing(room, setting))
+    wanted = with_comfort(wanted, setting.catalogs)
+    staying = setting.staying.get(room.id)
+    return around(staying, space, wanted, setting.catalogs) if staying else (Staying(room), space, wanted)
 
 
 def _cover_mm2(room: Room, setting: _Setting) -> int:
@@ -136,14 +157,14 @@ def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrange
 
 def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Arrangement]:
     """Says in lengths why required pieces are missing, in the first EXPLAINED_ROOMS rooms that miss some."""
-    lacking = [room for room in rooms if _missing(arrangements[room.id], room, setting.catalogs)][:EXPLAINED_ROOMS]
+    lacking = [room for room in rooms if _missing(arrangements[room.id], room, setting)][:EXPLAINED_ROOMS]
     return {**arrangements, **{room.id: with_lengths(*_wished(room, setting), arrangements[room.id]) for room in lacking}}
 
 
-def _missing(arrangement: Arrangement, room: Room, catalogs: Catalogs) -> int:
+def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
     """Returns how many of the room type's requirements the arrangement does not meet."""
-    room_type = catalogs.rooms.get(room.type)
-    names = [catalogs.name_of(placed.chosen.kind) for placed in arrangement.placed]
+    room_type = setting.catalogs.rooms.get(room.type)
+    names = [setting.catalogs.name_of(placed.chosen.kind) for placed in arrangement.placed]
     requires = room_type.requires if room_type else ()
     return sum(not any(names.count(name) >= number for name, number in either.items()) for either in requires)
 
@@ -172,7 +193,7 @@ def _improved(
     gained, tried = 0, dict[str, Arrangement]()
     for side in sides:
         tried |= _arrangements([side], setting)
-        gained += _missing(arrangements[side.id], side, setting.catalogs) - _missing(tried[side.id], side, setting.catalogs)
+        gained += _missing(arrangements[side.id], side, setting) - _missing(tried[side.id], side, setting)
         if gained <= 0:
             return None
     return tried
@@ -187,8 +208,8 @@ def _written(rooms: Iterable[Room], arrangements: Mapping[str, Arrangement], set
 def _peopled(scene: Scene, rooms: Sequence[Room], setting: _Setting, before: Sequence[Dynamic] | None = None) -> Scene:
     """Returns a scene with people and pets in some of its rooms; those in the other rooms, if there were any, stay."""
     spaces = {room.id: space_of(room, setting.thickness, setting.robot_width, scene.rooms) for room in rooms}
-    people = peopled(rooms, Home(setting.seed, setting.catalogs, spaces), before)
-    return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counts(scene.rooms, people)})
+    people = peopled(rooms, Household(setting.seed, setting.catalogs, spaces), before)
+    return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counted(scene.rooms, people)})
 
 
 def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Request, setting: _Setting) -> Scene:
@@ -201,7 +222,7 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
     }
     return Scene(
         seed=setting.seed,
-        request=_request_document(request),
+        request=write_request(_with_extents(request)),
         generator={"version": VERSION, "catalog": setting.catalogs.fingerprint},
         size=Size(to_m(outline.width), to_m(outline.depth), STOREY_HEIGHT),
         wall_thickness=setting.thickness,
@@ -213,11 +234,9 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
     )
 
 
-def _request_document(request: Request) -> dict[str, Any]:
-    document = asdict(request if request.planned else replace(request, width=request.extents[0], depth=request.extents[1]))
-    document["program"] = dict(sorted(request.program.items())) if isinstance(request.program, Mapping) else request.program
-    document["force_types"] = {str(index): name for index, name in sorted(request.force_types.items())}
-    return document
+def _with_extents(request: Request) -> Request:
+    """Returns a plain request with the size that its house has by default."""
+    return request if request.planned else replace(request, width=request.extents[0], depth=request.extents[1])
 
 
 def _is_planned(scene: Scene) -> bool:
@@ -246,19 +265,24 @@ def reroll(
 
     Raises:
         SceneError: a room's id is not in the scene, or nothing valid was found around what is locked in it.
+
+    Example:
+        >>> from compose_homes import Request, generate, reroll
+        >>> house = generate(Request(seed=42, width=7, depth=5)).scene
+        >>> other = reroll(house, [house.rooms[0].id], seed=7).scene
+        >>> other.rooms[1].furniture == house.rooms[1].furniture
+        True
     """
     known = catalogs or load_catalogs()
     check_ids("reroll", rooms, [room.id for room in scene.rooms])
     timing = Timing(clock)
     drawn = scene.seed if seed is None else seed
-    home = known.of_home([room.type for room in scene.rooms]) if _is_planned(scene) else known
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
-    stays = {room.id: kept for room in chosen if (kept := kept_in(room)).ids}
-    home = with_kinds(home, stays.values())
-    setting = _Setting(drawn or 0, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known), stays)
+    stays = {room.id: staying for room in chosen if (staying := staying_in(room)).ids}
+    setting = _setting_of(scene, known, drawn or 0, stays)
     arrangements = _explained(chosen, _arrangements(chosen, setting), setting)
     done = _rejoined(chosen, arrangements, setting)
-    document = dict(scene.certificate or {})
+    document: dict[str, Any] = dict(scene.certificate or {})
     reports = {name: room_certificate(arrangements[name], room) for name, room in done.items()}
     document["rooms"] = {**(document.get("rooms") or {}), **reports}
     new = replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms), certificate=document)
@@ -271,9 +295,15 @@ def reroll(
     issues = validate(new, known)
     if stays:
         before = {(issue.rule, issue.ids) for issue in validate(scene, known)}
-        _check_kept(rooms, stays, {issue.room for issue in issues if issue.severity == "error" and (issue.rule, issue.ids) not in before})
+        _refuse(rooms, stays, {issue.room for issue in issues if issue.severity == "error" and (issue.rule, issue.ids) not in before})
     timing.lap("validate")
     return Generated(new, issues, timing.ms)
+
+
+def _setting_of(scene: Scene, known: Catalogs, seed: int, staying: Mapping[str, Staying] | None = None) -> _Setting:
+    """Returns what a furnishing of a scene's rooms shares: that of its house, around what stays in them."""
+    home = known.of_home([room.type for room in scene.rooms]) if _is_planned(scene) else known
+    return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known), staying or {})
 
 
 def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Room]:
@@ -282,25 +312,23 @@ def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], se
     Raises:
         SceneError: what stays cannot be furnished around.
     """
-    done = {room.id: room for room in _written(rooms, arrangements, setting)}
-    for room in rooms:
-        if room.id in setting.kept:
-            kept, _, _ = _around(room, setting)
-            if not stand_all(kept, arrangements[room.id]):
-                _check_kept([one.id for one in rooms], setting.kept, {room.id})
-            done[room.id] = rejoined(done[room.id], arrangements[room.id], kept)
-    return done
+    stays = {room.id: _around(room, setting)[0] for room in rooms if room.id in setting.staying}
+    wrong = {name for name, staying in stays.items() if not staying.are_in(arrangements[name])}
+    _refuse([room.id for room in rooms], stays, wrong)
+    new = {name: replace(arrangements[name], placed=staying.new_in(arrangements[name])) for name, staying in stays.items()}
+    done = {room.id: room for room in _written(rooms, {**arrangements, **new}, setting)}
+    return done | {name: rejoined(done[name].furniture, new[name].placed, staying) for name, staying in stays.items()}
 
 
-def _check_kept(asked: Sequence[str], kept: Mapping[str, Kept], wrong: Collection[str | None]) -> None:
+def _refuse(asked: Sequence[str], stays: Mapping[str, Staying], wrong: Collection[str | None]) -> None:
     """Refuses rooms in which nothing valid was found around what is locked.
 
     Raises:
         SceneError: names the room and what is locked in it.
     """
     for k, name in enumerate(asked):
-        if name in wrong and name in kept:
-            ids = ", ".join(kept[name].locked)
+        if name in wrong and name in stays:
+            ids = ", ".join(stays[name].locked)
             problem = f"room {name} holds locked pieces: {ids}; no valid way to furnish the rest around them was found"
             raise SceneError(f"reroll[{k}]", problem, "another room; or unlock them first")
 

@@ -9,15 +9,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from solver.placement import Budget, arrange_as_wished, feasible, minimal_conflict, settle
-from solver.placement.lengths import sentence, shortfall
-from solver.wanted import Arrangement, Space, Wanted
+from solver.pieces import Arrangement, Piece, Space
+from solver.pipeline.least_movement import missing_length
+from solver.placement import Budget, minimal_conflict
+from solver.placement.lengths import sentence
 
 REASON_WORK = 4_000.0
 """Work a reason may cost, in QPs of a small room; above it the reason says how long the free stretches of wall are."""
 
 
-def with_lengths(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement) -> Arrangement:
+def with_lengths(space: Space, wanted: Sequence[Piece], arrangement: Arrangement) -> Arrangement:
     """Says of every required piece that was left out which pieces it cannot stand with, and what length is missing."""
     reasons = []
     for label, reason in arrangement.left_out:
@@ -26,19 +27,14 @@ def with_lengths(space: Space, wanted: Sequence[Wanted], arrangement: Arrangemen
     return replace(arrangement, left_out=tuple(reasons))
 
 
-def _reason(space: Space, wanted: Sequence[Wanted], label: str) -> str | None:
+def _reason(space: Space, wanted: Sequence[Piece], label: str) -> str | None:
     """Returns which required pieces cannot be used together with one, and why; None where a limit was hit."""
     budget, required = Budget(REASON_WORK), [piece for piece in wanted if piece.required]
     members = minimal_conflict(space, required, label, budget, True)
     if members is None:
         return None
     pieces = [piece for piece in required if piece.label in members]
-    short = shortfall(
-        space,
-        pieces,
-        lambda longer, some: feasible(longer, some, budget, True),
-        lambda longer, some: settle([arrange_as_wished(longer, some, budget)])[0],
-    )
+    short = missing_length(space, pieces, budget, walk=True)
     how = "anywhere" if len(members) == 1 else "together"
     lengths = f": {sentence(short)}" if short else ""
     return f"{' and '.join(members)} cannot stand and be used {how}{lengths}" if short or len(members) > 1 else None

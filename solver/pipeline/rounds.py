@@ -1,6 +1,6 @@
-"""From the ways that pieces may stand to the placement that holds most: the placement stage, asked several times.
+"""From the candidates of pieces to the placement that holds most: the placement stage, asked several times.
 
-The first round decides the ways of all pieces together, best-first, those with the least freedom first. Then pieces that are
+The first round decides the candidates of all pieces together, best-first, those with the least freedom first. Then pieces that are
 missing or miss a relation are taken out and put in again between the others, for as long as more is held. The judge of the
 relations says which round is better; only the last goes through the final solve.
 """
@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from solver.furnish.stances import stance_of
-from solver.pipeline.asked import Terms, finished, lost
-from solver.placement import settle
-from solver.placement.arrange import Draft, arrange
+from solver.geometry import turned
+from solver.pieces import Arrangement, Piece, Placed, Space, Stance
+from solver.pipeline.place_task import PlaceTask, finished, lost
+from solver.placement import finish
+from solver.placement.arrange import SolvedRoom, arrange
 from solver.placement.core import Limits
 from solver.requested import Placement, relations_of
-from solver.wanted import Arrangement, Placed, Space, Wanted
 
 ROUNDS = 3
 """Most rounds of one placement."""
@@ -25,22 +25,22 @@ FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=40, req
 THOROUGH = Limits(required=300, required_qps=300)
 """What is tried next where a required piece is missing; then all that the stage tries for a house."""
 NEARLY_BEST = 3.0
-"""Ways that cost this much more than a piece's best one count for how free it is: half a relation."""
+"""Candidates that cost this much more than a piece's best one count for how free it is: half a relation."""
 SLIDES_MM = 100
-"""What every way counts for at least along each axis."""
+"""What every candidate counts for at least along each axis."""
 
 Score = tuple[int, int, float, float]
 
 
 @dataclass(frozen=True)
-class Found:
+class Round:
     """An arrangement as it was drafted, and its rank, less being better.
 
     The rank: required pieces that are missing, whether it cannot be walked, the cost of relations that are not held, the
     solver's cost. `lost` pairs a piece with the worth of a relation of it that is not held.
     """
 
-    draft: Draft
+    draft: SolvedRoom
     arrangement: Arrangement
     lost: Sequence[tuple[str, float]]
     score: Score
@@ -51,67 +51,66 @@ class Found:
         return self.score[:3] == (0, 0, 0.0)
 
 
-def best_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
+def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     """Returns the best placement of all rounds.
 
     Args:
-        terms: the request.
+        task: the request.
         wanted: the pieces, each after those it refers to.
     """
-    best = _first(terms, wanted, FIRST)
+    best = _first(task, wanted, FIRST)
     for _ in range(ROUNDS - 1):
-        found = best if best.perfect else _mended(terms, wanted, best)
+        found = best if best.perfect else _mended(task, wanted, best)
         if found.score[:3] >= best.score[:3]:
             break
         best = found
     for limits in (THOROUGH, Limits()):
         if best.score[0]:
-            best = min(best, _first(terms, wanted, limits), key=lambda one: one.score)
+            best = min(best, _first(task, wanted, limits), key=lambda one: one.score)
     return best
 
 
-def quick_placement(terms: Terms, wanted: Sequence[Wanted]) -> Found:
+def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     """Returns a good placement in at most two rounds.
 
     Args:
-        terms: the request.
-        wanted: the pieces, perhaps with fewer ways to stand.
+        task: the request.
+        wanted: the pieces, perhaps with fewer candidates.
     """
-    found = _first(terms, wanted, FIRST)
-    return found if found.perfect else min(found, _mended(terms, wanted, found), key=lambda one: one.score)
+    found = _first(task, wanted, FIRST)
+    return found if found.perfect else min(found, _mended(task, wanted, found), key=lambda one: one.score)
 
 
-def _first(terms: Terms, wanted: Sequence[Wanted], limits: Limits) -> Found:
+def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits) -> Round:
     """Decides all pieces together, the least free ones first."""
-    rank = {piece.label: -_freedom(terms.space, piece) for piece in wanted}
-    return _judged(terms, arrange(terms.space, _ordered(wanted, rank), limits=limits))
+    rank = {piece.label: -_freedom(task.space, piece) for piece in wanted}
+    return _judged(task, arrange(task.space, _ordered(wanted, rank), limits=limits))
 
 
-def _freedom(space: Space, piece: Wanted) -> float:
-    """Returns how much floor a piece's best ways leave it to slide on, in its own footprints."""
-    dearest = min((way.cost for way in piece.alternatives), default=0.0) + NEARLY_BEST
+def _freedom(space: Space, piece: Piece) -> float:
+    """Returns how much floor a piece's best candidates leave it to slide on, in its own footprints."""
+    dearest = min((candidate.cost for candidate in piece.candidates), default=0.0) + NEARLY_BEST
     total = 0
-    for way in piece.alternatives:
-        if way.cost < dearest:
-            rect = way.within or space.clear
-            width, depth, _ = way.size_mm
-            if stance_of(way.kind)[1] % 180:
-                width, depth = depth, width
+    for candidate in piece.candidates:
+        if candidate.cost < dearest:
+            rect = candidate.within or space.clear
+            turn = candidate.stance.rotation if candidate.stance else candidate.rotation
+            width, depth = turned(*candidate.size_mm[:2], turn)
             total += (rect.width - width + SLIDES_MM) * (rect.depth - depth + SLIDES_MM)
     return total / (width * depth) if total else 0.0
 
 
-def _mended(terms: Terms, wanted: Sequence[Wanted], found: Found) -> Found:
+def _mended(task: PlaceTask, wanted: Sequence[Piece], found: Round) -> Round:
     """Takes pieces that are missing or miss a relation out and puts them in again between the others, which may slide."""
-    return _judged(terms, arrange(terms.space, _reopened(terms, wanted, found, set(_squeaking(found))), limits=MENDING))
+    return _judged(task, arrange(task.space, _reopened(task, wanted, found, set(_to_be_tried_again(found))), limits=MENDING))
 
 
-def _reopened(terms: Terms, wanted: Sequence[Wanted], found: Found, loose: set[str]) -> list[Wanted]:
-    """Returns the pieces with all ways for the loose ones and their dependants, which come last, and one way for the others."""
+def _reopened(task: PlaceTask, wanted: Sequence[Piece], found: Round, loose: set[str]) -> list[Piece]:
+    """Returns the pieces with all candidates for the loose ones and their dependants, which come last, and one for the others."""
     stands = {one.label: one for one in found.arrangement.placed}
-    pieces = terms.asked.between(found.arrangement.placed, loose)
-    if wanted is not terms.wanted:
-        allowed = {(piece.label, way.kind) for piece in wanted for way in piece.alternatives}
+    pieces = task.listed.between(found.arrangement.placed, loose)
+    if wanted is not task.pieces:
+        allowed = {(piece.label, candidate.stance) for piece in wanted for candidate in piece.candidates}
         pieces = tuple(_only(piece, allowed) for piece in pieces)
     free = set(loose) | {piece.label for piece in pieces if piece.label not in stands}
     for piece in pieces:
@@ -122,45 +121,43 @@ def _reopened(terms: Terms, wanted: Sequence[Wanted], found: Found, loose: set[s
     return _ordered([*first, *(piece for piece in pieces if piece.label in free)], rank)
 
 
-def _only(piece: Wanted, allowed: Container[tuple[str, str]]) -> Wanted:
-    return replace(piece, alternatives=tuple(way for way in piece.alternatives if (piece.label, way.kind) in allowed))
+def _only(piece: Piece, allowed: Container[tuple[str, Stance | None]]) -> Piece:
+    return replace(piece, candidates=tuple(candidate for candidate in piece.candidates if (piece.label, candidate.stance) in allowed))
 
 
-def _as_it_stands(piece: Wanted, placed: Placed) -> Wanted:
-    """Leaves a piece the way it has, wished where it is; it may still slide."""
-    rect = placed.footprint
-    middle = ((rect.x0 + rect.x1) // 2, (rect.z0 + rect.z1) // 2)
-    return replace(piece, alternatives=(replace(placed.chosen, anchor_mm=middle, cost=0.0),))
+def _as_it_stands(piece: Piece, placed: Placed) -> Piece:
+    """Leaves a piece the candidate it has, wished where it is; it may still slide."""
+    return replace(piece, candidates=(replace(placed.chosen, anchor_mm=placed.footprint.centre, cost=0.0),))
 
 
-def _judged(terms: Terms, draft: Draft) -> Found:
-    arrangement = settle([draft], "search")[0]
-    required = {piece.label for piece in terms.wanted if piece.required}
+def _judged(task: PlaceTask, draft: SolvedRoom) -> Round:
+    arrangement = finish([draft], "search")[0]
+    required = {piece.label for piece in task.pieces if piece.required}
     missing = sum(label in required for label, _ in arrangement.left_out)
-    missed = lost(terms, arrangement)
+    missed = lost(task, arrangement)
     score = (missing, len(arrangement.notes), round(sum(cost for _, cost in missed), 6), arrangement.cost)
-    return Found(draft, arrangement, missed, score)
+    return Round(draft, arrangement, missed, score)
 
 
-def _squeaking(found: Found) -> list[str]:
+def _to_be_tried_again(found: Round) -> list[str]:
     """Returns the pieces that are missing or miss a relation."""
     return list(dict.fromkeys([*(label for label, _ in found.arrangement.left_out), *(label for label, _ in found.lost)]))
 
 
-def settled(terms: Terms, found: Found) -> Placement:
+def settled(task: PlaceTask, found: Round) -> Placement:
     """Returns the placement of an arrangement after the final solve."""
-    placement = finished(terms, settle([found.draft], terms.engine)[0])
-    worth = [rule.cost for _, rule in relations_of(terms.wishes)]
+    placement = finished(task, finish([found.draft], task.engine)[0])
+    worth = [rule.cost for _, rule in relations_of(task.requests)]
     missed = round(sum(cost for relation, cost in zip(placement.relations, worth, strict=True) if not relation.held), 6)
     return replace(placement, cost=missed)
 
 
-def _ordered(wanted: Sequence[Wanted], blame: Mapping[str, float]) -> list[Wanted]:
+def _ordered(wanted: Sequence[Piece], blame: Mapping[str, float]) -> list[Piece]:
     """Returns the most blamed first, each behind what it refers to; ties in the order given."""
     by_label = {piece.label: piece for piece in wanted}
-    ordered: dict[str, Wanted] = {}
+    ordered: dict[str, Piece] = {}
 
-    def add(piece: Wanted) -> None:
+    def add(piece: Piece) -> None:
         for label in _refers_to(piece):
             if label in by_label and label not in ordered:
                 add(by_label[label])
@@ -171,6 +168,6 @@ def _ordered(wanted: Sequence[Wanted], blame: Mapping[str, float]) -> list[Wante
     return list(ordered.values())
 
 
-def _refers_to(piece: Wanted) -> list[str]:
-    tied = [way.attach.parent for way in piece.alternatives if way.attach is not None]
-    return list(dict.fromkeys([*tied, *(link.of for link in piece.links)]))
+def _refers_to(piece: Piece) -> list[str]:
+    attached_to = [candidate.attach.parent for candidate in piece.candidates if candidate.attach is not None]
+    return list(dict.fromkeys([*attached_to, *(link.of for link in piece.links)]))

@@ -1,13 +1,14 @@
-"""Anchors -> exact places: the heart.
+"""Pieces with their candidates -> exact places: the heart.
 
-Comes in: rooms as (Space, wanted pieces). Goes out: Arrangements on the millimetre lattice, with reasons for what was
-left out. May import: the ground floor. Not here: rules of room types (furnish), the contract's rules (validate).
+Comes in: rooms as (Space, pieces). Goes out: Arrangements on the millimetre lattice, with reasons for what was
+left out. May import: the ground floor. Not here: rules of room types (furnish), the rules (validator).
 """
 
 from solver.placement.arrange import feasible
-from solver.placement.as_wished import arrange_as_wished, brought_from
 from solver.placement.budget import ROOM_WORK, Budget
+from solver.placement.displacement import move_least, moved_back
 from solver.placement.explain import minimal_conflict
-from solver.placement.settle import place, settle
+from solver.placement.finish import finish, place
+from solver.placement.kernel import compiled_kernel
 
-__all__ = ["ROOM_WORK", "Budget", "arrange_as_wished", "brought_from", "feasible", "minimal_conflict", "place", "settle"]
+__all__ = ["ROOM_WORK", "Budget", "compiled_kernel", "feasible", "finish", "minimal_conflict", "move_least", "moved_back", "place"]

@@ -1,31 +1,29 @@
 """A whole room: which wall, rotation, size variant and use side each piece takes, and who is left out.
 
-Required pieces: best-first over prefixes. Optional pieces follow by importance, everything movable. The room stays walkable
-throughout. Limits are counts; ties go to the earlier. The work is the kernel's; here is what to ask it.
+Comes in: a space and pieces. Goes out: a SolvedRoom, in metres still. Required pieces are searched best-first over prefixes;
+optional ones follow by importance, everything movable. The room stays walkable throughout. Limits are counts; ties go to the
+earlier. The work is the kernel's; here is what to ask it.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from solver.geometry import Rect
+from solver.pieces import Candidate, Piece, Space
 from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits
-from solver.placement.encode import LEAST_FLOOR_MM2, door_target, empty_floor, encode
-from solver.placement.kernel.fill import COVERED, NO_WAY, SPENT
-from solver.placement.kernel.layout import ABSENT, Ints
-from solver.placement.outcome import Outcome
-from solver.placement.problem import Problem
-from solver.placement.usable import Use, usable
-from solver.wanted import EMPTY_FLOOR, Alternative, Space, Wanted
+from solver.placement.empty_floor import empty_floor
+from solver.placement.encode import encode
+from solver.placement.kernel.layout import ABSENT, COVERED, NO_WAY, SPENT, Ints
+from solver.placement.problem import Problem, Solution
+from solver.placement.walkable import find_walkable
 
 LIMITS = Limits()
 FIX_LIMITS = Limits(required=600, required_qps=500)
-"""A repair tries fewer ways: the first is nearly always the best, and someone is dragging."""
-MARGIN_MM = 2
-"""Rounding to millimetres moves each of two bodies by less than one."""
+"""A repair tries fewer candidates: the first is nearly always the best, and someone is dragging."""
 REASONS = {
     NO_WAY: "none of the ways to stand it leaves the room valid and walkable",
     COVERED: "the floor is covered as densely as wished without it",
@@ -35,76 +33,127 @@ REASONS = {
 
 @dataclass(frozen=True)
 class Chosen:
-    """A wanted piece with the alternative taken, the use sides that are free, and its absolute rotation."""
+    """A piece with the candidate taken, and its absolute rotation."""
 
-    wanted: Wanted
-    alternative: Alternative
-    sides: tuple[str, ...]
+    piece: Piece
+    candidate: Candidate
     rotation: int
 
 
-@dataclass
-class Draft:
-    """A room's arrangement before it is settled on the lattice.
+@dataclass(frozen=True)
+class SolvedRoom:
+    """A room whose candidates are chosen and whose places are solved, in metres still.
 
-    `cost` counts terms and preferences; `proven` tells that the placement of the chosen ways is the optimum and
-    that no required piece left out could stand beside those before it, `best` that no
-    other choice of ways for the required pieces is cheaper; both within the widenings tried.
+    Args:
+        core: the kernel's work space, for the walk.
+        decisions: the kernel's numbers of what was chosen.
+        preference: what the candidates chosen cost.
+        problem: with those candidates.
+        solution: its cheapest placement.
+        walkable: whether the solution is, rounded to millimetres.
+        left_out: pieces without a place, each with the reason.
+        solves: QPs.
+        proven: the placement is the optimum, and no required piece left out could stand beside those before it.
+        best: no other candidates of the required pieces are cheaper; both within the widenings tried.
     """
 
-    space: Space
     core: Core
     decisions: Ints
+    preference: float
     problem: Problem
-    outcome: Outcome
-    chosen: tuple[Chosen, ...]
-    cost: float
-    left_out: list[tuple[Wanted, str]] = field(default_factory=list)
+    solution: Solution
+    walkable: bool
+    left_out: tuple[tuple[Piece, str], ...] = ()
     solves: int = 0
     proven: bool = True
     best: bool = True
-    walkable: bool = True
+
+    @property
+    def space(self) -> Space:
+        """Where the room's furniture may stand."""
+        return self.core.encoded.space
+
+    @property
+    def cost(self) -> float:
+        """Terms and preferences."""
+        return self.solution.cost + self.preference
+
+    @property
+    def chosen(self) -> tuple[Chosen, ...]:
+        """The pieces that stand."""
+        core, decided = self.core, zip(self.core.encoded.pieces, self.decisions.tolist(), strict=True)
+        return tuple(
+            Chosen(piece, core.decided(k, decision)[0], core.rotation(k))
+            for k, (piece, decision) in enumerate(decided)
+            if decision != ABSENT and not piece.is_floor
+        )
 
     def footprints(self) -> list[Rect]:
         """Returns where the chosen pieces are, rounded to millimetres."""
-        bodies = {part.label: part for part in self.problem.parts if not part.stand}
-        p = [[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in self.outcome.positions or ()]
-        return [bodies[chosen.wanted.label].rect(p) for chosen in self.chosen]
+        bodies = {box.label: box for box in self.problem.boxes if not box.stand}
+        p = [[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in self.solution.positions]
+        return [bodies[chosen.piece.label].rect(p) for chosen in self.chosen]
 
 
-def arrange(space: Space, wanted: Sequence[Wanted], walk: bool = True, budget: Budget | None = None, limits: Limits = LIMITS) -> Draft:
-    """Chooses a way to stand for every piece that fits.
+def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | None = None) -> SolvedRoom:
+    """Returns what the last search of a core found, or an earlier solution of it; the core lets go of what searching took.
+
+    Args:
+        core: whose last problem is that of the decisions.
+        decisions: one a piece.
+        walk: whether only walkable placements were looked for; else it is tested.
+        solution: an earlier one.
+
+    Raises:
+        ValueError: nothing was found.
+    """
+    solution = solution or core.solution()
+    if solution is None:
+        raise ValueError(f"{core.encoded.space.room}: nothing was found for the decisions")
+    walkable = walk or core.walkable_near(solution)
+    preference, problem = core.preference(decisions), core.problem()
+    core.release()
+    return SolvedRoom(core, decisions, preference, problem, solution, walkable, solves=solution.solves, proven=solution.proven)
+
+
+def arrange(space: Space, pieces: Sequence[Piece], walk: bool = True, budget: Budget | None = None, limits: Limits = LIMITS) -> SolvedRoom:
+    """Chooses a candidate for every piece that fits.
 
     Args:
         space: where the room's furniture may stand.
-        wanted: pieces in order of importance.
+        pieces: in order of importance.
         walk: whether doors and use sides must be joined. Where even the empty room is not walkable, nobody asks.
         budget: the work it may cost.
         limits: how much each step may try.
 
     Returns:
-        The best arrangement found within the limits, its pieces' choices made.
+        The best arrangement found within the limits.
     """
     allowed = budget or Budget()
-    pieces = sorted(wanted, key=lambda piece: not piece.required)
+    ordered = sorted(pieces, key=lambda piece: not piece.required)
     walk = walk and walkable_when_empty(space)
-    left_out: list[tuple[Wanted, str]] = []
+    left_out: list[tuple[Piece, str]] = []
     solves, sure = 0, True
     while True:
-        core, arranged = _attempt(space, pieces, walk, limits, allowed)
+        core, arranged = _attempt(space, ordered, walk, limits, allowed)
         solves += arranged.solves
-        if arranged.complete:
-            draft = _draft(core, arranged, left_out, solves, walk)
-            return replace(draft, proven=draft.proven and sure)
-        if allowed.spent:
-            return _cut_short(core, left_out, solves, walk)
+        if arranged.complete or allowed.spent:
+            break
         sure &= arranged.closed
-        missing = pieces.pop(arranged.deepest)
-        word = "no way to stand it is free" if arranged.closed else "no place was found for it"
-        left_out.append((missing, f"{word} beside the pieces before it"))
+        why = "no way to stand it is free" if arranged.closed else "no place was found for it"
+        left_out.append((ordered.pop(arranged.deepest), f"{why} beside the pieces before it"))
+    decisions = arranged.decisions if arranged.complete else core.deepest_decisions()
+    if core.solution() is None or not arranged.complete:  # the budget ended before: once more, for this placement alone
+        core.evaluate(decisions, LIMITS.required_qps, Budget(), walk)
+    for piece, decision, fate in zip(core.encoded.pieces, decisions.tolist(), arranged.fates.tolist(), strict=True):
+        if decision == ABSENT and not piece.is_floor:
+            left_out.append((piece, REASONS[fate if arranged.complete else SPENT]))
+    proven = arranged.complete and arranged.proven and sure
+    best = arranged.complete and arranged.closed and len(ordered) == len(pieces)
+    return replace(solved_room(core, decisions, walk), left_out=tuple(left_out), solves=solves, proven=proven, best=best)
 
 
-def _attempt(space: Space, pieces: Sequence[Wanted], walk: bool, limits: Limits, budget: Budget) -> tuple[Core, Arranged]:
+def _attempt(space: Space, pieces: Sequence[Piece], walk: bool, limits: Limits, budget: Budget) -> tuple[Core, Arranged]:
     """Arranges the pieces; where walking alone stands against the required ones, once more with empty floor asked for.
 
     That floor is one way to be walkable among others, so what is found with it is not proven best.
@@ -120,80 +169,11 @@ def _attempt(space: Space, pieces: Sequence[Wanted], walk: bool, limits: Limits,
 
 def walkable_when_empty(space: Space) -> bool:
     """Tells whether a person can walk through all doors of the empty room."""
-    if any(zone.cause == "outline" for zone in space.zones):
-        core = Core(encode(space, ()))
-        return core.evaluate(core.blank(), 10, Budget(), True)
-    clear, half = space.clear, space.robot_mm - 1  # all free centres are one rectangle, in doubled millimetres
-    x0, z0, x1, z1 = 2 * clear.x0 + half, 2 * clear.z0 + half, 2 * clear.x1 - half, 2 * clear.z1 - half
-    if x1 <= x0 or z1 <= z0 or (x1 - x0) * (z1 - z0) < 4 * LEAST_FLOOR_MM2:
-        return False
-    targets = [door_target(space, door) for door in space.doorways]
-    return all(a <= x1 and b <= z1 and c >= x0 and d >= z0 for a, b, c, d in targets)
+    core = Core(encode(space, ()))
+    return core.evaluate(core.blank(), 10, Budget(), True)
 
 
-def _draft(core: Core, arranged: Arranged, left_out: list[tuple[Wanted, str]], solves: int, walk: bool) -> Draft:
-    absent = list(left_out)
-    for k, piece in enumerate(core.encoded.wanted):
-        if arranged.decisions[k] == ABSENT and not piece.label.startswith(EMPTY_FLOOR):
-            absent.append((piece, REASONS[int(arranged.fates[k])]))
-    if core.outcome().positions is None:  # the budget ended with the last piece: once more, for the placement alone
-        core.evaluate(arranged.decisions, LIMITS.required_qps, Budget(), walk)
-    found = found_by(core, arranged.decisions, arranged.preference, walk)
-    best = arranged.closed and not left_out
-    return replace(found, left_out=absent, solves=solves, proven=arranged.proven, best=best)
-
-
-def found_by(core: Core, decisions: Ints, preference: float, walkable: bool, outcome: Outcome | None = None) -> Draft:
-    """Returns what the last search of a core found, or an earlier outcome of it, and lets the core go of what it took."""
-    outcome = outcome or core.outcome()
-    draft = Draft(
-        core.encoded.space,
-        core,
-        decisions,
-        core.problem(),
-        outcome,
-        _chosen(core, decisions),
-        outcome.cost + preference,
-        solves=outcome.solves,
-        proven=outcome.proven,
-        walkable=walkable or core.walkable_near(outcome),
-    )
-    core.release()
-    return draft
-
-
-def with_margin(draft: Draft) -> Draft | None:
-    """Searches a draft's placement once more for a person `MARGIN_MM` wider, so that the walk outlasts the snap; None if none."""
-    wider = replace(draft.space, robot_mm=draft.space.robot_mm + MARGIN_MM)
-    core = Core(encode(wider, draft.core.encoded.wanted, draft.core.encoded.walk))
-    if not core.evaluate(draft.decisions, LIMITS.final_qps, Budget(), True):
-        return None
-    found = found_by(core, draft.decisions, draft.cost - draft.outcome.cost, True)
-    return replace(found, left_out=draft.left_out, solves=draft.solves, proven=False, best=False)
-
-
-def _chosen(core: Core, decisions: Ints) -> tuple[Chosen, ...]:
-    return tuple(
-        Chosen(piece, *core.decided(k, int(decisions[k])), core.rotation(k))
-        for k, piece in enumerate(core.encoded.wanted)
-        if decisions[k] != ABSENT and not piece.label.startswith(EMPTY_FLOOR)
-    )
-
-
-def _cut_short(core: Core, left_out: list[tuple[Wanted, str]], solves: int, walk: bool) -> Draft:
-    """Returns the deepest prefix of the required pieces, where the budget ended before all stood."""
-    decisions = core.deepest_decisions()
-    core.evaluate(decisions, LIMITS.required_qps, Budget(), walk)
-    absent = [
-        (piece, REASONS[SPENT])
-        for k, piece in enumerate(core.encoded.wanted)
-        if decisions[k] == ABSENT and not piece.label.startswith(EMPTY_FLOOR)
-    ]
-    found = found_by(core, decisions, core.preference(decisions), walk)
-    return replace(found, left_out=[*left_out, *absent], solves=solves, proven=False, best=False)
-
-
-def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = None, walk: bool = False, prove: bool = True) -> bool | None:
+def feasible(space: Space, pieces: Sequence[Piece], budget: Budget | None = None, walk: bool = False, prove: bool = True) -> bool | None:
     """Tells whether the pieces can all stand together; None where a limit was hit first.
 
     Args:
@@ -206,9 +186,9 @@ def feasible(space: Space, pieces: Sequence[Wanted], budget: Budget | None = Non
     """
     allowed = budget or Budget()
     if walk and pieces:
-        use, _ = usable(space, pieces, allowed, prove)
-        if use is not Use.UNKNOWN:
-            return use is Use.SOMEHOW
+        known, _ = find_walkable(space, pieces, allowed, prove)
+        if known is not None:
+            return known
     core = Core(encode(space, pieces, "stands" if walk else "none"))
     decisions, exact = core.stand_together(LIMITS if prove else FIX_LIMITS, allowed, walk)
     if decisions is not None:

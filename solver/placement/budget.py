@@ -1,4 +1,7 @@
-"""Work that a room may cost; counted, never timed, so that equal requests give equal bytes."""
+"""Work that a room may cost; counted, never timed, so that equal requests give equal bytes.
+
+Comes in: nothing. Goes out: `Budget`, which every search of placement counts down.
+"""
 
 from __future__ import annotations
 

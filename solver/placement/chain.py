@@ -9,12 +9,9 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from solver.geometry import Rect, rotate
-from solver.wanted import Alternative, Placed, Space, Wanted
-
-PERSON_MM = 1800
-"""Height a standing person needs free, mm."""
-
+from solver.geometry import Rect, outwards
+from solver.pieces import Candidate, Piece, Placed, Space
+from solver.placement.kernel.layout import PERSON_MM
 
 OUTSIDE = "what is outside the outline"
 
@@ -46,7 +43,7 @@ class _Thing:
     above: tuple[str | None, ...] = ()
 
 
-def chain(space: Space, pieces: Sequence[Wanted], placed: Sequence[Placed], axis: int, going: tuple[int, int]) -> tuple[Length, ...]:
+def chain(space: Space, pieces: Sequence[Piece], placed: Sequence[Placed], axis: int, going: tuple[int, int]) -> tuple[Length, ...]:
     """Returns the lengths of the shortest chain of touching things from wall to wall along an axis; empty where there is none.
 
     Args:
@@ -76,8 +73,8 @@ def _interval(rect: Rect, axis: int) -> tuple[int, int]:
     return (rect.z0, rect.z1) if axis else (rect.x0, rect.x1)
 
 
-def _bodies(pieces: Sequence[Wanted], placed: Sequence[Placed], axis: int) -> Iterator[_Thing]:
-    ways = {piece.label: piece.alternatives for piece in pieces}
+def _bodies(pieces: Sequence[Piece], placed: Sequence[Placed], axis: int) -> Iterator[_Thing]:
+    ways = {piece.label: piece.candidates for piece in pieces}
     for p in placed:
         a = p.chosen
         heights = (a.bottom_mm, a.bottom_mm + a.size_mm[2])
@@ -87,7 +84,7 @@ def _bodies(pieces: Sequence[Wanted], placed: Sequence[Placed], axis: int) -> It
         yield _Thing(a.kind, p.label, along, across, heights, fixed, p.wall, is_depth, above=(a.under, a.on))
 
 
-def _is_fixed(way: Alternative, footprint: Rect) -> bool:
+def _is_fixed(way: Candidate, footprint: Rect) -> bool:
     return way.within is not None and (way.within.width, way.within.depth) == (footprint.width, footprint.depth)
 
 
@@ -98,19 +95,18 @@ def _zones(space: Space, axis: int) -> Iterator[_Thing]:
         yield _Thing(name, f"zone {k}", along, across, (zone.above_mm, float("inf")), fixed=True)
 
 
-def _stands(space: Space, pieces: Sequence[Wanted], placed: Sequence[Placed], axis: int) -> Iterator[_Thing]:
+def _stands(space: Space, pieces: Sequence[Piece], placed: Sequence[Placed], axis: int) -> Iterator[_Thing]:
     """Returns the squares of people at use sides, where they look along the axis."""
     wanted = {piece.label: piece for piece in pieces}
     for p in placed:
         for stand in wanted[p.label].stands:
-            side = {"front": (0, 1), "back": (0, -1), "left": (-1, 0), "right": (1, 0)}[stand.side]
-            outwards = rotate(*side, p.rotation)
-            if not outwards[axis]:
+            direction = outwards(stand.side, p.rotation)[axis]
+            if not direction:
                 continue
             low, high = _interval(p.footprint, axis)
             start, end = _interval(p.footprint, 1 - axis)
             size = space.robot_mm
-            along = (high, high + size) if outwards[axis] > 0 else (low - size, low)
+            along = (high, high + size) if direction > 0 else (low - size, low)
             across = (start - size // 2, end + size // 2)
             yield _Thing("to stand", f"{p.label} {stand.side}", along, across, (0, PERSON_MM), owner=p.label)
 

@@ -1,6 +1,6 @@
 """The compiled kernel behind one room: what is asked of it, and its answers as plain data.
 
-Comes in: an `Encoded` room or a hand-made `Problem`. Goes out: decisions, outcomes, problems. Here end the arrays.
+Comes in: an `Encoded` room. Goes out: decisions, solutions, problems. Here end the arrays.
 """
 
 from __future__ import annotations
@@ -13,22 +13,13 @@ from functools import cached_property
 import numpy as np
 
 from solver.geometry import Rect
+from solver.pieces import Candidate
 from solver.placement.budget import Budget
-from solver.placement.constraints import Choice, Part, Row
 from solver.placement.encode import Encoded
-from solver.placement.kernel import layout
-from solver.placement.kernel.assembly import assemble
-from solver.placement.kernel.fill import arrange_room
-from solver.placement.kernel.grid import walkable
-from solver.placement.kernel.grow import BEST, CLOSED, DEEPEST, DOUBTED, MANY, best_first, evaluate
-from solver.placement.kernel.layout import Engine, Floats, Ints, Work
-from solver.placement.kernel.options import total_preference, ways
-from solver.placement.kernel.pull import holds, pull_back
+from solver.placement.kernel import compiled_kernel, layout
+from solver.placement.kernel.layout import BEST, CLOSED, DEEPEST, DOUBTED, Engine, Ints, Work
 from solver.placement.kernel.space import example_engine
-from solver.placement.outcome import Outcome
-from solver.placement.problem import Problem
-from solver.placement.terms import Anchor, Pull, Term
-from solver.wanted import Alternative
+from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
 
 _SMALL = example_engine()
 VOID = (0, layout.ORIGIN, layout.ORIGIN, 0)
@@ -65,11 +56,9 @@ class Limits:
 
 @dataclass(frozen=True)
 class Arranged:
-    """A room's decisions: by piece 8 * alternative + choice of sides, or -1; `fates` of the optional pieces (see fill.py)."""
+    """A room's decisions: by piece 8 * candidate + choice of sides, or -1; `fates` of the optional pieces (see fill.py)."""
 
     decisions: Ints
-    cost: float
-    preference: float
     fates: Ints
     complete: bool
     closed: bool
@@ -88,19 +77,18 @@ class Core:
     def __init__(self, encoded: Encoded) -> None:
         self.encoded = encoded
         self.engine: Engine = encoded.engine
+        self.kernel = compiled_kernel()
 
     def arrange(self, limits: Limits, budget: Budget, walk: bool) -> Arranged:
         """Arranges required and optional pieces; the final placement stays in the work space."""
-        count = len(self.encoded.wanted)
+        count = len(self.encoded.pieces)
         decisions, fates = self.blank(), np.zeros(count, dtype=np.int64)
         costs, report = np.zeros(3), np.zeros(4, dtype=np.int64)
         self.engine.tree.budget[0] = budget.left
-        arrange_room(self.engine, decisions, costs, fates, limits.row, report, walk)
+        self.kernel.arrange_room(self.engine, decisions, costs, fates, limits.row, report, walk)
         budget.left = float(self.engine.tree.budget[0])
         complete, closed, proven, solves = (int(value) for value in report)
-        return Arranged(
-            decisions, float(costs[0]), float(costs[1]), fates, bool(complete), bool(closed), bool(proven), solves, self._deepest()
-        )
+        return Arranged(decisions, fates, bool(complete), bool(closed), bool(proven), solves, self._deepest())
 
     def stand_together(self, limits: Limits, budget: Budget, walk: bool) -> tuple[Ints | None, bool]:
         """Asks for all pieces at once, whatever is required.
@@ -108,11 +96,11 @@ class Core:
         Returns:
             Decisions of the best way for all to stand, or None; and whether that answer is exact.
         """
-        count, tree = len(self.encoded.wanted), self.engine.tree
+        count, tree = len(self.encoded.pieces), self.engine.tree
         start, group = self.blank(), np.array([0, count], dtype=np.int64)
         tree.budget[0] = budget.left
-        own = np.array([limits.required, limits.required_qps, MANY], dtype=np.int64)
-        found = best_first(self.engine, start, np.array([0.0, 0.0, 1e12]), group, own, walk)
+        own = np.array([limits.required, limits.required_qps, layout.MANY], dtype=np.int64)
+        found = self.kernel.best_first(self.engine, start, np.array([0.0, 0.0, 1e12]), group, own, walk)
         budget.left = float(tree.budget[0])
         closed = bool(tree.counters[CLOSED])
         if not found:
@@ -134,13 +122,13 @@ class Core:
 
     def blank(self) -> Ints:
         """Returns the decisions of an empty room."""
-        return np.full(len(self.encoded.wanted), layout.ABSENT, dtype=np.int64)
+        return np.full(len(self.encoded.pieces), layout.ABSENT, dtype=np.int64)
 
-    def first_ways(self) -> Ints | None:
-        """Returns every piece's cheapest way beside the ones before it, or None where one has none."""
+    def first_decisions(self) -> Ints | None:
+        """Returns every piece's cheapest candidate and sides beside the ones before it, or None where one has none."""
         tree, decisions = self.engine.tree, self.blank()
         for piece in range(len(decisions)):
-            count = ways(self.engine.room, decisions, piece, tree.found, tree.found_cost)
+            count = self.kernel.open_decisions(self.engine.room, decisions, piece, tree.found, tree.found_cost)
             if not count:
                 return None
             decisions[piece] = tree.found[int(tree.found_cost[:count].round(9).argmin())]
@@ -148,34 +136,32 @@ class Core:
 
     def preference(self, decisions: Ints) -> float:
         """Returns the preference cost of decisions that can stand together."""
-        return float(total_preference(self.engine.room, decisions))
+        return float(self.kernel.total_preference(self.engine.room, decisions))
 
-    def decided(self, piece: int, decision: int) -> tuple[Alternative, tuple[str, ...]]:
-        """Returns the alternative and the use sides that a decision of a piece means."""
+    def decided(self, piece: int, decision: int) -> tuple[Candidate, tuple[str, ...]]:
+        """Returns the candidate and the use sides that a decision of a piece means."""
         first = int(self.engine.room.pieces[piece, layout.SIDES_0])
-        return self.encoded.alternatives[decision // 8], self.encoded.side_names[first + decision % 8]
+        return self.encoded.candidates[decision // 8], self.encoded.side_names[first + decision % 8]
 
-    def walkable_near(self, outcome: Outcome) -> bool:
-        """Tells whether an outcome, rounded to millimetres, is walkable."""
-        if outcome.positions is None:
-            return False
-        return self.walkable_at([[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in outcome.positions])
+    def walkable_near(self, solution: Solution) -> bool:
+        """Tells whether a solution, rounded to millimetres, is walkable."""
+        return self.walkable_at([[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in solution.positions])
 
     def assemble(self, decisions: Ints) -> bool:
         """Lays out the problem of decisions; tells whether they can stand together."""
-        return bool(assemble(self.engine.room, self.engine.work, decisions))
+        return bool(self.kernel.assemble(self.engine.room, self.engine.work, decisions))
 
     def evaluate(self, decisions: Ints, limit: int, budget: Budget, walk: bool, ceiling: float = np.inf) -> bool:
         """Searches a placement of the decisions; it stays in the work space."""
         self.engine.tree.budget[0] = budget.left
-        found = bool(evaluate(self.engine, np.ascontiguousarray(decisions), limit, ceiling, walk))
+        found = bool(self.kernel.evaluate(self.engine, np.ascontiguousarray(decisions), limit, ceiling, walk))
         budget.left = float(self.engine.tree.budget[0])
         return found
 
     def bodies(self, first: int = 0) -> list[Rect]:
         """Returns the footprints that the last search found, by piece from `first` on, all decided, rounded to millimetres."""
         work, best, found = self.engine.work, self.engine.nodes.best, []
-        for k in range(first, len(self.encoded.wanted)):
+        for k in range(first, len(self.encoded.pieces)):
             _, _, u, v, off_x, off_z, wide, deep = work.parts[work.body_part[k], : layout.LOW].tolist()
             x, z = math.floor(best[0, u] * 1000 + 0.5) + off_x, math.floor(best[1, v] * 1000 + 0.5) + off_z
             found.append(Rect(x, z, x + wide, z + deep))
@@ -186,7 +172,7 @@ class Core:
         positions = self.engine.grid.positions
         for axis in (0, 1):
             positions[axis, : len(p[axis])] = p[axis]
-        return bool(walkable(self.engine.room, self.engine.work, self.engine.grid, positions))
+        return bool(self.kernel.walkable(self.engine.room, self.engine.work, self.engine.grid, positions))
 
     def bodies_alone(self) -> Work:
         """Returns the assembled problem with the rows and choices of the persons' squares made void; the walk asks for what they ensure."""
@@ -211,9 +197,9 @@ class Core:
         for axis in (0, 1):
             positions[axis, : len(p[axis])] = p[axis]
         positions[:, -1] = 0
-        return bool(holds(work, positions))
+        return bool(self.kernel.holds(work, positions))
 
-    def pulled_back(self, places: Sequence[Rect | None]) -> Outcome | None:
+    def pulled_back(self, places: Sequence[Rect | None]) -> Solution | None:
         """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.
 
         Args:
@@ -227,7 +213,7 @@ class Core:
             _, _, x, z, off_x, off_z, *_ = part
             if place is not None:
                 positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
-        return self.outcome() if pull_back(self.engine) else None
+        return self.solution() if self.kernel.pull_back(self.engine) else None
 
     def rotation(self, piece: int) -> int:
         """Returns the absolute rotation of an assembled piece."""
@@ -236,49 +222,42 @@ class Core:
     def problem(self) -> Problem:
         """Returns the assembled problem, for reading, for the final solve, and for other solvers."""
         work = self.engine.work
-        found = Problem()
+        low, high = ([bounds[axis, : work.sizes[axis]].tolist() for axis in (0, 1)] for bounds in (work.low, work.high))
+        rows = [DifferenceRow(*row) for row in work.rows[: work.counts[layout.N_ROWS]].tolist()]
+        boxes = self._boxes()
+        return Problem((low[0], low[1]), (high[0], high[1]), self._terms(), rows, boxes, self._choices(boxes))
+
+    def _terms(self) -> list[Term]:
+        work, count = self.engine.work, self.engine.work.counts[layout.N_PULLS]
+        terms = []
         for axis in (0, 1):
             n = work.sizes[axis]
-            found.low[axis].extend(work.low[axis, :n].tolist())
-            found.high[axis].extend(work.high[axis, :n].tolist())
-        found.terms.extend(self._terms())
-        found.rows.extend(Row(*row) for row in work.rows[: work.counts[layout.N_ROWS]].tolist())
-        found.parts.extend(self._parts())
-        found.choices.extend(self._choices(found.parts))
+            anchors = zip(work.anchor_at[axis, :n].tolist(), work.anchor_weight[axis, :n].tolist(), strict=True)
+            terms += [Term(axis, ORIGIN, v, at, weight) for v, (at, weight) in enumerate(anchors) if weight > 0]
+        pulls = zip(work.pulls[:count].tolist(), work.pull_costs[:count].tolist(), strict=True)
+        return [*terms, *(Term(*between, *costs) for between, costs in pulls)]
+
+    def _boxes(self) -> list[ProblemBox]:
+        work, found = self.engine.work, []
+        for row in work.parts[: work.counts[layout.N_PARTS]].tolist():
+            piece, stand, x, z, off_x, off_z, ext_x, ext_z, low, high = row
+            label = self.encoded.pieces[piece].label
+            found.append(ProblemBox(label, bool(stand), (x, z), (off_x, off_z), (ext_x, ext_z), low, high))
         return found
 
-    def _choices(self, parts: Sequence[Part]) -> list[Choice]:
+    def _choices(self, boxes: Sequence[ProblemBox]) -> list[Choice]:
         work, found = self.engine.work, []
         count = int(work.counts[layout.N_CHOICES])
         options = work.options[: 4 * count].tolist()
         both = zip(work.choice_parts[:count].tolist(), work.choice_size[:count].tolist(), strict=True)
         for c, ((first, second), size) in enumerate(both):
-            name = parts[second].label if second >= 0 else self.encoded.space.zones[-1 - second].cause
-            found.append(Choice(parts[first].label, name, tuple([Row(*row) for row in options[4 * c : 4 * c + size]])))
+            name = boxes[second].label if second >= 0 else self.encoded.space.zones[-1 - second].cause
+            found.append(Choice(boxes[first].label, name, tuple([DifferenceRow(*row) for row in options[4 * c : 4 * c + size]])))
         return found
 
-    def _terms(self) -> list[Term]:
-        work = self.engine.work
-        terms: list[Term] = []
-        for axis in (0, 1):
-            n = work.sizes[axis]
-            anchors = zip(work.anchor_at[axis, :n].tolist(), work.anchor_weight[axis, :n].tolist(), strict=True)
-            terms += [Anchor(axis, v, at, weight) for v, (at, weight) in enumerate(anchors) if weight > 0]
-        count = work.counts[layout.N_PULLS]
-        pulls = zip(work.pulls[:count].tolist(), work.pull_costs[:count].tolist(), strict=True)
-        return [*terms, *(Pull(*between, *costs) for between, costs in pulls)]
-
-    def _parts(self) -> list[Part]:
-        work, found = self.engine.work, []
-        for row in work.parts[: work.counts[layout.N_PARTS]].tolist():
-            piece, stand, x, z, off_x, off_z, ext_x, ext_z, low, high = row
-            label = self.encoded.wanted[piece].label
-            found.append(Part(label, bool(stand), (x, z), (off_x, off_z), (ext_x, ext_z), low, high))
-        return found
-
-    def outcome(self) -> Outcome:
+    def solution(self) -> Solution | None:
         """Returns what the last search found."""
-        return outcome_of(self.engine)
+        return solution_of(self.engine)
 
     def release(self) -> None:
         """Gives back what only a search needs; the assembled problem and the walk stay."""
@@ -286,20 +265,18 @@ class Core:
         self.encoded = replace(self.encoded, engine=self.engine)
 
 
-def outcome_of(engine: Engine) -> Outcome:
-    """Returns what the last search of a work space found."""
-    work, nodes = engine.work, engine.nodes
-    result = nodes.result
-    exhausted, solves, turned_down = bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES]), int(result[layout.TURNED_DOWN])
+def solution_of(engine: Engine) -> Solution | None:
+    """Returns what the last search of a work space found; None where it found nothing."""
+    best, result = engine.nodes.best, engine.nodes.result
     if not result[layout.FOUND]:
-        return Outcome(float("inf"), None, (), exhausted, solves, turned_down)
-    best = nodes.best
-    positions: tuple[Floats, Floats] = (best[0, : work.sizes[0]].copy(), best[1, : work.sizes[1]].copy())
-    picks = nodes.best_picks[: result[layout.PICKS]].tolist()
-    return Outcome(float(nodes.best_cost[0]), positions, _taken(engine, picks), exhausted, solves, turned_down)
+        return None
+    n_x, n_z = engine.work.sizes.tolist()
+    picks = engine.nodes.best_picks[: result[layout.PICKS]].tolist()
+    proven, solves = bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES])
+    return Solution(float(engine.nodes.best_cost[0]), (best[0, :n_x].copy(), best[1, :n_z].copy()), _taken(engine, picks), proven, solves)
 
 
-def _taken(engine: Engine, picks: list[int]) -> tuple[Row, ...]:
+def _taken(engine: Engine, picks: list[int]) -> tuple[DifferenceRow, ...]:
     """Returns the option each choice took, the one branched on, else the one that holds with most slack; then the wider rows."""
     work, best = engine.work, engine.nodes.best
     count, capacity = int(work.counts[layout.N_CHOICES]), len(work.options)
@@ -312,4 +289,4 @@ def _taken(engine: Engine, picks: list[int]) -> tuple[Row, ...]:
     widest = slack.reshape(count, 4).argmax(axis=1) if count else np.zeros(0, dtype=np.int64)
     taken = [branched.get(c, 4 * c + most) for c, most in enumerate(widest.tolist())]
     wider = [pick - capacity for pick in reversed(picks) if pick >= capacity]
-    return tuple(Row(*row) for row in (*options[taken].tolist(), *work.wide[wider].tolist()))
+    return tuple(DifferenceRow(*row) for row in (*options[taken].tolist(), *work.wide[wider].tolist()))

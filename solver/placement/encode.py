@@ -1,6 +1,6 @@
-"""A room and its wanted pieces -> the kernel's arrays, once a room; and hand-made problems -> the same arrays.
+"""A room and its pieces -> the kernel's arrays, once a room.
 
-Comes in: Space and Wanted pieces, or a Problem. Goes out: `Encoded`. Not here: solving.
+Comes in: a space, pieces. Goes out: `Encoded`. Not here: solving.
 """
 
 from __future__ import annotations
@@ -11,11 +11,10 @@ from itertools import chain
 
 import numpy as np
 
+from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
 from solver.placement.kernel import layout
-from solver.placement.kernel.assembly import PERSON_MM
-from solver.placement.kernel.layout import Engine, Ints, Room
+from solver.placement.kernel.layout import Engine, Ints, RoomArrays
 from solver.placement.kernel.space import Sizes, new_engine
-from solver.wanted import EMPTY_FLOOR, Alternative, Doorway, Link, Space, Wanted, Zone
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
@@ -29,7 +28,7 @@ _RELATIONS = {
 OTHER_SIDE_COST = 0.05
 """What using the second of several allowed sides costs: order, not preference."""
 FREE_CENTRES_MM2 = 250_000
-"""Free centres a room must have for the person (contract)."""
+"""Free centres a room must have for the person (docs/scene.md)."""
 LEAST_FLOOR_MM2 = 255_000
 """The same, and a little for the snap."""
 LINK_COSTS = 5
@@ -40,25 +39,25 @@ MOST_STATES = 6500
 
 @dataclass(frozen=True)
 class Encoded:
-    """A room as the kernel sees it; labels and alternatives by number."""
+    """A room as the kernel sees it; labels and candidates by number."""
 
     space: Space
-    wanted: tuple[Wanted, ...]
-    alternatives: tuple[Alternative, ...]
+    pieces: tuple[Piece, ...]
+    candidates: tuple[Candidate, ...]
     side_names: tuple[tuple[str, ...], ...]
     walk: str
     engine: Engine
 
 
-def _side_choices(wanted: Wanted, walk: str) -> list[tuple[tuple[str, ...], tuple[int, int, int], float]]:
+def _side_choices(piece: Piece, walk: str) -> list[tuple[tuple[str, ...], tuple[int, int, int], float]]:
     """Returns the choices of use sides: names; bits that get a stand, of which any, and of which all count; cost."""
-    if not wanted.stands or walk == "none":
+    if not piece.stands or walk == "none":
         return [((), (0, 0, 0), 0.0)]
-    names = tuple(stand.side for stand in wanted.stands)
+    names = tuple(stand.side for stand in piece.stands)
     bits = [SIDES[name] for name in names]
     if walk == "test" or (walk == "mixed" and len(bits) > 1):
-        return [(names, (0, 0, sum(bits)) if wanted.need_all else (0, sum(bits), 0), 0.0)]
-    if wanted.need_all:
+        return [(names, (0, 0, sum(bits)) if piece.need_all else (0, sum(bits), 0), 0.0)]
+    if piece.need_all:
         return [(names, (sum(bits), 0, 0), 0.0)]
     return [((name,), (bit, 0, 0), OTHER_SIDE_COST * k) for k, (name, bit) in enumerate(zip(names, bits, strict=True))]
 
@@ -81,10 +80,10 @@ def door_target(space: Space, door: Doorway) -> tuple[int, int, int, int]:
     }[door.wall]
 
 
-def kin(alternative: Alternative) -> Hashable:
-    """Returns what decides feasibility: alternatives that agree here differ only in their anchor and cost."""
-    a = alternative
-    return (a.kind, a.size_mm, a.rotation, a.wall, a.within, a.attach, a.bottom_mm, a.slack_mm, a.under, a.on)
+def kin(candidate: Candidate) -> Hashable:
+    """Returns what decides feasibility: candidates that agree here differ only in their anchor and cost."""
+    a = candidate
+    return (a.kind, a.stance, a.size_mm, a.rotation, a.wall, a.within, a.attach, a.bottom_mm, a.slack_mm, a.under, a.on)
 
 
 def _matrix(flat: Sequence[int], columns: int) -> Ints:
@@ -99,12 +98,12 @@ def _values(flat: Sequence[float], columns: int) -> layout.Floats:
 class Tables:
     """The rows of a room's tables, one behind the other, and numbers for names: pieces by label, kinds, slots."""
 
-    def __init__(self, space: Space, wanted: Sequence[Wanted]) -> None:
+    def __init__(self, space: Space, pieces: Sequence[Piece]) -> None:
         self.space = space
-        self.piece = {piece.label: k for k, piece in enumerate(wanted)}
-        self.kinds: dict[str, int] = {}
+        self.piece = {piece.label: k for k, piece in enumerate(pieces)}
+        self.kinds: dict[tuple[str, Stance | None], int] = {}
         self.slots: dict[str, int] = {}
-        self.pieces: list[list[int]] = []
+        self.rows: list[list[int]] = []
         self.alts: list[int] = []
         self.alt_costs: list[float] = []
         self.links: list[int] = []
@@ -112,21 +111,21 @@ class Tables:
         self.sides: list[int] = []
         self.side_costs: list[float] = []
         self.side_names: list[tuple[str, ...]] = []
-        self.alternatives: list[Alternative] = []
+        self.candidates: list[Candidate] = []
 
-    def add(self, piece: Wanted, walk: str) -> None:
-        """Adds a piece with its alternatives, links and choices of sides."""
+    def add(self, piece: Piece, walk: str) -> None:
+        """Adds a piece with its candidates, links and choices of sides."""
         starts = self._counts()
         numbers: dict[Hashable, int] = {}
-        for a in piece.alternatives:
+        for a in piece.candidates:
             parent = -1 if a.attach is None else self.piece.get(a.attach.parent)
             if parent is None:
                 continue
-            if parent >= len(self.pieces):
+            if parent >= len(self.rows):
                 raise ValueError(f"{piece.label} must come after what it is attached to")
-            self.alts += self._alternative(a, numbers.setdefault(kin(a), len(numbers)))
+            self.alts += self._candidate(a, numbers.setdefault(kin(a), len(numbers)))
             self.alt_costs += (*a.weights, a.cost)
-            self.alternatives.append(a)
+            self.candidates.append(a)
         for link in piece.links:
             if link.of in self.piece:
                 self._link(link)
@@ -135,16 +134,16 @@ class Tables:
             self.sides += bits
             self.side_costs.append(cost)
         ranges = chain.from_iterable(zip(starts, self._counts(), strict=True))
-        empty = layout.EMPTY_FLOOR if piece.label.startswith(EMPTY_FLOOR) else 0
-        self.pieces.append([int(piece.required), *ranges, len(self.pieces) + 1, empty])
+        empty = layout.EMPTY_FLOOR if piece.is_floor else 0
+        self.rows.append([int(piece.required), *ranges, len(self.rows) + 1, empty])
 
     def _counts(self) -> tuple[int, int, int]:
-        """Returns how many alternatives, links and choices of sides there are so far."""
-        return len(self.alternatives), len(self.link_costs) // LINK_COSTS, len(self.side_names)
+        """Returns how many candidates, links and choices of sides there are so far."""
+        return len(self.candidates), len(self.link_costs) // LINK_COSTS, len(self.side_names)
 
-    def _alternative(self, a: Alternative, number: int) -> tuple[int, ...]:
-        """Returns an alternative's row."""
-        kind = self.kinds.setdefault(a.kind, len(self.kinds))
+    def _candidate(self, a: Candidate, number: int) -> tuple[int, ...]:
+        """Returns a candidate's row."""
+        kind = self.kinds.setdefault((a.kind, a.stance), len(self.kinds))
         slack = -1 if a.slack_mm is None else a.slack_mm
         if a.attach is None:
             attach: tuple[int, ...] = (-1, -1, 0, 0, 0, 0, -1)
@@ -152,7 +151,7 @@ class Tables:
             parent, slot = self.piece.get(a.attach.parent, -1), -1
             if a.attach.slot:
                 slot = self.slots.setdefault(a.attach.slot, len(self.slots))
-            parent_kind = self.kinds.setdefault(a.attach.parent_kind, len(self.kinds))
+            parent_kind = self.kinds.setdefault((a.attach.parent_kind, a.attach.parent_stance), len(self.kinds))
             attach = (parent, parent_kind, *a.attach.across_mm, *a.attach.along_mm, slot)
         under, on = self.piece.get(a.under or "", -1), self.piece.get(a.on or "", -1)
         own = (kind, *a.size_mm, a.rotation % 360, WALLS[a.wall], *a.anchor_mm, *(a.within or self.space.clear), a.bottom_mm)
@@ -164,35 +163,35 @@ class Tables:
         self.link_costs += (link.cost, link.align, link.near, link.apart_m, link.apart_cost)
 
 
-def encode(space: Space, wanted: Sequence[Wanted], walk: str = "stands") -> Encoded:
+def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encoded:
     """Lays a room out for the kernel.
 
     Args:
         space: where the room's furniture may stand.
-        wanted: pieces, parents before what is attached to them.
+        pieces: pieces, parents before what is attached to them.
         walk: "stands" gives every use side to be reached a person's square; "test" only asks the walk for them; "mixed"
             does that where there are several sides; "none" asks for no use sides at all.
 
     Raises:
         ValueError: a piece comes before the one it is attached to.
     """
-    tables, room = lay_out(space, wanted, walk)
+    tables, room = lay_out(space, pieces, walk)
     names = tuple(tables.side_names)
-    return Encoded(space, tuple(wanted), tuple(tables.alternatives), names, walk, new_engine(room, sizes_of(room)))
+    return Encoded(space, tuple(pieces), tuple(tables.candidates), names, walk, new_engine(room, sizes_of(room)))
 
 
-def lay_out(space: Space, wanted: Sequence[Wanted], walk: str) -> tuple[Tables, Room]:
+def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, RoomArrays]:
     """Returns what `encode` tells the kernel, and what its numbers stand for, without work space."""
-    tables = Tables(space, wanted)
-    for piece in wanted:
+    tables = Tables(space, pieces)
+    for piece in pieces:
         tables.add(piece, walk)
-    _group(tables.pieces, wanted)
-    room = Room(
+    _group(tables.rows, pieces)
+    room = RoomArrays(
         _space_row(space, walk),
         _matrix([value for zone in space.zones for value in _zone_row(zone)], 6),
         _matrix([value for door in space.doorways for value in door_target(space, door)], 4),
-        _matrix([value for row in tables.pieces for value in row], 9),
-        np.array([piece.skip_cost for piece in wanted], dtype=np.float64),
+        _matrix([value for row in tables.rows for value in row], 9),
+        np.array([piece.skip_cost for piece in pieces], dtype=np.float64),
         _matrix(tables.sides, 3),
         np.array(tables.side_costs, dtype=np.float64),
         _matrix(tables.alts, 24),
@@ -207,13 +206,13 @@ def _zone_row(zone: Zone) -> tuple[int, ...]:
     return (*zone.rect, zone.above_mm, int(zone.cause == "outline"))
 
 
-def _group(pieces: list[list[int]], wanted: Sequence[Wanted]) -> None:
+def _group(rows: list[list[int]], pieces: Sequence[Piece]) -> None:
     """Joins optional pieces that stand only together with the one after them, if that one can only stand with them."""
-    for k in range(len(wanted) - 2, -1, -1):
-        own = wanted[k]
-        carried = all(a.attach is not None and a.attach.parent == own.label for a in wanted[k + 1].alternatives)
+    for k in range(len(pieces) - 2, -1, -1):
+        own = pieces[k]
+        carried = all(a.attach is not None and a.attach.parent == own.label for a in pieces[k + 1].candidates)
         if own.with_next and carried and not own.required:
-            pieces[k][layout.GROUP_END] = pieces[k + 1][layout.GROUP_END]
+            rows[k][layout.GROUP_END] = rows[k + 1][layout.GROUP_END]
 
 
 def _space_row(space: Space, walk: str) -> Ints:
@@ -223,14 +222,14 @@ def _space_row(space: Space, walk: str) -> Ints:
     return np.array(row, dtype=np.int64)
 
 
-def sizes_of(room: Room) -> Sizes:
+def sizes_of(room: RoomArrays) -> Sizes:
     """Returns bounds of what the room's problem can need."""
-    stands = most_ways = 0
+    stands = most_decisions = 0
     bits = room.sides[:, layout.STANDS].tolist()
     for piece in room.pieces.tolist():
         sides = bits[piece[layout.SIDES_0] : piece[layout.SIDES_1]]
         stands += max(side.bit_count() for side in sides)
-        most_ways = max(most_ways, (piece[layout.ALT_1] - piece[layout.ALT_0]) * len(sides))
+        most_decisions = max(most_decisions, (piece[layout.CANDIDATE_1] - piece[layout.CANDIDATE_0]) * len(sides))
     count = len(room.pieces)
     parts = count + stands
     return Sizes(
@@ -241,23 +240,6 @@ def sizes_of(room: Room) -> Sizes:
         pulls=2 * count + stands + 2 * len(room.links) + 1,
         walls=len(room.zones),
         doors=len(room.doors),
-        ways=max(most_ways, 1),
+        decisions=max(most_decisions, 1),
         states=MOST_STATES,
     )
-
-
-FLOOR_SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760), (900, 900), (750, 1200), (1200, 750))
-"""Rectangles of floor. In each of the first five a person of 0.6 m has the 0.25 m2 of free centres that a room must have; the others
-leave room for floor that goes round a corner, whose area the walk measures."""
-WHOLE_SHAPES = 5
-"""How many those are."""
-FLOOR_PULL = 0.02
-
-
-def empty_floor(space: Space, shapes: int = len(FLOOR_SHAPES_MM)) -> Wanted:
-    """Returns a piece that stands for floor kept empty, in one of the first shapes: bodies keep out, people do not."""
-    clear, more = space.clear, space.robot_mm - 600
-    middle = ((clear.x0 + clear.x1) // 2, (clear.z0 + clear.z1) // 2)
-    pull = (FLOOR_PULL, FLOOR_PULL)
-    sizes = [(width + more, depth + more, PERSON_MM) for width, depth in FLOOR_SHAPES_MM[:shapes]]
-    return Wanted(EMPTY_FLOOR, True, tuple(Alternative("floor", size, 0, None, middle, pull) for size in sizes))

@@ -1,13 +1,16 @@
-"""Why a piece was left out, in lengths that a person can check with a ruler."""
+"""Why a piece was left out: what room it needs and what is left of the walls, and the fewest pieces that cannot stand together.
+
+Comes in: a space and pieces. Goes out: words, labels. Not here: by how much a room is too short (lengths).
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
 from solver.geometry import WALL_BEHIND, Rect, strip
+from solver.pieces import Candidate, Piece, Placed, Space
 from solver.placement.arrange import feasible
 from solver.placement.budget import Budget
-from solver.wanted import Alternative, Placed, Space, Wanted
 
 _WALLS = tuple(WALL_BEHIND.values())
 
@@ -27,21 +30,21 @@ def free_stretches(space: Space, wall: str, depth: int, height: int, placed: Seq
     return [*stretches, (at, b)] if b > at else stretches
 
 
-def _least(piece: Wanted) -> Alternative:
-    """Returns the smallest alternative of a piece."""
-    return min(piece.alternatives, key=lambda a: (a.size_mm[0] * a.size_mm[1], a.size_mm))
+def _least(piece: Piece) -> Candidate:
+    """Returns the smallest candidate of a piece."""
+    return min(piece.candidates, key=lambda a: (a.size_mm[0] * a.size_mm[1], a.size_mm))
 
 
-def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
+def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed]) -> str:
     """Says how much room the smallest variant needs and how much the others leave."""
-    if not piece.alternatives:
-        return "the room offers no wall or place of the kind its rules ask for"
+    if not piece.candidates:
+        return "the room offers no wall or place of the kind its relations ask for"
     least = _least(piece)
     width, depth, height = least.size_mm
     size = f"the smallest, {least.kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"
     if least.attach is not None:
         return f"{size} at its place by {least.attach.parent}"
-    if any(a.wall for a in piece.alternatives):
+    if any(a.wall for a in piece.candidates):
         longest = {wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0) for wall in _WALLS}
         lengths = ", ".join(f"{wall} {length / 1000:.2f} m" for wall, length in longest.items())
         return f"{size} and a free way to it; longest free stretches of wall at that depth and height: {lengths}"
@@ -49,7 +52,7 @@ def why_left_out(space: Space, piece: Wanted, placed: Sequence[Placed]) -> str:
 
 
 def minimal_conflict(
-    space: Space, pieces: Sequence[Wanted], missing: str, budget: Budget | None = None, walk: bool = False
+    space: Space, pieces: Sequence[Piece], missing: str, budget: Budget | None = None, walk: bool = False
 ) -> tuple[str, ...] | None:
     """Finds a minimal set of pieces that cannot stand together, or with `walk` cannot be used together.
 
@@ -87,13 +90,13 @@ def minimal_conflict(
     return tuple(piece.label for piece in pieces if piece.label in members)
 
 
-def _carrier(piece: Wanted) -> str | None:
+def _carrier(piece: Piece) -> str | None:
     """Returns the one piece without which a piece cannot stand, if there is one."""
-    parents = {a.attach.parent if a.attach else None for a in piece.alternatives}
+    parents = {a.attach.parent if a.attach else None for a in piece.candidates}
     return parents.pop() if len(parents) == 1 else None
 
 
-def _with_carriers(known: Mapping[str, Wanted], label: str) -> set[str]:
+def _with_carriers(known: Mapping[str, Piece], label: str) -> set[str]:
     """Returns a piece and those it can only stand with, one upon the other."""
     found: set[str] = set()
     at: str | None = label
@@ -103,7 +106,7 @@ def _with_carriers(known: Mapping[str, Wanted], label: str) -> set[str]:
     return found
 
 
-def _with_carried(known: Mapping[str, Wanted], members: set[str], label: str) -> set[str]:
+def _with_carried(known: Mapping[str, Piece], members: set[str], label: str) -> set[str]:
     """Returns a member and all members that have nothing left to stand with once it is gone."""
     gone = {label}
     while True:
@@ -111,7 +114,7 @@ def _with_carried(known: Mapping[str, Wanted], members: set[str], label: str) ->
         more = {
             other
             for other in left
-            if known[other].alternatives and not any(a.attach is None or a.attach.parent in left for a in known[other].alternatives)
+            if known[other].candidates and not any(a.attach is None or a.attach.parent in left for a in known[other].candidates)
         }
         if not more:
             return gone

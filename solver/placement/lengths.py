@@ -13,17 +13,17 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from solver.geometry import Rect
+from solver.pieces import Arrangement, Piece, Space, Zone
 from solver.placement.chain import Length, chain
-from solver.wanted import Arrangement, Space, Wanted, Zone
 
-Verdict = Callable[[Space, Sequence[Wanted]], bool | None]
+CanStand = Callable[[Space, Sequence[Piece]], bool | None]
 """Can the pieces stand in the space? None where a limit was hit first."""
-Placing = Callable[[Space, Sequence[Wanted]], Arrangement]
+Placing = Callable[[Space, Sequence[Piece]], Arrangement]
 """Places pieces that can stand."""
 NEAR_MM = 200
 """What stands still this near to the far wall goes along with it."""
 WALKING_MM = 900
-"""Deepest square before an opening, mm (contract): room that a longer room may need besides its pieces."""
+"""Deepest square before an opening, mm: room that a longer room may need besides its pieces."""
 ALONG = ("from west to east", "from north to south")
 
 
@@ -44,7 +44,7 @@ class Shortfall:
     lengths: tuple[Length, ...] = ()
 
 
-def shortfall(space: Space, pieces: Sequence[Wanted], can_stand: Verdict, placing: Placing) -> Shortfall | None:
+def shortfall(space: Space, pieces: Sequence[Piece], can_stand: CanStand, placing: Placing) -> Shortfall | None:
     """Finds the least length by which a room must grow along one axis for infeasible pieces to be feasible.
 
     Args:
@@ -108,14 +108,14 @@ def _span(rect: Rect, axis: int) -> int:
     return rect.depth if axis else rect.width
 
 
-def _enough(space: Space, pieces: Sequence[Wanted]) -> int:
+def _enough(space: Space, pieces: Sequence[Piece]) -> int:
     """Returns a growth that would hold all pieces one after the other beyond everything that is there."""
-    longest = [max((max(a.size_mm[:2]) for a in piece.alternatives), default=0) for piece in pieces]
+    longest = [max((max(a.size_mm[:2]) for a in piece.candidates), default=0) for piece in pieces]
     stands = sum(len(piece.stands) for piece in pieces)
     return sum(longest) + stands * space.robot_mm + 2 * (space.gap_mm + NEAR_MM + WALKING_MM)
 
 
-def _least(space: Space, pieces: Sequence[Wanted], axis: int, most: int, can_stand: Verdict) -> int | None:
+def _least(space: Space, pieces: Sequence[Piece], axis: int, most: int, can_stand: CanStand) -> int | None:
     """Bisects for the least growth along an axis, up to `most`; None where that does not do or a limit was hit."""
 
     def stands(by: int) -> bool | None:
@@ -141,13 +141,13 @@ def longer_space(space: Space, axis: int, by: int) -> Space:
     return replace(space, clear=_shifted(space.clear, axis, by, going), zones=zones, doorways=doorways)
 
 
-def longer_pieces(space: Space, pieces: Sequence[Wanted], axis: int, by: int) -> tuple[Wanted, ...]:
+def longer_pieces(space: Space, pieces: Sequence[Piece], axis: int, by: int) -> tuple[Piece, ...]:
     """Returns the pieces for the longer space: where they must stay near the far wall they go along with it."""
     going = _going(space, axis)
     found = []
     for piece in pieces:
-        ways = (replace(way, within=_shifted(way.within, axis, by, going)) if way.within else way for way in piece.alternatives)
-        found.append(replace(piece, alternatives=tuple(ways)))
+        ways = (replace(way, within=_shifted(way.within, axis, by, going)) if way.within else way for way in piece.candidates)
+        found.append(replace(piece, candidates=tuple(ways)))
     return tuple(found)
 
 

@@ -1,70 +1,99 @@
-"""A room's placement problem as plain data: variables, terms, rows and choices.
+"""A room's placement problem and its solution as plain data: variables, terms, rows and choices.
 
-Along each axis a separately: minimise the sum of the terms, subject to low <= p <= high and the rows; and of every
-choice at least one option must hold. See placement in ARCHITECTURE.md.
+Comes in: nothing. Goes out: the types that the search's result, the final solve, the snap and every oracle share. Along each axis
+apart: minimise the sum of the terms, subject to low <= p <= high and the rows; and of every choice at least one option must hold.
+Variables are min corners; terms count in metres, everything else in whole millimetres. docs/maths.md says it at more length.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Final, NamedTuple
 
-from solver.placement.constraints import ORIGIN, Choice, Part, Row
-from solver.placement.terms import Term
+from solver.geometry import Rect
+from solver.placement.kernel.layout import Floats
+
+ORIGIN: Final = -1
+"""Stands for the constant 0 in place of a variable, so that a wished place is a difference, and a bound a row, as well."""
+
+
+Positions = tuple[Floats, Floats]
+"""By axis and variable, m."""
+
+
+class Term(NamedTuple):
+    """Costs weight * (p_j - p_i - offset)^2 along `axis` (0: x, 1: z).
+
+    With i = ORIGIN a body wants to be at a place; else two bodies want to keep a distance. Offset in m, weight in m^-2, > 0.
+    """
+
+    axis: int
+    i: int
+    j: int
+    offset: float
+    weight: float
+
+    def cost(self, p: Sequence[float]) -> float:
+        """Returns the term's value at the positions of its axis, m."""
+        before = 0.0 if self.i == ORIGIN else p[self.i]
+        return self.weight * (p[self.j] - before - self.offset) ** 2
+
+
+class DifferenceRow(NamedTuple):
+    """Asks for p_j - p_i >= s, along `axis`, mm."""
+
+    axis: int
+    i: int
+    j: int
+    s: int
+
+    def slack(self, p: Sequence[Sequence[float]]) -> float:
+        """Returns how far the row is satisfied (< 0: violated) at positions p[axis][variable], mm."""
+        own = p[self.axis]
+        after = 0 if self.j == ORIGIN else own[self.j]
+        before = 0 if self.i == ORIGIN else own[self.i]
+        return after - before - self.s
+
+
+class ProblemBox(NamedTuple):
+    """A box of the problem: a body, or a stand (a person's square before a use side).
+
+    Its min corner along axis a is position[var[a]] + offset[a]; `extent` is its size along x and z; mm.
+    """
+
+    label: str
+    stand: bool
+    var: tuple[int, int]
+    offset: tuple[int, int]
+    extent: tuple[int, int]
+    bottom: int
+    top: int
+
+    def rect(self, p: Sequence[Sequence[int]]) -> Rect:
+        """Returns the footprint at integer positions p[axis][variable], mm."""
+        x, z = (p[axis][self.var[axis]] + self.offset[axis] for axis in (0, 1))
+        return Rect(x, z, x + self.extent[0], z + self.extent[1])
+
+
+class Choice(NamedTuple):
+    """One of `options` must hold: `first` is left of, right of, north of or south of `second`."""
+
+    first: str
+    second: str
+    options: tuple[DifferenceRow, ...]
 
 
 @dataclass
 class Problem:
-    """Bounds are integer mm per axis and variable; `parts` maps variables to boxes."""
+    """Bounds are by axis and variable, mm; `boxes` say which variables are whose."""
 
     low: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
     high: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
     terms: list[Term] = field(default_factory=list)
-    rows: list[Row] = field(default_factory=list)
-    parts: list[Part] = field(default_factory=list)
+    rows: list[DifferenceRow] = field(default_factory=list)
+    boxes: list[ProblemBox] = field(default_factory=list)
     choices: list[Choice] = field(default_factory=list)
-
-    def variable(self, axis: int, low: int, high: int) -> int:
-        """Adds a variable with bounds, mm, and returns its index along that axis."""
-        self.low[axis].append(low)
-        self.high[axis].append(high)
-        return len(self.low[axis]) - 1
-
-    def tighten(self, axis: int, i: int, low: int, high: int) -> None:
-        """Intersects a variable's bounds with [low, high], mm."""
-        self.low[axis][i] = max(self.low[axis][i], low)
-        self.high[axis][i] = min(self.high[axis][i], high)
-
-    def copy(self) -> Problem:
-        """Returns a problem that can grow without changing this one."""
-        return Problem(
-            (list(self.low[0]), list(self.low[1])),
-            (list(self.high[0]), list(self.high[1])),
-            list(self.terms),
-            list(self.rows),
-            list(self.parts),
-            list(self.choices),
-        )
-
-    def range_of(self, axis: int, i: int) -> tuple[int, int]:
-        """Returns the bounds of a variable, mm; ORIGIN's are 0."""
-        return (0, 0) if i == ORIGIN else (self.low[axis][i], self.high[axis][i])
-
-    def choose(self, first: str, second: str, rows: Sequence[Row]) -> None:
-        """Adds a choice, unless the bounds already settle it; options that the bounds rule out are dropped."""
-        options: list[Row] = []
-        for row in rows:
-            if row.i == row.j:
-                least = most = 0
-            else:
-                i_low, i_high = self.range_of(row.axis, row.i)
-                j_low, j_high = self.range_of(row.axis, row.j)
-                least, most = j_low - i_high, j_high - i_low
-            if least >= row.s:
-                return
-            if most >= row.s:
-                options.append(row)
-        self.choices.append(Choice(first, second, tuple(options)))
 
     def violations(self, p: Sequence[Sequence[int]]) -> list[str]:
         """Lists, in exact integers, what the positions p[axis][variable] break; empty if nothing."""
@@ -78,3 +107,23 @@ class Problem:
             if all(row.slack(p) < 0 for row in choice.options):
                 broken.append(f"{choice.first} and {choice.second} are not apart")
         return broken
+
+
+@dataclass(frozen=True)
+class Solution:
+    """The cheapest placement that one search of a problem found.
+
+    Args:
+        cost: the sum of the terms.
+        positions: m, by axis and variable.
+        rows: the option that each choice took, then the rows of widenings.
+        proven: the tree was exhausted, so nothing is cheaper; where a placement was turned down as not walkable, within the
+            widenings tried.
+        solves: QPs.
+    """
+
+    cost: float
+    positions: Positions
+    rows: tuple[DifferenceRow, ...]
+    proven: bool
+    solves: int

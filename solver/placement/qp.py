@@ -1,21 +1,20 @@
 """The final continuous solve of a whole house by OSQP, as one block-diagonal problem with the choices made.
 
-OSQP: Stellato et al., Mathematical Programming Computation 2020. Blocks are the axes of the rooms.
+Comes in: rooms' problems and what the search found. Goes out: positions. Variables without room to move are left out, and what is
+known of them goes into the constants. OSQP: Stellato et al., Mathematical Programming Computation 2020.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 import osqp
 from scipy import sparse
 
-from solver.placement.axis import AxisProgram
-from solver.placement.constraints import Row
-from solver.placement.problem import Problem
-from solver.placement.terms import Floats
+from solver.placement.kernel.layout import Floats
+from solver.placement.problem import ORIGIN, Positions, Problem, Solution
 
 SETTINGS = {
     "verbose": False,
@@ -30,92 +29,103 @@ SETTINGS = {
 }
 """OSQP 1.x settings."""
 NEAR = 0.05
-"""Rows with more slack than this at the search's optimum, m, are left out: they cannot bind at the same optimum, and
+"""Choices' rows with more slack than this at the search's optimum, m, are left out: they cannot bind at the same optimum, and
 whatever the solver returns is snapped and checked against all of them."""
 _SOLVED = 1
 
-
-@dataclass(frozen=True)
-class Decided:
-    """A room's problem with its choices made: `rows` hold one option each; `positions` is the search's solution, m."""
-
-    problem: Problem
-    rows: tuple[Row, ...]
-    positions: tuple[Floats, Floats]
+Difference = tuple[list[tuple[int, int]], float]
+"""p_j - p_i: the columns of those that may move, each with its sign, and what the others are, m."""
 
 
-@dataclass(frozen=True)
-class _Block:
-    program: AxisProgram
-    A: Floats
-    lower: Floats
+class _Programme:
+    """minimise 1/2 x'Px + q'x subject to low <= Ax <= high, an entry after the other; bounds first in each axis of a room."""
+
+    def __init__(self) -> None:
+        self.columns = 0
+        self.squares: dict[tuple[int, int], float] = {}
+        self.linear: list[float] = []
+        self.entries: list[tuple[int, int, int]] = []
+        self.low: list[float] = []
+        self.high: list[float] = []
+
+    def add(self, problem: Problem, solution: Solution, axis: int) -> list[int | None]:
+        """Adds an axis of a room; returns the columns of its variables, None for those that cannot move."""
+        columns: list[int | None] = []
+        for low, high in zip(problem.low[axis], problem.high[axis], strict=True):
+            columns.append(self.columns if low < high else None)
+            if low < high:
+                self._row([(self.columns, 1)], low / 1000, high / 1000)
+                self.linear.append(0.0)
+                self.columns += 1
+        for term in problem.terms:
+            if term.axis == axis:
+                self._square(_difference(problem, columns, axis, (term.i, term.j)), term.offset, term.weight)
+        p: list[float] = (solution.positions[axis] * 1000).tolist()
+        near = (row for row in solution.rows if row.axis == axis and row.slack((p, p)) <= NEAR * 1000)
+        for row in (*(row for row in problem.rows if row.axis == axis), *near):
+            signs, rest = _difference(problem, columns, axis, (row.i, row.j))
+            if signs:
+                self._row(signs, row.s / 1000 - rest, np.inf)
+        return columns
+
+    def _row(self, signs: Sequence[tuple[int, int]], low: float, high: float) -> None:
+        self.entries += [(len(self.low), column, sign) for column, sign in signs]
+        self.low.append(low)
+        self.high.append(high)
+
+    def _square(self, difference: Difference, offset: float, weight: float) -> None:
+        """Adds weight * (difference - offset)^2."""
+        signs, rest = difference
+        for column, sign in signs:
+            self.linear[column] += 2 * weight * sign * (rest - offset)
+        for (one, s), (two, t) in product(signs, signs):
+            if one <= two:  # OSQP wants the upper triangle
+                self.squares[one, two] = self.squares.get((one, two), 0.0) + 2 * weight * s * t
+
+    def solve(self) -> Floats | None:
+        """Returns the columns' positions, m; None where OSQP does not report success."""
+        above, across = zip(*self.squares, strict=True)
+        P = sparse.csc_matrix((list(self.squares.values()), (above, across)), shape=(self.columns, self.columns))
+        rows, columns, signs = zip(*self.entries, strict=True)
+        A = sparse.csc_matrix((np.array(signs, dtype=float), (rows, columns)), shape=(len(self.low), self.columns))
+        solver = osqp.OSQP(algebra="builtin")
+        solver.setup(P, np.array(self.linear), A, np.array(self.low), np.array(self.high), **SETTINGS)
+        result = solver.solve(raise_error=False)
+        x: Floats = result.x
+        return x if result.info.status_val == _SOLVED else None
 
 
-def _blocks(rooms: Sequence[Decided]) -> list[_Block | None]:
-    blocks: list[_Block | None] = []
-    for room in rooms:
-        for axis in (0, 1):
-            program = AxisProgram(room.problem, axis)
-            stacked = program.stack(_near(room, axis))
-            if not program.free or stacked is None:
-                blocks.append(None)
-            else:
-                blocks.append(_Block(program, stacked[0], stacked[1]))
-    return blocks
+def _difference(problem: Problem, columns: Sequence[int | None], axis: int, variables: tuple[int, int]) -> Difference:
+    signs, rest = [], 0.0
+    for variable, sign in zip(variables, (-1, 1), strict=True):
+        if variable == ORIGIN or variables[0] == variables[1]:
+            continue
+        column = columns[variable]
+        if column is None:
+            rest += sign * problem.low[axis][variable] / 1000
+        else:
+            signs.append((column, sign))
+    return signs, rest
 
 
-def _near(room: Decided, axis: int) -> list[Row]:
-    p: list[float] = (room.positions[axis] * 1000).tolist()
-    own = [p, p]
-    return [row for row in room.rows if row.axis == axis and row.slack(own) <= NEAR * 1000]
-
-
-def solve_house(rooms: Sequence[Decided]) -> list[tuple[Floats, Floats]]:
+def solve_house(rooms: Sequence[tuple[Problem, Solution]]) -> list[Positions]:
     """Solves all rooms at once.
 
     Returns:
         Positions per room, axis and variable, m. Where OSQP does not report success, the search's own positions, which
         are optimal already.
     """
-    blocks = _blocks(rooms)
-    found = [list(room.positions) for room in rooms]
-    live = [(index, block) for index, block in enumerate(blocks) if block is not None]
-    if live:
-        x = _solve([block for _, block in live])
-        if x is not None:
-            start = 0
-            for index, block in live:
-                size = len(block.program.free)
-                found[index // 2][index % 2] = block.program.spread(x[start : start + size])
-                start += size
-    return [(axes[0], axes[1]) for axes in found]
-
-
-def _diagonal(parts: Sequence[Floats]) -> sparse.csc_matrix:
-    """Returns the block-diagonal matrix of dense parts, zeros left out; scipy's own takes a millisecond."""
-    values, indices, counts, row = [], [], [], 0
-    for part in parts:
-        columns, rows = np.nonzero(part.T)
-        values.append(part[rows, columns])
-        indices.append(rows + row)
-        counts.append(np.bincount(columns, minlength=part.shape[1]))
-        row += part.shape[0]
-    starts = np.concatenate([[0], np.cumsum(np.concatenate(counts))])
-    return sparse.csc_matrix((np.concatenate(values), np.concatenate(indices), starts), shape=(row, len(starts) - 1))
-
-
-def _solve(blocks: Sequence[_Block]) -> Floats | None:
-    P = _diagonal([np.triu(block.program.H) for block in blocks])
-    q = np.concatenate([block.program.f for block in blocks])
-    A = _diagonal([np.vstack([np.eye(len(block.program.free)), block.A]) for block in blocks])
-    lower = np.concatenate([block.lower for block in blocks])
-    upper = np.concatenate([np.concatenate([block.program.high, np.full(len(block.A), np.inf)]) for block in blocks])
-    if not (lower <= upper).all():  # OSQP would keep silent
-        return None
-    solver = osqp.OSQP(algebra="builtin")
-    solver.setup(P, q, A, np.where(lower < -1e20, -np.inf, lower), upper, **SETTINGS)
-    result = solver.solve(raise_error=False)
-    if result.info.status_val != _SOLVED:
-        return None
-    x: Floats = result.x
-    return x
+    programme = _Programme()
+    columns = [[programme.add(problem, solution, axis) for axis in (0, 1)] for problem, solution in rooms]
+    x = programme.solve() if programme.columns else None
+    if x is None:
+        return [solution.positions for _, solution in rooms]
+    found = []
+    for (_, solution), both in zip(rooms, columns, strict=True):
+        p = [axis.copy() for axis in solution.positions]
+        for axis in (0, 1):
+            for variable, column in enumerate(both[axis]):
+                if column is not None:
+                    p[axis][variable] = x[column]
+        found.append((p[0], p[1]))
+    return found

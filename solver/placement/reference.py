@@ -1,6 +1,6 @@
 """The same problem written for reading, in cvxpy: choices made, one axis at a time.
 
-Used by tests, documentation and `--engine reference`; never on the default request path.
+Comes in and goes out: what `qp.solve_house` takes and returns. Used by tests and `--engine reference`; never on the default path.
 """
 
 from __future__ import annotations
@@ -11,38 +11,31 @@ from typing import Any
 import cvxpy
 import numpy as np
 
-from solver.placement.constraints import ORIGIN
-from solver.placement.qp import Decided
-from solver.placement.terms import Anchor, Floats
+from solver.placement.kernel.layout import Floats
+from solver.placement.problem import ORIGIN, Positions, Problem, Solution
 
 cp: Any = cvxpy  # its annotations do not cover its own names
 
 
-def _axis(room: Decided, axis: int) -> Floats:
-    low = np.array(room.problem.low[axis]) / 1000
-    high = np.array(room.problem.high[axis]) / 1000
+def _axis(problem: Problem, solution: Solution, axis: int) -> Floats:
+    low = np.array(problem.low[axis]) / 1000
+    high = np.array(problem.high[axis]) / 1000
     if not len(low):
         return np.zeros(0)
     p = cp.Variable(len(low))
-    cost = []
-    for term in room.problem.terms:
-        if term.axis == axis:
-            if isinstance(term, Anchor):
-                cost.append(term.weight * cp.square(p[term.i] - term.wish))
-            else:
-                cost.append(term.weight * cp.square(p[term.j] - p[term.i] - term.offset))
-    rules = [low <= p, p <= high]
-    for row in (*room.problem.rows, *room.rows):
-        if row.axis == axis and row.i != row.j:
-            after = 0 if row.j == ORIGIN else p[row.j]
-            before = 0 if row.i == ORIGIN else p[row.i]
-            rules.append(after - before >= row.s / 1000)
+
+    def difference(i: int, j: int) -> Any:
+        return (0 if j == ORIGIN else p[j]) - (0 if i == ORIGIN else p[i])
+
+    cost = [term.weight * cp.square(difference(term.i, term.j) - term.offset) for term in problem.terms if term.axis == axis]
+    rows = [row for row in (*problem.rows, *solution.rows) if row.axis == axis and row.i != row.j]
+    rules = [low <= p, p <= high, *(difference(row.i, row.j) >= row.s / 1000 for row in rows)]
     close = dict.fromkeys(("tol_gap_abs", "tol_gap_rel", "tol_feas"), 1e-12)
     cp.Problem(cp.Minimize(cp.sum(cost)), rules).solve(solver=cp.CLARABEL, **close)
-    solution: Floats = np.asarray(p.value, dtype=np.float64)
-    return solution
+    positions: Floats = np.asarray(p.value, dtype=np.float64)
+    return positions
 
 
-def solve_house(rooms: Sequence[Decided]) -> list[tuple[Floats, Floats]]:
-    """Returns positions per room, axis and variable, m, as `qp.solve_house` does."""
-    return [(_axis(room, 0), _axis(room, 1)) for room in rooms]
+def solve_house(rooms: Sequence[tuple[Problem, Solution]]) -> list[Positions]:
+    """Returns positions per room, axis and variable, m."""
+    return [(_axis(problem, solution, 0), _axis(problem, solution, 1)) for problem, solution in rooms]

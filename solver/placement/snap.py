@@ -1,5 +1,6 @@
 """Projection onto integer millimetres: every hard row becomes exactly true in integer arithmetic.
 
+Comes in: a problem, rows, positions in metres. Goes out: positions in millimetres.
 Difference constraints with integer data have an integer solution whenever they have a real one. The latest positions U
 come from a backward sweep; then every position is rounded, clamped to U and pushed forward along the rows. Nothing moves
 by more than about the rounding.
@@ -10,16 +11,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from solver.placement.constraints import ORIGIN, Row
-from solver.placement.problem import Problem
-from solver.placement.terms import Floats
+from solver.placement.problem import ORIGIN, DifferenceRow, Positions, Problem
 
 TIE_MM = 0.49
 """Rounding adds this before flooring: wishes lie on half millimetres, so the switch is kept away from them and from a
 continuous solver's last digits."""
 
 
-def latest(low: Sequence[int], high: Sequence[int], rows: Sequence[Row]) -> list[int] | None:
+def latest(low: Sequence[int], high: Sequence[int], rows: Sequence[DifferenceRow]) -> list[int] | None:
     """Returns the greatest integer positions within the bounds that hold every row, or None if there are none."""
     u = list(high)
     for _ in range(len(u) + 1):
@@ -39,7 +38,7 @@ def latest(low: Sequence[int], high: Sequence[int], rows: Sequence[Row]) -> list
     return None
 
 
-def _push(p: list[int], rows: Sequence[Row]) -> None:
+def _push(p: list[int], rows: Sequence[DifferenceRow]) -> None:
     """Moves positions up until every row holds; ends because a solution above them exists."""
     changed = True
     while changed:
@@ -53,7 +52,7 @@ def _push(p: list[int], rows: Sequence[Row]) -> None:
                 changed = True
 
 
-def snap(problem: Problem, rows: Sequence[Row], positions: tuple[Floats, Floats]) -> tuple[list[int], list[int]]:
+def snap(problem: Problem, rows: Sequence[DifferenceRow], positions: Positions) -> tuple[list[int], list[int]]:
     """Returns integer positions, mm, near `positions` (m) at which the problem's rows and `rows` hold exactly.
 
     Raises:

@@ -11,14 +11,13 @@ from functools import cached_property
 from itertools import combinations
 from typing import NamedTuple
 
-from solver.geometry import Rect
-from solver.placement.arrange import Draft
-from solver.placement.constraints import Part
+from solver.geometry import Rect, strip
+from solver.placement.arrange import SolvedRoom
 from solver.placement.kernel.layout import Work
-from solver.placement.terms import Pull
+from solver.placement.problem import ProblemBox
 
 TOUCHING_MM, SLIVER_MM, REACH_MM = 50, 150, 300
-"""Gaps below the first are contact; from it to the second slivers; from the third on a hand and a broom come in."""
+"""BodyGaps below the first are contact; from it to the second slivers; from the third on a hand and a broom come in."""
 SHARED_MM = 150
 """How long two sides face each other before the gap between them is one."""
 BESIDE_MM = 30
@@ -34,10 +33,11 @@ MOST_SLIDES = 8
 WALL_MM = 1000
 """Thickness of the boxes that stand for the walls; any will do."""
 
-Positions = tuple[list[int], list[int]]
+Lattice = tuple[list[int], list[int]]
+"""Lattice by axis and variable, mm."""
 
 
-class Gap(NamedTuple):
+class BodyGap(NamedTuple):
     """Free floor between two boxes along an axis, mm; `low` and `high` are numbers of the boxes at its ends."""
 
     axis: int
@@ -53,7 +53,7 @@ class _Slide(NamedTuple):
     variables: tuple[int, ...]
 
 
-def gaps(boxes: Sequence[Rect], bodies: int) -> list[Gap]:
+def gaps(boxes: Sequence[Rect], bodies: int) -> list[BodyGap]:
     """Returns the gaps narrower than REACH_MM beside bodies, those in which nothing else stands.
 
     Args:
@@ -71,7 +71,7 @@ def gaps(boxes: Sequence[Rect], bodies: int) -> list[Gap]:
     return found
 
 
-def _gap(boxes: Sequence[Rect], axis: int, one: int, two: int) -> Gap | None:
+def _gap(boxes: Sequence[Rect], axis: int, one: int, two: int) -> BodyGap | None:
     a, b = boxes[one], boxes[two]
     if a[axis] > b[axis]:
         a, b, one, two = b, a, two, one
@@ -81,25 +81,25 @@ def _gap(boxes: Sequence[Rect], axis: int, one: int, two: int) -> Gap | None:
         return None
     between = (a[2], start, b[0], end) if axis == 0 else (start, a[3], end, b[1])
     filled = wide > 0 and any(box.overlaps(Rect(*between)) for box in boxes)
-    return None if filled else Gap(axis, one, two, wide)
+    return None if filled else BodyGap(axis, one, two, wide)
 
 
-def slivers(found: Sequence[Gap]) -> list[Gap]:
+def slivers(found: Sequence[BodyGap]) -> list[BodyGap]:
     """Returns those of the gaps that are slivers."""
     return [gap for gap in found if TOUCHING_MM <= gap.wide < SLIVER_MM]
 
 
-def tidied(draft: Draft, p: Positions) -> tuple[Positions, float]:
+def tidied(solved: SolvedRoom, p: Lattice) -> tuple[Lattice, float]:
     """Slides pieces of a room so that fewer slivers are left.
 
     Args:
-        draft: the room; its problem is the one last assembled in its core.
+        solved: the room; its problem is the one last assembled in its core.
         p: where everything is, mm, by axis and variable: valid and walkable.
 
     Returns:
-        Positions as valid and walkable, and by how much the bodies' terms cost more there than at p; at most MOST_COST.
+        Lattice as valid and walkable, and by how much the bodies' terms cost more there than at p; at most MOST_COST.
     """
-    room, spent = _Room(draft), 0.0
+    room, spent = _Slides(solved), 0.0
     for _ in range(MOST_SLIDES):
         found = gaps(room.boxes(p), len(room.bodies))
         better = room.better(p, found, len(slivers(found)), MOST_COST - spent, TOGETHER)
@@ -109,45 +109,40 @@ def tidied(draft: Draft, p: Positions) -> tuple[Positions, float]:
     return p, spent
 
 
-def _slid(p: Positions, slide: _Slide) -> Positions:
+def _slid(p: Lattice, slide: _Slide) -> Lattice:
     new = (list(p[0]), list(p[1]))
     for v in slide.variables:
         new[slide.axis][v] += slide.by
     return new
 
 
-class _Room:
-    """What of a draft tidying needs: the bodies on the floor, what is fixed, and what goes along with a variable."""
+class _Slides:
+    """What of a room tidying needs: the bodies on the floor, what is fixed, and what goes along with a variable."""
 
-    def __init__(self, draft: Draft) -> None:
-        self.core, self.problem, self.tries = draft.core, draft.problem, MOST_TRIES
-        parts = {part.label: part for part in self.problem.parts if not part.stand}
-        chosen = {one.wanted.label: one.alternative for one in draft.chosen}
-        standing = [label for label, way in chosen.items() if way.on is None and way.under is None]
-        self.bodies: list[Part] = [parts[label] for label in standing]
-        self.carried = [(parts[way.attach.parent], parts[label]) for label, way in chosen.items() if way.attach]
-        persons = {(axis, part.var[axis]) for part in self.problem.parts if part.stand for axis in (0, 1)}
-        persons -= {(axis, part.var[axis]) for part in parts.values() for axis in (0, 1)}
-        self.terms = [term for term in self.problem.terms if (term.axis, term.j if isinstance(term, Pull) else term.i) not in persons]
-        x0, z0, x1, z1 = draft.space.clear
-        walls = [
-            Rect(x0 - WALL_MM, z0, x0, z1),
-            Rect(x1, z0, x1 + WALL_MM, z1),
-            Rect(x0, z0 - WALL_MM, x1, z0),
-            Rect(x0, z1, x1, z1 + WALL_MM),
-        ]
-        self.fixed = [*walls, *(zone.rect for zone in draft.space.zones if zone.cause == "outline")]
+    def __init__(self, solved: SolvedRoom) -> None:
+        self.core, self.problem, self.tries = solved.core, solved.problem, MOST_TRIES
+        boxes = {box.label: box for box in self.problem.boxes if not box.stand}
+        chosen = {one.piece.label: one.candidate for one in solved.chosen}
+        standing = [label for label, candidate in chosen.items() if candidate.on is None and candidate.under is None]
+        self.bodies: list[ProblemBox] = [boxes[label] for label in standing]
+        self.carried = [(boxes[one.attach.parent], boxes[label]) for label, one in chosen.items() if one.attach]
+        persons = {(axis, box.var[axis]) for box in self.problem.boxes if box.stand for axis in (0, 1)}
+        persons -= {(axis, box.var[axis]) for box in boxes.values() for axis in (0, 1)}
+        self.terms = [term for term in self.problem.terms if (term.axis, term.j) not in persons]
+        clear = solved.space.clear
+        walls = [strip(clear, wall, clear.along(wall), -WALL_MM) for wall in ("west", "east", "north", "south")]
+        self.fixed = [*walls, *(zone.rect for zone in solved.space.zones if zone.cause == "outline")]
 
     @cached_property
     def work(self) -> Work:
         """The rules as they are without persons' squares: whether all can be used is the walk's to say."""
         return self.core.bodies_alone()
 
-    def boxes(self, p: Positions) -> list[Rect]:
+    def boxes(self, p: Lattice) -> list[Rect]:
         """Returns the bodies' footprints, then what is fixed."""
         return [*(body.rect(p) for body in self.bodies), *self.fixed]
 
-    def slides(self, p: Positions, found: Sequence[Gap]) -> list[_Slide]:
+    def slides(self, p: Lattice, found: Sequence[BodyGap]) -> list[_Slide]:
         """Returns the slides within all bounds that close or open a sliver, the cheapest first."""
         slides = {}
         for gap in slivers(found):
@@ -168,11 +163,11 @@ class _Room:
                 moving.add(own.var[axis])
         return tuple(sorted(moving))
 
-    def _within(self, p: Positions, axis: int, moving: Sequence[int], by: int) -> bool:
+    def _within(self, p: Lattice, axis: int, moving: Sequence[int], by: int) -> bool:
         low, high = self.problem.low[axis], self.problem.high[axis]
         return all(low[v] <= p[axis][v] + by <= high[v] for v in moving)
 
-    def _cost(self, p: Positions, axis: int, moving: Sequence[int], by: int) -> float:
+    def _cost(self, p: Lattice, axis: int, moving: Sequence[int], by: int) -> float:
         """Returns how much more the terms cost once variables have moved."""
         before = [at / 1000 for at in p[axis]]
         after = list(before)
@@ -180,7 +175,7 @@ class _Room:
             after[v] += by / 1000
         return round(sum(term.cost(after) - term.cost(before) for term in self.terms if term.axis == axis), 9)
 
-    def better(self, p: Positions, found: Sequence[Gap], before: int, most: float, together: int) -> tuple[Positions, float] | None:
+    def better(self, p: Lattice, found: Sequence[BodyGap], before: int, most: float, together: int) -> tuple[Lattice, float] | None:
         """Returns positions with fewer slivers than before and what they cost more than p: one slide from p, or several together."""
         equal = []
         for slide in self.slides(p, found):
@@ -201,7 +196,7 @@ class _Room:
         return None
 
 
-def _touching(found: Sequence[Gap], axis: int, body: int, other: int) -> set[int]:
+def _touching(found: Sequence[BodyGap], axis: int, body: int, other: int) -> set[int]:
     """Returns a body and what it touches along an axis, directly or through others, but for what is on the gap's other side."""
     pairs = [(gap.low, gap.high) for gap in found if gap.axis == axis and gap.wide < TOUCHING_MM]
     reached, ahead = {body}, [body]

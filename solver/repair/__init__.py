@@ -1,41 +1,39 @@
-"""A sent room -> wanted pieces whose anchors are the sent poses, and placed poses back: /fix is no second solver.
+"""A sent room -> pieces whose anchors are the sent poses, and placed poses back: /fix is no second solver.
 
-Comes in: a Room and what is locked, moved and known of kinds. Goes out: Wanted pieces in order of importance; the room with
-the placed poses, what stands on or hangs over a piece moved and turned with it. May import: the ground floor. Not here:
-solving (placement), where a room's furniture may stand (furnish).
+Comes in: a RoomProblem. Goes out: pieces in order of importance; the room with the placed poses, what stands on or hangs over
+a piece moved and turned with it. May import: the ground floor, catalogs. Not here: solving (placement), where a room's furniture
+may stand (furnish).
 """
 
-from solver.repair.as_sent import holders, wanted_as_sent
-from solver.repair.backs import said
-from solver.repair.bodies import Body, all_bodies, floor_bodies, squared
-from solver.repair.changes import applied
-from solver.repair.people import Crowd, followed, in_the_way, placed_people
-from solver.repair.previous import Last
-from solver.repair.resting import rested
-from solver.repair.upon import put_upon
-from solver.repair.ways import Walls
-from solver.repair.wishes import Sides, Wishes
-from solver.repair.written import without, written_back
+from solver.repair.as_sent import as_it_stands, holders, pieces_as_sent
+from solver.repair.bodies import floor_bodies
+from solver.repair.carried import Body, all_bodies, seated_along, squared, without
+from solver.repair.changes import Repair, applied, with_walls_told, written_back
+from solver.repair.moved_people import Crowd, people_out_of_the_way
+from solver.repair.previous import LastAnswer
+from solver.repair.resting import put_to_rest
+from solver.repair.room_problem import RoomProblem, Walls
+from solver.repair.settings import RepairSettings
 
 __all__ = [
     "Body",
     "Crowd",
-    "Last",
-    "Sides",
+    "LastAnswer",
+    "Repair",
+    "RepairSettings",
+    "RoomProblem",
     "Walls",
-    "Wishes",
     "all_bodies",
     "applied",
+    "as_it_stands",
     "floor_bodies",
-    "followed",
     "holders",
-    "in_the_way",
-    "placed_people",
-    "put_upon",
-    "rested",
-    "said",
+    "people_out_of_the_way",
+    "pieces_as_sent",
+    "put_to_rest",
+    "seated_along",
     "squared",
-    "wanted_as_sent",
+    "with_walls_told",
     "without",
     "written_back",
 ]

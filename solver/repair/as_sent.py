@@ -1,91 +1,130 @@
-"""A room as sent -> wanted pieces, every one of them to be kept.
+"""A room as sent -> pieces to place, every one of them to be kept, as near as can be to where it was sent.
 
-Comes in: a Room. Goes out: Wanted pieces in order of importance. May import: the ground floor.
+Comes in: a RoomProblem. Goes out: pieces in order of importance, each with its candidates: where it was sent, at another wall, in
+the frame of what carries it, or not moved at all. May import: the ground floor.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from solver.free_places import footprint
-from solver.repair.bodies import Body, carriers, climb, drawn_out, floor_bodies, tables_of, too_deep_mm
-from solver.repair.ways import Walls, carried, held, loose
-from solver.repair.wishes import Wishes
+from solver.geometry import ALONG_X, OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, turned, walls_beside
+from solver.pieces import Attach, Candidate, Piece, Stand
+from solver.repair.bodies import bounding_size, drawn_out, floor_bodies, size_of, tables_of, too_deep_mm
+from solver.repair.carried import Body, carriers, root_of, squared
+from solver.repair.room_problem import RoomProblem, Walls
+from solver.repair.settings import RepairSettings
 from solver.scene import Furniture, Room
-from solver.wanted import Alternative, Stand, Wanted
 
 FREE_COST = 1.0
 """What leaving its table costs a tucked chair."""
+MOVED_WEIGHT = 20.0
+"""Weight of a piece the user has just moved against 1 for the others."""
+OTHER_WALL_COST = 4.0
+"""What standing at another wall than the sent one costs: as much as moving 2 m."""
+OTHER_EDGE_COST = 0.05
+"""What standing at another stretch of the sent wall costs, where an outline has several."""
+WALL_FAR_MM = 200
+"""Contract, rule wall_far: a piece whose wall is set stays within this of the wall's line."""
 
 
 @dataclass(frozen=True)
-class _Sent:
-    """What decides the ways of a room's bodies."""
+class _Floor:
+    """The bodies on the floor of a room: which table each tucked chair is under, and who stays as sent."""
 
-    walls: Walls
-    wishes: Wishes
+    problem: RoomProblem
     tables: Mapping[str, Body]
-    held: frozenset[str]
+    held: Mapping[str, tuple[str, ...]]
 
 
-def wanted_as_sent(room: Room, walls: Walls, wishes: Wishes) -> tuple[Wanted, ...]:
-    """Turns a sent room into wanted pieces, most important first.
-
-    Args:
-        room: the room as sent.
-        walls: what its wall-hugging pieces may stand at.
-        wishes: what is locked and what was moved; pieces ask for their use sides where it knows some.
-    """
+def pieces_as_sent(problem: RoomProblem) -> tuple[Piece, ...]:
+    """Turns a sent room into pieces to place, most important first; they ask for their use sides."""
+    room, settings = problem.room, problem.settings
     bodies = floor_bodies(room)
-    by_id = {body.id: body for body in bodies}
-    sent = _Sent(walls, wishes, tables_of(bodies), frozenset(holders(room, wishes)))
-    order = sorted(range(len(bodies)), key=lambda k: _importance(bodies[k], wishes, k))
-    pieces = [_wanted(bodies[k], _alternatives(bodies[k], sent), wishes) for k in order]
-    return (*pieces, *_carried(room, by_id, wishes))
+    floor = _Floor(problem, tables_of(bodies), holders(room, settings))
+    bodies.sort(key=lambda body: _importance(body, settings))
+    pieces = [_piece(body, _candidates(body, floor), settings) for body in bodies]
+    return (*pieces, *_pieces_on_others(room, {body.id: body for body in bodies}, settings))
 
 
-def holders(room: Room, wishes: Wishes) -> dict[str, tuple[str, ...]]:
+def holders(room: Room, settings: RepairSettings) -> dict[str, tuple[str, ...]]:
     """Returns for every body on the floor that stays as sent the locked ids that make it: its own, or what it carries."""
     bodies = floor_bodies(room)
-    by_id, tables, parents = {body.id: body for body in bodies}, tables_of(bodies), carriers(room)
-    found: dict[str, list[str]] = {body.id: [body.id] for body in bodies if wishes.is_locked(body)}
-    for chair, table in tables.items():
-        if wishes.is_locked(by_id[chair]) and not too_deep_mm(by_id[chair], table):
+    by_id, parents = {body.id: body for body in bodies}, carriers(room)
+    found: dict[str, list[str]] = {body.id: [body.id] for body in bodies if settings.is_locked(body)}
+    for chair, table in tables_of(bodies).items():
+        if settings.is_locked(by_id[chair]) and not too_deep_mm(by_id[chair], table):
             found.setdefault(table.id, []).append(chair)
     for piece in room.furniture:
-        root = climb(piece.id, parents)
-        if piece.id in parents and root in by_id and wishes.is_locked(piece):
+        root = root_of(piece.id, parents)
+        if piece.id in parents and root in by_id and settings.is_locked(piece):
             found.setdefault(root, []).append(piece.id)
     return {label: tuple(ids) for label, ids in found.items()}
 
 
-def _wanted(body: Body, alternatives: tuple[Alternative, ...], wishes: Wishes) -> Wanted:
-    sides, need_all = wishes.uses.get(body.name, ((), False)) if isinstance(body, Furniture) else ((), False)
-    return Wanted(body.id, True, alternatives, stands=tuple(Stand(side) for side in sides), need_all=need_all)
+def _importance(body: Body, settings: RepairSettings) -> tuple[bool, bool, bool, bool, float]:
+    """Sorts locked before moved before required before large; what is tucked under something comes after it."""
+    tucked = isinstance(body, Furniture) and body.under is not None
+    required = body.name in settings.required_names
+    return (not settings.is_locked(body), tucked, body.id not in settings.moved, not required, -body.width * body.depth)
 
 
-def _alternatives(body: Body, sent: _Sent) -> tuple[Alternative, ...]:
-    table = sent.tables.get(body.id)
-    if body.id in sent.held:
-        return (held(body, None if table is not None and too_deep_mm(body, table) else table),)
-    ways = loose(body, sent.walls, sent.wishes)
-    if table is None or not isinstance(body, Furniture):
-        return ways
-    free = tuple(replace(way, cost=way.cost + FREE_COST) for way in ways)
-    return (replace(carried(drawn_out(body, table), table), under=table.id), *free)
+def _piece(body: Body, candidates: tuple[Candidate, ...], settings: RepairSettings) -> Piece:
+    sides, need_all = settings.use_sides.get(body.name, ((), False)) if isinstance(body, Furniture) else ((), False)
+    return Piece(body.id, True, candidates, stands=tuple(Stand(side) for side in sides), need_all=need_all)
 
 
-def _carried(room: Room, floor: Mapping[str, Body], wishes: Wishes) -> list[Wanted]:
+def _pieces_on_others(room: Room, floor: Mapping[str, Body], settings: RepairSettings) -> list[Piece]:
     """What stands on other pieces, rigid in the frame of the piece on the floor below it."""
     parents = carriers(room)
     pieces = []
     for piece in room.furniture:
-        root = floor.get(climb(piece.id, parents))
+        root = floor.get(root_of(piece.id, parents))
         if piece.id in parents and root is not None:
-            way = replace(carried(_brought_back(piece, root), root), on=parents[piece.id], bottom_mm=round(piece.y * 1000))
-            pieces.append(_wanted(piece, (way,), wishes))
+            way = replace(_in_frame(_brought_back(piece, root), root), on=parents[piece.id], bottom_mm=round(piece.y * 1000))
+            pieces.append(_piece(piece, (way,), settings))
     return pieces
+
+
+def _candidates(body: Body, floor: _Floor) -> tuple[Candidate, ...]:
+    """Returns the ways a body on the floor may stand, least costly first."""
+    table = floor.tables.get(body.id)
+    if body.id in floor.held:
+        fits_under = table is not None and not too_deep_mm(body, table)
+        return (replace(as_it_stands(body), under=table.id if table and fits_under else None),)
+    ways = _loose(body, floor.problem)
+    if table is None or not isinstance(body, Furniture):
+        return ways
+    free = tuple(replace(way, cost=way.cost + FREE_COST) for way in ways)
+    return (replace(_in_frame(drawn_out(body, table), table), under=table.id), *free)
+
+
+def as_it_stands(body: Body) -> Candidate:
+    """Returns the one candidate of a body that stays: its bounding rectangle where it is."""
+    rect = footprint(body)
+    return Candidate(
+        body.name,
+        bounding_size(body, rect),
+        squared(body.rotation),
+        anchor_mm=rect.centre,
+        within=rect,
+        bottom_mm=round(body.y * 1000),
+    )
+
+
+def _in_frame(child: Body, parent: Body) -> Candidate:
+    """The one way of a body that keeps its place in another's frame."""
+    turn = squared(parent.rotation)
+    own, other = footprint(child), footprint(parent)
+    dx = (own.x0 + own.x1 - other.x0 - other.x1) // 2
+    dz = (own.z0 + own.z1 - other.z0 - other.z1) // 2
+    across, along = rotate(dx, dz, -turn % 360)
+    attach = Attach(parent.id, parent.name, (across, across), (along, along))
+    rotation = (squared(child.rotation) - turn) % 360
+    return Candidate(child.name, bounding_size(child, own), rotation, attach=attach)
 
 
 def _brought_back(piece: Furniture, root: Body) -> Furniture:
@@ -105,9 +144,42 @@ def _nearest(at: float, low: int, high: int, extent: int) -> float:
     return (low + high) / 2000 if first > last else min(max(at, first / 1000), last / 1000)
 
 
-def _importance(body: Body, wishes: Wishes, k: int) -> tuple[bool, bool, bool, bool, float, int]:
-    """Sorts locked before moved before required before large; what is tucked under something comes after it."""
-    tucked = isinstance(body, Furniture) and body.under is not None
-    required = body.name in wishes.required_kinds
-    locked = wishes.is_locked(body)
-    return (not locked, tucked, body.id not in wishes.moved, not required, -body.width * body.depth, k)
+def _loose(body: Body, problem: RoomProblem) -> tuple[Candidate, ...]:
+    """The ways of a loose body, least costly first: as sent; for one with a wall also at the other walls."""
+    weight = MOVED_WEIGHT if body.id in problem.settings.moved else 1.0
+    anchor = (math.floor(body.x * 1000 + 0.5), math.floor(body.z * 1000 + 0.5))  # the snap takes halves down again
+    bottom = round(body.y * 1000)
+    sent = Candidate(body.name, size_of(body), squared(body.rotation), None, anchor, (weight, weight), bottom_mm=bottom)
+    wall = body.wall if isinstance(body, Furniture) else None
+    if wall is None:
+        return (sent,)
+    turn = (sent.rotation - ROTATION_AT_WALL[wall]) % 360
+    found = []
+    for other in (wall, *walls_beside(wall), OPPOSITE[wall]):
+        way = replace(sent, rotation=(ROTATION_AT_WALL[other] + turn) % 360, cost=0.0 if other == wall else OTHER_WALL_COST)
+        at_wall = _at_wall(way, other, problem.walls)
+        if other == wall:
+            rect = footprint(body)
+            at_wall.sort(key=lambda stretch: _outside(rect, stretch[1]))
+            at_wall[1:] = [(replace(later, cost=OTHER_EDGE_COST), region) for later, region in at_wall[1:]]
+        found += [stretch for stretch, _ in at_wall]
+    return tuple(found)
+
+
+def _at_wall(way: Candidate, wall: str, walls: Walls) -> list[tuple[Candidate, Rect]]:
+    """Returns a way at each stretch of one wall, and where its footprint may be there: at inner edges at least half before them."""
+    width, depth = turned(way.size_mm[0], way.size_mm[1], way.rotation)
+    across, along = (depth, width) if wall in ALONG_X else (width, depth)
+    slack = WALL_FAR_MM - walls.half_mm
+    outer = strip(walls.clear, wall, walls.clear.along(wall), across + slack)
+    found = [(replace(way, wall=wall, slack_mm=slack), outer)]
+    for name, line, start, end in walls.inner:
+        if name == wall:
+            region = walls.before((name, line, start - along // 2, end + along // 2), across + slack).common(walls.clear)
+            found.append((replace(way, wall=None, within=region), region))
+    return found
+
+
+def _outside(rect: Rect, region: Rect) -> int:
+    """Returns how far a footprint has to move to lie in a region, mm, both axes added."""
+    return max(0, region.x0 - rect.x0, rect.x1 - region.x1) + max(0, region.z0 - rect.z0, rect.z1 - region.z1)

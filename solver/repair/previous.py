@@ -1,19 +1,19 @@
 """Near the last answer: while a piece is dragged, the others stay where they were unless elsewhere is clearly better.
 
-Comes in: wanted pieces and the poses of the last answer. Goes out: wanted pieces that may only stand near those, who stands
-elsewhere. May import: the ground floor.
+Comes in: pieces and the poses of the last answer. Goes out: pieces that may only stand near those, who stands elsewhere. May
+import: the ground floor.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from solver.geometry import Rect, rotate, turned
-from solver.repair.bodies import squared
-from solver.repair.wishes import Wishes
+from solver.pieces import Arrangement, Attach, Candidate, Piece
+from solver.repair.carried import squared
 from solver.scene import Pose
-from solver.wanted import Alternative, Arrangement, Attach, Wanted
 
 REACH_MM = 200
 """How far along each axis a piece may go from its last pose without having jumped."""
@@ -24,30 +24,27 @@ Poses = Mapping[str, Pose]
 
 
 @dataclass(frozen=True)
-class Last:
+class LastAnswer:
     """The last answer, as seen from the next question.
 
     Args:
-        wanted: all pieces of the room.
+        pieces: all pieces of the room.
         clear: its clear rectangle.
         poses: of the last answer, by id.
-        wishes: pieces that were just moved are not bound to their poses.
+        moved: ids of what was just moved: that is not bound to its pose.
     """
 
-    wanted: Sequence[Wanted]
+    pieces: Sequence[Piece]
     clear: Rect
     poses: Poses
-    wishes: Wishes
+    moved: Collection[str]
 
-    def _bound(self, piece: Wanted) -> bool:
-        return piece.label in self.poses and piece.label not in self.wishes.moved
+    @cached_property
+    def bound(self) -> frozenset[str]:
+        """Labels of the pieces that are bound to a pose."""
+        return frozenset(piece.label for piece in self.pieces if piece.label in self.poses and piece.label not in self.moved)
 
-    @property
-    def known(self) -> bool:
-        """Whether any piece is bound to a pose."""
-        return any(self._bound(piece) for piece in self.wanted)
-
-    def near(self, free: Collection[str] = ()) -> tuple[Wanted, ...] | None:
+    def near(self, free: Collection[str] = ()) -> tuple[Piece, ...] | None:
         """Restricts pieces to the wall, the rotation and the neighbourhood of their last poses.
 
         Args:
@@ -56,40 +53,36 @@ class Last:
         Returns:
             The restricted pieces; None where one of them can have no such way.
         """
-        bound = [self._bound(piece) and piece.label not in free for piece in self.wanted]
-        found = [
-            replace(piece, alternatives=self._near(piece)) if is_bound else piece
-            for piece, is_bound in zip(self.wanted, bound, strict=True)
-        ]
-        return None if any(not piece.alternatives for piece in found) else tuple(found)
+        bound = self.bound.difference(free)
+        found = [replace(piece, candidates=self._near(piece)) if piece.label in bound else piece for piece in self.pieces]
+        return None if any(not piece.candidates for piece in found) else tuple(found)
 
     def jumped(self, answer: Arrangement) -> tuple[str, ...]:
         """Returns the labels of those who stand elsewhere in an answer; who is taken along by another does not jump."""
-        bound = {piece.label for piece in self.wanted if self._bound(piece)}
-        here = [placed for placed in answer.placed if placed.label in bound and placed.chosen.attach is None]
+        here = [placed for placed in answer.placed if placed.label in self.bound and placed.chosen.attach is None]
         return tuple(p.label for p in here if _is_elsewhere(p.footprint, p.rotation, self.poses[p.label]))
 
-    def places(self) -> tuple[tuple[Wanted, Rect | None], ...] | None:
+    def places(self) -> tuple[tuple[Piece, Rect | None], ...] | None:
         """Returns every piece in the way it stood in, and its place; none for those that stand where another takes them.
 
         Returns:
             In the pieces' order, those without a pose where they are wished; None where one has no such way.
         """
         found = []
-        for piece in self.wanted:
-            ways = self._near(piece) if piece.label in self.poses else piece.alternatives[:1]
-            way = next((own for own in piece.alternatives for near in ways if replace(own, within=near.within) == near), None)
+        for piece in self.pieces:
+            ways = self._near(piece) if piece.label in self.poses else piece.candidates[:1]
+            way = next((own for own in piece.candidates for near in ways if replace(own, within=near.within) == near), None)
             if way is None:
                 return None
             x, z = way.anchor_mm
             pose = self.poses.get(piece.label, Pose(piece.label, x / 1000, z / 1000))
             place = None if way.attach is not None else _rect(way, pose)
-            found.append((replace(piece, alternatives=(way,)), place))
+            found.append((replace(piece, candidates=(way,)), place))
         return tuple(found)
 
-    def _near(self, piece: Wanted) -> tuple[Alternative, ...]:
+    def _near(self, piece: Piece) -> tuple[Candidate, ...]:
         """Returns the ways that hold at a pose: at the parent's side where it was there, else near where it was."""
-        ways, pose = piece.alternatives, self.poses[piece.label]
+        ways, pose = piece.candidates, self.poses[piece.label]
         attached = tuple(way for way in ways if way.attach is not None)
         if attached and (len(attached) == len(ways) or all(_was_there(pose, way.attach, self.poses) for way in attached)):
             return attached
@@ -97,7 +90,7 @@ class Last:
         return tuple(way for way in free if way is not None)
 
 
-def _rect(way: Alternative, pose: Pose) -> Rect:
+def _rect(way: Candidate, pose: Pose) -> Rect:
     width, depth = turned(way.size_mm[0], way.size_mm[1], way.rotation)
     x, z = round(pose.x * 1000 - width / 2), round(pose.z * 1000 - depth / 2)
     return Rect(x, z, x + width, z + depth)
@@ -117,7 +110,7 @@ def _was_there(own: Pose, attach: Attach | None, poses: Poses) -> bool:
     return abs(across - attach.across_mm[0]) <= SAME_MM and abs(along - attach.along_mm[0]) <= SAME_MM
 
 
-def _around(way: Alternative, clear: Rect, pose: Pose) -> Alternative | None:
+def _around(way: Candidate, clear: Rect, pose: Pose) -> Candidate | None:
     """Returns a way kept within reach of a pose, or None where it is another rotation or lies elsewhere."""
     width, depth = turned(way.size_mm[0], way.size_mm[1], way.rotation)
     bounds = way.within or clear

@@ -1,136 +1,208 @@
-"""Decorations that float -> back on the nearest point of a surface, at their wall, or on the floor.
+"""What floats -> on what carries it, at its wall or on the floor, by the shortest way.
 
-Comes in: a sent Room and which of its decorations float. Goes out: the Room. May import: the ground floor, catalogs.
+Comes in: a room with what floats in it. Goes out: the Room; what lies on a thing that was moved comes along. May import: the
+ground floor, catalogs.
+
+Furniture comes back over what it says it stands on where that is near (it is over part of it still), where it was moved away from
+under the piece, and where its kind stands on other pieces alone, as room types' rules tell. Else it is set down where it is. One
+that is over another piece of a kind that carries it stands on that one from now on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from catalogs import Catalogs
 from catalogs.entries import Surface
-from solver.free_places import footprint
-from solver.geometry import Rect, to_mm
-from solver.repair.bodies import Body, above, all_bodies, carried_along, size_of
-from solver.scene import Decoration, Room
+from solver.free_places import footprint, nearest_place
+from solver.geometry import ALONG_X, Rect, to_mm
+from solver.repair.bodies import size_of
+from solver.repair.carried import Body, all_bodies, below, changed_from_the_floor_up, squared, with_bodies
+from solver.repair.room_problem import RoomProblem
+from solver.scene import Decoration, Furniture, Room
+
+MOST_BESIDE = 20
+"""Pieces on a carrier beside which a place for another is sought; on a fuller one they stand in each other."""
 
 
-def rested(room: Room, floating: Container[str], catalogs: Catalogs, wall_thickness: float) -> Room:
-    """Returns the room with the decorations of those ids where something carries them; the way there is the shortest.
-
-    A ring of things that lie on each other is opened: the first of them loses its parent and lies on the floor.
+@dataclass(frozen=True)
+class _Known:
+    """What decides where a room's floating furniture goes.
 
     Args:
-        room: as sent.
-        floating: ids.
-        catalogs: where the surfaces of known kinds are; other bodies carry on their tops.
-        wall_thickness: m.
+        problem: the room.
+        moved: ids of what was just moved.
+        carriers: by name of a piece, the names of what carries it by some room type's rules.
+        bound: names of pieces that no room type wants elsewhere than on another.
     """
-    half = (to_mm(wall_thickness) + 1) // 2
-    room = _opened(room, floating)
-    sent: dict[str, Body] = {body.id: body for body in all_bodies(room)}
-    bodies = dict(sent)
-    for thing in _parents_first(room):
-        after = carried_along(thing, sent.get(thing.parent or ""), bodies.get(thing.parent or ""))
-        bodies[thing.id] = _at_rest(after, bodies, room, half, catalogs) if thing.id in floating else after
-    things = [bodies[thing.id] for thing in room.decorations]
-    return replace(room, decorations=tuple(thing for thing in things if isinstance(thing, Decoration)))
+
+    problem: RoomProblem
+    moved: Container[str]
+    carriers: Mapping[str, frozenset[str]]
+    bound: frozenset[str]
 
 
-def _opened(room: Room, floating: Container[str]) -> Room:
-    """Returns the room with every ring of parents opened at the first of its things that may be moved."""
-    things = {thing.id: thing for thing in room.decorations}
-    for thing in room.decorations:
-        if thing.id in floating and thing.mounted_on_wall is None and _in_ring(thing, things):
-            things[thing.id] = replace(thing, parent=None)
-    return replace(room, decorations=tuple(things.values()))
+def put_to_rest(problem: RoomProblem, moved: Container[str]) -> Room:
+    """Returns the room with all that floats where something carries it; locked bodies stay.
+
+    What stands on something already goes where on it there is room. Furniture on others that the user moved goes there too
+    where it is in the way. A ring of things that carry each other is opened: the first of them stands on the floor.
+
+    Args:
+        problem: its errors say what floats.
+        moved: ids of what was just moved.
+    """
+    room, settings = problem.room, problem.settings
+    wrong = {label for issue in problem.errors for label in issue.ids}
+    floating = {label for issue in problem.errors if issue.rule == "floating" for label in issue.ids}
+    going = floating | {piece.id for piece in room.furniture if piece.id in wrong & settings.moved}
+    going -= {body.id for body in all_bodies(room) if settings.is_locked(body) or (isinstance(body, Furniture) and body.on is None)}
+    if not going:
+        return room
+    known = _Known(problem, moved, *_carrying_names(settings.catalogs))
+
+    def at_rest(body: Body, now: Mapping[str, Body]) -> Body:
+        if body.id not in going:
+            return body
+        return _carried(body, now, known) if isinstance(body, Furniture) else _laid(body, now, problem)
+
+    return changed_from_the_floor_up(_without_rings(room, going), at_rest)
 
 
-def _in_ring(thing: Decoration, things: Mapping[str, Decoration]) -> bool:
-    """Tells whether what carries a thing comes back to it; what hangs is carried by its wall."""
-    seen, at = set[str](), thing.parent or ""
-    while at in things and at not in seen and things[at].mounted_on_wall is None:
-        seen.add(at)
-        at = things[at].parent or ""
-    return thing.id in seen
+def _carrying_names(catalogs: Catalogs) -> tuple[Mapping[str, frozenset[str]], frozenset[str]]:
+    """Returns which names stand on which by some room type's rules, and those of them that stand nowhere else by any."""
+    found: dict[str, set[str]] = {}
+    free: set[str] = set()
+    for room_type in catalogs.rooms.values():
+        names = {piece.piece: {catalogs.name_of(variant.kind) for variant in piece.variants} for piece in room_type.pieces}
+        for piece in room_type.pieces:
+            rules = [rule for rule in piece.rules if rule.type == "on" and rule.required]
+            carriers = {name for rule in rules for label in rule.of for name in names.get(label, ())}
+            free |= set() if carriers else names[piece.piece]
+            for name in names[piece.piece] if carriers else ():
+                found.setdefault(name, set()).update(carriers)
+    return {name: frozenset(carriers) for name, carriers in found.items()}, frozenset(found.keys() - free)
 
 
-def _parents_first(room: Room) -> list[Decoration]:
-    """Returns a room's decorations, each after what carries it; a ring of parents in the document's order."""
-    parents = above(room)
-
-    def depth(thing: Decoration) -> int:
-        seen, at = {thing.id}, parents.get(thing.id)
-        while at is not None and at not in seen:
-            seen.add(at)
-            at = parents.get(at)
-        return len(seen)
-
-    return sorted(room.decorations, key=depth)
+def _without_rings(room: Room, going: Container[str]) -> Room:
+    """Returns the room with every ring of carriers opened at the first of its bodies that may be moved."""
+    said, opened = _said(all_bodies(room)), {body.id: body for body in all_bodies(room)}
+    for body in all_bodies(room):
+        if body.id in going and body.id in below(body.id, said):
+            del said[body.id]
+            opened[body.id] = replace(body, on=None, y=0.0) if isinstance(body, Furniture) else replace(body, parent=None)
+    return with_bodies(room, opened.values())
 
 
-def _at_rest(thing: Decoration, bodies: Mapping[str, Body], room: Room, half: int, catalogs: Catalogs) -> Decoration:
-    if thing.mounted_on_wall is not None:
-        return _at_wall(thing, room, half)
-    parent = bodies.get(thing.parent or "")
-    if parent is None:
-        return _placed(thing, _floor(room).shrunk(half), 0)
-    places = [(to_mm(parent.y) + height, rect) for height, rect in surfaces_of(parent, catalogs)]
-    level, rect = min(places, key=lambda place: abs(place[0] - to_mm(thing.y)))
-    return _placed(thing, rect, level)
+def _said(bodies: Iterable[Body]) -> dict[str, str]:
+    """Returns what every body says carries it; the wall carries what hangs."""
+    said = {body.id: body.on if isinstance(body, Furniture) else body.parent for body in bodies if not _hangs(body)}
+    return {label: parent for label, parent in said.items() if parent in said and parent is not None}
 
 
-def surfaces_of(parent: Body, catalogs: Catalogs, tall_mm: int = 0) -> Sequence[tuple[int, Rect]]:
+def _hangs(body: Body) -> bool:
+    return isinstance(body, Decoration) and body.mounted_on_wall is not None
+
+
+def _carried(piece: Furniture, now: Mapping[str, Body], known: _Known) -> Furniture:
+    """Returns a floating piece on what carries it best; set down where nothing does."""
+    pieces = {body.id: body for body in now.values() if isinstance(body, Furniture)}
+    own = pieces.get(piece.on or "")
+    names = known.carriers.get(piece.name, frozenset()) | ({own.name} if own else set())
+    on_it = {label for label in pieces if piece.id in (label, *below(label, _said(pieces.values())))} if names else set()
+    others = [other for other in pieces.values() if other.name in names and other is not own and other.id not in on_it]
+    rect = footprint(piece)
+    over = [other for other in others if _beside(rect, other) == 0]
+    if own is not None and not (over and _beside(rect, own)):
+        left = own.id in known.moved and piece.id not in known.moved
+        if left or piece.name in known.bound or rect.overlaps(footprint(own)):
+            return _put_on(piece, own, pieces, known)
+    if over or (own is None and others and piece.name in known.bound):
+        return _put_on(piece, min(over or others, key=lambda other: _beside(rect, other)), pieces, known)
+    return replace(piece, y=0.0, on=None)
+
+
+def _beside(rect: Rect, other: Furniture) -> int:
+    """Returns how far the middle of a rectangle is from a piece's footprint, doubled mm, both axes added."""
+    x, z, below_it = rect.x0 + rect.x1, rect.z0 + rect.z1, footprint(other)
+    return max(0, 2 * below_it.x0 - x, x - 2 * below_it.x1) + max(0, 2 * below_it.z0 - z, z - 2 * below_it.z1)
+
+
+def _put_on(piece: Furniture, carrier: Furniture, pieces: Mapping[str, Furniture], known: _Known) -> Furniture:
+    """Moves a piece onto a carrier by the shortest way, beside what stands there where there is room for both."""
+    own, height, base = footprint(piece), size_of(piece)[2], to_mm(carrier.y)
+    straight = replace(carrier, rotation=squared(carrier.rotation))
+    places = _surfaces(straight, known.problem.settings.catalogs, height)
+    level, surface = min(places, key=lambda place: abs(base + place[0] - to_mm(piece.y)))
+    area, bottom = _area(own, surface, footprint(straight)), base + level
+    blocks = _beside_on(piece, (carrier, area), (bottom, bottom + height), pieces)
+    blocks += [zone.rect for zone in known.problem.space.zones if zone.above_mm < bottom + height and zone.rect.overlaps(area)]
+    place = nearest_place(own, area, blocks) or nearest_place(own, area, ())
+    dx, dz = (place.x0 - own.x0, place.z0 - own.z0) if place else (0, 0)
+    x, z = round(piece.x + dx / 1000, 4), round(piece.z + dz / 1000, 4)
+    return replace(piece, x=x, y=bottom / 1000, z=z, on=carrier.id, wall=None if dx or dz else piece.wall)
+
+
+def _beside_on(piece: Furniture, to: tuple[Furniture, Rect], heights: tuple[int, int], pieces: Mapping[str, Furniture]) -> list[Rect]:
+    """Returns what is in a piece's way on its carrier (and in that area) at those heights, mm; nothing where there is too much."""
+    (carrier, area), (low, high) = to, heights
+    said = _said(pieces.values())
+    carriers = {carrier.id, *below(carrier.id, said)}
+    found: list[Rect] = []
+    for other in pieces.values():
+        level = other.y * 1000 < high and (other.y + other.height) * 1000 > low
+        if level and other.id not in carriers and piece.id not in (other.id, *below(other.id, said)):
+            rect = footprint(other)
+            found += [rect] if rect.overlaps(area) else []
+    return found if len(found) <= MOST_BESIDE else []
+
+
+def _area(own: Rect, surface: Rect, carrier: Rect) -> Rect:
+    """Returns where a footprint may be: within its carrier's with its middle over the surface; as it fits where it is larger."""
+    x0, x1 = _stretch(own.width, (surface.x0, surface.x1), (carrier.x0, carrier.x1))
+    z0, z1 = _stretch(own.depth, (surface.z0, surface.z1), (carrier.z0, carrier.z1))
+    return Rect(x0, z0, x1, z1)
+
+
+def _stretch(extent: int, surface: tuple[int, int], carrier: tuple[int, int]) -> tuple[int, int]:
+    half = extent // 2
+    low, high = max(carrier[0], surface[0] - half), min(carrier[1], surface[1] + half)
+    if high - low >= extent:
+        return low, high
+    start = (carrier[0] + carrier[1] - extent) // 2
+    return start, start + extent
+
+
+def _surfaces(carrier: Body, catalogs: Catalogs, tall_mm: int = 0) -> Sequence[tuple[int, Rect]]:
     """Returns a body's surfaces with so much free height above them: heights above its underside and rectangles, mm."""
-    rect = footprint(parent)
+    rect = footprint(carrier)
     known = [(entry.name or kind, entry.size, entry.surfaces) for kind, entry in catalogs.furniture.items()]
     known += [(kind, thing.size, thing.surfaces) for kind, thing in catalogs.decorations.items()]
-    size = (parent.width, parent.depth, parent.height)
-    found: tuple[Surface, ...] = next((carries for name, extent, carries in known if (name, extent) == (parent.name, size)), ())
+    size = (carrier.width, carrier.depth, carrier.height)
+    found: tuple[Surface, ...] = next((carries for name, extent, carries in known if (name, extent) == (carrier.name, size)), ())
     tall = [one for one in found if one.clearance is None or to_mm(one.clearance) >= tall_mm] or found
-    return [(to_mm(one.height), rect.shrunk(to_mm(one.inset))) for one in tall] or [(size_of(parent)[2], rect)]
+    return [(to_mm(one.height), rect.shrunk(to_mm(one.inset))) for one in tall] or [(size_of(carrier)[2], rect)]
 
 
-def _floor(room: Room) -> Rect:
-    return Rect(0, 0, to_mm(room.width), to_mm(room.depth))
+def _laid(thing: Decoration, now: Mapping[str, Body], problem: RoomProblem) -> Decoration:
+    """Returns a floating decoration at its wall, on the nearest surface of what carries it, or on the floor."""
+    if thing.mounted_on_wall is not None:
+        own, half = footprint(thing), problem.walls.half_mm
+        deep = own.depth if thing.mounted_on_wall in ALONG_X else own.width
+        edges = [(wall, line, start + half, end - half) for wall, line, start, end in problem.walls.edges]
+        faces = [problem.walls.before(edge, deep) for edge in edges if edge[0] == thing.mounted_on_wall]
+        hung = [_moved_into(thing, face, to_mm(thing.y)) for face in faces]
+        return min(hung, key=lambda place: abs(place.x - thing.x) + abs(place.z - thing.z), default=thing)
+    carrier = now.get(thing.parent or "")
+    if carrier is None:
+        return _moved_into(thing, problem.walls.clear, 0)
+    places = [(to_mm(carrier.y) + height, rect) for height, rect in _surfaces(carrier, problem.settings.catalogs)]
+    level, rect = min(places, key=lambda place: abs(place[0] - to_mm(thing.y)))
+    return _moved_into(thing, rect, level)
 
 
-def _at_wall(thing: Decoration, room: Room, half: int) -> Decoration:
-    """Moves a thing to the face of the nearest of the room's walls on its side, or leaves it where there is none."""
-    own = footprint(thing)
-    places = [_at_face(thing, wall, half, own) for side, wall in _walls(room) if side == thing.mounted_on_wall]
-    return min(places, key=lambda place: abs(place.x - thing.x) + abs(place.z - thing.z), default=thing)
-
-
-def _walls(room: Room) -> Iterator[tuple[str, Rect]]:
-    """Yields the sides and lines of a room's walls; those of an outline run clockwise around the floor, or all of them back."""
-    corners = [(to_mm(x), to_mm(z)) for x, z in room.outline or ()] or list(_corners(_floor(room)))
-    lines = list(zip(corners, [*corners[1:], corners[0]], strict=True))
-    if sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in lines) < 0:
-        lines = [(b, a) for a, b in lines]
-    for (x, z), (next_x, next_z) in lines:
-        side = ("north" if next_x > x else "south") if z == next_z else ("east" if next_z > z else "west")
-        yield side, Rect(min(x, next_x), min(z, next_z), max(x, next_x), max(z, next_z))
-
-
-def _corners(rect: Rect) -> tuple[tuple[int, int], ...]:
-    return (rect.x0, rect.z0), (rect.x1, rect.z0), (rect.x1, rect.z1), (rect.x0, rect.z1)
-
-
-def _at_face(thing: Decoration, wall: Rect, half: int, own: Rect) -> Decoration:
-    """Moves a thing against a wall's face, within that wall's ends."""
-    x0, z0, x1, z1 = wall
-    rect = {
-        "north": Rect(x0 + half, z0 + half, x1 - half, z0 + half + own.depth),
-        "south": Rect(x0 + half, z1 - half - own.depth, x1 - half, z1 - half),
-        "west": Rect(x0 + half, z0 + half, x0 + half + own.width, z1 - half),
-        "east": Rect(x1 - half - own.width, z0 + half, x1 - half, z1 - half),
-    }[thing.mounted_on_wall or ""]
-    return _placed(thing, rect, to_mm(thing.y))
-
-
-def _placed(thing: Decoration, area: Rect, level: int) -> Decoration:
+def _moved_into(thing: Decoration, area: Rect, level: int) -> Decoration:
     """Moves a thing into an area at a height by the shortest way; where it is larger than the area, onto its middle."""
     own = footprint(thing)
     x = _moved(thing.x, (own.x0, own.x1), (area.x0, area.x1))

@@ -100,7 +100,7 @@ def house_of(scene: Scene, issues: Sequence[Issue], measures: Mapping[str, Any])
         issues: what the validator says of it.
         measures: of the scene, with the catalogs (`validate.metrics`).
     """
-    certificate = scene.certificate or {}
+    certificate: Mapping[str, Any] = scene.certificate or {}
     rooms = tuple(_room(room, scene, issues, measures["rooms"][room.id], certificate["rooms"][room.id]) for room in scene.rooms)
     indoor = [room for room in scene.rooms if not room.outdoor]
     areas = {room.id: measures["rooms"][room.id]["area"] for room in indoor}

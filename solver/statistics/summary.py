@@ -5,17 +5,16 @@ Comes in: `House`s. Goes out: what JSON and YAML can say, in a fixed order. May 
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from typing import Any, Final, TypeAlias
+from statistics import fmean, quantiles
+from typing import Final
 
+from solver.plain import Document
 from solver.statistics.house import House, RoomFigures
 
-Document: TypeAlias = dict[str, Any]
 SHOWN: Final = 20
 """Issues that are listed with their seeds; the rest is counted."""
-QUANTILES: Final = {"p10": 0.1, "median": 0.5, "p90": 0.9}
 
 
 def summary(houses: Sequence[House], rules: Iterable[str]) -> Document:
@@ -46,16 +45,10 @@ def summary(houses: Sequence[House], rules: Iterable[str]) -> Document:
 
 def spread(values: Iterable[float]) -> dict[str, float]:
     """Returns the quantiles p10, median and p90 (linear between neighbours) and the mean of one value at least, to 4 decimals."""
-    ordered = sorted(values)
-    quantiles = {name: round(_quantile(ordered, share), 4) for name, share in QUANTILES.items()}
-    return quantiles | {"mean": round(math.fsum(ordered) / len(ordered), 4)}
-
-
-def _quantile(ordered: Sequence[float], share: float) -> float:
-    at = (len(ordered) - 1) * share
-    below = math.floor(at)
-    above = min(below + 1, len(ordered) - 1)
-    return ordered[below] + (ordered[above] - ordered[below]) * (at - below)
+    known = list(values)
+    tenths = quantiles(known, n=10, method="inclusive") if len(known) > 1 else known * 9
+    shown = {"p10": tenths[0], "median": tenths[4], "p90": tenths[8], "mean": fmean(known)}
+    return {name: round(value, 4) for name, value in shown.items()}
 
 
 def _counted(words: Iterable[str]) -> dict[str, int]:

@@ -10,14 +10,14 @@ from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
 DEEPEST: Final = 6
 """How many levels of things on things are indented; what lies deeper is shown at the last. Our choice."""
 
-Body = Furniture | Decoration | Dynamic
+ShownBody = Furniture | Decoration | Dynamic
 
 
 class Section(NamedTuple):
     """Bodies under one title, none of them lying on another."""
 
     title: str
-    bodies: Sequence[Body]
+    bodies: Sequence[ShownBody]
 
 
 def sections(room: Room, people: Sequence[Dynamic], carried: Mapping[str, Sequence[Decoration]]) -> Iterator[Section]:
@@ -67,9 +67,9 @@ def _carried_ids(room: Room, carried: Mapping[str, Sequence[Decoration]]) -> set
     return found
 
 
-def together(body: Body, carried: Mapping[str, Sequence[Decoration]], shown: set[str]) -> Iterator[tuple[int, Body]]:
+def together(body: ShownBody, carried: Mapping[str, Sequence[Decoration]], shown: set[str]) -> Iterator[tuple[int, ShownBody]]:
     """Yields a body and everything on it, each after what carries it, with its depth; `shown` keeps what was yielded."""
-    stack: list[tuple[int, Body]] = [(0, body)]
+    stack: list[tuple[int, ShownBody]] = [(0, body)]
     while stack:
         depth, item = stack.pop()
         if item.id not in shown:
@@ -78,7 +78,7 @@ def together(body: Body, carried: Mapping[str, Sequence[Decoration]], shown: set
             stack += [(min(depth + 1, DEEPEST), child) for child in reversed(carried.get(item.id, ()))]
 
 
-def remarks(body: Body) -> Iterator[str]:
+def remarks(body: ShownBody) -> Iterator[str]:
     """Says what else a body is to the room: on which wall, under or on what, locked."""
     if isinstance(body, Decoration) and body.mounted_on_wall:
         yield f"mounted on {body.mounted_on_wall} wall"

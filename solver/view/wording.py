@@ -11,14 +11,14 @@ from solver.scene import EXTERIOR, Opening, Room, Scene
 
 
 @dataclass(frozen=True)
-class Line:
+class TextLine:
     """A line of text and the id of the body it shows."""
 
     text: str
     shows: str | None = None
 
 
-def written(lines: Sequence[Line]) -> tuple[str, tuple[str | None, ...]]:
+def written(lines: Sequence[TextLine]) -> tuple[str, tuple[str | None, ...]]:
     """Returns the text of the lines, and for each of them the id of the body it shows, or None."""
     return "\n".join(line.text for line in lines) + "\n", tuple(line.shows for line in lines)
 

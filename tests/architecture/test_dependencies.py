@@ -44,7 +44,8 @@ def needed(requirements: Iterable[Requirement]) -> set[str]:
 def licences(name: str) -> str:
     """What a distribution says of its licence: expression, classifiers, else the first line of the free text."""
     metadata = distribution(name).metadata
-    expression = metadata.get("License-Expression") or (metadata.get("License") or "").split("\n")[0]
+    said = metadata.json
+    expression = str(said.get("license_expression") or str(said.get("license") or "").split("\n")[0])
     classifiers = [line for line in metadata.get_all("Classifier") or [] if line.startswith("License ::")]
     return EXCEPTION.sub("", " ; ".join([expression, *classifiers]))
 

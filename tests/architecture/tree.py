@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGES = ("catalogs", "solver", "service")
+PACKAGES = ("catalogs", "solver", "service", "compose_homes")
 
 
 @dataclass(frozen=True)

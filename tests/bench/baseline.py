@@ -55,8 +55,8 @@ class _Arrays:
         P, self.q, self.constant = np.zeros((self.n, self.n)), np.zeros(self.n), 0.0
         for term in problem.terms:
             shift, w = self.shift[term.axis], 2 * term.weight
-            wish = term.wish if hasattr(term, "wish") else term.offset
-            signs = [(shift + term.i, 1.0)] if hasattr(term, "wish") else [(shift + term.j, 1.0), (shift + term.i, -1.0)]
+            wish = term.offset
+            signs = [(shift + term.j, 1.0), *([(shift + term.i, -1.0)] if term.i >= 0 else [])]
             for a, sign_a in signs:
                 self.q[a] -= w * wish * sign_a
                 for b, sign_b in signs:

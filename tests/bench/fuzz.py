@@ -20,8 +20,8 @@ from dataclasses import dataclass, field
 
 from tqdm import tqdm
 
+from solver.pieces import Arrangement, Piece, Space
 from solver.placement import feasible, minimal_conflict, place
-from solver.wanted import Arrangement, Space, Wanted
 from tests.bench.fuzz_rooms import fuzz_room
 from tests.oracles.paths import stand_and_walk
 from tests.oracles.room import stand_together
@@ -65,7 +65,7 @@ def chunk(job: tuple[int, int, bool]) -> Tally:
     return tally
 
 
-def judged(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement, judge: Judge) -> list[str]:
+def judged(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, judge: Judge) -> list[str]:
     """Lists what is wrong with an arrangement, and counts.
 
     An optional piece that cannot be walked to must not stand; a required one may, and counts as blocked.
@@ -85,7 +85,7 @@ def judged(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement, jud
     return wrong
 
 
-def conflicts(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement, judge: Judge) -> list[str]:
+def conflicts(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, judge: Judge) -> list[str]:
     """Asks why required pieces were left out; lists the conflicts that are none or not minimal, and what need not be left out."""
     oracle, counts = judge
     there = {piece.label for piece in arrangement.placed}
@@ -104,13 +104,13 @@ def conflicts(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement, 
     return wrong
 
 
-def not_minimal(space: Space, members: Sequence[Wanted], oracle: bool) -> list[str]:
+def not_minimal(space: Space, members: Sequence[Piece], oracle: bool) -> list[str]:
     """Lists what speaks against a conflict: its members can stand, or without one of them the rest cannot.
 
     Who leaves a member out leaves out with it what can only stand attached to it.
     """
 
-    def verdict(pieces: Sequence[Wanted]) -> bool | None:
+    def verdict(pieces: Sequence[Piece]) -> bool | None:
         return stand_together(space, pieces).verdict if oracle else feasible(space, pieces)
 
     names = ", ".join(piece.label for piece in members)
@@ -121,12 +121,12 @@ def not_minimal(space: Space, members: Sequence[Wanted], oracle: bool) -> list[s
     return wrong
 
 
-def without(members: Sequence[Wanted], gone: Wanted) -> list[Wanted]:
+def without(members: Sequence[Piece], gone: Piece) -> list[Piece]:
     """Returns the members but one and all that then have nothing left to be attached to."""
-    kept: list[Wanted] = []
+    kept: list[Piece] = []
     for piece in members:  # parents come first
         there = {other.label for other in kept}
-        hangs = bool(piece.alternatives) and all(a.attach is not None and a.attach.parent not in there for a in piece.alternatives)
+        hangs = bool(piece.candidates) and all(a.attach is not None and a.attach.parent not in there for a in piece.candidates)
         if piece.label != gone.label and not hangs:
             kept.append(piece)
     return kept

@@ -7,19 +7,19 @@ companions tied, sliding, tucked under and on top, at named slots; use sides, an
 from __future__ import annotations
 
 from solver.geometry import ROTATION_AT_WALL, Rect, strip
+from solver.pieces import Attach, Candidate, Doorway, Link, Piece, Space, Stand, Zone
 from solver.streams import Stream
-from solver.wanted import Alternative, Attach, Doorway, Link, Space, Stand, Wanted, Zone
 
 WALLS = tuple(ROTATION_AT_WALL)
 SIDES = ("front", "back", "left", "right")
 Size = tuple[int, int, int]
 
 
-def fuzz_room(seed: int) -> tuple[Space, tuple[Wanted, ...]]:
+def fuzz_room(seed: int) -> tuple[Space, tuple[Piece, ...]]:
     """Returns the room of a seed: 1-9 pieces on 2.5-16 m2."""
     stream = Stream(seed, "fuzz")
     space = _space(stream)
-    pieces: list[Wanted] = []
+    pieces: list[Piece] = []
     count = 1 + stream.below(9)
     required = stream.below(min(count, 5) + 1)
     for k in range(count):
@@ -62,15 +62,15 @@ def _size(stream: Stream) -> Size:
     return 200 + stream.below(1500), 200 + stream.below(700), 300 + stream.below(1800)
 
 
-def _wanted(space: Space, stream: Stream, earlier: list[Wanted], named: tuple[str, bool]) -> Wanted:
+def _wanted(space: Space, stream: Stream, earlier: list[Piece], named: tuple[str, bool]) -> Piece:
     label, required = named
-    floor = [piece for piece in earlier if not any(a.on for a in piece.alternatives)]
+    floor = [piece for piece in earlier if not any(a.on for a in piece.candidates)]
     if floor and stream.chance(0.08):
-        return Wanted(label, required, _on_top(stream, stream.pick(floor), label))
+        return Piece(label, required, _on_top(stream, stream.pick(floor), label))
     sizes = [_size(stream)]
     if stream.chance(0.3):
         sizes.append((max(sizes[0][0] * 2 // 3, 150), sizes[0][1], sizes[0][2]))
-    alternatives: list[Alternative] = []
+    alternatives: list[Candidate] = []
     for order, size in enumerate(sizes):
         kind, cost = f"{label}/{order}", 0.7 * order
         if floor and stream.chance(0.3):
@@ -81,7 +81,7 @@ def _wanted(space: Space, stream: Stream, earlier: list[Wanted], named: tuple[st
             alternatives += _free(space, stream, (kind, size, cost))
     stands = _stands(stream)
     links = (_link(stream, stream.pick(earlier)),) if earlier and stream.chance(0.25) else ()
-    return Wanted(label, required, tuple(alternatives), links, stands, stream.chance(0.3))
+    return Piece(label, required, tuple(alternatives), links, stands, stream.chance(0.3))
 
 
 def _stands(stream: Stream) -> tuple[Stand, ...]:
@@ -89,7 +89,7 @@ def _stands(stream: Stream) -> tuple[Stand, ...]:
     return tuple(Stand(side) for side in sides)
 
 
-def _at_walls(space: Space, stream: Stream, of: tuple[str, Size, float]) -> list[Alternative]:
+def _at_walls(space: Space, stream: Stream, of: tuple[str, Size, float]) -> list[Candidate]:
     """One alternative or two for each of some walls, now and then with slack."""
     kind, size, cost = of
     found = []
@@ -101,11 +101,11 @@ def _at_walls(space: Space, stream: Stream, of: tuple[str, Size, float]) -> list
             anchor = (along, 0) if wall in ("north", "south") else (0, along)
             weights = (stream.pick((0.02, 0.3, 1.0, 20.0)), stream.pick((0.02, 0.3, 1.0, 20.0)))
             more = stream.below(30) / 10
-            found.append(Alternative(kind, size, ROTATION_AT_WALL[wall], wall, anchor, weights, cost=cost + more, slack_mm=slack))
+            found.append(Candidate(kind, size, ROTATION_AT_WALL[wall], wall, anchor, weights, cost=cost + more, slack_mm=slack))
     return found
 
 
-def _free(space: Space, stream: Stream, of: tuple[str, Size, float]) -> list[Alternative]:
+def _free(space: Space, stream: Stream, of: tuple[str, Size, float]) -> list[Candidate]:
     """Two or four rotations about one anchor, now and then kept within a part of the room."""
     kind, size, cost = of
     clear = space.clear
@@ -115,15 +115,15 @@ def _free(space: Space, stream: Stream, of: tuple[str, Size, float]) -> list[Alt
         x, z = clear.x0 + stream.below(clear.width // 2), clear.z0 + stream.below(clear.depth // 2)
         within = Rect(x, z, min(x + clear.width * 2 // 3, clear.x1), min(z + clear.depth * 2 // 3, clear.z1))
     turns = stream.pick(((0, 90), (0, 90, 180, 270), (180,)))
-    return [Alternative(kind, size, turn, None, anchor, (0.5, 0.5), within, cost + 0.1 * k) for k, turn in enumerate(turns)]
+    return [Candidate(kind, size, turn, None, anchor, (0.5, 0.5), within, cost + 0.1 * k) for k, turn in enumerate(turns)]
 
 
-def _companions(stream: Stream, parent: Wanted, of: tuple[str, Size, float]) -> list[Alternative]:
+def _companions(stream: Stream, parent: Piece, of: tuple[str, Size, float]) -> list[Candidate]:
     """One slot at each of some sides of every variant of an earlier piece."""
     kind, size, cost = of
     size = (min(size[0], 700), min(size[1], 600), size[2])
     found = []
-    variants = {(a.kind, a.size_mm): None for a in parent.alternatives}
+    variants = {(a.kind, a.size_mm): None for a in parent.candidates}
     gap, slide = stream.below(400), stream.pick((0, 0, 150, 401))
     tucked = stream.chance(0.3)
     for parent_kind, (wide, deep, _) in variants:
@@ -138,24 +138,24 @@ def _companions(stream: Stream, parent: Wanted, of: tuple[str, Size, float]) -> 
                 at = ((across, across) if side == "right" else (-across, -across), (-slide, slide))
             attach = Attach(parent.label, parent_kind, *at, slot=side if stream.chance(0.8) else "")
             under = parent.label if tucked else None
-            found.append(Alternative(kind, size, turn, weights=(0.3, 0.3), cost=cost + 0.05 * order, attach=attach, under=under))
+            found.append(Candidate(kind, size, turn, weights=(0.3, 0.3), cost=cost + 0.05 * order, attach=attach, under=under))
     return found
 
 
-def _on_top(stream: Stream, parent: Wanted, kind: str) -> tuple[Alternative, ...]:
+def _on_top(stream: Stream, parent: Piece, kind: str) -> tuple[Candidate, ...]:
     """Anywhere on top of every variant of an earlier piece."""
-    variants = {(a.kind, a.size_mm): None for a in parent.alternatives}
+    variants = {(a.kind, a.size_mm): None for a in parent.candidates}
     wide, deep = (min(size[axis] for _, size in variants) for axis in (0, 1))
     size = (50 + stream.below(wide - 50), 50 + stream.below(deep - 50), 100 + stream.below(600))
     found = []
     for parent_kind, (parent_wide, parent_deep, high) in variants:
         room = ((parent_wide - size[0]) // 2, (parent_deep - size[1]) // 2)
         attach = Attach(parent.label, parent_kind, (-room[0], room[0]), (-room[1], room[1]), "top")
-        found.append(Alternative(kind, size, 0, weights=(0.3, 0.3), bottom_mm=high, attach=attach, on=parent.label))
+        found.append(Candidate(kind, size, 0, weights=(0.3, 0.3), bottom_mm=high, attach=attach, on=parent.label))
     return tuple(found)
 
 
-def _link(stream: Stream, other: Wanted) -> Link:
+def _link(stream: Stream, other: Piece) -> Link:
     turn = stream.pick((None, None, 0, 180))
     walls = stream.pick((None, "opposite", "same", "other", "adjacent"))
     pull = 0.2 if stream.chance(0.4) else 0.0

@@ -7,13 +7,13 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from solver.placement.kernel.search import search
+from solver.placement.kernel import compiled_kernel
 from solver.placement.problem import Problem
-from solver.placement.search import laid_out, solve
 from tests.bench.baseline import Guess, guess
 from tests.bench.rooms import house_problems, room_problem
 from tests.oracles import sums
 from tests.oracles.optimum import Optimum, optimum
+from tests.oracles.problems import laid_out, solve
 from tests.oracles.verdict import verdict
 
 LIMIT = 20_000
@@ -51,7 +51,7 @@ def stage(problems: Sequence[Problem]) -> Callable[[], None]:
 
     def run() -> None:
         for engine in engines:
-            search(engine, LIMIT, float("inf"), False)
+            compiled_kernel().search(engine, LIMIT, float("inf"), False)
 
     return run
 
@@ -100,5 +100,5 @@ def against_optimum(job: tuple[int, float]) -> tuple[Found, float, Optimum]:
 def house(seed: int) -> tuple[float, int]:
     """Returns the CPU seconds of searching all rooms of a house, rooms that HiGHS calls possible, and its pieces."""
     problems = house_problems(seed, lambda problem: verdict(problem) is True)
-    pieces = sum(not part.stand for problem in problems for part in problem.parts)
+    pieces = sum(not part.stand for problem in problems for part in problem.boxes)
     return cpu_of(stage(problems)), pieces

@@ -12,10 +12,9 @@ from dataclasses import dataclass, field
 from itertools import combinations
 
 from solver.geometry import FACING, ROTATION_AT_WALL, Rect, rotate, strip, turned
-from solver.placement.constraints import Part, Row, apart, clear_of
-from solver.placement.problem import Problem
-from solver.placement.terms import Anchor, Pull
+from solver.placement.problem import DifferenceRow, Problem, ProblemBox, Term
 from solver.streams import Stream
+from tests.oracles.problems import anchor, apart, choose, clear_of, new_variable
 
 PERSON_MM = 600
 WALLS = tuple(ROTATION_AT_WALL)
@@ -65,7 +64,7 @@ class Room:
     tucked: set[tuple[str, str]] = field(default_factory=set)
     """Pairs that may overlap."""
 
-    def body(self, label: str, size: Size, wall: str | None) -> Part:
+    def body(self, label: str, size: Size, wall: str | None) -> ProblemBox:
         """Adds a piece at a wall, 30 mm off its face, or free."""
         turn = ROTATION_AT_WALL[wall] if wall else 90 * self.stream.below(4)
         extent = turned(size[0], size[1], turn)
@@ -74,18 +73,18 @@ class Room:
         if wall:
             axis = 1 if wall in ("north", "south") else 0
             low[axis] = high[axis] = low[axis] + 30 if wall in ("north", "west") else high[axis] - 30
-        var = (self.problem.variable(0, low[0], high[0]), self.problem.variable(1, low[1], high[1]))
+        var = (new_variable(self.problem, 0, low[0], high[0]), new_variable(self.problem, 1, low[1], high[1]))
         for axis in (0, 1):
             wish = low[axis] / 1000 + self.stream.unit() * (high[axis] - low[axis]) / 1000
-            self.problem.terms.append(Anchor(axis, var[axis], wish, self.stream.pick((0.05, 0.3, 1.0, 4.0))))
-        return self._part(Part(label, False, var, (0, 0), extent, 0, size[2]), turn)
+            self.problem.terms.append(anchor(axis, var[axis], wish, self.stream.pick((0.05, 0.3, 1.0, 4.0))))
+        return self._part(ProblemBox(label, False, var, (0, 0), extent, 0, size[2]), turn)
 
-    def _part(self, part: Part, turn: int) -> Part:
-        self.problem.parts.append(part)
+    def _part(self, part: ProblemBox, turn: int) -> ProblemBox:
+        self.problem.boxes.append(part)
         self.turns[part.label] = turn
         return part
 
-    def companion(self, label: str, parent: Part, size: Size, place: tuple[str, int, int]) -> Part:
+    def companion(self, label: str, parent: ProblemBox, size: Size, place: tuple[str, int, int]) -> ProblemBox:
         """Adds a piece at a side of another, `gap` mm from it, free to slide by `slide` mm each way (0: a rigid tie)."""
         side, gap, slide = place
         turn = self.turns[parent.label]
@@ -101,22 +100,24 @@ class Room:
                 self._within(axis, var[axis], offset[axis], extent[axis])
             else:
                 var[axis] = self._sliding(axis, parent, extent[axis], (at - slide, at + slide))
-        return self._part(Part(label, False, (var[0], var[1]), (offset[0], offset[1]), extent, 0, size[2]), turn)
+        return self._part(ProblemBox(label, False, (var[0], var[1]), (offset[0], offset[1]), extent, 0, size[2]), turn)
 
     def _within(self, axis: int, variable: int, offset: int, extent: int) -> None:
         low, high = (self.clear.x0, self.clear.x1) if axis == 0 else (self.clear.z0, self.clear.z1)
-        self.problem.tighten(axis, variable, low - offset, high - extent - offset)
+        own = self.problem
+        own.low[axis][variable] = max(own.low[axis][variable], low - offset)
+        own.high[axis][variable] = min(own.high[axis][variable], high - extent - offset)
 
-    def _sliding(self, axis: int, parent: Part, extent: int, between: tuple[int, int]) -> int:
+    def _sliding(self, axis: int, parent: ProblemBox, extent: int, between: tuple[int, int]) -> int:
         """Adds a variable tied to a parent by two rows and drawn to their middle."""
         low, high = (self.clear.x0, self.clear.x1) if axis == 0 else (self.clear.z0, self.clear.z1)
-        own = self.problem.variable(axis, low, high - extent)
+        own = new_variable(self.problem, axis, low, high - extent)
         least, most = (parent.offset[axis] + end for end in between)
-        self.problem.rows += [Row(axis, parent.var[axis], own, least), Row(axis, own, parent.var[axis], -most)]
-        self.problem.terms.append(Pull(axis, parent.var[axis], own, (least + most) / 2000, 0.02))
+        self.problem.rows += [DifferenceRow(axis, parent.var[axis], own, least), DifferenceRow(axis, own, parent.var[axis], -most)]
+        self.problem.terms.append(Term(axis, parent.var[axis], own, (least + most) / 2000, 0.02))
         return own
 
-    def stand(self, body: Part) -> None:
+    def stand(self, body: ProblemBox) -> None:
         """Adds a person's square that touches the front of a piece and slides along it."""
         dx, dz = FACING[self.turns[body.label]]
         normal = 0 if dx else 1
@@ -127,18 +128,18 @@ class Room:
         half, along = PERSON_MM // 2, 1 - normal
         var[along] = self._sliding(along, body, PERSON_MM, (-half, body.extent[along] - half))
         extent = (PERSON_MM, PERSON_MM)
-        self.problem.parts.append(Part(body.label, True, (var[0], var[1]), (offset[0], offset[1]), extent, 0, 1800))
+        self.problem.boxes.append(ProblemBox(body.label, True, (var[0], var[1]), (offset[0], offset[1]), extent, 0, 1800))
 
     def close(self) -> Problem:
         """Adds the choices: every pair of solids apart, every solid clear of the zones it reaches up to."""
-        for part in self.problem.parts:
+        for part in self.problem.boxes:
             for k, (rect, above) in enumerate(self.zones):
                 if not part.stand and part.top > above:
-                    self.problem.choose(part.label, f"zone_{k}", clear_of(part, rect))
-        for a, b in combinations(self.problem.parts, 2):
+                    choose(self.problem, part.label, f"zone_{k}", clear_of(part, rect))
+        for a, b in combinations(self.problem.boxes, 2):
             together = a.label == b.label or (a.stand and b.stand)
             if not together and (a.stand or b.stand or (a.label, b.label) not in self.tucked):
-                self.problem.choose(a.label, b.label, apart(a, b))
+                choose(self.problem, a.label, b.label, apart(a, b))
         return self.problem
 
 
@@ -192,7 +193,7 @@ def _wall_for(room: Room, left: dict[str, int], size: Size) -> str | None:
     return wall
 
 
-def _companions(room: Room, name: str, parent: Part, count: int) -> None:
+def _companions(room: Room, name: str, parent: ProblemBox, count: int) -> None:
     size: Size
     for k in range(count):
         label = f"{parent.label}_{k}"
@@ -222,7 +223,7 @@ def room_problem(seed: int, count: int | None = None) -> Problem:
     covered = sum(size[0] * size[1] for _, size, _ in drawn) / 1e6 + 0.25 * sum(companions for *_, companions in drawn)
     room = Room(_floor(stream, covered), stream)
     left = _openings(room)
-    bodies: list[Part] = []
+    bodies: list[ProblemBox] = []
     for k, (name, size, companions) in enumerate(drawn):
         wall = _wall_for(room, left, size) if SORTS[name].wall else None
         bodies.append(room.body(f"{name}_{k}", size, wall))
@@ -233,7 +234,7 @@ def room_problem(seed: int, count: int | None = None) -> Problem:
         if stream.chance(0.1):
             axis = stream.below(2)
             offset = (a.extent[axis] - b.extent[axis]) / 2000
-            room.problem.terms.append(Pull(axis, a.var[axis], b.var[axis], offset, stream.pick((0.1, 0.5))))
+            room.problem.terms.append(Term(axis, a.var[axis], b.var[axis], offset, stream.pick((0.1, 0.5))))
     return room.close()
 
 

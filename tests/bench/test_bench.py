@@ -6,22 +6,21 @@ from dataclasses import replace
 
 import pytest
 
-from solver.placement.constraints import Part
-from solver.placement.problem import Problem
-from solver.placement.search import solve
+from solver.placement.problem import Problem, ProblemBox
 from tests.bench.__main__ import gap, guess_lines, optimum_lines, verdict_lines
 from tests.bench.baseline import guess
 from tests.bench.measure import Found, Measured, against_optimum, found, measure
 from tests.bench.rooms import HOUSE, house_problems, room_problem
 from tests.oracles import sums
 from tests.oracles.optimum import Optimum
+from tests.oracles.problems import solve
 from tests.oracles.verdict import verdict, witness
 
 SEEDS = range(120)
 
 
-def bodies(problem: Problem) -> list[Part]:
-    return [part for part in problem.parts if not part.stand]
+def bodies(problem: Problem) -> list[ProblemBox]:
+    return [part for part in problem.boxes if not part.stand]
 
 
 def cover(problem: Problem) -> float:
@@ -42,7 +41,7 @@ def test_the_rooms_are_as_many_and_as_full_as_said() -> None:
     assert covers[-1] < 0.5
     assert covers[12] < 0.2
     assert covers[-12] > 0.4
-    assert any(part.stand for problem in problems for part in problem.parts)
+    assert any(part.stand for problem in problems for part in problem.boxes)
 
 
 def test_a_house_has_thirteen_possible_rooms_of_eighty_pieces() -> None:

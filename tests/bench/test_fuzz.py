@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from solver.geometry import Rect
+from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.placement import place
-from solver.wanted import Arrangement, Placed, Space, Wanted
 from tests.bench.fuzz import fuzz
 from tests.bench.fuzz_rooms import fuzz_room
 from tests.oracles.rules import faults, unreached
@@ -26,7 +26,7 @@ def test_random_rooms_are_exactly_as_asked_and_conflicts_minimal(block: int) -> 
     assert tally.counts["conflicts"] > 0
 
 
-def full_room() -> tuple[Space, tuple[Wanted, ...], Arrangement]:
+def full_room() -> tuple[Space, tuple[Piece, ...], Arrangement]:
     """The first room of the fuzz in which five pieces stand and no door or use is blocked."""
     for seed in range(100):
         space, wanted = fuzz_room(seed)

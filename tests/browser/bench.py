@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -14,7 +15,6 @@ from tests.browser.cost import (
     HOME,
     LEAST,
     MAX_DRAW_CALLS,
-    MAX_REBUILD_MS,
     MAX_SCRIPT_BYTES,
     WRITTEN,
     Cost,
@@ -35,6 +35,8 @@ from tests.browser.visit import Visit
 from tests.chromium import FLAGS, bring
 
 TIMES = 20
+MAX_REBUILD_MS = 50
+"""What a rebuild may take of the processor of the machine that the figures are measured on."""
 OPENINGS = 3
 """Pages opened anew."""
 OTHERS = 10
@@ -123,7 +125,7 @@ def other_table(cost: Cost) -> str:
         ("draw calls without the shadow pass", f"{cost.draw_calls}", f"{MAX_DRAW_CALLS} at most"),
         ("draw calls of the shadow pass", f"{cost.shadow_calls}", ""),
         ("triangles", f"{cost.triangles:,}", ""),
-        ("frames in a second in which nothing changes", f"{cost.idle_frames}", "0"),
+        ("frames while the browser shows 60 and nothing changes", f"{cost.idle_frames}", "0"),
         ("page script, gzip [KB]", f"{script_bytes() / 1024:.0f}", f"{MAX_SCRIPT_BYTES // 1024} at most"),
     ]
     return "\n".join(["| of that home | measured | wanted |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)])
@@ -136,8 +138,8 @@ def fresh(browser: Browser, address: str) -> Visit:
     return Visit(browser.new_page(viewport={"width": 1000, "height": 600}), address)
 
 
-def main() -> None:
-    """Measures the built page in headless Chromium and prints the tables."""
+def main() -> int:
+    """Measures the built page in headless Chromium and prints the tables; returns 1 where a rebuild takes too long."""
     path = bring()
     with running() as service, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
@@ -151,7 +153,8 @@ def main() -> None:
         show(visit, thinned(scene, LEAST))
         print(times_table([measured(visit, TIMES), whole], firsts, others), other_table(whole), sep="\n\n")
         browser.close()
+    return int(cpu(whole.rebuilds).median_ms > MAX_REBUILD_MS)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

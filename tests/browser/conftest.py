@@ -1,16 +1,42 @@
-"""What the browser tests share: the real service, and a visit to its page."""
+"""What the browser tests share: a Chromium, the real service, and a visit to its page."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from tests.browser.service_process import ServiceProcess, running
 from tests.browser.visit import ANSWER_MS, Visit
+from tests.chromium import FLAGS, executable
+
+PIXEL_RATIO = 0.5
+"""The canvas has a pixel for two of CSS each way: without a graphics card every pixel costs."""
 
 expect.set_options(timeout=ANSWER_MS)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """A headless Chromium with WebGL, one for the whole run."""
+    path = executable()
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=path, args=FLAGS, timeout=ANSWER_MS)
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    """A new browser page of 1000 x 600, which remembers nothing and shows no flights; an error that the page throws fails the test."""
+    context = browser.new_context(viewport={"width": 1000, "height": 600}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce")
+    page = context.new_page()
+    faults: list[str] = []
+    page.on("pageerror", lambda fault: faults.append(str(fault)))
+    yield page
+    context.close()
+    assert faults == []
 
 
 @pytest.fixture(scope="session")
@@ -22,6 +48,12 @@ def service() -> Iterator[ServiceProcess]:
 
 @pytest.fixture
 def visit(page: Page, service: ServiceProcess) -> Visit:
-    """A browser page that has not opened anything yet; small, since without a graphics card every pixel counts."""
-    page.set_viewport_size({"width": 1000, "height": 600})
+    """A browser page that has not opened anything yet."""
     return Visit(page, service.address)
+
+
+@pytest.fixture
+def moving(visit: Visit) -> Visit:
+    """A visit of someone to whom the page shows what moves."""
+    visit.page.emulate_media(reduced_motion="no-preference")
+    return visit

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from PIL import Image
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 
 from tests.browser.service_process import ROOT, running
 from tests.browser.visit import Visit
@@ -17,8 +17,8 @@ from tests.chromium import FLAGS, bring
 FOLDER = ROOT / "web" / "pictures"
 HOUSE = "?program=family&decorate=true&style=scandi&seed=11"
 ROOM = "?program=one_bed&decorate=true&style=mid_century&seed=12"
-PAGE_SIZE = {"width": 1440, "height": 860}
-DRAG_SIZE = {"width": 1180, "height": 620}
+PAGE_SIZE: ViewportSize = {"width": 1440, "height": 860}
+DRAG_SIZE: ViewportSize = {"width": 1180, "height": 620}
 DRAG_M = 1.2
 NEARER = 7
 """How often the wheel is turned towards the room."""

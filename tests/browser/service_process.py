@@ -13,7 +13,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "service" / "static" / "index.html"
 ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/")
-STOP_S = 15
 
 
 @dataclass
@@ -22,11 +21,6 @@ class ServiceProcess:
 
     process: subprocess.Popen[str]
     address: str
-
-    def stop(self) -> None:
-        """End the process; nothing happens when it has ended."""
-        self.process.terminate()
-        self.process.communicate(timeout=STOP_S)
 
 
 @contextmanager

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from playwright.sync_api import Route, expect
+from playwright.sync_api import Route, ViewportSize, expect
 
-from tests.browser.visit import SMALL, Visit
+from tests.browser.visit import SMALL, Visit, sent_by
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 RUN = "() => axe.run().then(found => found.violations.map(one => `${one.id}: ${one.nodes.map(node => node.html).join(' ')}`))"
@@ -16,7 +16,7 @@ OVER = """() => {
     transfer.items.add(new File(['a'], 'a'));
     window.dispatchEvent(new DragEvent('dragover', {dataTransfer: transfer, cancelable: true}));
 }"""
-PHONE = {"width": 390, "height": 800}
+PHONE: ViewportSize = {"width": 390, "height": 800}
 
 
 def violations(visit: Visit) -> list[str]:
@@ -86,7 +86,7 @@ def refusing(status: int) -> Callable[[Route], None]:
 
 def in_conflict(route: Route) -> None:
     """Says that nothing of the scene can stand together."""
-    scene = route.request.post_data_json["scene"]
+    scene = sent_by(route.request)["scene"]
     ids = [piece["id"] for room in scene["rooms"] for piece in room["furniture"]]
     conflict = {"ids": ids, "message": "10 cm short", "repairs": [{"action": "leave_out", "id": ids[0]}]}
     route.fulfill(json={"scene": scene, "moves": [], "removed": [], "issues": [], "timing_ms": {}, "conflicts": [conflict]})

@@ -109,8 +109,8 @@ def drawn(bench: Bench) -> dict[str, Any]:
     return {id_of: pytest.approx((x, z, turn % 360), abs=1e-6) for id_of, (x, z, turn) in places.items()}
 
 
-def test_a_dragged_piece_makes_its_neighbour_move_as_the_service_says(visit: Visit) -> None:
-    bench = Bench(visit, den(crate(ONE, 1, 1), crate(OTHER, 2.8, 1.8)))
+def test_a_dragged_piece_makes_its_neighbour_move_as_the_service_says(moving: Visit) -> None:
+    bench = Bench(moving, den(crate(ONE, 1, 1), crate(OTHER, 2.8, 1.8)))
     bench.drag(ONE, bench.at(OTHER), steps=25)
     bench.page.mouse.up()
     bench.rest()

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from playwright.sync_api import Page, Route, expect
+from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from tests.browser.service_process import ROOT
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, poses
-from tests.browser.visit import SMALL, Document, Visit
+from tests.browser.visit import SMALL, Document, Visit, sent_by
 
-PHONE = {"width": 390, "height": 800}
+PHONE: ViewportSize = {"width": 390, "height": 800}
 DEFAULTS = {"seed": 42, "width": 20, "depth": 15, "min_room_size": 3, "max_depth": 5, "use_spine": True, "outdoor": True}
 
 
@@ -134,7 +134,7 @@ def test_the_palette_finds_kinds_and_closes_and_a_conflict_closes(visit: Visit) 
     search.fill("armchair")
     with page.expect_response(lambda response: response.url.endswith("/fix")) as asked:
         page.keyboard.press("Enter")
-    assert asked.value.request.post_data_json["scene"]["rooms"][0]["furniture"][-1]["name"] == "armchair"
+    assert sent_by(asked.value.request)["scene"]["rooms"][0]["furniture"][-1]["name"] == "armchair"
     bench.rest()
     conflict = page.locator("#conflict")
     expect(conflict).to_be_visible()
@@ -197,7 +197,7 @@ def test_a_narrow_screen_begins_with_the_house_and_unfolds_the_rest(visit: Visit
     expect(page.locator("#palette")).to_be_hidden()
 
 
-def test_the_keys_are_told_on_the_page_as_in_the_readme(visit: Visit) -> None:
+def test_the_keys_are_told_on_the_page_as_in_the_documents(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     dialog = visit.page.get_by_role("dialog", name="Keys")
     visit.page.get_by_role("button", name="Keys").click()
@@ -211,11 +211,10 @@ def test_the_keys_are_told_on_the_page_as_in_the_readme(visit: Visit) -> None:
     visit.page.keyboard.press("Escape")
     expect(dialog).to_be_hidden()
     assert visit.state()["selected"] is None
-    table = re.search(r"\| key \| does \|\n\|---\|---\|\n((?:\|.*\n)+)", (ROOT / "README.md").read_text())
+    table = re.search(r"\| key \| does \|\n\|---\|---\|\n((?:\|.*\n)+)", (ROOT / "docs" / "page.md").read_text())
     assert table
-    named = {key.strip() for row in table[1].splitlines() for key in re.split(",| with | or ", row.split("|")[1])} - {""}
-    spelt = {"arrows": "↑", "Escape": "Esc"}
-    assert {spelt.get(key, key) for key in named} <= told
+    named = {key for row in table[1].splitlines() for key in re.split("[, ]+(?!Up|Down)", row.split("|")[1].strip())}
+    assert named - {"Page Up", "Page Down"} <= told
     assert sum(url.endswith("/generate") for url in visit.requests) == 1
 
 

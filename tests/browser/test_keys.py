@@ -8,7 +8,6 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.browser.test_every_control import tab_to
-from tests.browser.test_looking import STEP_MS
 from tests.browser.visit import SMALL, Visit
 
 
@@ -28,13 +27,15 @@ def pressed(visit: Visit, *keys: str) -> tuple[float, float, float]:
     return angles(visit)
 
 
-def test_arrows_turn_the_house_and_plus_and_minus_come_nearer_and_go_away(visit: Visit) -> None:
+def test_arrows_turn_the_house_and_plus_and_minus_come_nearer_and_go_away(moving: Visit) -> None:
+    visit = moving
     visit.open(SMALL.format(4))
     tab_to(visit.page, "a[href='#stage']")
     visit.page.keyboard.press("Enter")
     expect(visit.page.locator("#stage")).to_be_focused()
     turn, tilt, away = angles(visit)
     assert pressed(visit, "ArrowRight", "ArrowRight") == pytest.approx((turn - 20, tilt, away), abs=0.01)
+    visit.page.emulate_media(reduced_motion="reduce")
     assert pressed(visit, "ArrowLeft", "ArrowUp") == pytest.approx((turn - 10, tilt - 10, away), abs=0.01)
     assert pressed(visit, "ArrowLeft", "ArrowDown") == pytest.approx((turn, tilt, away), abs=0.01)
     target = visit.state()["target"]
@@ -51,9 +52,7 @@ def test_arrows_turn_the_house_and_plus_and_minus_come_nearer_and_go_away(visit:
     near = pressed(visit, "+", "=")[2]
     assert near < away / 1.3
     assert pressed(visit, "-", "-")[2] == pytest.approx(away, rel=1e-6)
-    frames = visit.state()["frames"]
-    visit.page.wait_for_timeout(STEP_MS)
-    assert visit.state()["frames"] == frames
+    assert visit.idle() == 0
     assert visit.console == []
 
 
@@ -110,20 +109,14 @@ def test_who_walks_turns_and_opens_the_door_ahead_by_keys(visit: Visit) -> None:
         opened = visit.state()["openDoors"]
         if opened:
             break
-        visit.page.keyboard.down("ArrowLeft")
-        visit.page.wait_for_timeout(STEP_MS)
-        visit.page.keyboard.up("ArrowLeft")
-        visit.settle()
+        visit.held("ArrowLeft")
         pressed(visit, "+", "-")
     assert len(opened) == 1
     assert visit.state()["eye"] == start["eye"]
     assert visit.state()["walking"]
     pressed(visit, "t")
     assert visit.state()["openDoors"] == []
-    visit.page.keyboard.down("ArrowRight")
-    visit.page.wait_for_timeout(STEP_MS)
-    visit.page.keyboard.up("ArrowRight")
-    visit.settle()
+    visit.held("ArrowRight")
     after = visit.state()
     assert after["eye"] == start["eye"]
     assert after["target"] != start["target"]

@@ -7,7 +7,6 @@ from playwright.sync_api import expect
 from tests.browser.visit import SMALL, Document, Visit
 
 EYE_HEIGHT = 1.6
-STEP_MS = 400
 PROJECTED = "points => points.map(at => compose.viewport.project(compose.viewport.camera.position.clone().set(...at)))"
 """Where points of the house are seen on the canvas [CSS pixels]."""
 
@@ -44,10 +43,7 @@ def test_a_walk_begins_within_the_entrance_and_goes_where_the_keys_say(visit: Vi
     assert holds(entrance_of(answer), start)
     ahead = [state["target"][i] - start[i] for i in (0, 2)]
     for key in ("w", "ArrowUp"):
-        visit.page.keyboard.down(key)
-        visit.page.wait_for_timeout(STEP_MS)
-        visit.page.keyboard.up(key)
-    visit.settle()
+        visit.held(key)
     reached = visit.state()["eye"]
     assert (reached[0] - start[0]) * ahead[0] + (reached[2] - start[2]) * ahead[1] > 0
     assert reached[1] == EYE_HEIGHT

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from playwright.sync_api import expect
+from playwright.sync_api import ViewportSize, expect
 
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den
 from tests.browser.visit import SMALL, Document, Visit
 
-PHONE = {"width": 390, "height": 844}
+PHONE: ViewportSize = {"width": 390, "height": 844}
 OF_LINES = """id => {
     const [region, line] = ['#yaml', `#yaml [data-id="${id}"]`].map(one => document.querySelector(one).getBoundingClientRect());
     return {above: line.top - region.top, below: region.bottom - line.bottom};

@@ -76,7 +76,7 @@ def test_style_decorations_and_robot(visit: Visit) -> None:
     assert asked(visit).items() >= {"style": "scandi", "robot_width": "0.5", "decorate": "true"}.items()
 
 
-def test_the_predecessors_spelling_is_read(visit: Visit) -> None:
+def test_camel_case_is_read(visit: Visit) -> None:
     request = visit.open("?seed=4&width=12&depth=9&useSpine=0&decorate=1&outdoor=0")["scene"]["request"]
     assert (request["use_spine"], request["decorate"], request["outdoor"]) == (False, True, False)
 

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import yaml
-from playwright.sync_api import expect
+from playwright.sync_api import FilePayload, expect
 
 from tests.browser.visit import SMALL, Document, Visit
 
@@ -94,10 +94,14 @@ def test_back_forward_and_a_reload_find_the_dropped_file_again(visit: Visit) -> 
 def test_a_chosen_file_that_is_no_scene_is_refused_in_the_services_words(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     rooms = visit.count("rooms")
-    file = {"name": "bad.json", "mimeType": "application/json", "buffer": b'{"rooms": [{"id": "<b>a</b>", "width": -3, "depth": 2}]}'}
+    file: FilePayload = {
+        "name": "bad.json",
+        "mimeType": "application/json",
+        "buffer": b'{"rooms": [{"id": "<b>a</b>", "width": -3, "depth": 2}]}',
+    }
     with visit.page.expect_file_chooser() as chooser:
         visit.page.locator("#open_file").click()
-    chooser.value.set_files([file])  # type: ignore[list-item]
+    chooser.value.set_files([file])
     expect(visit.page.get_by_role("alert")).to_contain_text("width")
     assert visit.count("rooms") == rooms
 
@@ -105,7 +109,7 @@ def test_a_chosen_file_that_is_no_scene_is_refused_in_the_services_words(visit: 
 TRAP = "<img src=x onerror=console.error('ran')>"
 BROKEN = {
     "unclosed.yaml": ("rooms: [a", "not YAML"),
-    "notes": ("hello there", "is a text"),
+    "notes": ("hello there", "is 'hello there' (allowed: an object)"),
     "empty.json": ("", "is empty"),
     "list.json": ("[1, 2]", "is a list"),
     "null.json": ("null", "is null"),
@@ -118,7 +122,7 @@ BROKEN = {
 
 def test_a_scene_of_others_is_drawn_and_its_names_are_text(visit: Visit) -> None:
     visit.open(SMALL.format(4))
-    bodies = [
+    bodies: list[Document] = [
         {"id": f"{TRAP}\"'&{side}", "name": TRAP, "category": TRAP, "x": x, "z": 1, "width": 0.5, "depth": 0.5, "height": 1}
         for side, x in (("in", 1), ("out", 9))
     ]

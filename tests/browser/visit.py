@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from playwright.sync_api import Locator, Page, Response, expect
+from playwright.sync_api import Locator, Page, Request, Response, expect
 
 Document: TypeAlias = dict[str, Any]
 
-ANSWER_MS = 90_000
-"""How long a house may take on a busy machine without a graphics card."""
-
-
+ANSWER_MS = 240_000
+"""A guard against a page that never answers: far beyond a busy machine, below the time after which pytest shows where a test hangs."""
 POLL_MS = 40
+FRAMES = "count => new Promise(done => { const next = () => count-- > 0 ? requestAnimationFrame(next) : done(); next(); })"
+MOVED = "before => JSON.stringify([compose.state.eye, compose.state.target]) !== JSON.stringify(before)"
 SMALL = "?width=12&depth=9&seed={}"
 """A house that is made and drawn fast, by its seed."""
 
@@ -54,6 +54,21 @@ class Visit:
             self.page.wait_for_timeout(POLL_MS)
         raise AssertionError("the canvas does not come to rest")
 
+    def idle(self, frames: int = 30) -> int:
+        """How many frames the page draws while the browser shows so many."""
+        before: int = self.state()["frames"]
+        self.page.evaluate(FRAMES, frames)
+        after: int = self.state()["frames"]
+        return after - before
+
+    def held(self, key: str) -> None:
+        """Hold a key until what one looks from or at has changed."""
+        before = self.state()
+        self.page.keyboard.down(key)
+        self.page.wait_for_function(MOVED, arg=[before["eye"], before["target"]])
+        self.page.keyboard.up(key)
+        self.settle()
+
     def state(self) -> Document:
         """What the page says it shows."""
         shown: Document = self.page.evaluate("compose.state")
@@ -83,6 +98,13 @@ class Visit:
 def furniture_of(answer: Document) -> list[str]:
     """The ids of a scene's furniture."""
     return [piece["id"] for room in answer["scene"]["rooms"] for piece in room["furniture"]]
+
+
+def sent_by(request: Request) -> Document:
+    """The document that a call was sent with."""
+    document = request.post_data_json
+    assert isinstance(document, dict)
+    return document
 
 
 def _generated(response: Response) -> bool:

@@ -73,7 +73,7 @@ LIST = [
     "alarm_clock",
     "wall_shelf",
 ]
-"""The predecessor's catalog, and what its rules name besides."""
+"""What homes have had from the first catalog on."""
 ASKEW = ("book", "magazine", "mug", "figurine", "candle", "picture_frame", "plant_small", "toy_blocks", "toy_car", "stuffed_animal")
 kinds = pytest.mark.parametrize("name", sorted(KNOWN.decorations))
 

@@ -23,13 +23,13 @@ from service.cli import main
 FOLDER = Path(catalogs.__file__).parent
 EXAMPLE = FOLDER / "example"
 ROOT = FOLDER.parent
-SECTION = (ROOT / "README.md").read_text().split("## A catalog of your own")[1].split("\n## ")[0]
-COMMANDS = [line.split("#")[0].split() for line in SECTION.splitlines() if line.startswith(".venv/bin/compose")]
+SECTION = (ROOT / "docs" / "catalog.md").read_text().split("## A catalog of your own")[1].split("\n## ")[0]
+COMMANDS = [line.split("#")[0].split() for line in SECTION.splitlines() if line.startswith("compose ")]
 Captured = pytest.CaptureFixture[bytes]
 
 
 def documented(name: str) -> list[str]:
-    """The words of the README's command of that name."""
+    """The words of the documents' command of that name."""
     (words,) = [words[1:] for words in COMMANDS if words[1] == name]
     return shlex.split(" ".join(words))
 
@@ -59,7 +59,7 @@ def test_what_the_example_adds_is_in_the_house(house: dict[str, Any]) -> None:
 
 def test_the_example_adds_one_of_each_and_changes_nothing() -> None:
     ours, known = load_catalogs(), load_catalogs(EXAMPLE)
-    sections = ("furniture", "decorations", "dressing", "rooms", "styles", "presets")
+    sections = ("furniture", "decorations", "dressing", "rooms", "styles", "presets", "people")
     added = {section: set(getattr(known, section)) - set(getattr(ours, section)) for section in sections}
     assert all(added.values())
     for section in sections:
@@ -67,13 +67,13 @@ def test_the_example_adds_one_of_each_and_changes_nothing() -> None:
     assert all(f"`{name}`" in SECTION for name in added["presets"])
 
 
-def test_every_file_of_the_example_is_a_catalog_s_and_named_in_the_readme() -> None:
+def test_every_file_of_the_example_is_a_catalog_s_and_named_in_the_documents() -> None:
     names = sorted(str(path.relative_to(EXAMPLE)) for path in EXAMPLE.rglob("*") if path.is_file())
-    assert len(names) == 6
+    assert len(names) == 7
     assert [name for name in names if f"`{name}`" not in SECTION] == []
 
 
-def test_the_other_commands_of_the_readme_run(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_other_documented_commands_run(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     assert {words[1] for words in COMMANDS} == {"generate", "stats", "catalog"}
     assert main([*documented("stats"), "--workers", "1"]) == 0
@@ -136,6 +136,7 @@ MISTAKES = [
     Mistake("styles.yaml", "floors: {wood:", "floors: {moss:", "coastal.floors.moss", "moss"),
     Mistake("styles.yaml", '"#7fa3b8"', '"sea"', "coastal.palette.seating.0", "pattern"),
     Mistake("presets.yaml", "music_room: 1", "ballroom: 1", "musician.rooms.ballroom", "music_room"),
+    Mistake("people.yaml", "rooms: music_room", "rooms: ballroom", "musicians.rooms", "unknown room type"),
     Mistake("rooms/music_room.yaml", "of: piano", "of: violin", "pieces.1.rules.0.of", "violin"),
     Mistake("rooms/music_room.yaml", "cover: [0.2, 0.32]", "cover: [0.4, 0.32]", "cover", "[least, most]"),
 ]

@@ -23,7 +23,7 @@ from solver.furnished import furnished
 from solver.placement import place
 from solver.scene import EXTERIOR, Opening, Room, Scene
 from solver.streams import Stream
-from solver.validate import validate
+from solver.validator import validate
 from tests.oracles.rules import faults, unreached
 
 OURS = load_catalogs()

@@ -19,7 +19,7 @@ Mend = Callable[[str, str, str], Path]
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    for name in ("furniture.yaml", "floorings.yaml", "decorations.yaml", "dressing.yaml", "rooms"):
+    for name in ("furniture.yaml", "floorings.yaml", "decorations.yaml", "dressing.yaml", "people.yaml", "rooms"):
         source = OURS / name
         (shutil.copytree if source.is_dir() else shutil.copy)(source, tmp_path / name)
     return tmp_path
@@ -66,6 +66,7 @@ def test_a_copy_has_the_same_fingerprint(copy: Path) -> None:
     [
         ("furniture.yaml", "mass: 65", "mass: 66"),
         ("floorings.yaml", "#b08d57", "#b08d58"),
+        ("people.yaml", "most: 4", "most: 3"),
         ("rooms/bedroom.yaml", "typical: 11.5", "typical: 11.6"),
     ],
 )
@@ -94,7 +95,9 @@ class Slip:
 
 
 BEDROOM, KITCHEN, OFFICE, LAUNDRY = (f"rooms/{name}.yaml" for name in ("bedroom", "kitchen", "office", "laundry"))
-FURNITURE, FLOORINGS, DECORATIONS, DRESSING = (f"{name}.yaml" for name in ("furniture", "floorings", "decorations", "dressing"))
+FURNITURE, FLOORINGS, DECORATIONS, DRESSING, PEOPLE = (
+    f"{name}.yaml" for name in ("furniture", "floorings", "decorations", "dressing", "people")
+)
 SLIPS = [
     Slip(BEDROOM, "flooring: wood", "flooring: lava", "flooring", "lava", "wood"),
     Slip(BEDROOM, "short_side: 2.4", "short_sid: 2.4", "short_sid", "short_sid", "unknown key"),
@@ -102,12 +105,12 @@ SLIPS = [
     Slip(BEDROOM, "of: desk,", "of: dask,", "pieces.9.rules.0.of", "of: dask", "nightstand"),
     Slip(BEDROOM, "type: under", "type: below", "pieces.9.rules.0.type", "type: below", "against_wall"),
     Slip(BEDROOM, "min: [7.0,", "min: [17.0,", "area", "17.0", "ordered"),
-    Slip(BEDROOM, "single_bed: 1}]", "single_bad: 1}]", "requires.0.single_bad", "single_bad", "unknown kind"),
+    Slip(BEDROOM, "single_bed: 1}]", "single_bad: 1}]", "requires.0.single_bad", "single_bad", "unknown piece name"),
     Slip(BEDROOM, "  - piece: nightstand", "  - piece: bed", "pieces.1.piece", "piece: bed", "twice"),
     Slip(KITCHEN, "{stove: 1}", "{stove: 2}", "requires.2", "stove: 2", "required"),
     Slip(LAUNDRY, "behind: [bedroom,", "behind: [castle,", "plan.behind.0", "castle", "unknown room type"),
     Slip(OFFICE, "of: desk, gap: -0.3", "of: plant, gap: -0.3", "pieces.1.rules.0.of", "of: plant, gap", "circle"),
-    Slip(OFFICE, "gap: -0.3", "gap: [0.3, 0.1]", "pieces.1.rules.0", "gap: [0.3", "least"),
+    Slip(OFFICE, "gap: -0.3", "gap: [0.3, 0.1]", "pieces.1.rules.0.gap", "gap: [0.3", "least"),
     Slip(OFFICE, "armchair, weight: 0.05}", "armchair, required: true}", "required", "armchair, required", "degree"),
     Slip(OFFICE, "{type: at_window,", "{type: at_window, of: desk,", "pieces.0.rules.0.of", "at_window, of", "takes no"),
     Slip(OFFICE, "type: under, of: desk, gap", "type: under, gap", "pieces.1.rules.0", "type: under", "needs"),
@@ -130,7 +133,7 @@ SLIPS = [
     ),
     Slip(DECORATIONS, "mass: 4,\n", "mass: 4, jitter: true,\n", "wall_shelf.jitter", "mass: 4, jitter", "straight"),
     Slip(DRESSING, "armchair:", "armchiar:", "armchiar", "armchiar", "unknown parent"),
-    Slip(DRESSING, "put: alarm_clock", "put: alarm_cluck", "nightstand.lies.2.put", "alarm_cluck", "unknown kind"),
+    Slip(DRESSING, "put: alarm_clock", "put: alarm_cluck", "nightstand.lies.2.put", "alarm_cluck", "unknown decoration"),
     Slip(
         DRESSING, "put: alarm_clock", "put: wall_art", "nightstand.lies.2.put", "put: wall_art, at: [[1, 0.45]]", "larger than its surface"
     ),
@@ -159,6 +162,12 @@ SLIPS = [
         "  lies:",
         "circle",
     ),
+    Slip(PEOPLE, "kinds: [dog, cat]", "kinds: [dog, cow]", "pet.kinds", "cow", "unknown kind"),
+    Slip(PEOPLE, "otherwise: [dining_room", "otherwise: [dancing_room", "pet.otherwise", "dancing_room", "unknown room type"),
+    Slip(PEOPLE, "poses: [stands, sits]", "poses: [stands, lies]", "people.poses.1", "poses: [stands, lies]", "roams"),
+    Slip(PEOPLE, "poses: [roams]", "poses: [roams, sits]", "pet", "pet:", "goes with"),
+    Slip(PEOPLE, "heights: [0.35, 0.6]", "heights: [0.65, 0.6]", "people.seats.heights", "seats:", "least"),
+    Slip(PEOPLE, "chance: 0.7", "chance: 1.7", "pet.chance", "chance: 1.7", "less than"),
     Slip(FLOORINGS, '"#d9d9d4"', "12", "tile.color", "tile", "string"),
 ]
 
@@ -173,6 +182,20 @@ def test_a_fault_names_file_key_and_line(edit: Mend, slip: Slip) -> None:
     assert error.line in lines_of(directory, slip.file, slip.word)
     assert slip.says in f"{error.problem} {error.allowed}"
     assert f"{slip.file}:{error.line}" in str(error)
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "says"),
+    [
+        (FURNITURE, "stands:", "stnads:", "stnads: unknown key; stands? (allowed: shape, size,"),
+        (BEDROOM, "type: under,", "type: unter,", "is 'unter'; under? (allowed: 'against_wall', "),
+        (BEDROOM, "{kind: small_bed,", "{kind: small_bad,", "unknown kind 'small_bad'; small_bed?"),
+        (BEDROOM, "of: desk,", "of: dask,", "unknown piece 'dask'; desk?"),
+        (DRESSING, "armchair:", "armchiar:", "unknown parent 'armchiar'; armchair?"),
+    ],
+)
+def test_a_misspelled_word_is_told_with_the_one_that_may_be_meant(edit: Mend, file: str, old: str, new: str, says: str) -> None:
+    assert says in str(fault(edit(file, old, new)))
 
 
 BROKEN = [
@@ -195,6 +218,19 @@ def test_broken_yaml_names_file_key_and_line(edit: Mend, slip: Slip) -> None:
 @pytest.mark.parametrize("name", ["nowhere", "."])
 def test_a_directory_without_catalogs_is_named(tmp_path: Path, name: str) -> None:
     assert fault(tmp_path / name).file == str(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [("rums.yaml", "rooms"), ("furnitures.yaml", "furniture"), ("room/kitchen.yaml", "rooms"), ("rooms/den.yml", "rooms"), ("x.yaml", "")],
+)
+def test_a_file_that_nobody_would_read_is_named(copy: Path, name: str, meant: str) -> None:
+    (copy / name).parent.mkdir(exist_ok=True)
+    (copy / name).write_text("{}\n")
+    error = fault(copy)
+    assert error.file == str(copy / name)
+    assert error.problem == "is no file of a catalog" + (f"; {meant}?" if meant else "")
+    assert "furniture.yaml" in error.allowed and "rooms/<type>.yaml" in error.allowed
 
 
 def test_what_a_directory_says_lies_over_ours(tmp_path: Path) -> None:

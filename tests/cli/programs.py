@@ -13,9 +13,13 @@ SMALL = ("--seed", "42", "--width", "7", "--depth", "5")
 """A house that is made quickly."""
 
 
+GUARD_S = 600
+"""A guard against a process that never ends."""
+
+
 def compose(*arguments: str, given: bytes = b"", cwd: Path = ROOT) -> subprocess.CompletedProcess[bytes]:
     """Runs a command with `given` at its standard input."""
-    return subprocess.run([*PROGRAM, *arguments], input=given, capture_output=True, check=False, timeout=60, cwd=cwd)
+    return subprocess.run([*PROGRAM, *arguments], input=given, capture_output=True, check=False, timeout=GUARD_S, cwd=cwd)
 
 
 def said(run: subprocess.CompletedProcess[bytes] | Sequence[str]) -> str:

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.cli.programs import PROGRAM, ROOT, compose, said
+from tests.cli.programs import GUARD_S, PROGRAM, ROOT, compose, said
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +27,7 @@ def server() -> Iterator[tuple[subprocess.Popen[str], int]]:
 
 
 def asked(port: int, method: str, path: str, body: bytes | None = None) -> tuple[int, bytes]:
-    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=GUARD_S)
     connection.request(method, path, body)
     answer = connection.getresponse()
     content = answer.status, answer.read()
@@ -56,7 +56,7 @@ def test_what_is_no_http_does_not_hurt(server: tuple[subprocess.Popen[str], int]
         b"GET /" + b"a" * 100_000 + b" HTTP/1.1\r\n\r\n",
         b"POST /generate HTTP/1.1\r\nContent-Length: x\r\n\r\n",
     ):
-        with socket.create_connection(("127.0.0.1", port), timeout=60) as line:
+        with socket.create_connection(("127.0.0.1", port), timeout=GUARD_S) as line:
             line.sendall(words)
             assert b" 400 " in line.recv(200)
     assert asked(port, "GET", "/healthz")[0] == 200
@@ -71,7 +71,7 @@ def test_a_taken_port_is_bad_use(server: tuple[subprocess.Popen[str], int]) -> N
 def test_it_stops_when_told(server: tuple[subprocess.Popen[str], int]) -> None:
     run, port = server
     run.send_signal(signal.SIGINT)
-    _, words = run.communicate(timeout=20)
+    _, words = run.communicate(timeout=GUARD_S)
     assert run.returncode == 0
     assert "Traceback" not in words
     with pytest.raises(OSError):

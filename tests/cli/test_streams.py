@@ -1,7 +1,8 @@
-"""The command line in processes of its own: streams, files, exit statuses, and how fast it says what it can do."""
+"""Streams, files and exit statuses of the command line: in processes of its own where that is what is tested, else in this one."""
 
 from __future__ import annotations
 
+import io
 import json
 import subprocess
 import sys
@@ -11,8 +12,10 @@ from typing import Any
 import pytest
 import yaml
 
+from service.cli import main
 from tests.cli.programs import PROGRAM, ROOT, SMALL, compose, said
 
+Captured = pytest.CaptureFixture[bytes]
 LIBRARIES = ("numpy", "scipy", "osqp", "daqp", "cvxpy", "fastapi", "starlette", "uvicorn", "pydantic", "yaml", "solver", "catalogs")
 
 
@@ -30,21 +33,27 @@ def test_generate_writes_the_scene_and_nothing_else(house: bytes) -> None:
     assert (scene["seed"], scene["size"]["width"], scene["size"]["depth"]) == (42, 7.0, 5.0)
 
 
-def test_another_process_gives_the_same_bytes(house: bytes, tmp_path: Path) -> None:
+def test_another_process_gives_the_same_bytes(house: bytes, tmp_path: Path, capfdbinary: Captured) -> None:
     request = tmp_path / "request.json"
     request.write_text(json.dumps({"seed": 42, "width": 7, "depth": 9}))
-    assert compose("generate", str(request), "--depth", "5").stdout == house
+    assert main(["generate", str(request), "--depth", "5"]) == 0
+    assert capfdbinary.readouterr().out == house
 
 
-def test_a_house_goes_through_pipes(house: bytes) -> None:
+def test_a_house_goes_through_pipes(house: bytes, monkeypatch: pytest.MonkeyPatch, capfdbinary: Captured) -> None:
+    def piped(*arguments: str) -> tuple[bytes, bytes]:
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(house)))
+        assert main(arguments) == 0
+        return capfdbinary.readouterr()
+
     viewed = compose("view", given=house)
-    validated = compose("validate", "--format", "json", given=house)
-    fixed = compose("fix", given=house)
-    assert (viewed.returncode, validated.returncode, fixed.returncode) == (0, 0, 0)
+    assert (viewed.returncode, viewed.stderr) == (0, b"")
     assert viewed.stdout.decode().startswith("# Floor plan")
-    assert set(json.loads(validated.stdout)) == {"issues", "metrics"}
-    assert fixed.stdout == house
-    assert "0 moved" in said(fixed)
+    assert piped("view")[0] == viewed.stdout
+    assert set(json.loads(piped("validate", "--format", "json")[0])) == {"issues", "metrics"}
+    fixed, words = piped("fix")
+    assert fixed == house
+    assert b"0 moved" in words
 
 
 def spoiled(house: bytes) -> dict[str, Any]:
@@ -54,19 +63,19 @@ def spoiled(house: bytes) -> dict[str, Any]:
     return scene
 
 
-def test_errors_in_a_scene_are_exit_status_1(house: bytes, tmp_path: Path) -> None:
+def test_errors_in_a_scene_are_exit_status_1(house: bytes, tmp_path: Path, capfdbinary: Captured) -> None:
     path = tmp_path / "spoiled.json"
     path.write_text(json.dumps(spoiled(house)))
     found = compose("validate", str(path))
     assert found.returncode == 1
     assert "error out_of_bounds" in said(found)
     assert any(issue["rule"] == "out_of_bounds" for issue in yaml.safe_load(found.stdout)["issues"])
-    written = compose("fix", str(path), "-o", str(tmp_path / "fixed.yaml"))
-    assert (written.returncode, written.stdout) == (0, b"")
-    assert compose("validate", str(tmp_path / "fixed.yaml")).returncode == 0
+    assert main(["fix", str(path), "-o", str(tmp_path / "fixed.yaml")]) == 0
+    assert capfdbinary.readouterr().out == b""
+    assert main(["validate", str(tmp_path / "fixed.yaml")]) == 0
 
 
-def test_a_broken_catalog_stops_the_start_with_file_key_and_line(tmp_path: Path) -> None:
+def test_a_broken_catalog_stops_the_start_with_file_key_and_line(tmp_path: Path, capfdbinary: Captured) -> None:
     for name in ("furniture.yaml", "floorings.yaml"):
         (tmp_path / name).write_bytes((ROOT / "catalogs" / name).read_bytes())
     (tmp_path / "rooms").mkdir()
@@ -86,8 +95,8 @@ def test_a_broken_catalog_stops_the_start_with_file_key_and_line(tmp_path: Path)
     assert "not YAML" in words
     lines[number] = "area: {min: [5, 6], typical: 12, max: 30, colour: red}"
     kitchen.write_text("\n".join(lines) + "\n")
-    words = said(compose("generate", *SMALL, "--catalog", str(tmp_path)))
-    assert f"{kitchen}:{number + 1}: area.colour" in words
+    assert main(["generate", *SMALL, "--catalog", str(tmp_path)]) == 2
+    assert f"{kitchen}:{number + 1}: area.colour" in capfdbinary.readouterr().err.decode()
 
 
 def test_a_reader_that_leaves_is_no_failure() -> None:

@@ -14,14 +14,14 @@ from pathlib import Path
 from catalogs import Catalogs, load_catalogs
 from solver.furnish import space_of, wanted_pieces
 from solver.furnished import furnished
+from solver.pieces import Arrangement, Piece, Space
 from solver.placement import Budget, place
 from solver.placement.arrange import LIMITS
 from solver.placement.core import Core
 from solver.placement.encode import encode
 from solver.scene import Room, Scene
 from solver.streams import Stream
-from solver.validate import validate
-from solver.wanted import Arrangement, Space, Wanted
+from solver.validator import validate
 from tests.dense.rooms import cover_wish, dense_room
 from tests.oracles.paths import stand_and_walk
 from tests.oracles.rules import faults, unreached
@@ -58,7 +58,7 @@ class Result:
     compiled: float
 
 
-def wishes(name: str, seed: int, tight: bool = False) -> tuple[Room, Space, tuple[Wanted, ...]]:
+def wishes(name: str, seed: int, tight: bool = False) -> tuple[Room, Space, tuple[Piece, ...]]:
     """Returns a seed's empty room, its space with the cover wished for, and what it wants."""
     room = dense_room(name, seed, tight)
     cover_mm2 = round(1e6 * room.width * room.depth * cover_wish(name, seed))
@@ -89,7 +89,7 @@ def result(job: tuple[str, int]) -> Result:
     )  # fmt: skip
 
 
-def refused(space: Space, wanted: tuple[Wanted, ...], arrangement: Arrangement) -> list[str]:
+def refused(space: Space, wanted: tuple[Piece, ...], arrangement: Arrangement) -> list[str]:
     """Returns what found no place: what was left out before the last that stands, or all where less is covered than wished."""
     there = {placed.label for placed in arrangement.placed}
     stands = [piece.label in there for piece in wanted]

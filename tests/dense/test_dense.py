@@ -7,7 +7,7 @@ import statistics
 import pytest
 
 from solver.geometry import Rect
-from solver.wanted import Alternative, Arrangement, Placed
+from solver.pieces import Arrangement, Candidate, Placed
 from tests.dense.__main__ import COVER, jobs
 from tests.dense.furnishing import catalogs, covered, result, tight
 from tests.dense.rooms import KINDS, dense_room
@@ -52,7 +52,7 @@ def test_the_catalog_requires_what_it_places_as_required() -> None:
 
 
 def test_what_two_pieces_cover_counts_once() -> None:
-    chosen = Alternative("box", (1000, 1000, 500), 0)
+    chosen = Candidate("box", (1000, 1000, 500), 0)
     rects = [Rect(0, 0, 1000, 1000), Rect(500, 0, 1500, 1000), Rect(3000, 0, 4000, 1000), Rect(3000, 1000, 4000, 1500)]
     placed = tuple(Placed(str(k), chosen, 0, None, rect) for k, rect in enumerate(rects))
     assert covered(Arrangement("room", placed)) == 1.5 + 1.5

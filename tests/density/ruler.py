@@ -144,7 +144,7 @@ def under_windows(room: Room) -> list[str]:
 
 
 def _centred_at(room: Room, box: Box, window: Opening) -> bool:
-    back = {"north": box.z0, "south": room.depth - box.z1, "west": box.x0, "east": room.width - box.x1}[window.wall] - FACE
+    back = {"north": box.z0, "south": room.depth - box.z1, "west": box.x0, "east": room.width - box.x1}[str(window.wall)] - FACE
     middle = box.middle[0] if window.wall in ("north", "south") else box.middle[1]
     return back < 0.2 and abs(middle - window.position) < CENTRED
 
@@ -214,7 +214,7 @@ def _wall(room: Room, box: Box) -> str:
 WISHED = {"toilet": ((0.15, "left"), (0.15, "right")), "dining_chair": ((0.3, "back"),), "office_chair": ((0.3, "back"),),
           "sofa": ((0.2, "front"),), "stove": ((0.9, "front"),), "sink": ((0.9, "front"),), "counter": ((0.9, "front"),),
           "refrigerator": ((0.9, "front"),), "dishwasher": ((0.9, "front"),)}  # fmt: skip
-"""Floor that is comfortable to have free, m, by the piece's name (furnishing.md)."""
+"""Floor that is comfortable to have free, m, by the piece's name."""
 
 
 def comfort(room: Room) -> tuple[int, int]:

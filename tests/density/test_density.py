@@ -11,7 +11,7 @@ import pytest
 from catalogs import load_catalogs
 from solver.placement import place
 from solver.scene import Furniture, Opening, Room, Scene
-from solver.validate import validate
+from solver.validator import validate
 from tests.density import ruler
 from tests.density.rooms import EQUAL, KINDS, Equal, drawn, equal
 

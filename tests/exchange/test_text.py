@@ -14,6 +14,9 @@ from hypothesis import strategies as st
 from solver.errors import SceneError, SyntaxFault
 from solver.exchange import FORMATS, load_text, read_scene, yaml_text
 
+PATIENCE_S = 60.0
+"""What a refusal may take of the processor: they take less than a second; what they guard against would take hours."""
+
 
 def refused(text: bytes | str, name: str) -> str:
     with pytest.raises(SyntaxFault) as caught:
@@ -67,7 +70,7 @@ def test_deep_nesting_is_refused(name: str, levels: int, opening: str, closing: 
     start = time.process_time()
     assert "nested too deeply" in refused(opening * levels + "1" + closing * levels, name)
     assert refused(opening * levels, name)
-    assert time.process_time() - start < 5
+    assert time.process_time() - start < PATIENCE_S
     assert load_text(opening * 64 + "1" + closing * 64, name)
 
 
@@ -114,7 +117,7 @@ def test_a_bomb_of_aliases_does_not_go_off() -> None:
     start = time.process_time()
     assert "aliases" in refused(bomb(10), "yaml")
     assert "aliases" in refused(bomb(10).replace("[", "{b: [").replace("]", "]}"), "yaml")
-    assert time.process_time() - start < 1
+    assert time.process_time() - start < PATIENCE_S
 
 
 def test_aliases_are_read_in_reason() -> None:

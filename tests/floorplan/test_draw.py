@@ -42,7 +42,7 @@ requests = st.builds(
 )
 
 
-@settings(max_examples=3 * settings.default.max_examples)
+@settings(max_examples=3 * settings().max_examples)
 @given(requests)
 def test_any_request_gives_a_sound_plan(request: Request) -> None:
     request = replace(request, min_room_size=min(request.min_room_size, *request.extents))

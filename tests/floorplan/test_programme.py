@@ -104,7 +104,7 @@ def test_rooms_are_left_out_rather_than_too_narrow_to_live_in(width: float | Non
         assert [issue for issue in made.issues if issue.severity == "error"] == []
         sides = {room.id: min(room.width, room.depth) for room in made.scene.rooms}
         assert {name: side for name, side in sides.items() if side < (2.0 if "bedroom" in name else 1.2)} == {}
-        assert len(sides) > 15 or any("left out" in note for note in (made.scene.certificate or {})["notes"])
+        assert len(sides) > 15 or "left out" in str((made.scene.certificate or {})["notes"])
 
 
 @pytest.mark.parametrize("seed", range(6))

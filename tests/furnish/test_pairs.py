@@ -6,21 +6,21 @@ from typing import Any
 
 import pytest
 
-from solver.furnish.whims import QUARTER_WHIM, SIDE_WHIM
-from solver.wanted import Alternative, Link, Wanted
+from solver.furnish.preferences import QUARTER_PREFERENCE, SIDE_PREFERENCE
+from solver.pieces import Candidate, Link, Piece
 from tests.furnish.worlds import KINDS, ask, box_of, den, front_of, gap, piece
 
 TURNS = (0, 90, 180, 270)
 Rule = dict[str, Any]
 
 
-def second(parent: dict[str, Any], *rules: Rule, kind: str = "chair", **more: Any) -> Wanted:
+def second(parent: dict[str, Any], *rules: Rule, kind: str = "chair", **more: Any) -> Piece:
     """Returns the wanted piece that stands with a parent."""
     return ask(den(), parent, piece(kind, *rules, **more))[-1]
 
 
-def slots(wanted: Wanted) -> list[Alternative]:
-    return [alternative for alternative in wanted.alternatives if alternative.attach]
+def slots(wanted: Piece) -> list[Candidate]:
+    return [alternative for alternative in wanted.candidates if alternative.attach]
 
 
 def parent_box(kind: str, turn: float) -> tuple[float, float, float, float]:
@@ -30,7 +30,7 @@ def parent_box(kind: str, turn: float) -> tuple[float, float, float, float]:
     return (2000 - width / 2, 2000 - depth / 2, 2000 + width / 2, 2000 + depth / 2)
 
 
-def side_of(alternative: Alternative, kind: str, turn: float) -> str:
+def side_of(alternative: Candidate, kind: str, turn: float) -> str:
     """Returns the side of the parent an alternative stands at, seen by the parent."""
     box, other = box_of(alternative, (2000, 2000, turn)), parent_box(kind, turn)
     ahead = front_of(turn)
@@ -168,10 +168,10 @@ def test_in_row_continues_it_at_either_end(turn: int) -> None:
 
 def test_in_row_of_itself_begins_with_the_first_copy() -> None:
     first, then, last = ask(den(), piece("wagon", {"type": "in_row", "of": "wagon", "gap": 0.6, "cost": 2}, count=3))
-    assert slots(first) == [] and min(a.cost for a in first.alternatives) < 2
+    assert slots(first) == [] and min(a.cost for a in first.candidates) < 2
     assert {slot.attach.parent for slot in slots(then) if slot.attach} == {"wagon_1"}
     assert {slot.attach.parent for slot in slots(last) if slot.attach} == {"wagon_1", "wagon_2"}
-    assert all(a.cost >= 2 for a in last.alternatives if a.attach is None)
+    assert all(a.cost >= 2 for a in last.candidates if a.attach is None)
 
 
 def test_in_row_round_the_corner_leaves_room_for_the_rows_depth() -> None:
@@ -179,7 +179,7 @@ def test_in_row_round_the_corner_leaves_room_for_the_rows_depth() -> None:
     wanted = second(piece("couch"), rule, {"type": "centred", "cost": 0}, kind="shelf")
     assert Link("in_row", "couch_1", walls="adjacent", cost=3.0, near=0.2) in wanted.links
     # Wall face + 3 cm + the couch's 0.9 m + half the shelf's 1 m.
-    assert any(a.wall == "west" and a.anchor_mm[1] == 50 + 30 + 900 + 500 for a in wanted.alternatives)
+    assert any(a.wall == "west" and a.anchor_mm[1] == 50 + 30 + 900 + 500 for a in wanted.candidates)
 
 
 def test_opposite_asks_for_the_other_wall_the_turn_and_the_middle() -> None:
@@ -222,10 +222,10 @@ def test_a_slot_pays_for_the_other_slots_it_misses() -> None:
     rules: list[Rule] = [{"type": "beside", "of": "couch", "cost": 3}, {"type": "beside", "of": "table", "cost": 1}]
     wanted = ask(den(), piece("couch"), piece("table"), piece("pot", *rules))[-1]
     least = {
-        parent: min(a.cost for a in wanted.alternatives if (a.attach.parent if a.attach else None) == parent)
+        parent: min(a.cost for a in wanted.candidates if (a.attach.parent if a.attach else None) == parent)
         for parent in ("couch_1", "table_1", None)
     }
-    most = {"couch_1": SIDE_WHIM, "table_1": SIDE_WHIM, None: QUARTER_WHIM}
+    most = {"couch_1": SIDE_PREFERENCE, "table_1": SIDE_PREFERENCE, None: QUARTER_PREFERENCE}
     for parent, cost in (("couch_1", 1), ("table_1", 3), (None, 4)):
         assert cost <= least[parent] <= cost + most[parent]
 

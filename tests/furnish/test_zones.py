@@ -1,4 +1,4 @@
-"""The space of a room: the contract's rectangles, in numbers worked out by hand."""
+"""The space of a room: the rectangles of docs/scene.md, in numbers worked out by hand."""
 
 from __future__ import annotations
 

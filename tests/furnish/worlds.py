@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from catalogs.schema import Catalogs, FlooringSpec, Furniture, RoomType
+from catalogs.schema import Catalogs, FlooringSpec, FurnitureSpec, RoomType
 from solver.furnish import space_of, wanted_pieces
+from solver.pieces import Candidate, Piece, Space
 from solver.scene import Opening, Room
 from solver.streams import Stream
-from solver.wanted import Alternative, Space, Wanted
 
 Box = tuple[float, float, float, float]
 """west, north, east, south, mm."""
@@ -30,7 +30,7 @@ KINDS: dict[str, dict[str, Any]] = {
 def catalog(pieces: Sequence[dict[str, Any]]) -> Catalogs:
     """Returns a catalog of one room type, `den`, that holds these pieces."""
     common = {"category": "misc", "color": "#808080", "mass": 10}
-    furniture = {kind: Furniture.model_validate({**common, **entry}) for kind, entry in KINDS.items()}
+    furniture = {kind: FurnitureSpec.model_validate({**common, **entry}) for kind, entry in KINDS.items()}
     den = RoomType.model_validate(
         {"area": {"min": (4, 4), "typical": 12, "max": 60}, "flooring": "wood", "accent": "#808080", "pieces": list(pieces)}
     )
@@ -46,7 +46,7 @@ def den(*openings: Opening, width: float = 5.0, depth: float = 4.0) -> Room:
     return Room("den_0", 0, "den", width=width, depth=depth, openings=openings)
 
 
-def ask(room: Room, *pieces: dict[str, Any], seed: int = 1) -> tuple[Wanted, ...]:
+def ask(room: Room, *pieces: dict[str, Any], seed: int = 1) -> tuple[Piece, ...]:
     """Returns what the room wants of these pieces."""
     return wanted_pieces(room, space_of(room, 0.1), catalog(pieces), Stream(seed, "furnish", 0))
 
@@ -56,7 +56,7 @@ def piece(kind: str, *rules: dict[str, Any], **more: Any) -> dict[str, Any]:
     return {"piece": kind, "rules": list(rules), **more}
 
 
-def box_of(alternative: Alternative, parent: tuple[float, float, float] | None = None, at: tuple[float, float] = (0.5, 0.5)) -> Box:
+def box_of(alternative: Candidate, parent: tuple[float, float, float] | None = None, at: tuple[float, float] = (0.5, 0.5)) -> Box:
     """Returns the footprint of an alternative; `parent` is the pose (x, z, rotation) of what it is attached to.
 
     `at` tells where in its slot's intervals it stands, from 0 to 1.
@@ -87,12 +87,12 @@ def gap(a: Box, b: Box) -> float:
     return max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3])
 
 
-def cheapest(wanted: Wanted) -> Alternative:
+def cheapest(wanted: Piece) -> Candidate:
     """Returns the alternative that costs least."""
-    return min(wanted.alternatives, key=lambda alternative: alternative.cost)
+    return min(wanted.candidates, key=lambda alternative: alternative.cost)
 
 
-def clear_of_zones(space: Space, alternative: Alternative) -> bool:
+def clear_of_zones(space: Space, alternative: Candidate) -> bool:
     """Tells whether an alternative at its anchor lies in the clear rectangle and out of the zones that concern it."""
     west, north, east, south = box_of(alternative)
     clear = space.clear

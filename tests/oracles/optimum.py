@@ -1,7 +1,7 @@
 """The cheapest positions of a problem: a big-M mixed-integer quadratic programme in SCIP, polished with its choices fixed.
 
-Comes in: a `Problem`, read as data, and a time limit. Goes out: the cost, and whether SCIP closed the gap. The terms are
-read by their fields, written from terms.py's docstrings: weight (p_i - wish)^2 and weight (p_j - p_i - offset)^2, metres.
+Comes in: a `Problem`, read as data, and limits of time and work. Goes out: the cost, and whether SCIP closed the gap. The terms are
+read by their fields, written from problem.py's docstrings: weight (p_j - p_i - offset)^2, metres; p_-1 is 0.
 """
 
 from __future__ import annotations
@@ -16,10 +16,11 @@ import numpy as np
 import pyscipopt
 from pyscipopt import quicksum
 
-from solver.placement.problem import Problem
+from solver.placement.problem import DifferenceRow, Problem
 
 SECONDS = 15.0
-"""Time limit of one room."""
+"""Time limit of one room of the bench."""
+NO_LIMIT = -1
 Taken = list[tuple[int, int, int, int]]
 
 
@@ -42,13 +43,14 @@ def scip_version() -> str:
     return f"{model.getMajorVersion()}.{model.getMinorVersion()}.{model.getTechVersion()}"
 
 
-def optimum(problem: Problem, seconds: float = SECONDS) -> Optimum:
-    """Returns the least cost of a problem, as far as SCIP gets within a time limit."""
+def optimum(problem: Problem, seconds: float = SECONDS, nodes: int = NO_LIMIT) -> Optimum:
+    """Returns the least cost of a problem, as far as SCIP gets within so many seconds by the clock and nodes of its tree."""
     if any(a > b for k in (0, 1) for a, b in zip(problem.low[k], problem.high[k], strict=True)):
         return Optimum(float("inf"), True, 0.0)
     if any(not choice.options for choice in problem.choices):
         return Optimum(float("inf"), True, 0.0)
     model, binaries = _model(problem, seconds)
+    model.setParam("limits/nodes", nodes)
     start = time.process_time()
     model.optimize()
     cpu = time.process_time() - start
@@ -60,15 +62,15 @@ def optimum(problem: Problem, seconds: float = SECONDS) -> Optimum:
     return Optimum(cost_with(problem, [*problem.rows, *taken]), closed, cpu)
 
 
-def _model(problem: Problem, seconds: float) -> tuple[Any, list[tuple[Any, tuple[int, int, int, int]]]]:
+def _model(problem: Problem, seconds: float) -> tuple[Any, list[tuple[Any, DifferenceRow]]]:
     model = pyscipopt.Model()
     model.hideOutput()
     for name, value in {"limits/time": seconds, "limits/gap": 1e-7, "numerics/feastol": 1e-8, "parallel/maxnthreads": 1}.items():
         model.setParam(name, value)
     p = [[model.addVar(lb=a / 1000, ub=b / 1000) for a, b in zip(problem.low[axis], problem.high[axis], strict=True)] for axis in (0, 1)]
-    value = model.addVar(lb=0)
-    model.addCons(quicksum(_squares(problem, p)) <= value)
-    model.setObjective(value)
+    worst = model.addVar(lb=0)
+    model.addCons(quicksum(_squares(problem, p)) <= worst)
+    model.setObjective(worst)
     binaries = []
     for row in problem.rows:
         model.addCons(_difference(p, row) >= row.s / 1000)
@@ -88,7 +90,7 @@ def _squares(problem: Problem, p: Sequence[Sequence[Any]]) -> list[Any]:
     squares = []
     for term in problem.terms:
         own = p[term.axis]
-        distance = own[term.i] - term.wish if hasattr(term, "wish") else own[term.j] - own[term.i] - term.offset
+        distance = own[term.j] - (own[term.i] if term.i >= 0 else 0.0) - term.offset
         squares.append(term.weight * distance * distance)
     return squares
 
@@ -142,11 +144,8 @@ def _residuals(problem: Problem, axis: int, n: int) -> tuple[np.ndarray, np.ndar
     R, r = np.zeros((len(own), n)), np.zeros(len(own))
     for k, term in enumerate(own):
         root = term.weight**0.5
-        if hasattr(term, "wish"):
-            R[k, term.i] += root
-            r[k] = root * term.wish
-        else:
-            R[k, term.j] += root
+        R[k, term.j] += root
+        if term.i >= 0:
             R[k, term.i] -= root
-            r[k] = root * term.offset
+        r[k] = root * term.offset
     return R, r

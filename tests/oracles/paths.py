@@ -12,16 +12,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from solver.wanted import Doorway, Space, Wanted
+from solver.pieces import Doorway, Piece, Space
 from tests.oracles.programme import Terms
 from tests.oracles.room import Answer, Box, Model, shown
 from tests.oracles.rules import unreached
+from tests.oracles.verdict import SECONDS
 from tests.oracles.walk import FLOOR
 
 MOVES = (3, 5)
 
 
-def stand_and_walk(space: Space, pieces: Sequence[Wanted], seconds: float = 60.0) -> Answer:
+def stand_and_walk(space: Space, pieces: Sequence[Piece], seconds: float = SECONDS) -> Answer:
     """Tells whether pieces can all stand such that all doors and use sides are joined for the space's person.
 
     Args:

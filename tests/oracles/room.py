@@ -1,6 +1,6 @@
 """Can these pieces all stand in a room, over all their alternatives? A mixed-integer programme, answers checked in integers.
 
-Comes in: a `Space` and wanted pieces, read as data. Goes out: an `Answer`. Written from the docstrings of solver/wanted.py: a
+Comes in: a `Space` and wanted pieces, read as data. Goes out: an `Answer`. Written from the docstrings of solver/pieces.py: a
 binary for every way to stand (an alternative and the rotation it then has), a position for every piece, four binaries for
 every pair of things that must be apart, a square for every use side. What is left of the walk is in paths.py.
 
@@ -11,12 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import combinations
 
 from solver.geometry import Rect
-from solver.wanted import Alternative, Arrangement, Placed, Space, Wanted
+from solver.pieces import Arrangement, Candidate, Piece, Placed, Space
 from tests.oracles.programme import Floats, Programme, Terms
 from tests.oracles.rules import QUARTERS, faults, holds
+from tests.oracles.verdict import SECONDS
 from tests.oracles.walk import side_towards
 
 PERSON_MM = 1800
@@ -31,7 +33,7 @@ class Way:
     `parents` are the ways of its parent, by index, that it goes with.
     """
 
-    alternative: Alternative
+    alternative: Candidate
     rotation: int
     extent: tuple[int, int]
     low: tuple[int, int]
@@ -77,13 +79,13 @@ class Answer:
     arrangement: Arrangement | None = None
 
 
-def ways_of(space: Space, piece: Wanted, known: dict[str, list[Way]]) -> list[Way]:
+def ways_of(space: Space, piece: Piece, known: dict[str, list[Way]]) -> list[Way]:
     """Returns the ways a piece may stand; those it shares with others of its alternatives once."""
     found: dict[Way, None] = {}
-    for a in piece.alternatives:
-        bare = Alternative(
+    for a in piece.candidates:
+        bare = Candidate(
             a.kind, a.size_mm, a.rotation, a.wall, within=a.within, bottom_mm=a.bottom_mm, attach=a.attach, under=a.under,
-            on=a.on, slack_mm=a.slack_mm,
+            on=a.on, slack_mm=a.slack_mm, stance=a.stance,
         )  # fmt: skip
         for way in _attached(space, bare, known) if a.attach else [_standing(space, bare)]:
             if all(low <= high for low, high in zip(way.low, way.high, strict=True)):
@@ -91,7 +93,7 @@ def ways_of(space: Space, piece: Wanted, known: dict[str, list[Way]]) -> list[Wa
     return list(found)
 
 
-def _standing(space: Space, a: Alternative) -> Way:
+def _standing(space: Space, a: Candidate) -> Way:
     wide, deep = a.size_mm[:2] if a.rotation % 180 == 0 else a.size_mm[1::-1]
     box, clear, gap = a.within or space.clear, space.clear, space.gap_mm
     low, high = [box.x0, box.z0], [box.x1 - wide, box.z1 - deep]
@@ -105,12 +107,12 @@ def _standing(space: Space, a: Alternative) -> Way:
     return Way(a, a.rotation, (wide, deep), (low[0], low[1]), (high[0], high[1]))
 
 
-def _attached(space: Space, a: Alternative, known: dict[str, list[Way]]) -> list[Way]:
+def _attached(space: Space, a: Candidate, known: dict[str, list[Way]]) -> list[Way]:
     """Returns one way for every pose of the parent that the alternative is for."""
     assert a.attach is not None
     poses: dict[tuple[int, tuple[int, int]], list[int]] = {}
     for k, way in enumerate(known.get(a.attach.parent, [])):
-        if way.alternative.kind == a.attach.parent_kind:
+        if (way.alternative.kind, way.alternative.stance) == (a.attach.parent_kind, a.attach.parent_stance):
             poses.setdefault((way.rotation, way.extent), []).append(k)
     found = []
     for (turn, parent), parents in poses.items():
@@ -138,7 +140,7 @@ class Model:
         stands: whether their use sides must be free.
     """
 
-    def __init__(self, space: Space, pieces: Sequence[Wanted], stands: bool) -> None:
+    def __init__(self, space: Space, pieces: Sequence[Piece], stands: bool) -> None:
         self.space, self.pieces = space, pieces
         self.programme = Programme()
         self.ways: dict[str, list[Way]] = {}
@@ -154,7 +156,7 @@ class Model:
         for piece in pieces if stands else ():
             self._use(piece)
 
-    def _piece(self, piece: Wanted) -> None:
+    def _piece(self, piece: Piece) -> None:
         programme = self.programme
         ways = self.ways[piece.label] = ways_of(self.space, piece, self.ways)
         taken = self.taken[piece.label] = [programme.binary() for _ in ways]
@@ -174,7 +176,7 @@ class Model:
             self._follow(box, b, way)
         for link in piece.links:
             if link.required and link.of in self.boxes and link.of != piece.label:
-                self._linked(box, self.boxes[link.of], lambda own, other, link=link: holds(link, own, other))
+                self._linked(box, self.boxes[link.of], partial(holds, link))
         for zone in self.space.zones:
             tall = [(b, 1.0) for b, way in box.ways if way.heights[1] > zone.above_mm]
             if tall:
@@ -246,7 +248,7 @@ class Model:
             sides += [(before, 1.0), (after, 1.0)]
         self.programme.at_least([*sides, *((b, -c) for b, c in there)], 0)
 
-    def _use(self, piece: Wanted) -> None:
+    def _use(self, piece: Piece) -> None:
         """Adds a free square at the use sides that are needed."""
         used = []
         for stand in piece.stands:
@@ -350,13 +352,13 @@ def _pose(way: Way) -> tuple[int, str | None]:
     return way.rotation, None if way.alternative.attach else way.alternative.wall
 
 
-def shown(space: Space, pieces: Sequence[Wanted], arrangement: Arrangement) -> Arrangement:
+def shown(space: Space, pieces: Sequence[Piece], arrangement: Arrangement) -> Arrangement:
     """Returns an arrangement whose pieces stand as asked.
 
     Raises:
         RuntimeError: they do not; the oracle is wrong.
     """
-    bare = {piece.label: {id(a): a for a in piece.alternatives} for piece in pieces}
+    bare = {piece.label: {id(a): a for a in piece.candidates} for piece in pieces}
     placed = []
     for piece in arrangement.placed:
         asked = [a for a in bare[piece.label].values() if _same(a, piece.chosen)]
@@ -368,12 +370,12 @@ def shown(space: Space, pieces: Sequence[Wanted], arrangement: Arrangement) -> A
     return named
 
 
-def _same(a: Alternative, b: Alternative) -> bool:
-    names = ("kind", "size_mm", "rotation", "wall", "within", "bottom_mm", "attach", "under", "on", "slack_mm")
+def _same(a: Candidate, b: Candidate) -> bool:
+    names = ("kind", "stance", "size_mm", "rotation", "wall", "within", "bottom_mm", "attach", "under", "on", "slack_mm")
     return all(getattr(a, name) == getattr(b, name) for name in names)
 
 
-def stand_together(space: Space, pieces: Sequence[Wanted], seconds: float = 20.0, stands: bool = False) -> Answer:
+def stand_together(space: Space, pieces: Sequence[Piece], seconds: float = SECONDS, stands: bool = False) -> Answer:
     """Tells whether pieces can all stand together, walking aside; with `stands`, each with room for a person at its sides."""
     verdict, arrangement = Model(space, pieces, stands).solve(seconds)
     if arrangement is None:

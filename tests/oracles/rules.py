@@ -1,6 +1,6 @@
 """An arrangement against what was asked for, in exact integers.
 
-Written from the contract and from the docstrings of solver/wanted.py. Comes in: a `Space`, the wanted pieces and the
+Written from the rules of docs/scene.md and from the docstrings of solver/pieces.py. Comes in: a `Space`, the wanted pieces and the
 arrangement. Goes out: what is wrong, in words; empty if nothing.
 """
 
@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 from solver.geometry import Rect
-from solver.wanted import Arrangement, Link, Placed, Space, Stand, Wanted
+from solver.pieces import Arrangement, Link, Piece, Placed, Space, Stand
 from tests.oracles.walk import missed, side_towards
 
 AT_WALL_MM = 150
@@ -22,7 +22,7 @@ BEHIND = {0: "north", 90: "west", 180: "south", 270: "east"}
 FACING = {"north": "south", "south": "north", "east": "west", "west": "east"}
 
 
-def faults(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement) -> list[str]:
+def faults(space: Space, wanted: Sequence[Piece], arrangement: Arrangement) -> list[str]:
     """Lists what is wrong with where the pieces stand; walking is `unreached`'s."""
     by_label = {piece.label: piece for piece in arrangement.placed}
     asked = {piece.label: piece for piece in wanted}
@@ -37,16 +37,16 @@ def faults(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement) -> 
     return found
 
 
-def _roll(wanted: Sequence[Wanted], arrangement: Arrangement) -> Iterator[str]:
+def _roll(wanted: Sequence[Piece], arrangement: Arrangement) -> Iterator[str]:
     """Every wanted piece is there once, placed or left out."""
     there = sorted([piece.label for piece in arrangement.placed] + [label for label, _ in arrangement.left_out])
     if there != sorted(piece.label for piece in wanted):
         yield f"placed and left out are {there}"
 
 
-def _by_itself(space: Space, asked: Wanted, piece: Placed) -> Iterator[str]:
+def _by_itself(space: Space, asked: Piece, piece: Placed) -> Iterator[str]:
     chosen, r = piece.chosen, piece.footprint
-    if chosen not in asked.alternatives:
+    if chosen not in asked.candidates:
         yield f"{piece.label} stands in a way that nobody asked for"
     wide, deep = chosen.size_mm[:2] if piece.rotation % 180 == 0 else chosen.size_mm[1::-1]
     if (r.x1 - r.x0, r.z1 - r.z0) != (wide, deep):
@@ -83,7 +83,7 @@ def _with_parent(placed: Mapping[str, Placed], piece: Placed) -> Iterator[str]:
     if attach is None:
         return
     parent = placed.get(attach.parent)
-    if parent is None or parent.chosen.kind != attach.parent_kind:
+    if parent is None or (parent.chosen.kind, parent.chosen.stance) != (attach.parent_kind, attach.parent_stance):
         yield f"{piece.label} is attached to {attach.parent}, which is not there as {attach.parent_kind}"
         return
     if (parent.rotation + piece.chosen.rotation - piece.rotation) % 360:
@@ -101,7 +101,7 @@ def _with_parent(placed: Mapping[str, Placed], piece: Placed) -> Iterator[str]:
             yield f"{piece.label} and {other.label} take one slot"
 
 
-def _links(placed: Mapping[str, Placed], asked: Wanted, piece: Placed) -> Iterator[str]:
+def _links(placed: Mapping[str, Placed], asked: Piece, piece: Placed) -> Iterator[str]:
     for link in asked.links:
         other = placed.get(link.of)
         if not link.required or other is None:
@@ -134,7 +134,7 @@ def _pair(a: Placed, b: Placed) -> Iterator[str]:
         yield f"{a.label} and {b.label} overlap"
 
 
-def unreached(space: Space, wanted: Sequence[Wanted], arrangement: Arrangement) -> list[str]:
+def unreached(space: Space, wanted: Sequence[Piece], arrangement: Arrangement) -> list[str]:
     """Lists the doors and the pieces with use sides that cannot be come to from the first door."""
     asked = {piece.label: piece for piece in wanted}
     solids = [piece.footprint for piece in arrangement.placed if piece.chosen.bottom_mm < HEADROOM_MM]

@@ -1,6 +1,6 @@
 """What an answer is worth, added up anew: the worst that positions break, and what they cost.
 
-Comes in: a `Problem`, read as data, and positions in metres. Written from the docstrings of constraints.py and terms.py.
+Comes in: a `Problem`, read as data, and positions in metres. Written from the docstrings of problem.py.
 """
 
 from __future__ import annotations
@@ -33,6 +33,6 @@ def cost(problem: Problem, p: Positions) -> float:
     total = 0.0
     for term in problem.terms:
         own = p[term.axis]
-        off = own[term.i] - term.wish if hasattr(term, "wish") else own[term.j] - own[term.i] - term.offset
+        off = own[term.j] - (own[term.i] if term.i >= 0 else 0.0) - term.offset
         total += term.weight * off * off
     return float(total)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from solver.geometry import Rect
+from solver.pieces import Attach, Candidate, Doorway, Link, Piece, Space, Stand, Zone
 from solver.placement import feasible
-from solver.wanted import Alternative, Attach, Doorway, Link, Space, Stand, Wanted, Zone
 from tests.bench.fuzz_rooms import fuzz_room
 from tests.oracles.paths import stand_and_walk
 from tests.oracles.room import stand_together
@@ -20,13 +20,13 @@ def room(width: int, depth: int, *zones: Zone, doors: tuple[Doorway, ...] = ()) 
     return Space("room", Rect(0, 0, width, depth), zones, doors)
 
 
-def at(wall: str, width: int, depth: int, height: int = 900) -> Alternative:
+def at(wall: str, width: int, depth: int, height: int = 900) -> Candidate:
     rotation = {"north": 0, "west": 90, "south": 180, "east": 270}[wall]
-    return Alternative("box", (width, depth, height), rotation, wall)
+    return Candidate("box", (width, depth, height), rotation, wall)
 
 
-def box(label: str, *ways: Alternative, links: tuple[Link, ...] = (), stands: tuple[str, ...] = (), every: bool = False) -> Wanted:
-    return Wanted(label, True, ways, links, tuple(Stand(side) for side in stands), every)
+def box(label: str, *ways: Candidate, links: tuple[Link, ...] = (), stands: tuple[str, ...] = (), every: bool = False) -> Piece:
+    return Piece(label, True, ways, links, tuple(Stand(side) for side in stands), every)
 
 
 @pytest.mark.parametrize(("width", "stand"), [(2000, True), (1999, False)])
@@ -45,10 +45,10 @@ def test_a_window_keeps_what_is_taller_than_its_sill_away(sill: int, stand: bool
 def test_a_companion_slides_as_far_as_its_slot_lets_it(slide: int, stand: bool) -> None:
     """Before the middle of a fixed piece lies a zone that reaches 400 mm to each side; the companion is 600 wide."""
     parent = box("parent", at("north", 2000, 500))
-    way = Alternative("chair", (600, 400, 900), 180, attach=Attach("parent", "box", (-slide, slide), (450, 450)))
+    way = Candidate("chair", (600, 400, 900), 180, attach=Attach("parent", "box", (-slide, slide), (450, 450)))
     zone = Zone(Rect(600, 600, 1400, 2000), -1, "zone")
     assert stand_together(room(2000, 2000, zone), [parent, box("chair", way)]).verdict is stand
-    other_kind = Alternative("chair", (600, 400, 900), 180, attach=Attach("parent", "bench", (-slide, slide), (450, 450)))
+    other_kind = Candidate("chair", (600, 400, 900), 180, attach=Attach("parent", "bench", (-slide, slide), (450, 450)))
     assert stand_together(room(2000, 2000), [parent, box("chair", other_kind)]).verdict is False
 
 
@@ -69,7 +69,7 @@ def test_a_use_side_needs_room_for_a_person(depth: int, every: bool, stand: bool
 @pytest.mark.parametrize(("width", "reached"), [(3000, True), (2999, False)])
 def test_a_gap_of_exactly_the_person_is_a_way(width: int, reached: bool) -> None:
     """A shelf across the room leaves 600 mm or less; behind it stands what must be come to."""
-    across = Alternative("shelf", (2400, 300, 1800), 0, within=Rect(0, 1500, width, 1800))
+    across = Candidate("shelf", (2400, 300, 1800), 0, within=Rect(0, 1500, width, 1800))
     goal = box("goal", at("north", 800, 400), stands=("front",))
     space = room(width, 3000, SQUARE, doors=(DOOR,))
     answer = stand_and_walk(space, [box("shelf", across), goal])

@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Iterable, Sequence
 
 from solver.geometry import Rect
-from solver.wanted import Doorway, Space
+from solver.pieces import Doorway, Space
 
 Cell = tuple[int, int]
 

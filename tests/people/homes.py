@@ -14,7 +14,7 @@ from catalogs import load_catalogs
 from solver import Request, Scene, generate
 from solver.furnish import space_of
 from solver.geometry import Rect
-from solver.people import Home, peopled
+from solver.people import Household, peopled
 from solver.scene import Decoration, Dynamic, Furniture, Room, robot_width_of
 from tests.oracles.walk import missed
 
@@ -41,7 +41,7 @@ def household(number: int, seed: int) -> Scene:
     """The same house with who is there for a seed."""
     scene = house(number)
     spaces = {room.id: space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms) for room in scene.rooms}
-    return replace(scene, dynamic=peopled(scene.rooms, Home(seed, load_catalogs(), spaces)))
+    return replace(scene, dynamic=peopled(scene.rooms, Household(seed, load_catalogs(), spaces)))
 
 
 def bounds(body: Furniture | Decoration | Dynamic) -> tuple[float, float, float, float]:
@@ -68,7 +68,8 @@ def crossed(person: Dynamic, scene: Scene) -> Iterator[str]:
     if min(x0, z0) < half - 1e-9 or x1 > room.width - half + 1e-9 or z1 > room.depth - half + 1e-9:
         yield "leaves the room"
     others = [one for one in scene.dynamic if one.room == room.id]
-    for thing in (*room.furniture, *room.decorations, *others):
+    things: list[Furniture | Decoration | Dynamic] = [*room.furniture, *room.decorations, *others]
+    for thing in things:
         lies_on_seat = isinstance(thing, Decoration) and thing.parent == person.on and thing.height <= 0.06
         if thing.id not in (person.id, person.on) and thing.height > 0.02 and not lies_on_seat and share(person, thing):
             yield f"shares space with {thing.id}"
@@ -113,7 +114,8 @@ def out_of_reach(scene: Scene, room: Room) -> list[str]:
     loose = [thing for thing in room.decorations if thing.parent is None and thing.mounted_on_wall is None and thing.y == 0]
     here = [person for person in scene.dynamic if person.room == room.id]
     standing = [person for person in here if person.on is None]
-    solids = [_rect(body) for body in (*room.furniture, *loose, *standing) if body.height > 0.02 and body.y < 2]
+    bodies: list[Furniture | Decoration | Dynamic] = [*room.furniture, *loose, *standing]
+    solids = [_rect(body) for body in bodies if body.height > 0.02 and body.y < 2]
     uses = []
     for piece in room.furniture:
         kinds = [entry for kind, entry in known.furniture.items() if known.name_of(kind) == piece.name and entry.use]

@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from collections import Counter
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from catalogs import load_catalogs
 from solver import generate
 from solver.furnish import space_of
-from solver.people import Home, peopled
+from solver.people import Household, peopled
 from solver.scene import Scene
 from tests.people.homes import MAJOR, REQUESTS, house, household
 
@@ -32,7 +33,7 @@ def least_major(scene: Scene, number: int) -> Scene:
 
 def drawn(scene: Scene, seed: int) -> Scene:
     spaces = {room.id: space_of(room, scene.wall_thickness, 0.6, scene.rooms) for room in scene.rooms}
-    return replace(scene, dynamic=peopled(scene.rooms, Home(seed, load_catalogs(), spaces)))
+    return replace(scene, dynamic=peopled(scene.rooms, Household(seed, load_catalogs(), spaces)))
 
 
 def test_three_in_ten_major_rooms_have_a_person_and_seven_in_ten_houses_a_pet() -> None:
@@ -107,4 +108,5 @@ def test_a_room_draws_its_own_people() -> None:
 
 def test_certificate_and_view_count_them() -> None:
     scene = next(made for seed in range(20) if (made := generate(replace(REQUESTS[3], seed=seed)).scene).dynamic)
-    assert (scene.certificate or {})["counts"]["dynamic"] == len(scene.dynamic)
+    certificate: Any = scene.certificate
+    assert certificate["counts"]["dynamic"] == len(scene.dynamic)

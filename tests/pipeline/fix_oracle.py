@@ -1,4 +1,4 @@
-"""Can these pieces stand in this room at all? A mixed-integer programme straight from the contract, for one-room scenes.
+"""Can these pieces stand in this room at all? A mixed-integer programme straight from the rules of docs/scene.md, for one-room scenes.
 
 A piece keeps its rotation; one with a wall may stand at any of the four, turned with it, its back within 0.2 m of the wall's
 line. Nobody stands in a door's square; nobody taller than the sill before a window; two that share heights are left, right,

@@ -52,7 +52,7 @@ def fuzzed(seed: int, count: int = 4, locks: bool = False) -> Scene:
 
 
 def with_repair(scene: Scene, repair: Mapping[str, Any]) -> Scene:
-    """Does what README.md says a repair means."""
+    """Does what docs/fix.md says a repair means."""
     action, label = repair["action"], repair["id"]
     rooms = []
     for room in scene.rooms:

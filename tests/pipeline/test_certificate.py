@@ -18,7 +18,8 @@ REQUESTS = [Request(seed=42, width=8.0, depth=6.0, decorate=True), Request(seed=
 
 
 def entries(scene: Scene) -> dict[str, Any]:
-    return dict((scene.certificate or {})["rooms"])
+    certificate: Any = scene.certificate
+    return dict(certificate["rooms"])
 
 
 def furnished(scene: Scene) -> Room:

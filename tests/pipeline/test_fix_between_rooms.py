@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from importlib import import_module
 
 import pytest
 
+from catalogs import Catalogs
 from solver import Scene, fix
-from solver.scene import Dynamic, Furniture, Opening, Room
+from solver.scene import Dynamic, Furniture, Issue, Opening, Room
+from solver.validator import checking
+from solver.validator.judging import RuleCase
+from solver.validator.rules import issues_of
 from tests.pipeline.fix_rooms import BACK_TO, body, errors, pieces, room_of
 
 FRONT = Opening("front", "door", "west", 1.0, 0.9, connects_to="EXTERIOR", main_entrance=True)
@@ -52,3 +57,25 @@ def test_a_chair_too_far_under_its_table_is_drawn_out(wall: str, step: tuple[int
     moved = [now[table.id].x - 2.0, now[table.id].z - 2.0]
     assert sum(out) - sum(m * s for m, s in zip(moved, step, strict=True)) == pytest.approx(-0.2), "until 35 cm of its 50 are under it"
     assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_the_house_is_checked_once_and_then_only_where_it_changed(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole, judged = [], []
+    check = checking.check
+
+    def counted(rule: str, case: RuleCase) -> tuple[Issue, ...]:
+        judged.append((case.room.room.id, rule))
+        return issues_of(rule, case)
+
+    def checked(scene: Scene, catalogs: Catalogs) -> checking.Checked:
+        whole.append(scene)
+        return check(scene, catalogs)
+
+    monkeypatch.setattr(checking, "issues_of", counted)
+    monkeypatch.setattr(import_module("solver.pipeline.fix"), "check", checked)
+    people = (Dynamic("one", "person", "room_0", 3.0, 0.0, 1.4, 0, 0.5, 0.5, 0.9),)
+    fixed = fix(house(body("chest_1", 4.0, 1.0, (0.6, 1.3, 0.8)), people=people))
+    assert len(whole) == 1
+    assert judged.count(("back_1", "overlap")) == 1, "nothing in it changes"
+    assert judged.count(("room_0", "overlap")) > 1
+    assert errors(fixed.scene) == []

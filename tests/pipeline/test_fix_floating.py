@@ -10,7 +10,7 @@ from catalogs import load_catalogs
 from solver import Request, Scene, fix, generate
 from solver.scene import Decoration, Furniture, Room
 from solver.streams import Stream
-from solver.validate import validate
+from solver.validator import validate
 
 BED = Furniture("r/bed_1", "bed", "bed", x=2.0, z=1.08, width=1.6, depth=2.0, height=0.9, wall="north")
 SHELF = Decoration("r/wall_shelf_1", "wall_shelf", None, "west", 0.16, 1.5, 3.0, 90, 0.8, 0.22, 0.04)

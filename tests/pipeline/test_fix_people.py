@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from solver import Scene, fix
-from solver.scene import Dynamic, Opening
+from solver.scene import Dynamic, Furniture, Opening
 from solver.streams import Stream
 from tests.pipeline.fix_rooms import body, errors, room_of
 
@@ -24,7 +24,7 @@ def crowded(seed: int) -> Scene:
     """Furniture that stands well, and three people thrown in, everything on a raster of 5 cm."""
     stream = Stream(seed, "crowd")
     door = Opening("door", "door", "south", 1.5, 0.8, connects_to="EXTERIOR", main_entrance=True)
-    furniture = []
+    furniture: list[Furniture] = []
     for k in range(4):
         size = (0.5 + 0.1 * stream.below(8), 0.5 + 0.1 * stream.below(6), 0.8)
         place = (STEP * stream.below(80), STEP * stream.below(70))

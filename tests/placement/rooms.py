@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from solver.geometry import ROTATION_AT_WALL, Rect
+from solver.pieces import Attach, Candidate, Doorway, Piece, Space, Stand, Zone
 from solver.streams import Stream
-from solver.wanted import Alternative, Attach, Doorway, Space, Stand, Wanted, Zone
 
 WALLS = tuple(ROTATION_AT_WALL)
 
@@ -21,7 +21,7 @@ def random_space(stream: Stream) -> Space:
     return Space("room", clear, zones, (Doorway("door_1", "south", square, "hall"),))
 
 
-def at_walls(size: tuple[int, int, int], space: Space, stream: Stream) -> tuple[Alternative, ...]:
+def at_walls(size: tuple[int, int, int], space: Space, stream: Stream) -> tuple[Candidate, ...]:
     """One alternative a wall, its anchor somewhere along it."""
     found = []
     for wall in WALLS:
@@ -29,15 +29,15 @@ def at_walls(size: tuple[int, int, int], space: Space, stream: Stream) -> tuple[
         along = low + stream.below(high - low)
         anchor = (along, 0) if wall in ("north", "south") else (0, along)
         cost = stream.below(30) / 10
-        found.append(Alternative("piece", size, ROTATION_AT_WALL[wall], wall, anchor, cost=cost))
+        found.append(Candidate("piece", size, ROTATION_AT_WALL[wall], wall, anchor, cost=cost))
     return tuple(found)
 
 
-def free(size: tuple[int, int, int], space: Space, stream: Stream) -> tuple[Alternative, ...]:
+def free(size: tuple[int, int, int], space: Space, stream: Stream) -> tuple[Candidate, ...]:
     """Both rotations, anchored anywhere in the room."""
     clear = space.clear
     anchor = (clear.x0 + stream.below(clear.width), clear.z0 + stream.below(clear.depth))
-    return tuple(Alternative("piece", size, rotation, None, anchor) for rotation in (0, 90))
+    return tuple(Candidate("piece", size, rotation, None, anchor) for rotation in (0, 90))
 
 
 def random_size(stream: Stream) -> tuple[int, int, int]:
@@ -45,21 +45,21 @@ def random_size(stream: Stream) -> tuple[int, int, int]:
     return 300 + stream.below(1500), 300 + stream.below(600), 400 + stream.below(1800)
 
 
-def random_wanted(space: Space, stream: Stream, count: int) -> tuple[Wanted, ...]:
+def random_wanted(space: Space, stream: Stream, count: int) -> tuple[Piece, ...]:
     """Pieces in order of importance; the first two are required, every fourth is a companion."""
-    pieces: list[Wanted] = []
+    pieces: list[Piece] = []
     for k in range(count):
         size = random_size(stream)
         label = f"piece_{k + 1}"
         if k % 4 == 3:
             parent = pieces[k - 1]
-            wide, deep, _ = parent.alternatives[0].size_mm
+            wide, deep, _ = parent.candidates[0].size_mm
             attach = Attach(parent.label, "piece", (-wide // 2, wide // 2), ((deep + size[1]) // 2 + 1,) * 2)
-            alternatives: tuple[Alternative, ...] = (Alternative("companion", size, 180, attach=attach),)
+            alternatives: tuple[Candidate, ...] = (Candidate("companion", size, 180, attach=attach),)
         elif stream.chance(0.7):
             alternatives = at_walls(size, space, stream)
         else:
             alternatives = free(size, space, stream)
         stands = (Stand("front"),) if stream.chance(0.5) else ()
-        pieces.append(Wanted(label, k < 2, alternatives, stands=stands))
+        pieces.append(Piece(label, k < 2, alternatives, stands=stands))
     return tuple(pieces)

@@ -5,28 +5,28 @@ from __future__ import annotations
 import pytest
 
 from solver.geometry import ROTATION_AT_WALL, Rect
-from solver.placement import Budget, arrange_as_wished, feasible, minimal_conflict, settle
+from solver.pieces import Arrangement, Candidate, Piece, Space, Stand, Zone
+from solver.placement import Budget, feasible, finish, minimal_conflict, move_least
 from solver.placement.lengths import Shortfall, centimetres, longer_pieces, longer_space, metres, sentence, shortfall
-from solver.wanted import Alternative, Arrangement, Space, Stand, Wanted, Zone
 
 
 def room(width: int, depth: int, *zones: Zone) -> Space:
     return Space("room", Rect(0, 0, width, depth), zones, ())
 
 
-def free(label: str, width: int, depth: int, **more: object) -> Wanted:
-    return Wanted(label, True, (Alternative(label, (width, depth, 800), 0, None, (500, 500)),), **more)  # type: ignore[arg-type]
+def free(label: str, width: int, depth: int, **more: object) -> Piece:
+    return Piece(label, True, (Candidate(label, (width, depth, 800), 0, None, (500, 500)),), **more)  # type: ignore[arg-type]
 
 
-def at_wall(label: str, width: int, depth: int, wall: str) -> Wanted:
-    return Wanted(label, True, (Alternative(label, (width, depth, 800), ROTATION_AT_WALL[wall], wall, (500, 500)),))
+def at_wall(label: str, width: int, depth: int, wall: str) -> Piece:
+    return Piece(label, True, (Candidate(label, (width, depth, 800), ROTATION_AT_WALL[wall], wall, (500, 500)),))
 
 
 def placed(space: Space, pieces: object) -> Arrangement:
-    return settle([arrange_as_wished(space, list(pieces), Budget())])[0]  # type: ignore[call-overload]
+    return finish([move_least(space, list(pieces), Budget())])[0]  # type: ignore[call-overload]
 
 
-def found(space: Space, *pieces: Wanted, walk: bool = False) -> Shortfall | None:
+def found(space: Space, *pieces: Piece, walk: bool = False) -> Shortfall | None:
     return shortfall(space, pieces, lambda longer, some: feasible(longer, some, Budget(), walk), placed)
 
 
@@ -59,13 +59,13 @@ def test_what_hangs_on_the_far_wall_goes_along_and_the_near_stays() -> None:
     longer = longer_space(room(3000, 2000, *zones), 0, 250)
     assert [zone.rect for zone in longer.zones] == [Rect(2350, 0, 3250, 900), Rect(0, 0, 900, 900), Rect(0, 0, 3250, 90)]
     assert longer.clear == Rect(0, 0, 3250, 2000)
-    held = Wanted("a", True, (Alternative("a", (500, 500, 500), 0, within=Rect(2500, 0, 3000, 500)),))
+    held = Piece("a", True, (Candidate("a", (500, 500, 500), 0, within=Rect(2500, 0, 3000, 500)),))
     (moved,) = longer_pieces(room(3000, 2000), [held], 0, 250)
-    assert moved.alternatives[0].within == Rect(2750, 0, 3250, 500)
+    assert moved.candidates[0].within == Rect(2750, 0, 3250, 500)
 
 
 def test_a_locked_piece_begins_a_chain() -> None:
-    locked = Wanted("chest", True, (Alternative("chest", (800, 1000, 800), 0, within=Rect(0, 0, 800, 1000)),))
+    locked = Piece("chest", True, (Candidate("chest", (800, 1000, 800), 0, within=Rect(0, 0, 800, 1000)),))
     short = found(room(2000, 1000), locked, free("bed", 1300, 900))
     assert short is not None
     assert sentence(short) == "to the far side of chest 0.80 + bed 1.30 = 2.10 > 2.00 m from west to east: 10 cm short"

@@ -2,45 +2,28 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 from solver.placement.kernel import cache
+from tests.placement.cold_cache import SAID, files, started
 
-ROOT = Path(__file__).parents[2]
-PROGRAM = "import sys; from tests.pipeline.test_same_bytes import house; sys.stdout.buffer.write(house(5))"
-
-
-def started(cache: Path | None) -> subprocess.Popen[bytes]:
-    """Starts a process that prints a house, with a cache of its own or with everyone's."""
-    own = {} if cache is None else {"NUMBA_CACHE_DIR": str(cache)}
-    return subprocess.Popen(
-        [sys.executable, "-c", PROGRAM], cwd=ROOT, env={**os.environ, **own}, stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    )
-
-
-def files(cache: Path) -> set[Path]:
-    return {path.relative_to(cache) for path in cache.rglob("*") if path.is_file()}
+TINY = ("-m", "tests.placement.tiny_kernel")
 
 
 def test_of_two_processes_with_a_cold_cache_one_compiles_and_says_so(tmp_path: Path) -> None:
-    both = [started(tmp_path), started(tmp_path)]
+    """A kernel of one function; that of placement is compiled in `python -m tests.targets kernel`."""
+    both = [started(tmp_path, *TINY), started(tmp_path, *TINY)]
     answers = [process.communicate() for process in both]
-    assert [process.returncode for process in both] == [0, 0], answers
+    assert [(process.returncode, made) for process, (made, _) in zip(both, answers, strict=True)] == [(0, b"42\n")] * 2, answers
     assert sorted(errors.decode().count("\n") for _, errors in answers) == [0, 1]
-    assert b"compiling the placement kernel" in answers[0][1] + answers[1][1]
+    assert SAID in answers[0][1] + answers[1][1]
     compiled = files(tmp_path)
-    assert len([path for path in compiled if path.suffix == ".nbc"]) > 50
+    assert len([path for path in compiled if path.suffix == ".nbc"]) == 1
     assert not [path for path in compiled if ".tmp." in path.name]
-    own, everyones = started(tmp_path).communicate(), started(None).communicate()
-    assert {own[0], everyones[0], *(made for made, _ in answers)} == {own[0]}
-    assert len(own[0]) > 10_000
-    assert own[1] == b""
+    assert started(tmp_path, *TINY).communicate() == (b"42\n", b"")
     assert files(tmp_path) == compiled
 
 

@@ -6,13 +6,11 @@ import cvxpy as cp
 import numpy as np
 import pytest
 
-from solver.placement.axis import AxisProgram
-from solver.placement.constraints import ORIGIN, Row
-from solver.placement.problem import Problem
-from solver.placement.search import solve
-from solver.placement.terms import Anchor, Pull
+from solver.placement.problem import ORIGIN, DifferenceRow, Problem, Term
 from solver.streams import Stream
 from tests.oracles import sums
+from tests.oracles.axis import AxisProgram
+from tests.oracles.problems import anchor, new_variable, solve
 
 PROGRAMMES = 400
 CLOSE = 1e-7
@@ -25,16 +23,16 @@ def random_programme(seed: int) -> Problem:
     count = 1 + stream.below(9)
     for v in range(count):
         low = stream.below(3000)
-        problem.variable(0, low, low if stream.chance(0.15) else low + stream.below(4000))
-        problem.terms.append(Anchor(0, v, 6 * stream.unit() - 1, (0.02, 0.5, 1.0, 20.0)[stream.below(4)]))
+        new_variable(problem, 0, low, low if stream.chance(0.15) else low + stream.below(4000))
+        problem.terms.append(anchor(0, v, 6 * stream.unit() - 1, (0.02, 0.5, 1.0, 20.0)[stream.below(4)]))
     if count == 1:
         return problem
     for _ in range(stream.below(4)):
         i, j = pair(stream, count)
-        problem.terms.append(Pull(0, i, j, 2 * stream.unit() - 1, 0.02 + 3 * stream.unit()))
+        problem.terms.append(Term(0, i, j, 2 * stream.unit() - 1, 0.02 + 3 * stream.unit()))
     for _ in range(stream.below(9)):
         i, j = pair(stream, count)
-        problem.rows.append(Row(0, i, j, stream.below(1200) - 300))
+        problem.rows.append(DifferenceRow(0, i, j, stream.below(1200) - 300))
     add_dependent(problem, stream)
     return problem
 
@@ -52,16 +50,16 @@ def add_dependent(problem: Problem, stream: Stream) -> None:
         if kind == 0:
             problem.rows.append(row)
         elif kind == 1:
-            problem.rows.append(Row(0, row.j, row.i, -row.s))
+            problem.rows.append(DifferenceRow(0, row.j, row.i, -row.s))
         elif kind == 2:
-            problem.rows.append(Row(0, row.j, row.i, -row.s - stream.below(400)))
+            problem.rows.append(DifferenceRow(0, row.j, row.i, -row.s - stream.below(400)))
         elif kind == 3:
-            problem.rows.append(Row(0, ORIGIN, row.j, problem.low[0][row.i] + row.s))
+            problem.rows.append(DifferenceRow(0, ORIGIN, row.j, problem.low[0][row.i] + row.s))
         elif kind == 4:
-            problem.rows.append(Row(0, row.i, ORIGIN, row.s - problem.high[0][row.j]))
+            problem.rows.append(DifferenceRow(0, row.i, ORIGIN, row.s - problem.high[0][row.j]))
         for other in problem.rows[:3]:
             if other.i == row.j and other.j != row.i and stream.chance(0.5):
-                problem.rows.append(Row(0, row.i, other.j, row.s + other.s))
+                problem.rows.append(DifferenceRow(0, row.i, other.j, row.s + other.s))
 
 
 def possible(problem: Problem) -> bool:
@@ -85,7 +83,7 @@ def by_cvxpy(problem: Problem) -> float:
     p = cp.Variable(len(problem.low[0]))
     cost = 0
     for term in problem.terms:
-        off = p[term.i] - term.wish if isinstance(term, Anchor) else p[term.j] - p[term.i] - term.offset
+        off = p[term.j] - (p[term.i] if term.i >= 0 else 0) - term.offset
         cost += term.weight * cp.square(off)
     rules = [np.array(problem.low[0]) / 1000 <= p, p <= np.array(problem.high[0]) / 1000]
     for row in problem.rows:
@@ -133,8 +131,8 @@ def test_a_tie_of_two_rows_is_an_equality() -> None:
     """p0 wants 1, p1 wants 2, weights 1 and 3, and p1 - p0 = 0.4: the weighted mean of 1 and 1.6 is 1.45."""
     problem = Problem()
     for wish, weight in ((1.0, 1.0), (2.0, 3.0)):
-        problem.terms.append(Anchor(0, problem.variable(0, 0, 5000), wish, weight))
-    problem.rows += [Row(0, 0, 1, 400), Row(0, 1, 0, -400)]
+        problem.terms.append(anchor(0, new_variable(problem, 0, 0, 5000), wish, weight))
+    problem.rows += [DifferenceRow(0, 0, 1, 400), DifferenceRow(0, 1, 0, -400)]
     outcome = solve(problem)
     assert outcome.positions is not None
     assert outcome.positions[0] == pytest.approx([1.45, 1.85], abs=1e-9)
@@ -146,8 +144,8 @@ def test_a_row_of_boxes_fits_exactly_or_not_at_all(room: int, found: bool) -> No
     """Six boxes of 500 mm, all of which want to stand at 1 m."""
     problem = Problem()
     for _ in range(6):
-        problem.terms.append(Anchor(0, problem.variable(0, 0, room - 500), 1.0, 1.0))
-    problem.rows += [Row(0, k, k + 1, 500) for k in range(5)]
+        problem.terms.append(anchor(0, new_variable(problem, 0, 0, room - 500), 1.0, 1.0))
+    problem.rows += [DifferenceRow(0, k, k + 1, 500) for k in range(5)]
     outcome = solve(problem)
     assert (outcome.positions is not None) is found
     if outcome.positions is not None:
@@ -156,9 +154,9 @@ def test_a_row_of_boxes_fits_exactly_or_not_at_all(room: int, found: bool) -> No
 
 def test_variables_without_room_to_move_are_fixed() -> None:
     problem = Problem()
-    a, b = problem.variable(0, 700, 700), problem.variable(0, 0, 2000)
-    problem.terms += [Anchor(0, a, 0.0, 1.0), Anchor(0, b, 0.0, 1.0), Pull(0, a, b, 0.1, 1.0)]
-    problem.rows.append(Row(0, a, b, 300))
+    a, b = new_variable(problem, 0, 700, 700), new_variable(problem, 0, 0, 2000)
+    problem.terms += [anchor(0, a, 0.0, 1.0), anchor(0, b, 0.0, 1.0), Term(0, a, b, 0.1, 1.0)]
+    problem.rows.append(DifferenceRow(0, a, b, 300))
     outcome = solve(problem)
     assert outcome.positions is not None
     assert outcome.positions[0] == pytest.approx([0.7, 1.0], abs=1e-9)

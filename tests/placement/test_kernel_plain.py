@@ -16,9 +16,9 @@ from solver import Request, fix, generate
 from solver.exchange import dump_text, write_scene
 from solver.placement import place
 from solver.placement.kernel import jit
-from solver.placement.search import solve
 from solver.scene import Furniture, Scene
 from solver.streams import Stream
+from tests.oracles.problems import solve
 from tests.placement.rooms import random_space, random_wanted
 from tests.placement.test_kernel_dual import random_programme
 from tests.placement.test_search import random_problem

@@ -5,25 +5,24 @@ from __future__ import annotations
 import pytest
 
 from solver.geometry import Rect
+from solver.pieces import Arrangement, Piece, Space
 from solver.placement import feasible, minimal_conflict, place
 from solver.placement.arrange import arrange
 from solver.placement.core import Limits
 from solver.placement.qp import solve_house
 from solver.placement.reference import solve_house as reference_house
-from solver.placement.settle import decided
 from solver.streams import Stream
-from solver.wanted import Arrangement, Space, Wanted
 from tests.placement.rooms import at_walls, random_space, random_wanted
 
 
-def room(seed: int) -> tuple[Space, tuple[Wanted, ...]]:
+def room(seed: int) -> tuple[Space, tuple[Piece, ...]]:
     stream = Stream(seed, "place")
     space = random_space(stream)
     return space, random_wanted(space, stream, 3 + seed % 8)
 
 
 def assert_valid(space: Space, arrangement: Arrangement) -> None:
-    """Written from the contract alone: inside, apart, clear of the door's square and, when tall, of the window."""
+    """Written from the rules alone: inside, apart, clear of the door's square and, when tall, of the window."""
     seen: list[Rect] = []
     for piece in arrangement.placed:
         r = piece.footprint
@@ -55,9 +54,9 @@ def test_every_room_is_valid_in_integers(block: int) -> None:
 
 
 def test_osqp_agrees_with_the_reference_model() -> None:
-    drafts = [arrange(*room(seed)) for seed in range(12)]
-    houses = [decided(draft) for draft in drafts]
-    for ours, theirs, exact in zip(solve_house(houses), reference_house(houses), houses, strict=True):
+    solved = [arrange(*room(seed)) for seed in range(12)]
+    rooms = [(one.problem, one.solution) for one in solved]
+    for ours, theirs, (_, exact) in zip(solve_house(rooms), reference_house(rooms), rooms, strict=True):
         for axis in (0, 1):
             assert ours[axis] == pytest.approx(theirs[axis], abs=1e-5)
             assert ours[axis] == pytest.approx(exact.positions[axis], abs=1e-6)
@@ -69,8 +68,8 @@ def test_the_same_rooms_give_the_same_arrangements_in_any_company() -> None:
     assert together == alone
 
 
-def wall_piece(label: str, width: int, space: Space) -> Wanted:
-    return Wanted(label, True, at_walls((width, 600, 700), space, Stream(1, label)))
+def wall_piece(label: str, width: int, space: Space) -> Piece:
+    return Piece(label, True, at_walls((width, 600, 700), space, Stream(1, label)))
 
 
 def test_a_conflict_is_minimal() -> None:

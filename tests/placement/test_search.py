@@ -11,17 +11,15 @@ import pytest
 from scipy.optimize import Bounds, LinearConstraint, milp
 
 from solver.geometry import Rect
-from solver.placement import Budget, twin
-from solver.placement.constraints import Part, Row, apart
+from solver.pieces import Space
+from solver.placement import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
-from solver.placement.problem import Problem
-from solver.placement.search import solve
+from solver.placement.problem import DifferenceRow, Problem, ProblemBox
 from solver.placement.snap import snap
-from solver.placement.terms import Anchor
 from solver.streams import Stream
-from solver.wanted import Space
-from tests.oracles import sums
+from tests.oracles import sums, twin
+from tests.oracles.problems import anchor, apart, choose, new_variable, solve
 from tests.placement.rooms import random_size, random_space, random_wanted
 
 TWINS = 160
@@ -34,7 +32,7 @@ def random_problem(seed: int, count: int) -> tuple[Space, Problem]:
     stream = Stream(seed, "search")
     space = random_space(stream)
     core = Core(encode(space, random_wanted(space, stream, count)))
-    decisions = core.first_ways()
+    decisions = core.first_decisions()
     assert decisions is not None
     core.evaluate(decisions, 1, Budget(), False)
     return space, core.problem()
@@ -49,7 +47,7 @@ def oracle_feasible(problem: Problem) -> bool:
         return False
     rows, lower = [], []
 
-    def add(row: Row, binary: int | None) -> None:
+    def add(row: DifferenceRow, binary: int | None) -> None:
         coefficients = np.zeros(total)
         shift = n_x if row.axis else 0
         for variable, sign in ((row.j, 1), (row.i, -1)):
@@ -146,15 +144,12 @@ def best_by_enumeration(problem: Problem) -> float:
     cost = 0
     for term in problem.terms:
         own = p[term.axis]
-        if isinstance(term, Anchor):
-            cost += term.weight * cp.square(own[term.i] - term.wish)
-        else:
-            cost += term.weight * cp.square(own[term.j] - own[term.i] - term.offset)
+        cost += term.weight * cp.square(own[term.j] - (own[term.i] if term.i >= 0 else 0) - term.offset)
     rules = []
     for axis in (0, 1):
         rules += [np.array(problem.low[axis]) / 1000 <= p[axis], p[axis] <= np.array(problem.high[axis]) / 1000]
 
-    def rule(row: Row) -> object:
+    def rule(row: DifferenceRow) -> object:
         own = p[row.axis]
         return (own[row.j] if row.j >= 0 else 0) - (own[row.i] if row.i >= 0 else 0) >= row.s / 1000
 
@@ -172,13 +167,13 @@ def three_boxes(seed: int) -> Problem:
     boxes = []
     for _ in range(3):
         size = random_size(stream)
-        boxes.append((problem.variable(0, 0, 3500 - size[0]), problem.variable(1, 0, 2500 - size[1]), size))
-    parts = [Part(str(k), False, (x, z), (0, 0), size[:2], 0, 1) for k, (x, z, size) in enumerate(boxes)]
+        boxes.append((new_variable(problem, 0, 0, 3500 - size[0]), new_variable(problem, 1, 0, 2500 - size[1]), size))
+    parts = [ProblemBox(str(k), False, (x, z), (0, 0), size[:2], 0, 1) for k, (x, z, size) in enumerate(boxes)]
     for part in parts:
         for axis in (0, 1):
-            problem.terms.append(Anchor(axis, part.var[axis], 0.5 + stream.unit(), 0.5 + stream.unit()))
+            problem.terms.append(anchor(axis, part.var[axis], 0.5 + stream.unit(), 0.5 + stream.unit()))
     for a, b in itertools.combinations(parts, 2):
-        problem.choose(a.label, b.label, apart(a, b))
+        choose(problem, a.label, b.label, apart(a, b))
     return problem
 
 
@@ -193,14 +188,14 @@ def test_the_optimum_is_the_best_of_all_combinations(seed: int) -> None:
 
 def test_a_choice_without_options_has_no_solution() -> None:
     problem = three_boxes(0)
-    problem.choose("0", "1", ())
+    choose(problem, "0", "1", ())
     outcome = solve(problem)
     assert (outcome.positions, outcome.proven, outcome.solves) == (None, True, 0)
 
 
 def test_a_second_anchor_is_refused() -> None:
     problem = three_boxes(0)
-    problem.terms.append(Anchor(0, 0, 1.0, 1.0))
+    problem.terms.append(anchor(0, 0, 1.0, 1.0))
     with pytest.raises(ValueError, match="two anchors"):
         solve(problem)
 
@@ -220,8 +215,8 @@ def test_the_snap_is_exact_in_integers_and_moves_nothing_far(seed: int) -> None:
 
 def assert_apart(space: Space, problem: Problem, p: Sequence[Sequence[int]]) -> int:
     """Asks in integers that all is in the room and bodies share no space with each other and no stand of another; counts parts."""
-    clear, rects = space.clear, list[tuple[Part, Rect]]()
-    for part in problem.parts:
+    clear, rects = space.clear, list[tuple[ProblemBox, Rect]]()
+    for part in problem.boxes:
         r = part.rect(p)
         assert clear.x0 <= r.x0 and r.x1 <= clear.x1 and clear.z0 <= r.z0 and r.z1 <= clear.z1
         for before, other in rects:

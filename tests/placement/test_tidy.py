@@ -7,21 +7,21 @@ from dataclasses import replace
 import pytest
 
 from solver.geometry import Rect
+from solver.pieces import Arrangement, Attach, Candidate, Doorway, Piece, Space, Stand, Zone
 from solver.placement import place
-from solver.wanted import Alternative, Arrangement, Attach, Doorway, Space, Stand, Wanted, Zone
 
 ROOM = Space("r", Rect(50, 50, 4050, 3050), (), (Doorway("d", "south", Rect(1600, 2150, 2500, 3050), "hallway"),))
 SIZE = (800, 400, 900)
 WEIGHT = 2.0
 
 
-def at_north(label: str, x: int, weight: float = WEIGHT) -> Wanted:
+def at_north(label: str, x: int, weight: float = WEIGHT) -> Piece:
     """Returns a piece whose west edge is wished at x, mm, with its back to the north wall."""
-    way = Alternative("box", SIZE, 0, wall="north", anchor_mm=(x + SIZE[0] // 2, 280), weights=(weight, weight))
-    return Wanted(label, True, (way,), stands=(Stand("front"),))
+    way = Candidate("box", SIZE, 0, wall="north", anchor_mm=(x + SIZE[0] // 2, 280), weights=(weight, weight))
+    return Piece(label, True, (way,), stands=(Stand("front"),))
 
 
-def both(*pieces: Wanted, room: Space = ROOM) -> tuple[Arrangement, Arrangement]:
+def both(*pieces: Piece, room: Space = ROOM) -> tuple[Arrangement, Arrangement]:
     """Returns a room as it is placed, and the same tidied."""
     return place([(room, pieces)])[0], place([(room, pieces)], tidy=True)[0]
 
@@ -51,8 +51,8 @@ def test_what_touches_slides_along() -> None:
 
 
 def test_what_is_attached_slides_along() -> None:
-    beside = Alternative("small", (400, 400, 500), 0, attach=Attach("b", "box", (620, 620), (0, 0)))
-    _, after = both(at_north("a", 1000, 20.0), at_north("b", 1900), Wanted("c", True, (beside,)))
+    beside = Candidate("small", (400, 400, 500), 0, attach=Attach("b", "box", (620, 620), (0, 0)))
+    _, after = both(at_north("a", 1000, 20.0), at_north("b", 1900), Piece("c", True, (beside,)))
     assert edges(after) == [(1000, 1800), (1830, 2630), (2650, 3050)]
 
 
@@ -69,7 +69,7 @@ def test_nothing_moves_where_that_costs_too_much() -> None:
     within = [Rect(x - 10, 50, x + 810, 3050) for x in (1000, 1900)]
     pieces = [at_north("a", 1000), at_north("b", 1900)]
     fixed = [
-        Wanted(piece.label, True, (Alternative("box", SIZE, 0, wall="north", anchor_mm=piece.alternatives[0].anchor_mm, within=rect),))
+        Piece(piece.label, True, (Candidate("box", SIZE, 0, wall="north", anchor_mm=piece.candidates[0].anchor_mm, within=rect),))
         for piece, rect in zip(pieces, within, strict=True)
     ]
     before, after = both(*fixed)

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import pytest
 
 from solver.geometry import Rect
+from solver.pieces import Candidate, Doorway, Piece, Space, Stand, Zone
 from solver.placement import Budget
 from solver.placement.core import Core
 from solver.placement.encode import LEAST_FLOOR_MM2, encode
 from solver.streams import Stream
-from solver.wanted import Alternative, Doorway, Space, Stand, Wanted, Zone
 from tests.oracles.walk import missed, side_towards
 
 STEP = 50
@@ -33,21 +34,21 @@ class Body:
     need_all: bool = False
     bottom: int = 0
 
-    def wanted(self, label: str) -> Wanted:
+    def wanted(self, label: str) -> Piece:
         """The body as a piece that can stand in this one place only."""
         size = (self.rect.width, self.rect.depth) if self.rotation % 180 == 0 else (self.rect.depth, self.rect.width)
-        way = Alternative("box", (*size, 700), self.rotation, within=self.rect, bottom_mm=self.bottom)
-        return Wanted(label, True, (way,), stands=tuple(Stand(side) for side in self.sides), need_all=self.need_all)
+        way = Candidate("box", (*size, 700), self.rotation, within=self.rect, bottom_mm=self.bottom)
+        return Piece(label, True, (way,), stands=tuple(Stand(side) for side in self.sides), need_all=self.need_all)
 
 
 def walks(space: Space, bodies: Sequence[Body]) -> bool:
     """Asks the kernel."""
     core = Core(encode(space, [body.wanted(f"box_{k}") for k, body in enumerate(bodies)], "test"))
-    decisions = core.first_ways()
+    decisions = core.first_decisions()
     assert decisions is not None
     core.evaluate(decisions, 1, Budget(), False)
     problem = core.problem()
-    assert [part.rect(problem.low) for part in problem.parts] == [body.rect for body in bodies]
+    assert [part.rect(problem.low) for part in problem.boxes] == [body.rect for body in bodies]
     return core.walkable_at(problem.low)
 
 
@@ -207,11 +208,11 @@ def test_there_must_be_room_before_a_side(depth: int, passes: bool) -> None:
 
 
 def test_any_side_or_all_sides() -> None:
-    both = {"rect": Rect(1000, 0, 1600, 500), "sides": ("left", "front")}
+    both = partial(Body, Rect(1000, 0, 1600, 500), sides=("left", "front"))
     shut = Body(Rect(500, 0, 1000, 500))
-    assert walks(ROOM, [Body(**both, need_all=True)])
-    assert walks(ROOM, [Body(**both, need_all=False), shut])
-    assert not walks(ROOM, [Body(**both, need_all=True), shut])
+    assert walks(ROOM, [both(need_all=True)])
+    assert walks(ROOM, [both(need_all=False), shut])
+    assert not walks(ROOM, [both(need_all=True), shut])
 
 
 @pytest.mark.parametrize("rotation", [0, 90, 180, 270])

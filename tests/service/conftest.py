@@ -2,23 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
 from starlette.testclient import TestClient
 
-from service.app import create_app
-
 SMALL = {"seed": 42, "width": 8.0, "depth": 6.0}
 """A request whose house is made quickly."""
-
-
-@pytest.fixture(scope="session")
-def client() -> Iterator[TestClient]:
-    """A client of an application with our own catalogs; a failure of the service comes back as its answer."""
-    with TestClient(create_app(), raise_server_exceptions=False) as client:
-        yield client
 
 
 @pytest.fixture(scope="session")

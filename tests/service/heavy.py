@@ -8,9 +8,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 if TYPE_CHECKING:
+    from starlette.responses import Response
+
     from service.work import Failure, Job
 
-PATIENCE_S = 20.0
+PATIENCE_S = 600.0
+"""A guard against a test that would never end."""
 
 
 def process(folder: str) -> int:
@@ -22,6 +25,14 @@ def process(folder: str) -> int:
         time.sleep(0.01)
     inside.unlink()
     return os.getpid()
+
+
+def held(job: Job) -> Response | Failure:
+    """A call that first waits at the gate of the folder that its body names."""
+    from service.work import do_alone
+
+    process(job.body.decode())
+    return do_alone(job)
 
 
 def endless(note: str) -> NoReturn:

@@ -1,4 +1,4 @@
-"""Every call does what the contract says of it, in JSON and in YAML."""
+"""Every call does what docs/api.md says of it, in JSON and in YAML."""
 
 from __future__ import annotations
 
@@ -61,6 +61,12 @@ def test_a_body_without_a_content_type_is_json(client: TestClient, scene: dict[s
 def test_a_byte_order_mark_is_let_be(client: TestClient, scene: dict[str, Any]) -> None:
     answer = client.post("/generate", content=b"\xef\xbb\xbf" + json.dumps(SMALL).encode())
     assert answer.json()["scene"] == scene
+
+
+def test_a_house_needs_no_body(client: TestClient) -> None:
+    scene = client.post("/generate").json()["scene"]
+    assert (scene["size"]["width"], scene["size"]["depth"]) == (20.0, 15.0)
+    assert scene["request"] == {**scene["request"], "seed": scene["seed"], "program": None, "use_spine": True}
 
 
 def test_camel_case_keys_mean_the_same(client: TestClient) -> None:

@@ -11,14 +11,14 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from starlette.testclient import TestClient
 
-from catalogs.schema import Relation
+from catalogs.schema import RelationWord
 from solver.scene import Furniture, Opening, Request, Room
 from tests.service.problems import problem_of
 
 POSTS = ["/generate", "/fix", "/place", "/validate", "/view", "/floor", "/export/json", "/export/yaml"]
 BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
-RELATED = get_args(Relation)
+RELATED = get_args(RelationWord)
 
 SCALARS = st.one_of(
     st.none(),
@@ -82,7 +82,7 @@ ASKED = st.fixed_dictionaries(
     optional={"width": SIZES, "depth": SIZES, "height": SIZES | VALUES, "count": st.integers(-1, 3), "relations": RELATIONS | VALUES},
 )
 IDS = st.lists(st.text(max_size=4), max_size=2) | VALUES
-BODIES = {
+BODIES: dict[str, st.SearchStrategy[Any]] = {
     "/generate": keys(Request) | st.fixed_dictionaries({"scene": SCENES, "reroll": IDS}),
     "/fix": st.fixed_dictionaries({"scene": SCENES}, optional={"locked": IDS, "moved": IDS, "on_conflict": VALUES}),
     "/place": st.fixed_dictionaries(

@@ -62,8 +62,10 @@ def test_it_lists_every_call(document: dict[str, Any]) -> None:
     assert posts == {"/generate", "/fix", "/place", "/validate", "/view", "/floor", "/export/{format}"}
     assert gets == {"/catalog", "/schema", "/healthz"}
     assert all(call["description"] for verbs in document["paths"].values() for call in verbs.values())
-    statuses = {str(status) for status, _ in STATUS.values()} | {"200"}
-    assert all(set(document["paths"][path]["post"]["responses"]) == statuses for path in posts)
+    statuses = {str(status) for status, _ in STATUS.values()} | {"200", "405", "500"}
+    found = {path: set(document["paths"][path]["post"]["responses"]) for path in posts}
+    assert found == {path: statuses | ({"404"} if "{" in path else set()) for path in posts}
+    assert all(set(document["paths"][path]["get"]["responses"]) == {"200", "405", "500"} for path in gets)
 
 
 def test_answers_are_as_described(client: TestClient, document: dict[str, Any], house: dict[str, Any], scene: dict[str, Any]) -> None:
@@ -78,6 +80,34 @@ def test_answers_are_as_described(client: TestClient, document: dict[str, Any], 
         assert faults(document, answer_schema(document, path, 200, "get"), client.get(path).json()) == []
 
 
+SEEDED = ("/generate", "/fix", "/place")
+"""Calls whose answers are placements: examples of them show one that was."""
+
+
+def test_every_example_is_taken_and_answered_as_it_says(client: TestClient, document: dict[str, Any]) -> None:
+    for path, verbs in document["paths"].items():
+        for verb, call in verbs.items():
+            body = call["requestBody"]["content"]["application/json"]["example"] if verb == "post" else None
+            answer = client.request(verb, path.replace("{format}", "json"), json=body)
+            schema = answer_schema(document, path, 200, verb)
+            shown = call["responses"]["200"]["content"]["application/yaml"]["example"]
+            assert (path, answer.status_code) == (path, 200)
+            assert [faults(document, schema, found) for found in (answer.json(), shown)] == [[], []]
+            if verb == "post":
+                assert faults(document, body_schema(document, path), body) == []
+            if verb == "post" and path not in SEEDED:
+                assert answer.json() == shown
+
+
+def test_every_limit_is_told(document: dict[str, Any]) -> None:
+    """A number or list of a body without bounds is one that was forgotten."""
+    schemas = document["components"]["schemas"]
+    read = [schema for name, schema in schemas.items() if name.endswith(("Body", "-Input")) or name in ("Request", "Pose", "PieceRequest")]
+    numbers = [node for schema in read for node in nodes(schema) if node.get("type") in ("number", "integer")]
+    assert len(numbers) > 50
+    assert [node for node in numbers if "maximum" not in node or not {"minimum", "exclusiveMinimum"} & node.keys()] == []
+
+
 def test_an_answer_with_more_or_less_would_be_seen(document: dict[str, Any], house: dict[str, Any]) -> None:
     schema = answer_schema(document, "/generate", 200)
     assert faults(document, schema, {**house, "more": 1})
@@ -86,7 +116,7 @@ def test_an_answer_with_more_or_less_would_be_seen(document: dict[str, Any], hou
 
 
 def test_problems_are_as_described(client: TestClient, document: dict[str, Any]) -> None:
-    answers = [client.post("/generate", content=body) for body in (b"", b"[]", b" " * (9 << 20))]
+    answers = [client.post("/generate", content=body) for body in (b"{", b"[]", b" " * (9 << 20))]
     answers.append(client.post("/generate", content=b"{}", headers={"content-type": "text/plain"}))
     for answer in answers:
         assert faults(document, answer_schema(document, "/generate", answer.status_code), answer.json()) == []
@@ -119,9 +149,9 @@ def test_what_is_taken_fits_the_schema(client: TestClient, document: dict[str, A
 
 def test_every_default_is_told_and_is_taken(client: TestClient, document: dict[str, Any]) -> None:
     properties = document["components"]["schemas"]["Request"]["properties"]
-    defaults = {name: part["default"] for name, part in properties.items() if not part.get("deprecated")}
+    defaults = {name: part.get("default") for name, part in properties.items() if not part.get("deprecated")}
     assert (defaults["width"], defaults["min_room_size"]) == (None, 3.0)
-    assert properties["width"]["description"].startswith("20 m")
+    assert properties["width"]["description"].startswith("m, 20 unless")
     said = client.post("/generate", json={**defaults, "seed": 1, "width": 6.0, "depth": 5.0}).json()["scene"]
     unsaid = client.post("/generate", json={"seed": 1, "width": 6.0, "depth": 5.0}).json()["scene"]
     assert said == unsaid

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, MutableMapping
 from typing import Any
 
 import anyio
@@ -14,7 +14,7 @@ from service import wire
 from service.app import create_app
 from tests.service import apart
 
-Message = dict[str, Any]
+Message = MutableMapping[str, Any]
 
 
 def spoken(receive: Callable[[], Awaitable[Message]], **headers: str) -> tuple[list[Message], list[Message]]:
@@ -70,7 +70,7 @@ def test_a_body_that_never_comes_is_refused(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(wire, "BODY_SECONDS", 0.05)
 
     async def never() -> Message:
-        await anyio.sleep(60)
+        await anyio.sleep_forever()
         return await million()
 
     _, answered = spoken(never)

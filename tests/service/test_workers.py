@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import os
-import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from pathlib import Path
 
 import anyio
@@ -20,8 +21,31 @@ from service.workers import RUNNING, Workers
 from tests.service import apart, heavy
 from tests.service.problems import entry_of, problem_of
 
-LONG = {"seed": 1, "width": 1000, "depth": 1000, "min_room_size": 1.5, "max_depth": 16}
-"""A request within its ranges that no machine answers in seconds."""
+
+class Limit:
+    """Stands in for the workers' limit of time: it passes when a test says so, whatever the clock says."""
+
+    def __init__(self) -> None:
+        self.scopes: list[anyio.CancelScope] = []
+
+    @contextmanager
+    def after(self, seconds: float) -> Iterator[None]:
+        assert seconds == workers.SECONDS
+        with anyio.fail_after(math.inf) as scope:
+            self.scopes.append(scope)
+            yield
+
+    def passes(self) -> None:
+        for scope in self.scopes:
+            scope.deadline = -math.inf
+
+
+@pytest.fixture
+def limit(monkeypatch: pytest.MonkeyPatch) -> Limit:
+    """The limit of calls that run from now on."""
+    limit = Limit()
+    monkeypatch.setattr(workers, "fail_after", limit.after)
+    return limit
 
 
 async def until(condition: Callable[[], bool]) -> None:
@@ -66,17 +90,21 @@ def test_as_many_run_as_may_the_next_waits_and_one_more_is_turned_away(tmp_path:
     assert os.getpid() not in processes
 
 
-def test_what_takes_too_long_is_ended_and_the_next_call_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_takes_too_long_is_ended_and_the_next_call_runs(tmp_path: Path, limit: Limit) -> None:
     note = tmp_path / "process"
+
+    async def end_it_once_it_runs() -> None:
+        await until(lambda: note.exists() and bool(note.read_text()))
+        limit.passes()
 
     async def scene() -> None:
         bench = Workers()
         (tmp_path / "gate").touch()
         first = await bench.run(heavy.process, str(tmp_path))
-        monkeypatch.setattr(workers, "SECONDS", 1.5)
-        with pytest.raises(TooMuch, match=r"longer than 1\.5 s"):
-            await bench.run(heavy.endless, str(note))
-        monkeypatch.setattr(workers, "SECONDS", heavy.PATIENCE_S)
+        async with anyio.create_task_group() as group:
+            group.start_soon(end_it_once_it_runs)
+            with pytest.raises(TooMuch, match=f"longer than {workers.SECONDS:g} s"):
+                await bench.run(heavy.endless, str(note))
         assert await bench.run(heavy.process, str(tmp_path)) != first == int(note.read_text())
 
     apart.run(scene)
@@ -90,17 +118,18 @@ def test_memory_is_bounded() -> None:
     assert apart.run(scene) == "200 refused"
 
 
-def test_the_service_answers_while_all_workers_are_busy(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workers, "SECONDS", 5.0)
-    with ThreadPoolExecutor(RUNNING) as callers:
-        running = [callers.submit(client.post, "/generate", json=LONG) for _ in range(RUNNING)]
-        time.sleep(0.5)
+def test_the_service_answers_while_all_workers_are_busy(client: TestClient, limit: Limit, tmp_path: Path) -> None:
+    assert client.portal
+    with ThreadPoolExecutor(RUNNING) as callers, pytest.MonkeyPatch.context() as patch:
+        patch.setattr("service.app.do_alone", heavy.held)
+        running = [callers.submit(client.post, "/generate", content=str(tmp_path)) for _ in range(RUNNING)]
+        apart.run(until, lambda: len(list(tmp_path.glob("inside-*"))) == RUNNING)
         assert client.get("/healthz").status_code == 200
         assert client.get("/docs").status_code == 200
         assert not any(call.done() for call in running)
+        client.portal.call(limit.passes)
         for call in running:
-            assert "5 s" in entry_of(call.result(), 422)["problem"]
-    monkeypatch.setattr(workers, "SECONDS", heavy.PATIENCE_S)
+            assert f"{workers.SECONDS:g} s" in entry_of(call.result(), 422)["problem"]
     assert client.post("/view", json={"scene": {"rooms": []}}).status_code == 200
 
 

@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 
 from catalogs import load_catalogs
-from service.survey import statistics
+from service.survey import survey
 from solver import generate
 from solver.exchange import write_scene
 from solver.scene import Issue, Request
 from solver.statistics import House, house_of, summary
 from solver.statistics.signatures import graph_signature, room_signature
 from solver.statistics.summary import spread
-from solver.validate import RULES, metrics
+from solver.validator import RULES, metrics
 
 SEEDS = range(5, 9)
 ASKED = {"program": "one_bed", "decorate": True, "outdoor": True}
@@ -37,7 +37,7 @@ def scenes() -> tuple[dict[str, Any], ...]:
 @cache
 def found() -> dict[str, Any]:
     """Statistics of the same homes."""
-    document = statistics([{**ASKED, "seed": SEEDS[0]}], len(SEEDS), 1, load_catalogs())
+    document = survey([{**ASKED, "seed": SEEDS[0]}], len(SEEDS), 1, load_catalogs())
     return dict(document["sets"][0])
 
 
@@ -78,7 +78,7 @@ def test_rooms_are_counted_and_measured() -> None:
         assert shown["cover"] == pytest.approx(spread_of([painted(room) for room in rooms]), abs=6e-3)
         assert shown["pieces"] == pytest.approx(spread_of([len(room["furniture"]) for room in rooms]), abs=1e-3)
         assert shown["decorations"] == pytest.approx(spread_of([len(room["decorations"]) for room in rooms]), abs=1e-3)
-        together = [len(room["furniture"]) + len(room["decorations"]) for room in rooms]
+        together: list[float] = [len(room["furniture"]) + len(room["decorations"]) for room in rooms]
         assert shown["together"] == pytest.approx(spread_of(together), abs=1e-3)
         assert shown["people"] == pytest.approx(sum(len(room["alive"]) for room in rooms) / len(rooms), abs=1e-3)
         alike = Counter(tuple(sorted((piece["name"], str(piece["wall"])) for piece in room["furniture"])) for room in rooms)

@@ -21,7 +21,7 @@ KNOWN = load_catalogs()
 SIX = ("modern", "rustic", "industrial", "scandi", "classic", "mid_century")
 POSE = ("id", "x", "y", "z", "rotation", "width", "depth", "height", "wall", "under", "on")
 styles = pytest.mark.parametrize("name", SIX)
-CATALOG_README = (Path(catalogs.__file__).parent / "README.md").read_text(encoding="utf-8")
+CATALOG = (Path(catalogs.__file__).parents[1] / "docs" / "catalog.md").read_text(encoding="utf-8")
 
 
 @lru_cache(maxsize=16)
@@ -107,9 +107,9 @@ def test_an_unknown_style_is_refused_with_the_known_ones() -> None:
 
 
 def test_a_new_style_is_one_entry(tmp_path: Path) -> None:
-    """The one of catalogs/README.md."""
-    section = CATALOG_README.split("## Add a style")[1].split("\n## ")[0]
-    (written,) = re.findall(r"```yaml\n(.*?)```", section, re.DOTALL)
+    """The one of docs/catalog.md."""
+    section = CATALOG.split("\n## Styles")[1].split("\n## ")[0]
+    (written,) = re.findall(r"```yaml styles\n(.*?)```", section, re.DOTALL)
     (tmp_path / "styles.yaml").write_text(written, encoding="utf-8")
     known = load_catalogs(tmp_path)
     assert tuple(known.styles) == (*SIX, "coastal")
@@ -135,7 +135,7 @@ def test_a_new_style_is_one_entry(tmp_path: Path) -> None:
         ),
         ('x:\n  palette: {}\n  walls:\n    sand: [{type: brick, color: "#aabbcc"}]', "x.walls.sand", 4, "unknown flooring 'sand'"),
         ('x:\n  palette: {}\n  walls:\n    wood: [{type: gold, color: "#aabbcc"}]', "x.walls.wood.0.type", 4, "plaster"),
-        ("x:\n  palette: {}\n  decorations:\n    avoided: [gnome]", "x.decorations.avoided", 4, "unknown decoration 'gnome'"),
+        ("x:\n  palette: {}\n  decorations:\n    avoided: [gnome]", "x.decorations.avoided", 4, "unknown decoration or group 'gnome'"),
         ("x:\n  palette: {}\n  shine: true", "x.shine", 3, "unknown key"),
     ],
 )

@@ -12,8 +12,7 @@ from hypothesis import strategies as st
 
 from catalogs import load_catalogs
 from service.calls import validate_scene
-from service.refusals import BodyError
-from solver.errors import SceneError
+from solver.errors import FieldError, SceneError
 
 Document = dict[str, Any]
 TEXTS = st.text(st.characters(codec="utf-8"), min_size=1, max_size=8)
@@ -152,7 +151,7 @@ def test_what_is_not_there_cannot_be_flagged() -> None:
     with pytest.raises(SceneError) as refused:
         answer(CLEAN, flagged=["den/table", "nobody"])
     assert refused.value.field == "flagged[1]"
-    with pytest.raises(BodyError) as refused_too:
+    with pytest.raises(FieldError) as refused_too:
         validate_scene({"scene": CLEAN, "report": "yes"}, CATALOGS)
     assert refused_too.value.field == "report"
 

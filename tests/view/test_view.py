@@ -107,8 +107,8 @@ dynamic:
   - ghost: [0.00, 0.00]   # 0.5×0.3×1.7m
 
 adjacency:
-  - hallway_0 ↔ living_room_8
-  - hallway_0 ↔ 5
+  - hallway_0 ↔ living_room_8   # door
+  - hallway_0 ↔ 5   # wall only
 """
 
 

@@ -60,7 +60,7 @@ export interface Body {
 
 export interface Furniture extends Body {
   readonly name: string;
-  readonly category?: string;
+  readonly category?: string | null;
   /** The wall it stands at, where it must. */
   readonly wall?: Side | null;
   /** The id of the table it is tucked under, of the piece it stands on. */

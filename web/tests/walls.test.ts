@@ -5,7 +5,8 @@ import { finishOf } from "../src/house/finishes";
 import { openingsOf } from "../src/house/openings";
 import { runsOf } from "../src/house/plan";
 import { facesOf, type Face } from "../src/house/wall_faces";
-import { between, fittingsOf, wallPanelsOf, type WallPanel, type WallPlan } from "../src/house/walls";
+import type { WallPanel } from "../src/house/wall_panel";
+import { between, fittingsOf, wallPanelsOf, type WallPlan } from "../src/house/walls";
 import { opening, room } from "./rooms";
 
 function planOf(...rooms: Room[]): WallPlan {

@@ -1,6 +1,6 @@
 """What a drawn home costs: one number, lower is better; a person's reasons, weighted by our choice.
 
-Comes in: a `Sheet`. Goes out: `Verdict`. May import: the ground floor. Rooms are bits of a number here: a home is judged
+Comes in: a `Sheet`. Goes out: `HomeVerdict`. May import: the ground floor. Rooms are bits of a number here: a home is judged
 dozens of times.
 """
 
@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from solver.floorplan.layout import DOOR_WALL_MM
-from solver.floorplan.programme.drafts import Box, Sheet
-from solver.floorplan.programme.wishes import Wish
+from solver.floorplan.programme.drafts import Sheet
+from solver.floorplan.programme.planned_rooms import PlannedRoom
+from solver.floorplan.tiling import DOOR_WALL_MM, touching
+from solver.geometry import Rect
 
 SHORT: Final = 20.0
 """A room outside its limits of area, width or aspect."""
@@ -41,7 +42,7 @@ AREA_COST: Final = 1.5
 """Of the squared deviation of a room's area from what is typical, over what is typical."""
 
 
-class Verdict(NamedTuple):
+class HomeVerdict(NamedTuple):
     """What a home costs, how many of its rooms are short of their limits, and how many cannot be entered as they should."""
 
     cost: float
@@ -49,41 +50,41 @@ class Verdict(NamedTuple):
     unreached: int
 
 
-class Judge:
+class HomeJudge:
     """Judges the drawings of one programme; it has looked up what each room is once."""
 
-    def __init__(self, wishes: Sequence[Wish]) -> None:
-        self.wishes = wishes
-        self.sizes = [wish.size for wish in wishes]
-        every = range(len(wishes))
+    def __init__(self, planned: Sequence[PlannedRoom]) -> None:
+        self.planned = planned
+        self.sizes = [one.size for one in planned]
+        every = range(len(planned))
 
         def bits(rooms: Sequence[bool]) -> int:
             return sum(1 << i for i in every if rooms[i])
 
-        self.ways = bits([wish.kind.plan.way_through for wish in wishes])
-        self.wet = bits([wish.kind.plan.wet for wish in wishes])
-        self.entry = bits([wish.entry for wish in wishes])
-        self.kitchen = bits([wish.public and wish.kind.plan.wet for wish in wishes])
-        self.dining = bits([wish.public and any("dining_table" in line for line in wish.kind.requires) for wish in wishes])
+        self.ways = bits([one.kind.plan.way_through for one in planned])
+        self.wet = bits([one.kind.plan.wet for one in planned])
+        self.entry = bits([one.entry for one in planned])
+        self.kitchen = bits([one.public and one.kind.plan.wet for one in planned])
+        self.dining = bits([one.public and any("dining_table" in line for line in one.kind.requires) for one in planned])
         self.living = self.ways & ~self.entry & ~self.kitchen & ~self.dining
-        self.wet_rooms = [i for i in every if wishes[i].kind.plan.wet]
-        self.habitable = [i for i in every if wishes[i].kind.plan.habitable]
-        self.street = [i for i in every if wishes[i].garage or wishes[i].entry]
-        self.leaves = [i for i in every if not wishes[i].kind.plan.way_through and wishes[i].owner is None]
-        self.owned = [(i, wish.owner) for i, wish in enumerate(wishes) if wish.owner is not None]
-        self.bedrooms = frozenset(i for i in every if any("bed" in line for line in wishes[i].kind.requires))
-        self.through = [bits([other.type in wish.kind.plan.behind and not other.kind.plan.way_through for other in wishes])
-                        if wish.garage else 0 for wish in wishes]  # fmt: skip
+        self.wet_rooms = [i for i in every if planned[i].kind.plan.wet]
+        self.habitable = [i for i in every if planned[i].kind.plan.habitable]
+        self.street = [i for i in every if planned[i].garage or planned[i].entry]
+        self.leaves = [i for i in every if not planned[i].kind.plan.way_through and planned[i].owner is None]
+        self.owned = [(i, one.owner) for i, one in enumerate(planned) if one.owner is not None]
+        self.bedrooms = frozenset(i for i in every if any("bed" in line for line in planned[i].kind.requires))
+        self.through = [bits([other.type in one.kind.plan.behind and not other.kind.plan.way_through for other in planned])
+                        if one.garage else 0 for one in planned]  # fmt: skip
 
-    def verdict(self, sheet: Sheet) -> Verdict:
+    def verdict(self, sheet: Sheet) -> HomeVerdict:
         """Judges a drawing."""
         sizes, short = self._sizes(sheet.boxes)
         beside = _beside(sheet)
         unreached, at_entrance, others = self._access(beside, sheet)
         cost = sizes + self._outline(sheet) + self._company(beside) + UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others
-        return Verdict(cost, short, unreached)
+        return HomeVerdict(cost, short, unreached)
 
-    def _sizes(self, boxes: Sequence[Box]) -> tuple[float, int]:
+    def _sizes(self, boxes: Sequence[Rect]) -> tuple[float, int]:
         cost, short = 0.0, 0
         for (x0, z0, x1, z1), size in zip(boxes, self.sizes, strict=True):
             width, depth = x1 - x0, z1 - z0
@@ -117,7 +118,7 @@ class Judge:
         for i in self.wet_rooms:
             if not beside[i] & self.wet:
                 cost += DRY
-        for i in range(len(self.wishes)):
+        for i in range(len(self.planned)):
             bit = 1 << i
             if bit & self.kitchen and not beside[i] & (self.dining or self.living):
                 cost += KITCHEN_APART
@@ -129,7 +130,7 @@ class Judge:
 
     def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int]:
         """Counts rooms that no way through leads to, and bedrooms and others that only the entrance room leads to."""
-        hall = 1 << len(self.wishes) if sheet.hallway is not None else 0
+        hall = 1 << len(self.planned) if sheet.hallway is not None else 0
         ways = self.ways | hall
         start = self.entry & -self.entry or self.living & -self.living or hall or 1
         reached = fresh = start
@@ -161,16 +162,8 @@ def _beside(sheet: Sheet) -> list[int]:
     """Returns for every room, and the hallway last, which others share a wall with it that takes a door."""
     boxes = sheet.boxes if sheet.hallway is None else [*sheet.boxes, sheet.hallway]
     beside = [0] * len(boxes)
-    for i, (ax0, az0, ax1, az1) in enumerate(boxes):
-        for j in range(i):
-            bx0, bz0, bx1, bz1 = boxes[j]
-            if ax1 == bx0 or bx1 == ax0:
-                shared = (az1 if az1 < bz1 else bz1) - (az0 if az0 > bz0 else bz0)
-            elif az1 == bz0 or bz1 == az0:
-                shared = (ax1 if ax1 < bx1 else bx1) - (ax0 if ax0 > bx0 else bx0)
-            else:
-                continue
-            if shared >= DOOR_WALL_MM:
-                beside[i] |= 1 << j
-                beside[j] |= 1 << i
+    for i, j, _, low, high in touching(boxes):
+        if high - low >= DOOR_WALL_MM:
+            beside[i] |= 1 << j
+            beside[j] |= 1 << i
     return beside

@@ -1,6 +1,6 @@
 """Deals the rooms of a programme to the strips of a skeleton, and changes a deal a little.
 
-Comes in: wishes, a kind, a stream. Goes out: `Draft`s. May import: the ground floor. Rooms that belong together are dealt
+Comes in: planned rooms, a kind, a stream. Goes out: `Draft`s. May import: the ground floor. Rooms that belong together are dealt
 together: a bedroom with its own bathroom, the bathroom with what shares its pipes, kitchen, dining and living room.
 """
 
@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from solver.floorplan.programme.columns import Size, width_of
 from solver.floorplan.programme.drafts import Column, Draft
-from solver.floorplan.programme.wishes import Wish
+from solver.floorplan.programme.planned_rooms import PlannedRoom
+from solver.floorplan.programme.widths import RoomSize, width_of
 from solver.streams import Stream
 
 DEPTHS: Final = (3300, 4350)
@@ -19,7 +19,7 @@ DEPTHS: Final = (3300, 4350)
 DEEP: Final = (5400, 6150)
 """Depth of a strip that cars stand in, mm."""
 STEPS: Final = (-300, -150, 150, 300)
-"""What a move adds to a strip's depth, mm (floorplan.md)."""
+"""What a move adds to a strip's depth, mm."""
 STEP_MM: Final = 150
 PAIRED: Final = 0.55
 """How often a small wet room lies behind another one, and
@@ -32,22 +32,22 @@ AT_SUITE: Final = 0.85
 Chunk = list[Column]
 
 
-def kinds_for(wishes: Sequence[Wish]) -> tuple[str, ...]:
+def kinds_for(planned: Sequence[PlannedRoom]) -> tuple[str, ...]:
     """Returns the skeletons that suit a programme: by how many rooms need a hallway, and whether cars come in.
 
     Where rows suit, the others are only for homes that rows fail.
 
     The ranch stands thrice: it is drawn more often than the others, whose hallways are half as long again.
     """
-    private = sum(not wish.kind.plan.way_through and wish.owner is None and not wish.garage for wish in wishes)
-    sleeping = sum(wish.kind.plan.habitable and not wish.public for wish in wishes)
+    private = sum(not one.kind.plan.way_through and one.owner is None and not one.garage for one in planned)
+    sleeping = sum(one.kind.plan.habitable and not one.public for one in planned)
     if sleeping <= 1 and private <= 3:
-        return ("rows", "full", "ranch") if any(wish.garage for wish in wishes) else ("rows", "full")
-    public = sum(wish.public for wish in wishes)
+        return ("rows", "full", "ranch") if any(one.garage for one in planned) else ("rows", "full")
+    public = sum(one.public for one in planned)
     kinds = ["full"]
     if public >= 2:
         kinds += ["ranch"] * 3
-    if not any(wish.garage for wish in wishes) and any(wish.entry for wish in wishes):
+    if not any(one.garage for one in planned) and any(one.entry for one in planned):
         kinds.append("axial")
     return tuple(kinds)
 
@@ -55,16 +55,16 @@ def kinds_for(wishes: Sequence[Wish]) -> tuple[str, ...]:
 class Dealer:
     """Deals one programme's rooms."""
 
-    def __init__(self, wishes: Sequence[Wish], stream: Stream) -> None:
-        self.wishes, self.stream = wishes, stream
-        every = range(len(wishes))
-        self.entries = [i for i in every if wishes[i].entry]
-        self.garages = [i for i in every if wishes[i].garage]
-        self.public = [i for i in every if wishes[i].public]
-        self.small = [i for i in every if wishes[i].small and wishes[i].owner is None]
-        self.owned = [(i, wish.owner) for i, wish in enumerate(wishes) if wish.owner is not None]
-        self.others = [i for i in every if not (wishes[i].kind.plan.way_through or wishes[i].small or wishes[i].garage)]
-        self.areas = [wish.size.typical for wish in wishes]
+    def __init__(self, planned: Sequence[PlannedRoom], stream: Stream) -> None:
+        self.planned, self.stream = planned, stream
+        every = range(len(planned))
+        self.entries = [i for i in every if planned[i].entry]
+        self.garages = [i for i in every if planned[i].garage]
+        self.public = [i for i in every if planned[i].public]
+        self.small = [i for i in every if planned[i].small and planned[i].owner is None]
+        self.owned = [(i, one.owner) for i, one in enumerate(planned) if one.owner is not None]
+        self.others = [i for i in every if not (planned[i].kind.plan.way_through or planned[i].small or planned[i].garage)]
+        self.areas = [one.size.typical for one in planned]
 
     def deal(self, kind: str) -> Draft:
         """Deals a draft of a kind."""
@@ -112,19 +112,19 @@ class Dealer:
 
     def _beside_kitchen(self, public: Chunk, rooms: list[int]) -> None:
         """Moves one of the rooms beside the kitchen, not between it and the dining room."""
-        kitchens = [k for k, column in enumerate(public) if self.wishes[column[0]].kind.plan.wet]
+        kitchens = [k for k, column in enumerate(public) if self.planned[column[0]].kind.plan.wet]
         if kitchens and rooms:
             public.insert(len(public) if kitchens[-1] == len(public) - 1 else kitchens[-1], (rooms.pop(),))
 
     def _join(self, suite: Chunk, column: Column) -> None:
         """Adds a small wet room at the wet end of a suite."""
-        if self.wishes[suite[0][-1]].small:
+        if self.planned[suite[0][-1]].small:
             suite.insert(0, column)
         else:
             suite.append(column)
 
     def _is_bath(self, room: int) -> bool:
-        return any("toilet" in line for line in self.wishes[room].kind.requires)
+        return any("toilet" in line for line in self.planned[room].kind.requires)
 
     def _suite(self, room: int, bath: int, baths: list[int], others: list[int]) -> Chunk:
         """A bedroom with its own bathroom: behind a small wet room next to it, beside it, or behind it."""
@@ -144,14 +144,14 @@ class Dealer:
 
     def _public_order(self) -> list[int]:
         """Living rooms at one end, kitchens at the other or in the middle."""
-        living = [i for i in self.public if not self.wishes[i].kind.plan.wet]
-        kitchens = [i for i in self.public if self.wishes[i].kind.plan.wet]
+        living = [i for i in self.public if not self.planned[i].kind.plan.wet]
+        kitchens = [i for i in self.public if self.planned[i].kind.plan.wet]
         living.sort(key=lambda i: (-self.areas[i], i))
         at = len(living) if self.stream.chance(0.75) else min(1, len(living))
         return living[:at] + kitchens + living[at:]
 
-    def _stack(self, column: Column) -> tuple[Size, ...]:
-        return tuple([self.wishes[room].size for room in column])
+    def _stack(self, column: Column) -> tuple[RoomSize, ...]:
+        return tuple([self.planned[room].size for room in column])
 
     def _length(self, strip: Sequence[Column], depth: int) -> int:
         return sum(self.areas[room] for column in strip for room in column) // depth
@@ -224,7 +224,7 @@ class Dealer:
 
     def _sleeps(self, column: Column) -> bool:
         """Tells whether the room of a column that lies at the hallway is slept or worked in: not beside the entry."""
-        return not self.wishes[column[0]].small
+        return not self.planned[column[0]].small
 
     def _ranch(self) -> Draft:
         public, private = self._chunks()

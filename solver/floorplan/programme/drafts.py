@@ -16,8 +16,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
-from solver.floorplan.layout import HALLWAY_MM
-from solver.floorplan.programme.columns import DEPTHS_MM, LATTICE_MM, Size, Span, depths_for, depths_of, shared_out, width_of
+from solver.floorplan.programme.widths import DEPTHS_MM, LATTICE_MM, RoomSize, WidthRange, depths_for, depths_of, shared_out, width_of
+from solver.floorplan.tiling import HALLWAY_MM
+from solver.geometry import Rect
 from solver.streams import Stream
 
 CENTRE_MM: Final = 1600
@@ -32,8 +33,6 @@ FLOOR: Final = 1.1
 """Floor of a house over that of its rooms. Measured."""
 Column = tuple[int, ...]
 """Rooms of a column, the one at the hallway first."""
-Box = tuple[int, int, int, int]
-"""West, north, east and south line, mm."""
 
 
 class Frame(NamedTuple):
@@ -64,8 +63,8 @@ class Draft:
 class Sheet(NamedTuple):
     """Rectangles of the rooms by index, of the hallway (None: there is none), and the house's width and depth, mm."""
 
-    boxes: list[Box]
-    hallway: Box | None
+    boxes: list[Rect]
+    hallway: Rect | None
     width: int
     depth: int
 
@@ -80,7 +79,7 @@ class Misfit(NamedTuple):
 class Pair(NamedTuple):
     """Two strips of one length: the spans of their columns, and the lengths both may have, mm."""
 
-    spans: tuple[list[Span], list[Span]]
+    spans: tuple[list[WidthRange], list[WidthRange]]
     low: int
     wished: int
     high: int
@@ -110,14 +109,12 @@ def _snapped(length: int) -> int:
 class Drawer:
     """Draws the drafts of one programme in one frame."""
 
-    def __init__(self, sizes: Sequence[Size], frame: Frame) -> None:
+    def __init__(self, sizes: Sequence[RoomSize], frame: Frame) -> None:
         self.sizes, self.frame = sizes, frame
         floor = FLOOR * sum(size.typical for size in sizes)
         self.wished = ((floor / RATIO) ** 0.5 - HALLWAY_MM) / 2
-        self._bits: dict[Column, int] = {}
-        self._widths: dict[tuple[Column, int], Span] = {}
 
-    def choose(self, draft: Draft, stream: Stream) -> None:
+    def choose_depths(self, draft: Draft, stream: Stream) -> None:
         """Gives the strips depths at which all their columns have a width, pairs of strips about one length.
 
         A strip whose columns have no such depth in common takes what the others leave it.
@@ -150,23 +147,14 @@ class Drawer:
         """Returns the depths at which a strip's columns have a width, as bits; columns that leave none are passed over."""
         common = (1 << len(DEPTHS_MM)) - 1
         for column in strip:
-            bits = self._bits.get(column)
-            if bits is None:
-                bits = self._bits[column] = depths_for(self._stack(column))
-            common = common & bits or common
+            common = common & depths_for(self._stack(column)) or common
         return common
 
-    def _stack(self, column: Column) -> tuple[Size, ...]:
+    def _stack(self, column: Column) -> tuple[RoomSize, ...]:
         return tuple([self.sizes[room] for room in column])
 
-    def _spans(self, strip: Sequence[Column], depth: int) -> list[Span]:
-        spans = []
-        for column in strip:
-            span = self._widths.get((column, depth))
-            if span is None:
-                span = self._widths[column, depth] = width_of(self._stack(column), depth)
-            spans.append(span)
-        return spans
+    def _spans(self, strip: Sequence[Column], depth: int) -> list[WidthRange]:
+        return [width_of(self._stack(column), depth) for column in strip]
 
     def _across(self, kind: str) -> int:
         """Returns what the last two strips' depths add up to, 0 where it is free."""
@@ -175,7 +163,7 @@ class Drawer:
         across = frame.width if kind == "axial" else frame.depth
         return across and across - hallway
 
-    def settle(self, draft: Draft) -> None:
+    def fit_depths(self, draft: Draft) -> None:
         """Makes a changed draft's depths add up to what the frame and its kind ask for, near to what its columns can have."""
         depths, last, whole = draft.depths, len(draft.strips) - 2, self._across(draft.kind)
         for k in range(len(depths)):
@@ -206,7 +194,7 @@ class Drawer:
         """Draws a draft.
 
         Args:
-            draft: settled.
+            draft: its depths fit.
             stretch: draw it even where its strips do not come out: rooms then miss their limits.
         """
         if min(depth for depth, strip in zip(draft.depths, draft.strips, strict=True) if strip) < 2 * LATTICE_MM:
@@ -248,11 +236,11 @@ class Drawer:
             return [pair.wished for pair in pairs]
         if len(pairs) == 1:
             return [along]
-        spans = [Span(pair.low, pair.wished, pair.high) for pair in pairs]
+        spans = [WidthRange(pair.low, pair.wished, pair.high) for pair in pairs]
         return list(shared_out(along, spans))
 
     def _drawn(self, draft: Draft, pairs: Sequence[Pair], lengths: Sequence[int]) -> Sheet:
-        boxes: list[Box] = [(0, 0, 0, 0)] * len(self.sizes)
+        boxes: list[Rect] = [Rect(0, 0, 0, 0)] * len(self.sizes)
         centre = CENTRE_MM if draft.kind == "axial" else HALLWAY_MM
         at, hallway, across = 0, None, 0
         for k, (pair, length) in enumerate(zip(pairs, lengths, strict=True)):
@@ -261,14 +249,14 @@ class Drawer:
             self._row(draft.strips[2 * k], shared_out(length, pair.spans[0]), (at, first, first), boxes)
             self._row(draft.strips[2 * k + 1], shared_out(length, pair.spans[1]), (at, first + gap, -second), boxes)
             if gap:
-                hallway = (at, first, at + length, first + gap)
+                hallway = Rect(at, first, at + length, first + gap)
             at += length
             across = first + gap + second
         if draft.kind == "axial":
             return self._turned(draft, boxes, hallway, (at, across))
         return Sheet(boxes, hallway, at, across)
 
-    def _row(self, columns: Sequence[Column], widths: Sequence[int], place: tuple[int, int, int], boxes: list[Box]) -> None:
+    def _row(self, columns: Sequence[Column], widths: Sequence[int], place: tuple[int, int, int], boxes: list[Rect]) -> None:
         """Lays the columns of a strip side by side.
 
         `place` is where the strip starts along u, its inner line across, and its depth: positive where it lies before
@@ -282,22 +270,22 @@ class Drawer:
             parts = (abs(depth),) if len(column) == 1 else depths_of(self._stack(column), width, abs(depth))
             for room, part in zip(column, parts, strict=True):
                 if depth > 0:
-                    boxes[room] = (at, inner - part, at + width, inner)
+                    boxes[room] = Rect(at, inner - part, at + width, inner)
                     inner -= part
                 else:
-                    boxes[room] = (at, inner, at + width, inner + part)
+                    boxes[room] = Rect(at, inner, at + width, inner + part)
                     inner += part
             at += width
 
-    def _turned(self, draft: Draft, boxes: list[Box], hallway: Box | None, extents: tuple[int, int]) -> Sheet:
+    def _turned(self, draft: Draft, boxes: list[Rect], hallway: Rect | None, extents: tuple[int, int]) -> Sheet:
         """Turns an axial house so that its hallway runs back from the street, and puts the entry at its end."""
-        turned = [(v0, u0, v1, u1) for u0, v0, u1, v1 in boxes]
+        turned = [Rect(v0, u0, v1, u1) for u0, v0, u1, v1 in boxes]
         along, across = extents
         if hallway is None:
             return Sheet(turned, None, across, along)
-        west, _, east, _ = (hallway[1], hallway[0], hallway[3], hallway[2])
+        west, east = hallway.z0, hallway.z1
         end = along
         if draft.entry is not None:
             end = along - width_of((self.sizes[draft.entry],), east - west).wished
-            turned[draft.entry] = (west, end, east, along)
-        return Sheet(turned, (west, 0, east, end), across, along)
+            turned[draft.entry] = Rect(west, end, east, along)
+        return Sheet(turned, Rect(west, 0, east, end), across, along)

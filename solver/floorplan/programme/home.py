@@ -11,12 +11,12 @@ from typing import Final
 
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
-from solver.floorplan.layout import Layout
-from solver.floorplan.programme.columns import LATTICE_MM
 from solver.floorplan.programme.drafts import Frame
-from solver.floorplan.programme.search import Found, Search
-from solver.floorplan.programme.wishes import WALLS_SHARE, Wish, counts_of, loosened, spared, types_of, wishes_of
+from solver.floorplan.programme.home_search import FoundHome, HomeSearch
+from solver.floorplan.programme.planned_rooms import WALLS_SHARE, PlannedRoom, counts_of, loosened, planned_rooms, spared, types_of
+from solver.floorplan.programme.widths import LATTICE_MM
 from solver.floorplan.programme.yard import PlannedHome, house_frame, with_yard
+from solver.floorplan.tiling import Layout
 from solver.geometry import Rect, to_mm
 from solver.scene import Request
 from solver.streams import Stream
@@ -70,6 +70,11 @@ class _Plot:
         """Tells whether nothing about the outline is left to choose."""
         return bool(self.width and self.depth)
 
+    @property
+    def free(self) -> bool:
+        """Tells whether nothing about the outline is given."""
+        return not (self.width or self.depth)
+
     def frame(self, kind: str) -> Frame:
         """Returns what is left of the outline for a house of a kind."""
         return house_frame(kind, Frame(self.width, self.depth)) if self.yard else Frame(self.width, self.depth)
@@ -99,10 +104,10 @@ def _plot(request: Request) -> _Plot:
 
 @dataclass(frozen=True)
 class _Attempt:
-    """A search's result, the wishes it is judged by, and which types were left out for it."""
+    """A search's result, the rooms it is judged by, and which types were left out for it."""
 
-    found: Found
-    wishes: tuple[Wish, ...]
+    found: FoundHome
+    planned: tuple[PlannedRoom, ...]
     left_out: tuple[str, ...]
 
     @property
@@ -114,16 +119,22 @@ class _Attempt:
     def livable(self) -> bool:
         """Tells whether every room can be entered and misses the least area and width of its type by little."""
         return not self.found.verdict.unreached and all(
-            (x1 - x0) * (z1 - z0) >= LIVABLE * wish.home.area[0] * 1e6 and min(x1 - x0, z1 - z0) >= LIVABLE * wish.home.width * 1000
-            for wish, (x0, z0, x1, z1) in zip(self.wishes, self.found.sheet.boxes, strict=True)
+            (x1 - x0) * (z1 - z0) >= LIVABLE * one.home.area[0] * 1e6 and min(x1 - x0, z1 - z0) >= LIVABLE * one.home.width * 1000
+            for one, (x0, z0, x1, z1) in zip(self.planned, self.found.sheet.boxes, strict=True)
         )
 
 
 class _Attempts:
     """Searches with the whole programme, with fewer rooms, and with looser limits, until a home is sound."""
 
-    def __init__(self, types: list[str], catalogs: Catalogs, plot: _Plot) -> None:
-        self.types, self.catalogs, self.plot = types, catalogs, plot
+    def __init__(self, types: Sequence[str], catalogs: Catalogs, plot: _Plot) -> None:
+        self.catalogs, self.plot = catalogs, plot
+        self.programmes: list[tuple[tuple[str, ...], tuple[str, ...]]] = [(tuple(types), ())]
+        """The types less 0, 1, 2 ... rooms, those first that a home can best do without; and the rooms left out."""
+        left = list(types)
+        while (name := spared(left, catalogs)) is not None:
+            del left[len(left) - 1 - left[::-1].index(name)]
+            self.programmes.append((tuple(left), (*self.programmes[-1][1], name)))
 
     def first_sound(self) -> _Attempt:
         """Returns the first home that is sound, else the one with the fewest faults, with fewer rooms if they cannot be lived in."""
@@ -133,61 +144,39 @@ class _Attempts:
                 return attempt
             attempts.append(attempt)
         best = min(attempts, key=lambda attempt: attempt.found.rank)
-        if best.livable or not (self.plot.width or self.plot.depth):
+        if best.livable or self.plot.free:
             return best
-        return next((attempt for attempt in self._smaller(best) if attempt.livable), best)
-
-    def _smaller(self, best: _Attempt) -> Iterator[_Attempt]:
-        """Yields homes with ever fewer rooms than one that cannot be lived in."""
-        left_out = list(best.left_out)
-        types = self._without(left_out)
-        while self._leave_out(types, left_out):
-            yield self._attempt(types, left_out, 1.0)
-            yield self._attempt(types, left_out, SMALLER_SLACK)
-
-    def _without(self, left_out: Sequence[str]) -> list[str]:
-        """Returns the types of the programme less those left out."""
-        types, gone = list(self.types), list[str]()
-        while len(gone) < len(left_out) and self._leave_out(types, gone):
-            pass
-        return types
+        fewer = range(len(best.left_out) + 1, len(self.programmes))
+        smaller = (self._attempt(without, slack) for without in fewer for slack in (1.0, SMALLER_SLACK))
+        return next((attempt for attempt in smaller if attempt.livable), best)
 
     def _each(self) -> Iterator[_Attempt]:
-        types, left_out = list(self.types), list[str]()
+        without, last = 0, len(self.programmes) - 1
         floor = self.plot.floor if self.plot.fixed else None
-        while floor is not None and self._floor(types, 0) > floor and self._leave_out(types, left_out):
-            pass
-        for turn in range(TURNS):
-            yield self._attempt(types, left_out, 1.0, turn)
-            if self.plot.width or self.plot.depth:
-                break
-        else:
+        while floor is not None and without < last and self._floor(without, 0) > floor:
+            without += 1
+        for turn in range(TURNS if self.plot.free else 1):
+            yield self._attempt(without, 1.0, turn)
+        if self.plot.free:
             return
-        fewer, gone = list(types), list(left_out)
-        for _ in range(FEWER):
-            if floor is None or self._floor(fewer, 1) <= floor or not self._leave_out(fewer, gone):
+        for fewer in range(without + 1, min(without + FEWER, last) + 1):
+            if floor is None or self._floor(fewer - 1, 1) <= floor:
                 break
-            yield self._attempt(fewer, gone, 1.0)
-        least = 1.0 if floor is None else max(1.0, floor / self._floor(types, 2), self._floor(types, 0) / floor)
+            yield self._attempt(fewer, 1.0)
+        least = 1.0 if floor is None else max(1.0, floor / self._floor(without, 2), self._floor(without, 0) / floor)
         for slack in SLACKS:
-            yield self._attempt(types, left_out, slack * least)
+            yield self._attempt(without, slack * least)
 
-    def _floor(self, types: Sequence[str], which: int) -> float:
-        """Returns the floor of a house with the rooms' least (0), typical (1) or greatest (2) areas, m2."""
+    def _floor(self, without: int, which: int) -> float:
+        """Returns the floor of a house with the least (0), typical (1) or greatest (2) areas of the rooms not left out, m2."""
+        types = self.programmes[without][0]
         return sum(home.area[which] for name in types if (home := self.catalogs.rooms[name].home)) * WALLS_SHARE
 
-    def _leave_out(self, types: list[str], left_out: list[str]) -> bool:
-        name = spared(types, self.catalogs)
-        if name is None:
-            return False
-        del types[len(types) - 1 - types[::-1].index(name)]
-        left_out.append(name)
-        return True
-
-    def _attempt(self, types: Sequence[str], left_out: Sequence[str], slack: float, turn: int = 0) -> _Attempt:
-        wishes = wishes_of(types, self.catalogs, self.plot.floor)
-        loose = wishes if slack == 1.0 else loosened(wishes, slack, self.plot.floor)
-        return _Attempt(Search(loose, self.plot.frame, self.plot.seed, turn).run(), wishes, tuple(left_out))
+    def _attempt(self, without: int, slack: float, turn: int = 0) -> _Attempt:
+        types, left_out = self.programmes[without]
+        planned = planned_rooms(types, self.catalogs, self.plot.floor)
+        loose = planned if slack == 1.0 else loosened(planned, slack, self.plot.floor)
+        return _Attempt(HomeSearch(loose, self.plot.frame, self.plot.seed, turn).run(), planned, left_out)
 
 
 def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
@@ -197,9 +186,9 @@ def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
     boxes = [sheet.hallway, *sheet.boxes] if sheet.hallway is not None else list(sheet.boxes)
     rooms = tuple(Rect(sheet.width - x1, z0, sheet.width - x0, z1) if mirrored else Rect(x0, z0, x1, z1) for x0, z0, x1, z1 in boxes)
     first = len(boxes) - len(sheet.boxes)
-    owners = {first + i: first + wish.owner for i, wish in enumerate(best.wishes) if wish.owner is not None}
-    entry = next((first + i for i, wish in enumerate(best.wishes) if wish.entry), None)
-    types = (*(HALLWAY,) * first, *(wish.type for wish in best.wishes))
+    owners = {first + i: first + one.owner for i, one in enumerate(best.planned) if one.owner is not None}
+    entry = next((first + i for i, one in enumerate(best.planned) if one.entry), None)
+    types = (*(HALLWAY,) * first, *(one.type for one in best.planned))
     layout = Layout(Rect(0, 0, sheet.width, sheet.depth), rooms, hallways=first, behind=owners)
     return PlannedHome(layout, types, entry, best.found.kind, _notes(best, plot, types, rooms))
 
@@ -209,9 +198,9 @@ def _notes(best: _Attempt, plot: _Plot, types: Sequence[str], rooms: Sequence[Re
     notes = []
     if best.left_out:
         notes.append(f"left out, for want of space in {plot.says()}: {', '.join(best.left_out)}")
-    first = len(rooms) - len(best.wishes)
-    for i, (wish, rect) in enumerate(zip(best.wishes, rooms[first:], strict=True), start=first):
-        missed = _missed(wish, rect)
+    first = len(rooms) - len(best.planned)
+    for i, (one, rect) in enumerate(zip(best.planned, rooms[first:], strict=True), start=first):
+        missed = _missed(one, rect)
         if missed:
             notes.append(f"{types[i]}_{i} {missed}")
     if plot.area is not None and not plot.fixed:
@@ -223,9 +212,9 @@ def _notes(best: _Attempt, plot: _Plot, types: Sequence[str], rooms: Sequence[Re
     return tuple(notes)
 
 
-def _missed(wish: Wish, rect: Rect) -> str:
+def _missed(one: PlannedRoom, rect: Rect) -> str:
     """Names the first limit of its type that a room misses."""
-    home, (low, high) = wish.home, sorted((rect.width / 1000, rect.depth / 1000))
+    home, (low, high) = one.home, sorted((rect.width / 1000, rect.depth / 1000))
     if rect.area_m2 < home.area[0]:
         return f"has {rect.area_m2:.1f} m2, less than {home.area[0]:g}"
     if rect.area_m2 > home.area[2]:

@@ -11,11 +11,11 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from catalogs.schema import Catalogs
-from solver.floorplan.access import Ways
-from solver.floorplan.layout import DOOR_WALL_MM, Joint, Layout, exterior_sides
+from solver.floorplan.access import AccessPlan
 from solver.floorplan.programme.drafts import Frame
-from solver.floorplan.programme.ways import HomeWays
-from solver.geometry import Rect
+from solver.floorplan.programme.home_access import HomeAccess
+from solver.floorplan.tiling import DOOR_WALL_MM, Joint, Layout, exterior_sides
+from solver.geometry import Rect, strip
 
 YARD_MM: Final = 5000
 """How deep the strip of garden is. Our choice: a patio of 14 m2 is then nearly as long as wide, with space for a tree."""
@@ -39,10 +39,10 @@ class PlannedHome:
     kind: str
     notes: tuple[str, ...]
 
-    def ways(self, shared: tuple[Joint, ...], catalogs: Catalogs, entrance: int) -> HomeWays:
+    def access(self, shared: tuple[Joint, ...], catalogs: Catalogs, entrance: int) -> HomeAccess:
         """Returns what the tree of doors is grown over."""
-        ways = Ways((None,) * len(self.types), frozenset())
-        return HomeWays(self.types, shared, ways, catalogs.rooms, self.layout.behind, entrance)
+        nothing = AccessPlan((None,) * len(self.types), frozenset())
+        return HomeAccess(self.types, shared, nothing, catalogs.rooms, self.layout.behind, entrance)
 
 
 def house_frame(kind: str, frame: Frame) -> Frame:
@@ -104,13 +104,7 @@ def _beside(home: PlannedHome, side: str, names: tuple[str, ...], spans: tuple[t
     """Makes the plot longer on one side and lays the gardens there."""
     outline = home.layout.outline
     x, z = (YARD_MM if side == "west" else 0), (YARD_MM if side == "north" else 0)
-    rooms = [Rect(r.x0 + x, r.z0 + z, r.x1 + x, r.z1 + z) for r in home.layout.rooms]
     whole = Rect(0, 0, outline.x1 + (side != "north") * YARD_MM, outline.z1 + z)
-    for low, high in spans:
-        if side == "north":
-            rooms.append(Rect(low, 0, high, YARD_MM))
-        else:
-            start = 0 if side == "west" else outline.x1
-            rooms.append(Rect(start, low, start + YARD_MM, high))
+    rooms = [*(rect.moved(x, z) for rect in home.layout.rooms), *(strip(whole, side, span, YARD_MM) for span in spans)]
     layout = replace(home.layout, outline=whole, rooms=tuple(rooms))
     return replace(home, layout=layout, types=(*home.types, *names))

@@ -1,6 +1,6 @@
 """`python -m solver.placement.kernel` brings the cache of compiled code up to date; set-up calls it.
 
-Importing the kernel compiles what the cache lacks. What is left of earlier sources then goes.
+What the cache lacks is compiled; what is left of earlier sources then goes.
 """
 
 from __future__ import annotations
@@ -10,8 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
-import solver.placement  # noqa: F401 - this compiles
-from solver.placement.kernel import jit
+from solver.placement.kernel import compiled_kernel, jit
 
 
 def outdated(current: Path) -> list[Path]:
@@ -22,6 +21,7 @@ def outdated(current: Path) -> list[Path]:
 
 def main() -> None:
     """Says where the compiled code is, on stderr, once it is there and nothing else is."""
+    compiled_kernel()
     current = jit.FOLDER
     if current is None:
         print("placement kernel: runs uncompiled, nothing to prepare", file=sys.stderr)

@@ -1,6 +1,6 @@
 """From decisions to a problem: variables, bounds, parts, terms, rows and choices.
 
-`decisions[p]` is the alternative of piece p times 8 plus the number of its choice of sides, or ABSENT. Rigid companions share their
+`decisions[p]` is the candidate of piece p times 8 plus the number of its choice of sides, or ABSENT. Rigid companions share their
 parent's variables, so that nothing has to be searched between them. A stand is a person's square before a use side.
 """
 
@@ -44,6 +44,7 @@ from solver.placement.kernel.layout import (
     ON,
     ORIGIN,
     PARENT,
+    PERSON_MM,
     PIECE,
     PULL_OFFSET,
     PULL_WEIGHT,
@@ -67,15 +68,13 @@ from solver.placement.kernel.layout import (
     I,
     Ints,
     J,
-    Room,
+    RoomArrays,
     S,
     Work,
 )
 
 STAND_WEIGHT: Final = 0.02
 """Pull of a person's square to the middle of its side, m^-2: least weight that keeps the Hessian positive definite."""
-PERSON_MM: Final = 1800
-"""Height a standing person needs free, mm."""
 
 
 @compiled(lambda t: t.none(t.ints, t.int_rows, t.float_rows, t.i8, t.i8, t.i8, t.f8, t.f8))
@@ -86,19 +85,19 @@ def _pull(counts: Ints, pulls: Ints, costs: Floats, axis: int, i: int, j: int, o
     counts[N_PULLS] = k + 1
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.i8, t.i8))
-def _rooted(room: Room, work: Work, piece: int, alt: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.i8, t.i8))
+def _rooted(room: RoomArrays, work: Work, piece: int, candidate: int) -> None:
     """Adds a body with its own variables: in the room, or flush at a wall."""
-    alts, space, parts, sizes = room.alts, room.space, work.parts, work.sizes
-    turn, wall, slack = alts[alt, TURN], alts[alt, WALL], alts[alt, SLACK]
+    candidates, space, parts, sizes = room.candidates, room.space, work.parts, work.sizes
+    turn, wall, slack = candidates[candidate, TURN], candidates[candidate, WALL], candidates[candidate, SLACK]
     body = work.counts[N_PARTS]
     work.counts[N_PARTS] = body + 1
     parts[body, PIECE], parts[body, STAND] = piece, room.pieces[piece, EMPTY]
     across = turn == 90 or turn == 270
     near, far = (space[GAP], space[GAP]) if slack < 0 else (0, slack)
     for axis in range(2):
-        extent = alts[alt, DEPTH] if across == (axis == 0) else alts[alt, WIDTH]
-        low, high = alts[alt, IN_X0 + axis], alts[alt, IN_X0 + 2 + axis] - extent
+        extent = candidates[candidate, DEPTH] if across == (axis == 0) else candidates[candidate, WIDTH]
+        low, high = candidates[candidate, IN_X0 + axis], candidates[candidate, IN_X0 + 2 + axis] - extent
         if (axis == 1 and wall == NORTH) or (axis == 0 and wall == WEST):
             low, high = max(low, space[X0 + axis] + near), min(high, space[X0 + axis] + far)
         elif (axis == 1 and wall == SOUTH) or (axis == 0 and wall == EAST):
@@ -107,35 +106,35 @@ def _rooted(room: Room, work: Work, piece: int, alt: int) -> None:
         v = sizes[axis]
         sizes[axis] = v + 1
         work.low[axis, v], work.high[axis, v] = low, high
-        work.anchor_at[axis, v] = (2 * alts[alt, ANCHOR_X + axis] - extent) / 2000
-        work.anchor_weight[axis, v] = room.alt_costs[alt, WEIGHT_X + axis]
+        work.anchor_at[axis, v] = (2 * candidates[candidate, ANCHOR_X + axis] - extent) / 2000
+        work.anchor_weight[axis, v] = room.candidate_costs[candidate, WEIGHT_X + axis]
         parts[body, VAR_X + axis], parts[body, OFF_X + axis], parts[body, EXT_X + axis] = v, 0, extent
-    parts[body, LOW], parts[body, HIGH] = alts[alt, BOTTOM], alts[alt, BOTTOM] + alts[alt, HEIGHT]
+    parts[body, LOW], parts[body, HIGH] = candidates[candidate, BOTTOM], candidates[candidate, BOTTOM] + candidates[candidate, HEIGHT]
     work.body_part[piece], work.rotation[piece] = body, turn
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.i8, t.i8))
-def _attached(room: Room, work: Work, piece: int, alt: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.i8, t.i8))
+def _attached(room: RoomArrays, work: Work, piece: int, candidate: int) -> None:
     """Adds a body that stands at a slot of its parent: with the parent's variable where the slot is rigid."""
-    alts, parts, sizes = room.alts, work.parts, work.sizes
+    candidates, parts, sizes = room.candidates, work.parts, work.sizes
     counts, lows, highs = work.counts, work.low, work.high
-    parent = work.body_part[alts[alt, PARENT]]
-    turn = work.rotation[alts[alt, PARENT]]
-    rotation = (turn + alts[alt, TURN]) % 360
+    parent = work.body_part[candidates[candidate, PARENT]]
+    turn = work.rotation[candidates[candidate, PARENT]]
+    rotation = (turn + candidates[candidate, TURN]) % 360
     body = counts[N_PARTS]
     counts[N_PARTS] = body + 1
     parts[body, PIECE], parts[body, STAND] = piece, room.pieces[piece, EMPTY]
     across = rotation == 90 or rotation == 270
     for axis in range(2):
-        extent = alts[alt, DEPTH] if across == (axis == 0) else alts[alt, WIDTH]
+        extent = candidates[candidate, DEPTH] if across == (axis == 0) else candidates[candidate, WIDTH]
         if axis == 0:
-            first = turned_x(alts[alt, ACROSS_0], alts[alt, ALONG_0], turn)
-            last = turned_x(alts[alt, ACROSS_1], alts[alt, ALONG_1], turn)
+            first = turned_x(candidates[candidate, ACROSS_0], candidates[candidate, ALONG_0], turn)
+            last = turned_x(candidates[candidate, ACROSS_1], candidates[candidate, ALONG_1], turn)
         else:
-            first = turned_z(alts[alt, ACROSS_0], alts[alt, ALONG_0], turn)
-            last = turned_z(alts[alt, ACROSS_1], alts[alt, ALONG_1], turn)
+            first = turned_z(candidates[candidate, ACROSS_0], candidates[candidate, ALONG_0], turn)
+            last = turned_z(candidates[candidate, ACROSS_1], candidates[candidate, ALONG_1], turn)
         least, most = min(first, last), max(first, last)
-        low, high = alts[alt, IN_X0 + axis], alts[alt, IN_X0 + 2 + axis] - extent
+        low, high = candidates[candidate, IN_X0 + axis], candidates[candidate, IN_X0 + 2 + axis] - extent
         u = parts[parent, VAR_X + axis]
         shift = (parts[parent, EXT_X + axis] - extent) // 2 + parts[parent, OFF_X + axis]
         if least == most:
@@ -152,14 +151,14 @@ def _attached(room: Room, work: Work, piece: int, alt: int) -> None:
             add_row(counts, work.rows, axis, u, v, shift + least)
             add_row(counts, work.rows, axis, v, u, -shift - most)
             middle = (2 * shift + least + most) / 2000
-            _pull(counts, work.pulls, work.pull_costs, axis, u, v, middle, room.alt_costs[alt, WEIGHT_X + axis])
+            _pull(counts, work.pulls, work.pull_costs, axis, u, v, middle, room.candidate_costs[candidate, WEIGHT_X + axis])
         parts[body, VAR_X + axis], parts[body, EXT_X + axis] = v, extent
-    parts[body, LOW], parts[body, HIGH] = alts[alt, BOTTOM], alts[alt, BOTTOM] + alts[alt, HEIGHT]
+    parts[body, LOW], parts[body, HIGH] = candidates[candidate, BOTTOM], candidates[candidate, BOTTOM] + candidates[candidate, HEIGHT]
     work.body_part[piece], work.rotation[piece] = body, rotation
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.i8, t.i8))
-def _stand(room: Room, work: Work, piece: int, side: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.i8, t.i8))
+def _stand(room: RoomArrays, work: Work, piece: int, side: int) -> None:
     """Adds the person's square at a use side: touching it, its centre sliding along the side."""
     parts, space, sizes, size = work.parts, room.space, work.sizes, room.space[ROBOT]
     counts, lows, highs, rows = work.counts, work.low, work.high, work.rows
@@ -186,13 +185,13 @@ def _stand(room: Room, work: Work, piece: int, side: int) -> None:
     parts[part, LOW], parts[part, HIGH] = 0, PERSON_MM
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.i8))
-def _linked(room: Room, work: Work, piece: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.i8))
+def _linked(room: RoomArrays, work: Work, piece: int) -> None:
     """Adds the quadratic terms of a piece's relations to the pieces before it."""
     parts, own, links, costs = work.parts, work.body_part[piece], room.links, room.link_costs
     for link in range(room.pieces[piece, LINK_0], room.pieces[piece, LINK_1]):
         of = links[link, OF]
-        if work.taken_alt[of] == ABSENT:
+        if work.taken_candidate[of] == ABSENT:
             continue
         other = work.body_part[of]
         across = 0 if work.rotation[of] % 180 == 0 else 1
@@ -208,7 +207,7 @@ def _linked(room: Room, work: Work, piece: int) -> None:
 
 
 @compiled(lambda t: t.b1(t.int_rows, t.int_rows, t.ints, t.i8, t.i8))
-def _must_part(parts: Ints, alts: Ints, taken_alt: Ints, a: int, b: int) -> bool:
+def _must_part(parts: Ints, candidates: Ints, taken_candidate: Ints, a: int, b: int) -> bool:
     """Tells whether two parts must not share space."""
     first, second = parts[a, PIECE], parts[b, PIECE]
     if first == second or (parts[a, STAND] != 0 and parts[b, STAND] != 0):
@@ -217,10 +216,10 @@ def _must_part(parts: Ints, alts: Ints, taken_alt: Ints, a: int, b: int) -> bool
         return False
     if parts[a, STAND] != 0 or parts[b, STAND] != 0:
         return True
-    one, two = taken_alt[first], taken_alt[second]
-    if alts[one, UNDER] == second or alts[one, ON] == second:
+    one, two = taken_candidate[first], taken_candidate[second]
+    if candidates[one, UNDER] == second or candidates[one, ON] == second:
         return False
-    return alts[two, UNDER] != first and alts[two, ON] != first
+    return candidates[two, UNDER] != first and candidates[two, ON] != first
 
 
 @compiled(lambda t: t.b1(t.int_rows, t.int_rows, t.int_rows, t.ints, t.i8, t.i8, t.i8, t.i8, t.i8))
@@ -268,10 +267,10 @@ def _clear_of(low: Ints, high: Ints, options: Ints, choice_size: Ints, parts: In
     return True
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.i8))
-def _choices(room: Room, work: Work, first: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.i8))
+def _choices(room: RoomArrays, work: Work, first: int) -> None:
     """Appends the choices of the parts from number `first` on: against zones, against the parts before them."""
-    parts, zones, alts, taken_alt = work.parts, room.zones, room.alts, work.taken_alt
+    parts, zones, candidates, taken_candidate = work.parts, room.zones, room.candidates, work.taken_candidate
     low, high, options, choice_size, choice_parts = work.low, work.high, work.options, work.choice_size, work.choice_parts
     choice = work.counts[N_CHOICES]
     for b in range(first, work.counts[N_PARTS]):
@@ -282,7 +281,7 @@ def _choices(room: Room, work: Work, first: int) -> None:
                 choice_parts[choice, 0], choice_parts[choice, 1] = b, -1 - zone
                 choice += 1
         for a in range(b):
-            if _must_part(parts, alts, taken_alt, a, b) and _apart(low, high, options, choice_size, parts, choice, a, b):
+            if _must_part(parts, candidates, taken_candidate, a, b) and _apart(low, high, options, choice_size, parts, choice, a, b):
                 choice_parts[choice, 0], choice_parts[choice, 1] = a, b
                 choice += 1
     work.counts[N_CHOICES] = choice
@@ -326,24 +325,24 @@ def _go_back(work: Work, decisions: Ints) -> int:
     return first
 
 
-@compiled(lambda t: t.b1(t.Room, t.Work, t.ints))
-def assemble(room: Room, work: Work, decisions: Ints) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.Work, t.ints))
+def assemble(room: RoomArrays, work: Work, decisions: Ints) -> bool:
     """Writes the problem of the decisions; False where the bounds alone rule them out.
 
     A piece whose parent is absent is an error of the caller. Choices that the bounds settle are left out. What the last
     problem began with in the same way is kept.
     """
-    taken_alt, taken_side, alts, sides = work.taken_alt, work.taken_side, room.alts, room.sides
+    taken_candidate, taken_side, candidates, sides = work.taken_candidate, work.taken_side, room.candidates, room.sides
     for piece in range(_go_back(work, decisions), len(decisions)):
-        taken_alt[piece] = ABSENT
+        taken_candidate[piece] = ABSENT
         if decisions[piece] != ABSENT:
-            alt, known = decisions[piece] // 8, work.counts[N_PARTS]
+            candidate, known = decisions[piece] // 8, work.counts[N_PARTS]
             side = room.pieces[piece, SIDES_0] + decisions[piece] % 8
-            taken_alt[piece], taken_side[piece] = alt, side
-            if alts[alt, PARENT] == ABSENT:
-                _rooted(room, work, piece, alt)
+            taken_candidate[piece], taken_side[piece] = candidate, side
+            if candidates[candidate, PARENT] == ABSENT:
+                _rooted(room, work, piece, candidate)
             else:
-                _attached(room, work, piece, alt)
+                _attached(room, work, piece, candidate)
             for bit in range(4):
                 if sides[side, STANDS] & (1 << bit):
                     _stand(room, work, piece, 1 << bit)

@@ -30,7 +30,7 @@ from solver.placement.kernel.layout import (
     I,
     Ints,
     J,
-    Room,
+    RoomArrays,
     S,
     Work,
 )
@@ -83,8 +83,8 @@ def _keep_door(counts: Ints, rows: Ints, parts: Ints, doors: Ints, stand: int, d
         add_row(counts, rows, axis, u, ORIGIN, size // 2 + near - doors[door, 2 + axis] // 2 - 1)
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.i8))
-def add_barriers(room: Room, work: Work, known: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.i8))
+def add_barriers(room: RoomArrays, work: Work, known: int) -> None:
     """Adds the rows between a new piece, whose parts begin with number `known`, and the pieces before it."""
     space, doors, parts, rotation = room.space, room.doors, work.parts, work.rotation
     counts, rows = work.counts, work.rows

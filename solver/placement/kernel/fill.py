@@ -7,72 +7,81 @@ from __future__ import annotations
 
 from typing import Final
 
-from solver.placement.kernel.grow import BEST, CLOSED, DOUBTED, EVALUATED, MANY, MOVES_LEFT, SOLVED_QPS, best_first, evaluate
+from solver.placement.kernel.grow import best_first, evaluate
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     ABSENT,
-    ALT_0,
-    ALT_1,
+    BEST,
     BOTTOM,
+    CANDIDATE_0,
+    CANDIDATE_1,
+    CLOSED,
     COVER,
+    COVERED,
     DEPTH,
+    DOUBTED,
     EMPTY,
+    EVALUATED,
     EXHAUSTED,
     GROUP_END,
     KIN,
     LINK_0,
     LINK_1,
+    MANY,
+    MOVES_LEFT,
+    NO_WAY,
     OF,
     PARENT,
+    PLACED,
     REQUIRED,
     SIDES_0,
     SIDES_1,
+    SOLVED_QPS,
+    SPENT,
     UNDER,
     WIDTH,
     Engine,
     Floats,
     Ints,
-    Room,
+    RoomArrays,
     Tree,
 )
 from solver.placement.kernel.options import preference, total_preference
 
-PLACED, NO_WAY, COVERED, SPENT, WITHOUT = range(5)
-"""What became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent, not asked for."""
 MOVES: Final = 48
 """Other ways of other pieces that are looked at before the cheapest are tried."""
 # limits of a room
 REQUIRED_EVALUATIONS, REQUIRED_QPS, OPTIONAL_EVALUATIONS, OPTIONAL_QPS, OPTIONAL_LAPSES, MOVE_EVALUATIONS, FINAL_QPS = range(7)
 
 
-@compiled(lambda t: t.i8(t.Room, t.ints))
-def covered(room: Room, decisions: Ints) -> int:
+@compiled(lambda t: t.i8(t.RoomArrays, t.ints))
+def covered(room: RoomArrays, decisions: Ints) -> int:
     """Returns the floor that the decided pieces cover, mm2."""
     area = 0
     for piece in range(len(decisions)):
         if decisions[piece] != ABSENT:
-            alt = room.alts[decisions[piece] // 8]
-            if alt[BOTTOM] == 0 and alt[UNDER] < 0 and room.pieces[piece, EMPTY] == 0:
-                area += alt[WIDTH] * alt[DEPTH]
+            candidate = room.candidates[decisions[piece] // 8]
+            if candidate[BOTTOM] == 0 and candidate[UNDER] < 0 and room.pieces[piece, EMPTY] == 0:
+                area += candidate[WIDTH] * candidate[DEPTH]
     return area
 
 
-@compiled(lambda t: t.b1(t.Room, t.i8))
-def _on_floor(room: Room, piece: int) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.i8))
+def _on_floor(room: RoomArrays, piece: int) -> bool:
     """Tells whether a piece may cover floor of its own: a chair at its table, a screen on its stand and kept floor do not."""
     if room.pieces[piece, EMPTY] != 0:
         return False
-    for alt in range(room.pieces[piece, ALT_0], room.pieces[piece, ALT_1]):
-        if room.alts[alt, BOTTOM] == 0 and room.alts[alt, UNDER] < 0:
+    for candidate in range(room.pieces[piece, CANDIDATE_0], room.pieces[piece, CANDIDATE_1]):
+        if room.candidates[candidate, BOTTOM] == 0 and room.candidates[candidate, UNDER] < 0:
             return True
     return False
 
 
-@compiled(lambda t: t.b1(t.Room, t.ints, t.i8))
-def _fatherless(room: Room, decisions: Ints, piece: int) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.ints, t.i8))
+def _fatherless(room: RoomArrays, decisions: Ints, piece: int) -> bool:
     """Tells whether what a piece stands at is not there, in any of its ways."""
-    for alt in range(room.pieces[piece, ALT_0], room.pieces[piece, ALT_1]):
-        if room.alts[alt, PARENT] < 0 or decisions[room.alts[alt, PARENT]] != ABSENT:
+    for candidate in range(room.pieces[piece, CANDIDATE_0], room.pieces[piece, CANDIDATE_1]):
+        if room.candidates[candidate, PARENT] < 0 or decisions[room.candidates[candidate, PARENT]] != ABSENT:
             return False
     return True
 
@@ -90,13 +99,13 @@ def _join(engine: Engine, start: Ints, costs: Floats, group: Ints, limits: Ints,
     return True
 
 
-@compiled(lambda t: t.b1(t.Room, t.ints, t.i8))
-def _depended(room: Room, decisions: Ints, piece: int) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.ints, t.i8))
+def _depended(room: RoomArrays, decisions: Ints, piece: int) -> bool:
     """Tells whether the preferences of another piece that stands speak of this one."""
     for other in range(len(decisions)):
         if decisions[other] == ABSENT or other == piece:
             continue
-        if room.alts[decisions[other] // 8, PARENT] == piece:
+        if room.candidates[decisions[other] // 8, PARENT] == piece:
             return True
         for link in range(room.pieces[other, LINK_0], room.pieces[other, LINK_1]):
             if room.links[link, OF] == piece:
@@ -121,25 +130,25 @@ def _note_move(tree: Tree, piece: int, decision: int, cost: float, count: int) -
 def _moves(engine: Engine, decisions: Ints, costs: Floats) -> int:
     """Lists other ways of the pieces that stand, by the preference cost of all then; returns how many."""
     room, tree, count = engine.room, engine.tree, 0
-    alts, pieces = room.alts, room.pieces
+    candidates, pieces = room.candidates, room.pieces
     for piece in range(len(decisions)):
         kept = decisions[piece]
         if kept == ABSENT:
             continue
         first, depended = pieces[piece, SIDES_0], _depended(room, decisions, piece)
         own = preference(room, decisions, piece, kept // 8) + room.side_costs[first + kept % 8]
-        for alt in range(pieces[piece, ALT_0], pieces[piece, ALT_1]):
-            if alts[alt, PARENT] != alts[kept // 8, PARENT]:
+        for candidate in range(pieces[piece, CANDIDATE_0], pieces[piece, CANDIDATE_1]):
+            if candidates[candidate, PARENT] != candidates[kept // 8, PARENT]:
                 continue
             for side in range(first, pieces[piece, SIDES_1]):
-                decision = 8 * alt + side - first
-                if alts[alt, KIN] == alts[kept // 8, KIN] and decision % 8 == kept % 8:
+                decision = 8 * candidate + side - first
+                if candidates[candidate, KIN] == candidates[kept // 8, KIN] and decision % 8 == kept % 8:
                     continue
                 decisions[piece] = decision
                 if depended:
                     cost = total_preference(room, decisions)
                 else:
-                    cost = preference(room, decisions, piece, alt)
+                    cost = preference(room, decisions, piece, candidate)
                     if cost >= 0:
                         cost += costs[1] - own + room.side_costs[side]
                 if cost >= 0:

@@ -29,13 +29,13 @@ from solver.placement.kernel.layout import (
     WEST,
     X0,
     X1,
-    Grid,
     Ints,
-    Room,
+    RoomArrays,
+    WalkGrid,
     Work,
 )
 
-# Grid.areas of the walk: number of blocks, of targets, of cuts along x and z, of components, of target numbers, the door's component
+# WalkGrid.areas of the walk: number of blocks, of targets, of cuts along x and z, of components, of target numbers, the door's component
 BLOCKS, TARGETS, CUTS_X, CUTS_Z, COMPONENTS, NUMBERS, ENTERED = range(7)
 
 
@@ -47,8 +47,8 @@ def _add(table: Ints, state: Ints, kind: int, x0: int, z0: int, x1: int, z1: int
     state[kind] = k + 1
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows, t.int_rows, t.i8, t.i8))
-def _side_target(room: Room, work: Work, grid: Grid, low: Ints, high: Ints, piece: int, side: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.WalkGrid, t.int_rows, t.int_rows, t.i8, t.i8))
+def _side_target(room: RoomArrays, work: Work, grid: WalkGrid, low: Ints, high: Ints, piece: int, side: int) -> None:
     """Adds where the person's centre may be while it touches a side of a piece that stands between low and high, mm."""
     body, wall = work.body_part[piece], facing(side, work.rotation[piece])
     parts, robot = work.parts, room.space[ROBOT]
@@ -67,8 +67,8 @@ def _side_target(room: Room, work: Work, grid: Grid, low: Ints, high: Ints, piec
         _add(table, state, TARGETS, x0, z0 + deep + robot, x1 + wide, z1 + deep + robot, number)
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.int_rows, t.int_rows))
-def _gather(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.WalkGrid, t.int_rows, t.int_rows))
+def _gather(room: RoomArrays, work: Work, grid: WalkGrid, low: Ints, high: Ints) -> None:
     """Collects what is blocked wherever the bodies stand between low and high, and what is to be reached: doors first, then use sides."""
     grow, parts, zones, doors, sides = room.space[ROBOT] - 1, work.parts, room.zones, room.doors, room.sides
     blocks, table, state = grid.blocks, grid.targets, grid.state
@@ -88,7 +88,7 @@ def _gather(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> None:
         _add(table, state, TARGETS, doors[k, 0], doors[k, 1], doors[k, 2], doors[k, 3], k)
     state[NUMBERS] = len(doors)
     for piece in range(len(room.pieces)):
-        if work.taken_alt[piece] == ABSENT:
+        if work.taken_candidate[piece] == ABSENT:
             continue
         side = work.taken_side[piece]
         for bit in range(4):
@@ -102,8 +102,8 @@ def _gather(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> None:
             state[NUMBERS] += 1
 
 
-@compiled(lambda t: t.i8(t.Grid, t.i8, t.i8, t.i8))
-def _cut(grid: Grid, axis: int, low: int, high: int) -> int:
+@compiled(lambda t: t.i8(t.WalkGrid, t.i8, t.i8, t.i8))
+def _cut(grid: WalkGrid, axis: int, low: int, high: int) -> int:
     """Writes the sorted cuts of an axis, without repeats; returns how many."""
     cuts, blocks, n = grid.cuts[axis], grid.blocks, 2
     cuts[0], cuts[1] = low, high
@@ -137,8 +137,8 @@ def first_cell(cuts: Ints, n: int, value: int) -> int:
     return low
 
 
-@compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
-def _mark(grid: Grid, nx: int, nz: int) -> None:
+@compiled(lambda t: t.none(t.WalkGrid, t.i8, t.i8))
+def _mark(grid: WalkGrid, nx: int, nz: int) -> None:
     """Labels cells 0 where free, -1 where blocked."""
     labels, blocks, xs, zs = grid.labels, grid.blocks, grid.cuts[0], grid.cuts[1]
     for k in range(nx * nz):
@@ -151,8 +151,8 @@ def _mark(grid: Grid, nx: int, nz: int) -> None:
                 labels[i * nz + j] = -1
 
 
-@compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
-def _flood(grid: Grid, nx: int, nz: int) -> None:
+@compiled(lambda t: t.none(t.WalkGrid, t.i8, t.i8))
+def _flood(grid: WalkGrid, nx: int, nz: int) -> None:
     """Numbers the components of free cells from 1 and sums their areas, doubled millimetres squared."""
     labels, queue, cuts, areas, count = grid.labels, grid.queue, grid.cuts, grid.areas, 0
     for start in range(nx * nz):
@@ -178,8 +178,8 @@ def _flood(grid: Grid, nx: int, nz: int) -> None:
     grid.state[COMPONENTS] = count
 
 
-@compiled(lambda t: t.none(t.Grid, t.i8, t.i8))
-def _reach(grid: Grid, nx: int, nz: int) -> None:
+@compiled(lambda t: t.none(t.WalkGrid, t.i8, t.i8))
+def _reach(grid: WalkGrid, nx: int, nz: int) -> None:
     """Counts, for every component, how many target numbers it meets."""
     reached, targets, labels, xs, zs = grid.reached, grid.targets, grid.labels, grid.cuts[0], grid.cuts[1]
     for c in range(grid.state[COMPONENTS] + 1):
@@ -195,8 +195,8 @@ def _reach(grid: Grid, nx: int, nz: int) -> None:
                     reached[label, 0] += 1
 
 
-@compiled(lambda t: t.i8(t.Room, t.Grid, t.i8, t.i8))
-def _entered(room: Room, grid: Grid, nx: int, nz: int) -> int:
+@compiled(lambda t: t.i8(t.RoomArrays, t.WalkGrid, t.i8, t.i8))
+def _entered(room: RoomArrays, grid: WalkGrid, nx: int, nz: int) -> int:
     """Returns the component one walks in: of those at the first door the one that meets most; without doors the largest."""
     best = 0
     if len(room.doors) == 0:
@@ -215,8 +215,8 @@ def _entered(room: Room, grid: Grid, nx: int, nz: int) -> int:
     return best
 
 
-@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_rows, t.int_rows))
-def _part_floor(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.Work, t.WalkGrid, t.int_rows, t.int_rows))
+def _part_floor(room: RoomArrays, work: Work, grid: WalkGrid, low: Ints, high: Ints) -> bool:
     """Parts the floor that is free into components and counts what each meets; False where the room is too narrow for a person."""
     _gather(room, work, grid, low, high)
     grow, space = room.space[ROBOT] - 1, room.space
@@ -234,8 +234,8 @@ def _part_floor(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> bo
     return True
 
 
-@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_rows))
-def walkable(room: Room, work: Work, grid: Grid, p: Ints) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.Work, t.WalkGrid, t.int_rows))
+def walkable(room: RoomArrays, work: Work, grid: WalkGrid, p: Ints) -> bool:
     """Tells whether all doors and use sides are joined, with the bodies at integer positions p (2, variables), mm.
 
     Leaves labels, cuts and the entered component in `grid`.
@@ -250,8 +250,8 @@ def walkable(room: Room, work: Work, grid: Grid, p: Ints) -> bool:
     return grid.reached[entered, 0] == grid.state[NUMBERS] and grid.areas[entered] >= 4 * space[LEAST_FLOOR]
 
 
-@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_rows, t.int_rows))
-def may_be_walkable(room: Room, work: Work, grid: Grid, low: Ints, high: Ints) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.Work, t.WalkGrid, t.int_rows, t.int_rows))
+def may_be_walkable(room: RoomArrays, work: Work, grid: WalkGrid, low: Ints, high: Ints) -> bool:
     """Tells whether the bodies may leave one component of the least free centres that meets all doors and use sides.
 
     "No" is certain for all positions between low and high: only what is covered at every one of them blocks the way, and

@@ -15,31 +15,41 @@ from solver.placement.kernel.assembly import assemble
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     ABSENT,
+    BEST,
+    CLOSED,
+    DEEPEST,
+    DIVING,
+    DOUBTED,
+    EVALUATED,
     EXHAUSTED,
     FOUND,
+    HEAPED,
+    INCUMBENT,
     KIN,
+    LAPSED,
+    MANY,
     N_CHOICES,
+    ORDER,
+    REFUSED,
+    SOLVED_QPS,
     SOLVES,
+    STATES,
     TURNED_DOWN,
     Engine,
     Floats,
     Ints,
-    Room,
+    RoomArrays,
     Tree,
 )
 from solver.placement.kernel.nodes import STEPS
-from solver.placement.kernel.options import ways
+from solver.placement.kernel.options import open_decisions
 from solver.placement.kernel.search import search
 
-# Tree.counters
-STATES, HEAPED, ORDER, EVALUATED, CLOSED, DIVING, BEST, DEEPEST, REFUSED, DOUBTED, INCUMBENT, LAPSED, SOLVED_QPS, MOVES_LEFT = range(14)
 # Tree.heap
 RANK, BOUND, AGE, STATE, DECISION = range(5)
 EXPANDED: Final = -1
 """Decision of a heap entry that stands for the state itself."""
 MODULUS: Final = 2147483647
-MANY: Final = 1_000_000
-"""A limit that is none."""
 
 
 @compiled(lambda t: t.b1(t.Engine, t.ints, t.i8, t.f8, t.b1))
@@ -60,14 +70,14 @@ def evaluate(engine: Engine, decisions: Ints, limit: int, ceiling: float, walk: 
     return nodes.result[FOUND] == 1
 
 
-@compiled(lambda t: t.i8(t.Room, t.ints))
-def fingerprint(room: Room, decisions: Ints) -> int:
+@compiled(lambda t: t.i8(t.RoomArrays, t.ints))
+def fingerprint(room: RoomArrays, decisions: Ints) -> int:
     """Returns a number for what decides feasibility: decisions that agree in it differ only in their anchors."""
     one, two = 1, 1
     for piece in range(len(decisions)):
         value = 0
         if decisions[piece] != ABSENT:
-            value = 8 * room.alts[decisions[piece] // 8, KIN] + decisions[piece] % 8 + 1
+            value = 8 * room.candidates[decisions[piece] // 8, KIN] + decisions[piece] % 8 + 1
         one = (one * 48271 + value) % MODULUS
         two = (two * 69621 + value + 12345) % MODULUS
     return one * MODULUS + two
@@ -170,7 +180,7 @@ def _state(tree: Tree, decisions: Ints, cost: float, chosen: float, depth: int) 
 def _expand(engine: Engine, state: int, piece: int, depth: int) -> bool:
     """Pushes every way the next piece may join a state; False where the heap is full."""
     tree = engine.tree
-    count = ways(engine.room, tree.decisions[state], piece, tree.found, tree.found_cost)
+    count = open_decisions(engine.room, tree.decisions[state], piece, tree.found, tree.found_cost)
     for k in range(count):
         if not _push(tree, tree.costs[state] + tree.found_cost[k], state, tree.found[k], tree.found_cost[k], depth):
             return False

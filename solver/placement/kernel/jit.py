@@ -36,11 +36,11 @@ def _namespace() -> SimpleNamespace:
     engine = example_engine()
     return SimpleNamespace(
         Engine=typeof(engine),
-        Room=typeof(engine.room),
+        RoomArrays=typeof(engine.room),
         Work=typeof(engine.work),
         Programs=typeof(engine.programs),
         Nodes=typeof(engine.nodes),
-        Grid=typeof(engine.grid),
+        WalkGrid=typeof(engine.grid),
         Tree=typeof(engine.tree),
         b1=types.boolean,
         i8=types.int64,

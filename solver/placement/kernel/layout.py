@@ -1,7 +1,7 @@
 """The kernel's arrays: what each holds and what each column means.
 
-A room comes in as `Room` (read only), its problem is laid out in `Work`, the two axes' programmes in `Programs`, the tree's
-nodes in `Nodes`, the free floor in `Grid`. Integers are millimetres unless a name says otherwise, floats are metres and
+A room comes in as `RoomArrays` (read only), its problem is laid out in `Work`, the two axes' programmes in `Programs`, the tree's
+nodes in `Nodes`, the free floor in `WalkGrid`. Integers are millimetres unless a name says otherwise, floats are metres and
 costs. Everything is C-contiguous int64 or float64: another type would compile anew.
 """
 
@@ -18,18 +18,18 @@ Floats = NDArray[np.float64]
 ORIGIN: Final = -1
 ABSENT: Final = -1
 
-# Room.space
+# RoomArrays.space
 X0, Z0, X1, Z1, GAP, ROBOT, COVER, LEAST_FLOOR = range(8)
-# Room.zones: a rectangle, above which height it counts, whether it is a wall (a part missing from the room)
+# RoomArrays.zones: a rectangle, above which height it counts, whether it is a wall (a part missing from the room)
 ABOVE, WALL_ZONE = 4, 5
-# Room.pieces
-REQUIRED, ALT_0, ALT_1, LINK_0, LINK_1, SIDES_0, SIDES_1, GROUP_END, EMPTY = range(9)
+# RoomArrays.pieces
+REQUIRED, CANDIDATE_0, CANDIDATE_1, LINK_0, LINK_1, SIDES_0, SIDES_1, GROUP_END, EMPTY = range(9)
 EMPTY_FLOOR = 16
 # EMPTY is EMPTY_FLOOR for floor that is asked for empty, as if a person stood all over it: no body, but apart from all bodies
-# Room.sides: bits of the use sides that get a stand; without one: bits of which any, and of which all must be reached
+# RoomArrays.sides: bits of the use sides that get a stand; without one: bits of which any, and of which all must be reached
 STANDS, ANY_OF, ALL_OF = 0, 1, 2
 FRONT, BACK, LEFT, RIGHT = 1, 2, 4, 8
-# Room.alts
+# RoomArrays.candidates
 (
     KIND,
     WIDTH,
@@ -57,9 +57,9 @@ FRONT, BACK, LEFT, RIGHT = 1, 2, 4, 8
     KIN,
 ) = range(24)
 NO_WALL, NORTH, SOUTH, EAST, WEST = -1, 0, 1, 2, 3
-# Room.alt_costs
+# RoomArrays.candidate_costs
 WEIGHT_X, WEIGHT_Z, COST = range(3)
-# Room.links, Room.link_costs
+# RoomArrays.links, RoomArrays.link_costs
 OF, LINK_TURN, LINK_WALLS, LINK_REQUIRED = range(4)
 ANY_WALLS, SAME, OPPOSITE, OTHER, ADJACENT = range(5)
 LINK_COST, ALIGN, NEAR, APART, APART_COST = range(5)
@@ -74,21 +74,47 @@ PULL_OFFSET, PULL_WEIGHT = range(2)
 # results of a search
 FOUND, EXHAUSTED, SOLVES, TURNED_DOWN, PICKS = range(5)
 
+# Tree.counters
+(
+    STATES,
+    HEAPED,
+    ORDER,
+    EVALUATED,
+    CLOSED,
+    DIVING,
+    BEST,
+    DEEPEST,
+    REFUSED,
+    DOUBTED,
+    INCUMBENT,
+    LAPSED,
+    SOLVED_QPS,
+    MOVES_LEFT,
+) = range(14)
+# what became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent
+PLACED, NO_WAY, COVERED, SPENT = range(4)
+# verdicts of a proof
+UNKNOWN, IMPOSSIBLE, POSSIBLE = range(3)
+
+MANY: Final = 1_000_000
+"""A limit that is none."""
+PERSON_MM: Final = 1800
+"""Height a standing person needs free, mm."""
 OPTIONS: Final = 4
 """Options a choice has at most."""
-CANDIDATES: Final = 4
-"""How many of the most violated choices are tried at a node (placement.md: K = 4)."""
+TRIED_CHOICES: Final = 4
+"""How many of the most violated choices are tried at a node."""
 WIDENINGS: Final = 4
-"""Widenings on one path of the tree (furnishing.md)."""
+"""Widenings on one path of the tree."""
 WIDE_CHILDREN: Final = 12
-"""Children kept of one widening (furnishing.md)."""
+"""Children kept of one widening."""
 MOST_NODES: Final = 4096
 """Open nodes of one search; where there would be more, the search stops as at its limit."""
 MOST_PICKS: Final = 200_000
 """Children one search may create; as with the nodes."""
 
 
-class Room(NamedTuple):
+class RoomArrays(NamedTuple):
     """What placement is asked, as arrays; see the columns above."""
 
     space: Ints
@@ -98,8 +124,8 @@ class Room(NamedTuple):
     skip_costs: Floats
     sides: Ints
     side_costs: Floats
-    alts: Ints
-    alt_costs: Floats
+    candidates: Ints
+    candidate_costs: Floats
     links: Ints
     link_costs: Floats
 
@@ -125,7 +151,7 @@ class Work(NamedTuple):
     """Rows that widenings ask for; option number 4 * capacity + k."""
     body_part: Ints
     rotation: Ints
-    taken_alt: Ints
+    taken_candidate: Ints
     taken_side: Ints
     marks: Ints
     """By piece: its decision, and sizes and counts once it was added."""
@@ -179,14 +205,14 @@ class Nodes(NamedTuple):
     task: Ints
 
 
-class Grid(NamedTuple):
+class WalkGrid(NamedTuple):
     """The compressed grid of the walk; lengths in it are doubled millimetres."""
 
     state: Ints
     blocks: Ints
     """x0, z0, x1, z1 and the part, or -1 - its number for a zone."""
     targets: Ints
-    """x0, z0, x1, z1 and a number: rectangles of one number are alternatives."""
+    """x0, z0, x1, z1 and a number: of the rectangles of one number any will do."""
     cuts: Ints
     labels: Ints
     queue: Ints
@@ -221,9 +247,9 @@ class Tree(NamedTuple):
 class Engine(NamedTuple):
     """All work space of one room."""
 
-    room: Room
+    room: RoomArrays
     work: Work
     programs: Programs
     nodes: Nodes
-    grid: Grid
+    grid: WalkGrid
     tree: Tree

@@ -14,26 +14,27 @@ from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     AXIS,
     EXT_X,
+    IMPOSSIBLE,
     N_CHOICES,
     N_PARTS,
     N_ROWS,
     OFF_X,
     ORIGIN,
+    POSSIBLE,
     STAND,
+    UNKNOWN,
     VAR_X,
     X0,
     X1,
-    Grid,
     I,
     Ints,
     J,
-    Room,
+    RoomArrays,
     S,
+    WalkGrid,
     Work,
 )
 
-OPEN, IMPOSSIBLE, POSSIBLE = range(3)
-"""Verdicts of `prove`."""
 UNDECIDED: Final = -1
 SETTLED: Final = -2
 """What a node has of a choice, unless the number of the option that it took."""
@@ -199,8 +200,8 @@ def _part_by_interval(lows: Ints, highs: Ints, picks: Ints, refused: Ints, node:
     return node + 2
 
 
-@compiled(lambda t: t.b1(t.Room, t.Work, t.Grid, t.int_cubes, t.int_cubes, t.int_rows, t.int_rows, t.i8))
-def _somewhere(room: Room, work: Work, grid: Grid, lows: Ints, highs: Ints, picks: Ints, refused: Ints, node: int) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.Work, t.WalkGrid, t.int_cubes, t.int_cubes, t.int_rows, t.int_rows, t.i8))
+def _somewhere(room: RoomArrays, work: Work, grid: WalkGrid, lows: Ints, highs: Ints, picks: Ints, refused: Ints, node: int) -> bool:
     """Tells whether a placement of a node whose choices are decided is walkable, of a few: all near a wall, or all to one end."""
     positions, space = grid.positions, room.space
     for sample in range(3):
@@ -226,8 +227,8 @@ def _somewhere(room: Room, work: Work, grid: Grid, lows: Ints, highs: Ints, pick
     return False
 
 
-@compiled(lambda t: t.i8(t.Room, t.Work, t.Grid, t.int_cubes, t.int_cubes, t.int_rows, t.int_rows, t.ints))
-def prove(room: Room, work: Work, grid: Grid, lows: Ints, highs: Ints, picks: Ints, refused: Ints, allowed: Ints) -> int:
+@compiled(lambda t: t.i8(t.RoomArrays, t.Work, t.WalkGrid, t.int_cubes, t.int_cubes, t.int_rows, t.int_rows, t.ints))
+def prove(room: RoomArrays, work: Work, grid: WalkGrid, lows: Ints, highs: Ints, picks: Ints, refused: Ints, allowed: Ints) -> int:
     """Proves that the assembled pieces cannot be used together, or finds where they can.
 
     Args:
@@ -237,7 +238,7 @@ def prove(room: Room, work: Work, grid: Grid, lows: Ints, highs: Ints, picks: In
         allowed: nodes that may still be looked at; counted down.
 
     Returns:
-        IMPOSSIBLE, proven; POSSIBLE, a walkable placement is in grid.positions; or OPEN.
+        IMPOSSIBLE, proven; POSSIBLE, a walkable placement is in grid.positions; or UNKNOWN.
     """
     for axis in range(2):
         for v in range(work.sizes[axis]):
@@ -246,7 +247,7 @@ def prove(room: Room, work: Work, grid: Grid, lows: Ints, highs: Ints, picks: In
     count, verdict = 1, IMPOSSIBLE
     while count > 0:
         if allowed[0] <= 0 or count + 4 > len(picks):
-            return OPEN
+            return UNKNOWN
         allowed[0] -= 1
         node = count - 1
         low, high = lows[node], highs[node]
@@ -261,7 +262,7 @@ def prove(room: Room, work: Work, grid: Grid, lows: Ints, highs: Ints, picks: In
             return POSSIBLE
         where = _widest(work, low, high)
         if where < 0:
-            verdict = OPEN
+            verdict = UNKNOWN
             count -= 1
             continue
         count = _part_by_interval(lows, highs, picks, refused, node, where)

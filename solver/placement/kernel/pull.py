@@ -26,12 +26,12 @@ from solver.placement.kernel.layout import (
     VAR_X,
     X0,
     Engine,
-    Grid,
     I,
     Ints,
     J,
-    Room,
+    RoomArrays,
     S,
+    WalkGrid,
     Work,
 )
 
@@ -85,8 +85,8 @@ def _wished(work: Work, axis: int, v: int) -> int:
     return min(max(at, work.low[axis, v]), work.high[axis, v])
 
 
-@compiled(lambda t: t.b1(t.Room, t.Grid))
-def _floor_is_sure(room: Room, grid: Grid) -> bool:
+@compiled(lambda t: t.b1(t.RoomArrays, t.WalkGrid))
+def _floor_is_sure(room: RoomArrays, grid: WalkGrid) -> bool:
     """Tells whether the patch that the walk entered would be entered, and be large enough, by any measure.
 
     How large a patch is depends on the millimetre by which the person is smaller; a room without doors is entered at the largest.

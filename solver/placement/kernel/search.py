@@ -19,7 +19,6 @@ from solver.placement.kernel.grid import walkable
 from solver.placement.kernel.jit import compiled
 from solver.placement.kernel.layout import (
     AXIS,
-    CANDIDATES,
     EXHAUSTED,
     FOUND,
     N_CHOICES,
@@ -27,6 +26,7 @@ from solver.placement.kernel.layout import (
     OPTIONS,
     PICKS,
     SOLVES,
+    TRIED_CHOICES,
     TURNED_DOWN,
     WIDE_CHILDREN,
     WIDENINGS,
@@ -122,8 +122,8 @@ def _violated(work: Work, programs: Programs, nodes: Nodes, slot: int) -> int:
         at = count
         while at > 0 and worst[at - 1, 1] > key:
             at -= 1
-        if at < CANDIDATES:
-            count = min(count + 1, CANDIDATES)
+        if at < TRIED_CHOICES:
+            count = min(count + 1, TRIED_CHOICES)
             for move in range(count - 1, at, -1):
                 worst[move, 0], worst[move, 1] = worst[move - 1, 0], worst[move - 1, 1]
             worst[at, 0], worst[at, 1] = c, key
@@ -235,7 +235,7 @@ def _widen(engine: Engine, parent: int, ceiling: float) -> None:
         nodes.family[last, 0] = slot
         nodes.family[last, 1] = np.int64((nodes.cost[slot, 0] + nodes.cost[slot, 1]) * STEPS)
         last += 1
-        if last == len(nodes.family) or nodes.state[SPARE] < CANDIDATES * OPTIONS:
+        if last == len(nodes.family) or nodes.state[SPARE] < TRIED_CHOICES * OPTIONS:
             break
     sort(nodes, 0, last)
     free(nodes, 0, last, WIDE_CHILDREN)
@@ -314,7 +314,7 @@ def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
     nodes.result[EXHAUSTED] = 1
     if not _root(work, programs, nodes):
         return
-    room_for, opened = CANDIDATES * OPTIONS + WIDE_CHILDREN, 0
+    room_for, opened = TRIED_CHOICES * OPTIONS + WIDE_CHILDREN, 0
     while nodes.state[OPEN] > 0:
         if nodes.state[OPEN] < opened:
             cheapest_on_top(nodes)

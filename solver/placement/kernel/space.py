@@ -6,7 +6,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from solver.placement.kernel.layout import MOST_NODES, MOST_PICKS, OPTIONS, Engine, Floats, Grid, Ints, Nodes, Programs, Room, Tree, Work
+from solver.placement.kernel.layout import (
+    MOST_NODES,
+    MOST_PICKS,
+    OPTIONS,
+    Engine,
+    Floats,
+    Ints,
+    Nodes,
+    Programs,
+    RoomArrays,
+    Tree,
+    WalkGrid,
+    Work,
+)
 
 SPARE_PATH = 16
 """Rows a path may have beside one for every choice: its widenings."""
@@ -24,7 +37,7 @@ class Sizes(NamedTuple):
     pulls: int
     walls: int
     doors: int
-    ways: int
+    decisions: int
     states: int
 
 
@@ -56,7 +69,7 @@ def new_work(sizes: Sizes) -> Work:
         wide=_ints(MOST_WIDE, 4),
         body_part=_ints(sizes.pieces),
         rotation=_ints(sizes.pieces),
-        taken_alt=_ints(sizes.pieces),
+        taken_candidate=_ints(sizes.pieces),
         taken_side=_ints(sizes.pieces),
         marks=_ints(sizes.pieces, 7),
         marked_bounds=_ints(sizes.pieces, 4, v),
@@ -113,12 +126,12 @@ def new_nodes(sizes: Sizes) -> Nodes:
     )
 
 
-def new_grid(sizes: Sizes) -> Grid:
+def new_grid(sizes: Sizes) -> WalkGrid:
     """Returns space for the walk's compressed grid."""
     blocks = sizes.pieces + sizes.walls
     cuts = 2 * blocks + 2
     cells = (cuts - 1) ** 2
-    return Grid(
+    return WalkGrid(
         state=np.zeros(8, dtype=np.int64),
         blocks=_ints(blocks, 5),
         targets=_ints(sizes.doors + 4 * sizes.pieces, 5),
@@ -134,7 +147,7 @@ def new_grid(sizes: Sizes) -> Grid:
 def new_tree(sizes: Sizes) -> Tree:
     """Returns space for the best-first search."""
     n, p = sizes.states, sizes.pieces
-    heap = sizes.ways * (n // 4 + 8)
+    heap = sizes.decisions * (n // 4 + 8)
     return Tree(
         counters=np.zeros(16, dtype=np.int64),
         budget=np.zeros(1),
@@ -145,8 +158,8 @@ def new_tree(sizes: Sizes) -> Tree:
         heap=_ints(heap, 5),
         heap_cost=_floats(heap),
         refused=_ints(4096),
-        found=_ints(sizes.ways),
-        found_cost=_floats(sizes.ways),
+        found=_ints(sizes.decisions),
+        found_cost=_floats(sizes.decisions),
         trial=_ints(p),
         moves=_ints(64, 2),
         move_cost=_floats(64),
@@ -157,13 +170,13 @@ def new_tree(sizes: Sizes) -> Tree:
     )
 
 
-def example_room() -> Room:
+def example_room() -> RoomArrays:
     """Returns a room of nothing, for its type."""
     rows, values = _ints(1, 1), _floats(1, 1)
-    return Room(_ints(1), rows, rows, rows, _floats(1), rows, _floats(1), rows, values, rows, values)
+    return RoomArrays(_ints(1), rows, rows, rows, _floats(1), rows, _floats(1), rows, values, rows, values)
 
 
-def new_engine(room: Room, sizes: Sizes) -> Engine:
+def new_engine(room: RoomArrays, sizes: Sizes) -> Engine:
     """Returns all work space for a room."""
     return Engine(room, new_work(sizes), new_programs(sizes), new_nodes(sizes), new_grid(sizes), new_tree(sizes))
 

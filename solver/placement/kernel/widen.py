@@ -1,7 +1,7 @@
 """Where the way is blocked: the pairs that close it become choices again, with the person's width between them.
 
 A link is a pair of inflated boxes (or a box and a wall) that overlap in a rectangle which touches the component entered and
-another one. furnishing.md: children sorted by cost, the best 12 kept, at most 4 widenings on a path.
+another one. Children are sorted by cost, the best 12 kept, at most 4 widenings on a path.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from solver.placement.kernel.layout import (
     VAR_X,
     X0,
     X1,
-    Grid,
     I,
     J,
-    Room,
+    RoomArrays,
     S,
+    WalkGrid,
     Work,
 )
 
 
-@compiled(lambda t: t.b1(t.Grid, t.i8, t.i8, t.i8, t.i8))
-def _divides(grid: Grid, x0: int, z0: int, x1: int, z1: int) -> bool:
+@compiled(lambda t: t.b1(t.WalkGrid, t.i8, t.i8, t.i8, t.i8))
+def _divides(grid: WalkGrid, x0: int, z0: int, x1: int, z1: int) -> bool:
     """Tells whether a rectangle of blocked floor touches the component entered and another one."""
     nx, nz = grid.state[CUTS_X] - 1, grid.state[CUTS_Z] - 1
     i0, i1 = first_cell(grid.cuts[0], nx + 1, x0), first_cell(grid.cuts[0], nx + 1, x1)
@@ -59,8 +59,8 @@ def _wide(work: Work, axis: int, i: int, j: int, s: int) -> None:
         work.counts[N_WIDE] += 1
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.i8, t.i8))
-def _between_parts(room: Room, work: Work, a: int, b: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.i8, t.i8))
+def _between_parts(room: RoomArrays, work: Work, a: int, b: int) -> None:
     parts, robot = work.parts, room.space[ROBOT]
     for axis in range(2):
         u, v = parts[a, VAR_X + axis], parts[b, VAR_X + axis]
@@ -69,8 +69,8 @@ def _between_parts(room: Room, work: Work, a: int, b: int) -> None:
         _wide(work, axis, v, u, parts[b, EXT_X + axis] - shift + robot)
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.i8, t.i8))
-def _from_zone(room: Room, work: Work, a: int, zone: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.i8, t.i8))
+def _from_zone(room: RoomArrays, work: Work, a: int, zone: int) -> None:
     parts, robot = work.parts, room.space[ROBOT]
     for axis in range(2):
         v, offset, extent = parts[a, VAR_X + axis], parts[a, OFF_X + axis], parts[a, EXT_X + axis]
@@ -78,8 +78,8 @@ def _from_zone(room: Room, work: Work, a: int, zone: int) -> None:
         _wide(work, axis, ORIGIN, v, room.zones[zone, 2 + axis] - offset + robot)
 
 
-@compiled(lambda t: t.none(t.Room, t.Work, t.Grid, t.i8))
-def _from_walls(room: Room, work: Work, grid: Grid, k: int) -> None:
+@compiled(lambda t: t.none(t.RoomArrays, t.Work, t.WalkGrid, t.i8))
+def _from_walls(room: RoomArrays, work: Work, grid: WalkGrid, k: int) -> None:
     """Adds the rows that make room between a block and the walls it is too near to."""
     block = grid.blocks[k]
     parts, a, robot = work.parts, grid.blocks[k, 4], room.space[ROBOT]
@@ -99,8 +99,8 @@ def _from_walls(room: Room, work: Work, grid: Grid, k: int) -> None:
                 _wide(work, axis, v, ORIGIN, extent + offset + robot - room.space[X1 + axis])
 
 
-@compiled(lambda t: t.i8(t.Room, t.Work, t.Grid))
-def links(room: Room, work: Work, grid: Grid) -> int:
+@compiled(lambda t: t.i8(t.RoomArrays, t.Work, t.WalkGrid))
+def links(room: RoomArrays, work: Work, grid: WalkGrid) -> int:
     """Appends the rows that might open the way to `wide`; returns the number of the first.
 
     `grid` is as `walkable` left it.

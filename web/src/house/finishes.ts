@@ -3,7 +3,7 @@ import type { Room } from "../contract";
 import type { Span } from "./boxes";
 import { cornersOf } from "./plan";
 import type { Face } from "./wall_faces";
-import type { WallPanel } from "./walls";
+import type { WallPanel } from "./wall_panel";
 
 /** How far before a face the room is that it belongs to [m]. */
 const BEFORE = 0.02;

@@ -3,7 +3,7 @@
  * where stone meets air, and all corners coincide, so that no seam shows. Pure.
  */
 import type { Span } from "./boxes";
-import type { Hole, WallPanel } from "./walls";
+import type { Hole, WallPanel } from "./wall_panel";
 
 export type Point = readonly [number, number, number];
 

@@ -7,7 +7,8 @@ import { finishOf, type Finish } from "./finishes";
 import { keptMaterial } from "./kept";
 import { facesOf, SKIRTING, type Face } from "./wall_faces";
 import { wallMaterial } from "./wall_shader";
-import { fittingsOf, wallPanelsOf, type Surface, type WallPanel, type WallPart, type WallPlan } from "./walls";
+import type { WallPanel } from "./wall_panel";
+import { fittingsOf, wallPanelsOf, type Surface, type WallPart, type WallPlan } from "./walls";
 
 /** Outside, and where a room does not say. */
 const WALL: Finish = { type: "plaster", color: "#e3dfd8" };

@@ -4,34 +4,13 @@ import { boxOnLine, type Axis, type Box, type Span } from "./boxes";
 import { seamsOf } from "./finishes";
 import type { PlacedOpening } from "./openings";
 import { byLine, lineKey, type Run } from "./plan";
+import type { WallPanel } from "./wall_panel";
 
 export type Surface = "railing" | "frame" | "threshold" | "glass";
 
 export interface WallPart {
   readonly surface: Surface;
   readonly box: Box;
-}
-
-/** A hole in a panel: along the wall, and up from the storey's floor [m]. */
-export interface Hole {
-  readonly along: Span;
-  readonly up: Span;
-}
-
-/** A straight piece of wall of one height with its holes [m]. */
-export interface WallPanel {
-  readonly axis: Axis;
-  readonly along: Span;
-  readonly across: Span;
-  readonly elevation: number;
-  readonly height: number;
-  readonly level: number;
-  readonly holes: readonly Hole[];
-  /** Where its faces are parted, so that each looks into one room [m along]. */
-  readonly seams: readonly number[];
-  /** Whether an end is to be seen; one that runs into another wall is not. */
-  readonly openStart: boolean;
-  readonly openEnd: boolean;
 }
 
 /** What a level's walls stand on and reach to [m]. */

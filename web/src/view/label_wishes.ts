@@ -1,7 +1,15 @@
 /** How much a label matters, and whether it is shown to who walks. Pure. */
 import type { Point } from "../house/wall_faces";
+import type { LabelElement } from "./label_elements";
+import type { LabelWish } from "./label_layout";
 import type { Pose } from "./walk";
 import { gazeOf } from "./walk";
+
+/** A label asked for in a frame; one that finds no place keeps its dot or is left out. */
+export interface Asked extends LabelWish {
+  readonly label: LabelElement;
+  readonly keepsDot?: boolean;
+}
 
 /** Words of what is wrong come first, then what is pointed at, then what is chosen, then rooms, then pieces. */
 export const RANK = { mark: 4e6, tip: 3.5e6, chosen: 3e6, room: 2e6, piece: 0 } as const;

@@ -5,16 +5,10 @@ import type { House } from "../house/house";
 import { roomHolding } from "../house/room_at";
 import { hang, hide, labelElement, moveTo, type LabelElement } from "./label_elements";
 import { keptInside, layOut, type Kept, type LabelWish } from "./label_layout";
-import { aheadBy, RANK, sizeSeen } from "./label_wishes";
+import { aheadBy, RANK, sizeSeen, type Asked } from "./label_wishes";
 import type { MarkWords } from "./mark_words";
 import { RoomLabels } from "./room_labels";
 import type { Viewport } from "./viewport";
-
-/** A label asked for in a frame; one that finds no place keeps its dot or is left out. */
-export interface Asked extends LabelWish {
-  readonly label: LabelElement;
-  readonly keepsDot?: boolean;
-}
 
 type Named = LabelElement & { readonly id: string };
 

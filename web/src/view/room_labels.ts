@@ -7,8 +7,7 @@ import type { House } from "../house/house";
 import { areaOf, cornersOf } from "../house/plan";
 import type { Point } from "../house/wall_faces";
 import { hang, labelElement, type LabelElement } from "./label_elements";
-import { RANK, roomsAhead } from "./label_wishes";
-import type { Asked } from "./labels";
+import { RANK, roomsAhead, type Asked } from "./label_wishes";
 import type { Viewport } from "./viewport";
 
 interface RoomLabel extends LabelElement {

@@ -1,0 +1,105 @@
+"""Compose as a library: lays out whole furnished homes, and proves they work.
+
+    from compose_homes import Request, dump, generate
+
+    house = generate(Request(seed=42, program="one_bed"))
+    dump(house.scene, "house.yaml")
+
+Everything that is public stands here. To import it costs little: what stands on the catalogs is imported when it is first named, the
+compiled kernel when something is first placed.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from compose_homes.files import dump, load
+from solver.errors import ComposeError, FieldError, RequestError, SceneError, SyntaxFault
+from solver.scene import (
+    Conflict,
+    Decoration,
+    Dynamic,
+    Fixed,
+    Flooring,
+    Furniture,
+    Generated,
+    Issue,
+    Level,
+    Move,
+    Opening,
+    Pose,
+    Request,
+    Room,
+    Scene,
+    Sides,
+    Size,
+    WallFinish,
+)
+from solver.version import VERSION as __version__
+
+if TYPE_CHECKING:
+    from compose_homes.named_later import (
+        Answered,
+        CatalogError,
+        Catalogs,
+        Held,
+        PieceRequest,
+        Placement,
+        RelationSpec,
+        Unplaced,
+        fix,
+        generate,
+        load_catalogs,
+        place,
+        reroll,
+        validate,
+    )
+else:
+
+    def __getattr__(name: str) -> object:
+        return getattr(import_module(f"{__name__}.named_later"), name)
+
+
+__all__ = [
+    "Answered",
+    "CatalogError",
+    "Catalogs",
+    "ComposeError",
+    "Conflict",
+    "Decoration",
+    "Dynamic",
+    "FieldError",
+    "Fixed",
+    "Flooring",
+    "Furniture",
+    "Generated",
+    "Held",
+    "Issue",
+    "Level",
+    "Move",
+    "Opening",
+    "PieceRequest",
+    "Placement",
+    "Pose",
+    "RelationSpec",
+    "Request",
+    "RequestError",
+    "Room",
+    "Scene",
+    "SceneError",
+    "Sides",
+    "Size",
+    "SyntaxFault",
+    "Unplaced",
+    "WallFinish",
+    "__version__",
+    "dump",
+    "fix",
+    "generate",
+    "load",
+    "load_catalogs",
+    "place",
+    "reroll",
+    "validate",
+]  # fmt: skip

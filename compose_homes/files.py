@@ -1,0 +1,67 @@
+"""Scenes in files and texts: JSON or YAML, by the file's name, else by the text's first character."""
+
+from __future__ import annotations
+
+from os import PathLike
+from pathlib import Path
+
+from solver.scene import Scene
+
+
+def load(source: str | bytes | PathLike[str], format: str | None = None) -> Scene:
+    """Reads a scene from a file or a text; of an answer that holds a scene (of `POST /generate`, say) that one.
+
+    Args:
+        source: a path; or the text itself, as bytes, or as a `str` that has more than one line or begins with a brace.
+        format: "json" or "yaml"; by default by the file's name, else by the text's first character.
+
+    Raises:
+        OSError: the file cannot be read.
+        SyntaxFault: the text is not of that format.
+        SceneError: the document is no scene; names the field and what is allowed.
+
+    Example:
+        >>> from compose_homes import load
+        >>> scene = load('{"rooms": [{"type": "office", "width": 4, "depth": 3}]}')
+        >>> scene.rooms[0].id, scene.rooms[0].width
+        ('office_0', 4.0)
+    """
+    from solver.exchange import format_of_content, format_of_name, load_text, read_scene
+
+    if isinstance(source, str) and ("\n" in source or source.lstrip().startswith("{")):
+        source = source.encode()
+    content = source if isinstance(source, bytes) else Path(source).read_bytes()
+    named = None if isinstance(source, bytes) else format_of_name(str(source))
+    document = load_text(content, format or named or format_of_content(content))
+    if isinstance(document, dict) and "scene" in document and "rooms" not in document:
+        document = document["scene"]
+    return read_scene(document)
+
+
+def dump(scene: Scene, path: str | PathLike[str] | None = None, format: str | None = None) -> str:
+    """Writes a scene, losslessly; equal scenes give equal texts.
+
+    Args:
+        scene: what to write.
+        path: the file to write; None: the text is only returned.
+        format: "json" or "yaml"; by default by the file's name, else YAML.
+
+    Returns:
+        The text.
+
+    Raises:
+        OSError: the file cannot be written.
+        SceneError: the scene holds what no document can say, such as a number that is not finite.
+
+    Example:
+        >>> from compose_homes import Room, Scene, dump, load
+        >>> scene = Scene(rooms=(Room("den", width=4, depth=3),))
+        >>> load(dump(scene)) == load(dump(scene, format="json")) == scene
+        True
+    """
+    from solver.exchange import dump_text, format_of_name, write_scene
+
+    content = dump_text(write_scene(scene), format or format_of_name(str(path or "")) or "yaml")
+    if path is not None:
+        Path(path).write_bytes(content)
+    return content.decode()

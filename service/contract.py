@@ -1,0 +1,180 @@
+"""What each call takes and answers: declared once, for the reader, the OpenAPI document, refusals and the page's types."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Annotated, Any, ClassVar
+
+from annotated_types import Ge, Le, MaxLen, MinLen
+
+from solver.answers import ON_CONFLICT
+from solver.exchange import SentRoom, SentScene
+from solver.fields import OMITTED, WHOLE, Flag, Free, Like, OneOf, Record, Says, Text, Whole
+from solver.requested import MOST_ALTERNATIVES, MOST_PIECES, Held, PieceRequest, Placement, Unplaced
+from solver.scene import ROBOT_WIDTH, Conflict, Issue, Pose, RobotWidth, Scene, Seed, WallThickness
+
+Ids = Annotated[tuple[Text, ...], Says("ids")]
+
+
+@dataclass(frozen=True)
+class RerollBody(Record):
+    """Furnishes some rooms of a scene anew."""
+
+    camel_case: ClassVar[bool] = True
+
+    scene: SentScene
+    reroll: Annotated[tuple[Text, ...], MinLen(1), Says("ids of the rooms to furnish anew")]
+    seed: Annotated[Seed | None, Says("drawn where there is none")] = None
+
+
+@dataclass(frozen=True)
+class FixBody(Record):
+    """Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer, while something is dragged."""
+
+    camel_case: ClassVar[bool] = True
+
+    scene: SentScene
+    locked: Ids = ()
+    moved: Ids = ()
+    on_conflict: Annotated[str, OneOf(*ON_CONFLICT)] = ON_CONFLICT[0]
+    previous: tuple[Pose, ...] = ()
+
+
+@dataclass(frozen=True)
+class PlaceBody(Record):
+    """Places pieces in a room; `alternatives` placements are wished for in all."""
+
+    camel_case: ClassVar[bool] = True
+
+    room: SentRoom
+    pieces: Annotated[tuple[PieceRequest, ...], MaxLen(MOST_PIECES)]
+    alternatives: Annotated[int, Ge(1), Le(MOST_ALTERNATIVES), WHOLE] = 1
+    wall_thickness: WallThickness = 0.0
+    robot_width: RobotWidth = ROBOT_WIDTH
+
+
+@dataclass(frozen=True)
+class ValidateBody(Record):
+    """Judges a scene; a report is written where it is wanted or bodies are `flagged` as problematic."""
+
+    camel_case: ClassVar[bool] = True
+
+    scene: SentScene
+    flagged: Ids | None = None
+    report: Flag | None = None
+
+
+@dataclass(frozen=True)
+class ViewBody(Record):
+    """Shows a scene."""
+
+    scene: SentScene
+
+
+@dataclass(frozen=True)
+class FloorBody(Record):
+    """Asks for the floor of rooms; of all where none are named."""
+
+    scene: SentScene
+    rooms: Ids = ()
+
+
+@dataclass(frozen=True)
+class ExportBody(Record):
+    """A scene, or an answer that holds one; of that nothing else is read."""
+
+    scene: SentScene
+    issues: Any = None
+    timing_ms: Any = None
+    moves: Any = None
+    removed: Any = None
+    conflicts: Any = None
+
+
+class _ByItself:
+    """Tells a scene from an answer that holds one."""
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
+        return {**handler(schema), "required": ["rooms"], "not": {"required": ["scene"]}}
+
+
+SceneByItself = Annotated[Scene, _ByItself()]
+
+
+@dataclass(frozen=True)
+class PlaceAnswer(Record):
+    """The best placement, the others by rank, why required pieces are missing, issues, and stage times in ms."""
+
+    scene: Scene
+    relations: tuple[Held, ...]
+    unplaced: tuple[Unplaced, ...]
+    alternatives: tuple[Placement, ...]
+    conflicts: tuple[Conflict, ...]
+    issues: tuple[Issue, ...]
+    timing_ms: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Lines(Record):
+    """Text, and for each of its lines the id of the body it speaks of, or null."""
+
+    text: str
+    lines: tuple[str | None, ...]
+
+
+@dataclass(frozen=True)
+class ValidateAnswer(Record):
+    """What breaks which rule and by how much, measures, and where it is wanted the whole scene in words."""
+
+    issues: tuple[Issue, ...]
+    metrics: Free
+    report: Lines | None = field(default=None, metadata={OMITTED: True})
+
+
+Rectangle = Annotated[tuple[float, float, float, float], Says("west, north, east, south edge in the room, m")]
+
+
+@dataclass(frozen=True)
+class RoomFloor(Record):
+    """A room's floor: what is clear of walls, kept free before doors and windows, and free to come to."""
+
+    room: str
+    clear: Rectangle
+    doors: tuple[Rectangle, ...]
+    windows: tuple[Rectangle, ...]
+    free: tuple[Rectangle, ...]
+
+
+@dataclass(frozen=True)
+class FloorAnswer(Record):
+    """The floor of rooms."""
+
+    rooms: tuple[Annotated[Mapping[str, Any], Like(RoomFloor)], ...]
+
+
+@dataclass(frozen=True)
+class Health(Record):
+    """The service lives."""
+
+    status: Annotated[str, OneOf("ok")] = "ok"
+
+
+@dataclass(frozen=True)
+class FieldProblem(Record):
+    """A field that is wrong: where, how, and what would be right (empty where there is nothing to say)."""
+
+    field: str
+    problem: str
+    allowed: str
+
+
+@dataclass(frozen=True)
+class ProblemDocument(Record):
+    """An RFC 9457 problem document."""
+
+    type: str
+    title: str
+    status: Whole
+    detail: str
+    errors: tuple[Annotated[Mapping[str, str], Like(FieldProblem)], ...]

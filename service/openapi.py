@@ -1,0 +1,61 @@
+"""What FastAPI cannot know of the OpenAPI document: that documents are YAML too, problems, examples, the catalogs' words."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from http import HTTPStatus
+from pathlib import Path
+from typing import Any, Final
+
+from catalogs import Catalogs
+from service.contract import ProblemDocument
+from service.problems import MEDIA_TYPE, STATUS
+from service.wire import MEDIA_TYPES
+from solver.exchange import load_text
+
+REFERENCES: Final = "#/components/schemas/"
+EXAMPLES: Final = Path(__file__).parent / "examples.yaml"
+JSON: Final = "application/json"
+TITLES: Final = dict(STATUS.values())
+
+
+def refusals(*statuses: int) -> dict[int | str, dict[str, Any]]:
+    """Returns what a route declares of the problem documents it may answer with."""
+    return {status: {"model": ProblemDocument, "description": TITLES.get(status, HTTPStatus(status).phrase)} for status in statuses}
+
+
+@lru_cache
+def examples() -> dict[str, Any]:
+    """Returns an example of every call by its path: `body` where it takes one, and `answer`."""
+    read: dict[str, Any] = load_text(EXAMPLES.read_bytes(), "yaml")  # type: ignore[assignment]
+    return read
+
+
+def completed(document: dict[str, Any], catalogs: Catalogs) -> dict[str, Any]:
+    """Completes the document that FastAPI made."""
+    for path, verbs in document["paths"].items():
+        for call in verbs.values():
+            _complete(call, examples().get(path, {}))
+    _name_words(document["components"]["schemas"]["Request"]["properties"], catalogs)
+    return document
+
+
+def _complete(call: dict[str, Any], example: dict[str, Any]) -> None:
+    if "requestBody" in call:
+        sent = call["requestBody"]
+        options = [option for option in sent["content"][JSON]["schema"].get("anyOf", ()) if option != {"type": "null"}]
+        schema = {"anyOf": options} if options else sent["content"][JSON]["schema"]
+        sent["content"] = {media_type: {"schema": schema, "example": example["body"]} for media_type in MEDIA_TYPES}
+    for status, answer in call["responses"].items():
+        media = answer["content"][JSON]
+        if status == "200":
+            answer["content"] = {media_type: {**media, "example": example["answer"]} for media_type in MEDIA_TYPES}
+        else:
+            answer["content"] = {MEDIA_TYPE: media}
+
+
+def _name_words(request: dict[str, Any], catalogs: Catalogs) -> None:
+    """Puts the words of the catalogs into the request's schema."""
+    for part in request["style"]["anyOf"]:
+        if part["type"] == "string":
+            part["enum"] = sorted(catalogs.styles)

@@ -1,0 +1,10 @@
+"""A furnished room -> what lies on its furniture, hangs on its walls and stands on its floor.
+
+Comes in: a Room, its Space, the catalogs' dressing. Goes out: Decorations. May import: the ground floor, catalogs. Not here: where
+furniture stands (placement); nothing here moves it.
+"""
+
+from solver.decorations.decorated_room import DecorationSettings
+from solver.decorations.decorating import decorations_of
+
+__all__ = ["DecorationSettings", "decorations_of"]

@@ -1,9 +1,0 @@
-"""A furnished room -> what lies on its furniture, hangs on its walls and stands on its floor.
-
-Comes in: a Room, its Space, the catalogs' dressing. Goes out: Decorations. May import: the ground floor, catalogs. Not here: where
-furniture stands (placement); nothing here moves it.
-"""
-
-from solver.dress.dressed import Terms, dressed
-
-__all__ = ["Terms", "dressed"]

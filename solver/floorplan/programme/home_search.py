@@ -1,0 +1,126 @@
+"""The search for a home: a kind drawn by the seed, some deals, some moves, always by counts.
+
+Comes in: planned rooms, a frame, a seed. Goes out: `FoundHome`: the cheapest drawing. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from math import inf
+from typing import Final, NamedTuple
+
+from solver.floorplan.programme.cost import HomeJudge, HomeVerdict
+from solver.floorplan.programme.deal import Dealer, kinds_for, moved
+from solver.floorplan.programme.drafts import Draft, Drawer, Frame, Misfit, Sheet
+from solver.floorplan.programme.planned_rooms import PlannedRoom
+from solver.streams import Stream
+
+TRIES: Final = 3
+DEALS: Final = 12
+MOVES: Final = 48
+"""How often it is begun anew, and the deals and moves of each time."""
+GOOD: Final = 1.2
+GOOD_EACH: Final = 0.2
+"""A home that costs no more than this, and this for every room, is taken at once: searching on makes all homes alike."""
+MISFIT: Final = 1000.0
+"""Cost of a draft that cannot be drawn, and MISFIT_COLUMN for each column without a width, 1 for every MISFIT_MM."""
+MISFIT_COLUMN: Final = 100.0
+MISFIT_MM: Final = 50.0
+
+
+class FoundHome(NamedTuple):
+    """The cheapest home: its kind, drawing and verdict."""
+
+    kind: str
+    sheet: Sheet
+    verdict: HomeVerdict
+
+    @property
+    def rank(self) -> tuple[int, int, float]:
+        """What is better among homes that are not sound: all rooms entered, few short, cheap."""
+        return self.verdict.unreached, self.verdict.short, self.verdict.cost
+
+
+class _Seen(NamedTuple):
+    cost: float
+    draft: Draft
+    sheet: Sheet | None
+    verdict: HomeVerdict | None
+
+
+NOTHING: Final = _Seen(inf, Draft("", [], []), None, None)
+
+
+class HomeSearch:
+    """Searches for homes of one programme.
+
+    Args:
+        planned: the rooms.
+        frame_of: the frame of a house of a kind.
+        seed: the house's seed.
+        turn: which search of the seed's it is.
+    """
+
+    def __init__(self, planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0) -> None:
+        self.planned, self.seed, self.turn = planned, seed, turn
+        self.judge = HomeJudge(planned)
+        self.drawers = {kind: Drawer(self.judge.sizes, frame_of(kind)) for kind in kinds_for(planned)}
+        self.good = GOOD + GOOD_EACH * len(planned)
+
+    def run(self) -> FoundHome:
+        """Searches in the kind that the seed draws; in the others too where a room falls short in it."""
+        kinds = list(kinds_for(self.planned))
+        if kinds[0] != "rows":
+            Stream(self.seed, "programme.kind").shuffle(kinds)
+        best = NOTHING
+        for kind in dict.fromkeys(kinds):
+            seen = self._kind(kind)
+            if seen.cost < best.cost:
+                best = seen
+            if seen.verdict is not None and not (seen.verdict.short or seen.verdict.unreached):
+                break
+        if best.sheet is not None and best.verdict is not None:
+            return FoundHome(best.draft.kind, best.sheet, best.verdict)
+        sheet = self.drawers[best.draft.kind].sheet(best.draft, stretch=True)
+        if isinstance(sheet, Misfit):
+            raise ValueError("a draft without depths")
+        return FoundHome(best.draft.kind, sheet, self.judge.verdict(sheet))
+
+    def _kind(self, kind: str) -> _Seen:
+        streams = (Stream(self.seed, "programme", f"{kind}.{self.turn}.{number}") for number in range(TRIES))
+        return self._cheapest(self._try(kind, stream) for stream in streams)
+
+    def _cheapest(self, offers: Iterable[_Seen]) -> _Seen:
+        """Returns the cheapest, the first that is good at once."""
+        best = NOTHING
+        for seen in offers:
+            if seen.cost < best.cost:
+                best = seen
+            if best.cost <= self.good:
+                break
+        return best
+
+    def _try(self, kind: str, stream: Stream) -> _Seen:
+        dealer = Dealer(self.planned, stream)
+        best = self._cheapest(self._dealt(kind, dealer) for _ in range(DEALS))
+        for _ in range(MOVES):
+            if best.cost <= self.good:
+                break
+            draft = moved(best.draft, stream)
+            self.drawers[kind].fit_depths(draft)
+            seen = self._look(draft)
+            if seen.cost <= best.cost:
+                best = seen
+        return best
+
+    def _dealt(self, kind: str, dealer: Dealer) -> _Seen:
+        draft = dealer.deal(kind)
+        self.drawers[kind].choose_depths(draft, dealer.stream)
+        return self._look(draft)
+
+    def _look(self, draft: Draft) -> _Seen:
+        sheet = self.drawers[draft.kind].sheet(draft)
+        if isinstance(sheet, Misfit):
+            return _Seen(MISFIT + MISFIT_COLUMN * sheet.columns + sheet.gap / MISFIT_MM, draft, None, None)
+        verdict = self.judge.verdict(sheet)
+        return _Seen(verdict.cost, draft, sheet, verdict)

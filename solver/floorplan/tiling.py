@@ -1,0 +1,99 @@
+"""What every step of the floor plan speaks of: room rectangles, the walls they share, the sides that lie outside.
+
+Comes in: rectangles of wall lines, mm. Goes out: `Layout`, `Joint`. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+from solver.geometry import OPPOSITE, Rect
+from solver.scene import WALLS
+
+HALLWAY_MM: Final = 1300
+"""Width of a hallway between wall lines: 1.2 m clear between walls of 0.1 m."""
+DOOR_WALL_MM: Final = 1100
+"""Shortest shared wall that takes a door: a leaf of 0.9 m and a jamb of 0.1 m at each end."""
+
+
+@dataclass(frozen=True, order=True)
+class Joint:
+    """A stretch of wall that two rooms share, at least DOOR_WALL_MM long.
+
+    `a` < `b` are room indices, `wall` is the wall of `a`, `low` and `high` its ends along x (north, south) or z, mm.
+    """
+
+    a: int
+    b: int
+    wall: str
+    low: int
+    high: int
+
+    @property
+    def length(self) -> int:
+        """Length of the shared wall, mm."""
+        return self.high - self.low
+
+    def other(self, room: int) -> int:
+        """Returns the room on the other side."""
+        return self.b if room == self.a else self.a
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Rectangles that tile the house: the first `hallways` of `rooms` are hallways.
+
+    `behind` names, for a room off every hallway, the room it was planned to lie behind.
+    """
+
+    outline: Rect
+    rooms: tuple[Rect, ...]
+    hallways: int = 0
+    behind: Mapping[int, int] = field(default_factory=dict)
+    corridors: tuple[Mapping[str, Any], ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def spine(self) -> bool:
+        """Tells whether the house has a hallway spine."""
+        return self.hallways > 0
+
+
+def exterior_sides(rect: Rect, outline: Rect) -> tuple[str, ...]:
+    """Returns the walls of a room that lie on the house's outline, in the order of WALLS."""
+    return tuple([wall for wall in WALLS if rect.line(wall) == outline.line(wall)])
+
+
+def touching(rooms: Sequence[Rect]) -> list[tuple[int, int, str, int, int]]:
+    """Returns every stretch of wall two rooms share as (a, b, wall of a, low, high), a < b, sorted."""
+    found: list[tuple[int, int, str, int, int]] = []
+    for wall in ("south", "east"):
+        opposite = OPPOSITE[wall]
+        starts: dict[int, list[int]] = defaultdict(list)
+        for i, rect in enumerate(rooms):
+            starts[rect.line(opposite)].append(i)
+        for i, rect in enumerate(rooms):
+            start, end = rect.along(wall)
+            for j in starts.get(rect.line(wall), ()):
+                first, last = rooms[j].along(wall)
+                low, high = max(start, first), min(end, last)
+                if low < high:
+                    found.append((i, j, wall, low, high) if i < j else (j, i, opposite, low, high))
+    return sorted(found)
+
+
+def joints(rooms: tuple[Rect, ...]) -> tuple[Joint, ...]:
+    """Returns the shared walls that are long enough for a door, sorted."""
+    return tuple(Joint(*stretch) for stretch in touching(rooms) if stretch[4] - stretch[3] >= DOOR_WALL_MM)
+
+
+def neighbours(count: int, shared: tuple[Joint, ...]) -> list[list[Joint]]:
+    """Returns each room's joints, by room index."""
+    by_room: list[list[Joint]] = [[] for _ in range(count)]
+    for joint in shared:
+        by_room[joint.a].append(joint)
+        by_room[joint.b].append(joint)
+    return by_room

@@ -1,0 +1,176 @@
+"""From a list of pieces with relations, asked for by a user, to pieces to be placed whose candidates hold those relations.
+
+Unlike a room type's relations, which cost by degree, a relation asked for is held or not. So every candidate says which it
+holds: those to the room by a rectangle that its footprint stays in, those to another piece by a box in that piece's frame, for
+each way that other piece may be turned. What a candidate does not hold, it pays for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import inf
+from operator import attrgetter
+
+from solver.furnish.attached import UNSURE, attached, between_others
+from solver.furnish.stances import Costed, ListedPiece
+from solver.furnish.wall_occupancy import WallOccupancy
+from solver.furnish.zones import scope_of
+from solver.geometry import ALONG_X, Rect, turned
+from solver.pieces import Candidate, Piece, Placed, Space, Stance
+from solver.relations import RELATIONS
+from solver.relations.subject import Footing, Kind, Parent, Subject
+from solver.requested import PieceRequest
+from solver.scene import Room
+
+PULL = 0.03
+"""Pull of a piece to where a candidate would like it best, m^-2: order, not preference."""
+FREE_COST = 0.2
+"""What standing in the middle of the room costs a piece that may also stand at a wall."""
+ATTACHED = 400
+"""Most candidates of a piece that are attached to another one."""
+EACH = 3
+"""Most candidates of one stance that differ in what they hold."""
+DEAR = 5.0
+"""What a stance costs more than a piece's best that is too unlikely for others to be attached to it: less than a relation."""
+
+_cost = attrgetter("cost")
+
+
+@dataclass(frozen=True)
+class ListedPieces:
+    """The pieces of a list, each with its candidates, behind those that stand already; and what these are made from, by label."""
+
+    pieces: tuple[Piece, ...]
+    listed: Mapping[str, ListedPiece]
+
+    def between(self, placed: Sequence[Placed], labels: Container[str]) -> tuple[Piece, ...]:
+        """Returns the pieces, the named ones with further candidates: where all their relations hold with the rest as it stands.
+
+        Args:
+            placed: where the pieces stand.
+            labels: whose candidates are sought.
+        """
+        poses = {one.label: one for one in placed}
+        return tuple(
+            replace(piece, candidates=_by_cost(between_others(self.listed[piece.label], poses), piece.candidates))
+            if piece.label in labels and piece.label in self.listed
+            else piece
+            for piece in self.pieces
+        )
+
+
+def _by_cost(*found: Sequence[Candidate]) -> tuple[Candidate, ...]:
+    return tuple(sorted((candidate for some in found for candidate in some), key=_cost))
+
+
+def listed_pieces(
+    room: Room, space: Space, requests: Sequence[PieceRequest], kinds: Mapping[str, Kind], standing: Sequence[Piece]
+) -> ListedPieces:
+    """Returns the pieces of a list, in its order, behind those that stand already.
+
+    Args:
+        room: with its openings.
+        space: the room's `space_of`.
+        requests: each after those its relations refer to; a relation to a later one is left to the caller.
+        kinds: of the requests and of what stands already, by id.
+        standing: what stands in the room already, one candidate each, which tells its stance.
+    """
+    scope, walls = scope_of(room, space), WallOccupancy(space)
+    pieces = list(standing)
+    labels = {one.label: (one.label,) for one in pieces}
+    parents: dict[str, tuple[Parent, ...]] = {
+        one.label: (Parent(one.label, kinds[one.label], one.candidates[0].stance),) for one in pieces if one.label in kinds
+    }
+    reach = {key: rect for one in pieces for key, rect in _reach(one, space.clear).items()}
+    named = {name for request in requests for spec in request.relations for name in spec.of}
+    unlikely: set[tuple[str, Stance]] = set()
+    listed: dict[str, ListedPiece] = {}
+    for request in requests:
+        kind = kinds[request.id]
+        for label in request.labels:
+            subject = Subject(scope, ((kind, 0.0),), request.relations, dict(labels), dict(parents))
+            listed[label] = ListedPiece(subject, walls, reach, frozenset(unlikely))
+            piece = _piece(listed[label], label, request.required)
+            pieces.append(piece)
+            if request.id in named:
+                reach = reach | _reach(piece, space.clear)
+                unlikely |= _unlikely(piece)
+            labels[request.id] = (*labels.get(request.id, ()), label)
+            parents[label] = tuple(Parent(label, kind, stance) for stance in _stances(piece))
+    return ListedPieces(tuple(pieces), listed)
+
+
+def _stances(piece: Piece) -> dict[Stance, list[Candidate]]:
+    """Returns the candidates by their stance, in the order in which these come."""
+    found: dict[Stance, list[Candidate]] = {}
+    for candidate in piece.candidates:
+        if candidate.stance is not None:
+            found.setdefault(candidate.stance, []).append(candidate)
+    return found
+
+
+def _reach(piece: Piece, clear: Rect) -> dict[tuple[str, Stance], Rect]:
+    """Returns where the centre of a piece may be, by its stance."""
+    found: dict[tuple[str, Stance], Rect] = {}
+    for stance, candidates in _stances(piece).items():
+        width, depth = turned(*candidates[0].size_mm[:2], stance.rotation)
+        rects = {candidate.within or clear for candidate in candidates}
+        fits = [rect for rect in rects if width <= rect.width and depth <= rect.depth]
+        if fits:
+            x0, z0 = min(rect.x0 for rect in fits), min(rect.z0 for rect in fits)
+            x1, z1 = max(rect.x1 for rect in fits), max(rect.z1 for rect in fits)
+            found[piece.label, stance] = Rect(x0 + width // 2, z0 + depth // 2, x1 - width // 2, z1 - depth // 2)
+    return found
+
+
+def _unlikely(piece: Piece) -> set[tuple[str, Stance]]:
+    """Returns the stances that cost at least `DEAR` more than the cheapest."""
+    costs = {stance: min(map(_cost, candidates)) for stance, candidates in _stances(piece).items()}
+    least = min(costs.values(), default=0.0) + DEAR
+    return {(piece.label, stance) for stance, cost in costs.items() if cost >= least}
+
+
+def _piece(listed: ListedPiece, label: str, required: bool) -> Piece:
+    kind, subject = listed.kind, listed.subject
+    links = [link for spec in listed.to_pieces for link in RELATIONS[spec.type].pulls(spec, subject.labels(spec.of))]
+    return Piece(label, required, _candidates(listed), tuple(links), kind.stands, kind.need_all, skip_cost=100.0)
+
+
+def _candidates(listed: ListedPiece) -> tuple[Candidate, ...]:
+    """Returns all candidates, cheapest first; none where the piece is too large, or hard relations rule all of them out."""
+    every = [(footing, _some(found)) for footing, found in listed.places]
+    hard = any(spec.required for spec in listed.to_pieces)
+    alone = [] if hard else list(_alone(listed, every))
+    dearest = min(map(_cost, alone), default=inf) + sum(spec.cost for spec in listed.to_pieces)
+    bound = sorted(attached(listed, every, dearest), key=_cost)
+    return _by_cost(alone, bound[:ATTACHED])
+
+
+def _some(found: Sequence[Costed]) -> list[Costed]:
+    """Returns the few that cost least, and the dearest: where nothing is held, a piece can still stand."""
+    return [*found[:EACH], *found[EACH:][-1:]]
+
+
+def _alone(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]]) -> Iterator[Candidate]:
+    """Yields the ways to stand at walls and in the room, attached to nobody."""
+    pairs = sum(spec.cost * (UNSURE if RELATIONS[spec.type].by_degree else 1.0) for spec in listed.to_pieces)
+    for footing, found in every:
+        for rect, cost in found:
+            free = FREE_COST if footing.wall is None else 0.0
+            yield Candidate(
+                listed.kind.name, listed.kind.size, footing.rotation, footing.wall, _anchor(listed, footing, rect), (PULL, PULL),
+                within=rect, cost=round(cost + pairs + free, 6), stance=footing.stance,
+            )  # fmt: skip
+
+
+def _anchor(listed: ListedPiece, footing: Footing, rect: Rect) -> tuple[int, int]:
+    """Returns where in its rectangle a piece would like to stand: in the middle of the longest clear stretch of its wall."""
+    x, z = rect.centre
+    if footing.wall is None:
+        return x, z
+    low, high = rect.along(footing.wall)
+    cut = [(max(a, low), min(b, high)) for a, b in listed.stretches[footing.wall]]
+    a, b = max(cut, key=lambda stretch: stretch[1] - stretch[0], default=(low, high))
+    middle = (a + b) // 2 if b > a else (low + high) // 2
+    return (middle, z) if footing.wall in ALONG_X else (x, middle)

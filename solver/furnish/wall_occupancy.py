@@ -1,0 +1,60 @@
+"""Which stretches of a room's walls are free: of zones, and of what is meant to stand there already."""
+
+from __future__ import annotations
+
+from solver.geometry import Rect, strip
+from solver.pieces import Space
+
+Stretch = tuple[int, int]
+"""An interval along a wall, mm, from its west or north end."""
+
+
+class WallOccupancy:
+    """The walls of one room and what takes them up.
+
+    Args:
+        space: the room's clear rectangle, zones and doorways.
+        gates: the floor before garage doors; no rule keeps it free, but it is no place for a shelf either.
+    """
+
+    def __init__(self, space: Space, gates: tuple[Rect, ...] = ()) -> None:
+        self.space, self.gates = space, gates
+        self._taken: list[Rect] = []
+
+    def stretches(self, wall: str, depth_mm: int, height_mm: int, occupied: bool = True) -> list[Stretch]:
+        """Returns the clear stretches for a body of that depth and height with its back to the wall, west or north first.
+
+        `occupied` tells whether what was marked by `occupy` counts.
+        """
+        clear = self.space.clear
+        reach = strip(clear, wall, clear.along(wall), min(depth_mm + self.space.gap_mm, *_extents(clear)))
+        blocked = [zone.rect.along(wall) for zone in self.space.zones if zone.above_mm < height_mm and zone.rect.overlaps(reach)]
+        blocked += [gate.along(wall) for gate in self.gates if gate.overlaps(reach)]
+        if occupied:
+            blocked += [rect.along(wall) for rect in self._taken if rect.overlaps(reach)]
+        return _gaps(clear.along(wall), sorted(blocked))
+
+    def occupy(self, footprint: Rect) -> None:
+        """Marks a footprint as taken; it blocks every wall whose bodies would reach into it."""
+        self._taken.append(footprint)
+
+    def occupied(self, footprint: Rect) -> bool:
+        """Tells whether a footprint meets one that is taken."""
+        return any(footprint.overlaps(rect) for rect in self._taken)
+
+
+def _extents(rect: Rect) -> tuple[int, int]:
+    return rect.width, rect.depth
+
+
+def _gaps(whole: Stretch, blocked: list[Stretch]) -> list[Stretch]:
+    """Returns what sorted intervals leave of a whole interval."""
+    low, high = whole
+    free: list[Stretch] = []
+    for a, b in blocked:
+        if a > low:
+            free.append((low, min(a, high)))
+        low = max(low, b)
+    if high > low:
+        free.append((low, high))
+    return [(a, b) for a, b in free if b > a]

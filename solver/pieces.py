@@ -1,0 +1,216 @@
+"""What furnish hands to placement: a room's space, and every wanted piece with all its candidates.
+
+Comes in: nothing. Goes out: plain frozen data in integer millimetres, room-relative (the room's north-west corner of its
+wall *lines* is the origin). May import: geometry. Placement never has to ask back: what a piece may do is all here.
+
+Cost is one number for everything: quadratic terms are weight x metres squared, preference costs are added to them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from solver.geometry import Rect, turned
+
+Extents = tuple[int, int, int]
+"""Unrotated width, depth and height, mm."""
+
+
+@dataclass(frozen=True)
+class Zone:
+    """A fixed rectangle that bodies reaching above `above_mm` must stay out of.
+
+    `cause` names it in reasons: an opening's id, or `outline` for a part that is missing from the rectangle.
+    """
+
+    rect: Rect
+    above_mm: int
+    cause: str
+
+
+@dataclass(frozen=True)
+class Doorway:
+    """A door or passage as the walk sees it: its square inside the room, and the wall it is in."""
+
+    id: str
+    wall: str
+    square: Rect
+    connects_to: str
+
+
+@dataclass(frozen=True)
+class Space:
+    """Where a room's furniture may stand.
+
+    `clear` is the rectangle of the wall lines moved in by half a wall; `gap_mm` is how far a wall-hugging body's back
+    stands from the wall's face (30 for what we generate).
+    """
+
+    room: str
+    clear: Rect
+    zones: tuple[Zone, ...]
+    doorways: tuple[Doorway, ...]
+    robot_mm: int = 600
+    gap_mm: int = 30
+    cover_mm2: int = 0
+    """Optional pieces are added while less floor than this is covered, mm2; 0: whatever is covered."""
+
+
+class Stance(NamedTuple):
+    """What of a piece's pose its neighbours' candidates may depend on: its rotation, and the wall at its back."""
+
+    rotation: int
+    wall: str | None = None
+
+
+class Attach(NamedTuple):
+    """Stands at a slot of another piece, in that piece's own frame.
+
+    The own centre minus the parent's centre lies within `across_mm` along the parent's +x side and within `along_mm`
+    along its front (both as at rotation 0: left is -x, front is +z). An interval of one value is a rigid tie.
+    `parent_kind` and `parent_stance` are the parent's way to stand that the numbers are for: where the parent's chosen
+    candidate differs in its `kind` or its `stance`, this one is void.
+    """
+
+    parent: str
+    parent_kind: str
+    across_mm: tuple[int, int]
+    along_mm: tuple[int, int]
+    slot: str = ""
+    """Name of the slot; two pieces never take the same slot of one parent."""
+    parent_stance: Stance | None = None
+
+
+@dataclass(frozen=True)
+class Stand:
+    """A use side: where a person stands to use the piece. `side` is of the unrotated body."""
+
+    side: str
+    """front | back | left | right (left is -x at rotation 0)."""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One way for a piece to stand.
+
+    Args (units mm, degrees):
+        kind: the catalog's name, a size variant; or what the user calls it.
+        size_mm: unrotated width, depth, height.
+        rotation: absolute; with `attach` relative to the parent's.
+        wall: the wall whose face its back stands `gap_mm` from (that coordinate is then fixed), or None.
+        anchor_mm: the wished footprint centre (x, z) in the room; ignored along a fixed coordinate and with `attach`.
+        weights: cost per metre squared of leaving the anchor along x and along z; within [0.02, 20].
+        within: where the footprint must stay; None means the space's clear rectangle.
+        cost: preference cost, >= 0: 0 for the best.
+        bottom_mm: the underside's height, > 0 for what stands on another piece.
+        slack_mm: where set, the piece is not flush at `wall`: its back is at most this far from the wall's face (used by /fix).
+    """
+
+    kind: str
+    size_mm: Extents
+    rotation: int
+    wall: str | None = None
+    anchor_mm: tuple[int, int] = (0, 0)
+    weights: tuple[float, float] = (1.0, 1.0)
+    within: Rect | None = None
+    cost: float = 0.0
+    bottom_mm: int = 0
+    attach: Attach | None = None
+    under: str | None = None
+    """The label of the table it is tucked under; these two may overlap."""
+    on: str | None = None
+    """The label of the piece it stands on; these two may overlap in plan."""
+    slack_mm: int | None = None
+    stance: Stance | None = None
+    """How it stands in the room, where others' candidates depend on that (`Attach.parent_stance`)."""
+
+    @property
+    def footprint(self) -> Rect:
+        """Its footprint where it is wished; with `attach` it means nothing."""
+        return Rect.around(self.anchor_mm, turned(self.size_mm[0], self.size_mm[1], self.rotation))
+
+
+@dataclass(frozen=True)
+class Link:
+    """A relation between two pieces that is not a slot: a condition on their candidates, and quadratic terms.
+
+    Args:
+        relation: the vocabulary's word, for reasons.
+        of: the other piece's label.
+        turn: wished rotation minus the other's, degrees; None where any will do.
+        walls: "opposite" | "same" | "other" | "adjacent" | None: the wished relation of the two walls.
+        cost: added when `turn` or `walls` does not hold.
+        required: the candidates are incompatible when it does not hold.
+        align: weight of (own centre - other's centre)^2 along the other's width, m^-2; 0 for none.
+        near: weight of the squared distance of the centres along both axes, m^-2; 0 for none.
+        apart_m, apart_cost: cost per metre that the two anchors lie closer than apart_m.
+    """
+
+    relation: str
+    of: str
+    turn: int | None = None
+    walls: str | None = None
+    cost: float = 0.0
+    required: bool = False
+    align: float = 0.0
+    near: float = 0.0
+    apart_m: float = 0.0
+    apart_cost: float = 0.0
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece to be placed. Order in the room's list is its importance, required pieces first.
+
+    Args:
+        label: unique in the room, `<piece>_<number>`.
+        required: left out last of all.
+        candidates: the ways it may stand; their costs need not be sorted.
+        links: conditions and terms against pieces earlier in the list.
+        stands: its use sides; `need_all` tells whether all of them must be reachable or any one.
+        skip_cost: what leaving it out costs (optional pieces).
+        with_next: an optional piece that stands only together with the next one.
+        is_floor: it stands for floor to be kept empty: no body, but bodies keep out of it.
+    """
+
+    label: str
+    required: bool
+    candidates: tuple[Candidate, ...]
+    links: tuple[Link, ...] = ()
+    stands: tuple[Stand, ...] = ()
+    need_all: bool = False
+    skip_cost: float = 10.0
+    with_next: bool = False
+    is_floor: bool = False
+
+
+@dataclass(frozen=True)
+class Placed:
+    """Where a piece stands: the chosen candidate, and its footprint on the lattice (mm, room-relative)."""
+
+    label: str
+    chosen: Candidate
+    rotation: int
+    wall: str | None
+    footprint: Rect
+
+
+@dataclass(frozen=True)
+class Arrangement:
+    """A room's result.
+
+    `cost` counts terms and preferences where the pieces stand at last; `proven` tells that the search for these candidates
+    closed below its limit; `best` that no other candidates of the required pieces are cheaper, within the widenings tried:
+    both of the placement before slivers were tidied away, which costs at most 0.2 (placement/tidy). `left_out` pairs a label
+    with the reason, for a person.
+    """
+
+    room: str
+    placed: tuple[Placed, ...]
+    left_out: tuple[tuple[str, str], ...] = ()
+    cost: float = 0.0
+    proven: bool = True
+    solves: int = 0
+    notes: tuple[str, ...] = field(default=())
+    best: bool = True

@@ -1,0 +1,137 @@
+"""One request of place: what it means to every stage, and an arrangement written down and judged.
+
+Comes in: a Room and requests for pieces; an Arrangement. Goes out: a PlaceTask; a Placement. May import: every stage. Not
+here: which arrangement (rounds, place).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from catalogs import Catalogs
+from solver.certificate import room_certificate
+from solver.furnish import ListedPieces, listed_pieces, scope_of, space_of
+from solver.furnished import furnished
+from solver.geometry import WALL_BEHIND
+from solver.pieces import Arrangement, Piece, Placed, Space
+from solver.pipeline.obstacles import obstacles
+from solver.relations.held import FinishedRoom, at_wall, held, standing
+from solver.relations.relation import Standing
+from solver.relations.subject import Kind
+from solver.requested import (
+    Held,
+    PieceRequest,
+    Placement,
+    Unplaced,
+    checked,
+    in_order,
+    kinds_of,
+    labels_by_name,
+    relations_of,
+)
+from solver.scene import Furniture, Room, Scene
+from solver.streams import Stream
+from solver.validator import RULES, validate
+
+
+@dataclass(frozen=True)
+class PlaceTask:
+    """What every placement of one request shares."""
+
+    room: Room
+    requests: tuple[PieceRequest, ...]
+    catalogs: Catalogs
+    wall_thickness: float
+    robot_width: float
+    engine: str
+    space: Space
+    listed: ListedPieces
+    kinds: Mapping[str, Kind]
+    """The kind of every piece that is asked for or stands already, by its label."""
+    bare: FinishedRoom
+    """The room before anything is placed, to be judged."""
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The pieces to be placed, each after those it refers to, behind those that stand already."""
+        return self.listed.pieces
+
+
+def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: tuple[float, float, str]) -> PlaceTask:
+    """Checks a request and says what it means.
+
+    Args:
+        room: with what stands in it.
+        requests: what is wanted.
+        catalogs: whose kinds are known.
+        setting: wall thickness, m; the square that must be able to walk, m; the engine of the final solve.
+
+    Raises:
+        RequestError: a field is wrong.
+    """
+    wall_thickness, robot_width, engine = setting
+    ordered = in_order(checked(room, requests, catalogs))
+    kinds = kinds_of(room, ordered, catalogs)
+    space, there = obstacles(room, space_of(room, wall_thickness, robot_width), catalogs)
+    listed = listed_pieces(room, space, ordered, kinds, there)
+    names = labels_by_name(room, ordered)
+    by_label = {label: kinds[name] for name, labels in names.items() for label in labels}
+    bodies = {one.id: standing(one, space.clear, _heights(by_label[one.id])) for one in room.furniture}
+    bare = FinishedRoom(scope_of(room, space), bodies, names)
+    return PlaceTask(room, ordered, catalogs, wall_thickness, robot_width, engine, space, listed, by_label, bare)
+
+
+def _heights(kind: Kind) -> list[float]:
+    return [level.height_mm / 1000 for level in kind.levels]
+
+
+def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
+    """Writes an arrangement down and judges it."""
+    room = _written(task, arrangement)
+    scene = Scene(
+        request={"robot_width": task.robot_width},
+        wall_thickness=task.wall_thickness,
+        rooms=(room,),
+        certificate={"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}},
+    )
+    stands = {piece.id for piece in task.room.furniture}
+    unplaced = tuple(Unplaced(label, reason) for label, reason in arrangement.left_out if label not in stands)
+    bodies = {one.id: standing(one, task.space.clear, _heights(task.kinds[one.id])) for one in room.furniture}
+    seen = replace(task.bare, bodies=bodies)
+    relations = []
+    for label, spec in relations_of(task.requests):
+        holds, of = held(seen, label, spec)
+        relations.append(Held(label, spec.type, of, holds))
+    return Placement(scene, tuple(relations), unplaced, arrangement.cost, validate(scene, task.catalogs))
+
+
+def _written(task: PlaceTask, arrangement: Arrangement) -> Room:
+    """Returns the room with what stands in it as sent, and the placed pieces under their own ids."""
+    fresh = tuple(one for one in arrangement.placed if one.label in task.listed.listed)
+    stream = Stream(0, "colour", task.room.index)
+    made = furnished(task.room, replace(arrangement, placed=fresh), task.catalogs, stream).furniture
+    called = (_called(task, piece, one) for piece, one in zip(made, fresh, strict=True))
+    return replace(task.room, furniture=(*task.room.furniture, *called))
+
+
+def _called(task: PlaceTask, piece: Furniture, placed: Placed) -> Furniture:
+    """Gives a piece its own id, and its wall where its kind hugs one and its back is at it."""
+    chosen, wall = placed.chosen, placed.wall
+    if wall is None and task.kinds[placed.label].at_walls and chosen.on is None:
+        behind = WALL_BEHIND[placed.rotation]
+        wall = behind if placed.footprint.wall_distance(behind, task.space.clear) <= task.space.gap_mm else None
+    return replace(piece, id=placed.label, under=chosen.under, on=chosen.on, wall=wall)
+
+
+def lost(task: PlaceTask, arrangement: Arrangement) -> list[tuple[str, float]]:
+    """Judges an arrangement that is not written down: returns (piece, what it is worth) of every relation that is not held."""
+    bodies = {one.label: _standing(task, one) for one in arrangement.placed}
+    seen = replace(task.bare, bodies={**task.bare.bodies, **bodies})
+    return [(label, spec.cost) for label, spec in relations_of(task.requests) if not held(seen, label, spec)[0]]
+
+
+def _standing(task: PlaceTask, one: Placed) -> Standing:
+    kind, bottom = task.kinds.get(one.label), one.chosen.bottom_mm
+    levels = tuple(bottom + level.height_mm for level in kind.levels) if kind else ()
+    return at_wall(Standing(one.label, one.footprint, one.rotation, bottom, None, one.chosen.on, levels), task.space.clear)

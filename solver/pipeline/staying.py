@@ -1,0 +1,191 @@
+"""What stays in a room that is furnished anew: its locked pieces, and what carries them or has them under it.
+
+Comes in: a Room as it was, its wanted pieces. Goes out: wanted pieces of which those have one candidate; the Room furnished
+around them; what lies on them. May import: every stage. Not here: placing (generate).
+
+A piece that stays takes the place of the wanted piece that it could be, so that the others relate to it: the coffee table goes
+before the locked sofa. One that could be none is wanted besides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from catalogs import Catalogs
+from solver.free_places import footprint
+from solver.geometry import to_mm
+from solver.pieces import Arrangement, Candidate, Link, Piece, Placed, Space
+from solver.pipeline.obstacles import obstacles
+from solver.scene import Decoration, Furniture, Room
+
+
+@dataclass(frozen=True)
+class Staying:
+    """The pieces that stay in a room.
+
+    Args:
+        room: as it was, with those pieces alone.
+        things: what lies on them.
+        labels: under which label each is wanted, by id; those that break a rule where they stand have none: they are in the way.
+    """
+
+    room: Room
+    things: tuple[Decoration, ...] = ()
+    labels: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """Ids of the pieces."""
+        return tuple(piece.id for piece in self.room.furniture)
+
+    @property
+    def locked(self) -> tuple[str, ...]:
+        """Ids of those that are locked."""
+        return tuple(piece.id for piece in self.room.furniture if piece.locked)
+
+    def are_in(self, arrangement: Arrangement) -> bool:
+        """Tells whether all that stays and is not in the way already was found a place with the rest."""
+        return set(self.labels.values()) <= {one.label for one in arrangement.placed}
+
+    def new_in(self, arrangement: Arrangement) -> tuple[Placed, ...]:
+        """Returns what an arrangement places besides."""
+        return tuple(one for one in arrangement.placed if one.label not in self.labels.values())
+
+
+def staying_in(room: Room) -> Staying:
+    """Returns what stays in a room: what is locked, what carries that, the tables of locked chairs; and what lies on all these."""
+    pieces = {piece.id: piece for piece in room.furniture}
+    stays, more = set[str](), {piece.id for piece in room.furniture if piece.locked}
+    while more:
+        stays |= more
+        more = {below for label in more for below in (pieces[label].on, pieces[label].under) if below in pieces and below} - stays
+    things = {thing.id: thing for thing in room.decorations}
+    lying = tuple(thing for thing in room.decorations if _lies_on(thing, things) in stays)
+    return Staying(replace(room, furniture=tuple(piece for piece in room.furniture if piece.id in stays), decorations=()), lying)
+
+
+def _lies_on(thing: Decoration, things: Mapping[str, Decoration]) -> str | None:
+    """Returns the id of what a thing, and what carries it, lies on in the end; None for what hangs."""
+    seen = {thing.id}
+    while thing.mounted_on_wall is None:
+        if thing.parent not in things or thing.parent is None or thing.parent in seen:
+            return thing.parent
+        seen.add(thing.parent)
+        thing = things[thing.parent]
+    return None
+
+
+def around(staying: Staying, space: Space, wanted: Sequence[Piece], catalogs: Catalogs) -> tuple[Staying, Space, tuple[Piece, ...]]:
+    """Returns a room's wanted pieces around those that stay.
+
+    Args:
+        staying: what stays.
+        space: the room's.
+        wanted: its pieces, as for an empty room.
+        catalogs: what the kinds of the wanted pieces are called.
+    """
+    blocked, standing = obstacles(staying.room, space, catalogs)
+    sent = {piece.id: piece for piece in staying.room.furniture}
+    takes = _matched(staying.room.furniture, wanted, catalogs)
+    names = {piece.label for piece in wanted}
+    own = {one.label: f"{one.label} as it stands" if one.label in names else one.label for one in standing}
+    labels = {label: takes.get(label, (name, None))[0] for label, name in own.items()}
+    fixed = {}
+    for one in standing:
+        kind = takes.get(one.label, ("", None))[1]
+        way = _told(one.candidates[0], sent[one.label], space, labels)
+        way = replace(way, kind=kind, stance=None) if kind else way
+        fixed[labels[one.label]] = replace(one, label=labels[one.label], candidates=(way,))
+    gone = {label for label, _ in takes.values()} - fixed.keys()
+    pieces = [_taken(piece, fixed.get(piece.label)) for piece in wanted if piece.label not in gone]
+    besides = [one for label, one in fixed.items() if label not in names]
+    ordered = sorted([*besides, *pieces], key=lambda piece: not piece.required)
+    return replace(staying, labels=labels), blocked, _linked(ordered, frozenset(fixed))
+
+
+def _matched(pieces: Sequence[Furniture], wanted: Sequence[Piece], catalogs: Catalogs) -> dict[str, tuple[str, str | None]]:
+    """Returns which wanted piece each piece could be, by id, and of which kind; those of its very size first."""
+    found: dict[str, tuple[str, str | None]] = {}
+    for exact in (True, False):
+        for piece in pieces:
+            size = (to_mm(piece.width), to_mm(piece.depth), to_mm(piece.height)) if exact and piece.rotation % 90 == 0 else None
+            taken = {label for label, _ in found.values()}
+            for one in wanted if piece.id not in found and (size or not exact) else ():
+                kinds = [way.kind for way in one.candidates if catalogs.name_of(way.kind) == piece.name and size in (None, way.size_mm)]
+                if kinds and one.label not in taken:
+                    found[piece.id] = (one.label, kinds[0] if exact else None)
+                    break
+    return found
+
+
+def _told(way: Candidate, piece: Furniture, space: Space, labels: Mapping[str, str]) -> Candidate:
+    """Returns a piece's one way with the labels of what it stands on or under, and the wall it says its back is at."""
+    on, under = labels.get(way.on or ""), labels.get(way.under or "")
+    away = -1 if piece.wall is None else footprint(piece).wall_distance(piece.wall, space.clear)
+    if away < 0:
+        return replace(way, on=on, under=under)
+    return replace(way, on=on, under=under, wall=piece.wall, slack_mm=away)
+
+
+def _taken(piece: Piece, fixed: Piece | None) -> Piece:
+    """Returns a wanted piece that is there already: as it stands, with the relations it would like to have."""
+    if fixed is None:
+        return piece
+    return replace(fixed, links=tuple(replace(link, required=False) for link in piece.links))
+
+
+def _linked(ordered: Sequence[Piece], fixed: Collection[str]) -> tuple[Piece, ...]:
+    """Returns the pieces in that order, those that stay with their relations to earlier ones alone."""
+    earlier, found = set[str](), list[Piece]()
+    for piece in ordered:
+        links: tuple[Link, ...] = tuple(link for link in piece.links if piece.label not in fixed or link.of in earlier)
+        found.append(replace(piece, links=links))
+        earlier.add(piece.label)
+    return tuple(found)
+
+
+def rejoined(made: Sequence[Furniture], placed: Sequence[Placed], staying: Staying) -> Room:
+    """Returns a room with what stays as it was, and new pieces under ids that differ from it.
+
+    Args:
+        made: the new pieces.
+        placed: where they were placed, in the same order.
+        staying: what stays.
+    """
+    new = _free_ids([piece.id for piece in made], {*staying.ids, *(thing.id for thing in staying.things)})
+    ids = {label: name for name, label in staying.labels.items()}
+    ids |= {one.label: new[piece.id] for one, piece in zip(placed, made, strict=True)}
+    named = [
+        replace(piece, id=new[piece.id], under=ids.get(one.chosen.under or ""), on=ids.get(one.chosen.on or ""))
+        for one, piece in zip(placed, made, strict=True)
+    ]
+    return replace(staying.room, furniture=(*staying.room.furniture, *named))
+
+
+def with_things(room: Room, staying: Staying) -> Room:
+    """Returns a dressed room with what lay on the pieces that stay; where something new stands on one, what lies there is new."""
+    anew = {piece.on for piece in room.furniture if piece.id not in staying.ids}
+    things = {thing.id: thing for thing in staying.things}
+    stays = tuple(thing for thing in staying.things if _lies_on(thing, things) not in anew)
+    on = set(staying.ids) - {label for label in anew if label}
+    made = {thing.id: thing for thing in room.decorations}
+    fresh = [thing for thing in room.decorations if _lies_on(thing, made) not in on]
+    ids = _free_ids([thing.id for thing in fresh], {thing.id for thing in stays})
+    renamed = (replace(thing, id=ids[thing.id], parent=ids.get(thing.parent or "", thing.parent)) for thing in fresh)
+    return replace(room, decorations=(*stays, *renamed))
+
+
+def _free_ids(ids: Sequence[str], taken: Collection[str]) -> dict[str, str]:
+    """Returns for each id itself, or where it is taken the next free number behind its name."""
+    used, found = {*taken, *ids}, {}
+    for label in ids:
+        stem, _, last = label.rpartition("_")
+        number = int(last) if last.isdecimal() else 1
+        new = label
+        while new in taken or (new != label and new in used):
+            number += 1
+            new = f"{stem}_{number}"
+        used.add(new)
+        found[label] = new
+    return found

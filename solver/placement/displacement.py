@@ -1,0 +1,159 @@
+"""A room's pieces where they are wished, with least movement: each with its first candidate if all can stand so, and walkable.
+
+Comes in: a space, pieces whose first candidates are cheapest, the work it may cost. Goes out: a SolvedRoom. The placement with least
+movement is exact where it is walkable. Where not, walkable ones are sought in several ways, each exact within what it keeps free;
+what of that nobody needs is given back, and the least movement of them all counts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+from solver.geometry import Rect
+from solver.pieces import Piece, Space
+from solver.placement.arrange import FIX_LIMITS, SolvedRoom, arrange, solved_room, walkable_when_empty
+from solver.placement.budget import Budget
+from solver.placement.core import Core
+from solver.placement.empty_floor import WHOLE_SHAPES, empty_floor, places_round_a_floor
+from solver.placement.encode import encode
+from solver.placement.kernel.layout import ABSENT
+from solver.placement.problem import Solution
+from solver.placement.walkable import WalkablePlace, find_walkable
+
+LEAST_QPS = 6000
+"""QPs of a repair's search for all pieces at once, wherever they can be used or not."""
+WALK_QPS = 3000
+"""The same where a way to every use side is asked for, and nothing else was found."""
+QUICK_QPS = 500
+"""The same while there are other shapes of floor to try: most of what is found at all is found within as many."""
+FLOOR_WORK = 2500.0
+"""What the searches with a piece of floor kept empty may cost a room, in QPs of a small room."""
+REACHES_MM = (600, 200, 50, 2)
+"""How far from where they were found walkable pieces may be moved back to where they are wished, most first."""
+
+
+def move_least(space: Space, pieces: Sequence[Piece], budget: Budget) -> SolvedRoom:
+    """Keeps every piece's first candidate if all can stand so; else arranges them; all that are to be used can be reached.
+
+    The first candidates are the cheapest, so where their placement costs less than any other would, it is the best. Where no
+    walkable placement is found the best that is not is returned, `walkable` False; where none exists none is looked for.
+    """
+    return _Question(space, pieces, budget).answer()
+
+
+def moved_back(space: Space, pieces: Sequence[Piece], places: Sequence[Rect | None]) -> SolvedRoom | None:
+    """Moves pieces back from their places towards where they are wished; None if they cannot be used between there.
+
+    Args:
+        space: the room's.
+        pieces: with one candidate each.
+        places: of each piece; None for one that stands where another takes it.
+    """
+    core = Core(encode(space, pieces, "test"))
+    decisions = core.first_decisions()
+    if decisions is None or not core.assemble(decisions):
+        return None
+    solution = core.pulled_back(places)
+    return None if solution is None else replace(solved_room(core, decisions, True, solution), best=False)
+
+
+@dataclass(frozen=True)
+class _Question:
+    space: Space
+    pieces: Sequence[Piece]
+    budget: Budget
+
+    def answer(self) -> SolvedRoom:
+        core = Core(encode(self.space, self.pieces, "test"))
+        decisions = core.first_decisions()
+        if decisions is None or not core.evaluate(decisions, LEAST_QPS, self.budget, False):
+            return self._by_proof(None)
+        least = core.solution()
+        if least is None or core.walkable_near(least):
+            return self._or_cheaper(solved_room(core, decisions, True, least))
+        nearest = self._nearest_walkable(core)
+        if nearest is not None:
+            return self._or_cheaper(replace(solved_room(core, decisions, True, nearest), best=False))
+        return self._by_proof(solved_room(core, decisions, False, least))
+
+    def _nearest_walkable(self, core: Core) -> Solution | None:
+        """Returns the least movement found of the pieces assembled with their first candidates, and walkable; None if none.
+
+        Kept free are persons' squares at the use sides, alone and with a piece of floor besides; nothing is sought but what is
+        cheaper than all before it.
+        """
+        floor, spare = empty_floor(self.space, WHOLE_SHAPES), Budget(min(self.budget.left, FLOOR_WORK))
+        modes = ("mixed", "stands") if any(len(piece.stands) > 1 for piece in self.pieces) else ("stands",)
+        nearest: Solution | None = None
+        for mode in modes:
+            freed = Core(encode(self.space, (floor, *self.pieces), mode))
+            decisions = freed.first_decisions()
+            if decisions is None:
+                continue
+            for shape in range(-1, WHOLE_SHAPES):
+                decisions[0] = ABSENT if shape < 0 else 8 * shape
+                ceiling = nearest.cost if nearest else inf
+                if freed.evaluate(decisions, QUICK_QPS, self.budget if shape < 0 else spare, True, ceiling):
+                    found = core.pulled_back(freed.bodies(1))
+                    nearest = found if found is not None and found.cost < ceiling else nearest
+        return nearest
+
+    def _by_proof(self, least: SolvedRoom | None) -> SolvedRoom:
+        """Places pieces that were not found walkable with their first candidates, of which `least` is the best otherwise."""
+        possible, found = find_walkable(self.space, self.pieces, self.budget)
+        if possible is False:
+            return self._not_walkable(least)
+        if possible:
+            return self._or_cheaper(self._near(found) or least)
+        for places in places_round_a_floor(self.space, self.pieces, self.budget):
+            near = self._near(places)
+            if near is not None:
+                return near
+        return self._or_cheaper(least)
+
+    @property
+    def _next_cost(self) -> float:
+        """The least cost of another than a first candidate."""
+        return min((one.cost for piece in self.pieces for one in piece.candidates[1:] if one.cost > 0), default=inf)
+
+    def _or_cheaper(self, together: SolvedRoom | None) -> SolvedRoom:
+        """Tries other than the first candidates, where that may be cheaper or walkable."""
+        next_cost = self._next_cost
+        walkable = together is not None and together.walkable
+        if together is not None and walkable and together.cost <= next_cost:
+            return together
+        choosy = any(len(piece.stands) > 1 and not piece.need_all for piece in self.pieces)
+        if (next_cost < inf or choosy or together is not None) and walkable_when_empty(self.space):
+            other = arrange(self.space, self.pieces, budget=self.budget, limits=FIX_LIMITS)
+            if not other.left_out:
+                other = _moved_back(other, [replace(chosen.piece, candidates=(chosen.candidate,)) for chosen in other.chosen])
+                if together is None or not walkable or other.cost < together.cost:
+                    return other
+        return together if together is not None and walkable else self._not_walkable(together)
+
+    def _not_walkable(self, together: SolvedRoom | None) -> SolvedRoom:
+        """Returns the best placement that nobody has to walk in."""
+        if together is not None and together.cost <= self._next_cost:
+            return together
+        other = arrange(self.space, self.pieces, walk=False, budget=self.budget, limits=FIX_LIMITS)
+        if together is not None and (other.left_out or other.cost >= together.cost):
+            return together
+        return replace(other, walkable=False)
+
+    def _near(self, found: Sequence[WalkablePlace]) -> SolvedRoom | None:
+        """Returns the placement with least movement near where the pieces were found walkable; None where none is walkable."""
+        free = [one.free for one in found]
+        for reach in REACHES_MM:
+            core = Core(encode(self.space, [one.near(reach, self.space.clear) for one in found], "stands"))
+            decisions = core.first_decisions()
+            if decisions is not None and core.evaluate(decisions, WALK_QPS, self.budget, True):
+                return _moved_back(solved_room(core, decisions, True), free)
+        return moved_back(self.space, free, [one.footprint for one in found])
+
+
+def _moved_back(room: SolvedRoom, pieces: Sequence[Piece]) -> SolvedRoom:
+    """Returns a walkable arrangement of pieces with one candidate each moved back towards their wishes, as far as all holds."""
+    back = moved_back(room.space, pieces, room.footprints())
+    return room if back is None else replace(back, solves=room.solves)

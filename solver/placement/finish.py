@@ -1,0 +1,116 @@
+"""From solved rooms to the lattice: one continuous solve for the house, then the snap, then an exact check.
+
+Comes in: rooms, or what was arranged of them. Goes out: Arrangements in whole millimetres. Not here: which candidates are taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from solver.errors import RequestError
+from solver.geometry import WALL_BEHIND
+from solver.pieces import Arrangement, Piece, Placed, Space
+from solver.placement.arrange import LIMITS, SolvedRoom, arrange, solved_room
+from solver.placement.budget import Budget
+from solver.placement.core import Core
+from solver.placement.encode import encode
+from solver.placement.explain import why_left_out
+from solver.placement.problem import Positions
+from solver.placement.snap import snap
+from solver.placement.tidy import Lattice, tidied
+
+NEAR_WALL_MM = 150
+"""A companion whose back is this close to its parent's wall counts as standing at it (the rule wall_far: beyond 0.2 m
+from the wall's line)."""
+MARGIN_MM = 2
+"""Rounding to millimetres moves each of two bodies by less than one."""
+
+
+def place(rooms: Sequence[tuple[Space, Sequence[Piece]]], engine: str = "osqp", tidy: bool = False) -> list[Arrangement]:
+    """Places the pieces of every room of a house.
+
+    Args:
+        rooms: each room's space and pieces, in order of importance.
+        engine: of the final solve: "osqp", "reference" for the cvxpy model, or "search" for the search's own positions, which
+            are optimal already: for trials.
+        tidy: whether slivers are closed or opened afterwards (`tidy`), at a cost of at most MOST_COST a room.
+
+    Returns:
+        One arrangement a room, in the same order, exactly valid on the millimetre lattice.
+    """
+    return finish([arrange(space, pieces) for space, pieces in rooms], engine, tidy)
+
+
+def finish(rooms: Sequence[SolvedRoom], engine: str = "osqp", tidy: bool = False) -> list[Arrangement]:
+    """Solves all rooms as one block-diagonal programme, snaps each room and, where asked for, tidies it."""
+    return [_arrangement(room, positions, tidy) for room, positions in zip(rooms, _solve(rooms, engine), strict=True)]
+
+
+def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Positions]:
+    if engine == "search":
+        return [room.solution.positions for room in rooms]
+    solved = [(room.problem, room.solution) for room in rooms]
+    if engine == "reference":
+        try:
+            from solver.placement.reference import solve_house as reference_house  # noqa: PLC0415 - cvxpy takes 0.8 s to import
+        except ModuleNotFoundError as missing:
+            problem = f"'reference' needs {missing.name}, which is not installed"
+            raise RequestError("engine", problem, "'osqp'; or install compose-homes[reference]") from None
+        return reference_house(solved)
+    if engine != "osqp":
+        raise RequestError("engine", f"is {engine!r}", "'osqp' or 'reference'")
+    from solver.placement.qp import solve_house  # noqa: PLC0415 - OSQP and scipy take 0.4 s to import
+
+    return solve_house(solved)
+
+
+def _arrangement(room: SolvedRoom, positions: Positions, tidy: bool) -> Arrangement:
+    p, walkable = _snapped(room, positions)
+    if room.walkable and not walkable and (wider := _with_margin(room)) is not None:
+        room = wider
+        p, walkable = _snapped(room, room.solution.positions)
+    p, more = tidied(room, p) if tidy and walkable else (p, 0.0)
+    bodies = {box.label: box for box in room.problem.boxes if not box.stand}
+    placed: list[Placed] = []
+    for chosen in room.chosen:
+        candidate, rect = chosen.candidate, bodies[chosen.piece.label].rect(p)
+        wall = candidate.wall
+        if wall is None and candidate.attach is not None and candidate.bottom_mm == 0:
+            behind = WALL_BEHIND[chosen.rotation]
+            parents = any(other.label == candidate.attach.parent and other.wall == behind for other in placed)
+            wall = behind if parents and rect.wall_distance(behind, room.space.clear) <= NEAR_WALL_MM else None
+        placed.append(Placed(chosen.piece.label, candidate, chosen.rotation, wall, rect))
+    reasons = tuple((piece.label, f"{why}; {why_left_out(room.space, piece, placed)}") for piece, why in room.left_out)
+    notes = () if walkable else ("no walkable arrangement of the required pieces was found",)
+    cost = round(room.cost + more, 6)
+    return Arrangement(room.space.room, tuple(placed), reasons, cost, room.proven, room.solves, notes, room.best)
+
+
+def _with_margin(room: SolvedRoom) -> SolvedRoom | None:
+    """Searches a room's placement once more for a person `MARGIN_MM` wider, so that the walk outlasts the snap; None if none."""
+    wider = replace(room.space, robot_mm=room.space.robot_mm + MARGIN_MM)
+    core = Core(encode(wider, room.core.encoded.pieces, room.core.encoded.walk))
+    if not core.evaluate(room.decisions, LIMITS.final_qps, Budget(), True):
+        return None
+    return replace(solved_room(core, room.decisions, True), left_out=room.left_out, solves=room.solves, proven=False, best=False)
+
+
+def _snapped(room: SolvedRoom, positions: Positions) -> tuple[Lattice, bool]:
+    """Returns positions on the lattice and whether they are walkable, both checked in integers.
+
+    Where the walk hangs on the last millimetre, the search's own positions are snapped instead of the final solve's.
+    """
+    p = _on_lattice(room, positions)
+    if not room.walkable or room.core.walkable_at(p):
+        return p, room.walkable
+    own = _on_lattice(room, room.solution.positions)
+    return (own, True) if room.core.walkable_at(own) else (p, False)
+
+
+def _on_lattice(room: SolvedRoom, positions: Positions) -> Lattice:
+    p = snap(room.problem, room.solution.rows, positions)
+    broken = room.problem.violations(p)
+    if broken:
+        raise AssertionError(f"{room.space.room}: {broken[0]}")
+    return p

@@ -1,0 +1,97 @@
+"""Plain values: what JSON can say, and what was wrong with one that it cannot.
+
+Comes in: anything. Goes out: the same as mappings with text keys, lists, texts, finite numbers, flags and None.
+May import: nothing of ours.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, Final, TypeAlias
+
+Document: TypeAlias = dict[str, Any]
+"""A mapping of plain values."""
+MAX_NESTING: Final = 64
+"""How deep a document may be; ours need 8. Our choice."""
+
+
+class Wrong(Exception):
+    """A value is wrong; collects the way to it while the readers unwind.
+
+    Args:
+        problem: what is wrong with it.
+        allowed: what would be accepted.
+    """
+
+    def __init__(self, problem: str, allowed: str = "") -> None:
+        self.problem, self.allowed = problem, allowed
+        self._way: list[str | int] = []
+        super().__init__(problem)
+
+    def inside(self, step: str | int) -> Wrong:
+        """Notes that the value lies under this key or index of what encloses it."""
+        self._way.append(step)
+        return self
+
+    @property
+    def way(self) -> tuple[str | int, ...]:
+        """The keys and indices from the document's root."""
+        return tuple(reversed(self._way))
+
+
+def path(way: Sequence[str | int]) -> str:
+    """Writes a way through a document, such as `rooms[2].furniture[0].width`."""
+    text = ""
+    for step in way:
+        text += f"[{step}]" if isinstance(step, int) else f".{step}" if text else step
+    return text
+
+
+def is_text(value: object) -> bool:
+    """Tells whether a value is a string that UTF-8 can carry (no lone surrogates)."""
+    if not isinstance(value, str):
+        return False
+    return value.isascii() or not any("\ud800" <= letter <= "\udfff" for letter in value)
+
+
+def plain(value: Any, depth: int = 0) -> Any:
+    """Copies a value that JSON can say; tuples become lists.
+
+    Raises:
+        Wrong: it holds something else, or a number that is not finite, or is nested too deeply.
+    """
+    if value is None or isinstance(value, bool) or is_text(value):
+        return value
+    if isinstance(value, int):
+        return int(value)
+    if isinstance(value, float):
+        return _finite(value)
+    if depth == MAX_NESTING:
+        raise Wrong("is nested too deeply", f"{MAX_NESTING} levels")
+    if isinstance(value, Mapping):
+        return {_key(key): _inside(key, item, depth) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_inside(index, item, depth) for index, item in enumerate(value)]
+    raise Wrong(f"is a {type(value).__name__}", "a mapping, list, text, finite number, true, false or null")
+
+
+def _finite(value: float) -> float:
+    if not math.isfinite(value):
+        raise Wrong(f"is {float(value)}", "a finite number")
+    return float(value) + 0.0
+
+
+def _key(key: object) -> str:
+    if isinstance(key, str) and is_text(key):
+        return key
+    if isinstance(key, int) and not isinstance(key, bool):
+        return str(key)
+    raise Wrong(f"has the key {key!r}", "keys that are texts")
+
+
+def _inside(step: str | int, value: object, depth: int) -> Any:
+    try:
+        return plain(value, depth + 1)
+    except Wrong as wrong:
+        raise wrong.inside(step) from None

@@ -1,0 +1,82 @@
+"""`facing`: its front is turned to another piece or to an opening."""
+
+from __future__ import annotations
+
+from catalogs.checks import OPENINGS
+from catalogs.schema import RelationSpec
+from solver.geometry import FACING, OPPOSITE, WALL_BEHIND, Rect
+from solver.pieces import Candidate, Link
+from solver.relations.relation import (
+    ANYWHERE,
+    NOTHING,
+    SOUGHT,
+    Box,
+    Effect,
+    Fit,
+    Relation,
+    Standing,
+    Tolerance,
+    first,
+    missed,
+)
+from solver.relations.subject import Footing, Scope, Subject
+
+AT_SIDES = ("beside", "in_front_of", "around", "under")
+"""Relations whose slots turn the piece already."""
+AHEAD_MM = (250.0, 700.0, 1500.0)
+"""Distances of the other's middle at which places are sought from where it lies within half a right angle of the front."""
+
+
+class Facing(Relation):
+    """Turns its front towards a piece or an opening; in a slot of that piece the slot does it."""
+
+    turns = True
+
+    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
+        """Asks for the turn; to an opening, for being turned to its wall."""
+        kinds = tuple(name for name in spec.of if name in OPENINGS)
+        if kinds:
+            walls = {opening.wall for opening in subject.scope.opened(*kinds)}
+
+            def cost_of(candidate: Candidate) -> float:
+                return 0.0 if _wall_ahead(candidate.rotation) in walls else missed(spec)
+
+            return Effect(cost_of=cost_of) if walls else NOTHING
+        label = first(subject, spec)
+        if label is None or any(other.type in AT_SIDES and set(other.of) & set(spec.of) for other in subject.relations):
+            return NOTHING
+        return Effect(links=(Link(spec.type, label, turn=180, cost=spec.cost, required=spec.required),))
+
+    def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
+        """Anywhere, turned to the wall of an opening."""
+        ahead = _wall_ahead(footing.rotation)
+        return [footing.reach] if any(opening.wall == ahead for opening in scope.opened(*spec.of)) else []
+
+    def boxes(self, fit: Fit) -> list[Box]:
+        """Straight before the own front, or within half a right angle of it at several distances."""
+        x, z = fit.reach
+        level = fit.turn % 180 == 0
+        aside = (fit.parent[0] if level else fit.parent[1]) / 2 - fit.tolerance.inside_mm
+        ranges = [(z if level else x, aside), *((ahead, ahead - 10) for ahead in AHEAD_MM)]
+        return [_before(fit.turn, least + fit.spare, half) for least, half in ranges if half > 0]
+
+    def holds_with(self, spec: RelationSpec, own: Standing, other: Standing) -> bool:
+        """Tells whether the other's middle lies before its front, no farther aside than ahead; or the other straight before it."""
+        dx, dz = FACING[own.rotation]
+        x, z = other.double_centre[0] - own.double_centre[0], other.double_centre[1] - own.double_centre[1]
+        ahead, aside = x * dx + z * dz, abs(x * dz) + abs(z * dx)
+        a, b = own.rect, other.rect
+        reach, width = (a.width + b.width, b.depth) if dx else (a.depth + b.depth, b.width)
+        return aside <= ahead > 0 or (ahead >= reach and aside <= width)
+
+
+def _wall_ahead(rotation: int) -> str:
+    return OPPOSITE[WALL_BEHIND[rotation % 360]]
+
+
+def _before(turn: int, least: float, half: float) -> Box:
+    """Returns the places from which a piece with that turn has the other's centre before it, so far off and aside."""
+    dx, dz = FACING[turn]
+    side = (-half, half)
+    ahead = {1: (ANYWHERE[0], -least), -1: (least, ANYWHERE[1])}
+    return (ahead[dx], side) if dx else (side, ahead[dz])

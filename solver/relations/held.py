@@ -1,0 +1,74 @@
+"""Is a relation held? Judged from the poses in a finished room alone.
+
+A relation to several holds when it holds with any of them; far_from when it holds with all. A relation to what is not in the
+room (an opening it does not have, a piece that found no place) is not held; far_from it is.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from catalogs.schema import RelationSpec
+from solver.geometry import WALL_BEHIND, Rect, extents
+from solver.relations import RELATIONS
+from solver.relations.relation import AT_WALL_MM, Standing
+from solver.relations.subject import Scope
+from solver.scene import Furniture
+
+
+@dataclass(frozen=True)
+class FinishedRoom:
+    """A room to be judged: its walls and openings, its bodies by id, and the ids that each name of an `of` stands for."""
+
+    scope: Scope
+    bodies: Mapping[str, Standing]
+    names: Mapping[str, Sequence[str]]
+
+
+def standing(piece: Furniture, clear: Rect, heights: Sequence[float] = ()) -> Standing:
+    """Returns a piece of a scene as it stands.
+
+    Args:
+        piece: at any rotation: its bounding rectangle counts, its front is that of the nearest right angle.
+        clear: the room's clear rectangle.
+        heights: of the surfaces it has above its underside, m.
+    """
+    width, depth = (math.ceil(round(length, 6)) for length in extents(piece.width * 1000, piece.depth * 1000, piece.rotation))
+    x, z = round(piece.x * 2000), round(piece.z * 2000)
+    rect = Rect((x - width) // 2, (z - depth) // 2, (x + width) // 2, (z + depth) // 2)
+    bottom = round(piece.y * 1000)
+    levels = tuple(bottom + round(height * 1000) for height in heights)
+    return at_wall(Standing(piece.id, rect, round(piece.rotation / 90) * 90 % 360, bottom, None, piece.on, levels), clear)
+
+
+def at_wall(body: Standing, clear: Rect) -> Standing:
+    """Returns the body with the wall its back is at, if there is one."""
+    wall = WALL_BEHIND[body.rotation]
+    return replace(body, wall=wall if body.rect.wall_distance(wall, clear) <= AT_WALL_MM else None)
+
+
+def held(room: FinishedRoom, label: str, spec: RelationSpec) -> tuple[bool, str | None]:
+    """Tells whether a piece's relation is held, and with which piece or opening of those it names."""
+    own = room.bodies.get(label)
+    if own is None:
+        return False, spec.of[0] if spec.of else None
+    relation = RELATIONS[spec.type]
+    if not spec.of:
+        return relation.holds_in_room(room.scope, spec, own), None
+    answers = [(name, _holds_with(room, own, spec, name)) for name in spec.of]
+    if relation.with_all:
+        return all(holds for _, holds in answers), spec.of[0]
+    return next(((True, name) for name, holds in answers if holds), (False, spec.of[0]))
+
+
+def _holds_with(room: FinishedRoom, own: Standing, spec: RelationSpec, name: str) -> bool:
+    """Tells whether a relation holds with what a name stands for: any of its pieces, or any opening of that kind."""
+    relation = RELATIONS[spec.type]
+    if name not in room.names:
+        return relation.holds_in_room(replace(room.scope, openings=tuple(room.scope.opened(name))), spec, own)
+    others = [room.bodies[one] for one in room.names[name] if one in room.bodies and one != own.id]
+    if relation.with_all:
+        return all(relation.holds_with(spec, own, other) for other in others)
+    return any(relation.suits(spec, own.wall, other.wall) and relation.holds_with(spec, own, other) for other in others)

@@ -1,0 +1,38 @@
+"""`opposite`: at the wall opposite another piece, facing it."""
+
+from __future__ import annotations
+
+from catalogs.schema import RelationSpec
+from solver.geometry import OPPOSITE
+from solver.pieces import Link
+from solver.relations.relation import ALIGN_PULL, ANYWHERE, NOTHING, Box, Effect, Fit, Relation, first
+from solver.relations.subject import Subject
+
+
+class Opposite(Relation):
+    """Stands at the wall opposite another piece, each looking at the other, one's middle on the other."""
+
+    turns = at_walls = True
+
+    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
+        """Asks for the turn and the walls, and draws the middles in line."""
+        label = first(subject, spec)
+        if label is None:
+            return NOTHING
+        link = Link(
+            spec.type, label, turn=180, walls="opposite", cost=spec.cost, required=spec.required, align=spec.weight
+        )  # fmt: skip
+        return Effect(links=(link,))
+
+    def boxes(self, fit: Fit) -> list[Box]:
+        """Before the other's front, turned to it."""
+        half = max(fit.parent[0], fit.own[0]) / 2 - fit.tolerance.inside_mm
+        return [((-half, half), (fit.reach[1] + fit.spare, ANYWHERE[1]))] if fit.turn == 180 and half > 0 else []
+
+    def suits(self, spec: RelationSpec, mine: str | None, theirs: str | None) -> bool:
+        """Tells whether it stands at the opposite wall, where the other is at one."""
+        return (theirs is None or mine == OPPOSITE[theirs]) and super().suits(spec, mine, theirs)
+
+    def pulls(self, spec: RelationSpec, labels: list[str]) -> list[Link]:
+        """Returns a pull of the middles into line."""
+        return [Link(spec.type, labels[0], align=ALIGN_PULL)]

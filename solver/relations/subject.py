@@ -1,0 +1,154 @@
+"""What relations speak of: a room, a piece that seeks a place in it, and the pieces that are there before it.
+
+Lengths in millimetres, room-relative like everything in `solver.pieces`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from catalogs.schema import FurnitureSpec, RelationSpec
+from solver.geometry import ALONG_X, Rect, to_mm
+from solver.pieces import Extents, Stance, Stand
+from solver.scene import Sides
+
+NO_SIDES = Sides()
+
+
+@dataclass(frozen=True)
+class Opened:
+    """An opening of the room: its kind, wall, and the ends of its stretch along that wall, mm."""
+
+    kind: str
+    wall: str
+    interval: tuple[int, int]
+    across: int
+
+    @property
+    def centre(self) -> tuple[int, int]:
+        """Its middle on the wall's line (x, z), mm."""
+        along = sum(self.interval) // 2
+        return (along, self.across) if self.wall in ALONG_X else (self.across, along)
+
+
+@dataclass(frozen=True)
+class Scope:
+    """A room as relations see it; `gap_mm` is how far from a wall's face the back of a body at that wall stands."""
+
+    clear: Rect
+    openings: tuple[Opened, ...]
+    gap_mm: int = 30
+    exterior: Sides = NO_SIDES
+
+    def opened(self, *kinds: str) -> list[Opened]:
+        """Returns the room's openings of some kinds; passages are doors here."""
+        return [one for kind in kinds for one in self.openings if one.kind == kind or (kind == "door" and one.kind == "passage")]
+
+
+class SurfaceHeight(NamedTuple):
+    """A surface of a piece: its name, its height above the piece's underside, and the free height above it (None: any), mm."""
+
+    name: str
+    height_mm: int
+    clearance_mm: int | None
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of furniture in one size: how it stands, is used, and carries things.
+
+    `use_sides` are those a person must get to, all of them where `need_all` is set.
+    """
+
+    name: str
+    size: Extents
+    at_walls: bool = False
+    use_sides: tuple[str, ...] = ()
+    need_all: bool = False
+    levels: tuple[SurfaceHeight, ...] = ()
+
+    @property
+    def stands(self) -> tuple[Stand, ...]:
+        """Where a person stands to use it."""
+        return tuple(Stand(side) for side in self.use_sides)
+
+    @classmethod
+    def of(cls, name: str, spec: FurnitureSpec | None, size: tuple[float, float, float] | None = None) -> Kind:
+        """Returns a kind of the catalogs, or what the user calls by a word of their own.
+
+        Args:
+            name: the catalogs' name, or the user's.
+            spec: what the catalogs say of it; None where they do not know it: then it stands free and carries things on top.
+            size: width, depth and height, m, where they are not the catalogs'; surfaces are as much higher.
+        """
+        width, depth, height = extents = (size or spec.size) if spec else size or (1.0, 1.0, 1.0)
+        millimetres = to_mm(width), to_mm(depth), to_mm(height)
+        if spec is None:
+            return cls(name, millimetres, levels=(SurfaceHeight("top", millimetres[2], None),))
+        grown = extents[2] / spec.size[2]
+        levels = tuple(
+            SurfaceHeight(one.name, to_mm(round(one.height * grown, 3)), None if one.clearance is None else to_mm(one.clearance))
+            for one in spec.surfaces
+        )
+        use_sides = spec.use.sides if spec.use else ()
+        return cls(name, millimetres, spec.stands == "wall", use_sides, bool(spec.use and spec.use.need == "all"), levels)
+
+
+class Parent(NamedTuple):
+    """One way a piece may stand that another one relates to: what it is then, and its stance where that is told."""
+
+    label: str
+    kind: Kind
+    stance: Stance | None = None
+
+
+class Footing(NamedTuple):
+    """A stance of a piece in the room: rotation, the wall at its back, extents along x and z, and where its footprint may be."""
+
+    rotation: int
+    wall: str | None
+    extent: tuple[int, int]
+    reach: Rect
+
+    @property
+    def stance(self) -> Stance:
+        """What of it others depend on."""
+        return Stance(self.rotation, self.wall)
+
+
+@dataclass(frozen=True)
+class Subject:
+    """One copy of a piece that seeks its places.
+
+    Args:
+        scope: the room.
+        variants: its kinds, each with what settling for it costs; the wanted one first.
+        relations: what it wishes for.
+        earlier: the labels of the pieces before it, by the names that relations call them.
+        standing: the ways that each of those may stand, by label.
+    """
+
+    scope: Scope
+    variants: tuple[tuple[Kind, float], ...]
+    relations: tuple[RelationSpec, ...]
+    earlier: Mapping[str, tuple[str, ...]]
+    standing: Mapping[str, tuple[Parent, ...]]
+
+    @property
+    def kind(self) -> Kind:
+        """The wanted kind."""
+        return self.variants[0][0]
+
+    def labels(self, names: tuple[str, ...]) -> list[str]:
+        """Returns the labels of the earlier pieces of those names."""
+        return [label for name in names for label in self.earlier.get(name, ())]
+
+    def parents(self, names: tuple[str, ...]) -> list[Parent]:
+        """Returns every way that the earlier pieces of those names may stand."""
+        return [parent for label in self.labels(names) for parent in self.standing[label]]
+
+    def faces(self, names: tuple[str, ...]) -> bool:
+        """Tells whether a relation turns this piece towards one of those."""
+        return any(spec.type == "facing" and set(spec.of) & set(names) for spec in self.relations)

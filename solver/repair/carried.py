@@ -1,0 +1,162 @@
+"""What carries what in a room, and how it goes along: furniture on furniture, decorations and who sits, all in one way.
+
+Comes in: a Room, and where some of its bodies are now. Goes out: the Room. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, TypeVar
+
+from solver.free_places import footprint
+from solver.geometry import FACING, wall_turned
+from solver.scene import Decoration, Dynamic, Furniture, Room
+
+RESTS_MM = 20
+"""How far a body's underside may be from the top it rests on."""
+
+Body = Furniture | Decoration
+Thing = TypeVar("Thing", bound=Furniture | Decoration | Dynamic)
+
+
+def squared(rotation: float) -> int:
+    """Returns the nearest right angle in [0, 360)."""
+    return round(rotation / 90) * 90 % 360
+
+
+def all_bodies(room: Room) -> tuple[Body, ...]:
+    """Returns a room's furniture and decorations."""
+    return (*room.furniture, *room.decorations)
+
+
+def carriers(room: Room) -> dict[str, str]:
+    """Returns which piece stands on which, by id: on the one it names, else on the one whose top it rests on; no rings."""
+    known = {piece.id for piece in room.furniture}
+    carried = {piece.id: piece.on for piece in room.furniture}
+    for piece in room.furniture:
+        if piece.on is None or piece.on not in known or piece.on == piece.id:
+            resting = piece.y * 1000 > RESTS_MM
+            carried[piece.id] = next((other.id for other in room.furniture if resting and _rests_on(piece, other)), None)
+    parents = {child: parent for child, parent in carried.items() if parent is not None}
+    return {child: parent for child, parent in parents.items() if child not in below(child, parents)}
+
+
+def parents_of(room: Room) -> dict[str, str]:
+    """Returns what stands on, hangs over or lies in what, by id: in the one it names, else in that whose top is nearest to it."""
+    found, known = carriers(room), {body.id for body in all_bodies(room)}
+    for thing in room.decorations:
+        piece = None if thing.mounted_on_wall is not None else _lying_in(thing, room.furniture)
+        if thing.parent in known and thing.parent is not None:
+            found[thing.id] = thing.parent
+        elif piece is not None and thing.y * 1000 > RESTS_MM:
+            found[thing.id] = piece.id
+    return found
+
+
+def _rests_on(piece: Furniture, other: Furniture) -> bool:
+    top = other.y + other.height
+    return other.id != piece.id and _over(piece, other) and other.y < piece.y and abs(top - piece.y) * 1000 <= RESTS_MM
+
+
+def _over(body: Body, other: Body) -> bool:
+    """Tells whether a body's middle is over another's footprint."""
+    rect = footprint(other)
+    return rect.x0 < body.x * 1000 < rect.x1 and rect.z0 < body.z * 1000 < rect.z1
+
+
+def _lying_in(thing: Decoration, pieces: Sequence[Furniture]) -> Furniture | None:
+    within = [piece for piece in pieces if _over(thing, piece) and piece.y < thing.y <= piece.y + piece.height + RESTS_MM / 1000]
+    return min(within, key=lambda piece: piece.y + piece.height, default=None)
+
+
+def below(label: str, parents: Mapping[str, str]) -> list[str]:
+    """Returns what carries a body, one under the other; the body itself among them where it carries itself in the end."""
+    found: list[str] = []
+    while label in parents and parents[label] not in found:
+        label = parents[label]
+        found.append(label)
+    return found
+
+
+def root_of(label: str, parents: Mapping[str, str]) -> str:
+    """Returns the last of what carries a body; the body itself where nothing does."""
+    return [label, *below(label, parents)][-1]
+
+
+def without(room: Room, gone: Container[str]) -> Room:
+    """Returns the room without the bodies of those ids and all that they carry."""
+    parents = parents_of(room)
+    kept = [body for body in all_bodies(room) if not any(label in gone for label in (body.id, *below(body.id, parents)))]
+    return with_bodies(room, kept)
+
+
+def changed_from_the_floor_up(room: Room, change: Callable[[Body, Mapping[str, Body]], Body]) -> Room:
+    """Returns the room with its bodies changed, each after what carries it.
+
+    Args:
+        room: as it is.
+        change: what becomes of a body that has gone along with what carries it; also given all bodies as they are by then.
+    """
+    parents, sent = parents_of(room), {body.id: body for body in all_bodies(room)}
+    now: dict[str, Body] = dict(sent)
+    for body in sorted(sent.values(), key=lambda body: len(below(body.id, parents))):
+        parent = parents.get(body.id, body.id)
+        now[body.id] = change(brought_along(body, sent[parent], now[parent]), now)
+    return with_bodies(room, [now[label] for label in sent])
+
+
+def with_bodies(room: Room, bodies: Iterable[Body]) -> Room:
+    """Returns the room with those bodies and no others."""
+    every = list(bodies)
+    furniture = tuple(body for body in every if isinstance(body, Furniture))
+    decorations = tuple(body for body in every if isinstance(body, Decoration))
+    same = furniture == room.furniture and decorations == room.decorations
+    return room if same else replace(room, furniture=furniture, decorations=decorations)
+
+
+def brought_along(thing: Thing, before: Body, after: Body) -> Thing:
+    """Returns a thing that keeps its place in the frame of what carries it, which was moved and turned."""
+    if _pose(before) == _pose(after):
+        return thing
+    turn = (squared(after.rotation) - squared(before.rotation)) % 360
+    fx, fz = FACING[turn]
+    dx, dz = thing.x - before.x, thing.z - before.z
+    pose: dict[str, Any] = {"x": round(after.x + dx * fz + dz * fx, 4), "z": round(after.z + dz * fz - dx * fx, 4)}
+    if after.y != before.y:
+        pose["y"] = round(thing.y + after.y - before.y, 4)
+    if turn:
+        pose["rotation"] = (thing.rotation + turn) % 360
+    if isinstance(thing, Decoration) and thing.mounted_on_wall is not None:
+        pose["mounted_on_wall"] = wall_turned(thing.mounted_on_wall, turn)
+    return replace(thing, **pose)
+
+
+def _pose(body: Body) -> tuple[float, float, float, float]:
+    return body.x, body.y, body.z, body.rotation
+
+
+def seated_along(people: Iterable[Dynamic], before: Iterable[Room], after: Iterable[Room]) -> tuple[Dynamic, ...]:
+    """Takes those who sit along with their seats; who has lost the seat stands up.
+
+    Args:
+        people: of a scene.
+        before: its rooms as they sat.
+        after: the same rooms now; some furniture may be gone.
+    """
+    sent = {piece.id: piece for room in before for piece in room.furniture}
+    now = {piece.id: piece for room in after for piece in room.furniture}
+    return tuple(
+        (brought_along(person, sent[person.on], now[person.on]) if person.on in now else standing(person))
+        if person.on is not None and person.on in sent
+        else person
+        for person in people
+    )
+
+
+def standing(person: Dynamic) -> Dynamic:
+    """Returns somebody on the floor: a person who sat is as tall as persons are."""
+    if person.on is None:
+        return person
+    tall = Dynamic("") if person.kind == "person" else person
+    return replace(person, y=0.0, width=tall.width, depth=tall.depth, height=tall.height, on=None)

@@ -1,0 +1,14 @@
+"""The one validator: the rules of docs/scene.md, one function each.
+
+Comes in: a scene and the catalogs. Goes out: issues in a fixed order, and measures. Serves /generate, /fix, /validate, the page
+and the tests. May import: scene, errors, catalogs. Shares no code with the solver: where the solver linearises, this is
+exact, in integers (lattice.py). `check` keeps what it found, so that a changed scene is checked again only where it changed.
+Adding a rule: one function, a row in RULES, its two-body test.
+"""
+
+from solver.validator.checking import Checked, check, validate
+from solver.validator.floor import floors
+from solver.validator.metrics import metrics
+from solver.validator.rules import RULES
+
+__all__ = ["RULES", "Checked", "check", "floors", "metrics", "validate"]

@@ -1,0 +1,109 @@
+"""What is wrong with a scene; and with one that is being changed, where only what a change can touch is checked again.
+
+Comes in: a scene and the catalogs; later the scene as it was changed. Goes out: `Checked`, whose issues are those of `validate`.
+May import: scene, catalogs. Not here: the rules.
+
+Where bodies and people alone differ, the rooms that do not hold them keep their issues, but for what is within reach: that is
+walked anew for the storey, as a thing in one room may close the way to another. Where walls or openings differ, all is checked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from catalogs import Catalogs, load_catalogs
+from solver.scene import Issue, Scene
+from solver.validator.judging import RuleCase
+from solver.validator.kinds import Kinds
+from solver.validator.rules import CHECKS, homeless, issues_of
+from solver.validator.walk import storeys, walk_of
+from solver.validator.world import world_of
+
+_OF_THE_CERTIFICATE = "missing_required"
+"""The one rule that reads what is no room: the reasons that the certificate gives."""
+
+
+@dataclass(frozen=True)
+class _Judged:
+    """A room as it was checked, and its issues by rule."""
+
+    case: RuleCase
+    issues: Mapping[str, tuple[Issue, ...]]
+
+
+@dataclass(frozen=True)
+class Checked:
+    """A scene and its issues, in the order of `validate`; none with severity `error`: the scene is clean."""
+
+    scene: Scene
+    issues: tuple[Issue, ...]
+    _kinds: Kinds
+    _judged: tuple[_Judged, ...]
+
+    @property
+    def errors(self) -> tuple[Issue, ...]:
+        """The issues that must not be."""
+        return tuple(issue for issue in self.issues if issue.severity == "error")
+
+    def after(self, scene: Scene) -> Checked:
+        """Returns the changed scene with its issues; checks again only what the change can have touched."""
+        if scene is self.scene:
+            return self
+        before = self._judged if _shell(scene) == _shell(self.scene) else ()
+        return _checked(scene, self._kinds, before)
+
+
+def validate(scene: Scene, catalogs: Catalogs | None = None) -> tuple[Issue, ...]:
+    """Lists what breaks the rules: room by room, in a room rule by rule, in a rule in the document's order.
+
+    Args:
+        scene: any scene that could be read; one that was made in Python is taken as it is, its fields unchecked.
+        catalogs: which sides of a piece are used, and what room types require; ours by default.
+
+    Returns:
+        Issues; amounts in metres. None with severity `error`: the scene is clean.
+
+    Example:
+        >>> from compose_homes import Furniture, Room, Scene, validate
+        >>> bed = Furniture("bed", "bed", x=0.5, z=1.5, width=1.6, depth=2.0, height=0.5)
+        >>> [(issue.rule, issue.amount) for issue in validate(Scene(rooms=(Room("cell", width=3, depth=3, furniture=(bed,)),)))]
+        [('out_of_bounds', 0.3)]
+    """
+    return check(scene, catalogs or load_catalogs()).issues
+
+
+def check(scene: Scene, catalogs: Catalogs) -> Checked:
+    """Returns a scene with its issues, all of it checked."""
+    return _checked(scene, Kinds(catalogs), ())
+
+
+def _shell(scene: Scene) -> Scene:
+    """Returns a scene without what may be moved."""
+    return replace(scene, rooms=tuple(replace(room, furniture=(), decorations=()) for room in scene.rooms), dynamic=(), certificate=None)
+
+
+def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked:
+    world = world_of(scene)
+    was = {one.case.room.room.id: one for one in before}
+    same = {place.room.id for place in world.places if place.room.id in was and was[place.room.id].case.room == place}
+    judged = {}
+    for places in storeys(world):
+        unchanged = all(place.room.id in same for place in places)
+        walk = was[places[0].room.id].case.walk if unchanged else walk_of(world, places)
+        for place in places:
+            known = was[place.room.id] if place.room.id in same else None
+            judged[place.room.id] = _judge(RuleCase(world, walk, place, kinds), known)
+    rooms = tuple(judged[place.room.id] for place in world.places)
+    found = (issue for one in rooms for rule in CHECKS for issue in one.issues[rule])
+    return Checked(scene, (*homeless(scene), *found), kinds, rooms)
+
+
+def _judge(case: RuleCase, known: _Judged | None) -> _Judged:
+    """Judges a room; of what is known already of the same room nothing that still holds is checked again."""
+    open_again = {_OF_THE_CERTIFICATE} if known and known.case.walk is case.walk else {_OF_THE_CERTIFICATE, "unreachable"}
+    issues = {}
+    for rule in CHECKS:
+        kept = known.issues[rule] if known and rule not in open_again else None
+        issues[rule] = issues_of(rule, case) if kept is None else kept
+    return _Judged(case, issues)

@@ -1,0 +1,53 @@
+"""The rule `unreachable`: a square as wide as the robot comes to every room and every use side.
+
+Comes in: a `World`, its walks and the catalogs. Goes out: findings by room. May import: scene, catalogs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+from catalogs.schema import Use
+from solver.validator.judging import Finding, RuleCase
+from solver.validator.lattice import PER_METRE, words
+from solver.validator.walk import Walk
+from solver.validator.world import PlacedBody, PlacedRoom, World
+
+LEAST_FLOOR: Final = PER_METRE * PER_METRE // 4
+"""How much of a room's free centres must be reached: 0.25 m2 (docs/scene.md), in square lattice steps."""
+
+
+def unreachable(case: RuleCase) -> Iterator[Finding]:
+    """The robot's square cannot come to the room, or to a piece's use side. In a room it cannot come to, pieces go unsaid."""
+    world, walk, place = case.world, case.walk, case.room
+    if walk.floor(place) < LEAST_FLOOR:
+        yield Finding((), world.robot, _room_message(world, walk, place))
+        return
+    for body in place.bodies:
+        use = case.kinds.use(body.name) if body.is_furniture else None
+        missed = missed_sides(walk, place, body, use) if use else ()
+        if use and missed:
+            yield Finding((body.id,), world.robot, _side_message(world, body, use, missed))
+
+
+def missed_sides(walk: Walk, place: PlacedRoom, body: PlacedBody, use: Use) -> tuple[str, ...]:
+    """Returns the use sides that the square cannot come to; none where enough of them are reached."""
+    missed = tuple(side for side in use.sides if not walk.touches(place, body, body.side(side)))
+    return missed if use.need == "all" or len(missed) == len(use.sides) else ()
+
+
+def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
+    wide = f"a square of {words(world.robot)}"
+    ways = ", ".join(dict.fromkeys(hole.opening.id for hole in walk.entrances))
+    if walk.floor(place, only_entered=False) < LEAST_FLOOR:
+        return f"{place.room.id} has less than 0.25 m2 where {wide} can stand"
+    if walk.entrances and not walk.entered:
+        return f"{wide} cannot come in through {ways}, so not to {place.room.id}"
+    return f"{wide} cannot come to {place.room.id} from {ways or 'the largest free floor'}"
+
+
+def _side_message(world: World, body: PlacedBody, use: Use, missed: tuple[str, ...]) -> str:
+    joined = " and its " if use.need == "all" else " or its "
+    sides = joined.join(f"{side} ({body.side(side)})" for side in missed)
+    return f"a square of {words(world.robot)} cannot come to {body.id}'s {sides}"

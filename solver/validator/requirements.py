@@ -1,0 +1,53 @@
+"""The rule `missing_required`: a piece that a room's type requires is not there.
+
+Comes in: a room and the catalogs. Goes out: findings. May import: scene, catalogs.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from catalogs.schema import RoomType
+from solver.validator.judging import Finding, RuleCase
+from solver.validator.world import PlacedRoom
+
+
+def missing_required(case: RuleCase) -> Iterator[Finding]:
+    """A required piece is not there; the reason is what the scene's certificate gives."""
+    place = case.room
+    there = Counter(piece.name for piece in place.room.furniture)
+    known = case.kinds.rooms.get(place.room.type)
+    for line in known.requires if known else ():
+        if any(there[name] >= count for name, count in line.items()):
+            continue
+        wanted = " or ".join(name if count == 1 else f"{count} {name}" for name, count in line.items())
+        reason = _reason(case.world.scene.certificate, place, _labels(known, line))
+        have = sum(there[name] for name in line)
+        short = f"has only {have} of {wanted}" if have else f"has no {wanted}"
+        yield Finding((), 0, f"{place.room.id} ({place.room.type}) {short}: {reason}")
+
+
+def _labels(known: RoomType | None, names: Mapping[str, int]) -> set[str]:
+    """Returns under which labels of the room type a requirement may have been left out."""
+    pieces = known.pieces if known else ()
+    of_these = {piece.piece for piece in pieces if any(variant.kind in names for variant in piece.variants)}
+    return of_these | set(names)
+
+
+def _reason(certificate: Mapping[str, Any] | None, place: PlacedRoom, labels: set[str]) -> str:
+    """Finds why a piece was left out, whatever shape the certificate of a foreign scene has."""
+    rooms = (certificate or {}).get("rooms")
+    entry = rooms.get(place.room.id) if isinstance(rooms, Mapping) else None
+    left_out = entry.get("left_out") if isinstance(entry, Mapping) else None
+    for item in left_out if isinstance(left_out, (list, tuple)) else ():
+        if isinstance(item, Mapping) and _stem(item.get("piece")) in labels and item.get("reason"):
+            return str(item["reason"])
+    return "no reason is recorded"
+
+
+def _stem(label: object) -> str:
+    """Takes the number off a label: `bed_1` was wanted as `bed`."""
+    head, _, tail = str(label).rpartition("_")
+    return head if head and tail.isdigit() else str(label)

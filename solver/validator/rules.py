@@ -1,0 +1,51 @@
+"""All rules, in the order of the table in docs/scene.md.
+
+Comes in: a room to be judged. Goes out: issues. May import: scene.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Final
+
+from solver.scene import Issue, Scene
+from solver.validator.floating import floating
+from solver.validator.judging import Finding, RuleCase
+from solver.validator.lattice import metres
+from solver.validator.reaching import unreachable
+from solver.validator.requirements import missing_required
+from solver.validator.standing import blocks_door, blocks_window, out_of_bounds, overlap, wall_far
+from solver.validator.world import home_of
+
+RULES: Final = {
+    "out_of_bounds": "error",
+    "overlap": "error",
+    "wall_far": "error",
+    "blocks_door": "error",
+    "blocks_window": "error",
+    "unreachable": "error",
+    "floating": "error",
+    "missing_required": "warning",
+}
+"""Every rule and its severity, in the order issues are listed."""
+_FUNCTIONS = (out_of_bounds, overlap, wall_far, blocks_door, blocks_window, unreachable, floating, missing_required)
+CHECKS: Final[dict[str, Callable[[RuleCase], Iterator[Finding]]]] = {check.__name__: check for check in _FUNCTIONS}
+"""How every rule is checked in one room: by the function of its name."""
+
+
+def issues_of(rule: str, case: RuleCase) -> tuple[Issue, ...]:
+    """Lists what breaks one rule in one room."""
+    return tuple(_issue(rule, case.room.room.id, found) for found in CHECKS[rule](case))
+
+
+def homeless(scene: Scene) -> Iterator[Issue]:
+    """Lists people and pets that are in no room of the scene: they leave every room's floor."""
+    known = {room.id for room in scene.rooms}
+    for person in scene.dynamic:
+        if home_of(scene, person) not in known:
+            message = f"{person.id} is in no room of the scene ({person.room or 'none given'})"
+            yield _issue("out_of_bounds", None, Finding((person.id,), 0, message))
+
+
+def _issue(rule: str, room: str | None, found: Finding) -> Issue:
+    return Issue(rule, RULES[rule], room, found.ids, metres(found.amount), found.message)

@@ -1,0 +1,144 @@
+"""What stands and lies on the floors, room by room; and that nobody is kept from walking by it."""
+
+from __future__ import annotations
+
+import pytest
+
+from catalogs import load_catalogs
+from solver.scene import Decoration, Opening, Room, Scene
+from solver.validator import validate
+from tests.decorations.oracle import complaints
+from tests.decorations.rooms import DOOR, SIDE, THICKNESS, at_wall, decorate, on_floor, room
+
+KNOWN = load_catalogs()
+INDOORS = sorted(name for name, kind in KNOWN.rooms.items() if not kind.outdoor)
+
+
+def rugs(done: Room) -> list[Decoration]:
+    return [thing for thing in done.decorations if thing.name in ("rug", "runner")]
+
+
+def errors(done: Room) -> list[str]:
+    scene = Scene(wall_thickness=THICKNESS, rooms=(done,))
+    told = [issue.message for issue in validate(scene, KNOWN) if issue.severity == "error"]
+    return [*told, *complaints(scene)]
+
+
+@pytest.mark.parametrize("name", [name for name in INDOORS if name != "hallway"])
+@pytest.mark.parametrize("size", [(4.0, 3.0), (3.0, 5.2), (1.5, 1.5)])
+def test_every_indoor_room_has_a_rug_of_four_fifths_of_its_size(name: str, size: tuple[float, float]) -> None:
+    done = decorate(room(type=name, width=size[0], depth=size[1]))
+    (rug,) = rugs(done)
+    extents = [rug.width, rug.depth] if rug.rotation % 180 == 0 else [rug.depth, rug.width]
+    assert extents == pytest.approx([0.8 * side for side in size], abs=0.01)
+    assert [rug.x, rug.z] == pytest.approx([side / 2 for side in size], abs=0.01)
+    assert rug.height <= 0.02 and rug.color == "#123456"
+    assert errors(done) == []
+
+
+def test_a_room_narrower_than_a_metre_and_a_half_has_no_rug() -> None:
+    assert rugs(decorate(room(type="bathroom", width=1.49, depth=3.0))) == []
+
+
+def test_outdoors_no_rug() -> None:
+    for name in sorted(set(KNOWN.rooms) - set(INDOORS)):
+        assert rugs(decorate(room(type=name, outdoor=True))) == []
+
+
+@pytest.mark.parametrize("size", [(8.0, 1.3), (1.2, 6.0), (3.0, 5.0)])
+def test_a_hallway_has_a_long_thin_runner(size: tuple[float, float]) -> None:
+    done = decorate(room(type="hallway", width=size[0], depth=size[1]))
+    (runner,) = rugs(done)
+    assert runner.name == "runner"
+    assert runner.width == pytest.approx(0.8 * max(size), abs=0.01)
+    assert runner.depth == pytest.approx(min(0.8 * min(size), 0.8), abs=0.01)
+    assert runner.rotation == (0 if size[0] > size[1] else 90)
+
+
+def in_corner(thing: Decoration, done: Room) -> bool:
+    return min(thing.x, done.width - thing.x) < 0.9 and min(thing.z, done.depth - thing.z) < 0.9
+
+
+def test_a_living_room_has_plants_in_its_corners() -> None:
+    done = decorate(room(at_wall("sofa"), type="living_room"))
+    plants = [thing for thing in done.decorations if thing.name in ("potted_plant", "slim_plant") and in_corner(thing, done)]
+    assert len(plants) >= 2
+    assert errors(done) == []
+
+
+def test_a_master_bedroom_has_a_plant_in_a_corner() -> None:
+    done = decorate(room(at_wall("bed"), type="bedroom_master"))
+    assert any(thing.name in ("potted_plant", "slim_plant") and in_corner(thing, done) for thing in done.decorations)
+    assert errors(done) == []
+
+
+def test_a_kids_bedroom_has_its_toys() -> None:
+    for seed in range(5):
+        done = decorate(room(at_wall("single_bed"), at_wall("toy_chest", "west"), type="kids_bedroom"), seed)
+        found = on_floor(done)
+        assert {name: found[name] for name in ("toy_blocks", "toy_car", "stuffed_animal", "basket")} == {
+            "toy_blocks": 1, "toy_car": 1, "stuffed_animal": 2, "basket": 1,
+        }  # fmt: skip
+        assert errors(done) == []
+
+
+@pytest.mark.parametrize("name", ["hallway", "foyer"])
+def test_an_entrance_has_its_things_beside_the_console(name: str) -> None:
+    for seed in range(5):
+        done = decorate(room(at_wall("console_table"), type=name), seed)
+        found = on_floor(done)
+        assert (found["shoe_pair"], found["umbrella_stand"], found["basket"]) == (2, 1, 1)
+        near = [thing for thing in done.decorations if thing.name in ("shoe_pair", "umbrella_stand", "basket") and thing.parent is None]
+        assert all(abs(thing.x - SIDE / 2) < 2.2 and thing.z < 0.5 for thing in near)
+        assert errors(done) == []
+
+
+def test_a_laundry_has_a_basket() -> None:
+    done = decorate(room(at_wall("washer"), type="laundry"))
+    assert on_floor(done)["basket"] == 1
+    assert errors(done) == []
+
+
+@pytest.mark.parametrize("name", sorted(KNOWN.rooms))
+def test_every_type_of_room_is_dressed_without_an_error(name: str) -> None:
+    outdoor = KNOWN.rooms[name].outdoor
+    for size in ((3.0, 2.6), (5.0, 4.0), (1.2, 4.0)):
+        bare = room(
+            type=name,
+            outdoor=outdoor,
+            width=size[0],
+            depth=size[1],
+            openings=(Opening("d", wall="north", position=0.6, connects_to="EXTERIOR"),),
+        )
+        done = decorate(bare)
+        assert done.decorations or min(size) < 1.5
+        assert errors(done) == []
+
+
+def test_a_body_never_closes_the_only_way() -> None:
+    """Two halves of a room joined by a gap of exactly the robot's width stay joined, whatever is drawn."""
+    wardrobe, other = at_wall("wardrobe", "west", 3.0, number=1), at_wall("wardrobe", "east", 3.0, number=2)
+    for gap in (0.6, 0.65, 0.8):
+        width = 2 * (0.6 + 0.08) + gap
+        moved = [wardrobe, type(other)(**{**vars(other), "x": round(width - 0.38, 4)})]
+        for seed in range(10):
+            done = decorate(room(*moved, type="kids_bedroom", width=width, depth=6.0), seed)
+            assert errors(done) == []
+
+
+def test_without_a_way_in_nothing_stands_on_the_floor() -> None:
+    done = decorate(room(at_wall("single_bed"), type="kids_bedroom", openings=()))
+    assert set(on_floor(done)) == {"rug"}
+
+
+def test_tall_things_keep_clear_of_windows_and_doors() -> None:
+    windows = tuple(
+        Opening(f"w{k}", "window", wall, at, 1.2, 1.4, 0.9) for k, (wall, at) in enumerate((("north", 1.0), ("north", 5.0), ("east", 1.0)))
+    )
+    for seed in range(5):
+        done = decorate(room(type="living_room", openings=(DOOR, *windows)), seed)
+        for thing in done.decorations:
+            if thing.parent is None and thing.mounted_on_wall is None and thing.height > 0.9:
+                assert not (thing.z < 0.5 and (0.3 < thing.x < 1.7 or 4.3 < thing.x < 5.7))
+                assert not (thing.x > SIDE - 0.5 and 0.3 < thing.z < 1.7)
+        assert errors(done) == []

@@ -1,0 +1,47 @@
+"""Imports cost what they use: counted by the modules that are loaded, not by the clock."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from tests.architecture.tree import ROOT
+
+KERNEL = {"numba", "llvmlite", "osqp", "daqp", "scipy", "cvxpy"}
+SERVER = {"fastapi", "starlette", "uvicorn", "anyio"}
+CATALOGS = {"catalogs.reading", "catalogs.schema", "numpy"}
+SCENE = "from compose_homes import Room, Scene\nscene = Scene(rooms=(Room('den', width=4.0, depth=3.0),))\n"
+
+
+def loaded(program: str) -> set[str]:
+    """The modules that a program has loaded at its end, in a process of its own."""
+    words = f"{program}\nimport sys\nprint('\\n' + ' '.join(sys.modules))"
+    run = subprocess.run([sys.executable, "-c", words], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    return set(run.stdout.splitlines()[-1].split())
+
+
+@pytest.mark.parametrize(
+    ("program", "without"),
+    [
+        ("import compose_homes", KERNEL | SERVER | CATALOGS),
+        ("from compose_homes import Scene, fix, generate, place, reroll, validate", KERNEL | SERVER),
+        (SCENE + "from compose_homes import dump, load\nassert load(dump(scene)) == scene", KERNEL | SERVER | CATALOGS),
+        ("from solver.scene import Scene", KERNEL | SERVER | CATALOGS),
+        ("from solver import fix, generate, place, validate", KERNEL | SERVER),
+        ("from compose_homes import PieceRequest, load_catalogs; load_catalogs()", KERNEL | SERVER),
+        (SCENE + "from compose_homes import validate\nvalidate(scene)", KERNEL | SERVER),
+        (SCENE + "from compose_homes import generate, Request\ngenerate(Request(seed=1, width=4, depth=4))", {"cvxpy"} | SERVER),
+        ("from service.cli import main; main(['schema'])", KERNEL | SERVER | CATALOGS),
+        ("from service.cli import main; main(['catalog'])", KERNEL | {"uvicorn", "fastapi"}),
+        ("import service.app", KERNEL),
+    ],
+)
+def test_what_is_not_used_is_not_loaded(program: str, without: set[str]) -> None:
+    assert loaded(program) & without == set()
+
+
+def test_a_call_loads_what_it_needs() -> None:
+    assert loaded("from compose_homes import Request, generate\ngenerate(Request(seed=1, width=4, depth=4))") > {"numba", "osqp"}

@@ -1,0 +1,87 @@
+"""The wheel as a stranger installs it: one name in site-packages, the tree's homes, types that a checker sees."""
+
+from __future__ import annotations
+
+import ast
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.architecture.tree import ROOT, files
+
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in {"VIRTUAL_ENV", "PYTHONPATH"}}
+PLAIN = {**ENVIRONMENT, "COMPOSE_KERNEL": "plain"}
+"""Runs the kernel uncompiled, to the same bytes: compiling it anew for the installed sources takes a minute."""
+GENERATE = ("-m", "compose_homes", "generate", "--seed", "42", "--width", "5", "--depth", "4")
+USER = "from compose_homes import Request, generate\nreveal_type(generate(Request(seed=42)).scene.rooms[0].furniture[0].x)\n"
+TREE_NAMES = {"catalogs", "solver", "service"}
+
+
+def run(*words: str | Path, cwd: Path, env: dict[str, str] = ENVIRONMENT) -> str:
+    done = subprocess.run(words, cwd=cwd, env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The site-packages of a new environment with the wheel in it, far from the tree."""
+    folder = tmp_path_factory.mktemp("installed")
+    uv = run(sys.executable, "scripts/find_uv.py", cwd=ROOT).strip()
+    run(uv, "build", "--quiet", "--wheel", "--python", sys.executable, "--out-dir", folder, cwd=ROOT)
+    run(uv, "venv", "--quiet", "--python", sys.executable, folder / "env", cwd=folder)
+    (wheel,) = folder.glob("*.whl")
+    run(uv, "pip", "install", "--quiet", "--python", "env", "--constraint", ROOT / "constraints.txt", wheel, cwd=folder)
+    return Path(run("env/bin/python", "-c", "import sysconfig; print(sysconfig.get_path('purelib'))", cwd=folder).strip())
+
+
+def test_it_takes_one_name(installed: Path) -> None:
+    (record,) = installed.glob("compose_homes-*.dist-info/RECORD")
+    tops = {line.split("/")[0] for line in record.read_text().splitlines() if not line.startswith("..")}
+    assert tops == {"compose_homes", record.parent.name}
+
+
+def test_it_holds_what_the_tree_holds(installed: Path) -> None:
+    ours = [path.relative_to(ROOT) for path in files() if path.relative_to(ROOT).parts[0] in {*TREE_NAMES, "compose_homes"}]
+    expected = {str(path if path.parts[0] in TREE_NAMES else path.relative_to("compose_homes")) for path in ours}
+    held = {str(path.relative_to(installed / "compose_homes")) for path in (installed / "compose_homes").rglob("*") if path.is_file()}
+    assert expected <= held
+    assert "service/static/index.html" in held
+
+
+def test_nothing_in_it_asks_for_a_name_of_the_tree(installed: Path) -> None:
+    asked: set[str] = set()
+    for path in (installed / "compose_homes").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.ImportFrom) and not node.level:
+                asked.add((node.module or "").split(".")[0])
+            elif isinstance(node, ast.Import):
+                asked |= {alias.name.split(".")[0] for alias in node.names}
+    assert "compose_homes" in asked
+    assert asked & TREE_NAMES == set()
+
+
+def test_it_makes_the_homes_that_the_tree_makes(installed: Path, tmp_path: Path) -> None:
+    python = installed.parents[2] / "bin" / "python"
+    assert "rooms:" in (made := run(python, *GENERATE, cwd=tmp_path, env=PLAIN))
+    assert made == run(sys.executable, *GENERATE, cwd=ROOT, env=PLAIN)
+    assert run(python.with_name("compose"), "schema", cwd=tmp_path).startswith('"$schema"')
+
+
+def test_what_an_engine_lacks_is_told(installed: Path, tmp_path: Path) -> None:
+    words = [*GENERATE, "--engine", "reference"]
+    done = subprocess.run(
+        [installed.parents[2] / "bin" / "python", *words], cwd=tmp_path, env=PLAIN, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "needs cvxpy" in done.stderr and "compose-homes[reference]" in done.stderr
+
+
+def test_a_type_checker_sees_its_types(installed: Path, tmp_path: Path) -> None:
+    (tmp_path / "user.py").write_text(USER)
+    python = installed.parents[2] / "bin" / "python"
+    said = run(sys.executable, "-m", "mypy", "--strict", "--python-executable", python, "--cache-dir", os.devnull, "user.py", cwd=tmp_path)
+    assert 'Revealed type is "float"' in said

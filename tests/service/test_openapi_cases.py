@@ -1,0 +1,87 @@
+"""Generated calls, right and wrong ones: the service keeps to its own OpenAPI document.
+
+The calls are made in this process, and houses are small whatever is asked for: what is tested is what is taken and answered.
+CASES=500 in the environment makes 500 of each call.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+import schemathesis
+from hypothesis import HealthCheck, settings
+from schemathesis import Case, CheckContext, Response
+from schemathesis.specs.openapi.checks import positive_data_acceptance
+
+from service import calls
+from service.app import create_app
+from service.work import Failure, Job, do
+from solver import generate
+from solver.scene import Generated, Request
+
+CASES = int(os.environ.get("CASES", "30"))
+"""Generated calls of each kind."""
+BEYOND_A_SCHEMA = (
+    "runs at an angle",  # outlines
+    "encloses nothing",
+    "which another one has too",  # ids
+    "is given twice",
+    "nothing in the scene has the id",
+    "nothing is called",  # what a relation is to
+    "is a relation to something",
+    "takes no `of`",
+    "cannot be",
+    "copies counted",
+    "is missing, and so is the name",
+    "no kind of the catalog",
+    "the room has no outline",
+    "is not UTF-8",
+    "larger than the house",  # numbers that depend on each other
+    "is a list",  # a gap from the larger number to the smaller one
+)
+"""What is wrong with documents that fit their schema: it shows only when keys are seen together, or with the catalog."""
+
+
+class Here:
+    """Makes calls in this process."""
+
+    async def start(self, *_: object) -> None:
+        """Needs no processes."""
+
+    async def run(self, _: Callable[..., Any], job: Job) -> Any:
+        done = do(job)
+        assert not isinstance(done, Failure), done.trace
+        return done
+
+
+def made_small(request: Request, **more: Any) -> Generated:
+    """Makes a house of one room, whatever its size is to be."""
+    return generate(replace(request, program=None, area=None, force_types={}, width=4.0, depth=4.0, min_room_size=4.0), **more)
+
+
+def what_fits_is_taken(_: CheckContext, answer: Response, case: Case[Any]) -> None:
+    if case.meta is None or not case.meta.generation.mode.is_positive or answer.status_code < 400:
+        return
+    assert answer.status_code == 422, answer.text
+    (entry,) = answer.json()["errors"]
+    if case.media_type == "application/yaml" and entry["allowed"].startswith("a text") and entry["problem"] == "is 1e+100":
+        return  # YAML 1.1, which the cases are written in, takes 1e100 without quotes for a text
+    assert any(words in f"{entry['problem']} {entry['allowed']}" for words in BEYOND_A_SCHEMA), entry
+
+
+APP = create_app()
+APP.workers = Here()  # type: ignore[assignment]
+SCHEMA = schemathesis.openapi.from_asgi("/openapi.json", APP)
+SCHEMA.config.phases.update(phases=["examples", "fuzzing"])
+
+
+@SCHEMA.parametrize()
+@settings(max_examples=CASES, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
+def test_calls_are_answered_as_the_document_says(case: Case[Any]) -> None:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(calls, "generate", made_small)
+        case.call_and_validate(excluded_checks=[positive_data_acceptance], additional_checks=[what_fits_is_taken])

@@ -1,0 +1,345 @@
+/** What the service takes and answers; `python -m scripts.contract` writes it. Lengths in metres, angles in degrees. */
+
+/** Bodies that cannot stand together, why, and what would help. */
+export interface Conflict {
+  readonly ids: readonly string[];
+  readonly message: string;
+  readonly repairs: readonly (Freed | Unlocked | Turned | Shrunk | LeftOut)[];
+}
+
+/** A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any. */
+export interface Decoration {
+  /** made up where it is absent, alike each time */
+  readonly id: string;
+  readonly name: string;
+  readonly parent: string | null;
+  readonly mounted_on_wall: "north" | "south" | "east" | "west" | null;
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  readonly rotation: number;
+  readonly width: number;
+  readonly depth: number;
+  readonly height: number;
+  readonly color: string | null;
+}
+
+/** A person or a pet; `room` is the room's id, the pose relative to that room; `on` the seat one sits on (its id). */
+export interface Dynamic {
+  /** made up where it is absent, alike each time */
+  readonly id: string;
+  readonly kind: string;
+  readonly room: string | null;
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  readonly rotation: number;
+  readonly width: number;
+  readonly depth: number;
+  readonly height: number;
+  readonly color?: string | null;
+  readonly on?: string | null;
+}
+
+/** A field that is wrong: where, how, and what would be right (empty where there is nothing to say). */
+export interface FieldProblem {
+  readonly field: string;
+  readonly problem: string;
+  readonly allowed: string;
+}
+
+/** Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer, while something is dragged. */
+export interface FixBody {
+  /** a scene, as GET /schema describes it */
+  readonly scene: Scene;
+  /** ids */
+  readonly locked?: readonly string[] | null;
+  /** ids */
+  readonly moved?: readonly string[] | null;
+  readonly on_conflict?: "report" | "remove" | null;
+  readonly previous?: readonly Pose[] | null;
+}
+
+/** The answer of fix. */
+export interface Fixed {
+  readonly scene: Scene;
+  readonly moves: readonly Move[];
+  readonly removed: readonly Removal[];
+  readonly conflicts: readonly Conflict[];
+  readonly issues: readonly Issue[];
+  readonly timing_ms: Readonly<Record<string, number>>;
+}
+
+/** The floor of rooms. */
+export interface FloorAnswer {
+  readonly rooms: readonly RoomFloor[];
+}
+
+/** What the floor is made of: a name of catalogs/floorings.yaml and a colour. */
+export interface Flooring {
+  readonly type: string;
+  readonly color: string;
+}
+
+/** A repair: `wall` becomes null, for the body need not stand at one; /fix then moves it by dx, dz, m, to that rotation. */
+export interface Freed {
+  readonly action: "move";
+  readonly id: string;
+  readonly wall: null;
+  readonly dx: number;
+  readonly dz: number;
+  readonly rotation: number;
+}
+
+/** A piece of furniture: full unrotated extents, m; `width` is across its front, `depth` front to back. */
+export interface Furniture {
+  /** made up where it is absent, alike each time */
+  readonly id: string;
+  readonly name: string;
+  readonly category: string | null;
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  readonly rotation: number;
+  readonly width: number;
+  readonly depth: number;
+  readonly height: number;
+  readonly color: string | null;
+  readonly wall: "north" | "south" | "east" | "west" | null;
+  readonly under: string | null;
+  readonly on: string | null;
+  readonly locked: boolean;
+}
+
+/** The answer of generate: the scene, what the validator says, and stage times in ms. */
+export interface Generated {
+  readonly scene: Scene;
+  readonly issues: readonly Issue[];
+  readonly timing_ms: Readonly<Record<string, number>>;
+}
+
+/** One broken rule: its name, the room's id, the ids of the bodies, and by how much, m. */
+export interface Issue {
+  readonly rule: string;
+  readonly severity: "error" | "warning";
+  readonly room: string | null;
+  readonly ids: readonly string[];
+  readonly amount: number;
+  readonly message: string;
+}
+
+/** A repair: the scene without the body. */
+export interface LeftOut {
+  readonly action: "leave_out";
+  readonly id: string;
+}
+
+/** One storey: elevation of its floor and its height, m. */
+export interface Level {
+  readonly index: number;
+  readonly elevation: number;
+  readonly height: number;
+}
+
+/** Text, and for each of its lines the id of the body it speaks of, or null. */
+export interface Lines {
+  readonly text: string;
+  readonly lines: readonly (string | null)[];
+}
+
+/** How a slot looks. `color: null` is the body's own colour; `shade` makes it darker (to -1) or lighter (to 1). */
+export interface Material {
+  readonly color?: string | null;
+  readonly shade?: number;
+  readonly roughness?: number;
+  readonly metalness?: number;
+  readonly opacity?: number;
+  readonly glow?: number;
+  readonly texture?: "wood" | "fabric" | "metal" | "tile" | "concrete" | "stone" | "grass" | "deck" | "leather" | "plaster" | "brick" | null;
+}
+
+/** How far /fix moved a body, m, and the rotation it has now, degrees. */
+export interface Move {
+  readonly id: string;
+  readonly dx: number;
+  readonly dz: number;
+  readonly rotation: number;
+}
+
+/** A door, garage door, passage or window in a wall. */
+export interface Opening {
+  /** made up where it is absent, alike each time */
+  readonly id: string;
+  readonly kind: "door" | "garage_door" | "passage" | "window";
+  readonly wall: "north" | "south" | "east" | "west" | null;
+  readonly position: number;
+  readonly width: number;
+  readonly height: number;
+  readonly sill: number;
+  readonly connects_to: string | null;
+  readonly hinge: "start" | "end" | null;
+  readonly swing: "in" | "out" | null;
+  readonly main_entrance: boolean;
+  readonly render_panel: boolean;
+  readonly edge?: number | null;
+}
+
+/** Where a body was in the last answer of /fix: its footprint's centre in its room, m, and its rotation, degrees. */
+export interface Pose {
+  readonly id: string;
+  readonly x: number;
+  readonly z: number;
+  readonly rotation?: number | null;
+}
+
+/** An RFC 9457 problem document. */
+export interface ProblemDocument {
+  readonly type: string;
+  readonly title: string;
+  readonly status: number;
+  readonly detail: string;
+  readonly errors: readonly FieldProblem[];
+}
+
+/** A body that was taken out, and why. */
+export interface Removal {
+  readonly id: string;
+  readonly reason: string;
+}
+
+/** What to generate; all optional. Unknown keys are refused. */
+export interface Request {
+  /** drawn where there is none */
+  readonly seed?: number | null;
+  /** m, 20 unless a programme or an area chooses it */
+  readonly width?: number | null;
+  /** m, 15 unless a programme or an area chooses it */
+  readonly depth?: number | null;
+  /** m, at most the house's shorter side */
+  readonly min_room_size?: number | null;
+  /** how often the rectangle is split */
+  readonly max_depth?: number | null;
+  readonly use_spine?: boolean | null;
+  readonly outdoor?: boolean | null;
+  readonly decorate?: boolean | null;
+  /** room types by the room's index */
+  readonly force_types?: Readonly<Record<string, string>> | null;
+  readonly robot_width?: number | null;
+  /** a preset's name, or how many rooms of each word */
+  readonly program?: string | Readonly<Record<string, number>> | null;
+  readonly area?: number | null;
+  readonly style?: "classic" | "industrial" | "mid_century" | "modern" | "rustic" | "scandi" | null;
+}
+
+/** A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner. */
+export interface Room {
+  /** made up where it is absent, alike each time */
+  readonly id: string;
+  readonly index: number;
+  readonly type: string;
+  readonly level: number;
+  readonly x: number;
+  readonly z: number;
+  readonly width: number;
+  readonly depth: number;
+  readonly outline: readonly (readonly [number, number])[] | null;
+  readonly outdoor: boolean;
+  readonly flooring: Flooring | null;
+  readonly accent: string | null;
+  readonly walls?: WallFinish | null;
+  readonly exterior_walls: Sides | null;
+  readonly wall_flags: Sides | null;
+  readonly openings: readonly Opening[];
+  readonly furniture: readonly Furniture[];
+  readonly decorations: readonly Decoration[];
+}
+
+/** A room's floor: what is clear of walls, kept free before doors and windows, and free to come to. */
+export interface RoomFloor {
+  readonly room: string;
+  /** west, north, east, south edge in the room, m */
+  readonly clear: readonly [number, number, number, number];
+  readonly doors: readonly (readonly [number, number, number, number])[];
+  readonly windows: readonly (readonly [number, number, number, number])[];
+  readonly free: readonly (readonly [number, number, number, number])[];
+}
+
+/** A whole house: the document of /generate, /fix and /validate. */
+export interface Scene {
+  readonly format: "compose-scene/1";
+  readonly seed: number | null;
+  readonly request: Readonly<Record<string, unknown>> | null;
+  readonly generator: Readonly<Record<string, unknown>> | null;
+  readonly size: Size | null;
+  readonly wall_thickness: number;
+  readonly levels: readonly Level[];
+  readonly rooms: readonly Room[];
+  readonly corridors: readonly (Readonly<Record<string, unknown>>)[];
+  /** pairs of rooms, by index, with a common wall long enough for a door; the certificate's `unjoined` are those of them, by id, that no door or passage joins */
+  readonly adjacency: readonly (readonly [number, number])[];
+  readonly dynamic: readonly Dynamic[];
+  readonly certificate: Readonly<Record<string, unknown>> | null;
+}
+
+/** A repair: another size, m. */
+export interface Shrunk {
+  readonly action: "shrink";
+  readonly id: string;
+  readonly width: number;
+  readonly depth: number;
+}
+
+/** A yes or no for each of a room's four walls. */
+export interface Sides {
+  readonly north: boolean;
+  readonly south: boolean;
+  readonly east: boolean;
+  readonly west: boolean;
+}
+
+/** Outer extents of the house, m. */
+export interface Size {
+  readonly width: number;
+  readonly depth: number;
+  readonly height: number;
+}
+
+/** One solid of a kind's shape: a part with its surfaces' names turned into numbers, every mirror image written out. */
+export interface Solid {
+  readonly form: "box" | "rounded" | "cylinder" | "cone" | "ball" | "capsule";
+  readonly x: readonly [number, number];
+  readonly y: readonly [number, number];
+  readonly z: readonly [number, number];
+  readonly axis: "x" | "y" | "z";
+  readonly taper: number;
+  readonly material: string;
+}
+
+/** A repair: another rotation, degrees. */
+export interface Turned {
+  readonly action: "turn";
+  readonly id: string;
+  readonly rotation: number;
+}
+
+/** A repair: the body is unlocked; /fix then moves it by dx, dz, m, to that rotation. */
+export interface Unlocked {
+  readonly action: "unlock";
+  readonly id: string;
+  readonly dx: number;
+  readonly dz: number;
+  readonly rotation: number;
+}
+
+/** What breaks which rule and by how much, measures, and where it is wanted the whole scene in words. */
+export interface ValidateAnswer {
+  readonly issues: readonly Issue[];
+  readonly metrics: Readonly<Record<string, unknown>>;
+  readonly report?: Lines | null;
+}
+
+/** What a room's walls are finished with on its side, and the colour. */
+export interface WallFinish {
+  readonly type: string;
+  readonly color: string;
+}
