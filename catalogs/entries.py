@@ -88,7 +88,9 @@ class KindSpec(Entry):
     """One kind of something that is drawn, has a size and may carry things.
 
     `size` is width, depth and height, m. `shape` is how it looks, where that is not the shape of its own name. `color` is its
-    colour, `variants` are others it may have.
+    colour, `variants` are others it may have. For simulators: `friction` on other things (0.3, 0.6 or 0.9), `moves` says whether it is
+    `free` to move or `fixed` (by default free where it is light, stands and does not hang), `labels` are semantic classes
+    besides its kind, name and category.
     """
 
     shape: Annotated[str, Names("shape", "a name of shapes/")] | None = None
@@ -96,3 +98,6 @@ class KindSpec(Entry):
     color: Colour
     variants: tuple[Colour, ...] = ()
     surfaces: tuple[Surface, ...] = ()
+    friction: Literal["low", "medium", "high"] = "medium"
+    moves: Literal["free", "fixed"] | None = None
+    labels: Words = ()

@@ -50,7 +50,8 @@ _SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, ShapeParts])
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
     "fingerprint": True, "shapes": True, "materials": True, "styles": {"__all__": {"materials"}},
-    "furniture": {"__all__": {"shape"}}, "decorations": {"__all__": {"shape"}},
+    "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
+    "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},
 }  # fmt: skip
 """What no home depends on: a seed makes the same home however its pieces are drawn, so its fingerprint stays too."""
 

@@ -28,7 +28,8 @@ from solver.errors import FieldError
 from solver.exchange import read, read_request, scene_schema, write, write_scene
 from solver.plain import Document
 from solver.requested import PieceRequest
-from solver.scene import MAX_SEED, body_ids, check_ids
+from solver.scene import MAX_SEED
+from solver.scene_bodies import body_ids, check_ids
 from solver.validator import floors, metrics
 from solver.view import report, view
 

@@ -12,7 +12,8 @@ from hashlib import sha256
 from typing import Any, Final
 
 from solver.pieces import Arrangement
-from solver.scene import Room, Scene, counted
+from solver.scene import Room, Scene
+from solver.scene_bodies import counted
 
 OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best"})
 """What is true of the placement that was made, and of no other."""

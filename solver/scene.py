@@ -12,14 +12,13 @@ Each field's type states what a reader accepts (solver/fields.py); reading and t
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, ClassVar, Final
 
 from annotated_types import Ge, Le, MinLen
 
 from solver.answers import OfferedRepair, Removal
-from solver.errors import SceneError
 from solver.fields import (
     MAX_WHOLE,
     OMITTED,
@@ -192,7 +191,8 @@ class Opening(Record):
 class Furniture(Record):
     """A piece of furniture: full unrotated extents, m; `width` is across its front, `depth` front to back.
 
-    `wall` is the wall it must stand at; `under` the table a chair is tucked under, `on` the piece it stands on (ids).
+    `wall` is the wall it must stand at; `under` the table a chair is tucked under, `on` the piece it stands on (ids). `kind` is the
+    catalogs' key of what it is; without it, of the kinds called `name` the one nearest in size.
     """
 
     id: Identity
@@ -210,12 +210,13 @@ class Furniture(Record):
     under: Text | None = None
     on: Text | None = None
     locked: Flag = False
+    kind: Text | None = field(default=None, metadata={OMITTED: True})
     extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
 class Decoration(Record):
-    """A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any."""
+    """A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any; `kind` as for furniture."""
 
     id: Identity
     name: Text
@@ -229,6 +230,7 @@ class Decoration(Record):
     depth: RequiredMetres = 0.0
     height: RequiredMetres = 0.0
     color: Text | None = None
+    kind: Text | None = field(default=None, metadata={OMITTED: True})
     extra: Mapping[str, object] = _extra()
 
 
@@ -365,36 +367,3 @@ def robot_width_of(scene: Scene) -> float:
     """Returns the side of the square that must be able to walk, m: the request's, or 0.6."""
     width = (scene.request or {}).get("robot_width")
     return float(width) if isinstance(width, int | float) and not isinstance(width, bool) and 0.1 <= width <= 2.0 else ROBOT_WIDTH
-
-
-def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
-    """Returns how many there are in a house of everything that is counted; a door that two rooms list is one."""
-    openings = {opening.id: opening.kind for room in rooms for opening in room.openings}
-    windows = sum(kind == "window" for kind in openings.values())
-    return {
-        "rooms": len(rooms),
-        "doors": len(openings) - windows,
-        "windows": windows,
-        "furniture": sum(len(room.furniture) for room in rooms),
-        "decorations": sum(len(room.decorations) for room in rooms),
-        "dynamic": len(people),
-    }
-
-
-def body_ids(scene: Scene) -> list[str]:
-    """Returns the ids of all bodies of a scene: furniture and decorations room by room, then people and pets."""
-    things = [[*(piece.id for piece in room.furniture), *(item.id for item in room.decorations)] for room in scene.rooms]
-    return [*(name for names in things for name in names), *(person.id for person in scene.dynamic)]
-
-
-def check_ids(field_name: str, wanted: Sequence[str], known: Sequence[str]) -> None:
-    """Refuses ids that a scene does not have.
-
-    Raises:
-        SceneError: names the entry and some ids that would do.
-    """
-    have = set(known)
-    for k, name in enumerate(wanted):
-        if name not in have:
-            shown = ", ".join(known[:12]) + (", ..." if len(known) > 12 else "")
-            raise SceneError(f"{field_name}[{k}]", f"nothing in the scene has the id {name!r}", f"one of {shown}")

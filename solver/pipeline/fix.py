@@ -27,22 +27,8 @@ from solver.repair import (
     seated_along,
     with_walls_told,
 )
-from solver.scene import (
-    WALLS,
-    Conflict,
-    Decoration,
-    Dynamic,
-    Fixed,
-    Furniture,
-    Issue,
-    Move,
-    Pose,
-    Room,
-    Scene,
-    body_ids,
-    check_ids,
-    robot_width_of,
-)
+from solver.scene import WALLS, Conflict, Decoration, Dynamic, Fixed, Furniture, Issue, Move, Pose, Room, Scene, robot_width_of
+from solver.scene_bodies import body_ids, check_ids
 from solver.validator import RULES, Checked, check
 
 MOST_ROOM_WORK = 300_000.0

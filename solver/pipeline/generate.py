@@ -20,6 +20,7 @@ from solver.furnish import space_of, unwanted_pieces, wanted_pieces, with_comfor
 from solver.furnished import furnished
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
+from solver.named_kinds import with_kinds
 from solver.people import Household, peopled
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.decorate import decorated
@@ -27,7 +28,8 @@ from solver.pipeline.reasons import with_lengths
 from solver.pipeline.staying import Staying, around, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place
-from solver.scene import MAX_SEED, ROBOT_WIDTH, Dynamic, Generated, Level, Request, Room, Scene, Size, check_ids, counted, robot_width_of
+from solver.scene import MAX_SEED, ROBOT_WIDTH, Dynamic, Generated, Level, Request, Room, Scene, Size, robot_width_of
+from solver.scene_bodies import check_ids, counted
 from solver.streams import Stream
 from solver.validator import RULES, validate
 from solver.version import VERSION
@@ -98,6 +100,7 @@ def generate(
     scene = decorated(scene, {room.id for room in scene.rooms}, known, seed)
     timing.lap("decorations")
     scene = _peopled(scene, scene.rooms, setting)
+    scene = with_kinds(scene, known)
     timing.lap("people")
     issues = validate(scene, known)
     timing.lap("validate")
@@ -290,7 +293,7 @@ def reroll(
     new = decorated(new, done, known, setting.seed)
     new = replace(new, rooms=tuple(with_things(room, stays[room.id]) if room.id in stays else room for room in new.rooms))
     timing.lap("decorations")
-    new = _peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic)
+    new = with_kinds(_peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic), known)
     timing.lap("people")
     issues = validate(new, known)
     if stays:

@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from catalogs import Catalogs
-from solver.scene import Scene, counted
+from solver.scene import Scene
+from solver.scene_bodies import counted
 from solver.validator.kinds import Kinds
 from solver.validator.lattice import PER_METRE, ExactBox
 from solver.validator.reaching import LEAST_FLOOR, missed_sides

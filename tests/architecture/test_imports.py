@@ -17,6 +17,9 @@ MAY_IMPORT = {
 }
 GROUND_FLOOR = {
     "scene",
+    "scene_bodies",
+    "named_kinds",
+    "body_parts",
     "answers",
     "fields",
     "plain",

@@ -1,0 +1,87 @@
+"""Which kind a body of a scene is: the one it names, else of those that scenes call like it the one nearest in size.
+
+Comes in: catalogs; a body's name and size. Goes out: the kind's key, and what the kind says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final, NamedTuple
+
+from catalogs.dressing import DecorationKind
+from catalogs.schema import Catalogs, FurnitureSpec
+from catalogs.shapes import Solid
+
+UPRIGHT: Final = "_upright"
+"""Ends the key of a thing that is tipped onto its lower edge and looks different so."""
+SEATED: Final = "_seated"
+"""Ends the name of the shape of somebody who sits."""
+
+
+class SizedKind(NamedTuple):
+    """A kind and the size it has there: width, depth and height, m."""
+
+    key: str
+    size: tuple[float, float, float]
+
+
+class KindBook:
+    """The kinds of catalogs, found by what scenes call them.
+
+    Args:
+        catalogs: what there is.
+    """
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        self._catalogs = catalogs
+        furniture = {key: kind.name or key for key, kind in catalogs.furniture.items()}
+        self._by_name = {
+            "furniture": self._index(catalogs.furniture, furniture),
+            "decoration": self._index(catalogs.decorations, {key: key for key in catalogs.decorations}),
+        }
+
+    def _index(
+        self, kinds: Mapping[str, FurnitureSpec] | Mapping[str, DecorationKind], names: Mapping[str, str]
+    ) -> dict[str, list[SizedKind]]:
+        index: dict[str, list[SizedKind]] = {}
+        for key, kind in kinds.items():
+            width, depth, height = kind.size
+            sized = index.setdefault(names[key], [])
+            sized.append(SizedKind(key, kind.size))
+            if key + UPRIGHT in self._catalogs.shapes:
+                sized.append(SizedKind(key + UPRIGHT, (width, height, depth)))
+        return index
+
+    def kind_of(self, sort: str, name: str, size: tuple[float, float, float], said: str | None = None) -> str | None:
+        """Returns the key of a body's kind, with `_upright` behind it where the thing is tipped; None where the catalogs know none.
+
+        Args:
+            sort: "furniture" or "decoration".
+            name: what the scene calls it.
+            size: its width, depth and height, m.
+            said: the kind that the scene names; it counts where scenes call that kind by this name.
+        """
+        sized = self._by_name[sort].get(name, ())
+        if any(one.key == said for one in sized):
+            return said
+        return min(sized, key=lambda one: _difference(one.size, size)).key if sized else None
+
+    def spec(self, sort: str, key: str) -> FurnitureSpec | DecorationKind:
+        """Returns what the catalogs say of a kind, by a key that `kind_of` returned."""
+        if sort == "furniture":
+            return self._catalogs.furniture[key]
+        return self._catalogs.decorations[key if key in self._catalogs.decorations else key.removesuffix(UPRIGHT)]
+
+    def solids(self, key: str | None) -> tuple[Solid, ...]:
+        """Returns the shape of a kind; nothing where there is none."""
+        return self._catalogs.shapes.get(key or "", ())
+
+    def living(self, kind: str, seated: bool) -> str | None:
+        """Returns the key of the shape of a person or a pet; None where there is none."""
+        key = kind + SEATED if seated else kind
+        return key if key in self._catalogs.shapes else None
+
+
+def _difference(one: tuple[float, float, float], other: tuple[float, float, float]) -> float:
+    """Returns how much two sizes differ: the sum over width, depth and height, m."""
+    return sum(abs(a - b) for a, b in zip(one, other, strict=True))

@@ -1,0 +1,11 @@
+"""Stage: a scene into the formats of simulators, editors and training: described once, written by a module a format.
+
+Comes in: a scene, catalogs, a format's name. Goes out: files by name. May import: the ground floor, catalogs. Not here: what is
+wrong with a scene (validator).
+"""
+
+from solver.exports.describing import describe
+from solver.exports.model import Freedom, HouseModel
+from solver.exports.writers import EXPORTERS, Exporter, ExportSettings, Files, packed, written_as
+
+__all__ = ["EXPORTERS", "ExportSettings", "Exporter", "Files", "Freedom", "HouseModel", "describe", "packed", "written_as"]

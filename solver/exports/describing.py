@@ -1,0 +1,75 @@
+"""A scene described for export: each body, wall, opening, leaf and floor once, in house coordinates.
+
+Comes in: a scene, catalogs. Goes out: a `HouseModel`. May import: the ground floor, catalogs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from catalogs import Catalogs
+from solver.exports.described_bodies import BodyMaker
+from solver.exports.door_leaves import leaves_of
+from solver.exports.model import FloorPlate, Freedom, HouseModel, Paint
+from solver.exports.paints import PLAIN_FLOOR, Paints
+from solver.exports.wall_lines import corners_of, on_lattice, openings_of, runs_of, signed_area
+from solver.exports.wall_panels import THINNEST, Storey, WallPlan, boxes_of, fittings_of, panels_of
+from solver.scene import Room, Scene
+
+
+def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings: Sequence[str] = ()) -> HouseModel:
+    """Describes a scene.
+
+    Args:
+        scene: any scene; what it leaves unsaid is described as it is drawn: floors at 0 m, walls of 2.8 m.
+        catalogs: what kinds of bodies look like and weigh.
+        free: what a simulator may move.
+        warnings: what is wrong with it, in words, to stand in the files.
+    """
+    storeys = {level.index: Storey(level.elevation, level.height) for level in scene.levels}
+    paints = Paints(catalogs, style_of(scene))
+    rooms = scene.rooms
+    plan = WallPlan(runs_of(rooms), openings_of(rooms), storeys, max(scene.wall_thickness, THINNEST), rooms)
+    panels = panels_of(plan)
+    maker = BodyMaker(catalogs, paints, {level: storey.elevation for level, storey in storeys.items()}, free)
+    bodies = tuple(maker.bodies(scene))
+    return HouseModel(
+        scene=scene,
+        name="house" if scene.seed is None else f"house_{scene.seed}",
+        bodies=bodies,
+        panels=tuple(panels),
+        walls=tuple(box for panel in panels for box in boxes_of(panel, rooms)),
+        fittings=tuple(fittings_of(plan)),
+        openings=tuple(plan.openings),
+        leaves=tuple(leaves_of(plan, paints)),
+        rooms=tuple(_floor(room, plan) for room in rooms),
+        thickness=plan.thickness,
+        shapes=maker.unit_shapes,
+        warnings=tuple(warnings),
+    )
+
+
+def style_of(scene: Scene) -> str | None:
+    """Returns the name of the style that a scene was furnished in; None where it does not say."""
+    said = scene.extra.get("style") or (scene.request or {}).get("style")
+    return said if isinstance(said, str) else None
+
+
+def _floor(room: Room, plan: WallPlan) -> FloorPlate:
+    """Returns a room's floor, its corners clockwise whichever way the room lists them."""
+    corners = corners_of(room)
+    area = signed_area(corners)
+    storey = plan.storey(room.level)
+    placed = tuple((on_lattice(room.x + x), on_lattice(room.z + z)) for x, z in corners)
+    flooring = room.flooring
+    return FloorPlate(
+        id=room.id,
+        type=room.type,
+        level=room.level,
+        outdoor=room.outdoor,
+        corners=placed if area >= 0 else (placed[0], *placed[:0:-1]),
+        elevation=storey.elevation,
+        ceiling=storey.elevation + storey.height,
+        paint=Paint(flooring.color, 0.9, texture=flooring.type) if flooring else PLAIN_FLOOR,
+        area=round(abs(area), 6),
+    )

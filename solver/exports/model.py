@@ -1,0 +1,221 @@
+"""The description of a house that every format is written from: what there is, where, how large, how heavy, in which colour.
+
+Comes in: nothing. Goes out: frozen types. May import: scene, body_parts. Not here: how a scene becomes one (describing).
+
+Frame: the scene's own, right-handed, x east, y up, z south, in house coordinates, m; turns in degrees about +y, counter-clockwise
+seen from above, 0 facing south (+z). Each format converts it once, in its module.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal, NamedTuple
+
+from solver.body_parts import BodyPart
+from solver.scene import Scene
+
+Sort = Literal["furniture", "decoration", "dynamic"]
+Freedom = Literal["none", "light", "standing"]
+"""What is free to move in a simulator: nothing, light things that stand, or all that stands."""
+Point = tuple[float, float, float]
+
+
+class Paint(NamedTuple):
+    """How a surface looks: its sRGB colour (#rrggbb) and shares from 0 to 1; `texture` names what whoever draws may draw on it."""
+
+    color: str
+    roughness: float = 0.8
+    metalness: float = 0.0
+    opacity: float = 1.0
+    glow: float = 0.0
+    texture: str | None = None
+
+
+class Cuboid(NamedTuple):
+    """An axis-aligned box in the house, m."""
+
+    x0: float
+    y0: float
+    z0: float
+    x1: float
+    y1: float
+    z1: float
+
+    @property
+    def middle(self) -> Point:
+        """Its centre, m."""
+        return (self.x0 + self.x1) / 2, (self.y0 + self.y1) / 2, (self.z0 + self.z1) / 2
+
+    @property
+    def size(self) -> Point:
+        """Its extents along x, y and z, m."""
+        return self.x1 - self.x0, self.y1 - self.y0, self.z1 - self.z0
+
+
+@dataclass(frozen=True)
+class ModelBody:
+    """A piece of furniture, a decoration, a person or a pet.
+
+    `x` and `z` are the middle of its footprint and `y` its underside in the house, m; `turn` in degrees; `mass` in kg; `friction` is a
+    coefficient. `kind` is the catalogs' key (None: they do not know it), `shape` the key under which bodies of one look share their
+    parts in `HouseModel.shapes`. `parent` is the id of what carries it. `hung`: it hangs on a wall; `fixed`: it never moves in a
+    simulator; `flat`: a rug or mat, which others stand through. `parts` and `paints` go together. `uses` are the points on the
+    floor (x, z, turn) from which it is used, facing it.
+    """
+
+    id: str
+    sort: Sort
+    name: str
+    kind: str | None
+    category: str
+    room: str | None
+    x: float
+    y: float
+    z: float
+    turn: float
+    width: float
+    depth: float
+    height: float
+    mass: float
+    friction: float
+    parent: str | None
+    hung: bool
+    fixed: bool
+    flat: bool
+    shape: str
+    parts: tuple[BodyPart, ...]
+    paints: tuple[Paint, ...]
+    labels: tuple[str, ...] = ()
+    uses: tuple[tuple[float, float, float], ...] = ()
+
+
+class PanelHole(NamedTuple):
+    """An opening in a wall panel: along the wall's line in the house, and above the panel's foot, m."""
+
+    opening: str
+    start: float
+    end: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class WallPanel:
+    """A straight wall along one axis: from `start` to `end` along it, its middle on `line`, holes cut out.
+
+    `open_start`, `open_end`: whether the end is free, not inside another wall. `seams` are where its finish may change.
+    """
+
+    axis: Literal["x", "z"]
+    line: float
+    start: float
+    end: float
+    thickness: float
+    elevation: float
+    height: float
+    level: int
+    holes: tuple[PanelHole, ...]
+    seams: tuple[float, ...]
+    open_start: bool
+    open_end: bool
+
+
+class WallBox(NamedTuple):
+    """A solid piece of a wall: between holes, under a sill, over a head; painted by the rooms that its two long faces look into.
+
+    `lesser` is the paint of the face towards smaller coordinates across the wall, `greater` of the other, `rest` of all else.
+    """
+
+    axis: Literal["x", "z"]
+    box: Cuboid
+    lesser: Paint
+    greater: Paint
+    rest: Paint
+
+
+class Fitting(NamedTuple):
+    """What is fitted to a wall: a frame, a threshold, a pane, a part of a railing."""
+
+    surface: Literal["railing", "frame", "threshold", "glass"]
+    box: Cuboid
+    paint: Paint
+
+
+@dataclass(frozen=True)
+class PlacedOpening:
+    """A door, garage door, passage or window on a wall line in the house, m; both rooms' entries are one.
+
+    `hinge` is the end that carries the leaf, `towards` the side of the line it swings to (1: greater coordinates). `rooms` are the
+    ids of the rooms towards greater and smaller coordinates (None: outside).
+    """
+
+    id: str
+    kind: str
+    level: int
+    axis: Literal["x", "z"]
+    line: float
+    start: float
+    end: float
+    sill: float
+    head: float
+    hinge: Literal["start", "end"]
+    towards: Literal[1, -1]
+    is_main_entrance: bool
+    rooms: tuple[str | None, str | None] = (None, None)
+
+
+@dataclass(frozen=True)
+class DoorLeaf:
+    """A leaf that turns about its hinge, or a panel that rolls up; closed.
+
+    `hinge` is the lower end of its turning axis, m; closed it points along `closed` (degrees about +y from +x), and opening adds `swing`
+    degrees. Its parts are in its own frame: the middle of its width at the origin, the hinge at -width / 2.
+    """
+
+    id: str
+    motion: Literal["swing", "roll"]
+    look: str
+    hinge: Point
+    width: float
+    height: float
+    thickness: float
+    closed: float
+    swing: float
+    mass: float
+    parts: tuple[BodyPart, ...]
+    paints: tuple[Paint, ...]
+
+
+@dataclass(frozen=True)
+class FloorPlate:
+    """A room: its floor's corners (x, z) in the house, clockwise from the north-west, seen from above, m."""
+
+    id: str
+    type: str
+    level: int
+    outdoor: bool
+    corners: tuple[tuple[float, float], ...]
+    elevation: float
+    ceiling: float
+    paint: Paint
+    area: float
+
+
+@dataclass(frozen=True)
+class HouseModel:
+    """A house, described for export. `warnings` say what is wrong with the scene; formats carry them inside."""
+
+    scene: Scene
+    name: str
+    bodies: tuple[ModelBody, ...]
+    panels: tuple[WallPanel, ...]
+    walls: tuple[WallBox, ...]
+    fittings: tuple[Fitting, ...]
+    openings: tuple[PlacedOpening, ...]
+    leaves: tuple[DoorLeaf, ...]
+    rooms: tuple[FloorPlate, ...]
+    thickness: float
+    shapes: Mapping[str, tuple[BodyPart, ...]] = field(default_factory=dict)
+    """The parts of each shape as shares of a body's box: width, height and depth 1, underside at 0."""
+    warnings: tuple[str, ...] = ()

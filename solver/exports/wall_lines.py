@@ -1,0 +1,190 @@
+"""Wall lines of a house: every room's edges, from them the stretches of wall and railing, each once, and the openings on them.
+
+Comes in: rooms. Goes out: `OutlineEdge`s, `WallRun`s, `PlacedOpening`s, m. May import: the ground floor, the model.
+A room's wall may be shared piece by piece with several rooms, so the walls are the union of all rooms' edges on a line;
+`wall_flags` only takes away what no room on either side wants drawn.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Literal, NamedTuple
+
+from solver.exports.model import PlacedOpening
+from solver.scene import Opening, Room
+
+PlanAxis = Literal["x", "z"]
+Line = tuple[int, PlanAxis, float]
+"""A level, an axis and the coordinate across it."""
+_NEGLIGIBLE = 1e-6
+_BEFORE = 0.2
+"""How far before a wall the room is looked for that an opening leads to, m."""
+
+
+class OutlineEdge(NamedTuple):
+    """One edge of a room's outline in the house, m; `inward` is 1 where the room lies towards greater coordinates."""
+
+    line: Line
+    start: float
+    end: float
+    inward: Literal[1, -1]
+    side: str
+    room: Room
+
+
+class WallRun(NamedTuple):
+    """A stretch of wall or railing on one line, m."""
+
+    line: Line
+    start: float
+    end: float
+    kind: Literal["wall", "railing"]
+
+
+def on_lattice(metres: float) -> float:
+    """Rounds to whole millimetres, which undoes what adding metres in binary does."""
+    return round(metres * 1000) / 1000
+
+
+def corners_of(room: Room) -> tuple[tuple[float, float], ...]:
+    """Returns a room's corners, room-relative, clockwise from the north-west as the room lists them."""
+    if room.outline and len(room.outline) >= 3:
+        return tuple((x, z) for x, z in room.outline)
+    return (0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth)
+
+
+def signed_area(corners: Sequence[tuple[float, float]]) -> float:
+    """Returns the area within corners, m2: negative where they go counter-clockwise seen from above."""
+    following = (*corners[1:], *corners[:1])
+    return sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in zip(corners, following, strict=True)) / 2
+
+
+def edges_of(room: Room) -> list[OutlineEdge]:
+    """Returns a room's edges in the order of its outline's points: north, east, south, west for a rectangle."""
+    corners = corners_of(room)
+    clockwise = signed_area(corners) >= 0
+    return [_edge(room, a, b, clockwise) for a, b in zip(corners, (*corners[1:], corners[0]), strict=True)]
+
+
+def _edge(room: Room, a: tuple[float, float], b: tuple[float, float], clockwise: bool) -> OutlineEdge:
+    along_x = abs(b[0] - a[0]) >= abs(b[1] - a[1])
+    forwards = (b[0] > a[0] if along_x else b[1] > a[1]) == clockwise
+    origin, across = (room.x, room.z + a[1]) if along_x else (room.z, room.x + a[0])
+    ends = (a[0], b[0]) if along_x else (a[1], b[1])
+    side = ("north" if forwards else "south") if along_x else ("east" if forwards else "west")
+    line: Line = (room.level, "x" if along_x else "z", on_lattice(across))
+    inward: Literal[1, -1] = 1 if side in ("north", "west") else -1
+    return OutlineEdge(line, on_lattice(origin + min(ends)), on_lattice(origin + max(ends)), inward, side, room)
+
+
+def runs_of(rooms: Sequence[Room]) -> list[WallRun]:
+    """Returns all stretches of wall and railing of a house, each once, longest possible."""
+    lines: dict[Line, list[OutlineEdge]] = defaultdict(list)
+    for room in rooms:
+        for edge in edges_of(room):
+            lines[edge.line].append(edge)
+    return [run for edges in lines.values() for run in _runs_on_line(edges)]
+
+
+def _runs_on_line(edges: Sequence[OutlineEdge]) -> list[WallRun]:
+    cuts = sorted({end for edge in edges for end in (edge.start, edge.end)})
+    runs: list[WallRun] = []
+    for start, end in pairwise(cuts):
+        covering = [edge for edge in edges if edge.start <= start and end <= edge.end]
+        kind = _kind(covering)
+        if kind is None:
+            continue
+        if runs and runs[-1].end == start and runs[-1].kind == kind:
+            runs[-1] = runs[-1]._replace(end=end)
+        else:
+            runs.append(WallRun(covering[0].line, start, end, kind))
+    return runs
+
+
+def _kind(covering: Sequence[OutlineEdge]) -> Literal["wall", "railing"] | None:
+    """Returns what stands on a stretch of a line, given the edges that cover it."""
+    if not any(edge.room.wall_flags is None or getattr(edge.room.wall_flags, edge.side) for edge in covering):
+        return None
+    is_shared = len({edge.inward for edge in covering}) == 2
+    return "railing" if not is_shared and all(edge.room.outdoor for edge in covering) else "wall"
+
+
+def openings_of(rooms: Sequence[Room]) -> list[PlacedOpening]:
+    """Returns every opening of a house once; of the entries under one id the one that draws the leaf, whose hinge and swing count."""
+    kept: dict[str, tuple[PlacedOpening, bool]] = {}
+    for room in rooms:
+        edges = edges_of(room)
+        for opening in room.openings:
+            spot = _spot(room, edges, opening)
+            if spot and (opening.id not in kept or (opening.render_panel and not kept[opening.id][1])):
+                kept[opening.id] = (_placed(*spot, opening), opening.render_panel)
+    return [_between(placed, rooms) for placed, _ in kept.values()]
+
+
+def _spot(room: Room, edges: Sequence[OutlineEdge], opening: Opening) -> tuple[OutlineEdge, float] | None:
+    """Returns the edge an opening lies on, and from where on its line positions are counted; None where the scene does not say."""
+    if opening.edge is not None:
+        return (edges[opening.edge], edges[opening.edge].start) if opening.edge < len(edges) else None
+    if not opening.wall:
+        return None
+    rectangle = next(edge for edge in edges_of(_as_rectangle(room)) if edge.side == opening.wall)
+    at = rectangle.start + opening.position
+    here = [e for e in edges if e.side == opening.wall and e.start <= at + _NEGLIGIBLE and at <= e.end + _NEGLIGIBLE]
+    outermost = min(here, key=lambda edge: abs(edge.line[2] - rectangle.line[2]), default=rectangle)
+    return outermost, rectangle.start
+
+
+def _as_rectangle(room: Room) -> Room:
+    return Room(room.id, x=room.x, z=room.z, width=room.width, depth=room.depth, level=room.level)
+
+
+def _placed(edge: OutlineEdge, start: float, opening: Opening) -> PlacedOpening:
+    centre, sill = start + opening.position, opening.sill if opening.kind == "window" else 0.0
+    outward: Literal[1, -1] = -1 if edge.inward == 1 else 1
+    return PlacedOpening(
+        id=opening.id,
+        kind=opening.kind,
+        level=edge.line[0],
+        axis=edge.line[1],
+        line=edge.line[2],
+        start=on_lattice(centre - opening.width / 2),
+        end=on_lattice(centre + opening.width / 2),
+        sill=sill,
+        head=sill + opening.height,
+        hinge="end" if opening.hinge == "end" else "start",
+        towards=outward if opening.swing == "out" else edge.inward,
+        is_main_entrance=opening.main_entrance,
+    )
+
+
+def _between(placed: PlacedOpening, rooms: Sequence[Room]) -> PlacedOpening:
+    """Returns an opening with the rooms on both of its sides."""
+    middle = (placed.start + placed.end) / 2
+    sides = []
+    for across in (placed.line + _BEFORE, placed.line - _BEFORE):
+        point = (middle, across) if placed.axis == "x" else (across, middle)
+        room = room_holding(rooms, placed.level, *point)
+        sides.append(room.id if room else None)
+    return PlacedOpening(**{**placed.__dict__, "rooms": (sides[0], sides[1])})
+
+
+def room_holding(rooms: Sequence[Room], level: int, x: float, z: float) -> Room | None:
+    """Returns the room of a level that holds a point of the plan, m."""
+    return next((room for room in rooms if room.level == level and _holds(room, x - room.x, z - room.z)), None)
+
+
+def _holds(room: Room, x: float, z: float) -> bool:
+    """Tells whether a point relative to a room's corner is within its outline."""
+    corners = corners_of(room)
+    xs, zs = [x for x, _ in corners], [z for _, z in corners]
+    if not (min(xs) <= x <= max(xs) and min(zs) <= z <= max(zs)):
+        return False
+    if not room.outline:
+        return True
+    inside = False
+    for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
+        if (z0 > z) != (z1 > z) and x < x0 + (z - z0) / (z1 - z0) * (x1 - x0):
+            inside = not inside
+    return inside

@@ -1,0 +1,251 @@
+"""Walls as panels with holes, as solid boxes round those holes, and what is fitted to them: frames, sills, panes, railings.
+
+Comes in: the wall lines of a house. Goes out: `WallPanel`s, `WallBox`es, `Fitting`s. May import: the ground floor, the model.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final, Literal, NamedTuple
+
+from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpening, WallBox, WallPanel
+from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
+from solver.exports.wall_lines import Line, PlanAxis, WallRun, corners_of, room_holding
+from solver.scene import Room
+
+RAILING_HEIGHT: Final = 0.6
+THINNEST: Final = 0.02
+"""Scenes that say no thickness have walls of none; a wall must still be seen."""
+RAILING_BAR: Final = 0.05
+POST_SPACING: Final = 1.2
+FRAME: Final = 0.04
+FRAME_PROUD: Final = 0.01
+THRESHOLD: Final = 0.008
+"""How high the board is that lies under a leaf, where two floors meet, m."""
+GLASS_THICKNESS: Final = 0.012
+SILL_BOARD: Final = 0.03
+_BEFORE: Final = 0.02
+"""How far before a face the room is that it belongs to, m."""
+Span = tuple[float, float]
+
+
+class Storey(NamedTuple):
+    """What a level's walls stand on and how high they are, m."""
+
+    elevation: float = 0.0
+    height: float = 2.8
+
+
+@dataclass(frozen=True)
+class WallPlan:
+    """What walls are made from."""
+
+    runs: Sequence[WallRun]
+    openings: Sequence[PlacedOpening]
+    storeys: Mapping[int, Storey]
+    thickness: float
+    rooms: Sequence[Room]
+
+    def storey(self, level: int) -> Storey:
+        """Returns a level's storey."""
+        return self.storeys.get(level, Storey())
+
+
+class _End(NamedTuple):
+    """How a run ends: how far beyond its line's end, and whether it runs into a wall there."""
+
+    reach: float
+    in_wall: bool
+
+
+class _Stretch(NamedTuple):
+    run: WallRun
+    along: Span
+    ends: tuple[_End, _End]
+    openings: list[PlacedOpening]
+    storey: Storey
+
+
+def _stretches(plan: WallPlan) -> list[_Stretch]:
+    lines: dict[Line, list[WallRun]] = defaultdict(list)
+    openings: dict[Line, list[PlacedOpening]] = defaultdict(list)
+    for run in plan.runs:
+        lines[run.line].append(run)
+    for opening in plan.openings:
+        openings[opening.level, opening.axis, opening.line].append(opening)
+    made = []
+    for run in plan.runs:
+        ends = _end(run, run.start, lines, plan.thickness / 2), _end(run, run.end, lines, plan.thickness / 2)
+        here = [opening for opening in openings[run.line] if opening.end > run.start and opening.start < run.end]
+        along = run.start - ends[0].reach, run.end + ends[1].reach
+        made.append(_Stretch(run, along, ends, here, plan.storey(run.line[0])))
+    return made
+
+
+def _end(run: WallRun, end: float, lines: Mapping[Line, Sequence[WallRun]], half: float) -> _End:
+    """Says how a run ends.
+
+    Walls end at the line of the wall they meet, inside it; at a corner the one along x fills the square. Railings stop at
+    the wall's face.
+    """
+    level, axis, line = run.line
+    crossing: Line = (level, "z" if axis == "x" else "x", end)
+    walls = [other for other in lines.get(crossing, ()) if other.kind == "wall" and other.start <= line <= other.end]
+    if not walls:
+        return _End(0.0, False)
+    if run.kind == "railing":
+        return _End(-half, True)
+    goes_on = len(walls) > 1 or any(other.start < line < other.end for other in walls)
+    return _End(half, False) if axis == "x" and not goes_on else _End(0.0, True)
+
+
+def panels_of(plan: WallPlan) -> list[WallPanel]:
+    """Returns the walls of a house, without its railings."""
+    corners = _finish_corners(plan.rooms)
+    return [_panel(stretch, plan.thickness, corners) for stretch in _stretches(plan) if stretch.run.kind == "wall"]
+
+
+def _panel(stretch: _Stretch, thickness: float, corners: Mapping[PlanAxis, Sequence[float]]) -> WallPanel:
+    level, axis, line = stretch.run.line
+    start, end = stretch.along
+    return WallPanel(
+        axis=axis,
+        line=line,
+        start=start,
+        end=end,
+        thickness=thickness,
+        elevation=stretch.storey.elevation,
+        height=stretch.storey.height,
+        level=level,
+        holes=tuple(PanelHole(one.id, one.start, one.end, one.sill, one.head) for one in stretch.openings),
+        seams=tuple(at for at in corners[axis] if start < at < end),
+        open_start=not stretch.ends[0].in_wall,
+        open_end=not stretch.ends[1].in_wall,
+    )
+
+
+def _finish_corners(rooms: Sequence[Room]) -> dict[PlanAxis, list[float]]:
+    """Returns where rooms with a finish end along x and along z, each place once, m."""
+    corners = [(room.x + x, room.z + z) for room in rooms if room.walls for x, z in corners_of(room)]
+    return {"x": list(dict.fromkeys(x for x, _ in corners)), "z": list(dict.fromkeys(z for _, z in corners))}
+
+
+def boxes_of(panel: WallPanel, rooms: Sequence[Room]) -> Iterator[WallBox]:
+    """Yields a panel's solid boxes: whole columns between holes, what is under sills and over heads; cut where its finish changes."""
+    stops = {panel.start, panel.end, *panel.seams}
+    stops |= {end for hole in panel.holes for end in (hole.start, hole.end) if panel.start < end < panel.end}
+    ordered = sorted(stops)
+    for start, end in pairwise(ordered):
+        middle = (start + end) / 2
+        holes = sorted((hole.low, hole.high) for hole in panel.holes if hole.start < middle < hole.end)
+        for low, high in between(0.0, panel.height, holes):
+            yield _wall_box(panel, (start, end), (low, high), rooms)
+
+
+def _wall_box(panel: WallPanel, along: Span, up: Span, rooms: Sequence[Room]) -> WallBox:
+    half, middle = panel.thickness / 2, (along[0] + along[1]) / 2
+    paints: list[Paint] = []
+    for across in (panel.line - half - _BEFORE, panel.line + half + _BEFORE):
+        room = room_holding(rooms, panel.level, *((middle, across) if panel.axis == "x" else (across, middle)))
+        finish = room.walls if room else None
+        paints.append(Paint(finish.color, WALL_ROUGHNESS.get(finish.type, 0.95), texture=finish.type) if finish else PLAIN_WALL)
+    box = box_on_line(panel.axis, along, (panel.line - half, panel.line + half), shifted(up, panel.elevation))
+    return WallBox(panel.axis, box, paints[0], paints[1], REVEAL)
+
+
+def fittings_of(plan: WallPlan) -> list[Fitting]:
+    """Returns what is fitted to a house's walls, and its railings."""
+    made: list[Fitting] = []
+    for stretch in _stretches(plan):
+        if stretch.run.kind == "railing":
+            made += _railing(stretch)
+        else:
+            made += [part for opening in stretch.openings for part in _fitted(opening, plan.thickness, stretch.storey.elevation)]
+    return made
+
+
+def _fitted(opening: PlacedOpening, thickness: float, elevation: float) -> list[Fitting]:
+    if opening.kind == "passage":
+        return []
+    return (_window if opening.kind == "window" else _door_frame)(opening, thickness, elevation)
+
+
+def _window(opening: PlacedOpening, thickness: float, elevation: float) -> list[Fitting]:
+    line, start, end, sill, head = opening.line, opening.start, opening.end, opening.sill, opening.head
+    frame, middle = around(line, min(thickness, 0.06)), (start + end) / 2
+
+    def bar(along: Span, up: Span, across: Span = frame, surface: Literal["frame", "glass"] = "frame") -> Fitting:
+        return fitting(surface, box_on_line(opening.axis, along, across, shifted(up, elevation)))
+
+    mullion = [bar(around(middle, FRAME), (sill, head))] if end - start > 0.9 else []
+    return [
+        bar((start - 0.02, end + 0.02), (sill, sill + SILL_BOARD), around(line, thickness + 0.06)),
+        bar((start, start + FRAME), (sill, head)),
+        bar((end - FRAME, end), (sill, head)),
+        bar((start, end), (head - FRAME, head)),
+        *mullion,
+        bar((start, end), (sill + SILL_BOARD, head - FRAME), around(line, GLASS_THICKNESS), "glass"),
+    ]
+
+
+def _door_frame(opening: PlacedOpening, thickness: float, elevation: float) -> list[Fitting]:
+    start, end, head = opening.start, opening.end, opening.head
+    across = around(opening.line, thickness + 2 * FRAME_PROUD)
+
+    def bar(along: Span, up: Span) -> Fitting:
+        return fitting("frame", box_on_line(opening.axis, along, across, shifted(up, elevation)))
+
+    board = box_on_line(opening.axis, (start + FRAME, end - FRAME), around(opening.line, thickness), shifted((-0.01, THRESHOLD), elevation))
+    return [
+        bar((start, start + FRAME), (0.0, head)),
+        bar((end - FRAME, end), (0.0, head)),
+        bar((start, end), (head, head + FRAME)),
+        fitting("threshold", board),
+    ]
+
+
+def _railing(stretch: _Stretch) -> Iterator[Fitting]:
+    run, elevation = stretch.run, stretch.storey.elevation
+    axis, across = run.line[1], around(run.line[2], RAILING_BAR)
+    for start, end in between(*stretch.along, sorted((one.start, one.end) for one in stretch.openings)):
+        bays = max(1, int((end - start) / POST_SPACING + 0.5))
+        step = (end - start - RAILING_BAR) / bays
+        posts = [(start + i * step, start + i * step + RAILING_BAR) for i in range(bays + 1)]
+        bars = [(post, (0.0, RAILING_HEIGHT - RAILING_BAR)) for post in posts]
+        bars += [((start, end), (low, low + RAILING_BAR)) for low in (RAILING_HEIGHT - RAILING_BAR, RAILING_HEIGHT / 2 - RAILING_BAR)]
+        yield from (fitting("railing", box_on_line(axis, along, across, shifted(up, elevation))) for along, up in bars)
+
+
+def fitting(surface: Literal["railing", "frame", "threshold", "glass"], box: Cuboid) -> Fitting:
+    """Returns a fitting in the paint of its surface."""
+    return Fitting(surface, box, SURFACES[surface])
+
+
+def around(centre: float, thickness: float) -> Span:
+    """Returns an interval of that length around a middle."""
+    return centre - thickness / 2, centre + thickness / 2
+
+
+def shifted(up: Span, elevation: float) -> Span:
+    """Returns an interval moved up."""
+    return up[0] + elevation, up[1] + elevation
+
+
+def between(start: float, end: float, gaps: Iterable[Span]) -> Iterator[Span]:
+    """Yields the stretches of an interval that no gap covers; gaps in order."""
+    reached = start
+    for low, high in gaps:
+        if low > reached:
+            yield reached, min(low, end)
+        reached = max(reached, high)
+    if reached < end:
+        yield reached, end
+
+
+def box_on_line(axis: PlanAxis, along: Span, across: Span, up: Span) -> Cuboid:
+    """Returns a box that stands on a line of the plan."""
+    x, z = (along, across) if axis == "x" else (across, along)
+    return Cuboid(x[0], up[0], z[0], x[1], up[1], z[1])

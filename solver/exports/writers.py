@@ -1,0 +1,71 @@
+"""Every format that a house can be exported to, by name, and how its files travel as one.
+
+Comes in: a `HouseModel`, a format's name. Goes out: files by name. May import: the model, the errors.
+"""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from dataclasses import dataclass
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Final, NamedTuple
+
+from solver.errors import RequestError
+from solver.exports.model import HouseModel
+
+Files = dict[str, bytes]
+"""Contents by file name; folders with slashes."""
+_EPOCH: Final = (1980, 1, 1, 0, 0, 0)
+"""When all files of an archive were changed: its bytes must not depend on the day."""
+
+
+@dataclass(frozen=True)
+class ExportSettings:
+    """How to write: the format's name."""
+
+    format: str
+
+
+class Exporter(NamedTuple):
+    """A format: what it is for, the module that writes it, its files' media type; which extra of compose-homes brings its library."""
+
+    words: str
+    module: str
+    media_type: str
+    needs: tuple[str, str] | None = None
+
+
+EXPORTERS: Final[dict[str, Exporter]] = {
+    "csv": Exporter("pieces, decorations and people as a table", "pieces_csv", "text/csv"),
+}
+"""The formats by name; `needs` is (module, extra)."""
+
+
+def written_as(model: HouseModel, settings: ExportSettings) -> Files:
+    """Writes a house in a format.
+
+    Raises:
+        RequestError: there is no such format, or a library that it needs is not installed; says how to install it.
+    """
+    exporter = EXPORTERS.get(settings.format)
+    if exporter is None:
+        raise RequestError("format", f"unknown format {settings.format!r:.60}", ", ".join(EXPORTERS))
+    if exporter.needs and find_spec(exporter.needs[0]) is None:
+        problem = f"{settings.format} needs {exporter.needs[0]}, which is not installed"
+        raise RequestError("format", problem, f"another format; or pip install 'compose-homes[{exporter.needs[1]}]'")
+    files: Files = import_module(f"solver.exports.formats.{exporter.module}").write(model, settings)
+    return files
+
+
+def packed(files: Files, name: str, media_type: str) -> tuple[str, str, bytes]:
+    """Returns what travels as one file: (its name, media type, content); several files as a ZIP archive of equal bytes."""
+    if len(files) == 1:
+        ((only, content),) = files.items()
+        return only, media_type, content
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as zipped:
+        for path, content in files.items():
+            zipped.writestr(zipfile.ZipInfo(path, _EPOCH), content, zipfile.ZIP_DEFLATED, 6)
+    return f"{name}.zip", "application/zip", archive.getvalue()
