@@ -40,6 +40,7 @@ from solver.version import VERSION as __version__
 
 if TYPE_CHECKING:
     from compose_homes.named_later import (
+        EXPORT_FORMATS,
         Answered,
         CatalogError,
         Catalogs,
@@ -48,6 +49,7 @@ if TYPE_CHECKING:
         Placement,
         RelationSpec,
         Unplaced,
+        export,
         fix,
         generate,
         load_catalogs,
@@ -62,6 +64,7 @@ else:
 
 
 __all__ = [
+    "EXPORT_FORMATS",
     "Answered",
     "CatalogError",
     "Catalogs",
@@ -95,6 +98,7 @@ __all__ = [
     "WallFinish",
     "__version__",
     "dump",
+    "export",
     "fix",
     "generate",
     "load",

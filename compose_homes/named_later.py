@@ -2,10 +2,15 @@
 
 from catalogs import CatalogError, Catalogs, load_catalogs
 from catalogs.schema import RelationSpec
-from solver.pipeline import fix, generate, place, reroll, validate
+from solver.export_formats import EXPORTERS
+from solver.pipeline import export, fix, generate, place, reroll, validate
 from solver.requested import Answered, Held, PieceRequest, Placement, Unplaced
 
+EXPORT_FORMATS = {name: exporter.words for name, exporter in EXPORTERS.items()}
+"""What `export` writes: what each format is for, by its name."""
+
 __all__ = [
+    "EXPORT_FORMATS",
     "Answered",
     "CatalogError",
     "Catalogs",
@@ -14,6 +19,7 @@ __all__ = [
     "Placement",
     "RelationSpec",
     "Unplaced",
+    "export",
     "fix",
     "generate",
     "load_catalogs",

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
-from typing import Any, Final, Literal
+from typing import Annotated, Any, Final
 
-from fastapi import FastAPI, Request
+from fastapi import FastAPI, Path, Request
 from fastapi.routing import APIRoute, APIRouter
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
@@ -20,10 +20,10 @@ from service import calls, contract, page, problems
 from service.docs import docs
 from service.guard import Guard
 from service.openapi import completed, refusals
+from service.refusals import NoSuchFormat
 from service.wire import body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, do_alone, packed, warm
 from service.workers import Workers
-from solver.exchange import FORMATS
 from solver.scene import Fixed, Generated, Scene
 from solver.scene import Request as HouseRequest
 from solver.version import VERSION
@@ -39,8 +39,8 @@ class WorkerRoute(APIRoute):
 
         async def answer(request: Request) -> Response:
             format = request.path_params.get("format")
-            if format not in (None, *FORMATS):
-                raise HTTPException(404)
+            if format not in (None, *calls.EXPORT_FORMATS):
+                raise NoSuchFormat("format", f"unknown format {format!r:.60}", ", ".join(calls.EXPORT_FORMATS))
             app: ComposeApp = request.app
             job = Job(self.name, await body_of(request), format_sent(request), format or format_wanted(request), app.packed_catalogs)
             done = await app.workers.run(do_alone, job)
@@ -64,6 +64,8 @@ class PlainRoute(APIRoute):
 
         return answer
 
+
+ExportFormat = Annotated[str, Path(json_schema_extra={"enum": list(calls.EXPORT_FORMATS)})]
 
 posts = APIRouter(route_class=WorkerRoute, responses=refusals(400, 405, 408, 413, 415, 422, 500, 503))
 gets = APIRouter(route_class=PlainRoute, responses=refusals(405, 500))
@@ -100,8 +102,8 @@ def floor(body: contract.FloorBody) -> contract.FloorAnswer:  # type: ignore[emp
 
 
 @posts.post("/export/{format}", responses=refusals(404))
-def export(format: Literal["json", "yaml"], body: contract.ExportBody | contract.SceneByItself) -> Scene:  # type: ignore[empty-body]
-    """Writes a scene as a file, JSON or YAML; also reads one that is."""
+def export(format: ExportFormat, body: contract.ExportBody | contract.SceneByItself) -> Scene:  # type: ignore[empty-body]
+    """Writes a scene as a file: JSON or YAML (and reads one that is), or what a simulator, an editor or a training set reads."""
 
 
 @gets.get("/catalog")

@@ -6,7 +6,7 @@ import secrets
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from time import perf_counter
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias, cast
 
 from catalogs import Catalogs
 from service.contract import (
@@ -23,9 +23,12 @@ from service.contract import (
     ValidateBody,
     ViewBody,
 )
-from solver import fix, generate, place, reroll, validate
+from solver import export, fix, generate, place, reroll, validate
 from solver.errors import FieldError
-from solver.exchange import read, read_request, scene_schema, write, write_scene
+from solver.exchange import FORMATS, read, read_request, scene_schema, write, write_scene
+from solver.export_formats import EXPORTERS, Freedom
+from solver.exports import Files, packed
+from solver.named_kinds import with_kinds
 from solver.plain import Document
 from solver.requested import PieceRequest
 from solver.scene import MAX_SEED
@@ -159,18 +162,56 @@ def floor_of(document: object, _: Catalogs | None = None) -> Document:
     return write(FloorAnswer(tuple(floors(body.scene, body.rooms))))
 
 
-def export_scene(document: object, _: Catalogs | None = None) -> Document:
-    """Returns a scene as a document of its own, every default written out: what a file of it holds.
+def export_scene(document: object, catalogs: Catalogs) -> Document:
+    """Returns a scene as a document of its own, every default and every body's kind written out: what a file of it holds.
 
     Args:
         document: an `ExportBody`; or a scene by itself, as such a file holds it.
+        catalogs: the kinds.
 
     Raises:
         FieldError: a field is wrong.
     """
+    return write_scene(with_kinds(_sent(document).scene, catalogs))
+
+
+class ExportedFile(NamedTuple):
+    """What an export travels as: its name, its media type, its content."""
+
+    name: str
+    media_type: str
+    content: bytes
+
+
+def export_files(document: object, catalogs: Catalogs, format: str) -> Files:
+    """Returns the files of a scene in the format of a simulator, an editor or a training set.
+
+    Args:
+        document: an `ExportBody`; or a scene by itself.
+        catalogs: what kinds of bodies look like and weigh.
+        format: one of EXPORTERS.
+
+    Raises:
+        FieldError: a field is wrong, or the format's library is not installed.
+    """
+    body = _sent(document)
+    return export(body.scene, format, free=cast(Freedom, body.free), strict=body.strict, catalogs=catalogs)
+
+
+def export_one(document: object, catalogs: Catalogs, format: str) -> ExportedFile:
+    """Returns an export as one file, an archive where there are several.
+
+    Raises:
+        FieldError: as `export_files`.
+    """
+    return ExportedFile(*packed(export_files(document, catalogs, format), format, EXPORTERS[format].media_type))
+
+
+def _sent(document: object) -> ExportBody:
+    """Reads a body of /export."""
     if isinstance(document, Mapping) and "scene" not in document and "rooms" in document:
         document = {"scene": document}
-    return write_scene(read(ExportBody, document).scene)
+    return read(ExportBody, document)
 
 
 def catalog_document(catalogs: Catalogs) -> Document:
@@ -194,6 +235,10 @@ QUESTIONS: Final[Mapping[str, Callable[[Catalogs], Document]]] = {
     "catalog": catalog_document, "schema": schema_document, "healthz": lambda _: write(Health()),
 }  # fmt: skip
 """Those that take none."""
+
+
+EXPORT_FORMATS: Final = (*FORMATS, *EXPORTERS)
+"""What /export writes."""
 
 
 def draw_seed() -> int:

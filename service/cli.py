@@ -8,6 +8,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Final, TypeAlias
 
+from solver.export_formats import EXPORTERS, FREEDOMS
+
 Commands: TypeAlias = "_SubParsersAction[ArgumentParser]"
 
 THREADED: Final = ("OMP", "OPENBLAS", "MKL", "NUMEXPR")
@@ -56,7 +58,12 @@ def _command(commands: Commands, name: str, words: str) -> ArgumentParser:
 
 def _add_output(command: ArgumentParser, what: str, formats: tuple[str, ...] = ("yaml", "json")) -> None:
     command.add_argument("-o", "--output", metavar="FILE", default="-", help=f"where to write {what} (standard output)")
-    command.add_argument("--format", choices=formats, help=f"of what is written (by the output's name, else {formats[0]})")
+    command.add_argument(
+        "-f",
+        "--format",
+        choices=formats,
+        help=f"of what is written (by the output's name, else {formats[0]})",
+    )
 
 
 def _add_catalog(command: ArgumentParser) -> None:
@@ -133,9 +140,13 @@ def _add_readers(commands: Commands) -> None:
     view = _command(commands, "view", "Write a scene for a person to read.")
     _add_scene(view)
     view.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write the text (standard output)")
-    export = _command(commands, "export", "Write a scene as a file of its own, every default written out.")
+    export = _command(commands, "export", "Write a scene for a simulator, an editor or a training set; or as a scene, all written out.")
     _add_scene(export)
-    _add_output(export, "the scene")
+    formats = ("yaml", "json", *EXPORTERS)
+    _add_output(export, "the scene; a folder where a format has files", formats)
+    export.add_argument("--free", choices=FREEDOMS, default="light", help="what a simulator may move (light things that stand)")
+    export.add_argument("--strict", action="store_true", help="refuse a scene with errors; else the files say them")
+    _add_catalog(export)
 
 
 def _add_serve(commands: Commands) -> None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from solver.errors import ComposeError, FieldError, SyntaxFault
 from solver.exchange import dump_text, format_of_content, format_of_name, load_text, read_request, scene_schema
+from solver.export_formats import EXPORTERS
 from solver.plain import Document
 from solver.scene import MAX_SEED, Request
 
@@ -142,8 +143,41 @@ def _view(options: Namespace) -> int:
 
 
 def _export(options: Namespace) -> int:
-    _write(_answer(options), options)
+    from service.calls import export_files
+
+    format = options.format or _exporter_of(options.output) or "yaml"
+    if format not in EXPORTERS:
+        _write(_answer(options), options)
+        return CLEAN
+    body = {"scene": _scene(options), "free": options.free, "strict": options.strict}
+    files = _checked(options.scene, lambda: export_files(body, _catalogs(options), format))
+    _put_files(files, options.output)
     return CLEAN
+
+
+def _exporter_of(name: str) -> str | None:
+    """Returns the format that a file's name ends with, if there is one."""
+    ending = Path(name).suffix.removeprefix(".").lower()
+    return ending if ending in EXPORTERS else None
+
+
+def _put_files(files: Mapping[str, bytes], name: str) -> None:
+    """Writes files into a folder; one alone also under a name of its own, or to standard output.
+
+    Raises:
+        FieldError: there are several files, and no folder for them.
+    """
+    content = next(iter(files.values()))
+    if name == STREAM or Path(name).is_file() or (Path(name).suffix and not Path(name).is_dir()):
+        if len(files) > 1:
+            raise FieldError("--output", f"{name} holds one file; there are {len(files)}", "a folder")
+        _put(content, name)
+        return
+    for path, content in files.items():
+        target = Path(name, path)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(content)
+    _say(f"wrote {', '.join(str(Path(name, path)) for path in list(files)[:6])}{', ...' if len(files) > 6 else ''}")
 
 
 def _catalog(options: Namespace) -> int:

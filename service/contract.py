@@ -10,6 +10,7 @@ from annotated_types import Ge, Le, MaxLen, MinLen
 
 from solver.answers import ON_CONFLICT
 from solver.exchange import SentRoom, SentScene
+from solver.export_formats import FREEDOMS
 from solver.fields import OMITTED, WHOLE, Flag, Free, Like, OneOf, Record, Says, Text, Whole
 from solver.requested import MOST_ALTERNATIVES, MOST_PIECES, Held, PieceRequest, Placement, Unplaced
 from solver.scene import ROBOT_WIDTH, Conflict, Issue, Pose, RobotWidth, Scene, Seed, WallThickness
@@ -82,9 +83,14 @@ class FloorBody(Record):
 
 @dataclass(frozen=True)
 class ExportBody(Record):
-    """A scene, or an answer that holds one; of that nothing else is read."""
+    """A scene, or an answer that holds one; of that nothing else is read.
+
+    In the formats of simulators `free` says what may move there; `strict` refuses a scene with errors.
+    """
 
     scene: SentScene
+    free: Annotated[str, OneOf(*FREEDOMS)] = "light"
+    strict: Flag = False
     issues: Any = None
     timing_ms: Any = None
     moves: Any = None

@@ -12,6 +12,7 @@ from service.contract import ProblemDocument
 from service.problems import MEDIA_TYPE, STATUS
 from service.wire import MEDIA_TYPES
 from solver.exchange import load_text
+from solver.export_formats import EXPORTERS
 
 REFERENCES: Final = "#/components/schemas/"
 EXAMPLES: Final = Path(__file__).parent / "examples.yaml"
@@ -36,6 +37,7 @@ def completed(document: dict[str, Any], catalogs: Catalogs) -> dict[str, Any]:
     for path, verbs in document["paths"].items():
         for call in verbs.values():
             _complete(call, examples().get(path, {}))
+    _export_answers(document["paths"]["/export/{format}"]["post"]["responses"]["200"]["content"])
     _name_words(document["components"]["schemas"]["Request"]["properties"], catalogs)
     return document
 
@@ -52,6 +54,13 @@ def _complete(call: dict[str, Any], example: dict[str, Any]) -> None:
             answer["content"] = {media_type: {**media, "example": example["answer"]} for media_type in MEDIA_TYPES}
         else:
             answer["content"] = {MEDIA_TYPE: media}
+
+
+def _export_answers(content: dict[str, Any]) -> None:
+    """Adds the files that /export answers with beside documents."""
+    for exporter in EXPORTERS.values():
+        content.setdefault(exporter.media_type, {"schema": {"type": "string", "format": "binary"}})
+    content.setdefault("application/zip", {"schema": {"type": "string", "format": "binary"}})
 
 
 def _name_words(request: dict[str, Any], catalogs: Catalogs) -> None:

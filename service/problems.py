@@ -11,12 +11,13 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.refusals import Busy, TooLarge, TooMuch, TooSlow, WrongMediaType
+from service.refusals import Busy, NoSuchFormat, TooLarge, TooMuch, TooSlow, WrongMediaType
 from solver.errors import ComposeError, FieldError, SyntaxFault
 
 MEDIA_TYPE: Final = "application/problem+json"
 
 STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
+    NoSuchFormat: (404, "There is no such format"),
     SyntaxFault: (400, "The body cannot be read"),
     TooSlow: (408, "The body did not arrive"),
     TooLarge: (413, "The body is too large"),

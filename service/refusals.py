@@ -27,3 +27,7 @@ class TooMuch(FieldError):
 
 class Busy(FieldError):
     """More calls than may wait."""
+
+
+class NoSuchFormat(FieldError):
+    """An export in a format that there is not."""

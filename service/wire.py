@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import asyncio
 from typing import Final
+from urllib.parse import quote
 
 from starlette.requests import Request
 from starlette.responses import Response
 
+from service.calls import ExportedFile
 from service.refusals import TooLarge, TooSlow, WrongMediaType
 from solver.exchange import FORMATS, dump_text
 from solver.plain import Document
@@ -108,3 +110,9 @@ def _too_large() -> TooLarge:
 def written(document: Document, format: str) -> Response:
     """Writes a document as a response in that format."""
     return Response(dump_text(document, format), media_type=FORMATS[format].media_type, headers={"Vary": "Accept"})
+
+
+def attached(file: ExportedFile) -> Response:
+    """Writes a file as a response that browsers save under its name."""
+    name = quote(file.name, safe="")
+    return Response(file.content, media_type=file.media_type, headers={"Content-Disposition": f"attachment; filename*=UTF-8''{name}"})

@@ -5,7 +5,7 @@ wrong with a scene (validator).
 """
 
 from solver.exports.describing import describe
-from solver.exports.model import Freedom, HouseModel
-from solver.exports.writers import EXPORTERS, Exporter, ExportSettings, Files, packed, written_as
+from solver.exports.model import HouseModel
+from solver.exports.writers import ExportSettings, Files, packed, written_as
 
-__all__ = ["EXPORTERS", "ExportSettings", "Exporter", "Files", "Freedom", "HouseModel", "describe", "packed", "written_as"]
+__all__ = ["ExportSettings", "Files", "HouseModel", "describe", "packed", "written_as"]

@@ -15,7 +15,8 @@ from catalogs.entries import Side
 from catalogs.kind_book import KindBook
 from catalogs.schema import FurnitureSpec
 from solver.body_parts import BodyPart, parts_of
-from solver.exports.model import Freedom, ModelBody, Paint, Sort
+from solver.export_formats import Freedom
+from solver.exports.model import ModelBody, Paint, Sort
 from solver.exports.paints import UNSAID, Paints
 from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from catalogs import Catalogs
+from solver.export_formats import Freedom
 from solver.exports.described_bodies import BodyMaker
 from solver.exports.door_leaves import leaves_of
-from solver.exports.model import FloorPlate, Freedom, HouseModel, Paint
+from solver.exports.model import FloorPlate, HouseModel, Paint
 from solver.exports.paints import PLAIN_FLOOR, Paints
 from solver.exports.wall_lines import corners_of, on_lattice, openings_of, runs_of, signed_area
 from solver.exports.wall_panels import THINNEST, Storey, WallPlan, boxes_of, fittings_of, panels_of

@@ -16,8 +16,6 @@ from solver.body_parts import BodyPart
 from solver.scene import Scene
 
 Sort = Literal["furniture", "decoration", "dynamic"]
-Freedom = Literal["none", "light", "standing"]
-"""What is free to move in a simulator: nothing, light things that stand, or all that stands."""
 Point = tuple[float, float, float]
 
 

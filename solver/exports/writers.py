@@ -1,4 +1,4 @@
-"""Every format that a house can be exported to, by name, and how its files travel as one.
+"""A house written in a format, and how its files travel as one.
 
 Comes in: a `HouseModel`, a format's name. Goes out: files by name. May import: the model, the errors.
 """
@@ -10,9 +10,10 @@ import zipfile
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
-from typing import Final, NamedTuple
+from typing import Final
 
 from solver.errors import RequestError
+from solver.export_formats import EXPORTERS
 from solver.exports.model import HouseModel
 
 Files = dict[str, bytes]
@@ -26,21 +27,6 @@ class ExportSettings:
     """How to write: the format's name."""
 
     format: str
-
-
-class Exporter(NamedTuple):
-    """A format: what it is for, the module that writes it, its files' media type; which extra of compose-homes brings its library."""
-
-    words: str
-    module: str
-    media_type: str
-    needs: tuple[str, str] | None = None
-
-
-EXPORTERS: Final[dict[str, Exporter]] = {
-    "csv": Exporter("pieces, decorations and people as a table", "pieces_csv", "text/csv"),
-}
-"""The formats by name; `needs` is (module, extra)."""
 
 
 def written_as(model: HouseModel, settings: ExportSettings) -> Files:

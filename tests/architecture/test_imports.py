@@ -19,6 +19,7 @@ GROUND_FLOOR = {
     "scene",
     "scene_bodies",
     "named_kinds",
+    "export_formats",
     "body_parts",
     "answers",
     "fields",

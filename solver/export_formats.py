@@ -1,0 +1,27 @@
+"""Every format that a house can be exported to, by name. Imports nothing: the command line names them before anything is loaded.
+
+Comes in: nothing. Goes out: `EXPORTERS`. May import: nothing of ours. Not here: how they are written (exports).
+"""
+
+from __future__ import annotations
+
+from typing import Final, Literal, NamedTuple, get_args
+
+Freedom = Literal["none", "light", "standing"]
+"""What is free to move in a simulator: nothing, light things that stand, or all that stands."""
+FREEDOMS: Final = get_args(Freedom)
+
+
+class Exporter(NamedTuple):
+    """A format: what it is for, the module that writes it, its files' media type; which extra of compose-homes brings its library."""
+
+    words: str
+    module: str
+    media_type: str
+    needs: tuple[str, str] | None = None
+
+
+EXPORTERS: Final[dict[str, Exporter]] = {
+    "csv": Exporter("pieces, decorations and people as a table", "pieces_csv", "text/csv"),
+}
+"""The formats by name; `needs` is (module, extra)."""
