@@ -130,18 +130,18 @@ def build(path: str) -> None:
     stamp.write_text(now)
 
 
-def main(task: str) -> None:
-    """Do one of the tasks: build the page, check its types, run its tests."""
+def main(task: str, *words: str) -> None:
+    """Do one of the tasks: build the page, check its types, run its tests (those of the files named, else all)."""
     with tempfile.TemporaryDirectory() as links:
         path = tool_path(Path(links))
         if task == "build":
             build(path)
         else:
             install_modules(path)
-            npm(path, "run", task)
+            npm(path, "run", task, *(["--", *words] if words else []))
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] not in [[task] for task in TASKS]:
-        raise SystemExit(f"usage: page.py {' | '.join(TASKS)}")
-    main(sys.argv[1])
+    if sys.argv[1:2] not in [[task] for task in TASKS] or (sys.argv[2:] and sys.argv[1] != "test"):
+        raise SystemExit(f"usage: page.py {' | '.join(TASKS)} [FILE...]")
+    main(*sys.argv[1:])

@@ -60,6 +60,8 @@ export interface Body {
 
 export interface Furniture extends Body {
   readonly name: string;
+  /** The catalog's key of what it is, chosen by the service: how it is drawn. */
+  readonly kind?: string | null;
   readonly category?: string | null;
   /** The wall it stands at, where it must. */
   readonly wall?: Side | null;
@@ -71,6 +73,7 @@ export interface Furniture extends Body {
 
 export interface Decoration extends Body {
   readonly name: string;
+  readonly kind?: string | null;
   /** The id of what it lies on or belongs to. */
   readonly parent?: string | null;
   readonly mounted_on_wall?: string | null;

@@ -269,7 +269,7 @@ describe("single edits", () => {
 
   it("that leave out what was never put in ask nothing", async () => {
     const { editor, calls, call, said, home } = bench();
-    editor.add("den", { name: "crate", category: "storage", size: [1, 1, 1], color: null });
+    editor.add("den", { key: "crate", name: "crate", category: "storage", size: [1, 1, 1], color: null });
     await turn();
     await call(0).answer((sent) => sent, [{ ids: ["den/crate_1"], message: "short", repairs: [] }]);
     await call(1).answer((sent) => sent, [{ ids: ["den/crate_1"], message: "short", repairs: [{ action: "leave_out", id: "den/crate_1" }] }]);
@@ -283,7 +283,7 @@ describe("single edits", () => {
 
   it("put a new piece beside the others if they can stay, else make them give way", async () => {
     const { editor, call, home } = bench();
-    editor.add("den", { name: "crate", category: "storage", size: [1, 1, 1], color: null });
+    editor.add("den", { key: "crate", name: "crate", category: "storage", size: [1, 1, 1], color: null });
     await turn();
     expect(call(0).request.locked).toEqual([ONE, OTHER, "den/held"]);
     await call(0).answer((sent) => sent, [{ ids: ["den/crate_1", ONE], message: "short", repairs: [] }]);

@@ -104,7 +104,7 @@ describe("what is taken away and added", () => {
   });
 
   it("gets the next free number", () => {
-    const kind = { name: "crate", category: "storage", size: [1, 0.5, 0.5] as const, color: null };
+    const kind = { key: "crate", name: "crate", category: "storage", size: [1, 0.5, 0.5] as const, color: null };
     const once = added(diner(), "den", kind);
     const twice = added(once.scene, "den", kind);
     expect([once.id, twice.id]).toEqual(["den/crate_1", "den/crate_2"]);

@@ -7,7 +7,7 @@ export interface Conflict {
   readonly repairs: readonly (Freed | Unlocked | Turned | Shrunk | LeftOut)[];
 }
 
-/** A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any. */
+/** A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any; `kind` as for furniture. */
 export interface Decoration {
   /** made up where it is absent, alike each time */
   readonly id: string;
@@ -22,6 +22,7 @@ export interface Decoration {
   readonly depth: number;
   readonly height: number;
   readonly color: string | null;
+  readonly kind?: string | null;
 }
 
 /** A person or a pet; `room` is the room's id, the pose relative to that room; `on` the seat one sits on (its id). */
@@ -109,6 +110,7 @@ export interface Furniture {
   readonly under: string | null;
   readonly on: string | null;
   readonly locked: boolean;
+  readonly kind?: string | null;
 }
 
 /** The answer of generate: the scene, what the validator says, and stage times in ms. */

@@ -31,7 +31,7 @@ const CATALOG: Catalog = {
 };
 
 function body(name: string, more: Partial<PlacedBody> = {}): PlacedBody {
-  return { id: "b", name, kind: "furniture", x: 0, y: 0, z: 0, turn: 0, width: 1.6, depth: 2, height: 0.9, color: "#804020", ...more };
+  return { id: "b", name, shape: name, kind: "furniture", x: 0, y: 0, z: 0, turn: 0, width: 1.6, depth: 2, height: 0.9, color: "#804020", ...more };
 }
 
 describe("shapes", () => {
@@ -44,14 +44,14 @@ describe("shapes", () => {
     expect(part?.paint.opacity).toBe(1);
   });
 
-  it("are those of the kind nearest in size, of several with one name", () => {
+  it("are those of the kind that the scene names, whatever it calls the thing", () => {
     expect(book.partsOf(body("bed"), null)).toHaveLength(1);
-    expect(book.partsOf(body("bed", { width: 1.75 }), null)).toHaveLength(2);
+    expect(book.partsOf(body("bed", { shape: "king_bed" }), null)).toHaveLength(2);
   });
 
-  it("are boxes for names that are not known, for kinds without a shape and without a catalog", () => {
-    for (const [from, name] of [[book, "toString"], [book, "stool"], [new ShapeBook(null), "bed"]] as const) {
-      const [block, arrow] = from.partsOf(body(name), null);
+  it("are boxes for things that name no kind, or one that is not known, for kinds without a shape and without a catalog", () => {
+    for (const [from, shape] of [[book, null], [book, "toString"], [book, "stool"], [new ShapeBook(null), "bed"]] as const) {
+      const [block, arrow] = from.partsOf(body("bed", { shape }), null);
       expect(block).toMatchObject({ form: "rounded", size: [1.6, 0.9, 2], at: [0, 0.45, 0] });
       expect(arrow?.at[2]).toBeGreaterThan(0);
     }
@@ -64,7 +64,7 @@ describe("shapes", () => {
     expect(color("bed", "dark")).toBe("#302010");
     expect(color("bed", "no such style")).toBe("#a08050");
     expect(book.partsOf(body("bed"), "dark")[0]?.paint).toMatchObject({ roughness: 0.6, texture: "wood" });
-    expect(color("bed", null, { width: 1.8 })).toBe("#402010");
+    expect(color("bed", null, { shape: "king_bed" })).toBe("#402010");
     expect(color("rug", null, { kind: "decoration", accent: "#336699" })).toBe("#336699");
   });
 

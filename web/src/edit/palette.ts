@@ -19,7 +19,7 @@ const LIVING = "dynamic";
 export function kindsOf(catalog: Catalog): { readonly key: string; readonly kind: FurnitureKind }[] {
   const furniture = Object.entries(catalog.furniture).filter(([, { category }]) => category !== LIVING);
   return furniture.map(([key, { name, category, size, color }]) => ({
-    key, kind: { name: name ?? key, category: category ?? "", size, color: color ?? null },
+    key, kind: { key, name: name ?? key, category: category ?? "", size, color: color ?? null },
   })).sort((a, b) => a.key.localeCompare(b.key));
 }
 

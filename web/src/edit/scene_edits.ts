@@ -9,6 +9,7 @@ export interface Wish {
 
 /** A kind of the catalog, as far as a piece of it needs. */
 export interface FurnitureKind {
+  readonly key: string;
   readonly name: string;
   readonly category: string;
   readonly size: readonly [number, number, number];
@@ -137,7 +138,7 @@ export function added(scene: Scene, roomId: string, kind: FurnitureKind): { read
   const id = freshId(scene, `${roomId}/${kind.name}`);
   const [width, depth, height] = kind.size;
   const piece: Furniture = {
-    id, name: kind.name, category: kind.category, x: centre(room.width / 2, width), y: 0, z: centre(room.depth / 2, depth),
+    id, name: kind.name, kind: kind.key, category: kind.category, x: centre(room.width / 2, width), y: 0, z: centre(room.depth / 2, depth),
     rotation: 0, width, depth, height, color: kind.color, wall: null, under: null, on: null, locked: false,
   };
   return { id, scene: mapRoom(scene, roomId, (old) => ({ ...old, furniture: [...old.furniture, piece] })) };

@@ -12,6 +12,8 @@ export interface PlacedBody {
   readonly id: string;
   readonly name: string;
   readonly kind: BodyKind;
+  /** The catalog's key of its shape; none where the scene names no kind. */
+  readonly shape?: string | null;
   readonly x: number;
   readonly y: number;
   readonly z: number;
@@ -49,11 +51,18 @@ export function styleOf(scene: Scene): string | null {
   return scene.style ?? scene.request?.style ?? null;
 }
 
-function place(body: Body, name: string, kind: BodyKind, room: Room, elevation: number): PlacedBody {
+/** What a scene calls a body, and the key of its shape. */
+interface Called {
+  readonly name: string;
+  readonly shape: string | null | undefined;
+}
+
+function place(body: Body, { name, shape }: Called, kind: BodyKind, room: Room, elevation: number): PlacedBody {
   return {
     id: body.id,
     name,
     kind,
+    shape: shape ?? null,
     x: room.x + body.x,
     y: elevation + (body.y ?? 0),
     z: room.z + body.z,
@@ -68,7 +77,7 @@ function place(body: Body, name: string, kind: BodyKind, room: Room, elevation: 
 
 /** A decoration in the house; what hangs on a wall, or lies on what does, knows at which height. */
 function placeDecoration(piece: Decoration, others: ReadonlyMap<string, Decoration>, room: Room, elevation: number): PlacedBody {
-  const body = place(piece, piece.name, "decoration", room, elevation);
+  const body = place(piece, { name: piece.name, shape: piece.kind }, "decoration", room, elevation);
   let carrier: Decoration | undefined = piece;
   for (let step = 0; carrier && !carrier.mounted_on_wall && step < room.decorations.length; step += 1) {
     carrier = others.get(carrier.parent ?? "");
@@ -87,13 +96,14 @@ export function bodiesOf(scene: Scene): PlacedBody[] {
   const elevation = (room: Room): number => storeys.get(room.level)?.elevation ?? 0;
   const rooms = new Map(scene.rooms.map((room) => [room.id, room]));
   const standing = scene.rooms.flatMap((room) => [
-    ...room.furniture.map((piece) => place(piece, piece.name, "furniture", room, elevation(room))),
+    ...room.furniture.map((piece) => place(piece, { name: piece.name, shape: piece.kind }, "furniture", room, elevation(room))),
     ...placeDecorations(room, elevation(room)),
   ]);
   const living = (scene.dynamic ?? []).flatMap((body: Dynamic) => {
     const room = rooms.get(body.room);
     if (!room) return [];
-    const placed = place(body, body.kind, "dynamic", room, elevation(room));
+    const called = { name: body.kind, shape: body.on ? `${body.kind}_seated` : body.kind };
+    const placed = place(body, called, "dynamic", room, elevation(room));
     return [body.on ? { ...placed, seat: body.y } : placed];
   });
   return [...standing, ...living];

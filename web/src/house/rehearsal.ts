@@ -19,9 +19,9 @@ const SAMPLE: Catalog = {
   materials: { clear: { opacity: 0.5 } },
 };
 
-function bodiesOf(kinds: Catalog["furniture"], prefix: string): (Body & { readonly name: string })[] {
+function bodiesOf(kinds: Catalog["furniture"], prefix: string): (Body & { readonly name: string; readonly kind: string })[] {
   return Object.entries(kinds).map(([key, { name, color, size: [width, depth, height] }]) => ({
-    id: `${prefix}/${key}`, name: name ?? key, x: SIDE / 2, y: 0, z: SIDE / 2, rotation: 0, width, depth, height, color: color ?? null,
+    id: `${prefix}/${key}`, name: name ?? key, kind: key, x: SIDE / 2, y: 0, z: SIDE / 2, rotation: 0, width, depth, height, color: color ?? null,
   }));
 }
 

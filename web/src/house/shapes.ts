@@ -27,44 +27,17 @@ function boxParts(body: PlacedBody): Part[] {
   return body.kind === "furniture" && height > FLAT ? [block, frontArrow(body)] : [block];
 }
 
-interface Variant {
-  readonly size: readonly [number, number, number];
-  readonly parts: readonly CatalogPart[];
-}
-
-function distance(body: PlacedBody, [width, depth, height]: Variant["size"]): number {
-  return Math.abs(body.width - width) + Math.abs(body.depth - depth) + Math.abs(body.height - height);
-}
-
-function indexOf(kinds: Catalog["furniture"] | undefined, shapes: NonNullable<Catalog["shapes"]>): Map<string, Variant[]> {
-  const index = new Map<string, Variant[]>();
-  for (const [key, { name, size }] of Object.entries(kinds ?? {})) {
-    const parts = Object.hasOwn(shapes, key) ? shapes[key] : undefined;
-    if (!parts?.length) continue;
-    const tipped = shapes[`${key}_upright`];
-    const variants: Variant[] = [{ size, parts }, ...(tipped ? [{ size: [size[0], size[2], size[1]] as const, parts: tipped }] : [])];
-    index.set(name ?? key, [...(index.get(name ?? key) ?? []), ...variants]);
-  }
-  return index;
-}
-
-/** The catalog's shapes, found by what scenes call a thing; without a catalog everything is its box. */
+/** The catalog's shapes, found by the kinds that scenes name; without a catalog everything is its box. */
 export class ShapeBook {
-  readonly #furniture: ReadonlyMap<string, readonly Variant[]>;
-  readonly #decorations: ReadonlyMap<string, readonly Variant[]>;
   readonly #paints = new Map<string, Paints>();
   readonly #known = new Map<string, readonly Part[]>();
 
-  constructor(readonly catalog: Catalog | null) {
-    const shapes = catalog?.shapes ?? {};
-    this.#furniture = indexOf(catalog?.furniture, shapes);
-    this.#decorations = indexOf(catalog?.decorations, shapes);
-  }
+  constructor(readonly catalog: Catalog | null) {}
 
   /** The parts that a body is drawn with in a house of this style; bodies that are alike share them. */
   partsOf(body: PlacedBody, style: string | null): readonly Part[] {
-    const { kind, name, seat, width, depth, height, color, accent } = body;
-    const key = `${style} ${kind} ${name} ${seat} ${width} ${depth} ${height} ${color} ${accent}`;
+    const { kind, name, shape, seat, width, depth, height, color, accent } = body;
+    const key = `${style} ${kind} ${name} ${shape} ${seat} ${width} ${depth} ${height} ${color} ${accent}`;
     const known = this.#known.get(key) ?? this.#make(body, style);
     if (this.#known.size > MOST_KNOWN) this.#known.clear();
     this.#known.set(key, known);
@@ -94,13 +67,10 @@ export class ShapeBook {
     return known;
   }
 
-  /** The shape of the kind that a body is of; of several sizes of one name the nearest. */
-  #solidsOf(body: PlacedBody): readonly CatalogPart[] | undefined {
+  #solidsOf({ shape }: PlacedBody): readonly CatalogPart[] | undefined {
     const shapes = this.catalog?.shapes ?? {};
-    const living = body.seat === undefined ? body.name : `${body.name}_seated`;
-    if (body.kind === "dynamic") return Object.hasOwn(shapes, living) ? shapes[living] : undefined;
-    const variants = (body.kind === "furniture" ? this.#furniture : this.#decorations).get(body.name) ?? [];
-    return variants.reduce<Variant | undefined>((best, one) => (best && distance(body, best.size) <= distance(body, one.size) ? best : one), undefined)?.parts;
+    const solids = shape && Object.hasOwn(shapes, shape) ? shapes[shape] : undefined;
+    return solids?.length ? solids : undefined;
   }
 }
 
