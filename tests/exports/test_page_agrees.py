@@ -75,7 +75,7 @@ def built(homes: list[Scene], tmp_path_factory: pytest.TempPathFactory) -> list[
     given = tmp_path_factory.mktemp("page") / "homes.json"
     document = {"catalog": load_catalogs().model_dump(mode="json"), "scenes": [write_scene(scene) for scene in homes]}
     given.write_text(json.dumps(document))
-    command = [sys.executable, ROOT / "scripts" / "page.py", "test", "tests/described.test.ts"]
+    command = [sys.executable, str(ROOT / "scripts" / "page.py"), "test", "tests/described.test.ts"]
     run = subprocess.run(command, env={**os.environ, "COMPOSE_DESCRIBE": str(given)}, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-2000:]
     described: list[dict[str, Any]] = json.loads(Path(f"{given}.page").read_text())
