@@ -111,6 +111,11 @@ def catalog() -> Catalogs:  # type: ignore[empty-body]
     """Returns the furniture, decorations, room types, styles and presets the service knows."""
 
 
+@gets.get("/export")
+def exports() -> contract.ExportFormats:  # type: ignore[empty-body]
+    """Lists the formats that /export writes, beside JSON and YAML."""
+
+
 @gets.get("/schema")
 def schema() -> dict[str, Any]:  # type: ignore[empty-body]
     """Returns the JSON Schema of a scene."""

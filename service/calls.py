@@ -11,6 +11,8 @@ from typing import Final, NamedTuple, TypeAlias, cast
 from catalogs import Catalogs
 from service.contract import (
     ExportBody,
+    ExportFormat,
+    ExportFormats,
     FixBody,
     FloorAnswer,
     FloorBody,
@@ -27,7 +29,7 @@ from solver import export, fix, generate, place, reroll, validate
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, read_request, scene_schema, write, write_scene
 from solver.export_formats import EXPORTERS, Freedom
-from solver.exports import Files, packed
+from solver.exports import Files, is_available, packed
 from solver.named_kinds import with_kinds
 from solver.plain import Document
 from solver.requested import PieceRequest
@@ -214,6 +216,12 @@ def _sent(document: object) -> ExportBody:
     return read(ExportBody, document)
 
 
+def formats_document(_: Catalogs | None = None) -> Document:
+    """Returns the formats that /export writes, beside the scene's own."""
+    formats = (ExportFormat(name, one.words, is_available(name)) for name, one in EXPORTERS.items())
+    return write(ExportFormats(tuple(write(one) for one in formats)))
+
+
 def catalog_document(catalogs: Catalogs) -> Document:
     """Returns all that the service knows: kinds of furniture, floorings, room types."""
     return catalogs.model_dump(mode="json")
@@ -232,7 +240,7 @@ CALLS: Final[Mapping[str, Call]] = {
 MAY_BE_EMPTY: Final = frozenset({"generate"})
 """Those whose body may be left out: it asks for all defaults then."""
 QUESTIONS: Final[Mapping[str, Callable[[Catalogs], Document]]] = {
-    "catalog": catalog_document, "schema": schema_document, "healthz": lambda _: write(Health()),
+    "catalog": catalog_document, "schema": schema_document, "exports": formats_document, "healthz": lambda _: write(Health()),
 }  # fmt: skip
 """Those that take none."""
 

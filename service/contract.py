@@ -109,6 +109,22 @@ SceneByItself = Annotated[Scene, _ByItself()]
 
 
 @dataclass(frozen=True)
+class ExportFormat(Record):
+    """A format that /export writes: what it is, and whether its library is installed here."""
+
+    name: str
+    words: str
+    available: bool
+
+
+@dataclass(frozen=True)
+class ExportFormats(Record):
+    """The formats that /export writes."""
+
+    formats: tuple[Annotated[Mapping[str, Any], Like(ExportFormat)], ...]
+
+
+@dataclass(frozen=True)
 class PlaceAnswer(Record):
     """The best placement, the others by rank, why required pieces are missing, issues, and stage times in ms."""
 

@@ -6,6 +6,6 @@ wrong with a scene (validator).
 
 from solver.exports.describing import describe
 from solver.exports.model import HouseModel
-from solver.exports.writers import ExportSettings, Files, packed, written_as
+from solver.exports.writers import ExportSettings, Files, is_available, packed, written_as
 
-__all__ = ["ExportSettings", "Files", "HouseModel", "describe", "packed", "written_as"]
+__all__ = ["ExportSettings", "Files", "HouseModel", "describe", "is_available", "packed", "written_as"]

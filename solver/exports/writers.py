@@ -38,11 +38,17 @@ def written_as(model: HouseModel, settings: ExportSettings) -> Files:
     exporter = EXPORTERS.get(settings.format)
     if exporter is None:
         raise RequestError("format", f"unknown format {settings.format!r:.60}", ", ".join(EXPORTERS))
-    if exporter.needs and find_spec(exporter.needs[0]) is None:
+    if exporter.needs and not is_available(settings.format):
         problem = f"{settings.format} needs {exporter.needs[0]}, which is not installed"
         raise RequestError("format", problem, f"another format; or pip install 'compose-homes[{exporter.needs[1]}]'")
     files: Files = import_module(f"solver.exports.formats.{exporter.module}").write(model, settings)
     return files
+
+
+def is_available(format: str) -> bool:
+    """Tells whether the library that a format needs is installed."""
+    needs = EXPORTERS[format].needs
+    return needs is None or find_spec(needs[0]) is not None
 
 
 def packed(files: Files, name: str, media_type: str) -> tuple[str, str, bytes]:

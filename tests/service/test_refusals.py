@@ -10,6 +10,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from service.wire import BODY_LIMIT, DRAIN_LIMIT
+from solver.export_formats import EXPORTERS
 from tests.service.problems import entry_of, problem_of
 
 YAML = {"content-type": "application/yaml"}
@@ -285,7 +286,9 @@ def test_an_unknown_path_is_not_found(client: TestClient, path: str) -> None:
 
 
 def test_an_unknown_format_is_not_found(client: TestClient) -> None:
-    assert entry_of(client.post("/export/glb", json={"rooms": []}), 404)["field"] == "path"
+    entry = entry_of(client.post("/export/papyrus", json={"rooms": []}), 404)
+    assert entry["field"] == "format"
+    assert {"json", "yaml", *EXPORTERS} <= set(entry["allowed"].split(", "))
 
 
 @pytest.mark.parametrize(

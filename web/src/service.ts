@@ -122,6 +122,28 @@ export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSign
 
 export type FileFormat = "json" | "yaml";
 
+/** A format that a scene can be exported to, beside its own. */
+export interface ExportFormat {
+  readonly name: string;
+  readonly words: string;
+  readonly available: boolean;
+}
+
+/** The formats that the service can write here. */
+export async function exportFormats(signal: AbortSignal): Promise<ExportFormat[]> {
+  const { formats } = await ask<{ readonly formats: readonly ExportFormat[] }>("export", { headers: { Accept: "application/json" }, signal });
+  return formats.filter(({ available }) => available);
+}
+
+/** A scene's file in a format, and the name that the service gives it. */
+export async function exportedFile(scene: Scene, format: string, signal: AbortSignal): Promise<{ readonly name: string; readonly content: Blob }> {
+  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene }), signal };
+  return askFor(async (response) => {
+    const named = /filename\*=UTF-8''([^;]+)/.exec(response.headers.get("Content-Disposition") ?? "");
+    return { name: decodeURIComponent(named?.[1] ?? `compose.${format}`), content: await response.blob() };
+  }, `export/${format}`, init);
+}
+
 /** The whole scene as a file's text. */
 export function exported(scene: Scene, format: FileFormat, signal: AbortSignal): Promise<string> {
   const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene }), signal };

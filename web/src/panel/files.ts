@@ -1,6 +1,6 @@
 /** Files: the scene shown is saved whole, a scene dropped or chosen is read by the service. */
 import type { Scene } from "../contract";
-import { exported, type FileFormat, type GivenFile } from "../service";
+import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile } from "../service";
 
 /** The file that a page of the browser's history holds, if it holds one. */
 export function fileOf(state: unknown): GivenFile | null {
@@ -28,9 +28,9 @@ export function fileName(scene: Scene, format: FileFormat): string {
   return `compose-${scene.seed}.${format}`;
 }
 
-function save(text: string, name: string): void {
+function save(content: Blob, name: string): void {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text]));
+  link.href = URL.createObjectURL(content);
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 0);
@@ -43,12 +43,16 @@ export class Files {
   onFailure: (reason: unknown, again: (() => void) | null) => void = () => undefined;
   onSaved: () => void = () => undefined;
   readonly #chooser: HTMLInputElement;
+  readonly #formats: HTMLSelectElement;
 
   constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Scene | null) {
     this.#chooser = host.querySelector("#file") as HTMLInputElement;
     for (const format of ["json", "yaml"] as const) {
       host.querySelector(`#download_${format}`)?.addEventListener("click", () => void this.#download(format));
     }
+    this.#formats = host.querySelector("#export_format") as HTMLSelectElement;
+    host.querySelector("#export")?.addEventListener("click", () => void this.#export());
+    void this.#offerFormats();
     host.querySelector("#open_file")?.addEventListener("click", () => this.#chooser.click());
     this.#chooser.addEventListener("change", () => this.#chosen());
     window.addEventListener("dragover", (event) => this.#over(event));
@@ -61,10 +65,29 @@ export class Files {
     if (!scene) return;
     const again = (): void => void this.#download(format);
     try {
-      save(await exported(scene, format, new AbortController().signal), fileName(scene, format));
+      save(new Blob([await exported(scene, format, new AbortController().signal)]), fileName(scene, format));
       this.onSaved();
     } catch (reason) {
       this.onFailure(reason, again);
+    }
+  }
+
+  /** Fills the menu with what the service can write; without an answer there is nothing to choose. */
+  async #offerFormats(): Promise<void> {
+    const formats = await exportFormats(new AbortController().signal).catch(() => []);
+    this.#formats.replaceChildren(...formats.map(({ name, words }) => new Option(`${name}: ${words}`, name)));
+    this.#formats.closest(".export")?.toggleAttribute("hidden", formats.length === 0);
+  }
+
+  async #export(): Promise<void> {
+    const scene = this.scene();
+    if (!scene || !this.#formats.value) return;
+    try {
+      const { name, content } = await exportedFile(scene, this.#formats.value, new AbortController().signal);
+      save(content, name);
+      this.onSaved();
+    } catch (reason) {
+      this.onFailure(reason, () => void this.#export());
     }
   }
 
