@@ -6,7 +6,7 @@ Comes in: a kind's solids (shares of its box) and a body's size. Goes out: `Body
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from catalogs.shapes import Axis, Form, Solid
 
@@ -27,22 +27,24 @@ class BodyPart(NamedTuple):
     material: str
 
 
-def parts_of(solids: Sequence[Solid], width: float, depth: float, height: float) -> tuple[BodyPart, ...]:
-    """Returns the parts of a body with these extents, m; the whole box as one rounded block where its kind has no shape."""
-    if not solids:
-        return (BodyPart("rounded", (width, height, depth), (0.0, height / 2, 0.0), "y", 1.0, "body"),)
+WHOLE: Final = (BodyPart("rounded", (1.0, 1.0, 1.0), (0.0, 0.5, 0.0), "y", 1.0, "body"),)
+"""The shape of a kind that has none: its whole box as one rounded block."""
+
+
+def unit_parts(solids: Sequence[Solid]) -> tuple[BodyPart, ...]:
+    """Returns a shape's parts in a box of width, depth and height 1."""
+    return tuple(map(_unit_part, solids)) or WHOLE
+
+
+def _unit_part(solid: Solid) -> BodyPart:
+    (x0, x1), (y0, y1), (z0, z1) = solid.x, solid.y, solid.z
+    at = ((x0 + x1) / 2 - 0.5, (y0 + y1) / 2, (z0 + z1) / 2 - 0.5)
+    return BodyPart(solid.form, (x1 - x0, y1 - y0, z1 - z0), at, solid.axis, solid.taper, solid.material)
+
+
+def sized(parts: Sequence[BodyPart], width: float, depth: float, height: float) -> tuple[BodyPart, ...]:
+    """Returns the parts of a unit box in a box with these extents, m."""
     return tuple(
-        BodyPart(
-            solid.form,
-            ((solid.x[1] - solid.x[0]) * width, (solid.y[1] - solid.y[0]) * height, (solid.z[1] - solid.z[0]) * depth),
-            (
-                ((solid.x[0] + solid.x[1]) / 2 - 0.5) * width,
-                (solid.y[0] + solid.y[1]) / 2 * height,
-                ((solid.z[0] + solid.z[1]) / 2 - 0.5) * depth,
-            ),
-            solid.axis,
-            solid.taper,
-            solid.material,
-        )
-        for solid in solids
+        BodyPart(form, (size_x * width, size_y * height, size_z * depth), (x * width, y * height, z * depth), axis, taper, material)
+        for form, (size_x, size_y, size_z), (x, y, z), axis, taper, material in parts
     )

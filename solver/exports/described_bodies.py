@@ -14,7 +14,7 @@ from catalogs.dressing import DecorationKind
 from catalogs.entries import Side
 from catalogs.kind_book import KindBook
 from catalogs.schema import FurnitureSpec
-from solver.body_parts import BodyPart, parts_of
+from solver.body_parts import BodyPart, sized, unit_parts
 from solver.export_formats import Freedom
 from solver.exports.model import ModelBody, Paint, Sort
 from solver.exports.paints import UNSAID, Paints
@@ -134,11 +134,12 @@ class BodyMaker:
 
     def _parts_of(self, shape: str, width: float, depth: float, height: float) -> tuple[BodyPart, ...]:
         key = shape, width, depth, height
-        if key not in self._parts:
-            solids = self._book.solids(shape)
-            self._parts[key] = parts_of(solids, width, depth, height)
-            self.unit_shapes.setdefault(shape, parts_of(solids, 1.0, 1.0, 1.0))
-        return self._parts[key]
+        made = self._parts.get(key)
+        if made is None:
+            if shape not in self.unit_shapes:
+                self.unit_shapes[shape] = unit_parts(self._book.solids(shape))
+            made = self._parts[key] = sized(self.unit_shapes[shape], width, depth, height)
+        return made
 
     def _paints_of(self, shape: str, color: str | None, accent: str | None) -> tuple[Paint, ...]:
         key = shape, color, accent

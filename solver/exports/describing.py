@@ -13,7 +13,7 @@ from solver.exports.described_bodies import BodyMaker
 from solver.exports.door_leaves import leaves_of
 from solver.exports.model import FloorPlate, HouseModel, Paint
 from solver.exports.paints import PLAIN_FLOOR, Paints
-from solver.exports.wall_lines import corners_of, on_lattice, openings_of, runs_of, signed_area
+from solver.exports.wall_lines import RoomFinder, corners_of, on_lattice, openings_of, runs_of, signed_area
 from solver.exports.wall_panels import THINNEST, Storey, WallPlan, boxes_of, fittings_of, panels_of
 from solver.scene import Room, Scene
 
@@ -31,7 +31,7 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
     paints = Paints(catalogs, style_of(scene))
     rooms = scene.rooms
     plan = WallPlan(runs_of(rooms), openings_of(rooms), storeys, max(scene.wall_thickness, THINNEST), rooms)
-    panels = panels_of(plan)
+    panels, finder = panels_of(plan), RoomFinder(rooms)
     maker = BodyMaker(catalogs, paints, {level: storey.elevation for level, storey in storeys.items()}, free)
     bodies = tuple(maker.bodies(scene))
     return HouseModel(
@@ -39,7 +39,7 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         name="house" if scene.seed is None else f"house_{scene.seed}",
         bodies=bodies,
         panels=tuple(panels),
-        walls=tuple(box for panel in panels for box in boxes_of(panel, rooms)),
+        walls=tuple(box for panel in panels for box in boxes_of(panel, finder)),
         fittings=tuple(fittings_of(plan)),
         openings=tuple(plan.openings),
         leaves=tuple(leaves_of(plan, paints)),

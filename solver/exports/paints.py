@@ -51,8 +51,13 @@ def _linear(share: float) -> float:
 
 def shade(color: str, share: float) -> str:
     """Returns a colour moved towards white (share > 0) or black (share < 0)."""
+    if not share:
+        return color
     goal = 255 if share > 0 else 0
     return "#" + "".join(f"{int(channel + (goal - channel) * abs(share) + 0.5):02x}" for channel in channels(color))
+
+
+_UNKNOWN = Material()
 
 
 class Paints:
@@ -76,7 +81,7 @@ class Paints:
         own = (accent or color if slot == ACCENT_SLOT else color) or UNSAID
         paint = self._mixed.get((slot, own))
         if paint is None:
-            paint = self._mixed[slot, own] = self._mix(self._slots.get(slot, Material()), own)
+            paint = self._mixed[slot, own] = self._mix(self._slots.get(slot) or _UNKNOWN, own)
         return paint
 
     def has(self, slot: str) -> bool:

@@ -120,7 +120,8 @@ def openings_of(rooms: Sequence[Room]) -> list[PlacedOpening]:
             spot = _spot(room, edges, opening)
             if spot and (opening.id not in kept or (opening.render_panel and not kept[opening.id][1])):
                 kept[opening.id] = (_placed(*spot, opening), opening.render_panel)
-    return [_between(placed, rooms) for placed, _ in kept.values()]
+    finder = RoomFinder(rooms)
+    return [_between(placed, finder) for placed, _ in kept.values()]
 
 
 def _spot(room: Room, edges: Sequence[OutlineEdge], opening: Opening) -> tuple[OutlineEdge, float] | None:
@@ -159,30 +160,44 @@ def _placed(edge: OutlineEdge, start: float, opening: Opening) -> PlacedOpening:
     )
 
 
-def _between(placed: PlacedOpening, rooms: Sequence[Room]) -> PlacedOpening:
+def _between(placed: PlacedOpening, finder: RoomFinder) -> PlacedOpening:
     """Returns an opening with the rooms on both of its sides."""
     middle = (placed.start + placed.end) / 2
     sides = []
     for across in (placed.line + _BEFORE, placed.line - _BEFORE):
         point = (middle, across) if placed.axis == "x" else (across, middle)
-        room = room_holding(rooms, placed.level, *point)
+        room = finder.at(placed.level, *point)
         sides.append(room.id if room else None)
     return PlacedOpening(**{**placed.__dict__, "rooms": (sides[0], sides[1])})
 
 
-def room_holding(rooms: Sequence[Room], level: int, x: float, z: float) -> Room | None:
-    """Returns the room of a level that holds a point of the plan, m."""
-    return next((room for room in rooms if room.level == level and _holds(room, x - room.x, z - room.z)), None)
+class RoomFinder:
+    """Finds the room of a level that holds a point of the plan.
+
+    Args:
+        rooms: the house's, the first that holds a point counts.
+    """
+
+    def __init__(self, rooms: Sequence[Room]) -> None:
+        self._rooms = [(room, *_bounds(room)) for room in rooms]
+
+    def at(self, level: int, x: float, z: float) -> Room | None:
+        """Returns the room that holds a point, m; None outside."""
+        for room, x0, z0, x1, z1 in self._rooms:
+            if x0 <= x <= x1 and z0 <= z <= z1 and room.level == level and (not room.outline or _encloses(room, x - room.x, z - room.z)):
+                return room
+        return None
 
 
-def _holds(room: Room, x: float, z: float) -> bool:
-    """Tells whether a point relative to a room's corner is within its outline."""
+def _bounds(room: Room) -> tuple[float, float, float, float]:
     corners = corners_of(room)
     xs, zs = [x for x, _ in corners], [z for _, z in corners]
-    if not (min(xs) <= x <= max(xs) and min(zs) <= z <= max(zs)):
-        return False
-    if not room.outline:
-        return True
+    return room.x + min(xs), room.z + min(zs), room.x + max(xs), room.z + max(zs)
+
+
+def _encloses(room: Room, x: float, z: float) -> bool:
+    """Tells whether a point relative to a room's corner is within its outline."""
+    corners = corners_of(room)
     inside = False
     for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
         if (z0 > z) != (z1 > z) and x < x0 + (z - z0) / (z1 - z0) * (x1 - x0):

@@ -13,7 +13,7 @@ from typing import Final, Literal, NamedTuple
 
 from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpening, WallBox, WallPanel
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
-from solver.exports.wall_lines import Line, PlanAxis, WallRun, corners_of, room_holding
+from solver.exports.wall_lines import Line, PlanAxis, RoomFinder, WallRun, corners_of
 from solver.scene import Room
 
 RAILING_HEIGHT: Final = 0.6
@@ -133,7 +133,7 @@ def _finish_corners(rooms: Sequence[Room]) -> dict[PlanAxis, list[float]]:
     return {"x": list(dict.fromkeys(x for x, _ in corners)), "z": list(dict.fromkeys(z for _, z in corners))}
 
 
-def boxes_of(panel: WallPanel, rooms: Sequence[Room]) -> Iterator[WallBox]:
+def boxes_of(panel: WallPanel, finder: RoomFinder) -> Iterator[WallBox]:
     """Yields a panel's solid boxes: whole columns between holes, what is under sills and over heads; cut where its finish changes."""
     stops = {panel.start, panel.end, *panel.seams}
     stops |= {end for hole in panel.holes for end in (hole.start, hole.end) if panel.start < end < panel.end}
@@ -142,14 +142,14 @@ def boxes_of(panel: WallPanel, rooms: Sequence[Room]) -> Iterator[WallBox]:
         middle = (start + end) / 2
         holes = sorted((hole.low, hole.high) for hole in panel.holes if hole.start < middle < hole.end)
         for low, high in between(0.0, panel.height, holes):
-            yield _wall_box(panel, (start, end), (low, high), rooms)
+            yield _wall_box(panel, (start, end), (low, high), finder)
 
 
-def _wall_box(panel: WallPanel, along: Span, up: Span, rooms: Sequence[Room]) -> WallBox:
+def _wall_box(panel: WallPanel, along: Span, up: Span, finder: RoomFinder) -> WallBox:
     half, middle = panel.thickness / 2, (along[0] + along[1]) / 2
     paints: list[Paint] = []
     for across in (panel.line - half - _BEFORE, panel.line + half + _BEFORE):
-        room = room_holding(rooms, panel.level, *((middle, across) if panel.axis == "x" else (across, middle)))
+        room = finder.at(panel.level, *((middle, across) if panel.axis == "x" else (across, middle)))
         finish = room.walls if room else None
         paints.append(Paint(finish.color, WALL_ROUGHNESS.get(finish.type, 0.95), texture=finish.type) if finish else PLAIN_WALL)
     box = box_on_line(panel.axis, along, (panel.line - half, panel.line + half), shifted(up, panel.elevation))
