@@ -14,7 +14,7 @@ FUZZ_ARGS =
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets bench fuzz lint format kernel page page-bench pictures chromium pins wheel clean
+.PHONY: help run test targets bench fuzz lint format kernel page page-bench pictures gallery chromium pins wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -75,6 +75,9 @@ page-bench: .venv/dev.stamp kernel page chromium ## measure what the page costs:
 pictures: .venv/dev.stamp kernel page chromium ## take the README's pictures of the page
 	$(PY) -m tests.browser.pictures
 
+gallery: .venv/dev.stamp kernel ## write one home in every format, and a page of pictures, into gallery/
+	$(PY) -m scripts.gallery
+
 chromium: .venv/dev.stamp ## bring the Chromium of the browser tests
 	@$(PY) -m tests.chromium
 
@@ -88,7 +91,7 @@ wheel: .venv/python.stamp ## build the wheel, with the page in it, into dist/
 	$(UV) build --quiet --wheel --python $(PY)
 
 clean: ## remove everything that make brought or built
-	rm -rf .venv .tools dist service/static web/node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf .venv .tools dist gallery service/static web/node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 .venv/python.stamp:
