@@ -45,14 +45,10 @@ def written(scene: Scene, folder: Path) -> dict[str, tuple[list[Path], float]]:
 
 def pictures(paths: list[Path]) -> list[Path]:
     """Returns the files that a page can show, maps of cells as PNG beside them."""
-    shown = []
     for path in paths:
         if path.suffix == ".pgm":
             path.with_suffix(".png").write_bytes(_png(path))
-            path = path.with_suffix(".png")
-        if path.suffix in SHOWN:
-            shown.append(path)
-    return shown
+    return [path.with_suffix(".png") if path.suffix == ".pgm" else path for path in paths if path.suffix in SHOWN]
 
 
 def _png(path: Path) -> bytes:
