@@ -1,0 +1,143 @@
+"""A storey's plan as cells: which of them rooms hold, and which walls and bodies touch.
+
+Comes in: a `HouseModel`, a level, a cell's side. Goes out: `FloorGrid`s and arrays over their cells. May import: the model.
+
+Row 0 lies in the north, column 0 in the west. Lengths in m, in the house.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Final, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody
+
+_SAME: Final = 1e-6
+"""Shares of a cell that are nothing: coordinates are whole half millimetres."""
+WALKED_ON: Final = 0.03
+"""What is not higher above the floor than this is no obstacle: rugs, mats, thresholds, m."""
+Mask = npt.NDArray[np.bool_]
+
+
+class FloorGrid(NamedTuple):
+    """Cells over a rectangle of the plan, whose north-west corner is `x`, `z`."""
+
+    cell: float
+    x: float
+    z: float
+    columns: int
+    rows: int
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns: an array over the cells has this shape."""
+        return self.rows, self.columns
+
+    @property
+    def south(self) -> float:
+        """The z of the grid's southern edge."""
+        return self.z + self.rows * self.cell
+
+    def touched(self, x0: float, z0: float, x1: float, z1: float) -> tuple[slice, slice]:
+        """Returns the rows and columns of the cells that share area with a rectangle of the plan."""
+        return (_touched(z0 - self.z, z1 - self.z, self.cell, self.rows), _touched(x0 - self.x, x1 - self.x, self.cell, self.columns))
+
+    def centred(self, x0: float, z0: float, x1: float, z1: float) -> tuple[slice, slice]:
+        """Returns the rows and columns of the cells whose centres a rectangle of the plan holds."""
+        return (_centred(z0 - self.z, z1 - self.z, self.cell, self.rows), _centred(x0 - self.x, x1 - self.x, self.cell, self.columns))
+
+    def centre(self, row: int, column: int) -> tuple[float, float]:
+        """Returns the x and z of a cell's centre."""
+        return self.x + (column + 0.5) * self.cell, self.z + (row + 0.5) * self.cell
+
+
+def _touched(start: float, end: float, cell: float, count: int) -> slice:
+    first = math.floor(start / cell + _SAME)
+    return slice(min(max(first, 0), count), min(max(math.ceil(end / cell - _SAME), 0), count))
+
+
+def _centred(start: float, end: float, cell: float, count: int) -> slice:
+    first = math.ceil(start / cell - 0.5 - _SAME)
+    return slice(min(max(first, 0), count), min(max(math.ceil(end / cell - 0.5 - _SAME), 0), count))
+
+
+def grid_of(model: HouseModel, level: int, cell: float, margin: float) -> FloorGrid:
+    """Returns a grid over a level's rooms and a margin round them; its lines are whole cells from the house's origin."""
+    corners = [corner for room in model.rooms if room.level == level for corner in room.corners] or [(0.0, 0.0)]
+    (west, east), (north, south) = ((min(at), max(at)) for at in zip(*corners, strict=True))
+    left, top = (math.floor((at - margin) / cell + _SAME) for at in (west, north))
+    right, bottom = (math.ceil((at + margin) / cell - _SAME) for at in (east, south))
+    return FloorGrid(cell, round(left * cell, 6), round(top * cell, 6), right - left, bottom - top)
+
+
+def floor_mask(grid: FloorGrid, room: FloorPlate) -> Mask:
+    """Returns the cells whose centres lie on a room's floor."""
+    mask = np.zeros(grid.shape, dtype=np.bool_)
+    east = grid.x + grid.columns * grid.cell
+    for (x0, z0), (x1, z1) in zip(room.corners, (*room.corners[1:], room.corners[0]), strict=True):
+        if x0 == x1:  # east of each edge that runs north and south the floor begins or ends
+            mask[grid.centred(x0, min(z0, z1), east, max(z0, z1))] ^= True
+    return mask
+
+
+def mark_body(grid: FloorGrid, taken: Mask, body: ModelBody) -> None:
+    """Marks the cells that share area with a body's turned footprint, not with its parts."""
+    window = grid.touched(*footprint(body))
+    if body.turn % 90 == 0:
+        taken[window] = True
+    elif not taken[window].all():  # most of what is turned lies on something that is marked already
+        taken[window] |= inside(grid, body, window, touching=True)
+
+
+def footprint(body: ModelBody) -> tuple[float, float, float, float]:
+    """Returns the rectangle along the axes round a body's turned footprint: west, north, east, south."""
+    turn = math.radians(body.turn)
+    sine, cosine = abs(math.sin(turn)), abs(math.cos(turn))
+    half_x = (cosine * body.width + sine * body.depth) / 2
+    half_z = (sine * body.width + cosine * body.depth) / 2
+    return body.x - half_x, body.z - half_z, body.x + half_x, body.z + half_z
+
+
+def inside(grid: FloorGrid, body: ModelBody, window: tuple[slice, slice], touching: bool) -> Mask:
+    """Returns which cells of a window share area with a body's turned footprint; or, not `touching`, have their centre in it."""
+    turn = math.radians(body.turn)
+    sine, cosine = math.sin(turn), math.cos(turn)
+    rows, columns = window
+    x = grid.x + (np.arange(columns.start, columns.stop) + 0.5) * grid.cell - body.x
+    z = (grid.z + (np.arange(rows.start, rows.stop) + 0.5) * grid.cell - body.z)[:, None]
+    reach = (abs(sine) + abs(cosine)) * grid.cell / 2 if touching else 0.0
+    across, along = np.abs(cosine * x - sine * z), np.abs(sine * x + cosine * z)
+    held: Mask = (across < body.width / 2 + reach) & (along < body.depth / 2 + reach)
+    return held
+
+
+def obstacles(model: HouseModel, level: int, grid: FloorGrid, height: float) -> Mask:
+    """Returns the cells that something touches which a robot of a height, m, cannot pass: walls, frames, railings, bodies.
+
+    Doors stand open and are left out, as are people and pets, who move; what lies flat is walked on.
+    """
+    taken = np.zeros(grid.shape, dtype=np.bool_)
+    floor = next((room.elevation for room in model.rooms if room.level == level), 0.0)
+    low, high = floor + WALKED_ON, floor + height
+    for box in solid_boxes(model):
+        if box.y0 < high and box.y1 > low:
+            taken[grid.touched(box.x0, box.z0, box.x1, box.z1)] = True
+    for body in model.bodies:
+        if body.sort != "dynamic" and body.y < high and body.y + body.height > low and not body.flat:
+            mark_body(grid, taken, body)
+    return taken
+
+
+def solid_boxes(model: HouseModel) -> Iterator[Cuboid]:
+    """Yields the boxes of walls and of what is fitted to them, thresholds left out."""
+    yield from (wall.box for wall in model.walls)
+    yield from (fitting.box for fitting in model.fittings if fitting.surface != "threshold")
+
+
+def levels_of(model: HouseModel) -> list[int]:
+    """Returns the levels that have rooms, the lowest first; 0 where there is none."""
+    return sorted({room.level for room in model.rooms}) or [0]

@@ -1,0 +1,175 @@
+"""Nav2 (ROS 2): a map a storey as its map_server reads it, and rooms, doors and places to stand at as JSON.
+
+The map's frame: x east, y north, z up, m; yaw in radians about +z, 0 facing east. A cell is occupied if anything below 1.5 m touches it.
+Doors stand open. People and pets are left out.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Final
+
+import numpy as np
+import numpy.typing as npt
+
+from solver.exports.floor_grid import FloorGrid, Mask, floor_mask, grid_of, levels_of, obstacles
+from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
+from solver.exports.writers import ExportSettings, Files
+
+RESOLUTION: Final = 0.05
+"""Side of a cell, m."""
+ROBOT_HEIGHT: Final = 1.5
+"""What begins higher above the floor is driven under, m. Our choice, more than the height of common indoor robots."""
+MARGIN: Final = 0.5
+"""How far the map goes beyond the rooms, m."""
+OCCUPIED, FREE, UNKNOWN = 0, 254, 205
+"""Grey values as map_server's `trinary` mode reads them: (255 - grey) / 255 below 0.196 is free, above 0.65 occupied, unknown between."""
+
+
+def write(model: HouseModel, _: ExportSettings) -> Files:
+    """Writes `map.pgm` and `map.yaml` (`map_level_1` and so on for further storeys) and `rooms.json`."""
+    files: Files = {}
+    rooms: list[dict[str, object]] = []
+    maps: list[dict[str, object]] = []
+    for number, level in enumerate(levels_of(model)):
+        name = f"map_level_{level}" if number else "map"
+        grid = grid_of(model, level, RESOLUTION, MARGIN)
+        taken = obstacles(model, level, grid, ROBOT_HEIGHT)
+        files[f"{name}.pgm"] = _picture(model, level, grid, taken)
+        files[f"{name}.yaml"] = _yaml(model, name, grid)
+        maps.append({"image": f"{name}.pgm", "level": level})
+        rooms += _rooms(model, level, grid, taken)
+    leaves = {leaf.id: leaf for leaf in model.leaves}
+    document = {
+        "frame": "x east, y north, z up; m; yaw in radians about +z, 0 facing east",
+        "warnings": model.warnings,
+        "maps": maps,
+        "rooms": rooms,
+        "doors": [_door(one, leaves.get(one.id)) for one in model.openings if one.kind != "window"],
+        "poses": [pose for body in model.bodies for pose in _poses(body)],
+    }
+    lines = json.dumps(document, separators=(",", ":")).replace('{"id"', '\n{"id"').replace('{"body"', '\n{"body"')
+    files["rooms.json"] = f"{lines}\n".encode()
+    return files
+
+
+def _picture(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> bytes:
+    """Returns a map's cells as a PGM picture, north at the top."""
+    cells = np.full(grid.shape, UNKNOWN, dtype=np.uint8)
+    for room in model.rooms:
+        if room.level == level:
+            cells[floor_mask(grid, room)] = FREE
+    for one in model.openings:
+        if one.level == level and one.kind != "window":
+            along, across = (one.start, one.end), (one.line - model.thickness / 2, one.line + model.thickness / 2)
+            (x0, x1), (z0, z1) = (along, across) if one.axis == "x" else (across, along)
+            cells[grid.centred(x0, z0, x1, z1)] = FREE
+    cells[taken] = OCCUPIED
+    comments = "".join(f"# {_line(warning)}\n" for warning in model.warnings)
+    return f"P5\n{comments}{grid.columns} {grid.rows}\n255\n".encode() + cells.tobytes()
+
+
+def _yaml(model: HouseModel, name: str, grid: FloorGrid) -> bytes:
+    lines = [
+        *(f"# {_line(warning)}" for warning in model.warnings),
+        f"image: {name}.pgm",
+        "mode: trinary",
+        f"resolution: {grid.cell}",
+        f"origin: [{round(grid.x, 3)}, {_plain(-grid.south)}, 0]",
+        "negate: 0",
+        "occupied_thresh: 0.65",
+        "free_thresh: 0.196",
+    ]
+    return ("\n".join(lines) + "\n").encode()
+
+
+def _line(text: str) -> str:
+    """Returns a text as one line of ASCII: what a comment may hold."""
+    return json.dumps(text)[1:-1]
+
+
+def _plain(value: float) -> float:
+    """Returns a coordinate in whole tenths of a millimetre, without a zero's sign."""
+    return round(value, 4) + 0.0
+
+
+def _rooms(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> list[dict[str, object]]:
+    """Returns the rooms of a level, each with the point that is farthest from everything."""
+    squares = squared_distances(taken)
+    made: list[dict[str, object]] = []
+    for room in model.rooms:
+        if room.level != level:
+            continue
+        inside = np.where(floor_mask(grid, room), squares, 0)
+        row, column = divmod(int(inside.argmax()), grid.columns)
+        x, z = grid.centre(row, column)
+        clearance = math.sqrt(int(inside[row, column])) * grid.cell
+        made.append(
+            {
+                "id": room.id,
+                "type": room.type,
+                "level": level,
+                "outdoor": room.outdoor,
+                "area": room.area,
+                "polygon": [[_plain(x), _plain(-z)] for x, z in room.corners],
+                "point": [_plain(x), _plain(-z)] if clearance else None,
+                "clearance": round(clearance, 3),
+            }
+        )
+    return made
+
+
+def squared_distances(taken: Mask) -> npt.NDArray[np.int32]:
+    """Returns each cell's squared distance from its nearest taken cell, centre to centre, in cells; capped where none is near."""
+    rows = taken.shape[0]
+    columnwise = np.full(taken.shape, rows, dtype=np.int32)
+    columnwise[taken] = 0
+    for row in range(1, rows):
+        np.minimum(columnwise[row], columnwise[row - 1] + 1, out=columnwise[row])
+    for row in range(rows - 2, -1, -1):
+        np.minimum(columnwise[row], columnwise[row + 1] + 1, out=columnwise[row])
+    vertical = columnwise * columnwise
+    found = vertical.copy()
+    step = 1
+    while step < taken.shape[1] and step * step < int(found.max()):
+        np.minimum(found[:, step:], vertical[:, :-step] + step * step, out=found[:, step:])
+        np.minimum(found[:, :-step], vertical[:, step:] + step * step, out=found[:, :-step])
+        step += 1
+    return found
+
+
+def _door(one: PlacedOpening, leaf: DoorLeaf | None) -> dict[str, object]:
+    """Returns an opening that is gone through; its yaw looks through it, towards the first of its rooms."""
+    middle = (one.start + one.end) / 2
+    x, z = (middle, one.line) if one.axis == "x" else (one.line, middle)
+    door: dict[str, object] = {
+        "id": one.id,
+        "kind": one.kind,
+        "level": one.level,
+        "position": [_plain(x), _plain(-z)],
+        "yaw": round(-math.pi / 2 if one.axis == "x" else 0.0, 6),
+        "width": round(one.end - one.start, 4),
+        "rooms": one.rooms,
+        "main_entrance": one.is_main_entrance,
+    }
+    if leaf and leaf.motion == "swing":
+        door["hinge"] = [_plain(leaf.hinge[0]), _plain(-leaf.hinge[2])]
+        door["leaf_width"] = round(leaf.width, 4)
+        door["closed_yaw"] = round(math.radians(leaf.closed), 6)
+        door["open_yaw"] = round(math.radians(leaf.closed + leaf.swing), 6)
+    return door
+
+
+def _poses(body: ModelBody) -> list[dict[str, object]]:
+    """Returns where somebody stands who uses a body, facing it."""
+    return [
+        {"body": body.id, "name": body.name, "room": body.room, "position": [_plain(x), _plain(-z)], "yaw": yaw_of(turn)}
+        for x, z, turn in body.uses
+    ]
+
+
+def yaw_of(turn: float) -> float:
+    """Returns the yaw in the map, radians, of what faces a turn of the scene: 0 faces south there, and east in the map."""
+    quarter = (turn - 90.0) % 360.0
+    return round(math.radians(quarter - 360.0 if quarter > 180.0 else quarter), 6)
