@@ -65,7 +65,7 @@ class PlainRoute(APIRoute):
         return answer
 
 
-ExportFormat = Annotated[str, Path(json_schema_extra={"enum": list(calls.EXPORT_FORMATS)})]
+FormatName = Annotated[str, Path(json_schema_extra={"enum": list(calls.EXPORT_FORMATS)})]
 
 posts = APIRouter(route_class=WorkerRoute, responses=refusals(400, 405, 408, 413, 415, 422, 500, 503))
 gets = APIRouter(route_class=PlainRoute, responses=refusals(405, 500))
@@ -102,7 +102,7 @@ def floor(body: contract.FloorBody) -> contract.FloorAnswer:  # type: ignore[emp
 
 
 @posts.post("/export/{format}", responses=refusals(404))
-def export(format: ExportFormat, body: contract.ExportBody | contract.SceneByItself) -> Scene:  # type: ignore[empty-body]
+def export(format: FormatName, body: contract.ExportBody | contract.SceneByItself) -> Scene:  # type: ignore[empty-body]
     """Writes a scene as a file: JSON or YAML (and reads one that is), or what a simulator, an editor or a training set reads."""
 
 
