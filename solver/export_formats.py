@@ -24,5 +24,6 @@ class Exporter(NamedTuple):
 EXPORTERS: Final[dict[str, Exporter]] = {
     "csv": Exporter("pieces, decorations and people as a table", "pieces_csv", "text/csv"),
     "nav2": Exporter("a map for Nav2 (ROS 2), with rooms, doors and places to stand at", "nav2", "application/zip"),
+    "svg": Exporter("floor plan to scale, as an architect draws it", "plan_svg", "image/svg+xml"),
 }
 """The formats by name; `needs` is (module, extra)."""

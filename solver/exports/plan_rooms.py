@@ -1,0 +1,214 @@
+"""Rooms on a plan: their clear floor between walls, and where their names and clear sizes are best written.
+
+Comes in: a storey's floors, walls and what stands in the way. Goes out: `RoomLabel`s, `Dimension`s, m. May import: the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final, Literal, NamedTuple
+
+from solver.exports.model import FloorPlate, WallPanel
+
+PlanBox = tuple[float, float, float, float]
+"""West, north, east and south, m."""
+_STEPS: Final = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
+"""Where across a room a name or a dimension line is tried, as shares of its span, the middle first."""
+_LINE_STEPS: Final = (0.12, 0.88, 0.2, 0.8, 0.3, 0.7, 0.4, 0.6, 0.5)
+_WIDE: Final = 0.66
+"""How wide a bold letter is on average in the widest of the fonts asked for, as a share of its height."""
+_DIGIT: Final = 0.6
+LONGEST: Final = 28
+"""Letters of the longest name that is written whole."""
+LINE: Final = 1.25
+"""From one line of text to the next, as a share of its height."""
+_LEAST_SHRINK: Final = 0.62
+"""How much smaller a name may be written to fit its room."""
+
+
+class Dimension(NamedTuple):
+    """A chain of dimensions along an axis: the coordinate across it, and where its marks are along it, m.
+
+    `texts` are where its numbers stand: middles along the axis.
+    """
+
+    axis: Literal["x", "z"]
+    at: float
+    stops: tuple[float, ...]
+    texts: tuple[float, ...]
+
+
+class RoomLabel(NamedTuple):
+    """A room's name and clear area in m2, where: its middle, m; `upright` is written from south to north; `size`: letters' height, m."""
+
+    room: FloorPlate
+    words: str
+    area: float
+    x: float
+    z: float
+    upright: bool
+    size: float
+
+
+@dataclass(frozen=True)
+class PlanRoom:
+    """A room to be labelled: its clear corners, what stands in it, the height of letters of its name and of numbers, m."""
+
+    plate: FloorPlate
+    corners: Sequence[tuple[float, float]]
+    obstacles: Sequence[PlanBox]
+    letters: float
+    numbers: float
+
+
+def words_of(room_type: str) -> str:
+    """Returns a room type as a plan names it."""
+    words = " ".join(room_type.replace("_", " ").split())
+    words = words if len(words) <= LONGEST else words[: LONGEST - 1].rstrip() + "…"
+    return words[:1].upper() + words[1:]
+
+
+def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel]) -> list[tuple[float, float]]:
+    """Returns a floor's corners moved in by half a wall where there is one."""
+    walls = [panel for panel in panels if panel.level == plate.level]
+    corners = _turning(plate.corners)
+    lines = []
+    for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
+        along_x = abs(x1 - x0) >= abs(z1 - z0)
+        line, low, high = (z0, min(x0, x1), max(x0, x1)) if along_x else (x0, min(z0, z1), max(z0, z1))
+        inward = (1 if x1 > x0 else -1) if along_x else (-1 if z1 > z0 else 1)
+        axis = "x" if along_x else "z"
+        half = next(
+            (w.thickness / 2 for w in walls if w.axis == axis and abs(w.line - line) < 1e-6 and w.start < high and w.end > low), 0.0
+        )
+        lines.append((axis, line + inward * half))
+    made = []
+    for (axis, line), (_, before) in zip(lines, (lines[-1], *lines[:-1]), strict=True):
+        made.append((before, line) if axis == "x" else (line, before))
+    return made
+
+
+def _turning(corners: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Returns corners without those in the middle of a straight edge."""
+    neighbours = zip((corners[-1], *corners[:-1]), corners, (*corners[1:], corners[0]), strict=True)
+    return [b for a, b, c in neighbours if not (a[0] == b[0] == c[0] or a[1] == b[1] == c[1])]
+
+
+def area_of(corners: Sequence[tuple[float, float]]) -> float:
+    """Returns the area within clockwise corners, m2."""
+    return sum(x * b - a * z for (x, z), (a, b) in zip(corners, (*corners[1:], corners[0]), strict=True)) / 2
+
+
+def chord(corners: Sequence[tuple[float, float]], axis: Literal["x", "z"], at: float) -> tuple[float, float] | None:
+    """Returns the longest stretch along an axis within corners at a coordinate across it."""
+    along, across = (0, 1) if axis == "x" else (1, 0)
+    pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
+    crossed = sorted(a[along] for a, b in pairs if min(a[across], b[across]) < at < max(a[across], b[across]))
+    spans = list(zip(crossed[::2], crossed[1::2], strict=False))
+    return max(spans, key=lambda span: span[1] - span[0], default=None)
+
+
+def label_of(room: PlanRoom) -> RoomLabel:
+    """Returns where a room's name stands: least over furniture, next to the middle; smaller or upright where the room is narrow."""
+    words, area = words_of(room.plate.type), area_of(room.corners)
+    x0, z0, x1, z1 = _bounds(room.corners)
+    wide, high = max(len(words), 7) * _WIDE * room.letters, 2 * LINE * room.letters
+    upright = wide > 0.94 * (x1 - x0) and z1 - z0 > x1 - x0
+    if upright:
+        wide, high = high, wide
+    shrink = min(1.0, max(_LEAST_SHRINK, min(0.94 * (x1 - x0) / wide, 0.94 * (z1 - z0) / high)))
+    wide, high = wide * shrink, high * shrink
+    best, least = ((x0 + x1) / 2, (z0 + z1) / 2), float("inf")
+    for i in _STEPS:
+        x = x0 + wide / 2 + i * max(0.0, x1 - x0 - wide)
+        for j in _STEPS:
+            z = z0 + high / 2 + j * max(0.0, z1 - z0 - high)
+            cost = 0.05 * wide * (abs(i - 0.5) + abs(j - 0.5))
+            if cost >= least:
+                continue
+            box = (x - wide / 2, z - high / 2, x + wide / 2, z + high / 2)
+            cost += covered(box, room.obstacles) + (0.0 if _within(box, room.corners) else 10.0)
+            if cost < least:
+                best, least = (x, z), cost
+    return RoomLabel(room.plate, words, area, *best, upright, room.letters * shrink)
+
+
+def label_box(label: RoomLabel) -> PlanBox:
+    """Returns the floor that a label takes."""
+    wide, high = max(len(label.words), 7) * _WIDE * label.size, 2 * LINE * label.size
+    if label.upright:
+        wide, high = high, wide
+    return label.x - wide / 2, label.z - high / 2, label.x + wide / 2, label.z + high / 2
+
+
+def clear_sizes(room: PlanRoom, label: RoomLabel) -> list[Dimension]:
+    """Returns the dimension lines in a room: its clear width and depth where it is widest, least over furniture and the name."""
+    obstacles = [*room.obstacles, *[label_box(label)] * 4]
+    found: list[Dimension] = []
+    for axis in ("x", "z"):
+        line = _clear_size(room, axis, obstacles)
+        if line:
+            found.append(line)
+            wide, high = number_box(line.stops[1] - line.stops[0], room.numbers)
+            text, half = line.texts[0], (wide / 2, high)
+            x, z, a, b = (text, line.at, *half) if axis == "x" else (line.at, text, half[1], half[0])
+            obstacles += [(x - a, z - b, x + a, z + b)] * 8
+    return found
+
+
+def _clear_size(room: PlanRoom, axis: Literal["x", "z"], obstacles: Sequence[PlanBox]) -> Dimension | None:
+    x0, z0, x1, z1 = _bounds(room.corners)
+    low, high = (z0, z1) if axis == "x" else (x0, x1)
+    best, least = None, float("inf")
+    for share in _LINE_STEPS:
+        at = low + share * (high - low)
+        span = chord(room.corners, axis, at)
+        if span is None:
+            continue
+        wide, tall = number_box(span[1] - span[0], room.numbers)
+        if span[1] - span[0] < 1.4 * wide or at - low < 1.4 * tall:
+            continue
+        longest = -4.0 * (span[1] - span[0])
+        on_line = 0.3 * covered(_around(axis, at, 0.03, span), obstacles) / 0.06 + longest + 0.05 * abs(share - 0.12)
+        if on_line >= least:
+            continue
+        for where in (0.5, 0.3, 0.7, 0.18, 0.82):
+            middle = span[0] + where * (span[1] - span[0])
+            text = _around(axis, at - 0.6 * tall, tall * 0.6, (middle - wide / 2, middle + wide / 2))
+            cost = on_line + 2.0 * covered(text, obstacles) / tall + 0.05 * abs(where - 0.5)
+            if cost < least:
+                best, least = Dimension(axis, at, span, (middle,)), cost
+    return best
+
+
+def number_box(metres: float, size: float) -> tuple[float, float]:
+    """Returns how wide and high a length is when written, m."""
+    return len(f"{metres:.2f}") * _DIGIT * size, size
+
+
+def covered(box: PlanBox, obstacles: Iterable[PlanBox]) -> float:
+    """Returns how much of a box others cover, m2; twice what two cover."""
+    x0, z0, x1, z1 = box
+    total = 0.0
+    for a, b, c, d in obstacles:
+        if a < x1 and x0 < c and b < z1 and z0 < d:
+            total += (min(x1, c) - max(x0, a)) * (min(z1, d) - max(z0, b))
+    return total
+
+
+def _around(axis: Literal["x", "z"], at: float, half: float, span: tuple[float, float]) -> PlanBox:
+    return (span[0], at - half, span[1], at + half) if axis == "x" else (at - half, span[0], at + half, span[1])
+
+
+def _bounds(corners: Sequence[tuple[float, float]]) -> PlanBox:
+    xs, zs = [x for x, _ in corners], [z for _, z in corners]
+    return min(xs), min(zs), max(xs), max(zs)
+
+
+def _within(box: PlanBox, corners: Sequence[tuple[float, float]]) -> bool:
+    if len(corners) == 4:
+        return True
+    x0, z0, x1, z1 = box
+    spans = (chord(corners, "x", z0), chord(corners, "x", (z0 + z1) / 2), chord(corners, "x", z1))
+    return all(span is not None and span[0] <= x0 and x1 <= span[1] for span in spans)

@@ -1,0 +1,26 @@
+"""Text as XML takes it: what stands for markup written otherwise, and what no XML file may hold left out.
+
+Comes in: any text. Goes out: text for attributes and between tags. May import: nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+_SPECIAL: Final = re.compile("[&<>\"'\t\n\r]|[^\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_WRITTEN: Final = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;", "\t": "&#9;", "\n": "&#10;", "\r": "&#13;"}
+
+
+def xml_text(words: str) -> str:
+    """Returns text that reads back from an attribute or an element; a character that XML 1.0 forbids becomes U+FFFD."""
+    return _SPECIAL.sub(_replaced, words)
+
+
+def xml_comment(words: str) -> str:
+    """Returns text for a comment, in which two hyphens may not meet, nor a hyphen end it."""
+    return xml_text(words).replace("-", "\u2010")
+
+
+def _replaced(found: re.Match[str]) -> str:
+    return _WRITTEN.get(found[0], "\ufffd")
