@@ -63,6 +63,39 @@ def test_readers_of_others_understand_our_texts(document: Any) -> None:
     assert same(yaml.safe_load(dump_text(document, "yaml")), document)
 
 
+def test_what_is_flat_is_on_one_line() -> None:
+    """The writing to the letter: equal documents give equal bytes in every version."""
+    document = {
+        "seed": 3,
+        "note": "it's 3: \u00fc\t\x85\U0001f600",
+        "pair": [1.0, -1e-07],
+        "sizes": [[1, 2], []],
+        "rooms": [{"id": "den_1", "on": True, "inner": {"no": None}}, {"lines": [[1, [[2]]], "x y"]}],
+        "k" * 1001: {"a": {}},
+    }
+    assert dump_text(document, "yaml").decode() == "\n".join(
+        [
+            "seed: 3",
+            'note: "it\'s 3: \u00fc\\t\\x85\\U0001F600"',
+            "pair: [1.0, -1.0e-07]",
+            "sizes: [[1, 2], []]",
+            "rooms:",
+            "- id: den_1",
+            '  "on": true',
+            '  inner: {"no": null}',
+            "- lines:",
+            "  - - 1",
+            "    - [[2]]",
+            "  - x y",
+            "? " + "k" * 1001,
+            ":",
+            "  a: {}",
+            "",
+        ]
+    )
+    assert load_text(dump_text(document, "yaml"), "yaml") == yaml.safe_load(dump_text(document, "yaml")) == document
+
+
 def same(one: Any, other: Any) -> bool:
     """Equality that tells 1 from 1.0 and from True, and keys in order."""
     if isinstance(one, dict):
