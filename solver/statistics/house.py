@@ -24,11 +24,9 @@ class RoomFigures:
 
     Args:
         type: the room's type.
-        area: between wall lines, m2.
-        cover: share of that under furniture that stands on the floor.
-        walkable: share of the clear floor that the centre of who walks can come to.
-        pieces: furniture.
-        decorations: small things.
+        spread: figures that are told as a spread: `area` between wall lines, m2; `cover`, the share of that under furniture that
+            stands on the floor; `walkable`, the share of the clear floor that the centre of who walks can come to; how many `pieces`
+            of furniture, `decorations`, and both `together`.
         people: people and pets.
         missing: required pieces that are not there.
         left_out: why each optional piece that was thought of is not there, in the certificate's words up to the first semicolon.
@@ -36,11 +34,7 @@ class RoomFigures:
     """
 
     type: str
-    area: float
-    cover: float
-    walkable: float
-    pieces: int
-    decorations: int
+    spread: Mapping[str, float]
     people: int
     missing: int
     left_out: tuple[str, ...]
@@ -55,15 +49,10 @@ class House:
         seed: of the house.
         style: of the house.
         rooms: its rooms.
-        floor: of the indoor rooms between wall lines, m2.
-        hallway: share of that which is hallway.
-        cover: share of the area of all rooms under furniture that stands on the floor.
-        walkable: share of the clear floor that can be walked.
-        people: how many there are.
-        pets: how many there are.
+        spread: figures that are told as a spread: `floor` of the indoor rooms between wall lines, m2; `hallway`, the share of that
+            which is hallway; `cover` and `walkable` as of rooms; how many `rooms`, `doors` (openings that one can walk through),
+            `windows`, `pieces`, `decorations`, `people`, `pets`.
         seated: how many of the people sit.
-        doors: openings that one can walk through.
-        windows: how many there are.
         proven: rooms whose placement is proven to be the best for the ways taken.
         use_sides: pieces that are used from a side, and those of them that can be.
         adjacency: signature of the graph of rooms that share a wall; equal where two homes have the same rooms beside each other.
@@ -75,15 +64,8 @@ class House:
     seed: int
     style: str | None
     rooms: tuple[RoomFigures, ...]
-    floor: float
-    hallway: float
-    cover: float
-    walkable: float
-    people: int
-    pets: int
+    spread: Mapping[str, float]
     seated: int
-    doors: int
-    windows: int
     proven: int
     use_sides: tuple[int, int]
     adjacency: str
@@ -102,25 +84,14 @@ def house_of(scene: Scene, issues: Sequence[Issue], measures: Mapping[str, Any])
     """
     certificate: Mapping[str, Any] = scene.certificate or {}
     rooms = tuple(_room(room, scene, issues, measures["rooms"][room.id], certificate["rooms"][room.id]) for room in scene.rooms)
-    indoor = [room for room in scene.rooms if not room.outdoor]
-    areas = {room.id: measures["rooms"][room.id]["area"] for room in indoor}
-    floor = sum(areas.values())
     style = (scene.request or {}).get("style")
-    people = [one for one in scene.dynamic if one.kind == PERSON]
     types = {str(room.index): room.type for room in scene.rooms}
     return House(
         seed=scene.seed or 0,
         style=style if isinstance(style, str) else None,
         rooms=rooms,
-        floor=round(floor, 4),
-        hallway=round(sum(areas[room.id] for room in indoor if room.type == HALLWAY) / floor, 4) if floor else 0.0,
-        cover=measures["furnished"],
-        walkable=measures["walkable"],
-        people=len(people),
-        pets=len(scene.dynamic) - len(people),
-        seated=sum(one.on is not None for one in people),
-        doors=measures["counts"]["doors"],
-        windows=measures["counts"]["windows"],
+        spread=_spread(scene, measures),
+        seated=sum(one.on is not None for one in scene.dynamic if one.kind == PERSON),
         proven=sum(bool(entry["proven"]) for entry in certificate["rooms"].values()),
         use_sides=(measures["use_sides"]["wanted"], measures["use_sides"]["reached"]),
         adjacency=graph_signature(types, [(str(a), str(b)) for a, b in scene.adjacency]),
@@ -128,6 +99,17 @@ def house_of(scene: Scene, issues: Sequence[Issue], measures: Mapping[str, Any])
         notes=tuple(certificate.get("notes", ())),
         issues=tuple(issues),
     )
+
+
+def _spread(scene: Scene, measures: Mapping[str, Any]) -> dict[str, float]:
+    counts, areas = measures["counts"], {room.id: measures["rooms"][room.id]["area"] for room in scene.rooms if not room.outdoor}
+    floor, people = sum(areas.values()), sum(one.kind == PERSON for one in scene.dynamic)
+    hallway = sum(areas[room.id] for room in scene.rooms if room.type == HALLWAY and room.id in areas)
+    of_home = {"floor": round(floor, 4), "hallway": round(hallway / floor, 4) if floor else 0.0}
+    of_rooms = {"cover": measures["furnished"], "walkable": measures["walkable"], "rooms": len(scene.rooms)}
+    counted = {"doors": "doors", "windows": "windows", "pieces": "furniture", "decorations": "decorations"}
+    alive = {"people": people, "pets": len(scene.dynamic) - people}
+    return {**of_home, **of_rooms, **{name: counts[key] for name, key in counted.items()}, **alive}
 
 
 def _ways(scene: Scene) -> tuple[dict[str, str], list[tuple[str, str]]]:
@@ -142,13 +124,11 @@ def _ways(scene: Scene) -> tuple[dict[str, str], list[tuple[str, str]]]:
 
 
 def _room(room: Room, scene: Scene, issues: Sequence[Issue], measured: Mapping[str, Any], certified: Mapping[str, Any]) -> RoomFigures:
+    pieces, decorations = len(room.furniture), len(room.decorations)
+    measures = {"area": measured["area"], "cover": measured["furnished"], "walkable": measured["walkable"]}
     return RoomFigures(
         type=room.type,
-        area=measured["area"],
-        cover=measured["furnished"],
-        walkable=measured["walkable"],
-        pieces=len(room.furniture),
-        decorations=len(room.decorations),
+        spread={**measures, "pieces": pieces, "decorations": decorations, "together": pieces + decorations},
         people=sum(one.room == room.id for one in scene.dynamic),
         missing=sum(issue.rule == MISSING and issue.room == room.id for issue in issues),
         left_out=tuple(entry["reason"].split(";")[0] for entry in certified["left_out"]),

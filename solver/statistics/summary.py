@@ -31,7 +31,7 @@ def summary(houses: Sequence[House], rules: Iterable[str]) -> Document:
     """
     return {
         "count": len(houses),
-        "home": _home(houses),
+        "home": _spreads(houses),
         "shares": _shares(houses),
         "variety": {"adjacency": len({house.adjacency for house in houses}), "ways": len({house.ways for house in houses})},
         "use_sides": {"wanted": sum(house.use_sides[0] for house in houses), "reached": sum(house.use_sides[1] for house in houses)},
@@ -56,37 +56,27 @@ def _counted(words: Iterable[str]) -> dict[str, int]:
     return dict(sorted(Counter(words).items(), key=lambda entry: (-entry[1], entry[0])))
 
 
-def _home(houses: Sequence[House]) -> Document:
-    return {
-        "floor": spread(house.floor for house in houses),
-        "hallway": spread(house.hallway for house in houses),
-        "cover": spread(house.cover for house in houses),
-        "walkable": spread(house.walkable for house in houses),
-        "rooms": spread(len(house.rooms) for house in houses),
-        "doors": spread(house.doors for house in houses),
-        "windows": spread(house.windows for house in houses),
-        "pieces": spread(sum(room.pieces for room in house.rooms) for house in houses),
-        "decorations": spread(sum(room.decorations for room in house.rooms) for house in houses),
-        "people": spread(house.people for house in houses),
-        "pets": spread(house.pets for house in houses),
-    }
+def _spreads(shown: Sequence[House] | Sequence[RoomFigures]) -> dict[str, dict[str, float]]:
+    return {name: spread(one.spread[name] for one in shown) for name in shown[0].spread}
 
 
 def _shares(houses: Sequence[House]) -> dict[str, float]:
-    people, rooms = sum(house.people for house in houses), sum(len(house.rooms) for house in houses)
-    count = len(houses)
+    people = sum(house.spread["people"] for house in houses)
+    of_houses = {
+        "clean": [all(issue.severity != "error" for issue in house.issues) for house in houses],
+        "complete": [not any(room.missing for room in house.rooms) for house in houses],
+        "as_asked": [not house.notes for house in houses],
+        "with_people": [house.spread["people"] > 0 for house in houses],
+        "with_pet": [house.spread["pets"] > 0 for house in houses],
+    }
     return {
-        "clean": _share(sum(all(issue.severity != "error" for issue in house.issues) for house in houses), count),
-        "complete": _share(sum(not any(room.missing for room in house.rooms) for house in houses), count),
-        "as_asked": _share(sum(not house.notes for house in houses), count),
-        "with_people": _share(sum(house.people > 0 for house in houses), count),
-        "with_pet": _share(sum(house.pets > 0 for house in houses), count),
+        **{name: _share(sum(true), len(houses)) for name, true in of_houses.items()},
         "people_seated": _share(sum(house.seated for house in houses), people),
-        "rooms_proven": _share(sum(house.proven for house in houses), rooms),
+        "rooms_proven": _share(sum(house.proven for house in houses), sum(len(house.rooms) for house in houses)),
     }
 
 
-def _share(part: int, whole: int) -> float:
+def _share(part: float, whole: float) -> float:
     return round(part / whole, 4) if whole else 0.0
 
 
@@ -118,12 +108,7 @@ def _rooms(rooms: Sequence[RoomFigures], houses: int) -> Document:
     return {
         "count": len(rooms),
         "per_home": round(len(rooms) / houses, 4),
-        "area": spread(room.area for room in rooms),
-        "cover": spread(room.cover for room in rooms),
-        "walkable": spread(room.walkable for room in rooms),
-        "pieces": spread(room.pieces for room in rooms),
-        "decorations": spread(room.decorations for room in rooms),
-        "together": spread(room.pieces + room.decorations for room in rooms),
+        **_spreads(rooms),
         "left_out": round(sum(len(room.left_out) for room in rooms) / len(rooms), 4),
         "missing": sum(room.missing for room in rooms),
         "people": round(sum(room.people for room in rooms) / len(rooms), 4),

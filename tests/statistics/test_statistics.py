@@ -107,7 +107,7 @@ def test_the_hallway_s_share_is_of_the_indoor_floor() -> None:
     made = generate(Request(seed=3, width=9.0, depth=8.0))
     areas = {room.id: room.width * room.depth for room in made.scene.rooms}
     halls = sum(areas[room.id] for room in made.scene.rooms if room.type == "hallway")
-    assert house(3).hallway == pytest.approx(halls / sum(areas.values()), abs=1e-4)
+    assert house(3).spread["hallway"] == pytest.approx(halls / sum(areas.values()), abs=1e-4)
     assert halls > 0
 
 
