@@ -1,6 +1,6 @@
-"""Writes web/tests/served.ts: TypeScript's types of what the service takes and answers, from its OpenAPI document.
+"""Writes web/src/served.ts: TypeScript's types of what the service takes and answers, from its OpenAPI document.
 
-Usage: python -m scripts.contract. `web/tests/contract_types.ts` holds the page's own types (web/src/contract.ts) against them.
+Usage: python -m scripts.contract. The page's own types (web/src/contract.ts) are made from these.
 """
 
 from __future__ import annotations
@@ -11,8 +11,11 @@ from typing import Any
 
 from service.app import create_app
 
-FILE = Path(__file__).parent.parent / "web" / "tests" / "served.ts"
-PAGE = ("Generated", "Fixed", "FixBody", "ValidateAnswer", "Lines", "FloorAnswer", "ProblemDocument", "Request", "Solid", "Material")
+FILE = Path(__file__).parent.parent / "web" / "src" / "served.ts"
+PAGE = (
+    *("Generated", "Fixed", "FixBody", "ValidateAnswer", "Lines", "FloorAnswer", "ProblemDocument", "Request"),
+    *("FurnitureSpec", "Solid", "Material", "WallPaint", "Preset"),
+)
 """What the page takes and sends; what these refer to comes with them."""
 HEAD = "/** What the service takes and answers; `python -m scripts.contract` writes it. Lengths in metres, angles in degrees. */\n"
 WORDS = {"number": "number", "integer": "number", "string": "string", "boolean": "boolean", "null": "null"}

@@ -42,7 +42,7 @@ describe("the frame", () => {
 
   it("knows at which height hangs what hangs on a wall, and what lies on that; the page hides both where the wall is cut below", () => {
     const size = { x: 1, z: 0, rotation: 0, width: 0.6, depth: 0.2, height: 0.2 };
-    const shelf = { ...size, id: "a/shelf_1", name: "wall_shelf", y: 1.5, mounted_on_wall: "north" };
+    const shelf = { ...size, id: "a/shelf_1", name: "wall_shelf", y: 1.5, mounted_on_wall: "north" as const };
     const book = { ...size, id: "a/book_1", name: "book", y: 1.7, parent: "a/shelf_1" };
     const vase = { ...size, id: "a/vase_1", name: "vase", y: 0.9, parent: "a/sofa_1" };
     const bodies = bodiesOf(scene([room("a", [0, 0, 4, 4], { decorations: [book, shelf, vase] })]));

@@ -113,6 +113,24 @@ export interface Furniture {
   readonly kind?: string | null;
 }
 
+/** One kind of furniture. `stands: wall` means that its back is 3 cm from a wall's face. */
+export interface FurnitureSpec {
+  readonly shape?: string | null;
+  readonly size: readonly [number, number, number];
+  readonly color: string;
+  readonly variants?: readonly string[];
+  readonly surfaces?: readonly Surface[];
+  readonly friction?: "low" | "medium" | "high";
+  readonly moves?: "free" | "fixed" | null;
+  readonly labels?: readonly string[];
+  readonly category: "bed" | "seating" | "table" | "storage" | "appliance" | "bathroom" | "lighting" | "decor" | "electronics" | "vehicle" | "structure" | "water" | "dynamic" | "misc";
+  readonly name?: string | null;
+  readonly mass: number;
+  readonly stands: "wall" | "free";
+  readonly use?: Use | null;
+  readonly comfort?: Readonly<Record<string, number>>;
+}
+
 /** The answer of generate: the scene, what the validator says, and stage times in ms. */
 export interface Generated {
   readonly scene: Scene;
@@ -192,6 +210,12 @@ export interface Pose {
   readonly x: number;
   readonly z: number;
   readonly rotation?: number | null;
+}
+
+/** A named programme: how many rooms of each word (cars, for garages), and what it is, in words. */
+export interface Preset {
+  readonly rooms: Readonly<Record<string, number>>;
+  readonly says?: string;
 }
 
 /** An RFC 9457 problem document. */
@@ -317,6 +341,14 @@ export interface Solid {
   readonly material: string;
 }
 
+/** A surface that carries things. */
+export interface Surface {
+  readonly name: string;
+  readonly height: number;
+  readonly inset?: number;
+  readonly clearance?: number | null;
+}
+
 /** A repair: another rotation, degrees. */
 export interface Turned {
   readonly action: "turn";
@@ -333,6 +365,13 @@ export interface Unlocked {
   readonly rotation: number;
 }
 
+/** Who uses a piece must get to these sides: `any` one of them, or `all`; `clearance` is the depth wished there, m. */
+export interface Use {
+  readonly sides: readonly ("front" | "back" | "left" | "right")[];
+  readonly need?: "any" | "all";
+  readonly clearance?: number;
+}
+
 /** What breaks which rule and by how much, measures, and where it is wanted the whole scene in words. */
 export interface ValidateAnswer {
   readonly issues: readonly Issue[];
@@ -343,5 +382,11 @@ export interface ValidateAnswer {
 /** What a room's walls are finished with on its side, and the colour. */
 export interface WallFinish {
   readonly type: string;
+  readonly color: string;
+}
+
+/** The finish of a room's walls and its colour. */
+export interface WallPaint {
+  readonly type: "plaster" | "wallpaper" | "wood" | "brick" | "concrete" | "tile";
   readonly color: string;
 }
