@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Hashable
 from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import blake2b
 from os import PathLike
 from pathlib import Path
-from typing import Any, ClassVar, Final
+from typing import Any, Final
 
 import yaml
 from pydantic import TypeAdapter, ValidationError
@@ -26,9 +24,9 @@ from catalogs.schema import Catalogs, FlooringSpec, FurnitureSpec, RoomType
 from catalogs.shapes import Material, ShapeParts
 from catalogs.shapes_checks import shaped
 from catalogs.styles import Style
+from catalogs.yaml_reading import LOADER, YamlFault, read_yaml
 
 HERE = Path(__file__).parent
-_LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _ROOMS = "rooms"
 _SHAPES = "shapes"
 ROW_KEY: Final = 2
@@ -54,28 +52,6 @@ _LOOKS: Final[Any] = {
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},
 }  # fmt: skip
 """What no home depends on: a seed makes the same home however its pieces are drawn, so its fingerprint stays too."""
-
-
-class _Loader(_LOADER):  # type: ignore[misc]
-    """Reads safe YAML with YAML 1.2's booleans (`on` is a word) and refuses a key that stands twice in one mapping."""
-
-    yaml_implicit_resolvers: ClassVar[Any] = {
-        first: [(tag, pattern) for tag, pattern in resolvers if tag != "tag:yaml.org,2002:bool"]
-        for first, resolvers in _LOADER.yaml_implicit_resolvers.items()
-    }
-
-    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Hashable, Any]:
-        """Builds a mapping, every key once."""
-        seen: set[str] = set()
-        for key, _ in node.value:
-            if key.value in seen:
-                raise yaml.constructor.ConstructorError(None, None, f"the key {key.value!r} stands twice", key.start_mark)
-            seen.add(key.value)
-        result: dict[Hashable, Any] = super().construct_mapping(node, deep)
-        return result
-
-
-_Loader.add_implicit_resolver("tag:yaml.org,2002:bool", re.compile(r"^(?:true|True|TRUE|false|False|FALSE)$"), list("tTfF"))
 
 
 def load_catalogs(directory: str | PathLike[str] | None = None) -> Catalogs:
@@ -178,33 +154,26 @@ def fingerprint(catalogs: Catalogs) -> str:
 
 def _read(path: Path, adapter: TypeAdapter[Any]) -> Any:
     try:
-        return adapter.validate_python(yaml.load(path.read_bytes(), _Loader))
+        return adapter.validate_python(read_yaml(path.read_bytes()))
     except OSError as error:
         raise CatalogError(str(path), "", 1, f"cannot be read: {error.strerror}") from error
-    except yaml.YAMLError as error:
-        raise _broken(path, error) from error
+    except YamlFault as fault:
+        key = _key_above(path, fault.line) if fault.line else ""
+        raise CatalogError(str(path), key, fault.line or 1, f"is not YAML: {fault}") from fault
     except ValidationError as error:
         raise _located(path, misfit(error, adapter.json_schema())) from error
 
 
-def _broken(path: Path, error: yaml.YAMLError) -> CatalogError:
-    """Says where a text stops being YAML."""
-    mark = getattr(error, "problem_mark", None)
-    problem = getattr(error, "problem", None) or str(error)
-    key = getattr(mark, "name", "") and _key_above(path, mark.line if mark else 0)
-    return CatalogError(str(path), key, mark.line + 1 if mark else 1, f"is not YAML: {problem}")
-
-
 def _key_above(path: Path, line: int) -> str:
-    """Returns the last key that a broken text names at or above a line (from 0)."""
-    above = path.read_text(encoding="utf-8", errors="replace").splitlines()[: line + 1]
+    """Returns the last key that a broken text names at or above a line (from 1)."""
+    above = path.read_text(encoding="utf-8", errors="replace").splitlines()[:line]
     keys = [text.split(":")[0].strip(" -{") for text in above if ":" in text and not text.lstrip().startswith("#")]
     return keys[-1] if keys else ""
 
 
 def _located(path: Path, fault: Fault) -> CatalogError:
     """Finds the line of a fault's key by reading the file once more, with marks."""
-    node = yaml.compose(path.read_bytes(), _LOADER)
+    node = yaml.compose(path.read_bytes(), LOADER)
     line = node.start_mark.line if node else 0
     for part in fault.at:
         child = _child(node, part)

@@ -11,8 +11,9 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from catalogs import yaml_reading
 from solver.errors import SceneError, SyntaxFault
-from solver.exchange import FORMATS, load_text, read_scene, yaml_text
+from solver.exchange import FORMATS, load_text, read_scene
 
 PATIENCE_S = 60.0
 """What a refusal may take of the processor: they take less than a second; what they guard against would take hours."""
@@ -185,7 +186,7 @@ def test_surrogate_pairs_are_characters() -> None:
 
 @pytest.mark.parametrize("loader", [yaml.SafeLoader, yaml.CSafeLoader])
 def test_yaml_is_the_same_with_and_without_the_c_library(loader: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(yaml_text, "_LOADER", loader)
+    monkeypatch.setattr(yaml_reading, "LOADER", loader)
     assert load_text("rooms:\n  - {id: a, on: null, x: 1.0}\n  - b\n", "yaml") == {"rooms": [{"id": "a", "on": None, "x": 1.0}, "b"]}
     assert refused("a: [" * 3000, "yaml")
 
