@@ -25,5 +25,6 @@ EXPORTERS: Final[dict[str, Exporter]] = {
     "csv": Exporter("pieces, decorations and people as a table", "pieces_csv", "text/csv"),
     "nav2": Exporter("a map for Nav2 (ROS 2), with rooms, doors and places to stand at", "nav2", "application/zip"),
     "svg": Exporter("floor plan to scale, as an architect draws it", "plan_svg", "image/svg+xml"),
+    "glb": Exporter("glTF: Blender, game engines, viewers, the web; the scene inside, so that it reads back", "glb", "model/gltf-binary"),
 }
 """The formats by name; `needs` is (module, extra)."""

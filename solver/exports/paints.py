@@ -20,6 +20,7 @@ PLAIN_WALL: Final = Paint("#e3dfd8", 0.95, texture="plaster")
 REVEAL: Final = Paint("#e9e4da", 0.95)
 """The jambs of openings and the tops of walls."""
 PLAIN_FLOOR: Final = Paint("#c9c2b6", 0.9)
+PLAIN_CEILING: Final = Paint("#f5f3ee", 0.95)
 SURFACES: Final = {
     "railing": Paint("#8a7a66"),
     "frame": Paint("#f1ede4"),

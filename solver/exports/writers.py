@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import io
 import zipfile
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
@@ -24,9 +25,10 @@ _EPOCH: Final = (1980, 1, 1, 0, 0, 0)
 
 @dataclass(frozen=True)
 class ExportSettings:
-    """How to write: the format's name."""
+    """How to write: the format's name; what writes the scene's document as JSON, for a format that has it inside."""
 
     format: str
+    scene_text: Callable[[], str] = lambda: "null"
 
 
 def written_as(model: HouseModel, settings: ExportSettings) -> Files:

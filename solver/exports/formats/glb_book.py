@@ -1,0 +1,148 @@
+"""A glTF document as it is being put together: geometry, materials, meshes and nodes by number, each written once.
+
+Comes in: surfaces, paints, nodes' texts. Goes out: the bytes of a .glb. May import: the model, paints.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from json.encoder import encode_basestring as quoted
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from solver.exports.model import Paint
+from solver.exports.paints import linear
+from solver.exports.solid_meshes import Surface
+from solver.version import VERSION
+
+_JSON_CHUNK, _BINARY_CHUNK = 0x4E4F534A, 0x004E4942
+_VIEWS: Final = ('"byteStride":12,"target":34962', '"byteStride":12,"target":34962', '"target":34963')
+"""What the views of the buffer hold: positions, normals, indices."""
+
+
+class Geometry(NamedTuple):
+    """A surface as a buffer holds it: its bytes in each view, and what its accessors say after their offset."""
+
+    content: tuple[bytes, bytes, bytes]
+    accessors: tuple[str, str, str]
+
+
+Painted = Sequence[tuple[Geometry, Paint]]
+"""What a mesh is made of."""
+
+
+def geometry_of(surface: Surface) -> Geometry:
+    """Returns a surface as a buffer holds it."""
+    points, normals = (np.ascontiguousarray(values, dtype="<f4") for values in (surface.points, surface.normals))
+    indices = surface.triangles.astype("<u2" if len(points) < 65536 else "<u4").reshape(-1)
+    ends = f'"min":{points.min(axis=0).tolist()},"max":{points.max(axis=0).tolist()}'
+    vectors = f'"componentType":5126,"count":{len(points)},"type":"VEC3"'
+    numbers = f'"componentType":{5123 if indices.itemsize == 2 else 5125},"count":{indices.size},"type":"SCALAR"'
+    return Geometry((points.tobytes(), normals.tobytes(), indices.tobytes()), (f"{vectors},{ends}", vectors, numbers))
+
+
+class GltfBook:
+    """What a document holds so far."""
+
+    def __init__(self) -> None:
+        self._content: tuple[list[bytes], list[bytes], list[bytes]] = ([], [], [])
+        self._lengths = [0, 0, 0]
+        self._accessors: list[str] = []
+        self._placed: dict[int, tuple[Geometry, int]] = {}
+        self._materials: dict[Paint, int] = {}
+        self._meshes: list[str] = []
+        self._nodes: list[str] = []
+
+    def mesh(self, name: str, painted: Painted) -> int:
+        """Adds a mesh and returns its number; geometry that was met before is not written again."""
+        primitives = []
+        for geometry, paint in painted:
+            first = self._place(geometry)
+            material = self._materials.setdefault(paint, len(self._materials))
+            attributes = f'"attributes":{{"POSITION":{first},"NORMAL":{first + 1}}}'
+            primitives.append(f'{{{attributes},"indices":{first + 2},"material":{material}}}')
+        self._meshes.append(f'{{"name":{quoted(name)},"primitives":[{",".join(primitives)}]}}')
+        return len(self._meshes) - 1
+
+    def node(self, text: str) -> int:
+        """Adds a node, a JSON object's text, and returns its number."""
+        self._nodes.append(text)
+        return len(self._nodes) - 1
+
+    def _place(self, geometry: Geometry) -> int:
+        """Returns the number of the first of a geometry's three accessors."""
+        known = self._placed.get(id(geometry))
+        if known:
+            return known[1]
+        first = len(self._accessors)
+        self._placed[id(geometry)] = geometry, first
+        for view, (content, rest) in enumerate(zip(geometry.content, geometry.accessors, strict=True)):
+            self._accessors.append(f'{{"bufferView":{view},"byteOffset":{self._lengths[view]},{rest}}}')
+            self._content[view].append(content)
+            self._lengths[view] += len(content)
+        return first
+
+    def file(self, root: int | None, warnings: Iterable[str], scene: str) -> bytes:
+        """Returns the whole as a .glb.
+
+        Args:
+            root: the number of the node that all others are under; None: there is none.
+            warnings: what is wrong with the house.
+            scene: the scene's document, JSON.
+        """
+        lengths, starts = self._lengths, (0, self._lengths[0], self._lengths[0] + self._lengths[1])
+        views = [
+            f'{{"buffer":0,"byteOffset":{start},"byteLength":{length},{kind}}}'
+            for start, length, kind in zip(starts, lengths, _VIEWS, strict=True)
+        ]
+        told = ",".join(map(quoted, warnings))
+        under = "" if root is None else f'"nodes":[{root}],'
+        lists = {
+            "nodes": self._nodes,
+            "meshes": self._meshes,
+            "materials": [*map(_material, self._materials)],
+            "accessors": self._accessors,
+        }
+        parts = {
+            "asset": f'{{"version":"2.0","generator":"Compose {VERSION}","extras":{{"warnings":[{told}]}}}}',
+            "scene": "0",
+            "scenes": f'[{{"name":"house",{under}"extras":{{"scene":{scene}}}}}]',
+            **{key: _listed(items) for key, items in lists.items() if items},
+            **({"bufferViews": _listed(views), "buffers": f'[{{"byteLength":{sum(lengths)}}}]'} if self._accessors else {}),
+        }
+        text = "{" + ",".join(f'"{key}":{value}' for key, value in parts.items()) + "}"
+        return _packed(text.encode(), b"".join(part for contents in self._content for part in contents))
+
+
+def _listed(items: Iterable[str]) -> str:
+    return f"[{','.join(items)}]"
+
+
+def _packed(text: bytes, content: bytes) -> bytes:
+    text += b" " * (-len(text) % 4)
+    padded = content + bytes(-len(content) % 4)
+    header = struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(padded))
+    return b"".join((header, struct.pack("<II", len(text), _JSON_CHUNK), text, struct.pack("<II", len(padded), _BINARY_CHUNK), padded))
+
+
+@lru_cache(maxsize=4096)
+def _material(paint: Paint) -> str:
+    color = linear(paint.color)
+    look: dict[str, Any] = {
+        "baseColorFactor": [*color, paint.opacity],
+        "metallicFactor": paint.metalness,
+        "roughnessFactor": paint.roughness,
+    }
+    texts = [f'"name":{quoted(" ".join(filter(None, (paint.texture, paint.color))))}', f'"pbrMetallicRoughness":{_object(look)}']
+    if paint.glow:
+        texts.append(f'"emissiveFactor":{[round(channel * paint.glow, 6) for channel in color]}')
+    if paint.opacity < 1:
+        texts.append('"alphaMode":"BLEND"')
+    return f"{{{','.join(texts)}}}"
+
+
+def _object(values: dict[str, Any]) -> str:
+    return "{" + ",".join(f'"{key}":{value}' for key, value in values.items()) + "}"
