@@ -31,6 +31,7 @@ GROUND_FLOOR = {
     "free_places",
     "free_floor",
     "certificate",
+    "version",
     "relations",
     "requested",
 }
