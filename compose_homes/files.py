@@ -1,4 +1,4 @@
-"""Scenes in files and texts: JSON or YAML, by the file's name, else by the text's first character."""
+"""Scenes in files and texts: JSON, YAML or a .glb that was exported, by the file's name, else by how it begins."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ def load(source: str | bytes | PathLike[str], format: str | None = None) -> Scen
 
     Args:
         source: a path; or the text itself, as bytes, or as a `str` that has more than one line or begins with a brace.
-        format: "json" or "yaml"; by default by the file's name, else by the text's first character.
+        format: "json", "yaml" or "glb"; by default by the file's name, else by how the content begins.
 
     Raises:
         OSError: the file cannot be read.
-        SyntaxFault: the text is not of that format.
+        SyntaxFault: the content is not of that format; or it is a .glb that Compose did not write.
         SceneError: the document is no scene; names the field and what is allowed.
 
     Example:
@@ -26,13 +26,13 @@ def load(source: str | bytes | PathLike[str], format: str | None = None) -> Scen
         >>> scene.rooms[0].id, scene.rooms[0].width
         ('office_0', 4.0)
     """
-    from solver.exchange import format_of_content, format_of_name, load_text, read_scene
+    from solver.exchange import format_of_file, load_text, read_scene
 
     if isinstance(source, str) and ("\n" in source or source.lstrip().startswith("{")):
         source = source.encode()
     content = source if isinstance(source, bytes) else Path(source).read_bytes()
-    named = None if isinstance(source, bytes) else format_of_name(str(source))
-    document = load_text(content, format or named or format_of_content(content))
+    name = "" if isinstance(source, bytes) else str(source)
+    document = load_text(content, format or format_of_file(name, content))
     if isinstance(document, dict) and "scene" in document and "rooms" not in document:
         document = document["scene"]
     return read_scene(document)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from solver.errors import ComposeError, FieldError, SyntaxFault
-from solver.exchange import dump_text, format_of_content, format_of_name, load_text, read_request, scene_schema
+from solver.exchange import dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
 from solver.scene import MAX_SEED, Request
@@ -219,10 +219,9 @@ def _catalogs(options: Namespace) -> Catalogs:
 
 
 def _read(name: str) -> object:
-    """Reads a file or standard input, by its name's ending or else by its first character."""
+    """Reads a file or standard input, by its name's ending or else by how it begins."""
     content = sys.stdin.buffer.read() if name == STREAM else Path(name).read_bytes()
-    format = format_of_name(name) or format_of_content(content)
-    return _checked(name, lambda: load_text(content, format))
+    return _checked(name, lambda: load_text(content, format_of_file(name, content)))
 
 
 def _checked(name: str | None, work: Callable[[], T]) -> T:

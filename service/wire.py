@@ -11,7 +11,7 @@ from starlette.responses import Response
 
 from service.calls import ExportedFile
 from service.refusals import TooLarge, TooSlow, WrongMediaType
-from solver.exchange import FORMATS, dump_text
+from solver.exchange import FORMATS, GLB, dump_text
 from solver.plain import Document
 
 BODY_LIMIT: Final = 8 * 1024 * 1024
@@ -21,7 +21,7 @@ DRAIN_LIMIT: Final = 4 * BODY_LIMIT
 BODY_SECONDS: Final = 30.0
 """How long a body may take to arrive, s. Our choice."""
 MEDIA_TYPES: Final = tuple(format.media_type for format in FORMATS.values())
-READ_AS: Final = {
+_TEXTS: Final = {
     **{format.media_type: name for name, format in FORMATS.items()},
     "": "json",
     "application/x-www-form-urlencoded": "json",  # what `curl -d` says of any body
@@ -29,8 +29,10 @@ READ_AS: Final = {
     "text/yaml": "yaml",
     "text/x-yaml": "yaml",
 }
+GLB_TYPE: Final = "model/gltf-binary"
+READ_AS: Final = {**_TEXTS, GLB_TYPE: GLB}
 """The format a body is read in, by its content type."""
-ACCEPTED: Final = {**READ_AS, "*/*": "json", "application/*": "json"}
+ACCEPTED: Final = {**_TEXTS, "*/*": "json", "application/*": "json"}
 """The format that satisfies a media range of an Accept header."""
 
 
@@ -46,7 +48,9 @@ def format_sent(request: Request) -> str:
     given = request.headers.get("content-type", "")
     found = READ_AS.get(given.partition(";")[0].strip().lower())
     if found is None:
-        raise WrongMediaType("Content-Type", f"{given!r} is not read here", ", ".join(MEDIA_TYPES))
+        raise WrongMediaType(
+            "Content-Type", f"{given!r} is not read here", f"{', '.join(MEDIA_TYPES)}; {GLB_TYPE} for a .glb that was exported"
+        )
     return found
 
 

@@ -16,7 +16,7 @@ from service import calls, problems
 from service.refusals import TooMuch
 from service.wire import attached, written
 from solver.errors import ComposeError
-from solver.exchange import FORMATS, load_text
+from solver.exchange import FORMATS, GLB, load_text
 from solver.placement import compiled_kernel
 
 if sys.platform != "win32":
@@ -67,6 +67,8 @@ def do(job: Job) -> Response | Failure:
     """Makes a call; what is wrong with the request becomes a problem document."""
     try:
         document = load_text(job.body, job.sent) if job.body.strip() or job.call not in calls.MAY_BE_EMPTY else {}
+        if job.sent == GLB:
+            document = {"scene": document}
         if job.call == "export" and job.wanted not in FORMATS:
             return attached(calls.export_one(document, unpacked(job.catalogs), job.wanted))
         return written(calls.CALLS[job.call](document, unpacked(job.catalogs)), job.wanted)

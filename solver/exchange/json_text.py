@@ -14,16 +14,27 @@ from solver.plain import MAX_NESTING, is_text
 
 def load(text: str) -> object:
     """Reads a JSON document; see `text.load_text`."""
+    document = parsed(text)
+    check(document, text)
+    return document
+
+
+def parsed(text: str) -> object:
+    """Reads a JSON text that may be nested deeper, and hold stranger texts, than a document of ours: `check` refuses those."""
     try:
         document: object = json.loads(text, object_pairs_hook=_once)
     except RecursionError:
         raise _too_deep() from None
     except ValueError as error:
         raise SyntaxFault(f"not JSON: {error}") from None
+    return document
+
+
+def check(document: object, text: str) -> None:
+    """Refuses a document that is nested too deeply or holds half a surrogate pair; `text` is what it was read from."""
     _check_depth(document)
     if "\\ud" in text or "\\uD" in text:
         _check_texts(document)
-    return document
 
 
 def dump(document: Any) -> str:

@@ -1,6 +1,7 @@
 """Text <-> documents: one module a format behind one dict.
 
 Comes in: bytes or a string. Goes out: plain values; or, the other way, canonical bytes. May import: the ground floor.
+A .glb that was exported is read too, but not written here.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from pathlib import PurePath
 from typing import Any, Final
 
 from solver.errors import FieldError, SyntaxFault
-from solver.exchange import json_text, yaml_text
+from solver.exchange import glb_scene, json_text, yaml_text
 from solver.plain import Wrong, path, plain
 
 
@@ -29,11 +30,13 @@ FORMATS: Final = {
     "json": TextFormat(json_text.load, json_text.dump, "application/json", (".json",)),
     "yaml": TextFormat(yaml_text.load, yaml_text.dump, "application/yaml", (".yaml", ".yml")),
 }
+GLB: Final = "glb"
+"""What is read beside texts: a .glb with a scene inside."""
 ENDINGS: Final = {ending: name for name, format in FORMATS.items() for ending in format.endings}
 
 
 def format_of_name(name: str) -> str | None:
-    """Tells a file's format by its name, None where the name does not say."""
+    """Tells the format in which a file is to be written by its name, None where the name does not say."""
     return ENDINGS.get(PurePath(name).suffix.lower())
 
 
@@ -42,12 +45,18 @@ def format_of_content(content: bytes) -> str:
     return "json" if content.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"[") else "yaml"
 
 
+def format_of_file(name: str, content: bytes) -> str:
+    """Tells the format in which a file is to be read: by its name, else by its content."""
+    is_glb = PurePath(name).suffix.lower() == f".{GLB}" or content.startswith(glb_scene.MAGIC)
+    return GLB if is_glb else format_of_name(name) or format_of_content(content)
+
+
 def load_text(text: bytes | str, format: str) -> object:
-    """Reads a document from text.
+    """Reads a document from text, or from a .glb.
 
     Args:
-        text: UTF-8, with or without a byte order mark.
-        format: one of FORMATS.
+        text: UTF-8, with or without a byte order mark; or the bytes of a .glb.
+        format: one of FORMATS, or GLB.
 
     Returns:
         Mappings with text keys, lists, texts, numbers (also ones that are not finite: the reader names their field),
@@ -58,6 +67,8 @@ def load_text(text: bytes | str, format: str) -> object:
     """
     if not text.strip():
         raise SyntaxFault("the text is empty; {} asks for all defaults where there are any")
+    if format == GLB:
+        return glb_scene.load(text if isinstance(text, bytes) else text.encode("utf-8", "replace"))
     return FORMATS[format].load(_decoded(text))
 
 

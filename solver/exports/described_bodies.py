@@ -58,6 +58,8 @@ class BodyMaker:
         self._book = KindBook(catalogs)
         self._parts: dict[tuple[str, float, float, float], tuple[BodyPart, ...]] = {}
         self._painted: dict[tuple[str, str | None, str | None], tuple[Paint, ...]] = {}
+        self._alike: dict[tuple[Paint, ...], tuple[Paint, ...]] = {}
+        """Each paints that were met as one object, so that equal ones are told by who they are."""
         self.unit_shapes: dict[str, tuple[BodyPart, ...]] = {}
         """The parts of each shape that was met, as shares of a body's box."""
 
@@ -145,7 +147,8 @@ class BodyMaker:
         key = shape, color, accent
         if key not in self._painted:
             parts = self.unit_shapes[shape]
-            self._painted[key] = tuple(self._paints.of(part.material, color or UNSAID, accent) for part in parts)
+            made = tuple(self._paints.of(part.material, color or UNSAID, accent) for part in parts)
+            self._painted[key] = self._alike.setdefault(made, made)
         return self._painted[key]
 
     @staticmethod

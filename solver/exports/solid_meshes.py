@@ -1,6 +1,6 @@
 """The surfaces of parts as triangles, for formats that know no cylinders.
 
-Comes in: parts of a body. Goes out: `Surface`s. May import: body_parts.
+Comes in: parts of a body. Goes out: `SolidSurface`s. May import: body_parts, the model.
 
 Soft edges and round ends keep their size in metres, whatever box they are written for; facets of a round form are 22.5 degrees.
 """
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from catalogs.shapes import Axis, Form
 from solver.body_parts import BodyPart
+from solver.exports.model import Point
 
 AROUND: Final = 16
 """How many facets go round a cylinder."""
@@ -25,14 +26,13 @@ ROUNDING: Final = 0.035
 """The radius of a soft edge, m; never more than ROUNDING_SHARE of its block's thinnest side."""
 ROUNDING_SHARE: Final = 0.42
 Points = NDArray[Any]
-Point = tuple[float, float, float]
 BoxFace = tuple[Axis, Literal[1, -1]]
 """A face of a box: the axis it lies across, and towards which end."""
 _TURNED: Final[dict[Axis, tuple[int, int, int]]] = {"x": (1, 0, 2), "y": (0, 1, 2), "z": (0, 2, 1)}
 """Which coordinate of a form that stands along y becomes x, y and z when it lies along an axis."""
 
 
-class Surface(NamedTuple):
+class SolidSurface(NamedTuple):
     """Triangles: vertices, their outward normals (both n x 3) and three of their numbers each, counter-clockwise seen from outside."""
 
     points: Points
@@ -40,7 +40,7 @@ class Surface(NamedTuple):
     triangles: NDArray[Any]
 
 
-def surface_of(part: BodyPart) -> Surface:
+def surface_of(part: BodyPart) -> SolidSurface:
     """Returns the surface of a part, m, in its body's frame."""
     width, height, depth = part.size
     lying = _TURNED[part.axis]
@@ -52,40 +52,40 @@ def surface_of(part: BodyPart) -> Surface:
     else:
         made = _stretched(_unit(part.form, part.taper), size)
     if part.axis != "y":  # two coordinates change places: a mirror image, whose triangles run the other way round
-        made = Surface(made.points[:, lying], made.normals[:, lying], made.triangles[:, ::-1])
-    return Surface(made.points + part.at, made.normals, made.triangles)
+        made = SolidSurface(made.points[:, lying], made.normals[:, lying], made.triangles[:, ::-1])
+    return SolidSurface(made.points + part.at, made.normals, made.triangles)
 
 
-def joined(surfaces: Iterable[Surface]) -> Surface:
+def joined(surfaces: Iterable[SolidSurface]) -> SolidSurface:
     """Returns several surfaces as one."""
     parts = list(surfaces)
     starts = np.cumsum([0, *(len(part.points) for part in parts)])
     triangles = [part.triangles + start for part, start in zip(parts, starts, strict=False)]
     points, normals = ([part[i] for part in parts] for i in (0, 1))
-    return Surface(np.concatenate(points), np.concatenate(normals), np.concatenate(triangles))
+    return SolidSurface(np.concatenate(points), np.concatenate(normals), np.concatenate(triangles))
 
 
-def box_faces(size: Point, at: Point, faces: Iterable[BoxFace]) -> Surface:
+def box_faces(size: Point, at: Point, faces: Iterable[BoxFace]) -> SolidSurface:
     """Returns some faces of a box around a point, m."""
     points, normals = _faces(np.array(size), 0.0)
     first = [4 * (2 * "xyz".index(axis) + (towards > 0)) for axis, towards in faces]
     rows = np.add.outer(first, range(4)).reshape(-1)
     triangles = np.concatenate([_SHARP[start // 2 : start // 2 + 2] - start + 4 * number for number, start in enumerate(first)])
-    return Surface(points[rows] + at, normals[rows], triangles)
+    return SolidSurface(points[rows] + at, normals[rows], triangles)
 
 
-def scaled(surface: Surface, by: Sequence[float]) -> Surface:
+def scaled(surface: SolidSurface, by: Sequence[float]) -> SolidSurface:
     """Returns a surface stretched along x, y and z, its normals upright on it again."""
     return _stretched(surface, np.array(by))
 
 
-def _stretched(surface: Surface, by: Points) -> Surface:
+def _stretched(surface: SolidSurface, by: Points) -> SolidSurface:
     normals = surface.normals / by
-    return Surface(surface.points * by, normals / np.linalg.norm(normals, axis=1, keepdims=True), surface.triangles)
+    return SolidSurface(surface.points * by, normals / np.linalg.norm(normals, axis=1, keepdims=True), surface.triangles)
 
 
 @lru_cache(maxsize=256)
-def _unit(form: Form, taper: float) -> Surface:
+def _unit(form: Form, taper: float) -> SolidSurface:
     """Returns a form of size 1 around the origin, along y."""
     if form == "ball":
         return _ball()
@@ -94,10 +94,10 @@ def _unit(form: Form, taper: float) -> Surface:
     return _block(np.ones(3), 0.0)
 
 
-def _block(size: Points, rounding: float) -> Surface:
+def _block(size: Points, rounding: float) -> SolidSurface:
     """Returns a box; its edges are flat bevels with the normals of a round edge, so that four vertices a face will do."""
     points, normals = _faces(size, rounding)
-    return Surface(points, normals, _BEVELLED if rounding else _SHARP)
+    return SolidSurface(points, normals, _BEVELLED if rounding else _SHARP)
 
 
 def _faces(size: Points, rounding: float) -> tuple[Points, Points]:
@@ -154,7 +154,7 @@ def _between(lower: int, upper: int, around: int) -> list[tuple[int, int, int]]:
     return found
 
 
-def _tube(taper: float) -> Surface:
+def _tube(taper: float) -> SolidSurface:
     """Returns a cylinder whose radius changes from its lower to its upper end, and its caps."""
     low, high = (1.0, taper) if taper <= 1 else (1 / taper, 1.0)
     ring = _ring(AROUND)
@@ -171,7 +171,7 @@ def _tube(taper: float) -> Surface:
             normals.append(np.tile((0.0, towards, 0.0), (AROUND, 1)))
             fan = [(start, start + i, start + i + 1) for i in range(1, AROUND - 1)]
             triangles += fan if towards > 0 else [(a, c, b) for a, b, c in fan]
-    return Surface(np.concatenate(points), np.concatenate(normals), np.array(triangles))
+    return SolidSurface(np.concatenate(points), np.concatenate(normals), np.array(triangles))
 
 
 def _dome(rows: Sequence[float], around: int) -> tuple[Points, list[tuple[int, int, int]]]:
@@ -189,15 +189,15 @@ def _dome(rows: Sequence[float], around: int) -> tuple[Points, list[tuple[int, i
 
 
 @lru_cache(maxsize=1)
-def _ball() -> Surface:
+def _ball() -> SolidSurface:
     normals, triangles = _dome([i / 4 - 1 for i in range(9)], AROUND)
-    return Surface(normals / 2, normals, np.array(triangles))
+    return SolidSurface(normals / 2, normals, np.array(triangles))
 
 
 _CAPSULE: Final = _dome([-1, -2 / 3, -1 / 3, 0, 0, 1 / 3, 2 / 3, 1], AROUND)
 
 
-def _capsule(size: Points) -> Surface:
+def _capsule(size: Points) -> SolidSurface:
     """Returns a cylinder along y with round ends, elliptical where its width is not its depth."""
     normals, triangles = _CAPSULE
     radius = size.min() / 2
@@ -206,4 +206,4 @@ def _capsule(size: Points) -> Surface:
     points = normals * radii
     points[:, 1] += towards * (size[1] / 2 - radius)
     bent = normals / radii
-    return Surface(points, bent / np.linalg.norm(bent, axis=1, keepdims=True), np.array(triangles))
+    return SolidSurface(points, bent / np.linalg.norm(bent, axis=1, keepdims=True), np.array(triangles))

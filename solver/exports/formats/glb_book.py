@@ -15,7 +15,7 @@ import numpy as np
 
 from solver.exports.model import Paint
 from solver.exports.paints import linear
-from solver.exports.solid_meshes import Surface
+from solver.exports.solid_meshes import SolidSurface
 from solver.version import VERSION
 
 _JSON_CHUNK, _BINARY_CHUNK = 0x4E4F534A, 0x004E4942
@@ -30,11 +30,11 @@ class Geometry(NamedTuple):
     accessors: tuple[str, str, str]
 
 
-Painted = Sequence[tuple[Geometry, Paint]]
+PaintedGeometry = Sequence[tuple[Geometry, Paint]]
 """What a mesh is made of."""
 
 
-def geometry_of(surface: Surface) -> Geometry:
+def geometry_of(surface: SolidSurface) -> Geometry:
     """Returns a surface as a buffer holds it."""
     points, normals = (np.ascontiguousarray(values, dtype="<f4") for values in (surface.points, surface.normals))
     indices = surface.triangles.astype("<u2" if len(points) < 65536 else "<u4").reshape(-1)
@@ -56,7 +56,7 @@ class GltfBook:
         self._meshes: list[str] = []
         self._nodes: list[str] = []
 
-    def mesh(self, name: str, painted: Painted) -> int:
+    def mesh(self, name: str, painted: PaintedGeometry) -> int:
         """Adds a mesh and returns its number; geometry that was met before is not written again."""
         primitives = []
         for geometry, paint in painted:
