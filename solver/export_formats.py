@@ -26,5 +26,10 @@ EXPORTERS: Final[dict[str, Exporter]] = {
     "nav2": Exporter("a map for Nav2 (ROS 2), with rooms, doors and places to stand at", "nav2", "application/zip"),
     "svg": Exporter("floor plan to scale, as an architect draws it", "plan_svg", "image/svg+xml"),
     "glb": Exporter("glTF: Blender, game engines, viewers, the web; the scene inside, so that it reads back", "glb", "model/gltf-binary"),
+    "usd": Exporter(
+        "USD as text: Isaac Sim, Omniverse, Blender; colliders, masses, doors on joints, labels", "usd_stage", "model/vnd.usda"
+    ),
+    "usdc": Exporter("the same, binary", "usd_stage", "model/vnd.usd", ("pxr", "usd")),
+    "usdz": Exporter("the same, packed as one file: phones, tablets, previews", "usd_stage", "model/vnd.usdz+zip", ("pxr", "usd")),
 }
 """The formats by name; `needs` is (module, extra)."""

@@ -1,0 +1,188 @@
+"""The solids with which a body touches others in a simulator, and how its mass is spread over them.
+
+Comes in: a `ModelBody`. Goes out: `Collider`s, `Inertia`. May import: the model.
+
+Here z is up, as simulators have it: a point (x, y, z) of the scene is (x, -z, y), extents (w, h, d) are (w, d, h), turns keep their value.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator, Sequence
+from itertools import pairwise
+from typing import Final, Literal, NamedTuple
+
+from catalogs.shapes import Axis
+from solver.body_parts import BodyPart
+from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, ModelBody, Paint, WallBox
+
+ROUND: Final = 0.12
+"""A cylinder or capsule whose two radii differ by less of the larger one collides as a round one, else as a box."""
+CLEARANCE: Final = 0.002
+"""How far a leaf's collider stays off its frame at either end, m."""
+FLOOR: Final = 0.05
+"""How thick floors are, m; their tops are where the rooms' floors are."""
+AXES: Final[dict[Axis, Axis]] = {"x": "x", "y": "z", "z": "y"}
+"""What the scene's axes are called where z is up; the scene's z points to -y."""
+Touch = Literal["box", "cylinder", "capsule", "ellipsoid"]
+Triple = tuple[float, float, float]
+
+
+class Collider(NamedTuple):
+    """A solid in its body's frame: its extents and its middle, m, z up. `axis` is a cylinder's or capsule's."""
+
+    form: Touch
+    size: Triple
+    at: Triple
+    axis: Axis = "z"
+
+    @property
+    def round_size(self) -> tuple[float, float]:
+        """The radius of a cylinder or capsule, and its length from end to end, m."""
+        along = "xyz".index(self.axis)
+        across = [extent for i, extent in enumerate(self.size) if i != along]
+        return sum(across) / 4, self.size[along]
+
+    @property
+    def volume(self) -> float:
+        """Its volume, m3."""
+        if self.form == "box":
+            return math.prod(self.size)
+        if self.form == "ellipsoid":
+            return math.prod(self.size) * math.pi / 6
+        radius, length = self.round_size
+        if self.form == "cylinder":
+            return math.pi * radius**2 * length
+        return math.pi * radius**2 * (length - 2 * radius) + 4 / 3 * math.pi * radius**3
+
+
+class Inertia(NamedTuple):
+    """A body's mass, kg, its centre, m, and its moments about that, kg m2: xx, yy, zz and the products xy, xz, yz; z up."""
+
+    mass: float
+    middle: Triple
+    moments: Triple
+    products: Triple
+
+
+def z_up(x: float, y: float, z: float) -> Triple:
+    """Returns a point of the scene's frame where z is up."""
+    return x, 0.0 - z, y
+
+
+def colliders_of(body: ModelBody, carries: Collection[str]) -> tuple[Collider, ...]:
+    """Returns what a body collides with.
+
+    Furniture, people, and what carries other things collide with their parts, as things lie in shelves and between armrests; a
+    decoration that carries nothing is one box.
+
+    Args:
+        body: the body.
+        carries: ids of all that carry something.
+    """
+    if body.sort == "decoration" and body.id not in carries:
+        return (Collider("box", (body.width, body.depth, body.height), (0.0, 0.0, body.height / 2)),)
+    return tuple(_solid(part) for part in body.parts)
+
+
+def carriers(bodies: Sequence[ModelBody]) -> set[str]:
+    """Returns the ids of all that carry something."""
+    return {body.parent for body in bodies if body.parent}
+
+
+def box_between(box: Cuboid) -> Collider:
+    """Returns an axis-aligned box of the house, z up."""
+    (w, h, d), middle = box.size, box.middle
+    return Collider("box", (w, d, h), z_up(*middle))
+
+
+def leaf_colliders(leaf: DoorLeaf) -> tuple[Collider, ...]:
+    """Returns a slab a little narrower than its frame, and the handles that stand out of it; the hinge at the origin, the width along x."""
+    half = leaf.width / 2
+    slab = Collider("box", (leaf.width - 2 * CLEARANCE, leaf.thickness, leaf.height), (half, 0.0, leaf.height / 2))
+    proud = [part for part in parts_of_hung_leaf(leaf) if part.at[2] and abs(part.at[2]) + part.size[2] / 2 > leaf.thickness / 2 + 1e-6]
+    return slab, *map(_solid, proud)
+
+
+def parts_of_hung_leaf(leaf: DoorLeaf) -> tuple[BodyPart, ...]:
+    """Returns a leaf's parts with its hinge at the origin, in the scene's frame."""
+    return tuple(part._replace(at=(part.at[0] + leaf.width / 2, *part.at[1:])) for part in leaf.parts)
+
+
+def painted_halves(wall: WallBox) -> Iterator[tuple[Collider, Paint]]:
+    """Yields a wall's two halves, each in the paint of the room it faces."""
+    box, middle = wall.box, wall.box.middle
+    if wall.axis == "x":
+        halves = box._replace(z1=middle[2]), box._replace(z0=middle[2])
+    else:
+        halves = box._replace(x1=middle[0]), box._replace(x0=middle[0])
+    yield from ((box_between(half), paint) for half, paint in zip(halves, (wall.lesser, wall.greater), strict=True))
+
+
+def floor_boxes(floor: FloorPlate) -> Iterator[Collider]:
+    """Yields the boxes that make a room's floor, z up: one for each stretch between corners from north to south."""
+    for north, south in pairwise(sorted({z for _, z in floor.corners})):
+        middle = (north + south) / 2
+        edges = zip(floor.corners, (*floor.corners[1:], floor.corners[0]), strict=True)
+        crossed = sorted((x0 + x1) / 2 for (x0, z0), (x1, z1) in edges if min(z0, z1) < middle < max(z0, z1))
+        for west, east in zip(crossed[::2], crossed[1::2], strict=True):
+            yield box_between(Cuboid(west, floor.elevation - FLOOR, north, east, floor.elevation, south))
+
+
+def shared_mass(colliders: Sequence[Collider], mass: float) -> list[tuple[Collider, float]]:
+    """Returns each solid of a body with its share of the mass, kg, by volume."""
+    volumes = [solid.volume for solid in colliders]
+    whole = sum(volumes)
+    return [(solid, mass * volume / whole) for solid, volume in zip(colliders, volumes, strict=True)]
+
+
+def _solid(part: BodyPart) -> Collider:
+    (w, h, d), at, axis = part.size, z_up(*part.at), AXES[part.axis]
+    size = w, d, h
+    if part.form == "ball":
+        return Collider("ellipsoid", size, at)
+    if part.form in ("cylinder", "cone", "capsule"):
+        along = "xyz".index(axis)
+        one, other = (extent for i, extent in enumerate(size) if i != along)
+        if abs(one - other) < ROUND * max(one, other):
+            capsule = part.form == "capsule" and size[along] > max(one, other)
+            return Collider("capsule" if capsule else "cylinder", size, at, axis)
+    return Collider("box", size, at)
+
+
+def inertia_of(colliders: Sequence[Collider], mass: float) -> Inertia:
+    """Returns the inertia of a body of one density.
+
+    Args:
+        colliders: its solids, at least one.
+        mass: of all together, kg.
+    """
+    shares = [share for _, share in shared_mass(colliders, mass)]
+    middle = _weighted(colliders, shares, mass)
+    moments, products = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
+    for solid, share in zip(colliders, shares, strict=True):
+        own = _moments(solid)
+        off = [at - centre for at, centre in zip(solid.at, middle, strict=True)]
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            moments[i] += share * (own[i] + off[j] ** 2 + off[k] ** 2)
+        for i, (j, k) in enumerate(((0, 1), (0, 2), (1, 2))):
+            products[i] -= share * off[j] * off[k]
+    return Inertia(mass, middle, (moments[0], moments[1], moments[2]), (products[0], products[1], products[2]))
+
+
+def _weighted(colliders: Sequence[Collider], shares: Sequence[float], mass: float) -> Triple:
+    x, y, z = (sum(share * solid.at[i] for solid, share in zip(colliders, shares, strict=True)) / mass for i in range(3))
+    return x, y, z
+
+
+def _moments(solid: Collider) -> Triple:
+    """Returns the moments of inertia of a solid of 1 kg about its own middle, m2."""
+    x, y, z = (extent**2 for extent in solid.size)
+    if solid.form == "box":
+        return (y + z) / 12, (x + z) / 12, (x + y) / 12
+    if solid.form == "ellipsoid":
+        return (y + z) / 20, (x + z) / 20, (x + y) / 20
+    radius, length = solid.round_size
+    around, across = radius**2 / 2, radius**2 / 4 + length**2 / 12
+    return (around if solid.axis == "x" else across, around if solid.axis == "y" else across, around if solid.axis == "z" else across)

@@ -1,0 +1,182 @@
+"""USD: a house that simulates (Isaac Sim, Isaac Lab, Omniverse, Blender): kinds once, colliders, masses, doors on joints, labels.
+
+The frame is USD's for simulators: z up, y north, front towards -y, m, kg, degrees. The text needs no library; usd-core packs it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final
+
+from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
+from solver.exports.floor_rectangles import rectangles_of
+from solver.exports.formats.usd_packing import packed_stage
+from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
+from solver.exports.paints import PLAIN_CEILING
+from solver.exports.safe_names import SafeNames
+from solver.exports.usd_doors import door_text
+from solver.exports.usd_kinds import body_kind, wall_kind
+from solver.exports.usd_text import LOOKS, cube, material_name, material_text, placed, prim, said, stretched, texts
+from solver.exports.writers import ExportSettings, Files
+from solver.version import VERSION
+
+CEILING: Final = 0.01
+"""How thick ceilings are, m."""
+_SORTS: Final = {"furniture": "Furniture", "decoration": "Decorations", "dynamic": "People"}
+_AROUND: Final = """def DomeLight "Sky"
+{
+float inputs:intensity = 1000
+}
+def PhysicsScene "PhysicsScene"
+{
+vector3f physics:gravityDirection = (0, 0, -1)
+float physics:gravityMagnitude = 9.81
+}
+"""
+"""What stands beside the house: whoever refers to the house alone brings a sky and a scene of their own."""
+_FILTER: Final = """def PhysicsCollisionGroup "Building"
+{
+rel collection:colliders:includes = [</House/Floors>, </House/Walls>, </House/Fittings>]
+}
+def PhysicsCollisionGroup "Leaves"
+{
+rel collection:colliders:includes = </House/Doors>
+rel physics:filteredGroups = </House/Building>
+}
+"""
+"""Leaves turn inside their frames: the two do not touch."""
+
+
+def write(model: HouseModel, settings: ExportSettings) -> Files:
+    """Writes `<house>.usda`, or `.usdc` or `.usdz` where the format says so."""
+    return packed_stage(stage_text(model), model.name, settings.format)
+
+
+def stage_text(model: HouseModel) -> str:
+    """Returns a house as a stage, USD's text format."""
+    return _Stage(model).text()
+
+
+def prim_paths(model: HouseModel) -> dict[str, str]:
+    """Returns the path of each body's prim, by the body's id."""
+    names = SafeNames(r"[^A-Za-z0-9_]")
+    return {body.id: f"/House/{_SORTS[body.sort]}/{prim_name(body.id, names)}" for body in model.bodies}
+
+
+def prim_name(wished: str, names: SafeNames) -> str:
+    """Returns a name of a prim, which never begins with a digit."""
+    return names.take(f"_{wished}" if wished[:1].isdigit() else wished)
+
+
+class _Stage:
+    """Puts one house together."""
+
+    def __init__(self, model: HouseModel) -> None:
+        self._model = model
+        self._carriers = carriers(model.bodies)
+        self._names = SafeNames(r"[^A-Za-z0-9_]")
+        self._kinds: dict[tuple[object, ...], str] = {}
+        self._kind_texts: list[str] = []
+        self._looks: dict[str, str] = {}
+
+    def text(self) -> str:
+        """Returns the stage."""
+        model = self._model
+        groups = {
+            "Floors": "".join(map(self._floor, model.rooms)),
+            "Ceilings": 'token visibility = "invisible"\n' + "".join(self._ceilings()),
+            "Walls": "".join(self._wall(number, wall) for number, wall in enumerate(model.walls)),
+            "Fittings": "".join(self._fittings()),
+            "Doors": "".join(self._doors()),
+            **dict.fromkeys(_SORTS.values(), ""),
+        }
+        bodies: dict[str, list[str]] = {}
+        paths = prim_paths(model)
+        for body in model.bodies:
+            bodies.setdefault(_SORTS[body.sort], []).append(self._body(body, paths[body.id].rpartition("/")[2]))
+        groups |= {name: "".join(found) for name, found in bodies.items()}
+        inside = "".join(f'def Xform "{name}" (\nkind = "group"\n)\n{{\n{found}}}\n' for name, found in groups.items())
+        looks = prim("Scope", "Looks", (), "".join(self._looks.values()))
+        kinds = f'class Scope "Kinds"\n{{\n{"".join(self._kind_texts)}}}\n'
+        told = f'string generator = "Compose {VERSION}"\nstring[] warnings = {texts(model.warnings)}\n'
+        return (
+            f'#usda 1.0\n(\ncustomLayerData = {{\n{told}}}\ndefaultPrim = "House"\n'
+            f'kilogramsPerUnit = 1\nmetersPerUnit = 1\nupAxis = "Z"\n)\n'
+            f'{_AROUND}def Xform "House" (\nkind = "assembly"\n)\n{{\n{looks}{kinds}{_FILTER}{inside}}}\n'
+        )
+
+    def _paint(self, paints: Iterable[Paint]) -> None:
+        """Adds materials."""
+        for paint in paints:
+            name = material_name(paint)
+            if name not in self._looks:
+                self._looks[name] = material_text(paint)
+
+    def _kind(self, key: tuple[object, ...], wished: str, inside: str) -> str:
+        """Adds a kind and returns its name."""
+        name = self._kinds[key] = prim_name(f"{wished}_1", self._names)
+        self._kind_texts.append(f'class Xform "{name}"\n{{\n{inside}}}\n')
+        return name
+
+    def _body(self, body: ModelBody, name: str) -> str:
+        boxed = body.sort == "decoration" and body.id not in self._carriers
+        key = id(body.parts), id(body.paints), boxed, body.flat
+        kind = self._kinds.get(key)
+        if kind is None:
+            self._paint(body.paints)
+            kind = self._kind(key, body.shape or "block", body_kind(body, boxed))
+        friction = f"friction_{body.friction * 1000:.0f}"
+        if friction not in self._looks:
+            self._looks[friction] = _friction(friction, body.friction)
+        schemas = ["PhysicsMassAPI", "SemanticsLabelsAPI:class", "MaterialBindingAPI"]
+        if not body.fixed:
+            schemas.insert(0, "PhysicsRigidBodyAPI")
+        words = {"id": body.id, "kind": body.kind, "category": body.category, "room": body.room, "parent": body.parent}
+        inside = (
+            f"rel material:binding:physics = <{LOOKS}/{friction}>\nfloat physics:mass = {body.mass:.6g}\n"
+            f"token[] semantics:labels:class = {texts(body.labels)}\n{placed(z_up(body.x, body.y, body.z), body.turn)}"
+            f'def Xform "shape" (\ninstanceable = true\nreferences = </House/Kinds/{kind}>\n)\n{{\n}}\n'
+        )
+        return said("Xform", name, schemas, words, inside)
+
+    def _floor(self, room: FloorPlate) -> str:
+        self._paint([room.paint])
+        boxes = "".join(cube(f"part_{i}", (box.size, box.at), room.paint) for i, box in enumerate(floor_boxes(room)))
+        words = {"id": room.id, "type": room.type}
+        inside = f"token[] semantics:labels:class = {texts(('floor', room.type))}\n{boxes}"
+        return said("Xform", prim_name(room.id, self._names), ["SemanticsLabelsAPI:class"], words, inside)
+
+    def _ceilings(self) -> Iterator[str]:
+        """Yields ceilings, which are hidden until somebody shows them: a house is looked at from above."""
+        self._paint([PLAIN_CEILING])
+        for room in self._model.rooms:
+            for west, north, east, south in () if room.outdoor else rectangles_of(room.corners):
+                box = box_between(Cuboid(west, room.ceiling, north, east, room.ceiling + CEILING, south))
+                yield cube(prim_name(f"ceiling_{room.id}", self._names), (box.size, box.at), PLAIN_CEILING, collides=False)
+
+    def _wall(self, number: int, wall: WallBox) -> str:
+        key = wall.axis, wall.lesser, wall.greater, wall.rest
+        kind = self._kinds.get(key)
+        if kind is None:
+            self._paint(key[1:])
+            kind = self._kind(key, f"wall_{wall.axis}", wall_kind(wall))
+        box = box_between(wall.box)
+        metadata = f"instanceable = true\nreferences = </House/Kinds/{kind}>\n"
+        return f'def Xform "wall_{number}" (\n{metadata})\n{{\n{stretched(box.at, box.size)}}}\n'
+
+    def _fittings(self) -> Iterator[str]:
+        for number, fitting in enumerate(self._model.fittings):
+            self._paint([fitting.paint])
+            box = box_between(fitting.box)
+            yield cube(f"{fitting.surface}_{number}", (box.size, box.at), fitting.paint, fitting.surface != "threshold")
+
+    def _doors(self) -> Iterator[str]:
+        names = SafeNames(r"[^A-Za-z0-9_]")
+        for leaf in self._model.leaves:
+            self._paint(leaf.paints)
+            yield door_text(leaf, prim_name(leaf.id, names))
+
+
+def _friction(name: str, friction: float) -> str:
+    inside = f"float physics:dynamicFriction = {friction:g}\nfloat physics:staticFriction = {friction:g}\n"
+    return prim("Material", name, ("PhysicsMaterialAPI",), inside)
