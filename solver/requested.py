@@ -14,6 +14,7 @@ from annotated_types import Ge, Le, MaxLen, MinLen
 
 from catalogs import Catalogs
 from catalogs.checks import BETWEEN, OPENINGS, TO_SOMETHING
+from catalogs.kind_book import KindBook
 from catalogs.schema import RelationSpec
 from solver.errors import RequestError
 from solver.fields import MADE_UP, STRICT, WHOLE, Flag, Record
@@ -186,9 +187,13 @@ def _first_free(waiting: Sequence[PieceRequest], names: set[str], kinds: Sequenc
 
 def kinds_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) -> dict[str, Kind]:
     """Returns the kinds, in their sizes, of what is wanted and of what stands in the room already, by id."""
-    known = catalogs.furniture.get
-    standing = {one.id: Kind.of(one.name, known(one.name), (one.width, one.depth, one.height)) for one in room.furniture}
-    return standing | {one.id: Kind.of(one.name, known(one.name), one.size) for one in requests}
+    book = KindBook(catalogs)
+
+    def kind(name: str, size: tuple[float, float, float] | None, said: str | None = None) -> Kind:
+        return Kind.of(name, catalogs, size, book.kind_of("furniture", name, size, said) if size else None)
+
+    standing = {one.id: kind(one.name, (one.width, one.depth, one.height), one.kind) for one in room.furniture}
+    return standing | {one.id: kind(one.name, one.size) for one in requests}
 
 
 def _weighed(rule: RelationSpec) -> RelationSpec:

@@ -16,6 +16,7 @@ from solver.geometry import Rect, rotate, turned
 from solver.pieces import Attach, Candidate, Placed, Stance
 from solver.relations import RELATIONS
 from solver.relations.at_side import whole
+from solver.relations.knee_room import taken
 from solver.relations.relation import ANYWHERE, Fit, missed
 from solver.relations.subject import Footing, Kind, Parent
 
@@ -147,7 +148,9 @@ def _in_room(box: Rect, rotation: int, centre: Rect) -> Rect:
 
 
 def _fit(listed: ListedPiece, spec: RelationSpec, other: Kind, turn: int) -> Fit:
-    return Fit(spec, other.size[:2], turned(*listed.kind.size[:2], turn), turn)
+    own = listed.kind
+    blocked = tuple(taken(other.parts, own.parts, turn)) if _tucks(spec) else ()
+    return Fit(spec, other.size[:2], turned(*own.size[:2], turn), turn, blocked=blocked)
 
 
 def _cheapest(
@@ -242,8 +245,7 @@ def _tucks(spec: RelationSpec) -> bool:
 
 def _held_boxes(fit: Fit) -> list[Rect]:
     """Returns the boxes in which a relation surely holds."""
-    found = (whole(box) for box in RELATIONS[fit.spec.type].boxes(fit))
-    return [Rect(x0, z0, x1, z1) for (x0, x1), (z0, z1) in found]
+    return [whole(box) for box in RELATIONS[fit.spec.type].boxes(fit)]
 
 
 def _boxes(listed: ListedPiece, specs: Sequence[tuple[RelationSpec, bool]], other: Kind, turn: int) -> list[Costed]:

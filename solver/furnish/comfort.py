@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from catalogs.schema import Catalogs
 from solver.geometry import to_mm
 from solver.pieces import Attach, Candidate, Piece
-from solver.relations.at_side import at_side, whole
+from solver.relations.at_side import at_side, spans, whole
 
 COMFORT_COST = 0.6
 """What doing without a piece's comfort costs (measured: kept in nearly all pieces)."""
@@ -44,6 +44,6 @@ def _strip(label: str, parent: Candidate, side: str, depth_m: float) -> Candidat
     """Returns the floor at a side of a piece that stands so."""
     width, depth, _ = parent.size_mm
     extent = (to_mm(depth_m), depth) if side in ("left", "right") else (width, to_mm(depth_m))
-    across, along = whole(at_side(((width, depth), extent), side, (0, 0), "centre"))
+    across, along = spans(whole(at_side(((width, depth), extent), side, (0, 0), "centre")))
     attach = Attach(label, parent.kind, across, along, parent_stance=parent.stance)
     return Candidate("floor", (*extent, PERSON_MM), 0, weights=WEIGHTS, attach=attach)

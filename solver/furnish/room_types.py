@@ -97,7 +97,7 @@ def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Strea
     found = []
     for spec in specs:
         suited = [variant for variant in spec.variants if variant.min_area <= area] or spec.variants
-        variants = tuple((Kind.of(one.kind, catalogs.furniture[one.kind]), one.cost) for one in suited)
+        variants = tuple((Kind.of(one.kind, catalogs), one.cost) for one in suited)
         found.append(CountedPiece(spec, variants, count(spec, area, stream)))
     return found
 

@@ -15,7 +15,7 @@ from catalogs import Catalogs
 from catalogs.dwellers import Dweller, Seats
 from catalogs.entries import Surface
 from solver.free_floor import FreeFloor, Goal
-from solver.free_places import Block, block_of, footprint
+from solver.free_places import block_of, footprint
 from solver.geometry import half_m, rotate, wall_faced
 from solver.people.sights import Sight, faces, sights
 from solver.scene import Dynamic, Furniture, Room
@@ -30,7 +30,7 @@ TALKING: Final = (0.5, 1.4)
 STEP: Final = 15
 """Degrees that people turn by."""
 CUSHION_MM: Final = 60
-"""What lies on a seat and is no thicker is sat on."""
+"""What lies on a seat and is no thicker is sat on: one sits on top of it."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ def sitting(here: Surroundings, person: Dynamic, entry: Dweller, stream: Stream)
     for piece, seat in seats:
         for across in _places(piece, seat, sitter.width, stream):
             for behind in (seat.inset, 0.0):  # at the very edge before what leans on the back
-                placed = _seated(sitter, piece, seat, (across, behind))
+                placed = _on_top(here.room, _seated(sitter, piece, seat, (across, behind)))
                 if _fits(here.floor, placed, piece) and here.front_reachable(piece):
                     return placed
     return None
@@ -145,9 +145,18 @@ def _seated(person: Dynamic, piece: Furniture, seat: Surface, place: tuple[int, 
     )  # fmt: skip
 
 
+def _on_top(room: Room, placed: Dynamic) -> Dynamic:
+    """Returns somebody on top of the cushions and blankets that lie there on the seat."""
+    own = block_of(placed)
+    there = (block_of(thing) for thing in room.decorations)
+    tops = [
+        block.high for block in there if block.rect.overlaps(own.rect) and round(own.low) < round(block.high) <= round(own.low) + CUSHION_MM
+    ]
+    return replace(placed, y=round(max(tops) / 1000, 4)) if tops else placed
+
+
 def _fits(floor: FreeFloor, placed: Dynamic, piece: Furniture) -> bool:
-    body = block_of(placed)
-    return floor.is_free(Block(body.rect, round(body.low) + CUSHION_MM, body.high), piece.id)
+    return floor.is_free(block_of(placed), piece.id)
 
 
 Posing = Callable[[Surroundings, Dynamic, Dweller, Stream], Dynamic | None]

@@ -10,10 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from catalogs import Catalogs
-from catalogs.schema import FurnitureSpec
+from catalogs.entries import Side
 from solver.free_places import footprint
-from solver.pieces import Candidate, Piece, Space, Stance, Zone
-from solver.relations.subject import Kind
+from solver.pieces import Candidate, Piece, Space, Stance, Stand, Zone
 from solver.repair import Body, all_bodies, as_it_stands, floor_bodies
 from solver.scene import Furniture, Room
 
@@ -29,8 +28,8 @@ def obstacles(room: Room, space: Space, catalogs: Catalogs) -> tuple[Space, tupl
     loose = {body.id for body in floor_bodies(room)}
     bodies = [body for body in all_bodies(room) if body.id in loose or (isinstance(body, Furniture) and body.on is not None)]
     named = {body.id for body in bodies}
-    kinds = catalogs.kinds_by_name()
-    held = {body.id: _held(body, named, kinds.get(body.name)) for body in bodies}
+    used = catalogs.use_sides()
+    held = {body.id: _held(body, named, used.get(body.name, ((), False))) for body in bodies}
     broken = _broken(space, bodies, held)
     zones = tuple(Zone(footprint(body), max(-1, round(body.y * 1000)), body.id) for body in bodies if body.id in broken)
     stands = [body for body in bodies if body.id not in broken]
@@ -38,15 +37,15 @@ def obstacles(room: Room, space: Space, catalogs: Catalogs) -> tuple[Space, tupl
     return replace(space, zones=(*space.zones, *zones)), tuple(held[body.id] for body in stands)
 
 
-def _held(body: Body, named: set[str], spec: FurnitureSpec | None) -> Piece:
-    """Returns a body as a piece that stays as it stands."""
+def _held(body: Body, named: set[str], use: tuple[tuple[Side, ...], bool]) -> Piece:
+    """Returns a body as a piece that stays as it stands; `use` tells its use sides, and whether all are needed."""
     way = as_it_stands(body)
     way = replace(way, kind=body.name, stance=Stance(way.rotation))
     if not isinstance(body, Furniture):
         return Piece(body.id, True, (way,))
     under, on = (label if label in named else None for label in (body.under, body.on))
-    kind = Kind.of(body.name, spec)
-    return Piece(body.id, True, (replace(way, under=under, on=on),), stands=kind.stands, need_all=kind.need_all)
+    stands = tuple(Stand(side) for side in use[0])
+    return Piece(body.id, True, (replace(way, under=under, on=on),), stands=stands, need_all=use[1])
 
 
 def _broken(space: Space, bodies: Sequence[Body], held: Mapping[str, Piece]) -> set[str]:

@@ -8,15 +8,18 @@ from __future__ import annotations
 from typing import ClassVar
 
 from catalogs.schema import RelationSpec
-from solver.geometry import to_mm, turned
+from solver.geometry import Rect, to_mm, turned
 from solver.pieces import Attach, Candidate, Link
+from solver.relations.knee_room import free, nearest_free, taken
 from solver.relations.relation import EXACT, GAP_MM, HELD, Box, Effect, Fit, LeastMost, Relation, Tolerance, first
-from solver.relations.subject import Subject
+from solver.relations.subject import Kind, Subject
 
 TOWARDS = {"left": 90, "right": 270, "front": 180, "back": 0}
 """The turn, in the other's frame, with which a piece at that side faces it."""
 SIDE_COST = 0.05
 """What each later side in a relation's list costs more than the one before it."""
+MOST_PLACES = 4
+"""Most rectangles that are sought of the places where a piece can reach under another one."""
 FloorSize = tuple[int, int]
 """Extents of a footprint across and along, mm."""
 
@@ -52,10 +55,15 @@ def lined_up(parent: int, own: int, align: str | None, tolerance: Tolerance) -> 
     return -half, half
 
 
-def whole(box: Box) -> tuple[tuple[int, int], tuple[int, int]]:
+def whole(box: Box) -> Rect:
     """Rounds a box to whole millimetres."""
     (x0, x1), (z0, z1) = box
-    return (round(x0), round(x1)), (round(z0), round(z1))
+    return Rect(round(x0), round(z0), round(x1), round(z1))
+
+
+def spans(place: Rect) -> tuple[tuple[int, int], tuple[int, int]]:
+    """Returns where a centre may lie across and along."""
+    return (place.x0, place.x1), (place.z0, place.z1)
 
 
 class AtSide(Relation):
@@ -74,6 +82,8 @@ class AtSide(Relation):
     """How the best place lines up, where there is one that is better than the rest."""
     looks: ClassVar[bool] = False
     """It must face the other."""
+    least_tucked_mm: ClassVar[int] = 0
+    """The gap of a piece that was to reach under the other, where their parts leave no room for it."""
 
     def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
         """Offers a slot for every variant, parent and side; where it is to face its parent, it does so there."""
@@ -89,11 +99,30 @@ class AtSide(Relation):
                     align = spec.align or ("back" if side in ("left", "right") else "centre")
                     if align in ("back", "front") and side in ("front", "back"):
                         align = "centre"
-                    across, along = whole(at_side((parent.kind.size[:2], turned(*kind.size[:2], rotation)), side, gap, align))
-                    attach = Attach(parent.label, parent.kind.name, across, along, side, parent.stance)
+                    sizes = parent.kind.size[:2], turned(*kind.size[:2], rotation)
+                    wish, along_it = whole(at_side(sizes, side, gap, align)), whole(at_side(sizes, side, gap, None))
                     under = parent.label if gap[0] < 0 else None
-                    found.append(Candidate(kind.name, kind.size, rotation, cost=cost + SIDE_COST * order, attach=attach, under=under))
+                    for place in self.tucked(wish, along_it, (parent.kind, kind, rotation), side) if under else [wish]:
+                        attach = Attach(parent.label, parent.kind.name, *spans(place), side, parent.stance)
+                        found.append(Candidate(kind.name, kind.size, rotation, cost=cost + SIDE_COST * order, attach=attach, under=under))
         return tuple(found)
+
+    def tucked(self, wish: Rect, near: Rect, kinds: tuple[Kind, Kind, int], side: str) -> list[Rect]:
+        """Returns the places of a piece that reaches under another one, at that one's side, where their parts do not cross.
+
+        Args:
+            wish: the best places.
+            near: those that will do as well; and what lies between them and where the pieces hardly overlap any more.
+            kinds: of the other piece, and of the piece with its rotation in the other's frame.
+            side: of the other.
+        """
+        parent, own, rotation = kinds
+        out = whole(at_side((parent.size[:2], turned(*own.size[:2], rotation)), side, (self.least_tucked_mm,) * 2, "centre"))
+        sideways = side in ("left", "right")
+        x = (min(near.x0, out.x0), max(near.x1, out.x1)) if sideways else (near.x0, near.x1)
+        z = (near.z0, near.z1) if sideways else (min(near.z0, out.z0), max(near.z1, out.z1))
+        blocked = taken(parent.parts, own.parts, rotation)
+        return nearest_free(wish, Rect(x[0], z[0], x[1], z[1]), blocked, outwards="x" if sideways else "z")
 
     def slot_gap(self, spec: RelationSpec) -> tuple[int, int]:
         """Returns the free space of a room type's slot, mm."""
@@ -111,8 +140,10 @@ class AtSide(Relation):
         if fit.tolerance is HELD:
             low = max(low, 1 - fit.own[0 if side in ("left", "right") else 1])
         found = [at_side((fit.parent, fit.own), side, (low, high), align, fit.tolerance)] if low <= high else []
-        free = fit.tolerance is not HELD and fit.spec.gap is None and fit.spec.align is None
-        if self.best_align is None or not free or (self.best_align == "back" and fit.turn):
+        if low < 0 and fit.blocked:
+            found = [spans(place) for box in found for place in free(whole(box), fit.blocked)[:MOST_PLACES]]
+        any_will_do = fit.tolerance is not HELD and fit.spec.gap is None and fit.spec.align is None
+        if self.best_align is None or not any_will_do or (self.best_align == "back" and fit.turn):
             return found
         best = self.best_align if side in ("left", "right") else "centre"
         gap = to_mm(self.best_gap)

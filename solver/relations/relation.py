@@ -55,13 +55,17 @@ AT_WALL_MM = 50
 
 
 class Fit(NamedTuple):
-    """A relation between two pieces: the other's width and depth, the own extents and rotation in the other's frame, mm."""
+    """A relation between two pieces: the other's width and depth, the own extents and rotation in the other's frame, mm.
+
+    In `blocked` the own centre must not be: there parts of the two would cross.
+    """
 
     spec: RelationSpec
     parent: tuple[int, int]
     own: tuple[int, int]
     turn: int
     tolerance: Tolerance = SOUGHT
+    blocked: tuple[Rect, ...] = ()
 
     @property
     def reach(self) -> tuple[float, float]:

@@ -9,9 +9,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from catalogs.schema import FurnitureSpec, RelationSpec
+from catalogs import Catalogs
+from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, Rect, to_mm
 from solver.pieces import Extents, Stance, Stand
+from solver.relations.knee_room import PartBox, boxes_of
 from solver.scene import Sides
 
 NO_SIDES = Sides()
@@ -59,7 +61,7 @@ class SurfaceHeight(NamedTuple):
 class Kind:
     """A kind of furniture in one size: how it stands, is used, and carries things.
 
-    `use_sides` are those a person must get to, all of them where `need_all` is set.
+    `use_sides` are those a person must get to, all of them where `need_all` is set. `parts` are none where it has no shape.
     """
 
     name: str
@@ -68,6 +70,7 @@ class Kind:
     use_sides: tuple[str, ...] = ()
     need_all: bool = False
     levels: tuple[SurfaceHeight, ...] = ()
+    parts: tuple[PartBox, ...] = ()
 
     @property
     def stands(self) -> tuple[Stand, ...]:
@@ -75,14 +78,16 @@ class Kind:
         return tuple(Stand(side) for side in self.use_sides)
 
     @classmethod
-    def of(cls, name: str, spec: FurnitureSpec | None, size: tuple[float, float, float] | None = None) -> Kind:
+    def of(cls, name: str, catalogs: Catalogs, size: tuple[float, float, float] | None = None, shape: str | None = None) -> Kind:
         """Returns a kind of the catalogs, or what the user calls by a word of their own.
 
         Args:
-            name: the catalogs' name, or the user's.
-            spec: what the catalogs say of it; None where they do not know it: then it stands free and carries things on top.
+            name: the catalogs' name, or the user's: then it stands free and carries things on top.
+            catalogs: what is known of kinds.
             size: width, depth and height, m, where they are not the catalogs'; surfaces are as much higher.
+            shape: the kind whose shape it has, where that is not the one of its name.
         """
+        spec = catalogs.furniture.get(name)
         width, depth, height = extents = (size or spec.size) if spec else size or (1.0, 1.0, 1.0)
         millimetres = to_mm(width), to_mm(depth), to_mm(height)
         if spec is None:
@@ -93,7 +98,8 @@ class Kind:
             for one in spec.surfaces
         )
         use_sides = spec.use.sides if spec.use else ()
-        return cls(name, millimetres, spec.stands == "wall", use_sides, bool(spec.use and spec.use.need == "all"), levels)
+        parts = boxes_of(catalogs.shapes.get(shape or name, ()), extents)
+        return cls(name, millimetres, spec.stands == "wall", use_sides, bool(spec.use and spec.use.need == "all"), levels, parts)
 
 
 class Parent(NamedTuple):

@@ -60,6 +60,13 @@ def share(a: Furniture | Decoration | Dynamic, b: Furniture | Decoration | Dynam
     return min(wide, deep, tall) > 1e-4
 
 
+def meets(person: Dynamic, thing: Decoration) -> bool:
+    """Whether a thing lies right below somebody who sits, in part or whole."""
+    p, q = bounds(person), bounds(thing)
+    above = min(p[2], q[2]) - max(p[0], q[0]), min(p[3], q[3]) - max(p[1], q[1])
+    return min(above) > 1e-4 and abs(thing.y + thing.height - person.y) < 1e-3
+
+
 def crossed(person: Dynamic, scene: Scene) -> Iterator[str]:
     """What a person or pet shares space with, or leaves."""
     room = next(room for room in scene.rooms if room.id == person.room)

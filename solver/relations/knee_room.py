@@ -1,0 +1,114 @@
+"""Where a piece can reach under another one: nowhere does a part of the one stand in a part of the other.
+
+Comes in: what kinds are made of, and where a piece is wished at another one. Goes out: where it may be. May import: the ground
+floor, catalogs. Not here: what relations mean.
+
+A place is that of the piece's centre, mm, from the other's centre in the other's frame. Round parts count as the boxes around
+them. Kinds without a shape have no parts: nothing is known of what is free under them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Final, NamedTuple
+
+from catalogs.shapes import Solid
+from solver.body_parts import BodyPart, parts_of
+from solver.geometry import Rect, rotate
+
+TINY: Final = 1e-6
+"""What sums of shares may be off by, mm."""
+CLEAR_MM: Final = 5
+"""How far apart, seen from above, two parts are kept."""
+
+
+class PartBox(NamedTuple):
+    """The box around a part: its rectangle from the middle of the piece's footprint, from `low` to `high` above its underside, mm."""
+
+    rect: Rect
+    low: int
+    high: int
+
+
+def boxes_of(solids: Sequence[Solid], size: tuple[float, float, float]) -> tuple[PartBox, ...]:
+    """Returns the boxes around the parts of a piece of some width, depth and height, m; rounded outwards."""
+    return tuple(_box(part) for part in parts_of(solids, *size)) if solids else ()
+
+
+def _box(part: BodyPart) -> PartBox:
+    (low_x, low_y, low_z), (high_x, high_y, high_z) = (
+        [1000 * (at + side * length) for at, length in zip(part.at, part.size, strict=True)] for side in (-0.5, 0.5)
+    )
+    rect = Rect(math.floor(low_x + TINY), math.floor(low_z + TINY), math.ceil(high_x - TINY), math.ceil(high_z - TINY))
+    return PartBox(rect, round(low_y), round(high_y))
+
+
+def taken(parent: Sequence[PartBox], own: Sequence[PartBox], turn: int) -> list[Rect]:
+    """Returns the open rectangles in which the centre must not be: there a part of a piece, so turned, stands in one of its parent."""
+    found: set[Rect] = set()
+    for mine in own:
+        x0, z0, x1, z1 = _turned(mine.rect, turn)
+        for it in parent:
+            if mine.low < it.high and it.low < mine.high:
+                found.add(Rect(it.rect.x0 - x1, it.rect.z0 - z1, it.rect.x1 - x0, it.rect.z1 - z0).shrunk(-CLEAR_MM))
+    return sorted(rect for rect in found if not any(other != rect and other.contains(rect) for other in found))
+
+
+def _turned(rect: Rect, turn: int) -> Rect:
+    (x0, z0), (x1, z1) = rotate(rect.x0, rect.z0, turn), rotate(rect.x1, rect.z1, turn)
+    return Rect(min(x0, x1), min(z0, z1), max(x0, x1), max(z0, z1))
+
+
+def free(places: Rect, blocked: Iterable[Rect]) -> list[Rect]:
+    """Returns the largest of the rectangles that places leave without open rectangles that are taken; a line or a point may be one."""
+    left = [places]
+    for hole in blocked:
+        cut = [part for rect in left for part in _without(rect, hole)]
+        left = [rect for k, rect in enumerate(cut) if not any(_covers(other, rect, j < k) for j, other in enumerate(cut) if j != k)]
+    return sorted(left, key=lambda rect: (-rect.width * rect.depth, -rect.width - rect.depth, rect))
+
+
+def _covers(other: Rect, rect: Rect, goes_first: bool) -> bool:
+    return other.contains(rect) and (goes_first or other != rect)
+
+
+def _without(rect: Rect, hole: Rect) -> list[Rect]:
+    x0, z0, x1, z1 = rect
+    if hole.x0 >= x1 or hole.x1 <= x0 or hole.z0 >= z1 or hole.z1 <= z0:
+        return [rect]
+    sides = [Rect(x0, z0, hole.x0, z1), Rect(hole.x1, z0, x1, z1), Rect(x0, z0, x1, hole.z0), Rect(x0, hole.z1, x1, z1)]
+    return [side for side in sides if side.x0 <= side.x1 and side.z0 <= side.z1]
+
+
+def nearest_free(wish: Rect, reach: Rect, blocked: Sequence[Rect], *, outwards: str) -> list[Rect]:
+    """Returns what of the places wished for is free; where nothing is, the places nearest to them.
+
+    Args:
+        wish: the best places.
+        reach: those that will do.
+        blocked: where the centre must not be.
+        outwards: the axis that leads away from the other piece, x or z: as little as possible is lost along it, then along the other.
+    """
+    found = free(wish, blocked)
+    if found:
+        return found
+    near = [_nearest(place, wish) for place in free(reach, blocked)]
+    away = [(_gap(rect.x0, rect.x1, wish.x0, wish.x1), _gap(rect.z0, rect.z1, wish.z0, wish.z1)) for rect in near]
+    ranked = [gaps if outwards == "x" else gaps[::-1] for gaps in away]
+    return [rect for rect, rank in zip(near, ranked, strict=True) if rank == min(ranked)]
+
+
+def _gap(low: int, high: int, start: int, end: int) -> int:
+    return max(0, low - end, start - high)
+
+
+def _nearest(place: Rect, wish: Rect) -> Rect:
+    """Returns the part of a rectangle of places that is nearest to another one."""
+    (x0, x1), (z0, z1) = _towards((place.x0, place.x1), (wish.x0, wish.x1)), _towards((place.z0, place.z1), (wish.z0, wish.z1))
+    return Rect(x0, z0, x1, z1)
+
+
+def _towards(span: tuple[int, int], wish: tuple[int, int]) -> tuple[int, int]:
+    low, high = max(span[0], wish[0]), min(span[1], wish[1])
+    return (low, high) if low <= high else (span[0], span[0]) if span[0] > wish[1] else (span[1], span[1])
