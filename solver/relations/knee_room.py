@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple
 
 from catalogs.shapes import Solid
-from solver.body_parts import BodyPart, parts_of
+from solver.body_parts import BodyPart, sized, unit_parts
 from solver.geometry import Rect, rotate
 
 TINY: Final = 1e-6
@@ -33,7 +33,7 @@ class PartBox(NamedTuple):
 
 def boxes_of(solids: Sequence[Solid], size: tuple[float, float, float]) -> tuple[PartBox, ...]:
     """Returns the boxes around the parts of a piece of some width, depth and height, m; rounded outwards."""
-    return tuple(_box(part) for part in parts_of(solids, *size)) if solids else ()
+    return tuple(_box(part) for part in sized(unit_parts(solids), *size)) if solids else ()
 
 
 def _box(part: BodyPart) -> PartBox:
