@@ -6,6 +6,7 @@ Comes in and goes out: integers (mm) and `Rect`. May import: nothing of ours.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Final, NamedTuple, TypeVar
 
 Number = TypeVar("Number", int, float)
@@ -108,6 +109,10 @@ class Rect(NamedTuple):
         """Extent along z, mm."""
         return self.z1 - self.z0
 
+    def span(self, axis: int) -> tuple[int, int]:
+        """Returns the interval it covers along an axis: 0 for x, 1 for z."""
+        return self[axis], self[axis + 2]
+
     @property
     def area_m2(self) -> float:
         """Area, m2."""
@@ -178,3 +183,15 @@ def strip_at(wall: str, line: int, interval: tuple[int, int], depth: int) -> Rec
     """Returns the rectangle over an interval of a wall whose line is given, `depth` deep into its room."""
     low, high = sorted((line, line + INWARDS[wall] * depth))
     return Rect(interval[0], low, interval[1], high) if wall in ALONG_X else Rect(low, interval[0], high, interval[1])
+
+
+def gaps_between(whole: tuple[int, int], blocked: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Returns what intervals leave free of a whole interval, from its low end up."""
+    at, high = whole
+    free: list[tuple[int, int]] = []
+    for start, end in sorted(blocked):
+        if start > at:
+            free.append((at, min(start, high)))
+        at = max(at, end)
+    free.append((at, high))
+    return [(start, end) for start, end in free if start < end]

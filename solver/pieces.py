@@ -126,9 +126,19 @@ class Candidate:
     """How it stands in the room, where others' candidates depend on that (`Attach.parent_stance`)."""
 
     @property
+    def extent(self) -> tuple[int, int]:
+        """The extents of its footprint along x and z; with `attach` in the parent's frame."""
+        return turned(self.size_mm[0], self.size_mm[1], self.rotation)
+
+    @property
     def footprint(self) -> Rect:
         """Its footprint where it is wished; with `attach` it means nothing."""
-        return Rect.around(self.anchor_mm, turned(self.size_mm[0], self.size_mm[1], self.rotation))
+        return Rect.around(self.anchor_mm, self.extent)
+
+    @property
+    def stays(self) -> bool:
+        """Whether it leaves a piece one place only: all of where the footprint must stay."""
+        return self.within is not None and (self.within.width, self.within.depth) == self.extent
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from solver.geometry import (
     OPPOSITE,
     ROTATION_AT_WALL,
     Rect,
     extents,
+    gaps_between,
     rotate,
     strip,
     strip_at,
@@ -69,3 +74,15 @@ def test_extents_are_exact_at_right_angles_and_the_bounds_elsewhere() -> None:
     assert [extents(3, 1, turn) for turn in (0, 90, 180, 270, -90)] == [(3, 1), (1, 3), (3, 1), (1, 3), (1, 3)]
     assert extents(1, 1, 45) == pytest.approx((2**0.5, 2**0.5))
     assert extents(3, 1, -30) == pytest.approx(extents(3, 1, 150))
+
+
+@given(
+    st.tuples(st.integers(-20, 20), st.integers(-20, 20)).map(sorted),
+    st.lists(st.tuples(st.integers(-25, 25), st.integers(-25, 25)).map(sorted)),
+)
+def test_gaps_are_what_no_interval_covers(whole: list[int], blocked: list[list[int]]) -> None:
+    found = gaps_between((whole[0], whole[1]), [(a, b) for a, b in blocked])
+    free = [at for at in range(*whole) if not any(a <= at < b for a, b in blocked)]
+    assert [at for start, end in found for at in range(start, end)] == free
+    assert all(start < end for start, end in found)
+    assert all(end <= start for (_, end), (start, _) in pairwise(found))

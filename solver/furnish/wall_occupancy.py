@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from solver.geometry import Rect, strip
+from solver.geometry import Rect, gaps_between, strip
 from solver.pieces import Space
 
 Stretch = tuple[int, int]
@@ -27,12 +27,12 @@ class WallOccupancy:
         `occupied` tells whether what was marked by `occupy` counts.
         """
         clear = self.space.clear
-        reach = strip(clear, wall, clear.along(wall), min(depth_mm + self.space.gap_mm, *_extents(clear)))
+        reach = strip(clear, wall, clear.along(wall), min(depth_mm + self.space.gap_mm, clear.width, clear.depth))
         blocked = [zone.rect.along(wall) for zone in self.space.zones if zone.above_mm < height_mm and zone.rect.overlaps(reach)]
         blocked += [gate.along(wall) for gate in self.gates if gate.overlaps(reach)]
         if occupied:
             blocked += [rect.along(wall) for rect in self._taken if rect.overlaps(reach)]
-        return _gaps(clear.along(wall), sorted(blocked))
+        return gaps_between(clear.along(wall), blocked)
 
     def occupy(self, footprint: Rect) -> None:
         """Marks a footprint as taken; it blocks every wall whose bodies would reach into it."""
@@ -41,20 +41,3 @@ class WallOccupancy:
     def occupied(self, footprint: Rect) -> bool:
         """Tells whether a footprint meets one that is taken."""
         return any(footprint.overlaps(rect) for rect in self._taken)
-
-
-def _extents(rect: Rect) -> tuple[int, int]:
-    return rect.width, rect.depth
-
-
-def _gaps(whole: Stretch, blocked: list[Stretch]) -> list[Stretch]:
-    """Returns what sorted intervals leave of a whole interval."""
-    low, high = whole
-    free: list[Stretch] = []
-    for a, b in blocked:
-        if a > low:
-            free.append((low, min(a, high)))
-        low = max(low, b)
-    if high > low:
-        free.append((low, high))
-    return [(a, b) for a, b in free if b > a]

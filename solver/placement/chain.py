@@ -9,8 +9,8 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from solver.geometry import Rect, outwards
-from solver.pieces import Candidate, Piece, Placed, Space
+from solver.geometry import outwards
+from solver.pieces import Piece, Placed, Space
 from solver.placement.kernel.layout import PERSON_MM
 
 OUTSIDE = "what is outside the outline"
@@ -55,7 +55,7 @@ def chain(space: Space, pieces: Sequence[Piece], placed: Sequence[Placed], axis:
     """
     things = [*_bodies(pieces, placed, axis), *_zones(space, axis)]
     things += list(_stands(space, pieces, placed, axis))
-    low, high = _interval(space.clear, axis)
+    low, high = space.clear.span(axis)
     paths = deque[tuple[_Thing, ...]]((thing,) for thing in things if _starts(thing, low, space.gap_mm, going[1], axis))
     seen = {path[0].label for path in paths}
     while paths:
@@ -69,29 +69,21 @@ def chain(space: Space, pieces: Sequence[Piece], placed: Sequence[Placed], axis:
     return ()
 
 
-def _interval(rect: Rect, axis: int) -> tuple[int, int]:
-    return (rect.z0, rect.z1) if axis else (rect.x0, rect.x1)
-
-
 def _bodies(pieces: Sequence[Piece], placed: Sequence[Placed], axis: int) -> Iterator[_Thing]:
     ways = {piece.label: piece.candidates for piece in pieces}
     for p in placed:
         a = p.chosen
         heights = (a.bottom_mm, a.bottom_mm + a.size_mm[2])
-        fixed = len(ways[p.label]) == 1 and _is_fixed(ways[p.label][0], p.footprint)
-        along, across = _interval(p.footprint, axis), _interval(p.footprint, 1 - axis)
+        fixed = len(ways[p.label]) == 1 and ways[p.label][0].stays
+        along, across = p.footprint.span(axis), p.footprint.span(1 - axis)
         is_depth = (p.rotation % 180 == 90) == (axis == 0)
         yield _Thing(a.kind, p.label, along, across, heights, fixed, p.wall, is_depth, above=(a.under, a.on))
-
-
-def _is_fixed(way: Candidate, footprint: Rect) -> bool:
-    return way.within is not None and (way.within.width, way.within.depth) == (footprint.width, footprint.depth)
 
 
 def _zones(space: Space, axis: int) -> Iterator[_Thing]:
     for k, zone in enumerate(space.zones):
         name = OUTSIDE if zone.cause == "outline" else f"the floor before {zone.cause}"
-        along, across = _interval(zone.rect, axis), _interval(zone.rect, 1 - axis)
+        along, across = zone.rect.span(axis), zone.rect.span(1 - axis)
         yield _Thing(name, f"zone {k}", along, across, (zone.above_mm, float("inf")), fixed=True)
 
 
@@ -103,8 +95,8 @@ def _stands(space: Space, pieces: Sequence[Piece], placed: Sequence[Placed], axi
             direction = outwards(stand.side, p.rotation)[axis]
             if not direction:
                 continue
-            low, high = _interval(p.footprint, axis)
-            start, end = _interval(p.footprint, 1 - axis)
+            low, high = p.footprint.span(axis)
+            start, end = p.footprint.span(1 - axis)
             size = space.robot_mm
             along = (high, high + size) if direction > 0 else (low - size, low)
             across = (start - size // 2, end + size // 2)

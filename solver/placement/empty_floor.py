@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from solver.geometry import ALONG_X, Rect, outwards, strip, turned
+from solver.geometry import ALONG_X, Rect, outwards, strip
 from solver.pieces import Attach, Candidate, Piece, Space
 from solver.placement.budget import Budget
 from solver.placement.core import Core, Limits
@@ -100,20 +100,16 @@ def _places_round(space: Space, pieces: Sequence[Piece], shape: tuple[int, int],
 
 def _ties(space: Space, piece: Piece, shape: tuple[int, int]) -> list[Tie]:
     """Returns how a piece may touch the floor with a use side; nothing where it needs several sides or stays where it is."""
-    fixed = any(one.within and (one.within.width, one.within.depth) == _extents(one) for one in piece.candidates)
+    fixed = any(one.stays for one in piece.candidates)
     if (piece.need_all and len(piece.stands) > 1) or fixed:
         return []
     free = [one for one in piece.candidates if not one.attach]
     return [(_tied(space, one, stand.side, shape), one, (stand.side,)) for one in free for stand in piece.stands]
 
 
-def _extents(candidate: Candidate) -> tuple[int, int]:
-    return turned(candidate.size_mm[0], candidate.size_mm[1], candidate.rotation)
-
-
 def _tied(space: Space, candidate: Candidate, side: str, shape: tuple[int, int]) -> Candidate:
     """Returns a candidate with one of its sides at an edge of the floor, so that a person on the floor can stand before it."""
-    extents, direction = _extents(candidate), outwards(side, candidate.rotation)
+    extents, direction = candidate.extent, outwards(side, candidate.rotation)
     reach = []
     for axis in (0, 1):
         floor, own, half = shape[axis], extents[axis], space.robot_mm // 2
@@ -127,6 +123,6 @@ def _tied(space: Space, candidate: Candidate, side: str, shape: tuple[int, int])
 
 def _at_wall(space: Space, candidate: Candidate, wall: str) -> Rect:
     """Returns where a candidate's footprint may be at its wall."""
-    across = _extents(candidate)[1 if wall in ALONG_X else 0]
+    across = candidate.extent[1 if wall in ALONG_X else 0]
     far = space.gap_mm if candidate.slack_mm is None else candidate.slack_mm
     return strip(space.clear, wall, space.clear.along(wall), across + far)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from solver.geometry import WALL_BEHIND, Rect, strip
+from solver.geometry import WALL_BEHIND, Rect, gaps_between, strip
 from solver.pieces import Candidate, Piece, Placed, Space
 from solver.placement.arrange import feasible
 from solver.placement.budget import Budget
@@ -21,13 +21,7 @@ def free_stretches(space: Space, wall: str, depth: int, height: int, placed: Seq
     band = strip(space.clear, wall, (a, b), min(depth + space.gap_mm, space.clear.depth, space.clear.width))
     blocks = [zone.rect for zone in space.zones if height > zone.above_mm]
     blocks += [piece.footprint for piece in placed if piece.chosen.bottom_mm < height]
-    taken = sorted(rect.along(wall) for rect in blocks if rect.overlaps(band))
-    stretches, at = [], a
-    for start, end in taken:
-        if start > at:
-            stretches.append((at, start))
-        at = max(at, end)
-    return [*stretches, (at, b)] if b > at else stretches
+    return gaps_between((a, b), (rect.along(wall) for rect in blocks if rect.overlaps(band)))
 
 
 def _least(piece: Piece) -> Candidate:

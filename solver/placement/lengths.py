@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from solver.geometry import Rect
-from solver.pieces import Arrangement, Piece, Space, Zone
+from solver.pieces import Arrangement, Piece, Space
 from solver.placement.chain import Length, chain
 
 CanStand = Callable[[Space, Sequence[Piece]], bool | None]
@@ -136,7 +136,7 @@ def _least(space: Space, pieces: Sequence[Piece], axis: int, most: int, can_stan
 def longer_space(space: Space, axis: int, by: int) -> Space:
     """Returns a space longer at its east (axis 0) or south (axis 1) end; zones at that wall go along."""
     going = _going(space, axis)
-    zones = tuple(_shifted_zone(zone, axis, by, going) for zone in space.zones)
+    zones = tuple(replace(zone, rect=_shifted(zone.rect, axis, by, going)) for zone in space.zones)
     doorways = tuple(replace(doorway, square=_shifted(doorway.square, axis, by, going)) for doorway in space.doorways)
     return replace(space, clear=_shifted(space.clear, axis, by, going), zones=zones, doorways=doorways)
 
@@ -153,17 +153,13 @@ def longer_pieces(space: Space, pieces: Sequence[Piece], axis: int, by: int) -> 
 
 def _going(space: Space, axis: int) -> tuple[int, int]:
     """Returns where things begin to touch the near wall, and from where on they are at the far one."""
-    clear = space.clear
-    return (clear.z0, clear.z1 - NEAR_MM) if axis else (clear.x0, clear.x1 - NEAR_MM)
-
-
-def _shifted_zone(zone: Zone, axis: int, by: int, going: tuple[int, int]) -> Zone:
-    return replace(zone, rect=_shifted(zone.rect, axis, by, going))
+    near, far = space.clear.span(axis)
+    return near, far - NEAR_MM
 
 
 def _shifted(rect: Rect, axis: int, by: int, going: tuple[int, int]) -> Rect:
     """Moves a rectangle at the far wall; stretches one that reaches from wall to wall; leaves the others."""
-    low, high = (rect.z0, rect.z1) if axis else (rect.x0, rect.x1)
+    low, high = rect.span(axis)
     if high < going[1]:
         return rect
     start = low if low <= going[0] else low + by

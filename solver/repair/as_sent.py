@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from solver.free_places import footprint
-from solver.geometry import ALONG_X, OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, turned, walls_beside
+from solver.geometry import ALONG_X, OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, walls_beside
 from solver.pieces import Attach, Candidate, Piece, Stand
 from solver.repair.bodies import bounding_size, drawn_out, floor_bodies, size_of, tables_of, too_deep_mm
 from solver.repair.carried import Body, carriers, root_of, squared
@@ -168,7 +168,7 @@ def _loose(body: Body, problem: RoomProblem) -> tuple[Candidate, ...]:
 
 def _at_wall(way: Candidate, wall: str, walls: Walls) -> list[tuple[Candidate, Rect]]:
     """Returns a way at each stretch of one wall, and where its footprint may be there: at inner edges at least half before them."""
-    width, depth = turned(way.size_mm[0], way.size_mm[1], way.rotation)
+    width, depth = way.extent
     across, along = (depth, width) if wall in ALONG_X else (width, depth)
     slack = WALL_FAR_MM - walls.half_mm
     outer = strip(walls.clear, wall, walls.clear.along(wall), across + slack)

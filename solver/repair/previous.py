@@ -10,7 +10,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from solver.geometry import Rect, rotate, turned
+from solver.geometry import Rect, rotate
 from solver.pieces import Arrangement, Attach, Candidate, Piece
 from solver.repair.carried import squared
 from solver.scene import Pose
@@ -91,7 +91,7 @@ class LastAnswer:
 
 
 def _rect(way: Candidate, pose: Pose) -> Rect:
-    width, depth = turned(way.size_mm[0], way.size_mm[1], way.rotation)
+    width, depth = way.extent
     x, z = round(pose.x * 1000 - width / 2), round(pose.z * 1000 - depth / 2)
     return Rect(x, z, x + width, z + depth)
 
@@ -112,9 +112,9 @@ def _was_there(own: Pose, attach: Attach | None, poses: Poses) -> bool:
 
 def _around(way: Candidate, clear: Rect, pose: Pose) -> Candidate | None:
     """Returns a way kept within reach of a pose, or None where it is another rotation or lies elsewhere."""
-    width, depth = turned(way.size_mm[0], way.size_mm[1], way.rotation)
+    width, depth = way.extent
     bounds = way.within or clear
-    if (bounds.width, bounds.depth) == (width, depth):
+    if (bounds.width, bounds.depth) == way.extent:
         return way
     if way.rotation != squared(pose.rotation):
         return None
