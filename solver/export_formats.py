@@ -31,5 +31,8 @@ EXPORTERS: Final[dict[str, Exporter]] = {
     ),
     "usdc": Exporter("the same, binary", "usd_stage", "model/vnd.usd", ("pxr", "usd")),
     "usdz": Exporter("the same, packed as one file: phones, tablets, previews", "usd_stage", "model/vnd.usdz+zip", ("pxr", "usd")),
+    "mjcf": Exporter("MuJoCo: colliders, masses, doors on hinges, light things free to move", "mujoco_xml", "application/xml"),
+    "urdf": Exporter("ROS, Drake, PyBullet: one robot, fixed but for its doors", "urdf_robot", "application/xml"),
+    "sdf": Exporter("Gazebo: a world with a model a body", "sdf_world", "application/xml"),
 }
 """The formats by name; `needs` is (module, extra)."""

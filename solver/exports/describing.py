@@ -6,6 +6,7 @@ Comes in: a scene, catalogs. Goes out: a `HouseModel`. May import: the ground fl
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
 from catalogs import Catalogs
 from solver.export_formats import Freedom
@@ -16,6 +17,9 @@ from solver.exports.paints import PLAIN_FLOOR, Paints
 from solver.exports.wall_lines import RoomFinder, corners_of, on_lattice, openings_of, runs_of, signed_area
 from solver.exports.wall_panels import THINNEST, Storey, WallPlan, boxes_of, fittings_of, panels_of
 from solver.scene import Room, Scene
+
+ROUNDING_ERROR: Final = 1e-6
+"""What is left of a wall between two ends that are one but for rounding is no wall, m."""
 
 
 def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings: Sequence[str] = ()) -> HouseModel:
@@ -39,7 +43,7 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         name="house" if scene.seed is None else f"house_{scene.seed}",
         bodies=bodies,
         panels=tuple(panels),
-        walls=tuple(box for panel in panels for box in boxes_of(panel, finder)),
+        walls=tuple(wall for panel in panels for wall in boxes_of(panel, finder) if min(wall.box.size) > ROUNDING_ERROR),
         fittings=tuple(fittings_of(plan)),
         openings=tuple(plan.openings),
         leaves=tuple(leaves_of(plan, paints)),

@@ -1,0 +1,152 @@
+"""MJCF: one file for MuJoCo: visual geoms in group 2, colliders in group 3, hinged doors, free joints for what may move.
+
+Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turns keep their value, about +z.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Collection, Iterator
+from typing import Final
+
+from solver.exports.colliders import (
+    box_between,
+    carriers,
+    colliders_of,
+    floor_boxes,
+    leaf_colliders,
+    painted_halves,
+    parts_of_hung_leaf,
+    shared_mass,
+    z_up,
+)
+from solver.exports.model import DoorLeaf, HouseModel, ModelBody
+from solver.exports.mujoco_geoms import MujocoLooks, geom, numbers
+from solver.exports.safe_names import SafeNames
+from solver.exports.writers import ExportSettings, Files
+from solver.exports.xml_text import xml_text
+
+_HEAD: Final = """\
+<compiler angle="degree"/>
+<option timestep="0.004" integrator="implicitfast"><flag sleep="enable"/></option>
+<visual><global offwidth="1920" offheight="1080"/><headlight ambient="0.35 0.35 0.35" diffuse="0.5 0.5 0.5"/></visual>
+<default>
+<default class="visual"><geom type="box" group="2" contype="0" conaffinity="0" mass="0"/></default>
+<default class="wall"><geom type="box" group="3" rgba="0.6 0.6 0.6 1"/></default>
+<default class="collider"><geom type="box" group="3" conaffinity="3" rgba="0.5 0.6 0.8 1"/></default>
+<default class="flat"><geom type="box" group="3" contype="0" conaffinity="0"/></default>
+<default class="leaf"><geom type="box" group="3" contype="2" conaffinity="2"/>\
+<joint limited="true" damping="1.5" frictionloss="0.4" armature="0.05"/></default>
+<default class="use"><site type="cylinder" size="0.1 0.005" group="4" rgba="0.2 0.7 0.3 0.5"/></default>
+</default>"""
+"""Bits of contacts: walls and floors meet bodies, bodies meet all, leaves meet bodies and each other, not the walls they hang in."""
+_SUN: Final = '<light directional="true" pos="0 0 20" dir="0.3 0.4 -1" diffuse="0.5 0.5 0.5"/>'
+
+
+def write(model: HouseModel, _: ExportSettings) -> Files:
+    """Writes `<house>.xml`: names are ids; seed, catalog, labels and warnings stand in `custom`, the start in the key `home`."""
+    looks, names = MujocoLooks(), SafeNames()
+    carry = carriers(model.bodies)
+    world = [
+        *_house(model, looks),
+        *(_body(body, carry, looks, names.take(body.id)) for body in model.bodies),
+        *(_leaf(leaf, looks, names.take(leaf.id)) for leaf in model.leaves),
+        *_uses(model),
+    ]
+    lines = [
+        f'<mujoco model="{xml_text(model.name)}">',
+        _HEAD,
+        *_custom(model),
+        "<asset>",
+        *looks.assets(),
+        "</asset>",
+        "<worldbody>",
+        _SUN,
+        *world,
+        "</worldbody>",
+        f'<keyframe><key name="home" qpos="{_home(model)}"/></keyframe>',
+        "</mujoco>",
+    ]
+    return {f"{model.name}.xml": "\n".join(lines).encode() + b"\n"}
+
+
+def _custom(model: HouseModel) -> Iterator[str]:
+    """Yields what a simulator keeps but does not use: where the house is from, and what things are."""
+    scene = model.scene
+    said = {
+        "seed": "" if scene.seed is None else str(scene.seed),
+        "catalog": str((scene.generator or {}).get("catalog", "")),
+        "labels": json.dumps({body.id: body.labels for body in model.bodies}, ensure_ascii=False, separators=(",", ":")),
+        "warnings": "\n".join(model.warnings),
+    }
+    yield "<custom>"
+    yield from (f'<text name="{name}" data="{xml_text(words)}"/>' for name, words in said.items() if words)
+    yield "</custom>"
+
+
+def _house(model: HouseModel, looks: MujocoLooks) -> Iterator[str]:
+    """Yields the walls, what is fitted to them, and the floors, which belong to the world."""
+    for wall in model.walls:
+        yield geom(box_between(wall.box), "wall")
+        yield from (geom(half, "visual", looks.painted(paint)) for half, paint in painted_halves(wall))
+    for fitting in model.fittings:
+        box = box_between(fitting.box)
+        if fitting.surface != "threshold":
+            yield geom(box, "wall")
+        yield geom(box, "visual", looks.painted(fitting.paint))
+    ground = min((floor.elevation for floor in model.rooms), default=0.0)
+    yield f'<geom name="ground" class="wall" type="plane" size="0 0 1" pos="{numbers(0, 0, ground)}"/>'
+    for floor in model.rooms:
+        for box in floor_boxes(floor):
+            if floor.elevation > ground:
+                yield geom(box, "wall")
+            yield geom(box, "visual", looks.painted(floor.paint))
+
+
+def _body(body: ModelBody, carry: Collection[str], looks: MujocoLooks, name: str) -> str:
+    colliders, classed = colliders_of(body, carry), "flat" if body.flat else "collider"
+    friction = f' friction="{numbers(body.friction)}"'
+    touching = [geom(solid, classed, f'{friction} mass="{mass:.9g}"') for solid, mass in shared_mass(colliders, body.mass)]
+    joint = "" if body.fixed else f'<freejoint name="{xml_text(name)}"/>'
+    return (
+        f"{_opened(name, z_up(body.x, body.y, body.z), body.turn)}{joint}{''.join(touching)}{looks.parts(body.parts, body.paints)}</body>"
+    )
+
+
+def _opened(name: str, at: tuple[float, float, float], turn: float) -> str:
+    turned = f' euler="0 0 {numbers(turn)}"' if turn else ""
+    return f'<body name="{xml_text(name)}" pos="{numbers(*at)}"{turned}>'
+
+
+def _leaf(leaf: DoorLeaf, looks: MujocoLooks, name: str) -> str:
+    """Returns a leaf on its hinge, or a garage door that slides up; zero is closed."""
+    if leaf.motion == "swing":
+        ends = sorted((0.0, leaf.swing))
+        joint = f'<joint name="{xml_text(name)}/hinge" class="leaf" axis="0 0 1" range="{numbers(*ends)}"/>'
+    else:
+        joint = f'<joint name="{xml_text(name)}/slide" class="leaf" type="slide" axis="0 0 1" range="{numbers(0, leaf.height)}"/>'
+    solids = leaf_colliders(leaf)
+    touching = "".join(geom(solid, "leaf", f' mass="{mass:.9g}"') for solid, mass in shared_mass(solids, leaf.mass))
+    return f"{_opened(name, z_up(*leaf.hinge), leaf.closed)}{joint}{touching}{looks.parts(parts_of_hung_leaf(leaf), leaf.paints)}</body>"
+
+
+def _uses(model: HouseModel) -> Iterator[str]:
+    """Yields where somebody stands who uses a piece; a site's x axis points to it."""
+    floors = {floor.id: floor.elevation for floor in model.rooms}
+    names = SafeNames()
+    for body in model.bodies:
+        for x, z, turn in body.uses:
+            name = xml_text(names.take(f"{body.id}/use"))
+            at = numbers(*z_up(x, floors.get(body.room or "", 0.0), z))
+            yield f'<site name="{name}" class="use" pos="{at}" euler="0 0 {numbers(turn - 90)}"/>'
+
+
+def _home(model: HouseModel) -> str:
+    """Returns all joints' positions: free bodies where they stand, doors closed; in the order of the bodies."""
+    values: list[float] = []
+    for body in model.bodies:
+        if not body.fixed:
+            half = math.radians(body.turn) / 2
+            values += (*z_up(body.x, body.y, body.z), math.cos(half), 0.0, 0.0, math.sin(half))
+    return numbers(*values, *(0.0 for _ in model.leaves))

@@ -1,0 +1,156 @@
+"""SDF: a world for Gazebo with a model a body: static, or free where it may move; doors on hinges.
+
+Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turns keep their value, about +z, in radians.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final
+
+from solver.exports.colliders import (
+    Collider,
+    box_between,
+    carriers,
+    colliders_of,
+    floor_boxes,
+    inertia_of,
+    leaf_colliders,
+    painted_halves,
+    parts_of_hung_leaf,
+    z_up,
+)
+from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
+from solver.exports.origin import words_of
+from solver.exports.paints import channels
+from solver.exports.safe_names import SafeNames
+from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
+from solver.exports.writers import ExportSettings, Files
+from solver.exports.xml_text import xml_comment, xml_text
+
+FORBIDDEN: Final = r"::|^__|__$|^world$"
+"""What SDF keeps for itself in names."""
+WALLS, LEAVES, BODIES = 1, 2, 3
+"""Bits of contacts: a leaf meets bodies, not the wall it hangs in."""
+_QUARTER: Final = f"{math.pi / 2:.9g}"
+_TURNED: Final = {"x": f"0 {_QUARTER} 0", "y": f"{_QUARTER} 0 0", "z": "0 0 0"}
+_LIGHT: Final = '<light name="sun" type="directional"><cast_shadows>true</cast_shadows><direction>0.3 0.4 -1</direction></light>'
+_JOINT: Final = "<dynamics><damping>1.5</damping><friction>0.4</friction></dynamics>"
+
+
+def write(model: HouseModel, _: ExportSettings) -> Files:
+    """Writes `<house>.sdf` and the meshes it names; models are called as the scene's ids, which they keep as `compose:id`."""
+    world = _World()
+    return {f"{model.name}.sdf": "\n".join(world.lines(model)).encode() + b"\n", **world.meshes.files()}
+
+
+def _numbers(*values: float) -> str:
+    return " ".join([f"{round(value, 6) + 0.0:.9g}" for value in values])
+
+
+class _World:
+    """One file: its meshes and names."""
+
+    def __init__(self) -> None:
+        self.meshes = UnitMeshes()
+        self._models = SafeNames(FORBIDDEN)
+        self._painted: dict[Paint, str] = {}
+
+    def lines(self, model: HouseModel) -> Iterator[str]:
+        """Yields the file's lines."""
+        carry, house = carriers(model.bodies), self._models.take("house")
+        yield '<?xml version="1.0" encoding="utf-8"?>'
+        yield '<sdf version="1.9" xmlns:compose="compose-scene">'
+        yield from (f"<!-- {xml_comment(words)} -->" for words in words_of(model))
+        yield f'<world name="{xml_text(model.name)}">{_LIGHT}'
+        yield f'<model name="{house}"><static>true</static><link name="link">{"".join(_numbered(self._shell(model)))}</link></model>'
+        for body in model.bodies:
+            yield self._body(body, colliders_of(body, carry))
+        yield from map(self._leaf, model.leaves)
+        yield "</world></sdf>"
+
+    def _shell(self, model: HouseModel) -> Iterator[tuple[str, str]]:
+        """Yields walls, what is fitted to them, and floors."""
+        for wall in model.walls:
+            yield _touching(box_between(wall.box), WALLS)
+            yield from (self._seen(half, paint) for half, paint in painted_halves(wall))
+        for fitting in model.fittings:
+            if fitting.surface != "threshold":
+                yield _touching(box_between(fitting.box), WALLS)
+            yield self._seen(box_between(fitting.box), fitting.paint)
+        for floor in model.rooms:
+            for box in floor_boxes(floor):
+                yield _touching(box, WALLS)
+                yield self._seen(box, floor.paint)
+
+    def _body(self, body: ModelBody, colliders: Sequence[Collider]) -> str:
+        seen = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(body.parts, body.paints, strict=True))
+        touching = () if body.flat else (_touching(solid, BODIES, body.friction) for solid in colliders)
+        link = f'<link name="link">{_inertial(colliders, body.mass)}{"".join(_numbered((*touching, *seen)))}</link>'
+        static = "<static>true</static>" if body.fixed else ""
+        return f"{self._opened(body.id, (body.x, body.y, body.z), body.turn)}{static}{link}</model>"
+
+    def _leaf(self, leaf: DoorLeaf) -> str:
+        solids = leaf_colliders(leaf)
+        seen = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(parts_of_hung_leaf(leaf), leaf.paints, strict=True))
+        touching = (_touching(solid, LEAVES) for solid in solids)
+        link = f'<link name="link">{_inertial(solids, leaf.mass)}{"".join(_numbered((*touching, *seen)))}</link>'
+        swings = leaf.motion == "swing"
+        low, high = sorted((0.0, math.radians(leaf.swing))) if swings else (0.0, leaf.height)
+        limit = f"<limit><lower>{low:.9g}</lower><upper>{high:.9g}</upper></limit>"
+        joint = (
+            f'<joint name="{"hinge" if swings else "slide"}" type="{"revolute" if swings else "prismatic"}"><parent>world</parent>'
+            f"<child>link</child><axis><xyz>0 0 1</xyz>{limit}{_JOINT}</axis></joint>"
+        )
+        return f"{self._opened(leaf.id, leaf.hinge, leaf.closed)}{link}{joint}</model>"
+
+    def _opened(self, called: str, at: tuple[float, float, float], turn: float) -> str:
+        """Returns the begin of a model: its name, its id, where it is."""
+        name = xml_text(self._models.take(called))
+        pose = f"<pose>{_numbers(*z_up(*at))} 0 0 {math.radians(turn):.9g}</pose>"
+        return f'<model name="{name}"><compose:id>{xml_text(called)}</compose:id>{pose}'
+
+    def _seen(self, form: Collider | StretchedMesh, paint: Paint) -> tuple[str, str]:
+        if paint not in self._painted:
+            rgb = _numbers(*(channel / 255 for channel in channels(paint.color)))
+            glow = f"<emissive>{rgb} 1</emissive>" if paint.glow else ""
+            clear = f"<transparency>{_numbers(1 - paint.opacity)}</transparency>" if paint.opacity < 1 else ""
+            material = f"<material><ambient>{rgb} 1</ambient><diffuse>{rgb} 1</diffuse>{glow}</material>"
+            self._painted[paint] = clear + material
+        return "visual", _geometry(form) + self._painted[paint]
+
+
+def _touching(solid: Collider, bits: int, friction: float = 0.6) -> tuple[str, str]:
+    ode = f"<ode><mu>{friction:g}</mu><mu2>{friction:g}</mu2></ode>"
+    surface = f"<surface><contact><collide_bitmask>{bits}</collide_bitmask></contact><friction>{ode}</friction></surface>"
+    return "collision", _geometry(solid) + surface
+
+
+def _numbered(elements: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Yields elements with names of their own."""
+    for number, (tag, content) in enumerate(elements):
+        yield f'<{tag} name="{tag}_{number}">{content}</{tag}>'
+
+
+def _inertial(solids: Sequence[Collider], mass: float) -> str:
+    body = inertia_of(solids, mass)
+    names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+    values = "".join(f"<{name}>{value + 0.0:.9g}</{name}>" for name, value in zip(names, (*body.moments, *body.products), strict=True))
+    return f"<inertial><pose>{_numbers(*body.middle)} 0 0 0</pose><mass>{mass:.9g}</mass><inertia>{values}</inertia></inertial>"
+
+
+def _geometry(form: Collider | StretchedMesh) -> str:
+    """Returns a pose and a geometry."""
+    at = _numbers(*form.at)
+    if isinstance(form, StretchedMesh):
+        return f"<pose>{at} 0 0 0</pose><geometry><mesh><uri>{form.path}</uri><scale>{_numbers(*form.size)}</scale></mesh></geometry>"
+    if form.form == "box":
+        return f"<pose>{at} 0 0 0</pose><geometry><box><size>{_numbers(*form.size)}</size></box></geometry>"
+    if form.form == "ellipsoid":
+        radii = _numbers(*(extent / 2 for extent in form.size))
+        return f"<pose>{at} 0 0 0</pose><geometry><ellipsoid><radii>{radii}</radii></ellipsoid></geometry>"
+    radius, length = form.round_size
+    straight = length - (2 * radius if form.form == "capsule" else 0.0)
+    said = f"<radius>{_numbers(radius)}</radius><length>{_numbers(straight)}</length>"
+    return f"<pose>{at} {_TURNED[form.axis]}</pose><geometry><{form.form}>{said}</{form.form}></geometry>"

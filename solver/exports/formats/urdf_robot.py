@@ -1,0 +1,136 @@
+"""URDF: the house as one robot: all fixed to the link `house`, but doors, which turn or slide.
+
+Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turns keep their value, about +z, in radians.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import Final
+
+from solver.exports.colliders import (
+    Collider,
+    Triple,
+    box_between,
+    carriers,
+    colliders_of,
+    floor_boxes,
+    inertia_of,
+    leaf_colliders,
+    painted_halves,
+    parts_of_hung_leaf,
+    z_up,
+)
+from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
+from solver.exports.origin import words_of
+from solver.exports.paints import channels
+from solver.exports.safe_names import SafeNames
+from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
+from solver.exports.writers import ExportSettings, Files
+from solver.exports.xml_text import xml_comment, xml_text
+
+Form = Collider | StretchedMesh
+_QUARTER: Final = f"{math.pi / 2:.9g}"
+_TURNED: Final = {"x": f' rpy="0 {_QUARTER} 0"', "y": f' rpy="{_QUARTER} 0 0"', "z": ""}
+DAMPING: Final = 'damping="1.5" friction="0.4"'
+
+
+def write(model: HouseModel, _: ExportSettings) -> Files:
+    """Writes `<house>.urdf` and the meshes it names; links are called as the scene's ids."""
+    robot = _Robot()
+    return {f"{model.name}.urdf": "\n".join(robot.lines(model)).encode() + b"\n", **robot.meshes.files()}
+
+
+def _numbers(*values: float) -> str:
+    return " ".join([f"{round(value, 6) + 0.0:.9g}" for value in values])
+
+
+class _Robot:
+    """One file: its materials, meshes and names."""
+
+    def __init__(self) -> None:
+        self.meshes = UnitMeshes()
+        self._materials: dict[Paint, str] = {}
+        self._links, self._joints = SafeNames(), SafeNames()
+
+    def lines(self, model: HouseModel) -> Iterator[str]:
+        """Yields the file's lines."""
+        house, carry = self._links.take("house"), carriers(model.bodies)
+        links = [f'<link name="{house}">{"".join(self._shell(model))}</link>']
+        links += [self._body(body, house, colliders_of(body, carry)) for body in model.bodies]
+        links += [self._leaf(leaf, house) for leaf in model.leaves]
+        yield '<?xml version="1.0" encoding="utf-8"?>'
+        yield f'<robot name="{xml_text(model.name)}">'
+        yield from (f"<!-- {xml_comment(words)} -->" for words in words_of(model))
+        for paint, name in self._materials.items():
+            rgba = _numbers(*(channel / 255 for channel in channels(paint.color)), paint.opacity)
+            yield f'<material name="{name}"><color rgba="{rgba}"/></material>'
+        yield from links
+        yield "</robot>"
+
+    def _shell(self, model: HouseModel) -> Iterator[str]:
+        """Yields walls, what is fitted to them, and floors."""
+        for wall in model.walls:
+            yield self._touching(box_between(wall.box))
+            yield from (self._seen(half, paint) for half, paint in painted_halves(wall))
+        for fitting in model.fittings:
+            if fitting.surface != "threshold":
+                yield self._touching(box_between(fitting.box))
+            yield self._seen(box_between(fitting.box), fitting.paint)
+        for floor in model.rooms:
+            for box in floor_boxes(floor):
+                yield self._touching(box) + self._seen(box, floor.paint)
+
+    def _body(self, body: ModelBody, house: str, colliders: tuple[Collider, ...]) -> str:
+        link = self._links.take(body.id)
+        seen = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(body.parts, body.paints, strict=True))
+        touching = () if body.flat else (self._touching(self.meshes.touched(solid)) for solid in colliders)
+        fixed = _origin(z_up(body.x, body.y, body.z), body.turn)
+        return self._link(link, colliders, body.mass, (*touching, *seen)) + self._joint(f"{body.id}/fixed", "fixed", (house, link), fixed)
+
+    def _leaf(self, leaf: DoorLeaf, house: str) -> str:
+        link, solids = self._links.take(leaf.id), leaf_colliders(leaf)
+        seen = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(parts_of_hung_leaf(leaf), leaf.paints, strict=True))
+        made = self._link(link, solids, leaf.mass, (*(self._touching(solid) for solid in solids), *seen))
+        if leaf.motion == "swing":
+            name, kind, ends = f"{leaf.id}/hinge", "revolute", sorted((0.0, math.radians(leaf.swing)))
+        else:
+            name, kind, ends = f"{leaf.id}/slide", "prismatic", [0.0, leaf.height]
+        limit = f'<limit lower="{ends[0]:.9g}" upper="{ends[1]:.9g}" effort="100" velocity="3"/>'
+        moving = f'{_origin(z_up(*leaf.hinge), leaf.closed)}<axis xyz="0 0 1"/>{limit}<dynamics {DAMPING}/>'
+        return made + self._joint(name, kind, (house, link), moving)
+
+    def _link(self, name: str, solids: tuple[Collider, ...], mass: float, looks: Iterable[str]) -> str:
+        body = inertia_of(solids, mass)
+        names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+        values = " ".join(f'{name}="{value + 0.0:.9g}"' for name, value in zip(names, (*body.moments, *body.products), strict=True))
+        inertial = f'<inertial><origin xyz="{_numbers(*body.middle)}"/><mass value="{mass:.9g}"/><inertia {values}/></inertial>'
+        return f'<link name="{xml_text(name)}">{inertial}{"".join(looks)}</link>'
+
+    def _joint(self, name: str, kind: str, ends: tuple[str, str], placed: str) -> str:
+        parent, child = (xml_text(end) for end in ends)
+        called = xml_text(self._joints.take(name))
+        return f'\n<joint name="{called}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{placed}</joint>'
+
+    def _touching(self, form: Form) -> str:
+        return f"<collision>{_geometry(form)}</collision>"
+
+    def _seen(self, form: Form, paint: Paint) -> str:
+        material = self._materials.setdefault(paint, f"paint_{len(self._materials)}")
+        return f'<visual>{_geometry(form)}<material name="{material}"/></visual>'
+
+
+def _origin(at: Triple, turn: float) -> str:
+    return f'<origin xyz="{_numbers(*at)}" rpy="0 0 {math.radians(turn):.9g}"/>'
+
+
+def _geometry(form: Form) -> str:
+    at = f'xyz="{_numbers(*form.at)}"'
+    if isinstance(form, StretchedMesh):
+        return f'<origin {at}/><geometry><mesh filename="{form.path}" scale="{_numbers(*form.size)}"/></geometry>'
+    if form.form == "cylinder":
+        radius, length = form.round_size
+        turned = _TURNED[form.axis]
+        return f'<origin {at}{turned}/><geometry><cylinder radius="{_numbers(radius)}" length="{_numbers(length)}"/></geometry>'
+    return f'<origin {at}/><geometry><box size="{_numbers(*form.size)}"/></geometry>'
