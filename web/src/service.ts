@@ -150,17 +150,22 @@ export function exported(scene: Scene, format: FileFormat, signal: AbortSignal):
   return askFor((response) => response.text(), `export/${format}`, init);
 }
 
+/** What is read: texts, and a .glb that was exported. */
+export type ReadFormat = FileFormat | "glb";
+
+const MEDIA_TYPES: Readonly<Record<ReadFormat, string>> = { json: "application/json", yaml: "application/yaml", glb: "model/gltf-binary" };
+
 /** A file as it was handed over. */
 export interface GivenFile {
   readonly name: string;
-  readonly format: FileFormat;
-  readonly text: string;
+  readonly format: ReadFormat;
+  readonly content: string | ArrayBuffer;
 }
 
 /** The scene that a file holds, as the service reads it; what is wrong with the file is said with its name. */
-export async function readFile({ name, text, format }: GivenFile, signal: AbortSignal): Promise<Scene> {
+export async function readFile({ name, content, format }: GivenFile, signal: AbortSignal): Promise<Scene> {
   try {
-    return await ask("export/json", { method: "POST", headers: { "Content-Type": `application/${format}` }, body: text, signal });
+    return await ask("export/json", { method: "POST", headers: { "Content-Type": MEDIA_TYPES[format] }, body: content, signal });
   } catch (reason) {
     if (!(reason instanceof ServiceProblem) || reason.fields.length === 0) throw reason;
     throw new ServiceProblem(`${name} holds no scene that can be read`, reason.detail, reason);

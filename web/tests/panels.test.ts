@@ -172,10 +172,10 @@ describe("the notice", () => {
 
 describe("files", () => {
   it("are of the format that their name says, else their first character", () => {
-    expect([["a.json", ""], ["a.YML", "{"], ["a.yaml", "["], ["a", " {"], ["a", "rooms:"], ["a.txt", "[1]"]].map(([name = "", text = ""]) => formatOf(name, text))).toEqual(
-      ["json", "yaml", "yaml", "json", "yaml", "json"],
-    );
-    expect([null, {}, { file: { name: "a", format: "json", text: "{}" } }].map(fileOf)).toEqual([null, null, { name: "a", format: "json", text: "{}" }]);
+    const given = [["a.json", ""], ["a.YML", "{"], ["a.yaml", "["], ["a", " {"], ["a", "rooms:"], ["a.txt", "[1]"], ["a.GLB", ""], ["a", "glTF\u0002"]];
+    expect(given.map(([name = "", text = ""]) => formatOf(name, text))).toEqual(["json", "yaml", "yaml", "json", "yaml", "json", "glb", "glb"]);
+    const file = { name: "a", format: "json", content: "{}" };
+    expect([null, {}, { file }].map(fileOf)).toEqual([null, null, file]);
   });
 });
 

@@ -122,10 +122,13 @@ def _listed(items: Iterable[str]) -> str:
 
 
 def _packed(text: bytes, content: bytes) -> bytes:
-    text += b" " * (-len(text) % 4)
-    padded = content + bytes(-len(content) % 4)
-    header = struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(padded))
-    return b"".join((header, struct.pack("<II", len(text), _JSON_CHUNK), text, struct.pack("<II", len(padded), _BINARY_CHUNK), padded))
+    chunks = [_chunk(_JSON_CHUNK, text, b" "), *([_chunk(_BINARY_CHUNK, content, b"\0")] if content else [])]
+    return b"".join((struct.pack("<4sII", b"glTF", 2, 12 + sum(map(len, chunks))), *chunks))
+
+
+def _chunk(kind: int, content: bytes, filler: bytes) -> bytes:
+    padded = content + filler * (-len(content) % 4)
+    return struct.pack("<II", len(padded), kind) + padded
 
 
 @lru_cache(maxsize=4096)

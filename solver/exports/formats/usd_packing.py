@@ -5,25 +5,43 @@ Comes in: text. Goes out: files. May import: the writers; usd-core where it is a
 
 from __future__ import annotations
 
+import io
+import struct
 import tempfile
+import zipfile
 from pathlib import Path
+from typing import Final
 
 from solver.exports.writers import Files
+
+_LOCAL_HEADER: Final = 30
+_EXTRA_HEADER: Final = struct.Struct("<HH")
+_PADDING: Final = 0x1986
+"""What USD calls a field of padding in an archive's header."""
+_ALIGNED: Final = 64
 
 
 def packed_stage(text: str, name: str, format: str) -> Files:
     """Returns a stage as `<name>.usda`; for "usdc" and "usdz" as binary, by usd-core."""
     if format not in ("usdc", "usdz"):
         return {f"{name}.usda": text.encode()}
-    from pxr import Sdf, UsdUtils  # noqa: PLC0415
+    from pxr import Sdf  # noqa: PLC0415
 
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.ImportFromString(text)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, f"{name}.usdc")
         layer.Export(str(path))
-        if format == "usdz":
-            packed = path.with_suffix(".usdz")
-            UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(path)), str(packed))
-            path = packed
-        return {path.name: path.read_bytes()}
+        content = path.read_bytes()
+    return {path.name: content} if format == "usdc" else {f"{name}.usdz": _zipped(path.name, content)}
+
+
+def _zipped(name: str, content: bytes) -> bytes:
+    """Returns a .usdz: a ZIP archive whose one file is not compressed and begins at a multiple of 64 bytes; it bears no date."""
+    info = zipfile.ZipInfo(name)
+    padding = -(_LOCAL_HEADER + len(name.encode()) + _EXTRA_HEADER.size) % _ALIGNED
+    info.extra = _EXTRA_HEADER.pack(_PADDING, padding) + bytes(padding)
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
+        packed.writestr(info, content)
+    return archive.getvalue()

@@ -131,7 +131,8 @@ class _Stage:
         schemas = ["PhysicsMassAPI", "SemanticsLabelsAPI:class", "MaterialBindingAPI"]
         if not body.fixed:
             schemas.insert(0, "PhysicsRigidBodyAPI")
-        words = {"id": body.id, "kind": body.kind, "category": body.category, "room": body.room, "parent": body.parent}
+        size = body.width, body.depth, body.height
+        words = {"id": body.id, "kind": body.kind, "category": body.category, "room": body.room, "parent": body.parent, "size": size}
         inside = (
             f"rel material:binding:physics = <{LOOKS}/{friction}>\nfloat physics:mass = {body.mass:.6g}\n"
             f"token[] semantics:labels:class = {texts(body.labels)}\n{placed(z_up(body.x, body.y, body.z), body.turn)}"

@@ -1,6 +1,9 @@
 /** Files: the scene shown is saved whole, a scene dropped or chosen is read by the service. */
 import type { Scene } from "../contract";
-import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile } from "../service";
+import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile, type ReadFormat } from "../service";
+
+/** How much of a file tells its format, bytes. */
+const BEGINNING = 1024;
 
 /** The file that a page of the browser's history holds, if it holds one. */
 export function fileOf(state: unknown): GivenFile | null {
@@ -17,8 +20,9 @@ export function rememberFile(file: GivenFile): void {
   }
 }
 
-/** A file's format by its name; else by its first character, since JSON begins with a bracket. */
-export function formatOf(name: string, text: string): FileFormat {
+/** A file's format by its name; else by how it begins: JSON with a bracket, a .glb with its mark. */
+export function formatOf(name: string, text: string): ReadFormat {
+  if (/\.glb$/i.test(name) || text.startsWith("glTF")) return "glb";
   if (/\.json$/i.test(name)) return "json";
   if (/\.ya?ml$/i.test(name)) return "yaml";
   return /^\s*[[{]/.test(text) ? "json" : "yaml";
@@ -114,8 +118,8 @@ export class Files {
   async #open(file: File | undefined): Promise<void> {
     if (!file) return;
     try {
-      const text = await file.text();
-      this.onOpen({ name: file.name, format: formatOf(file.name, text), text });
+      const format = formatOf(file.name, await file.slice(0, BEGINNING).text());
+      this.onOpen({ name: file.name, format, content: await (format === "glb" ? file.arrayBuffer() : file.text()) });
     } catch (reason) {
       this.onFailure(reason, null);
     }

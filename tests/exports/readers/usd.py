@@ -1,0 +1,42 @@
+"""Reads a stage with usd-core: poses as composed, masses by UsdPhysics, ids and sizes from custom data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from pxr import Sdf, Usd, UsdGeom, UsdPhysics
+
+from tests.exports.readers import Seen
+
+SORTS = ("Furniture", "Decorations", "People")
+
+
+def stage_of(files: Mapping[str, bytes]) -> Usd.Stage:
+    """The stage of a text."""
+    (content,) = files.values()
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    assert layer.ImportFromString(content.decode())
+    return Usd.Stage.Open(layer)
+
+
+def read(files: Mapping[str, bytes]) -> dict[str, Seen]:
+    """The bodies of a house, by their ids."""
+    return read_stage(stage_of(files))
+
+
+def read_stage(stage: Usd.Stage) -> dict[str, Seen]:
+    """The bodies of a stage, by their ids."""
+    assert (UsdGeom.GetStageUpAxis(stage), UsdGeom.GetStageMetersPerUnit(stage)) == ("Z", 1.0)
+    cache = UsdGeom.XformCache()
+    found: dict[str, Seen] = {}
+    for sort in SORTS:
+        for prim in stage.GetDefaultPrim().GetChild(sort).GetChildren():
+            at = cache.GetLocalToWorldTransform(prim)
+            x, north, up = at.ExtractTranslation()
+            across = at.TransformDir((1, 0, 0))
+            width, depth, height = prim.GetCustomDataByKey("size")
+            mass = UsdPhysics.MassAPI(prim).GetMassAttr().Get() * UsdPhysics.GetStageKilogramsPerUnit(stage)
+            turn = math.degrees(math.atan2(across[1], across[0])) % 360
+            found[prim.GetCustomDataByKey("id")] = Seen(x, up, -north, turn, width, depth, height, mass)
+    return found
