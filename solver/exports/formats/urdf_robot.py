@@ -30,7 +30,7 @@ from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_comment, xml_text
 
-Form = Collider | StretchedMesh
+LinkForm = Collider | StretchedMesh
 _QUARTER: Final = f"{math.pi / 2:.9g}"
 _TURNED: Final = {"x": f' rpy="0 {_QUARTER} 0"', "y": f' rpy="{_QUARTER} 0 0"', "z": ""}
 DAMPING: Final = 'damping="1.5" friction="0.4"'
@@ -113,10 +113,10 @@ class _Robot:
         called = xml_text(self._joints.take(name))
         return f'\n<joint name="{called}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{placed}</joint>'
 
-    def _touching(self, form: Form) -> str:
+    def _touching(self, form: LinkForm) -> str:
         return f"<collision>{_geometry(form)}</collision>"
 
-    def _seen(self, form: Form, paint: Paint) -> str:
+    def _seen(self, form: LinkForm, paint: Paint) -> str:
         material = self._materials.setdefault(paint, f"paint_{len(self._materials)}")
         return f'<visual>{_geometry(form)}<material name="{material}"/></visual>'
 
@@ -125,7 +125,7 @@ def _origin(at: Triple, turn: float) -> str:
     return f'<origin xyz="{_numbers(*at)}" rpy="0 0 {math.radians(turn):.9g}"/>'
 
 
-def _geometry(form: Form) -> str:
+def _geometry(form: LinkForm) -> str:
     at = f'xyz="{_numbers(*form.at)}"'
     if isinstance(form, StretchedMesh):
         return f'<origin {at}/><geometry><mesh filename="{form.path}" scale="{_numbers(*form.size)}"/></geometry>'
