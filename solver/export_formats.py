@@ -34,5 +34,8 @@ EXPORTERS: Final[dict[str, Exporter]] = {
     "mjcf": Exporter("MuJoCo: colliders, masses, doors on hinges, light things free to move", "mujoco_xml", "application/xml"),
     "urdf": Exporter("ROS, Drake, PyBullet: one robot, fixed but for its doors", "urdf_robot", "application/xml"),
     "sdf": Exporter("Gazebo: a world with a model a body", "sdf_world", "application/xml"),
+    "dxf": Exporter("floor plan for CAD programmes", "plan_dxf", "image/vnd.dxf", ("ezdxf", "dxf")),
+    "ifc": Exporter("building for BIM programmes, IFC4", "building_ifc", "application/x-step", ("ifcopenshell", "ifc")),
+    "sh3d": Exporter("home for Sweet Home 3D", "sweet_home", "application/x-sweethome3d"),
 }
 """The formats by name; `needs` is (module, extra)."""

@@ -1,6 +1,6 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
-    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|kernel|nav2] [--seeds N] [--workers 2]
+    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|kernel|nav2|plans|sh3d] [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
 """
@@ -25,6 +25,7 @@ from catalogs import load_catalogs
 from solver import Request, generate
 from solver.scene import Generated, Room
 from tests.decorations.targets import homes
+from tests.exports.drawing_targets import drawings, sweet_homes
 from tests.exports.targets import nav2_maps
 from tests.floorplan.homes import programme_table
 from tests.floorplan.targets import floorplan_table
@@ -187,7 +188,7 @@ def floorplan(seeds: int) -> bool:
 def main() -> int:
     """Runs the measurements asked for, in the order of the table."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", nargs="*", default=["imports", "kernel", "floorplan", "rooms", "houses", "calls", "nav2"])
+    parser.add_argument("what", nargs="*", default=["imports", "kernel", "floorplan", "rooms", "houses", "calls", "nav2", "plans", "sh3d"])
     parser.add_argument("--seeds", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=2)
     asked = parser.parse_args()
@@ -201,6 +202,8 @@ def main() -> int:
         "calls": generated_calls,
         "homes": lambda: homes(asked.seeds, asked.workers),
         "nav2": lambda: nav2_maps(min(asked.seeds, 100), asked.workers),
+        "plans": lambda: drawings(min(asked.seeds, 100), asked.workers),
+        "sh3d": sweet_homes,
     }
     if unknown := set(asked.what) - set(measurements):
         parser.error(f"unknown: {', '.join(sorted(unknown))}; choose from {', '.join(measurements)}")

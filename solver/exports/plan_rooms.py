@@ -144,7 +144,9 @@ def label_box(label: RoomLabel) -> PlanBox:
 
 def clear_sizes(room: PlanRoom, label: RoomLabel) -> list[Dimension]:
     """Returns the dimension lines in a room: its clear width and depth where it is widest, least over furniture and the name."""
-    obstacles = [*room.obstacles, *[label_box(label)] * 4]
+    x0, z0, x1, z1 = label_box(label)
+    beside = 0.4 * room.numbers
+    obstacles = [*room.obstacles, *[(x0 - beside, z0 - beside, x1 + beside, z1 + beside)] * 4]
     found: list[Dimension] = []
     for axis in ("x", "z"):
         line = _clear_size(room, axis, obstacles)

@@ -58,8 +58,13 @@ def packed(files: Files, name: str, media_type: str) -> tuple[str, str, bytes]:
     if len(files) == 1:
         ((only, content),) = files.items()
         return only, media_type, content
+    return f"{name}.zip", "application/zip", zipped(files)
+
+
+def zipped(files: Files) -> bytes:
+    """Returns files as a ZIP archive: the same bytes on every day."""
     archive = io.BytesIO()
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as zipped:
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as opened:
         for path, content in files.items():
-            zipped.writestr(zipfile.ZipInfo(path, _EPOCH), content, zipfile.ZIP_DEFLATED, 6)
-    return f"{name}.zip", "application/zip", archive.getvalue()
+            opened.writestr(zipfile.ZipInfo(path, _EPOCH), content, zipfile.ZIP_DEFLATED, 6)
+    return archive.getvalue()

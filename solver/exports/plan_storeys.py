@@ -1,0 +1,192 @@
+"""A storey as a plan shows it: what stands in it, its walls, and where its names and dimensions are written.
+
+Comes in: a described house. Goes out: `PlanStorey`s, m. May import: the model, the parts of a plan.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, PlacedOpening
+from solver.exports.plan_facades import Facades, chains_of
+from solver.exports.plan_rooms import Dimension, PlanBox, PlanRoom, RoomLabel, clear_corners, clear_sizes, label_of, words_of
+from solver.exports.plan_sheet import PlanSheet, sheet_for
+from solver.exports.wall_panels import between
+
+Place = tuple[float, float]
+
+
+class OpenLeaf(NamedTuple):
+    """A leaf that stands open at a right angle: its corners, and its free end when it is shut and open, (x, z)."""
+
+    corners: tuple[Place, Place, Place, Place]
+    shut: Place
+    opened: Place
+
+
+@dataclass(frozen=True)
+class PlanStorey:
+    """A storey: its file's name without ending, what is in it, what is cut as walls, what railings cover, and what is written."""
+
+    stem: str
+    sheet: PlanSheet
+    rooms: list[FloorPlate]
+    bodies: list[ModelBody]
+    openings: list[PlacedOpening]
+    leaves: list[DoorLeaf]
+    walls: list[PlanBox]
+    railings: list[PlanBox]
+    labels: list[RoomLabel]
+    outside: list[Dimension]
+    inside: list[Dimension]
+    words: list[str]
+
+
+def storeys_of(model: HouseModel) -> list[PlanStorey]:
+    """Returns the storeys of a house, the lowest first; a house without rooms has an empty one."""
+    levels = sorted({room.level for room in model.rooms}) or [0]
+    return [_storey(model, level, len(levels) > 1) for level in levels]
+
+
+def open_leaf(leaf: DoorLeaf) -> OpenLeaf:
+    """Returns where a leaf is that stands open."""
+    (x, _, z), width, half = leaf.hinge, leaf.width, leaf.thickness / 2
+    shut, opened = math.radians(leaf.closed), math.radians(leaf.closed + leaf.swing)
+    dx, dz = math.cos(opened), -math.sin(opened)
+    near = (x - dz * half, z + dx * half), (x + dz * half, z - dx * half)
+    far = (near[1][0] + dx * width, near[1][1] + dz * width), (near[0][0] + dx * width, near[0][1] + dz * width)
+    tips = [(x + math.cos(at) * width, z - math.sin(at) * width) for at in (shut, opened)]
+    return OpenLeaf((*near, *far), tips[0], tips[1])
+
+
+def footprint(body: ModelBody) -> PlanBox:
+    """Returns the box of the floor that a body covers."""
+    turn = math.radians(body.turn)
+    cos, sin = abs(math.cos(turn)), abs(math.sin(turn))
+    half_x, half_z = (body.width * cos + body.depth * sin) / 2, (body.width * sin + body.depth * cos) / 2
+    return body.x - half_x, body.z - half_z, body.x + half_x, body.z + half_z
+
+
+def drawing_ranks(bodies: Sequence[ModelBody]) -> dict[str, float]:
+    """Returns by id how late bodies are drawn: by their tops, but what lies on another after it unless a part of that covers it.
+
+    So a pillow is seen though the headboard is higher, and a book under a shelf's next board is not.
+    """
+    ranks: dict[str, float] = {}
+    known = {body.id: body for body in bodies}
+    for body in bodies:
+        rank = body.y + body.height
+        carrier = known.get(body.parent or "")
+        below = ranks.get(body.parent or "", 0.0)
+        if carrier and rank <= below and not _covers(carrier, body):
+            rank = below + 1e-4
+        ranks[body.id] = rank
+    return ranks
+
+
+def _covers(carrier: ModelBody, body: ModelBody) -> bool:
+    """Tells whether a part of what carries a body lies over its middle."""
+    turn, dx, dz = math.radians(carrier.turn), body.x - carrier.x, body.z - carrier.z
+    x, z = dx * math.cos(turn) - dz * math.sin(turn), dx * math.sin(turn) + dz * math.cos(turn)
+    top = body.y + body.height - carrier.y
+    return any(
+        part.at[1] + part.size[1] / 2 > top and abs(x - part.at[0]) < part.size[0] / 2 and abs(z - part.at[2]) < part.size[2] / 2
+        for part in carrier.parts
+    )
+
+
+def opening_box(opening: PlacedOpening, half: float) -> PlanBox:
+    """Returns the floor that an opening takes of its wall, `half` to each side of its line."""
+    low, high = opening.line - half, opening.line + half
+    return (opening.start, low, opening.end, high) if opening.axis == "x" else (low, opening.start, high, opening.end)
+
+
+def _storey(model: HouseModel, level: int, several: bool) -> PlanStorey:
+    rooms = [room for room in model.rooms if room.level == level]
+    inside = {room.id for room in rooms}
+    openings = [opening for opening in model.openings if opening.level == level]
+    here = {opening.id for opening in openings}
+    facades = Facades(rooms, openings, model.thickness / 2)
+    sheet = sheet_for(facades.bounds() if rooms else (0.0, 0.0, 1.0, 1.0))
+    bodies = [body for body in model.bodies if body.room in inside]
+    leaves = [leaf for leaf in model.leaves if leaf.id in here]
+    labels, lines = _named(model, sheet, rooms, _obstacles(rooms, bodies, openings, leaves))
+    return PlanStorey(
+        stem=f"{model.name}_level_{level}" if several else model.name,
+        sheet=sheet,
+        rooms=rooms,
+        bodies=bodies,
+        openings=openings,
+        leaves=leaves,
+        walls=_walls(model, level),
+        railings=_railings(model, rooms),
+        labels=labels,
+        outside=chains_of(facades, sheet.gap) if rooms else [],
+        inside=lines,
+        words=_words(model, labels, sheet, f", storey {level}" if several else ""),
+    )
+
+
+def _walls(model: HouseModel, level: int) -> list[PlanBox]:
+    found: list[PlanBox] = []
+    for panel in model.panels:
+        if panel.level == level:
+            low, high = panel.line - panel.thickness / 2, panel.line + panel.thickness / 2
+            for start, end in between(panel.start, panel.end, sorted((hole.start, hole.end) for hole in panel.holes)):
+                found.append((start, low, end, high) if panel.axis == "x" else (low, start, high, end))
+    return found
+
+
+def _railings(model: HouseModel, rooms: list[FloorPlate]) -> list[PlanBox]:
+    if not rooms:
+        return []
+    low, high = rooms[0].elevation, rooms[0].ceiling
+    boxes = [one.box for one in model.fittings if one.surface == "railing" and low <= one.box.y0 < high]
+    return list(dict.fromkeys((box.x0, box.z0, box.x1, box.z1) for box in boxes))
+
+
+def _obstacles(
+    rooms: list[FloorPlate], bodies: list[ModelBody], openings: list[PlacedOpening], leaves: list[DoorLeaf]
+) -> dict[str, list[PlanBox]]:
+    """Returns what no name should stand on, by room: furniture and where doors turn."""
+    found: dict[str, list[PlanBox]] = {room.id: [] for room in rooms}
+    for body in bodies:
+        if body.sort == "furniture" and body.y + body.height > 0.1 and body.room:
+            found[body.room].append(footprint(body))
+    turning = {leaf.id: _swept(leaf) for leaf in leaves if leaf.motion == "swing"}
+    for opening in openings:
+        for room in opening.rooms:
+            if room in found and opening.id in turning:
+                found[room].append(turning[opening.id])
+    return found
+
+
+def _swept(leaf: DoorLeaf) -> PlanBox:
+    """Returns the box of the quarter circle that a leaf turns through."""
+    opened = open_leaf(leaf)
+    xs, zs = zip((leaf.hinge[0], leaf.hinge[2]), opened.shut, opened.opened, strict=True)
+    return min(xs), min(zs), max(xs), max(zs)
+
+
+def _named(
+    model: HouseModel, sheet: PlanSheet, rooms: list[FloorPlate], obstacles: dict[str, list[PlanBox]]
+) -> tuple[list[RoomLabel], list[Dimension]]:
+    labels, lines = [], []
+    for plate in rooms:
+        planned = PlanRoom(plate, clear_corners(plate, model.panels), obstacles[plate.id], sheet.letters, sheet.numbers)
+        labels.append(label_of(planned))
+        lines += clear_sizes(planned, labels[-1])
+    return labels, lines
+
+
+def _words(model: HouseModel, labels: list[RoomLabel], sheet: PlanSheet, storey: str) -> list[str]:
+    indoors = [label for label in labels if not label.room.outdoor]
+    rooms = "1 room" if len(indoors) == 1 else f"{len(indoors)} rooms"
+    return [
+        words_of(model.name) + storey,
+        f"{rooms}, {sum(label.area for label in indoors):.1f} m² indoors. Scale 1:{sheet.scale} as printed.",
+        "Lengths in metres. Areas and room sizes between wall faces; outside to wall lines.",
+    ]

@@ -1,0 +1,149 @@
+"""Plans as SVG: what is drawn where, and whether it can be read."""
+
+from __future__ import annotations
+
+import math
+import re
+from itertools import combinations
+
+import pytest
+
+from catalogs import load_catalogs
+from solver.exports import ExportSettings, describe, written_as
+from solver.exports.model import DoorLeaf, HouseModel
+from solver.exports.plan_rooms import Dimension, PlanBox, label_box, number_box
+from solver.exports.plan_storeys import PlanStorey, drawing_ranks, open_leaf, storeys_of
+from solver.exports.plan_symbols import marks_of
+from solver.scene import Room, Scene
+from tests.exports import homes
+from tests.exports.agreement import differences
+from tests.exports.readers import svg
+
+ARC = re.compile(r"M(\S+) (\S+)A(\S+) \S+ 0 0 ([01]) (\S+) (\S+)")
+
+
+def written(model: HouseModel) -> dict[str, bytes]:
+    return written_as(model, ExportSettings("svg"))
+
+
+@pytest.mark.parametrize("name", ["own", "family", "hostile", "storeys"])
+def test_every_body_is_where_it_is_described(name: str) -> None:
+    model = homes.described(name)
+    assert list(differences(model, svg.read(written(model)))) == []
+
+
+def centre_of(arc: re.Match[str]) -> tuple[float, float]:
+    """The centre of a quarter circle by its ends and the way it is drawn (SVG 1.1, F.6): at its right where it runs clockwise."""
+    x0, y0, _, sweep, x1, y1 = map(float, arc.groups())
+    way = 1 if sweep else -1
+    return (x0 + x1) / 2 - way * (y1 - y0) / 2, (y0 + y1) / 2 + way * (x1 - x0) / 2
+
+
+@pytest.mark.parametrize("name", ["own", "family"])
+def test_arcs_turn_about_their_hinges_and_end_at_the_leaf(name: str) -> None:
+    model = homes.described(name)
+    (root,) = svg.plans(written(model))
+    arcs = [found for path in root.iter(f"{svg.SVG}path") if (found := ARC.fullmatch(path.get("d", "")))]
+    swinging = [leaf for leaf in model.leaves if leaf.motion == "swing"]
+    assert len(arcs) == len(swinging) >= 7
+    for arc, leaf in zip(arcs, swinging, strict=True):
+        assert centre_of(arc) == pytest.approx((leaf.hinge[0] * 1000, leaf.hinge[2] * 1000), abs=2)
+
+
+def test_leaves_open_to_the_side_and_from_the_end_that_the_scene_says() -> None:
+    model = homes.described("own")
+    leaves: dict[str, DoorLeaf] = {leaf.id: leaf for leaf in model.leaves}
+    for opening in (one for one in model.openings if one.kind == "door"):
+        stands = open_leaf(leaves[opening.id])
+        along, across = (0, 1) if opening.axis == "x" else (1, 0)
+        assert (stands.opened[across] - opening.line) * opening.towards > 0.5
+        at_hinge, other = (opening.start, opening.end) if opening.hinge == "start" else (opening.end, opening.start)
+        assert stands.opened[along] == pytest.approx(at_hinge, abs=0.06)
+        assert stands.shut[along] == pytest.approx(other, abs=0.06)
+
+
+def number_boxes(line: Dimension, size: float) -> list[PlanBox]:
+    """The floor that the numbers of a dimension line take."""
+    found = []
+    for start, end, text in zip(line.stops, line.stops[1:], line.texts, strict=False):
+        wide, high = number_box(end - start, size)
+        wide *= 0.9
+        found.append(
+            (text - wide / 2, line.at - high * 1.1, text + wide / 2, line.at - high * 0.3)
+            if line.axis == "x"
+            else (line.at - high * 1.1, text - wide / 2, line.at - high * 0.3, text + wide / 2)
+        )
+    return found
+
+
+def written_boxes(storey: PlanStorey) -> list[PlanBox]:
+    size = storey.sheet.numbers
+    return [*map(label_box, storey.labels), *(box for line in storey.inside for box in number_boxes(line, size))]
+
+
+def meet(one: PlanBox, other: PlanBox) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+@pytest.mark.parametrize("name", ["own", "family", "default"])
+def test_no_word_is_written_over_another_nor_over_a_wall(name: str) -> None:
+    (storey,) = storeys_of(homes.described(name))
+    boxes = written_boxes(storey)
+    assert len(boxes) >= 2 * len(storey.rooms)
+    assert [pair for pair in combinations(boxes, 2) if meet(*pair)] == []
+    assert [box for box in boxes for wall in storey.walls if meet(box, wall)] == []
+
+
+def test_rooms_are_named_with_their_clear_areas_and_sizes() -> None:
+    (root,) = svg.plans(written(homes.described("own")))
+    texts = ["".join(text.itertext()) for text in root.iter(f"{svg.SVG}text")]
+    assert {"Living room", "23.9 m²", "Office", "6.5 m²", "7.90", "5.90", "4.90", "14.10", "10.10", "N", "5 m"} <= set(texts)
+
+
+def test_the_plan_is_to_scale() -> None:
+    model = homes.described("family")
+    (storey,), (root,) = storeys_of(model), svg.plans(written(model))
+    _, _, wide, high = map(float, root.attrib["viewBox"].split())
+    on_paper = [float(root.attrib[key].removesuffix("mm")) for key in ("width", "height")]
+    assert on_paper == pytest.approx([wide / storey.sheet.scale, high / storey.sheet.scale], abs=0.1)
+    assert sorted(on_paper) <= [297.0, 420.0]
+    assert storey.sheet.scale == 50
+
+
+def test_words_are_never_on_dark_furniture() -> None:
+    """Relative luminance of every fill under a name at least 0.45: a contrast of 7:1 with the black of the names (WCAG AAA)."""
+    text = written(homes.described("family"))["house_2024.svg"].decode()
+    symbols = text[text.index("<defs>") : text.index("</defs>")]
+    fills = set(re.findall(r'fill="#(\w{6})"', symbols))
+    assert len(fills) > 20
+    for fill in fills:
+        linear = [((value / 255 + 0.055) / 1.055) ** 2.4 for value in bytes.fromhex(fill)]
+        assert 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2] > 0.45
+
+
+def test_what_lies_on_a_piece_is_drawn_over_it_unless_it_is_covered() -> None:
+    model = homes.described("family")
+    ranks = drawing_ranks(model.bodies)
+    pillows = [body for body in model.bodies if body.name == "pillow" and body.parent]
+    assert pillows
+    assert all(ranks[body.id] > ranks[body.parent or ""] for body in pillows)
+    assert any(ranks[body.id] < ranks[body.parent] for body in model.bodies if body.parent in ranks)
+
+
+def test_what_is_hidden_from_above_is_not_drawn() -> None:
+    table = next(body for body in homes.described("family").bodies if body.name == "dining_table")
+    marks = marks_of(table.parts)
+    assert 0 < len(marks) < len(table.parts)
+    assert math.isclose(marks[-1].width, table.width, abs_tol=1e-6)
+
+
+def test_storeys_are_files_of_their_own_and_warnings_stand_inside() -> None:
+    scene = Scene(rooms=(Room("a", width=4, depth=3), Room("b", level=2, width=3, depth=3)), seed=5)
+    files = written(describe(scene, load_catalogs(), warnings=["<bad> & worse"]))
+    assert list(files) == ["house_5_level_0.svg", "house_5_level_2.svg"]
+    assert [[one.text for one in root.iter(f"{svg.SVG}desc")] for root in svg.plans(files)] == [["<bad> & worse"]] * 2
+
+
+def test_a_house_without_rooms_is_an_empty_sheet() -> None:
+    files = written(describe(Scene(), load_catalogs()))
+    assert [root.tag for root in svg.plans(files)] == [f"{svg.SVG}svg"]
