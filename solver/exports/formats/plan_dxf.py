@@ -39,7 +39,7 @@ _HIDDEN: Final = 1
 
 def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes `<house>.dxf`, or `<house>_level_<n>.dxf` where there are several storeys."""
-    return {f"{storey.stem}.dxf": _Drawing(model, storey).text() for storey in storeys_of(model)}
+    return {f"{storey.stem}.dxf": _DxfPlan(model, storey).text() for storey in storeys_of(model)}
 
 
 def dxf_text(words: str) -> str:
@@ -56,7 +56,7 @@ class _Look(NamedTuple):
     layer: str = "NAMES"
 
 
-class _Drawing:
+class _DxfPlan:
     """Draws one storey."""
 
     def __init__(self, model: HouseModel, storey: PlanStorey) -> None:
