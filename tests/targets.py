@@ -1,6 +1,6 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
-    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|kernel|nav2|plans|sh3d] [--seeds N] [--workers 2]
+    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|kernel|nav2|plans|sh3d|sweeps] [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
 """
@@ -17,6 +17,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, TypeVar
 
 from tqdm import tqdm
@@ -43,6 +44,7 @@ SETS: Mapping[str, tuple[dict[str, object], int]] = {
 }
 """Request by name, and by how much fewer seeds than the defaults it gets."""
 PRESET_SETS: Mapping[str, dict[str, object]] = {name: {"program": name} for name in ("studio", "one_bed", "family", "large")}
+TESTS = Path(__file__).parent
 In = TypeVar("In")
 Out = TypeVar("Out")
 MISSING_TARGET = 0.01
@@ -174,6 +176,13 @@ def generated_calls() -> bool:
     return subprocess.run(words, env={**os.environ, "CASES": "500"}, check=False).returncode == 0
 
 
+def sweeps(workers: int) -> bool:
+    """Runs all seeds of the tests of which the suite runs every so many; returns whether all passed."""
+    files = [str(path) for path in sorted(TESTS.rglob("test_*.py")) if "from tests.sweeps import" in path.read_text(encoding="utf-8")]
+    words = [sys.executable, "-m", "pytest", "-q", "-n", str(workers), "--dist", "loadgroup", *files]
+    return subprocess.run(words, env={**os.environ, "SWEEPS": "all"}, check=False).returncode == 0
+
+
 def _spread(work: Callable[[In], Out], jobs: list[In], workers: int, name: str) -> Iterable[Out]:
     with ProcessPoolExecutor(workers) as pool:
         yield from tqdm(pool.map(work, jobs, chunksize=4), total=len(jobs), desc=name, file=sys.stderr)
@@ -188,7 +197,9 @@ def floorplan(seeds: int) -> bool:
 def main() -> int:
     """Runs the measurements asked for, in the order of the table."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", nargs="*", default=["imports", "kernel", "floorplan", "rooms", "houses", "calls", "nav2", "plans", "sh3d"])
+    parser.add_argument(
+        "what", nargs="*", default=["imports", "kernel", "floorplan", "rooms", "houses", "calls", "nav2", "plans", "sh3d", "sweeps"]
+    )
     parser.add_argument("--seeds", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=2)
     asked = parser.parse_args()
@@ -200,6 +211,7 @@ def main() -> int:
         "rooms": lambda: rooms(asked.workers),
         "houses": lambda: houses(asked.seeds, asked.workers),
         "calls": generated_calls,
+        "sweeps": lambda: sweeps(asked.workers),
         "homes": lambda: homes(asked.seeds, asked.workers),
         "nav2": lambda: nav2_maps(min(asked.seeds, 100), asked.workers),
         "plans": lambda: drawings(min(asked.seeds, 100), asked.workers),

@@ -12,9 +12,11 @@ from solver import Scene, fix
 from solver.scene import Conflict, Opening, Room
 from tests.pipeline.fix_oracle import can_stand
 from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces, room_of, with_repair
+from tests.sweeps import seeds
 
 pytestmark = pytest.mark.usefixtures("geometry_alone")
-SEEDS = range(60)
+ALL_SEEDS = range(60)
+SEEDS = seeds(ALL_SEEDS, 5)
 NOT_FOUND = "not found: "
 
 
@@ -39,8 +41,8 @@ def test_the_verdict_is_the_oracles_and_every_conflict_minimal(seed: int) -> Non
     assert [conflict for conflict in fixed.conflicts if not is_minimal(here, conflict)] == []
 
 
-def test_the_rooms_above_are_of_all_kinds() -> None:
-    answers = [fix(room(seed)) for seed in SEEDS]
+def test_all_rooms_of_the_sweep_are_of_all_kinds() -> None:
+    answers = [fix(room(seed)) for seed in ALL_SEEDS]
     assert {len(conflict.ids) for answer in answers for conflict in answer.conflicts} >= {1, 2, 3}
     assert any(not answer.conflicts for answer in answers)
     actions = {repair["action"] for answer in answers for conflict in answer.conflicts for repair in conflict.repairs}
@@ -92,7 +94,7 @@ def grown(here: Room, wall: str, by: float) -> Room:
     return replace(here, depth=round(here.depth + by, 4))
 
 
-@pytest.mark.parametrize("seed", range(0, 80, 2))
+@pytest.mark.parametrize("seed", seeds(range(0, 80, 2), 5))
 def test_the_missing_centimetres_are_the_least_that_help(seed: int) -> None:
     scene = room(seed)
     here = scene.rooms[0]
@@ -109,7 +111,7 @@ def test_the_missing_centimetres_are_the_least_that_help(seed: int) -> None:
         assert float(clear) in (here.width, here.depth)
 
 
-@pytest.mark.parametrize("seed", range(0, 80, 2))
+@pytest.mark.parametrize("seed", seeds(range(0, 80, 2), 5))
 def test_the_chain_of_lengths_adds_up(seed: int) -> None:
     for conflict in fix(room(seed)).conflicts:
         if " = " not in conflict.message:
@@ -177,7 +179,7 @@ def test_what_a_removed_piece_carries_is_named_too() -> None:
     assert {removal["id"] for removal in fixed.removed} == {table.id, lamp.id}
 
 
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("seed", seeds(range(30), 5))
 def test_when_a_limit_was_hit_nothing_possible_is_called_impossible(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(import_module("solver.pipeline.fix"), "SCENE_WORK", 3.0 * seed)
     scene = fuzzed(seed, 5)

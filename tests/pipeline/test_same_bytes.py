@@ -1,4 +1,4 @@
-"""The same bytes for the same question: a thousand times over, in new processes, in one, two or four of them at once."""
+"""The same bytes for the same question: many times over, and in new processes at once, whatever their hashes."""
 
 from __future__ import annotations
 
@@ -6,12 +6,10 @@ import hashlib
 import os
 import subprocess
 import sys
-from concurrent.futures import ProcessPoolExecutor
+from contextlib import ExitStack
 from dataclasses import replace
-from multiprocessing import get_context
+from functools import cache
 from pathlib import Path
-
-import pytest
 
 from solver import Request, Scene, fix, generate
 from solver.exchange import dump_text, write_scene
@@ -19,9 +17,10 @@ from solver.placement import place
 from solver.scene import Furniture
 from solver.streams import Stream
 from tests.placement.rooms import random_space, random_wanted
+from tests.sweeps import times
 
 ROOT = Path(__file__).parents[2]
-REPEATS = 1000
+REPEATS = times(1000, 250)
 SEEDS = tuple(range(8))
 
 
@@ -33,6 +32,7 @@ def house(seed: int) -> bytes:
     return scene_bytes(generate(Request(seed=seed, width=10, depth=8)).scene)
 
 
+@cache
 def digest(seed: int) -> str:
     """A house in short; whole scenes would only be sent about."""
     return hashlib.sha256(house(seed)).hexdigest()
@@ -50,7 +50,7 @@ def one_room() -> Scene:
     return replace(scene, rooms=(replace(room, furniture=tuple(map(pushed, room.furniture))),), adjacency=(), corridors=())
 
 
-def test_a_thousand_repeats_of_a_room() -> None:
+def test_repeats_of_a_room() -> None:
     stream = Stream(5, "repeats")
     space = random_space(stream)
     wanted = random_wanted(space, stream, 7)
@@ -59,7 +59,7 @@ def test_a_thousand_repeats_of_a_room() -> None:
     assert {repr(place([(space, wanted)])) for _ in range(REPEATS)} == {repr(first)}
 
 
-def test_a_thousand_repeats_of_a_repair() -> None:
+def test_repeats_of_a_repair() -> None:
     scene = one_room()
     first = fix(scene)
     assert len(first.moves) > 3
@@ -78,22 +78,27 @@ def test_other_rooms_between_change_nothing() -> None:
     assert [house(seed) for seed in SEEDS[:4]][::-1] == first[::-1]
 
 
-@pytest.mark.parametrize("hash_seed", ["0", "31415"])
-def test_new_processes_with_other_hashes(hash_seed: str) -> None:
-    program = "import sys; from tests.pipeline.test_same_bytes import house; sys.stdout.buffer.write(house(3))"
-    environment = {**os.environ, "PYTHONHASHSEED": hash_seed}
-    run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, check=False, env=environment)
-    assert run.returncode == 0, run.stderr.decode()
-    assert run.stdout == house(3)
+PROGRAM = """
+import sys
+from tests.pipeline.test_same_bytes import digest
+print(*map(digest, map(int, sys.argv[1:])))
+"""
+HASHES = ("0", "31415", "random")
 
 
-WORKERS = 3
+def asked_apart(hashes: str, share: tuple[int, ...]) -> subprocess.Popen[str]:
+    """A new process, which makes some of the houses."""
+    words = [sys.executable, "-c", PROGRAM, *map(str, share)]
+    return subprocess.Popen(words, cwd=ROOT, env={**os.environ, "PYTHONHASHSEED": hashes}, stdout=subprocess.PIPE, text=True)
 
 
-def test_any_number_of_worker_processes() -> None:
+def test_new_processes_with_other_hashes_at_once() -> None:
     """Three share eight houses as unevenly as any number does."""
-    with ProcessPoolExecutor(WORKERS, mp_context=get_context("spawn")) as pool:
-        assert list(pool.map(digest, SEEDS)) == [digest(seed) for seed in SEEDS]
+    shares = {hashes: SEEDS[number :: len(HASHES)] for number, hashes in enumerate(HASHES)}
+    with ExitStack() as running:
+        apart = {hashes: running.enter_context(asked_apart(hashes, share)) for hashes, share in shares.items()}
+        said = {hashes: process.communicate()[0].split() for hashes, process in apart.items()}
+    assert said == {hashes: [digest(seed) for seed in share] for hashes, share in shares.items()}
 
 
 def test_the_houses_differ() -> None:
