@@ -37,10 +37,15 @@ def client() -> Iterator[TestClient]:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Share the browser's tests, file by file, among few workers of a parallel run; keep those of the application on one."""
+    """Share the tests, file by file, among the workers of a parallel run, so that what a file makes for its tests is made once.
+
+    The browser's go to few workers, those of the application to one: each of these starts a service of its own.
+    """
     files = sorted({item.path for item in items if item.path.parent == BROWSER_TESTS})
     for item in items:
         if item.path in files:
             item.add_marker(pytest.mark.xdist_group(f"browser {files.index(item.path) % BROWSERS}"))
         elif "client" in getattr(item, "fixturenames", ()):
             item.add_marker(pytest.mark.xdist_group("service"))
+        elif not item.get_closest_marker("xdist_group"):
+            item.add_marker(pytest.mark.xdist_group(item.nodeid.partition("::")[0]))

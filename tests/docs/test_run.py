@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shlex
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,6 @@ from catalogs import load_catalogs
 from catalogs.schema import RelationSpec
 from scripts import debug_room
 from service import calls
-from service.app import create_app
 from service.cli import main, parser
 from solver.exchange import read_scene
 from tests.docs.markdown import ROOT, Block, blocks, documents, following, rows, section
@@ -28,12 +27,6 @@ CATALOG_FILES = ("furniture", "presets", "dressing", "shapes", "styles", "people
 
 def name_of(block: Block) -> str:
     return f"{block.place} {block.says}"
-
-
-@pytest.fixture(scope="module")
-def client() -> Iterator[TestClient]:
-    with TestClient(create_app()) as client:
-        yield client
 
 
 def commands(block: Block) -> list[list[str]]:

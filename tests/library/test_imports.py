@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 
@@ -13,8 +14,10 @@ KERNEL = {"numba", "llvmlite", "osqp", "daqp", "scipy", "cvxpy"}
 SERVER = {"fastapi", "starlette", "uvicorn", "anyio"}
 CATALOGS = {"catalogs.reading", "catalogs.schema", "numpy"}
 SCENE = "from compose_homes import Room, Scene\nscene = Scene(rooms=(Room('den', width=4.0, depth=3.0),))\n"
+GENERATE = "from compose_homes import Request, generate\ngenerate(Request(seed=1, width=4, depth=4))"
 
 
+@cache
 def loaded(program: str) -> set[str]:
     """The modules that a program has loaded at its end, in a process of its own."""
     words = f"{program}\nimport sys\nprint('\\n' + ' '.join(sys.modules))"
@@ -33,7 +36,7 @@ def loaded(program: str) -> set[str]:
         ("from solver import fix, generate, place, validate", KERNEL | SERVER),
         ("from compose_homes import PieceRequest, load_catalogs; load_catalogs()", KERNEL | SERVER),
         (SCENE + "from compose_homes import validate\nvalidate(scene)", KERNEL | SERVER),
-        (SCENE + "from compose_homes import generate, Request\ngenerate(Request(seed=1, width=4, depth=4))", {"cvxpy"} | SERVER),
+        (GENERATE, {"cvxpy"} | SERVER),
         ("from service.cli import main; main(['schema'])", KERNEL | SERVER | CATALOGS),
         ("from service.cli import main; main(['catalog'])", KERNEL | {"uvicorn", "fastapi"}),
         ("import service.app", KERNEL),
@@ -44,4 +47,4 @@ def test_what_is_not_used_is_not_loaded(program: str, without: set[str]) -> None
 
 
 def test_a_call_loads_what_it_needs() -> None:
-    assert loaded("from compose_homes import Request, generate\ngenerate(Request(seed=1, width=4, depth=4))") > {"numba", "osqp"}
+    assert loaded(GENERATE) > {"numba", "osqp"}
