@@ -24,9 +24,9 @@ def seen(world: Any, state: Any, body: int, group: int) -> Seen:
 
 def _span(world: Any, geom: int) -> tuple[Any, Any]:
     """Returns the corners of the box around a geom, in its body's frame."""
-    turned = np.zeros(9)
-    mujoco.mju_quat2Mat(turned, world.geom_quat[geom])
-    turned, at, size = turned.reshape(3, 3), world.geom_pos[geom], world.geom_size[geom]
+    matrix = np.zeros(9)
+    mujoco.mju_quat2Mat(matrix, world.geom_quat[geom])
+    turned, at, size = matrix.reshape(3, 3), world.geom_pos[geom], world.geom_size[geom]
     if world.geom_type[geom] == mujoco.mjtGeom.mjGEOM_MESH:
         mesh = int(world.geom_dataid[geom])
         start, count = int(world.mesh_vertadr[mesh]), int(world.mesh_vertnum[mesh])

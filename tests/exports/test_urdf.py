@@ -1,0 +1,51 @@
+"""URDF as MuJoCo reads it, and what its XML holds."""
+
+from __future__ import annotations
+
+import math
+from xml.etree import ElementTree
+
+import pytest
+
+from solver.exports import ExportSettings, written_as
+from tests.exports.homes import SCENES, described
+from tests.exports.readers import urdf
+
+HOMES = [*SCENES, "hostile", "storeys"]
+
+
+@pytest.mark.parametrize("home", HOMES)
+def test_mujoco_reads_it_with_all_links_and_doors(home: str) -> None:
+    model = described(home)
+    world = urdf.compiled(written_as(model, ExportSettings("urdf")))
+    assert world.nbody == 2 + len(model.bodies) + len(model.leaves)
+    assert world.njnt == len(model.leaves)
+    for leaf in model.leaves:
+        assert world.body(leaf.id).mass[0] == pytest.approx(leaf.mass, rel=1e-6)
+
+
+@pytest.mark.parametrize("home", HOMES)
+def test_links_form_one_tree_with_inertias_that_can_be(home: str) -> None:
+    files = written_as(described(home), ExportSettings("urdf"))
+    robot = ElementTree.fromstring(next(content for name, content in files.items() if name.endswith(".urdf")))
+    links = [link.get("name") for link in robot.iter("link")]
+    children = [child.get("link") for child in robot.iter("child")]
+    assert sorted(children, key=str) == sorted(links[1:], key=str)
+    assert len(set(links)) == len(links)
+    for inertia in robot.iter("inertia"):
+        xx, yy, zz = (float(inertia.get(key, "")) for key in ("ixx", "iyy", "izz"))
+        assert min(xx + yy - zz, xx + zz - yy, yy + zz - xx) > 0
+    assert {mesh.get("filename") for mesh in robot.iter("mesh")} == {name for name in files if name.endswith(".obj")}
+
+
+def test_a_door_opens_as_the_scene_says() -> None:
+    model = described("own")
+    files = written_as(model, ExportSettings("urdf"))
+    robot = ElementTree.fromstring(files["house.urdf"])
+    joints = {joint.get("name"): joint for joint in robot.iter("joint")}
+    for leaf in model.leaves:
+        joint = joints[f"{leaf.id}/{'hinge' if leaf.motion == 'swing' else 'slide'}"]
+        limit = joint.find("limit")
+        assert limit is not None
+        opened = math.radians(leaf.swing) if leaf.motion == "swing" else leaf.height
+        assert max((float(limit.get(end, "")) for end in ("lower", "upper")), key=abs) == pytest.approx(opened)
