@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import tempfile
 from collections.abc import Mapping
+from pathlib import Path
 
 from pxr import Sdf, Usd, UsdGeom, UsdPhysics
 
@@ -13,8 +15,13 @@ SORTS = ("Furniture", "Decorations", "People")
 
 
 def stage_of(files: Mapping[str, bytes]) -> Usd.Stage:
-    """The stage of a text."""
-    (content,) = files.values()
+    """The stage of a text, of a binary file or of a packed one."""
+    ((name, content),) = files.items()
+    if not content.startswith(b"#usda"):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, name)
+            path.write_bytes(content)
+            return Usd.Stage.Open(str(path))
     layer = Sdf.Layer.CreateAnonymous(".usda")
     assert layer.ImportFromString(content.decode())
     return Usd.Stage.Open(layer)

@@ -1,0 +1,46 @@
+"""All formats say the same of a house: the same bodies, at the same places, as large and as heavy.
+
+Each format is read by its consumer's library (`readers`); what it says is held against the description, body by body.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from solver.export_formats import EXPORTERS
+from solver.exports import written_as
+from solver.exports.writers import ExportSettings
+from tests.exports.agreement import NOT_READ, differences, reader_of
+from tests.exports.homes import SCENES, described
+
+READ = [format for format in EXPORTERS if format not in NOT_READ]
+
+
+def test_every_format_is_read_or_is_said_why_not() -> None:
+    assert set(NOT_READ) <= set(EXPORTERS)
+    assert all(reader_of(format) for format in READ)
+
+
+@pytest.mark.parametrize("format", READ)
+@pytest.mark.parametrize("home", SCENES)
+def test_a_format_agrees_with_the_description(home: str, format: str) -> None:
+    model = described(home)
+    seen = reader_of(format)(written_as(model, ExportSettings(format)))
+    assert differences(model, seen, format) == []
+
+
+@pytest.mark.parametrize("format", READ)
+def test_hostile_names_break_no_file(format: str) -> None:
+    model = described("hostile")
+    seen = reader_of(format)(written_as(model, ExportSettings(format)))
+    assert differences(model, seen, format) == []
+
+
+def test_a_mirror_image_would_be_seen() -> None:
+    model = described("own")
+    seen = reader_of("csv")(written_as(model, ExportSettings("csv")))
+    mirrored = {name: one._replace(x=14.0 - one.x, turn=-one.turn) for name, one in seen.items()}
+    assert len(differences(model, mirrored, "csv")) > 5
+    heavier = {name: one._replace(mass=(one.mass or 0) * 1.01) for name, one in seen.items()}
+    assert len(differences(model, heavier, "csv")) == len(model.bodies)
+    assert differences(model, dict(list(seen.items())[1:]), "csv")
