@@ -13,6 +13,8 @@ from solver.exports.model import FloorPlate, WallPanel
 
 PlanBox = tuple[float, float, float, float]
 """West, north, east and south, m."""
+Obstacle = tuple[float, float, float, float, float]
+"""A box, and how much worse than furniture it is to write on it."""
 _STEPS: Final = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
 """Where across a room a name or a dimension line is tried, as shares of its span, the middle first."""
 _LINE_STEPS: Final = (0.12, 0.88, 0.2, 0.8, 0.3, 0.7, 0.4, 0.6, 0.5)
@@ -57,7 +59,7 @@ class PlanRoom:
 
     plate: FloorPlate
     corners: Sequence[tuple[float, float]]
-    obstacles: Sequence[PlanBox]
+    obstacles: Sequence[Obstacle]
     letters: float
     numbers: float
 
@@ -146,7 +148,7 @@ def clear_sizes(room: PlanRoom, label: RoomLabel) -> list[Dimension]:
     """Returns the dimension lines in a room: its clear width and depth where it is widest, least over furniture and the name."""
     x0, z0, x1, z1 = label_box(label)
     beside = 0.4 * room.numbers
-    obstacles = [*room.obstacles, *[(x0 - beside, z0 - beside, x1 + beside, z1 + beside)] * 4]
+    obstacles = [*room.obstacles, (x0 - beside, z0 - beside, x1 + beside, z1 + beside, 4.0)]
     found: list[Dimension] = []
     for axis in ("x", "z"):
         line = _clear_size(room, axis, obstacles)
@@ -155,11 +157,11 @@ def clear_sizes(room: PlanRoom, label: RoomLabel) -> list[Dimension]:
             wide, high = number_box(line.stops[1] - line.stops[0], room.numbers)
             text, half = line.texts[0], (wide / 2, high)
             x, z, a, b = (text, line.at, *half) if axis == "x" else (line.at, text, half[1], half[0])
-            obstacles += [(x - a, z - b, x + a, z + b)] * 8
+            obstacles.append((x - a, z - b, x + a, z + b, 8.0))
     return found
 
 
-def _clear_size(room: PlanRoom, axis: Literal["x", "z"], obstacles: Sequence[PlanBox]) -> Dimension | None:
+def _clear_size(room: PlanRoom, axis: Literal["x", "z"], obstacles: Sequence[Obstacle]) -> Dimension | None:
     x0, z0, x1, z1 = _bounds(room.corners)
     low, high = (z0, z1) if axis == "x" else (x0, x1)
     best, least = None, float("inf")
@@ -181,6 +183,8 @@ def _clear_size(room: PlanRoom, axis: Literal["x", "z"], obstacles: Sequence[Pla
             cost = on_line + 2.0 * covered(text, obstacles) / tall + 0.05 * abs(where - 0.5)
             if cost < least:
                 best, least = Dimension(axis, at, span, (middle,)), cost
+            if cost <= on_line:  # in the middle and over nothing
+                break
     return best
 
 
@@ -189,13 +193,13 @@ def number_box(metres: float, size: float) -> tuple[float, float]:
     return len(f"{metres:.2f}") * _DIGIT * size, size
 
 
-def covered(box: PlanBox, obstacles: Iterable[PlanBox]) -> float:
-    """Returns how much of a box others cover, m2; twice what two cover."""
+def covered(box: PlanBox, obstacles: Iterable[Obstacle]) -> float:
+    """Returns how much of a box obstacles cover, m2, each as often as it is worse; twice what two cover."""
     x0, z0, x1, z1 = box
     total = 0.0
-    for a, b, c, d in obstacles:
+    for a, b, c, d, worse in obstacles:
         if a < x1 and x0 < c and b < z1 and z0 < d:
-            total += (min(x1, c) - max(x0, a)) * (min(z1, d) - max(z0, b))
+            total += ((x1 if x1 < c else c) - (x0 if x0 > a else a)) * ((z1 if z1 < d else d) - (z0 if z0 > b else b)) * worse
     return total
 
 

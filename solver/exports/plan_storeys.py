@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, PlacedOpening
 from solver.exports.plan_facades import Facades, chains_of
-from solver.exports.plan_rooms import Dimension, PlanBox, PlanRoom, RoomLabel, clear_corners, clear_sizes, label_of, words_of
+from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, clear_sizes, label_of, words_of
 from solver.exports.plan_sheet import PlanSheet, sheet_for
 from solver.exports.wall_panels import between
 
@@ -150,17 +150,17 @@ def _railings(model: HouseModel, rooms: list[FloorPlate]) -> list[PlanBox]:
 
 def _obstacles(
     rooms: list[FloorPlate], bodies: list[ModelBody], openings: list[PlacedOpening], leaves: list[DoorLeaf]
-) -> dict[str, list[PlanBox]]:
+) -> dict[str, list[Obstacle]]:
     """Returns what no name should stand on, by room: furniture and where doors turn."""
-    found: dict[str, list[PlanBox]] = {room.id: [] for room in rooms}
+    found: dict[str, list[Obstacle]] = {room.id: [] for room in rooms}
     for body in bodies:
         if body.sort == "furniture" and body.y + body.height > 0.1 and body.room:
-            found[body.room].append(footprint(body))
+            found[body.room].append((*footprint(body), 1.0))
     turning = {leaf.id: _swept(leaf) for leaf in leaves if leaf.motion == "swing"}
     for opening in openings:
         for room in opening.rooms:
             if room in found and opening.id in turning:
-                found[room].append(turning[opening.id])
+                found[room].append((*turning[opening.id], 1.0))
     return found
 
 
@@ -172,7 +172,7 @@ def _swept(leaf: DoorLeaf) -> PlanBox:
 
 
 def _named(
-    model: HouseModel, sheet: PlanSheet, rooms: list[FloorPlate], obstacles: dict[str, list[PlanBox]]
+    model: HouseModel, sheet: PlanSheet, rooms: list[FloorPlate], obstacles: dict[str, list[Obstacle]]
 ) -> tuple[list[RoomLabel], list[Dimension]]:
     labels, lines = [], []
     for plate in rooms:

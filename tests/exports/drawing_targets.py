@@ -27,6 +27,8 @@ from tests.exports.test_svg import meet, written_boxes
 
 PROGRAMS = (None, "family", "large")
 READERS = {"svg": svg.read, "dxf": dxf.read, "ifc": ifc.read, "sh3d": sh3d.read}
+VALIDATED = 6
+"""How many homes have their IFC validated by its schema, which takes half a minute each; one, a family home, also by its rules."""
 JAR = Path(os.environ.get("SWEETHOME3D_JAR", "/usr/share/sweethome3d/sweethome3d.jar"))
 """Sweet Home 3D's own library, of Debian's package sweethome3d; OpenAgain.java is run with it."""
 
@@ -42,9 +44,9 @@ def drawn_home(seed: int) -> list[str]:
         if name == "dxf":
             audits = [drawing.audit() for drawing in dxf.drawings(files)]
             wrong += [f"dxf: {one.message}" for audit in audits for one in (*audit.errors, *audit.fixes)]
-        if name == "ifc":
+        if name == "ifc" and seed < VALIDATED:
             told = ifcopenshell.validate.json_logger()
-            ifcopenshell.validate.validate(ifc.building(files), told, express_rules=seed < 2)
+            ifcopenshell.validate.validate(ifc.building(files), told, express_rules=seed == 1)
             wrong += [f"ifc: {one}" for one in told.statements]
     for storey in storeys_of(model):
         boxes = written_boxes(storey)
