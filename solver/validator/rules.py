@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import Final
 
 from solver.scene import Issue, Scene
+from solver.validator.crossing import shapes_cross
 from solver.validator.floating import floating
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import metres
@@ -26,9 +27,10 @@ RULES: Final = {
     "unreachable": "error",
     "floating": "error",
     "missing_required": "warning",
+    "shapes_cross": "warning",
 }
 """Every rule and its severity, in the order issues are listed."""
-_FUNCTIONS = (out_of_bounds, overlap, wall_far, blocks_door, blocks_window, unreachable, floating, missing_required)
+_FUNCTIONS = (out_of_bounds, overlap, wall_far, blocks_door, blocks_window, unreachable, floating, missing_required, shapes_cross)
 CHECKS: Final[dict[str, Callable[[RuleCase], Iterator[Finding]]]] = {check.__name__: check for check in _FUNCTIONS}
 """How every rule is checked in one room: by the function of its name."""
 
