@@ -29,6 +29,7 @@ EXPORTERS: Final[dict[str, Exporter]] = {
     "usd": Exporter(
         "USD as text: Isaac Sim, Omniverse, Blender; colliders, masses, doors on joints, labels", "usd_stage", "model/vnd.usda"
     ),
+    "arena": Exporter("Isaac Lab-Arena: the usd, and an environment's YAML that names its bodies", "arena", "application/zip"),
     "usdc": Exporter("the same, binary", "usd_stage", "model/vnd.usd", ("pxr", "usd")),
     "usdz": Exporter("the same, packed as one file: phones, tablets, previews", "usd_stage", "model/vnd.usdz+zip", ("pxr", "usd")),
     "mjcf": Exporter("MuJoCo: colliders, masses, doors on hinges, light things free to move", "mujoco_xml", "application/xml"),

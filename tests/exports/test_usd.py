@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import yaml
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdValidation
 
 from catalogs import load_catalogs
@@ -207,3 +208,21 @@ def test_warnings_stand_in_the_layer() -> None:
     model = describe(homes.own(), load_catalogs(), warnings=['out_of_bounds: a"b\n<c>'])
     layer = stage_of(written_as(model, ExportSettings("usd"))).GetRootLayer()
     assert list(layer.customLayerData["warnings"]) == list(model.warnings)
+
+
+@pytest.mark.parametrize("name", ["own", "hostile"])
+def test_arena_names_a_prim_for_each_body(name: str) -> None:
+    model = describe(homes.described(name).scene, load_catalogs(), warnings=["a\nb: [c"])
+    files = written_as(model, ExportSettings("arena"))
+    said = yaml.safe_load(files["house_arena.yaml"])
+    assert b'# "a\\nb: [c"' in files["house_arena.yaml"]
+    house = stage_of({"house.usda": files["house.usda"]})
+    assert findings(house) == [] and not [prim for prim in drawn(house) if prim.GetTypeName() == "DomeLight"]
+    bodies = {body.id: body for body in model.bodies}
+    found = {}
+    for reference in said["object_references"]:
+        prim = house.GetDefaultPrim().GetPrimAtPath(reference["prim_path"])
+        found[prim.GetCustomDataByKey("id")] = reference["object_type"]
+        assert reference["parent_id"] == said["background"]["id"] == "house" and reference["id"].isidentifier()
+    assert found == {key: "base" if body.fixed else "rigid" for key, body in bodies.items()}
+    assert len({reference["id"] for reference in said["object_references"]}) == len(bodies)

@@ -23,11 +23,12 @@ from solver.version import VERSION
 CEILING: Final = 0.01
 """How thick ceilings are, m."""
 _SORTS: Final = {"furniture": "Furniture", "decoration": "Decorations", "dynamic": "People"}
-_AROUND: Final = """def DomeLight "Sky"
+_SKY: Final = """def DomeLight "Sky"
 {
 float inputs:intensity = 1000
 }
-def PhysicsScene "PhysicsScene"
+"""
+_GRAVITY: Final = """def PhysicsScene "PhysicsScene"
 {
 vector3f physics:gravityDirection = (0, 0, -1)
 float physics:gravityMagnitude = 9.81
@@ -52,9 +53,9 @@ def write(model: HouseModel, settings: ExportSettings) -> Files:
     return packed_stage(stage_text(model), model.name, settings.format)
 
 
-def stage_text(model: HouseModel) -> str:
-    """Returns a house as a stage, USD's text format."""
-    return _Stage(model).text()
+def stage_text(model: HouseModel, lit: bool = True) -> str:
+    """Returns a house as a stage, USD's text format; `lit`: under a sky."""
+    return _Stage(model).text(_SKY + _GRAVITY if lit else _GRAVITY)
 
 
 def prim_paths(model: HouseModel) -> dict[str, str]:
@@ -79,8 +80,8 @@ class _Stage:
         self._kind_texts: list[str] = []
         self._looks: dict[str, str] = {}
 
-    def text(self) -> str:
-        """Returns the stage."""
+    def text(self, around: str) -> str:
+        """Returns the stage; `around` is what stands beside the house."""
         model = self._model
         groups = {
             "Floors": "".join(map(self._floor, model.rooms)),
@@ -102,7 +103,7 @@ class _Stage:
         return (
             f'#usda 1.0\n(\ncustomLayerData = {{\n{told}}}\ndefaultPrim = "House"\n'
             f'kilogramsPerUnit = 1\nmetersPerUnit = 1\nupAxis = "Z"\n)\n'
-            f'{_AROUND}def Xform "House" (\nkind = "assembly"\n)\n{{\n{looks}{kinds}{_FILTER}{inside}}}\n'
+            f'{around}def Xform "House" (\nkind = "assembly"\n)\n{{\n{looks}{kinds}{_FILTER}{inside}}}\n'
         )
 
     def _paint(self, paints: Iterable[Paint]) -> None:
