@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Sequence
-from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
+from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, ModelBody, Paint, WallBox
 
 ROUND: Final = 0.12
@@ -120,13 +120,9 @@ def painted_halves(wall: WallBox) -> Iterator[tuple[Collider, Paint]]:
 
 
 def floor_boxes(floor: FloorPlate) -> Iterator[Collider]:
-    """Yields the boxes that make a room's floor, z up: one for each stretch between corners from north to south."""
-    for north, south in pairwise(sorted({z for _, z in floor.corners})):
-        middle = (north + south) / 2
-        edges = zip(floor.corners, (*floor.corners[1:], floor.corners[0]), strict=True)
-        crossed = sorted((x0 + x1) / 2 for (x0, z0), (x1, z1) in edges if min(z0, z1) < middle < max(z0, z1))
-        for west, east in zip(crossed[::2], crossed[1::2], strict=True):
-            yield box_between(Cuboid(west, floor.elevation - FLOOR, north, east, floor.elevation, south))
+    """Yields the boxes that make a room's floor, z up."""
+    for west, north, east, south in rectangles_of(floor.corners):
+        yield box_between(Cuboid(west, floor.elevation - FLOOR, north, east, floor.elevation, south))
 
 
 def shared_mass(colliders: Sequence[Collider], mass: float) -> list[tuple[Collider, float]]:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 import yaml
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdValidation
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade
 
 from catalogs import load_catalogs
 from compose_homes import export
@@ -18,7 +18,7 @@ from solver.exports import ExportSettings, describe, written_as
 from solver.exports.usd_text import text
 from solver.scene import Scene
 from tests.exports import homes
-from tests.exports.readers.usd import read, read_stage, stage_of
+from tests.exports.readers.usd import findings, read, read_stage, stage_of
 
 MADE = ("own", "family", "hostile", "storeys")
 MM = 0.001
@@ -31,13 +31,6 @@ def files(name: str) -> dict[str, bytes]:
 @cache
 def stage(name: str) -> Usd.Stage:
     return stage_of(files(name))
-
-
-def findings(of: Usd.Stage) -> list[str]:
-    """What all of usd-core's validators find."""
-    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
-    assert len(validators) >= 30
-    return [error.GetErrorAsString() for error in UsdValidation.ValidationContext(validators).Validate(of)]
 
 
 def drawn(of: Usd.Stage, under: str = "/") -> list[Usd.Prim]:

@@ -13,6 +13,7 @@ from typing import Final, NamedTuple
 
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
+from solver.exports.colliders import FLOOR
 from solver.exports.floor_rectangles import FloorRectangle, rectangles_of
 from solver.exports.formats.glb_book import Geometry, GltfBook, geometry_of
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, WallBox
@@ -20,7 +21,6 @@ from solver.exports.paints import PLAIN_CEILING
 from solver.exports.solid_meshes import BoxFace, box_faces, joined, scaled, surface_of
 from solver.exports.writers import ExportSettings, Files
 
-FLOOR_THICKNESS: Final = 0.1
 _CUBE: Final = ((1.0, 1.0, 1.0), (0.0, 0.0, 0.0))
 _FACES: Final[tuple[BoxFace, ...]] = (("x", -1), ("x", 1), ("y", -1), ("y", 1), ("z", -1), ("z", 1))
 _SORTS: Final = {"furniture": "house/furniture", "decoration": "house/decorations", "dynamic": "house/people"}
@@ -183,7 +183,7 @@ def _sheets(rectangles: tuple[FloorRectangle, ...]) -> Geometry:
 def _plate(rectangle: FloorRectangle) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
     """Returns the size and the middle of a plate whose top is at 0."""
     west, north, east, south = rectangle
-    return (east - west, FLOOR_THICKNESS, south - north), ((west + east) / 2, -FLOOR_THICKNESS / 2, (north + south) / 2)
+    return (east - west, FLOOR, south - north), ((west + east) / 2, -FLOOR / 2, (north + south) / 2)
 
 
 def _box_node(name: str, box: Cuboid, mesh: int) -> str:

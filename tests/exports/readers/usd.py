@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from pxr import Sdf, Usd, UsdGeom, UsdPhysics
+from pxr import Sdf, Usd, UsdGeom, UsdPhysics, UsdValidation
 
 from tests.exports.readers import Seen
 
@@ -25,6 +25,13 @@ def stage_of(files: Mapping[str, bytes]) -> Usd.Stage:
     layer = Sdf.Layer.CreateAnonymous(".usda")
     assert layer.ImportFromString(content.decode())
     return Usd.Stage.Open(layer)
+
+
+def findings(of: Usd.Stage) -> list[str]:
+    """What all of usd-core's validators find."""
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    assert len(validators) >= 30
+    return [error.GetErrorAsString() for error in UsdValidation.ValidationContext(validators).Validate(of)]
 
 
 def read(files: Mapping[str, bytes]) -> dict[str, Seen]:
