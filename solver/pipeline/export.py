@@ -9,7 +9,7 @@ from typing import Final
 
 from catalogs import Catalogs, load_catalogs
 from solver.errors import SceneError
-from solver.exchange import dump_text, write_scene
+from solver.exchange import FORMATS, write_scene
 from solver.export_formats import Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
 from solver.named_kinds import with_kinds
@@ -47,7 +47,7 @@ def export(scene: Scene, format: str, *, free: Freedom = "light", strict: bool =
     if errors and strict:
         raise SceneError("scene", f"has {len(errors)} errors: {errors[0].message}", "a scene without errors, or without strict")
     model = describe(with_kinds(scene, known), known, free, _told(errors))
-    return written_as(model, ExportSettings(format, lambda: dump_text(write_scene(scene), "json").decode().rstrip()))
+    return written_as(model, ExportSettings(format, lambda: FORMATS["json"].dump(write_scene(scene)).rstrip()))
 
 
 def _told(errors: list[Issue]) -> list[str]:
