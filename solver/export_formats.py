@@ -24,6 +24,10 @@ class Exporter(NamedTuple):
 EXPORTERS: Final[dict[str, Exporter]] = {
     "csv": Exporter("pieces, decorations and people as a table", "pieces_csv", "text/csv"),
     "nav2": Exporter("a map for Nav2 (ROS 2), with rooms, doors and places to stand at", "nav2", "application/zip"),
+    "png": Exporter("a picture from above, and maps of classes, things, rooms and free floor at 2 cm", "top_maps", "application/zip"),
+    "boxes": Exporter("boxes a room as ATISS reads them, for training", "layout_boxes", "application/zip"),
+    "procthor": Exporter("the house JSON of ProcTHOR and AI2-THOR", "procthor_house", "application/json"),
+    "habitat": Exporter("a scene dataset for AI Habitat, with a GLB for each thing", "habitat_scene", "application/zip"),
     "svg": Exporter("floor plan to scale, as an architect draws it", "plan_svg", "image/svg+xml"),
     "glb": Exporter("glTF: Blender, game engines, viewers, the web; the scene inside, so that it reads back", "glb", "model/gltf-binary"),
     "usd": Exporter(

@@ -29,6 +29,8 @@ USE_DISTANCE: Final = 0.45
 UNKNOWN_DENSITY: Final = 120.0
 """What a thing weighs by its box that the catalogs do not know, kg/m3: the middle of our furniture."""
 LEAST_MASS: Final = 0.01
+LIVING: Final = "dynamic"
+"""The category of people and pets."""
 FRICTION: Final = {"low": 0.3, "medium": 0.6, "high": 0.9}
 """Coefficients of dry friction: polished or on castors; wood, plastic; rubber, cloth."""
 _TURN_OF: Final[Mapping[Side, float]] = {"front": 0.0, "right": 90.0, "back": 180.0, "left": 270.0}
@@ -88,7 +90,7 @@ class BodyMaker:
     def _living(self, person: Dynamic) -> _Kind:
         spec = self._catalogs.furniture.get(person.kind)
         shape = self._book.living(person.kind, person.on is not None)
-        return _Kind(person.kind if spec else None, spec, shape or "", "dynamic")
+        return _Kind(person.kind if spec else None, spec, shape or "", LIVING)
 
     def _made(self, body: Furniture | Decoration | Dynamic, sort: Sort, room: Room, kind: _Kind, hung: bool = False) -> ModelBody:
         carrier = body.parent if isinstance(body, Decoration) else body.on

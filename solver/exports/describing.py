@@ -10,7 +10,7 @@ from typing import Final
 
 from catalogs import Catalogs
 from solver.export_formats import Freedom
-from solver.exports.described_bodies import BodyMaker
+from solver.exports.described_bodies import LIVING, BodyMaker
 from solver.exports.door_leaves import leaves_of
 from solver.exports.model import FloorPlate, HouseModel, Paint
 from solver.exports.paints import PLAIN_FLOOR, Paints
@@ -51,7 +51,17 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         thickness=plan.thickness,
         shapes=maker.unit_shapes,
         warnings=tuple(warnings),
+        kinds=tuple(sorted(catalogs.furniture)),
+        categories=tuple(
+            sorted({kind.category for kind in catalogs.furniture.values()} | {kind.group for kind in catalogs.decorations.values()})
+        ),
     )
+
+
+def _categories(catalogs: Catalogs) -> set[str]:
+    """Returns the categories that bodies can have; people and pets have one of their own."""
+    things = {kind.category for kind in catalogs.furniture.values()} | {kind.group for kind in catalogs.decorations.values()}
+    return things | {LIVING}
 
 
 def style_of(scene: Scene) -> str | None:

@@ -217,3 +217,7 @@ class HouseModel:
     shapes: Mapping[str, tuple[BodyPart, ...]] = field(default_factory=dict)
     """The parts of each shape as shares of a body's box: width, height and depth 1, underside at 0."""
     warnings: tuple[str, ...] = ()
+    kinds: tuple[str, ...] = ()
+    """Every kind of furniture that the catalogs know, in order: what training counts as classes, the same for all houses."""
+    categories: tuple[str, ...] = ()
+    """Every category that the catalogs know, in order."""

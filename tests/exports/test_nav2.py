@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from tests.exports import homes
 from tests.exports.readers.nav2 import RADIUS, parted_rooms, read_map
 
 
+@cache
 def written(name: str) -> dict[str, bytes]:
     return written_as(homes.described(name), ExportSettings("nav2"))
 
@@ -30,7 +32,7 @@ def test_a_robot_reaches_the_middle_of_every_room(name: str) -> None:
     rooms = json.loads(files["rooms.json"])["rooms"]
     assert {room["id"] for room in rooms} == {room.id for room in homes.described(name).rooms}
     assert parted_rooms(files) == []
-    assert all(room["clearance"] > RADIUS for room in rooms)
+    assert all(room["clearance"] > RADIUS and room["reachable"] for room in rooms)
     assert parted_rooms(files, radius=0.6) != []
 
 

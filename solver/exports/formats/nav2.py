@@ -11,8 +11,8 @@ import math
 from typing import Final
 
 import numpy as np
-import numpy.typing as npt
 
+from solver.exports.floor_cells import largest_stretch, squared_distances
 from solver.exports.floor_grid import FloorGrid, Mask, floor_mask, grid_of, levels_of, obstacles
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
 from solver.exports.writers import ExportSettings, Files
@@ -21,6 +21,8 @@ RESOLUTION: Final = 0.05
 """Side of a cell, m."""
 ROBOT_HEIGHT: Final = 1.5
 """What begins higher above the floor is driven under, m. Our choice, more than the height of common indoor robots."""
+ROBOT_RADIUS: Final = 0.28
+"""Inscribed radius of the robot that rooms' points are for, m: one 0.6 m wide, less what rounding to cells takes."""
 MARGIN: Final = 0.5
 """How far the map goes beyond the rooms, m."""
 OCCUPIED, FREE, UNKNOWN = 0, 254, 205
@@ -95,13 +97,16 @@ def _plain(value: float) -> float:
 
 
 def _rooms(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> list[dict[str, object]]:
-    """Returns the rooms of a level, each with the point that is farthest from everything."""
+    """Returns the rooms of a level, each with the point farthest from everything that a robot can drive to, if there is any."""
+    floors = [(room, floor_mask(grid, room)) for room in model.rooms if room.level == level]
     squares = squared_distances(taken)
+    apart = squares * grid.cell**2 > ROBOT_RADIUS**2 + 1e-9
+    reached = largest_stretch(np.logical_or.reduce([floor for _, floor in floors]) & apart) if floors else apart
     made: list[dict[str, object]] = []
-    for room in model.rooms:
-        if room.level != level:
-            continue
-        inside = np.where(floor_mask(grid, room), squares, 0)
+    for room, floor in floors:
+        known = floor & reached
+        reachable = bool(known.any())
+        inside = np.where(known if reachable else floor, squares, 0)
         row, column = divmod(int(inside.argmax()), grid.columns)
         x, z = grid.centre(row, column)
         clearance = math.sqrt(int(inside[row, column])) * grid.cell
@@ -115,28 +120,10 @@ def _rooms(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> list[
                 "polygon": [[_plain(x), _plain(-z)] for x, z in room.corners],
                 "point": [_plain(x), _plain(-z)] if clearance else None,
                 "clearance": round(clearance, 3),
+                "reachable": reachable,
             }
         )
     return made
-
-
-def squared_distances(taken: Mask) -> npt.NDArray[np.int32]:
-    """Returns each cell's squared distance from its nearest taken cell, centre to centre, in cells; capped where none is near."""
-    rows = taken.shape[0]
-    columnwise = np.full(taken.shape, rows, dtype=np.int32)
-    columnwise[taken] = 0
-    for row in range(1, rows):
-        np.minimum(columnwise[row], columnwise[row - 1] + 1, out=columnwise[row])
-    for row in range(rows - 2, -1, -1):
-        np.minimum(columnwise[row], columnwise[row + 1] + 1, out=columnwise[row])
-    vertical = columnwise * columnwise
-    found = vertical.copy()
-    step = 1
-    while step < taken.shape[1] and step * step < int(found.max()):
-        np.minimum(found[:, step:], vertical[:, :-step] + step * step, out=found[:, step:])
-        np.minimum(found[:, :-step], vertical[:, step:] + step * step, out=found[:, :-step])
-        step += 1
-    return found
 
 
 def _door(one: PlacedOpening, leaf: DoorLeaf | None) -> dict[str, object]:

@@ -1,0 +1,165 @@
+"""PNG: a picture of the home from above, and maps of 2 cm a pixel that say what is where: class, thing, room, free floor. North at the top.
+
+A map's pixels are numbers, coloured by a palette; palette.json says what they mean and where in the house a pixel is. A pixel shows what
+its middle is in; of several things the highest. Footprints count, not parts.
+"""
+
+from __future__ import annotations
+
+import colorsys
+import io
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+import numpy as np
+import numpy.typing as npt
+from PIL import Image
+
+from solver.exports.floor_grid import WALKED_ON, FloorGrid, floor_mask, footprint, grid_of, inside, levels_of, obstacles
+from solver.exports.home_picture import picture_of
+from solver.exports.model import HouseModel, ModelBody, PlacedOpening
+from solver.exports.paints import channels
+from solver.exports.writers import ExportSettings, Files
+
+PIXEL: Final = 0.02
+"""Side of a map's pixel, m."""
+MARGIN: Final = 0.3
+HEAD: Final = 2.0
+"""What begins higher above the floor does not take floor away, m: it is walked under."""
+SURFACES: Final = {
+    "outside": "#f4f1ec", "bare_floor": "#d9cdb8", "outdoor_floor": "#a9c48c", "wall": "#4b4743", "door": "#b5793a", "window": "#8fc7e8",
+}  # fmt: skip
+"""The classes that are no things, numbered from 0, and their colours."""
+FREE: Final = {"outside": "#f4f1ec", "free": "#ffffff", "taken": "#30343b"}
+Numbers = npt.NDArray[np.uint16]
+
+
+def write(model: HouseModel, _: ExportSettings) -> Files:
+    """Writes `picture.png`, `semantic.png`, `instance.png` (16 bits), `rooms.png`, `free_floor.png`; palette.json for all storeys."""
+    known = dict.fromkeys([*SURFACES, *model.categories])
+    classes = {name: number for number, name in enumerate(known | dict.fromkeys(body.category for body in model.bodies))}
+    files: Files = {}
+    maps: list[dict[str, object]] = []
+    for number, level in enumerate(levels_of(model)):
+        end = f"_level_{level}.png" if number else ".png"
+        grid = grid_of(model, level, PIXEL, MARGIN)
+        semantic, instance, rooms = _maps(model, level, grid, classes)
+        taken = obstacles(model, level, grid, HEAD)
+        free = np.where(taken, 2, np.where(rooms > 0, 1, 0))
+        files[f"picture{end}"] = picture_of(model, level)
+        files[f"semantic{end}"] = _paletted(semantic, _class_colors(classes))
+        files[f"instance{end}"] = _file(Image.fromarray(instance))
+        files[f"rooms{end}"] = _paletted(rooms, ["#f4f1ec", *_hues(len(model.rooms))])
+        files[f"free_floor{end}"] = _paletted(free, list(FREE.values()))
+        maps.append({"level": level, "ending": end, "pixel": PIXEL, "north_west": [grid.x, grid.z], "size": [grid.columns, grid.rows]})
+    files["palette.json"] = _palette(model, classes, maps)
+    return files
+
+
+def _maps(model: HouseModel, level: int, grid: FloorGrid, classes: Mapping[str, int]) -> tuple[Numbers, Numbers, Numbers]:
+    """Returns each pixel's class, the number of the body there from 1, and that of the room from 1."""
+    semantic, instance, rooms = (np.zeros(grid.shape, dtype=np.uint16) for _ in range(3))
+    levels = {room.id: room.level for room in model.rooms}
+    for number, room in enumerate(model.rooms, 1):
+        if room.level == level:
+            floor = floor_mask(grid, room)
+            rooms[floor] = number
+            semantic[floor] = classes["outdoor_floor" if room.outdoor else "bare_floor"]
+    for panel in model.panels:
+        if panel.level == level:
+            semantic[_strip(grid, panel.axis, (panel.start, panel.end), (panel.line, panel.thickness))] = classes["wall"]
+    for fitting in model.fittings:
+        if fitting.surface == "railing":
+            semantic[grid.touched(fitting.box.x0, fitting.box.z0, fitting.box.x1, fitting.box.z1)] = classes["wall"]
+    for one in model.openings:
+        if one.level == level:
+            said = "bare_floor" if one.kind == "passage" else "window" if one.kind == "window" else "door"
+            semantic[_hole(grid, one, model.thickness)] = classes[said]
+    numbered = [(body, number) for number, body in enumerate(model.bodies, 1) if levels.get(body.room or "") == level]
+    tops = _tops(model.bodies)
+    for body, number in sorted(numbered, key=lambda one: tops[one[0].id]):
+        _mark(grid, body, (semantic, classes[body.category]), (instance, number))
+    return semantic, instance, rooms
+
+
+def _tops(bodies: Sequence[ModelBody]) -> dict[str, float]:
+    """Returns how high each body reaches, m; what is carried a little higher than what carries it, whose back may be the higher."""
+    found: dict[str, float] = {}
+    by_id = {body.id: body for body in bodies}
+
+    def top(body: ModelBody, below: int) -> float:
+        if body.id not in found:
+            carrier = by_id.get(body.parent or "")
+            found[body.id] = body.y + body.height
+            if carrier and below:
+                found[body.id] = max(found[body.id], top(carrier, below - 1) + 0.001)
+        return found[body.id]
+
+    for body in bodies:
+        top(body, len(bodies))
+    return found
+
+
+def _mark(grid: FloorGrid, body: ModelBody, *layers: tuple[Numbers, int]) -> None:
+    """Writes a number into each layer where a body's footprint holds the middle of a pixel."""
+    window = grid.centred(*footprint(body))
+    where = ... if body.turn % 90 == 0 else inside(grid, body, window, touching=False)
+    for layer, number in layers:
+        layer[window][where] = number
+
+
+def _strip(grid: FloorGrid, axis: str, along: tuple[float, float], across: tuple[float, float]) -> tuple[slice, slice]:
+    """Returns the pixels of a stretch of wall: from and to along it; its line and thickness."""
+    (start, end), (line, thickness) = along, across
+    low, high = line - thickness / 2, line + thickness / 2
+    return grid.centred(start, low, end, high) if axis == "x" else grid.centred(low, start, high, end)
+
+
+def _hole(grid: FloorGrid, one: PlacedOpening, thickness: float) -> tuple[slice, slice]:
+    return _strip(grid, one.axis, (one.start, one.end), (one.line, thickness))
+
+
+def _class_colors(classes: Mapping[str, int]) -> list[str]:
+    return [*SURFACES.values(), *_hues(len(classes) - len(SURFACES))]
+
+
+def _hues(count: int) -> list[str]:
+    """Returns colours that differ, neighbours the most: hues by the golden angle, in three strengths."""
+    strengths = ((0.45, 0.95), (0.65, 0.8), (0.3, 0.7))
+    made = (colorsys.hsv_to_rgb(number * 0.381966 % 1.0, *strengths[number % 3]) for number in range(count))
+    return ["#" + "".join(f"{round(channel * 255):02x}" for channel in color) for color in made]
+
+
+def _paletted(numbers: npt.NDArray[Any], colors: Sequence[str]) -> bytes:
+    """Returns a map of at most 256 numbers as a PNG with a palette; of more in 16 bits."""
+    if len(colors) > 256:
+        return _file(Image.fromarray(numbers.astype(np.uint16)))
+    picture = Image.fromarray(numbers.astype(np.uint8))
+    picture.putpalette([channel for color in colors for channel in channels(color)])
+    return _file(picture)
+
+
+def _file(picture: Image.Image) -> bytes:
+    content = io.BytesIO()
+    picture.save(content, "PNG")
+    return content.getvalue()
+
+
+def _palette(model: HouseModel, classes: Mapping[str, int], maps: Sequence[Mapping[str, object]]) -> bytes:
+    colors = _class_colors(classes)
+    rooms = zip(model.rooms, _hues(len(model.rooms)), strict=True)
+    said = {
+        "frame": "x east, z south, m; a pixel's north-west corner is north_west + pixel * (column, row)",
+        "warnings": model.warnings,
+        "maps": maps,
+        "semantic": [{"number": number, "name": name, "color": colors[number]} for name, number in classes.items()],
+        "free_floor": [{"number": number, "name": name, "color": color} for number, (name, color) in enumerate(FREE.items())],
+        "rooms": [{"number": number, "id": room.id, "type": room.type, "color": color} for number, (room, color) in enumerate(rooms, 1)],
+        "instance": [
+            {"number": number, "id": body.id, "kind": body.kind, "name": body.name, "category": body.category}
+            for number, body in enumerate(model.bodies, 1)
+        ],
+        "taken": {"from": WALKED_ON, "to": HEAD},
+    }
+    return (json.dumps(said).replace('{"number"', '\n{"number"') + "\n").encode()
