@@ -23,7 +23,7 @@ def house(name: str) -> Any:
 @pytest.mark.parametrize("name", ["own", "hostile", "storeys", "family", "default"])
 def test_bodies_agree(name: str) -> None:
     model = homes.described(name)
-    assert differences(model.bodies, read(written_as(model, ExportSettings("procthor")))) == []
+    assert list(differences(model, read(written_as(model, ExportSettings("procthor"))))) == []
 
 
 def test_north_is_up_and_yaw_is_clockwise() -> None:

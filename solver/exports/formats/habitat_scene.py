@@ -24,7 +24,7 @@ from solver.exports.writers import ExportSettings, Files
 _MOTION: Final = {"furniture": "STATIC", "decoration": "STATIC", "dynamic": "KINEMATIC"}
 _UPRIGHT: Final = {"up": [0, 1, 0], "front": [0, 0, -1]}
 """How Habitat takes an asset as it is."""
-Json = dict[str, Any]
+HabitatJson = dict[str, Any]
 
 
 def write(model: HouseModel, settings: ExportSettings) -> Files:
@@ -55,7 +55,7 @@ def write(model: HouseModel, settings: ExportSettings) -> Files:
     }
 
 
-class _Look(NamedTuple):
+class _ObjectLook(NamedTuple):
     """What a template says of its object: a name, the semantic class, kg, and the coefficient of friction."""
 
     name: str
@@ -74,29 +74,29 @@ class _Objects:
         self._names = SafeNames(r"[^A-Za-z0-9_-]")
         self._known: dict[tuple[object, ...], str] = {}
 
-    def placed(self, body: ModelBody) -> Json:
+    def placed(self, body: ModelBody) -> HabitatJson:
         """Returns a body's instance; its origin is the middle of its footprint at its underside."""
         size = [round(value, 6) for value in (body.width, body.height, body.depth)]
         key = (body.shape, body.paints, *size, body.mass, body.friction, body.category)
-        look = _Look(body.kind or body.name, body.category, body.mass, body.friction)
+        look = _ObjectLook(body.kind or body.name, body.category, body.mass, body.friction)
         at = (body.x, body.y, body.z)
         motion = _MOTION[body.sort] if body.fixed else "DYNAMIC"
-        says: Json = {"id": body.id, "name": body.name, "category": body.category, "sort": body.sort, "room": body.room or ""}
+        says: HabitatJson = {"id": body.id, "name": body.name, "category": body.category, "sort": body.sort, "room": body.room or ""}
         return _instance(
             self._template(key, look, body.parts, body.paints), at, body.turn, motion, says | {"parent": body.parent or "", "size": size}
         )
 
-    def hung(self, leaf: DoorLeaf) -> Json:
+    def hung(self, leaf: DoorLeaf) -> HabitatJson:
         """Returns a leaf's instance: open where it swings, shut where it rolls."""
         turn = leaf.closed + (leaf.swing if leaf.motion == "swing" else 0.0)
         x, y, z = leaf.hinge
         half = leaf.width / 2
         at = (x + cos(radians(turn)) * half, y, z - sin(radians(turn)) * half)
-        template = self._template((leaf.parts, leaf.paints), _Look(leaf.look, "door", leaf.mass, 0.6), leaf.parts, leaf.paints)
-        says: Json = {"id": leaf.id, "name": leaf.look, "category": "door", "sort": "leaf", "closed": round(leaf.closed, 6)}
+        template = self._template((leaf.parts, leaf.paints), _ObjectLook(leaf.look, "door", leaf.mass, 0.6), leaf.parts, leaf.paints)
+        says: HabitatJson = {"id": leaf.id, "name": leaf.look, "category": "door", "sort": "leaf", "closed": round(leaf.closed, 6)}
         return _instance(template, at, turn, "KINEMATIC", says | {"swing": leaf.swing if leaf.motion == "swing" else 0.0})
 
-    def _template(self, key: tuple[object, ...], look: _Look, parts: Sequence[BodyPart], paints: Sequence[Paint]) -> str:
+    def _template(self, key: tuple[object, ...], look: _ObjectLook, parts: Sequence[BodyPart], paints: Sequence[Paint]) -> str:
         """Returns the name of a look's template, whose files are written where it is new."""
         if key not in self._known:
             name = self._known[key] = self._names.take(look.name[:60])
@@ -107,7 +107,7 @@ class _Objects:
         return self._known[key]
 
 
-def _instance(template: str, at: tuple[float, float, float], turn: float, motion: str, says: Json) -> Json:
+def _instance(template: str, at: tuple[float, float, float], turn: float, motion: str, says: HabitatJson) -> HabitatJson:
     half = radians(turn % 360.0) / 2
     return {
         "template_name": f"objects/{template}",
@@ -129,5 +129,5 @@ def _asset(name: str, parts: tuple[BodyPart, ...], paints: tuple[Paint, ...]) ->
     return book.file(book.node(f'{{"name":"{name}","mesh":{mesh}}}'), (), "null")
 
 
-def _text(document: Json) -> bytes:
+def _text(document: HabitatJson) -> bytes:
     return (json.dumps(document).replace('{"template_name"', '\n{"template_name"') + "\n").encode()

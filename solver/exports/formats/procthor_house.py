@@ -25,10 +25,10 @@ CEILING: Final = "#f4f1ea"
 EYES: Final = 0.95
 """Height of the agent's middle above the floor, m: where AI2-THOR can put it down."""
 _ROOM_TYPES: Final = {"bedroom_master": "Bedroom", "kids_bedroom": "Bedroom"}
-Json = dict[str, Any]
+HouseJson = dict[str, Any]
 
 
-class _Side(NamedTuple):
+class _WallSide(NamedTuple):
     """A piece of a room's outline with at most one opening in it: from `a` to `b` in the house, the room on the right."""
 
     room: FloorPlate
@@ -63,7 +63,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     for body in model.bodies:
         carried.setdefault(body.parent if body.parent in ids else None, []).append(body)
     holes = {one.id: [side for side in sides if side.opening is one] for one in model.openings}
-    house: Json = {
+    house: HouseJson = {
         "id": model.name,
         "rooms": [_room(room) for room in model.rooms],
         "walls": [
@@ -84,19 +84,19 @@ def yaw_of_turn(turn: float) -> float:
     return round((180.0 - turn) % 360.0, 6)
 
 
-def _at(x: float, y: float, z: float) -> Json:
+def _at(x: float, y: float, z: float) -> HouseJson:
     return {"x": round(x, 6) + 0.0, "y": round(y, 6) + 0.0, "z": round(-z, 6) + 0.0}
 
 
-def _rgb(color: str) -> Json:
+def _rgb(color: str) -> HouseJson:
     return dict(zip("rgb", (round(channel / 255, 4) for channel in channels(color)), strict=True))
 
 
-def _material(color: str) -> Json:
+def _material(color: str) -> HouseJson:
     return {"name": SOLID, "color": _rgb(color)}
 
 
-def _room(room: FloorPlate) -> Json:
+def _room(room: FloorPlate) -> HouseJson:
     return {
         "id": room.id,
         "roomType": _ROOM_TYPES.get(room.type) or "".join(word.capitalize() for word in room.type.split("_")),
@@ -108,7 +108,7 @@ def _room(room: FloorPlate) -> Json:
     }
 
 
-def _sides(room: FloorPlate, model: HouseModel) -> Iterator[_Side]:
+def _sides(room: FloorPlate, model: HouseModel) -> Iterator[_WallSide]:
     """Yields a room's outline cut where a neighbour's wall ends and between openings: AI2-THOR cuts one hole into a wall."""
     for a, b in zip(room.corners, (*room.corners[1:], room.corners[0]), strict=True):
         axis = "x" if a[1] == b[1] else "z"
@@ -128,7 +128,7 @@ def _sides(room: FloorPlate, model: HouseModel) -> Iterator[_Side]:
         for start, end in pairwise(stops):
             inside = [one for one in here if min(start, end) <= one.start and one.end <= max(start, end)]
             ends = [(at, line) if axis == "x" else (line, at) for at in (start, end)]
-            yield _Side(room, ends[0], ends[1], inside[0] if inside else None)
+            yield _WallSide(room, ends[0], ends[1], inside[0] if inside else None)
 
 
 def _ends(room: FloorPlate, along: int, line: float) -> Iterator[float]:
@@ -138,13 +138,13 @@ def _ends(room: FloorPlate, along: int, line: float) -> Iterator[float]:
             yield from (a[along], b[along])
 
 
-def _wall(name: str, room: FloorPlate, a: tuple[float, float], b: tuple[float, float]) -> Json:
+def _wall(name: str, room: FloorPlate, a: tuple[float, float], b: tuple[float, float]) -> HouseJson:
     """Returns a wall that is seen from its right, on the way from `a` to `b`."""
     corners = [_at(x, y, z) for y in (room.elevation, room.ceiling) for x, z in (a, b)]
     return {"id": name, "roomId": room.id, "polygon": corners, "material": _material(PLAIN_WALL.color)}
 
 
-def _hole(one: PlacedOpening, sides: Sequence[_Side]) -> Json:
+def _hole(one: PlacedOpening, sides: Sequence[_WallSide]) -> HouseJson:
     """Returns a door or window: its hole is counted from the first wall's start; a leaf swings away from that wall's room."""
     ahead = one.rooms[0] if one.towards == 1 else one.rooms[1]
     near, *others = sorted(sides, key=lambda side: side.room.id == ahead)
@@ -152,7 +152,7 @@ def _hole(one: PlacedOpening, sides: Sequence[_Side]) -> Json:
     ends = sorted(abs(at - near.a[along]) for at in (one.start, one.end))
     wide, tall = one.end - one.start, one.head - one.sill
     inside = others[0] if others else near
-    said: Json = {
+    said: HouseJson = {
         "id": one.id,
         "room0": near.room.id,
         "room1": inside.room.id,
@@ -172,7 +172,7 @@ def _hole(one: PlacedOpening, sides: Sequence[_Side]) -> Json:
     return said
 
 
-def _object(body: ModelBody, carried: Mapping[str | None, Sequence[ModelBody]]) -> Json:
+def _object(body: ModelBody, carried: Mapping[str | None, Sequence[ModelBody]]) -> HouseJson:
     """Returns a body and, as its children, what it carries."""
     return {
         "id": body.id,
@@ -192,7 +192,7 @@ def _object(body: ModelBody, carried: Mapping[str | None, Sequence[ModelBody]]) 
     }
 
 
-def _parameters(model: HouseModel) -> Json:
+def _parameters(model: HouseModel) -> HouseJson:
     lights = [
         {
             "id": f"light_{number}",
@@ -221,7 +221,7 @@ def _area(rectangle: FloorRectangle) -> float:
     return (east - west) * (south - north)
 
 
-def _agent(model: HouseModel) -> Json:
+def _agent(model: HouseModel) -> HouseJson:
     """Returns where an agent begins: a step inside the main entrance, looking in; else in the middle of the first room."""
     for one in model.openings:
         if one.is_main_entrance and any(one.rooms):
@@ -235,6 +235,6 @@ def _agent(model: HouseModel) -> Json:
     return _pose((west + east) / 2, (north + south) / 2, 0.0, model)
 
 
-def _pose(x: float, z: float, turn: float, model: HouseModel) -> Json:
+def _pose(x: float, z: float, turn: float, model: HouseModel) -> HouseJson:
     floor = model.rooms[0].elevation if model.rooms else 0.0
     return {"position": _at(x, floor + EYES, z), "rotation": {"x": 0.0, "y": yaw_of_turn(turn), "z": 0.0}, "standing": True, "horizon": 0}
