@@ -15,11 +15,12 @@ MM: Final = 0.001
 DEGREE: Final = 0.1
 NOT_READ: Final[Mapping[str, str]] = {
     "nav2": "a map of cells: its own tests walk it",
+    "png": "pictures: their own tests look at them",
 }
 """Formats that hold no bodies."""
 READ_AS: Final = {"usdc": "usd", "usdz": "usd"}
 """Formats that the reader of another one reads."""
-NOT_HELD: Final[Mapping[str, Callable[[ModelBody], bool]]] = {}
+NOT_HELD: Final[Mapping[str, Callable[[ModelBody], bool]]] = {"boxes": lambda body: body.sort != "furniture"}
 """Which bodies a format leaves out, and says so in docs/exports.md."""
 
 
