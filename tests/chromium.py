@@ -17,6 +17,7 @@ FLAGS = [
     "--no-sandbox",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
+    "--disable-gpu-compositing",  # only the canvas is worth shaders that a processor runs; the rest of the page is painted without
     "--disable-quic",
     "--disable-background-networking",
     "--disable-component-update",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page, expect, sync_playwright
 
 from tests.browser.service_process import ServiceProcess, running
 from tests.browser.visit import ANSWER_MS, Visit
@@ -13,6 +13,9 @@ from tests.chromium import FLAGS, executable
 
 PIXEL_RATIO = 0.5
 """The canvas has a pixel for two of CSS each way: without a graphics card every pixel costs."""
+
+KEPT = "async () => location.protocol === 'http:' ? localStorage.length + (await indexedDB.databases()).length : 0"
+"""How much a page has put where the next one finds it."""
 
 expect.set_options(timeout=ANSWER_MS)
 
@@ -27,16 +30,26 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
-@pytest.fixture
-def page(browser: Browser) -> Iterator[Page]:
-    """A new browser page of 1000 x 600, which remembers nothing and shows no flights; an error that the page throws fails the test."""
+@pytest.fixture(scope="session")
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    """Where pages of 1000 x 600 open that show no flights; what they load stays compiled, what they remember ends with each."""
     context = browser.new_context(viewport={"width": 1000, "height": 600}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce")
+    yield context
+    context.close()
+
+
+@pytest.fixture
+def page(context: BrowserContext) -> Iterator[Page]:
+    """A new browser page, which remembers nothing; an error that it throws fails the test, and so does what it leaves behind."""
     page = context.new_page()
     faults: list[str] = []
     page.on("pageerror", lambda fault: faults.append(str(fault)))
     yield page
-    context.close()
+    kept = (context.cookies(), page.evaluate(KEPT))
+    page.close()
+    context.clear_permissions()
     assert faults == []
+    assert kept == ([], 0), "the next page would find this"
 
 
 @pytest.fixture(scope="session")
