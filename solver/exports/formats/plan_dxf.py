@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from importlib import import_module
 from itertools import pairwise
 from typing import Any, Final, NamedTuple
@@ -56,13 +57,25 @@ class _Look(NamedTuple):
     layer: str = "NAMES"
 
 
+@contextmanager
+def _undated(ezdxf: Any) -> Iterator[None]:
+    """Lets the library write no day and no random number: equal houses give equal files."""
+    options = ezdxf.options
+    before, options.write_fixed_meta_data_for_testing = options.write_fixed_meta_data_for_testing, True
+    try:
+        yield
+    finally:
+        options.write_fixed_meta_data_for_testing = before
+
+
 class _DxfPlan:
     """Draws one storey."""
 
     def __init__(self, model: HouseModel, storey: PlanStorey) -> None:
         self.model, self.storey = model, storey
         self.ezdxf: Any = import_module("ezdxf")  # an extra
-        self.doc = self.ezdxf.new("R2010")
+        with _undated(self.ezdxf):
+            self.doc = self.ezdxf.new("R2010")
         self.doc.units = _METRES
         for name, color in LAYERS.items():
             self.doc.layers.add(name, color=color)
@@ -104,14 +117,17 @@ class _DxfPlan:
         """Returns the file's bytes: the same on every day."""
         sheet = self.storey.sheet
         self.doc.set_modelspace_vport(sheet.south - sheet.north, ((sheet.west + sheet.east) / 2, -(sheet.north + sheet.south) / 2))
-        options = self.ezdxf.options
-        before, options.write_fixed_meta_data_for_testing = options.write_fixed_meta_data_for_testing, True
-        try:
-            text = io.StringIO()
+        self._order_classes()
+        text = io.StringIO()
+        with _undated(self.ezdxf):
             self.doc.write(text)
-        finally:
-            options.write_fixed_meta_data_for_testing = before
         return text.getvalue().encode()
+
+    def _order_classes(self) -> None:
+        """Registers the classes in use by name: the library takes them from a set, whose order differs from process to process."""
+        classes = self.doc.classes
+        classes.add_required_classes(self.doc.dxfversion)
+        classes.classes = dict(sorted(classes.classes.items()))
 
     def _polygon(self, corners: Iterable[tuple[float, float]], layer: str) -> None:
         self.space.add_lwpolyline([_flat(x, z) for x, z in corners], close=True, dxfattribs={"layer": layer})
