@@ -14,6 +14,7 @@ from solver.body_parts import BodyPart
 from solver.exports.colliders import AXES, Collider, z_up
 from solver.exports.model import Paint
 from solver.exports.paints import channels
+from solver.exports.xml_text import xml_numbers
 
 _TURNED: Final = {"x": ' euler="0 90 0"', "y": ' euler="90 0 0"', "z": ""}
 """How a form along z turns to lie along an axis, its far end where the scene's axis points."""
@@ -25,20 +26,15 @@ _EDGES: Final = 16
 """Corners of a round that MuJoCo has no form for: a cone, an oval; only looked at."""
 
 
-def numbers(*values: float) -> str:
-    """Returns numbers as MJCF holds them, to a micrometre."""
-    return " ".join([f"{round(value, 6) + 0.0:.9g}" for value in values])
-
-
 def geom(solid: Collider, classed: str, more: str = "") -> str:
     """Returns a geom of a class; `more` are further attributes, a space before each."""
-    at = f'pos="{numbers(*solid.at)}"'
+    at = f'pos="{xml_numbers(*solid.at)}"'
     if solid.form in ("box", "ellipsoid"):
         kind = "" if solid.form == "box" else ' type="ellipsoid"'
-        return f'<geom class="{classed}"{kind} size="{numbers(*(extent / 2 for extent in solid.size))}" {at}{more}/>'
+        return f'<geom class="{classed}"{kind} size="{xml_numbers(*(extent / 2 for extent in solid.size))}" {at}{more}/>'
     radius, length = solid.round_size
     half = length / 2 - (radius if solid.form == "capsule" else 0.0)
-    return f'<geom class="{classed}" type="{solid.form}" size="{numbers(radius, half)}" {at}{_TURNED[solid.axis]}{more}/>'
+    return f'<geom class="{classed}" type="{solid.form}" size="{xml_numbers(radius, half)}" {at}{_TURNED[solid.axis]}{more}/>'
 
 
 class MujocoLooks:
@@ -64,9 +60,9 @@ class MujocoLooks:
         """Yields the materials and meshes of all that was shown."""
         for paint, name in self._materials.items():
             red, green, blue = channels(paint.color)
-            rgba = numbers(red / 255, green / 255, blue / 255, paint.opacity)
-            shine = numbers(round(1 - paint.roughness, 3))
-            yield f'<material name="{name}" rgba="{rgba}" specular="{shine}" shininess="{shine}" emission="{numbers(paint.glow)}"/>'
+            rgba = xml_numbers(red / 255, green / 255, blue / 255, paint.opacity)
+            shine = xml_numbers(round(1 - paint.roughness, 3))
+            yield f'<material name="{name}" rgba="{rgba}" specular="{shine}" shininess="{shine}" emission="{xml_numbers(paint.glow)}"/>'
         for (scale, ratio), name in self._meshes.items():
             yield f'<mesh name="{name}" builtin="cone" params="{_EDGES} {ratio}" scale="{scale}"/>'
 
@@ -88,7 +84,7 @@ class MujocoLooks:
     def _mesh(self, local: Sequence[float], at: tuple[float, float, float], axis: str, taper: float) -> str:
         """Returns the begin of a geom for a cone, a stump or an oval."""
         tipped = taper > 1
-        key = numbers(*(extent / 2 for extent in local)), numbers(round(1 / taper if tipped else taper, 3))
+        key = xml_numbers(*(extent / 2 for extent in local)), xml_numbers(round(1 / taper if tipped else taper, 3))
         name = self._meshes.setdefault(key, f"mesh_{len(self._meshes)}")
         turn = (_TIPPED if tipped else _TURNED)[axis]
-        return f'<geom class="visual" type="mesh" mesh="{name}" pos="{numbers(*at)}"{turn}'
+        return f'<geom class="visual" type="mesh" mesh="{name}" pos="{xml_numbers(*at)}"{turn}'

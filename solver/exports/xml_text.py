@@ -6,6 +6,7 @@ Comes in: any text. Goes out: text for attributes and between tags. May import: 
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Final
 
 _SPECIAL: Final = re.compile("[&<>\"'\t\n\r]|[^\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -24,3 +25,14 @@ def xml_comment(words: str) -> str:
 
 def _replaced(found: re.Match[str]) -> str:
     return _WRITTEN.get(found[0], "\ufffd")
+
+
+def xml_numbers(*values: float) -> str:
+    """Returns numbers with spaces between, rounded to a millionth."""
+    return " ".join(map(_number, values))
+
+
+@lru_cache(maxsize=1 << 14)
+def _number(value: float) -> str:
+    """Returns a number's text; homes hold few different ones."""
+    return f"{round(value, 6) + 0.0:.9g}"

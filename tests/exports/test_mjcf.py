@@ -14,7 +14,7 @@ from solver.exports import describe
 from solver.exports.model import HouseModel
 from solver.scene import Furniture, Scene
 from tests.exports.driving import drive
-from tests.exports.homes import SCENES, described, own
+from tests.exports.homes import SCENES, described, family, own
 from tests.exports.physics import mjcf, settle, started, swung
 
 HOMES = [*SCENES, "hostile", "storeys"]
@@ -123,7 +123,7 @@ def test_doors_swing_free_and_what_is_in_their_way_is_seen() -> None:
 
 
 def test_a_base_drives_to_every_room() -> None:
-    done = drive(described("family"))
+    done = drive(describe(family(), load_catalogs(), free="none"))
     assert len(done.reached) == done.rooms
     assert done.touched == set()
     assert done.pushed

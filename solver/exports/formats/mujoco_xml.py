@@ -11,6 +11,8 @@ from collections.abc import Collection, Iterator
 from typing import Final
 
 from solver.exports.colliders import (
+    FLOOR,
+    Collider,
     box_between,
     carriers,
     colliders_of,
@@ -21,11 +23,11 @@ from solver.exports.colliders import (
     shared_mass,
     z_up,
 )
-from solver.exports.model import DoorLeaf, HouseModel, ModelBody
-from solver.exports.mujoco_geoms import MujocoLooks, geom, numbers
+from solver.exports.model import Cuboid, DoorLeaf, HouseModel, ModelBody
+from solver.exports.mujoco_geoms import MujocoLooks, geom
 from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
-from solver.exports.xml_text import xml_text
+from solver.exports.xml_text import xml_numbers, xml_text
 
 _HEAD: Final = """\
 <compiler angle="degree"/>
@@ -41,6 +43,8 @@ _HEAD: Final = """\
 <default class="use"><site type="cylinder" size="0.1 0.005" group="4" rgba="0.2 0.7 0.3 0.5"/></default>
 </default>"""
 """Bits of contacts: walls and floors meet bodies, bodies meet all, leaves meet bodies and each other, not the walls they hang in."""
+YARD: Final = 5.0
+"""How far the ground goes on around a house, m."""
 _SUN: Final = '<light directional="true" pos="0 0 20" dir="0.3 0.4 -1" diffuse="0.5 0.5 0.5"/>'
 
 
@@ -96,7 +100,7 @@ def _house(model: HouseModel, looks: MujocoLooks) -> Iterator[str]:
             yield geom(box, "wall")
         yield geom(box, "visual", looks.painted(fitting.paint))
     ground = min((floor.elevation for floor in model.rooms), default=0.0)
-    yield f'<geom name="ground" class="wall" type="plane" size="0 0 1" pos="{numbers(0, 0, ground)}"/>'
+    yield geom(_ground(model, ground), "wall", ' name="ground"')
     for floor in model.rooms:
         for box in floor_boxes(floor):
             if floor.elevation > ground:
@@ -104,9 +108,16 @@ def _house(model: HouseModel, looks: MujocoLooks) -> Iterator[str]:
             yield geom(box, "visual", looks.painted(floor.paint))
 
 
+def _ground(model: HouseModel, height: float) -> Collider:
+    """Returns the box that the lowest floors are the top of; a plane, which Drake cannot read, would do as well."""
+    xs, zs = ([corner[i] for floor in model.rooms for corner in floor.corners] or [0.0] for i in (0, 1))
+    around = Cuboid(min(xs) - YARD, height - FLOOR, min(zs) - YARD, max(xs) + YARD, height, max(zs) + YARD)
+    return box_between(around)
+
+
 def _body(body: ModelBody, carry: Collection[str], looks: MujocoLooks, name: str) -> str:
     colliders, classed = colliders_of(body, carry), "flat" if body.flat else "collider"
-    friction = f' friction="{numbers(body.friction)}"'
+    friction = f' friction="{xml_numbers(body.friction)}"'
     touching = [geom(solid, classed, f'{friction} mass="{mass:.9g}"') for solid, mass in shared_mass(colliders, body.mass)]
     joint = "" if body.fixed else f'<freejoint name="{xml_text(name)}"/>'
     return (
@@ -115,17 +126,17 @@ def _body(body: ModelBody, carry: Collection[str], looks: MujocoLooks, name: str
 
 
 def _opened(name: str, at: tuple[float, float, float], turn: float) -> str:
-    turned = f' euler="0 0 {numbers(turn)}"' if turn else ""
-    return f'<body name="{xml_text(name)}" pos="{numbers(*at)}"{turned}>'
+    turned = f' euler="0 0 {xml_numbers(turn)}"' if turn else ""
+    return f'<body name="{xml_text(name)}" pos="{xml_numbers(*at)}"{turned}>'
 
 
 def _leaf(leaf: DoorLeaf, looks: MujocoLooks, name: str) -> str:
     """Returns a leaf on its hinge, or a garage door that slides up; zero is closed."""
     if leaf.motion == "swing":
         ends = sorted((0.0, leaf.swing))
-        joint = f'<joint name="{xml_text(name)}/hinge" class="leaf" axis="0 0 1" range="{numbers(*ends)}"/>'
+        joint = f'<joint name="{xml_text(name)}/hinge" class="leaf" axis="0 0 1" range="{xml_numbers(*ends)}"/>'
     else:
-        joint = f'<joint name="{xml_text(name)}/slide" class="leaf" type="slide" axis="0 0 1" range="{numbers(0, leaf.height)}"/>'
+        joint = f'<joint name="{xml_text(name)}/slide" class="leaf" type="slide" axis="0 0 1" range="{xml_numbers(0, leaf.height)}"/>'
     solids = leaf_colliders(leaf)
     touching = "".join(geom(solid, "leaf", f' mass="{mass:.9g}"') for solid, mass in shared_mass(solids, leaf.mass))
     return f"{_opened(name, z_up(*leaf.hinge), leaf.closed)}{joint}{touching}{looks.parts(parts_of_hung_leaf(leaf), leaf.paints)}</body>"
@@ -138,8 +149,8 @@ def _uses(model: HouseModel) -> Iterator[str]:
     for body in model.bodies:
         for x, z, turn in body.uses:
             name = xml_text(names.take(f"{body.id}/use"))
-            at = numbers(*z_up(x, floors.get(body.room or "", 0.0), z))
-            yield f'<site name="{name}" class="use" pos="{at}" euler="0 0 {numbers(turn - 90)}"/>'
+            at = xml_numbers(*z_up(x, floors.get(body.room or "", 0.0), z))
+            yield f'<site name="{name}" class="use" pos="{at}" euler="0 0 {xml_numbers(turn - 90)}"/>'
 
 
 def _home(model: HouseModel) -> str:
@@ -149,4 +160,4 @@ def _home(model: HouseModel) -> str:
         if not body.fixed:
             half = math.radians(body.turn) / 2
             values += (*z_up(body.x, body.y, body.z), math.cos(half), 0.0, 0.0, math.sin(half))
-    return numbers(*values, *(0.0 for _ in model.leaves))
+    return xml_numbers(*values, *(0.0 for _ in model.leaves))

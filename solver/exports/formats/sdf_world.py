@@ -27,7 +27,7 @@ from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
 from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
 from solver.exports.writers import ExportSettings, Files
-from solver.exports.xml_text import xml_comment, xml_text
+from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
 
 FORBIDDEN: Final = r"::|^__|__$|^world$"
 """What SDF keeps for itself in names."""
@@ -43,10 +43,6 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes `<house>.sdf` and the meshes it names; models are called as the scene's ids, which they keep as `compose:id`."""
     world = _World()
     return {f"{model.name}.sdf": "\n".join(world.lines(model)).encode() + b"\n", **world.meshes.files()}
-
-
-def _numbers(*values: float) -> str:
-    return " ".join([f"{round(value, 6) + 0.0:.9g}" for value in values])
 
 
 class _World:
@@ -108,14 +104,14 @@ class _World:
     def _opened(self, called: str, at: tuple[float, float, float], turn: float) -> str:
         """Returns the begin of a model: its name, its id, where it is."""
         name = xml_text(self._models.take(called))
-        pose = f"<pose>{_numbers(*z_up(*at))} 0 0 {math.radians(turn):.9g}</pose>"
+        pose = f"<pose>{xml_numbers(*z_up(*at))} 0 0 {math.radians(turn):.9g}</pose>"
         return f'<model name="{name}"><compose:id>{xml_text(called)}</compose:id>{pose}'
 
     def _seen(self, form: Collider | StretchedMesh, paint: Paint) -> tuple[str, str]:
         if paint not in self._painted:
-            rgb = _numbers(*(channel / 255 for channel in channels(paint.color)))
+            rgb = xml_numbers(*(channel / 255 for channel in channels(paint.color)))
             glow = f"<emissive>{rgb} 1</emissive>" if paint.glow else ""
-            clear = f"<transparency>{_numbers(1 - paint.opacity)}</transparency>" if paint.opacity < 1 else ""
+            clear = f"<transparency>{xml_numbers(1 - paint.opacity)}</transparency>" if paint.opacity < 1 else ""
             material = f"<material><ambient>{rgb} 1</ambient><diffuse>{rgb} 1</diffuse>{glow}</material>"
             self._painted[paint] = clear + material
         return "visual", _geometry(form) + self._painted[paint]
@@ -137,20 +133,20 @@ def _inertial(solids: Sequence[Collider], mass: float) -> str:
     body = inertia_of(solids, mass)
     names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
     values = "".join(f"<{name}>{value + 0.0:.9g}</{name}>" for name, value in zip(names, (*body.moments, *body.products), strict=True))
-    return f"<inertial><pose>{_numbers(*body.middle)} 0 0 0</pose><mass>{mass:.9g}</mass><inertia>{values}</inertia></inertial>"
+    return f"<inertial><pose>{xml_numbers(*body.middle)} 0 0 0</pose><mass>{mass:.9g}</mass><inertia>{values}</inertia></inertial>"
 
 
 def _geometry(form: Collider | StretchedMesh) -> str:
     """Returns a pose and a geometry."""
-    at = _numbers(*form.at)
+    at = xml_numbers(*form.at)
     if isinstance(form, StretchedMesh):
-        return f"<pose>{at} 0 0 0</pose><geometry><mesh><uri>{form.path}</uri><scale>{_numbers(*form.size)}</scale></mesh></geometry>"
+        return f"<pose>{at} 0 0 0</pose><geometry><mesh><uri>{form.path}</uri><scale>{xml_numbers(*form.size)}</scale></mesh></geometry>"
     if form.form == "box":
-        return f"<pose>{at} 0 0 0</pose><geometry><box><size>{_numbers(*form.size)}</size></box></geometry>"
+        return f"<pose>{at} 0 0 0</pose><geometry><box><size>{xml_numbers(*form.size)}</size></box></geometry>"
     if form.form == "ellipsoid":
-        radii = _numbers(*(extent / 2 for extent in form.size))
+        radii = xml_numbers(*(extent / 2 for extent in form.size))
         return f"<pose>{at} 0 0 0</pose><geometry><ellipsoid><radii>{radii}</radii></ellipsoid></geometry>"
     radius, length = form.round_size
     straight = length - (2 * radius if form.form == "capsule" else 0.0)
-    said = f"<radius>{_numbers(radius)}</radius><length>{_numbers(straight)}</length>"
+    said = f"<radius>{xml_numbers(radius)}</radius><length>{xml_numbers(straight)}</length>"
     return f"<pose>{at} {_TURNED[form.axis]}</pose><geometry><{form.form}>{said}</{form.form}></geometry>"

@@ -28,7 +28,7 @@ from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
 from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
 from solver.exports.writers import ExportSettings, Files
-from solver.exports.xml_text import xml_comment, xml_text
+from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
 
 LinkForm = Collider | StretchedMesh
 _QUARTER: Final = f"{math.pi / 2:.9g}"
@@ -40,10 +40,6 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes `<house>.urdf` and the meshes it names; links are called as the scene's ids."""
     robot = _Robot()
     return {f"{model.name}.urdf": "\n".join(robot.lines(model)).encode() + b"\n", **robot.meshes.files()}
-
-
-def _numbers(*values: float) -> str:
-    return " ".join([f"{round(value, 6) + 0.0:.9g}" for value in values])
 
 
 class _Robot:
@@ -64,7 +60,7 @@ class _Robot:
         yield f'<robot name="{xml_text(model.name)}">'
         yield from (f"<!-- {xml_comment(words)} -->" for words in words_of(model))
         for paint, name in self._materials.items():
-            rgba = _numbers(*(channel / 255 for channel in channels(paint.color)), paint.opacity)
+            rgba = xml_numbers(*(channel / 255 for channel in channels(paint.color)), paint.opacity)
             yield f'<material name="{name}"><color rgba="{rgba}"/></material>'
         yield from links
         yield "</robot>"
@@ -105,7 +101,7 @@ class _Robot:
         body = inertia_of(solids, mass)
         names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
         values = " ".join(f'{name}="{value + 0.0:.9g}"' for name, value in zip(names, (*body.moments, *body.products), strict=True))
-        inertial = f'<inertial><origin xyz="{_numbers(*body.middle)}"/><mass value="{mass:.9g}"/><inertia {values}/></inertial>'
+        inertial = f'<inertial><origin xyz="{xml_numbers(*body.middle)}"/><mass value="{mass:.9g}"/><inertia {values}/></inertial>'
         return f'<link name="{xml_text(name)}">{inertial}{"".join(looks)}</link>'
 
     def _joint(self, name: str, kind: str, ends: tuple[str, str], placed: str) -> str:
@@ -122,15 +118,15 @@ class _Robot:
 
 
 def _origin(at: Triple, turn: float) -> str:
-    return f'<origin xyz="{_numbers(*at)}" rpy="0 0 {math.radians(turn):.9g}"/>'
+    return f'<origin xyz="{xml_numbers(*at)}" rpy="0 0 {math.radians(turn):.9g}"/>'
 
 
 def _geometry(form: LinkForm) -> str:
-    at = f'xyz="{_numbers(*form.at)}"'
+    at = f'xyz="{xml_numbers(*form.at)}"'
     if isinstance(form, StretchedMesh):
-        return f'<origin {at}/><geometry><mesh filename="{form.path}" scale="{_numbers(*form.size)}"/></geometry>'
+        return f'<origin {at}/><geometry><mesh filename="{form.path}" scale="{xml_numbers(*form.size)}"/></geometry>'
     if form.form == "cylinder":
         radius, length = form.round_size
         turned = _TURNED[form.axis]
-        return f'<origin {at}{turned}/><geometry><cylinder radius="{_numbers(radius)}" length="{_numbers(length)}"/></geometry>'
-    return f'<origin {at}/><geometry><box size="{_numbers(*form.size)}"/></geometry>'
+        return f'<origin {at}{turned}/><geometry><cylinder radius="{xml_numbers(radius)}" length="{xml_numbers(length)}"/></geometry>'
+    return f'<origin {at}/><geometry><box size="{xml_numbers(*form.size)}"/></geometry>'
