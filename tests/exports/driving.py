@@ -18,7 +18,7 @@ from solver.exports.model import FloorPlate
 from tests.exports.physics import mjcf
 
 RADIUS: Final = 0.25
-HEIGHT: Final = 1.0
+HEIGHT: Final = 0.4
 CLEARANCE: Final = 0.28
 """How far ways stay off everything, m: in a gap of 0.6 m, with a frame 1 cm proud, on a lattice of CELL."""
 CELL: Final = 0.02
