@@ -23,9 +23,10 @@ from tests.oracles.problems import solve
 from tests.placement.rooms import random_space, random_wanted
 from tests.placement.test_kernel_dual import random_programme
 from tests.placement.test_search import random_problem
+from tests.sweeps import times
 
 ROOT = Path(__file__).parents[2]
-PROBLEMS, PROGRAMMES, ROOMS, HOUSES = 60, 60, 40, 4
+PROBLEMS, PROGRAMMES, ROOMS, HOUSES = times(60, 30), times(60, 30), times(40, 16), times(4, 2)
 
 
 def searches() -> Iterator[str]:
