@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _SubParsersAction
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import Final, TypeAlias
+from importlib import import_module
+from typing import Any, Final, TypeAlias
 
-from solver.export_formats import EXPORTERS, FREEDOMS
 
 Commands: TypeAlias = "_SubParsersAction[ArgumentParser]"
 
@@ -56,14 +56,27 @@ def _command(commands: Commands, name: str, words: str) -> ArgumentParser:
     return commands.add_parser(name, help=words, description=words, epilog=STATUSES, allow_abbrev=False)
 
 
+class _ExportWords:
+    """The words that an option of `export` may have: looked up when that command is used, since `--help` loads nothing.
+
+    Args:
+        name: what of solver.export_formats holds them.
+        before: words before those.
+    """
+
+    def __init__(self, name: str, *before: str) -> None:
+        self._name, self._before = name, before
+
+    def __iter__(self) -> Iterator[str]:
+        return iter((*self._before, *getattr(import_module("solver.export_formats"), self._name)))
+
+    def __contains__(self, word: object) -> bool:
+        return word in tuple(self)
+
+
 def _add_output(command: ArgumentParser, what: str, formats: tuple[str, ...] = ("yaml", "json")) -> None:
     command.add_argument("-o", "--output", metavar="FILE", default="-", help=f"where to write {what} (standard output)")
-    command.add_argument(
-        "-f",
-        "--format",
-        choices=formats,
-        help=f"of what is written (by the output's name, else {formats[0]})",
-    )
+    command.add_argument("-f", "--format", choices=formats, help=f"of what is written (by the output's name, else {formats[0]})")
 
 
 def _add_catalog(command: ArgumentParser) -> None:
@@ -142,9 +155,12 @@ def _add_readers(commands: Commands) -> None:
     view.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write the text (standard output)")
     export = _command(commands, "export", "Write a scene for a simulator, an editor or a training set; or as a scene, all written out.")
     _add_scene(export)
-    formats = ("yaml", "json", *EXPORTERS)
-    _add_output(export, "the scene; a folder where a format has files", formats)
-    export.add_argument("--free", choices=FREEDOMS, default="light", help="what a simulator may move (light things that stand)")
+    add = export.add_argument
+    add("-o", "--output", metavar="FILE", default="-", help="where to write: a folder, or a file where there is one (standard output)")
+    formats: Any = _ExportWords("EXPORTERS", "yaml", "json")
+    add("-f", "--format", metavar="FORMAT", choices=formats, help="%(choices)s; by default that of the output's name, else yaml")
+    freedoms: Any = _ExportWords("FREEDOMS")
+    add("--free", metavar="WHAT", choices=freedoms, default="light", help="what a simulator may move: %(choices)s (light)")
     export.add_argument("--strict", action="store_true", help="refuse a scene with errors; else the files say them")
     _add_catalog(export)
 

@@ -74,6 +74,7 @@ def _piece(placed: Placed, ids: dict[str, str], colours: dict[str, str], catalog
         wall=placed.wall,
         under=ids.get(chosen.under or ""),
         on=ids.get(chosen.on or ""),
+        kind=chosen.kind if chosen.kind in catalogs.furniture else None,
     )
 
 

@@ -24,9 +24,10 @@ def with_kinds(scene: Scene, catalogs: Catalogs) -> Scene:
 
 def room_with_kinds(room: Room, book: KindBook) -> Room:
     """Returns a room whose furniture and decorations name their kinds."""
-    return replace(room, furniture=_named("furniture", room.furniture, book), decorations=_named("decoration", room.decorations, book))
+    return replace(room, furniture=naming("furniture", room.furniture, book), decorations=naming("decoration", room.decorations, book))
 
 
-def _named(sort: str, bodies: Iterable[Named], book: KindBook) -> tuple[Named, ...]:
+def naming(sort: str, bodies: Iterable[Named], book: KindBook) -> tuple[Named, ...]:
+    """Returns bodies that name their kinds."""
     kinds = ((body, book.kind_of(sort, body.name, (body.width, body.depth, body.height), body.kind)) for body in bodies)
     return tuple(body if kind == body.kind else replace(body, kind=kind) for body, kind in kinds)

@@ -20,7 +20,6 @@ from solver.furnish import space_of, unwanted_pieces, wanted_pieces, with_comfor
 from solver.furnished import furnished
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
-from solver.named_kinds import with_kinds
 from solver.people import Household, peopled
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.decorate import decorated
@@ -100,7 +99,6 @@ def generate(
     scene = decorated(scene, {room.id for room in scene.rooms}, known, seed)
     timing.lap("decorations")
     scene = _peopled(scene, scene.rooms, setting)
-    scene = with_kinds(scene, known)
     timing.lap("people")
     issues = validate(scene, known)
     timing.lap("validate")
@@ -293,7 +291,7 @@ def reroll(
     new = decorated(new, done, known, setting.seed)
     new = replace(new, rooms=tuple(with_things(room, stays[room.id]) if room.id in stays else room for room in new.rooms))
     timing.lap("decorations")
-    new = with_kinds(_peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic), known)
+    new = _peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic)
     timing.lap("people")
     issues = validate(new, known)
     if stays:

@@ -14,7 +14,6 @@ from solver.certificate import room_certificate
 from solver.furnish import ListedPieces, listed_pieces, scope_of, space_of
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND
-from solver.named_kinds import with_kinds
 from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.pipeline.obstacles import obstacles
 from solver.relations.held import FinishedRoom, at_wall, held, standing
@@ -93,7 +92,6 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
     document = {"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}}
     request = {"robot_width": task.robot_width}
     scene = Scene(request=request, wall_thickness=task.wall_thickness, rooms=(room,), certificate=document)
-    scene = with_kinds(scene, task.catalogs)
     stands = {piece.id for piece in task.room.furniture}
     unplaced = tuple(Unplaced(label, reason) for label, reason in arrangement.left_out if label not in stands)
     bodies = {one.id: standing(one, task.space.clear, _heights(task.kinds[one.id])) for one in room.furniture}
