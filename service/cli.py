@@ -9,7 +9,6 @@ from functools import partial
 from importlib import import_module
 from typing import Any, Final, TypeAlias
 
-
 Commands: TypeAlias = "_SubParsersAction[ArgumentParser]"
 
 THREADED: Final = ("OMP", "OPENBLAS", "MKL", "NUMEXPR")
