@@ -11,7 +11,7 @@ from typing import Any, Final
 import mujoco
 import numpy as np
 from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import dijkstra
+from scipy.sparse.csgraph import connected_components, dijkstra
 
 from solver.exports import HouseModel
 from solver.exports.model import FloorPlate
@@ -48,9 +48,14 @@ class Driven:
 
 
 class Floor:
-    """The floor of a house as cells, north-west first: which are farther than CLEARANCE from all that stands."""
+    """The floor of a house as cells, north-west first: which are farther than CLEARANCE from all that stands.
 
-    def __init__(self, model: HouseModel) -> None:
+    Args:
+        model: the house.
+        round_leaves: whether ways go round open leaves, else through them: the base then pushes them to and fro.
+    """
+
+    def __init__(self, model: HouseModel, round_leaves: bool) -> None:
         corners = np.array([corner for floor in model.rooms for corner in floor.corners])
         self.origin = corners.min(axis=0) - 0.5
         columns, rows = np.ceil((corners.max(axis=0) + 0.5 - self.origin) / CELL).astype(int)
@@ -62,7 +67,7 @@ class Floor:
             if not body.flat and body.y < HEIGHT:
                 self._block((body.x, body.z), (body.width, body.depth), body.turn)
         for leaf in model.leaves:
-            if leaf.motion == "swing":
+            if leaf.motion == "swing" and round_leaves:
                 turn = math.radians(leaf.closed + leaf.swing)
                 middle = leaf.hinge[0] + math.cos(turn) * leaf.width / 2, leaf.hinge[2] - math.sin(turn) * leaf.width / 2
                 self._block(middle, (leaf.width, leaf.thickness), math.degrees(turn), RADIUS + HANDLE)
@@ -122,33 +127,37 @@ def drive(model: HouseModel) -> Driven:
     All doors are closed at each start; rooms that it crosses on its way are reached, too. Things that are fixed make it fast, and
     must not be touched either way.
     """
-    floor = Floor(model)
+    floors = Floor(model, round_leaves=True), Floor(model, round_leaves=False)
     joined = {room for opening in model.openings if opening.kind != "window" for room in opening.rooms}
-    inside = {plate.id: floor.within(plate).reshape(-1) for plate in model.rooms if plate.id in joined}
+    inside = {plate.id: floors[0].within(plate).reshape(-1) for plate in model.rooms if plate.id in joined}
     entrance = next((room for one in model.openings if one.is_main_entrance for room in one.rooms if room), next(iter(inside)))
-    here = _middle(floor, inside[entrance])
-    far, before = dijkstra(floor.graph(), directed=False, indices=here, return_predecessors=True)
-    goals = {room: _goal(cells & floor.free.reshape(-1), far) for room, cells in inside.items()}
+    here = _start(floors[0], inside[entrance])
     outcome = Driven(len(inside), [entrance])
-    ride = _Ride(model, floor.place(here), outcome)
-    for room, cell in sorted(goals.items(), key=lambda goal: -1.0 if goal[1] is None else -float(far[goal[1]])):
-        if cell is not None and room not in outcome.reached:
-            way = [cell]
-            while way[-1] != here:
-                way.append(int(before[way[-1]]))
-            if ride.along([floor.place(step) for step in reversed(way)]):
-                crossed = {name for name, cells in inside.items() if cells[way].sum() * CELL > CROSSED}
-                outcome.reached += sorted(crossed.union({room}) - set(outcome.reached))
+    ride = _Ride(model, floors[0].place(here), outcome)
+    for floor in floors:
+        far, before = dijkstra(floor.graph(), directed=False, indices=here, return_predecessors=True)
+        found = {room: _goal(cells & floor.free.reshape(-1), far) for room, cells in inside.items()}
+        goals = {room: cell for room, cell in found.items() if cell is not None}
+        for room in sorted(goals, key=lambda name: -float(far[goals[name]])):
+            if room not in outcome.reached:
+                way = [goals[room]]
+                while way[-1] != here:
+                    way.append(int(before[way[-1]]))
+                if ride.along([floor.place(step) for step in reversed(way)]):
+                    crossed = {name for name, cells in inside.items() if cells[way].sum() * CELL > CROSSED}
+                    outcome.reached += sorted(crossed.union({room}) - set(outcome.reached))
     outcome.missed = set(inside) - set(outcome.reached)
     return outcome
 
 
-def _middle(floor: Floor, inside: Any) -> int:
-    """Returns the free cell of a room that is nearest to its middle."""
-    room = inside.reshape(floor.free.shape)
-    cells = np.argwhere(room & floor.free)
-    nearest = cells[np.argmin(((cells - np.argwhere(room).mean(axis=0)) ** 2).sum(axis=1))]
-    return int(nearest[0] * floor.free.shape[1] + nearest[1])
+def _start(floor: Floor, inside: Any) -> int:
+    """Returns the cell of a room that is nearest to its middle, of those from which most of the house is reached."""
+    _, labels = connected_components(floor.graph(), directed=False)
+    most = max(set(labels[floor.free.reshape(-1) & inside]), key=lambda label: int((labels == label).sum()))
+    cells = np.argwhere((inside & floor.free.reshape(-1) & (labels == most)).reshape(floor.free.shape))
+    middle = np.argwhere(inside.reshape(floor.free.shape)).mean(axis=0)
+    row, column = cells[np.argmin(((cells - middle) ** 2).sum(axis=1))]
+    return int(row * floor.free.shape[1] + column)
 
 
 def _goal(cells: Any, far: Any) -> int | None:
