@@ -18,7 +18,7 @@ NOT_READ: Final[Mapping[str, str]] = {
     "png": "pictures: their own tests look at them",
 }
 """Formats that hold no bodies."""
-READ_AS: Final = {"usdc": "usd", "usdz": "usd"}
+READ_AS: Final = {"usdc": "usd", "usdz": "usd", "arena": "usd"}
 """Formats that the reader of another one reads."""
 NOT_HELD: Final[Mapping[str, Callable[[ModelBody], bool]]] = {"boxes": lambda body: body.sort != "furniture"}
 """Which bodies a format leaves out, and says so in docs/exports.md."""

@@ -15,8 +15,8 @@ SORTS = ("Furniture", "Decorations", "People")
 
 
 def stage_of(files: Mapping[str, bytes]) -> Usd.Stage:
-    """The stage of a text, of a binary file or of a packed one."""
-    ((name, content),) = files.items()
+    """The stage of a text, of a binary file or of a packed one; an environment's YAML beside it is passed over."""
+    ((name, content),) = [one for one in files.items() if Path(one[0]).suffix.startswith(".usd")]
     if not content.startswith(b"#usda"):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, name)
