@@ -14,6 +14,8 @@ ANSWER_MS = 240_000
 POLL_MS = 40
 FRAMES = "count => new Promise(done => { const next = () => count-- > 0 ? requestAnimationFrame(next) : done(); next(); })"
 MOVED = "before => JSON.stringify([compose.state.eye, compose.state.target]) !== JSON.stringify(before)"
+DRIVER = "GL Driver Message (OpenGL, Performance"
+"""What a software renderer says of its own pace, mostly when the machine is busy: no word of the page's."""
 SMALL = "?width=12&depth=9&seed={}"
 """A house that is made and drawn fast, by its seed."""
 
@@ -30,8 +32,12 @@ class Visit:
         self.answers: list[Document] = []
         # Kept all the time: switched on under way, interception reaches a busy page later than the click it is for.
         page.route("**/no-such-call", lambda route: route.abort())
-        page.on("console", lambda message: self.console.append(f"{message.type}: {message.text}"))
+        page.on("console", lambda message: self._heard(f"{message.type}: {message.text}"))
         page.on("request", lambda request: self.requests.append(request.url))
+
+    def _heard(self, said: str) -> None:
+        if DRIVER not in said:
+            self.console.append(said)
 
     def open(self, query: str = "") -> Document:
         """Open the page and wait for its house; returns the answer to /generate."""
