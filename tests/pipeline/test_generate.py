@@ -19,7 +19,7 @@ from solver.scene import Generated
 from solver.streams import Stream
 from tests.sweeps import examples, seeds, times
 
-SEEDS = seeds(range(1000, 1024), 3)
+SEEDS = seeds(range(1000, 1024), 2)
 """Of default houses; `make targets` makes a thousand more."""
 
 
@@ -132,4 +132,4 @@ def test_no_desk_stands_without_a_chair() -> None:
             names = [piece.name for piece in room.furniture]
             desks += "desk" in names
             assert "desk" not in names or {"office_chair", "dining_chair"} & set(names), room.id
-    assert desks > len(SEEDS)
+    assert 12 * desks > 20 * len(SEEDS)

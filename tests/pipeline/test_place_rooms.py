@@ -12,14 +12,11 @@ from solver import place
 from solver.requested import Placement
 from tests.place_oracle import Oracle
 from tests.place_rooms import TYPES, place_request
-from tests.sweeps import seeds
 
 CATALOGS = load_catalogs()
 KINDS = {name: (entry.size, entry.stands) for name, entry in CATALOGS.furniture.items()}
 USE = {name: (entry.use.sides, entry.use.need == "all") for name, entry in CATALOGS.furniture.items() if entry.use}
 SEEDS = range(50)
-JUDGED = seeds(SEEDS, 4)
-"""The rooms for which the oracle says what is possible."""
 SECONDS = 600.0
 """A guard against an oracle that never answers, by the clock; it needs up to four."""
 
@@ -53,7 +50,7 @@ def test_every_piece_stands_and_every_room_can_be_walked(rooms: list[tuple[dict[
 
 def test_what_can_be_held_is_held(rooms: list[tuple[dict[str, Any], Placement]]) -> None:
     held = possible = 0
-    for request, placement in (rooms[seed] for seed in JUDGED):
+    for request, placement in rooms:
         own = sum(entry.held for entry in placement.relations)
         word, most = "solved", own
         if own < len(placement.relations):
@@ -61,7 +58,7 @@ def test_what_can_be_held_is_held(rooms: list[tuple[dict[str, Any], Placement]])
             most = max(own, sum(more))
         assert word in ("solved", "infeasible"), request["room"]["id"]
         held, possible = held + own, possible + most
-    assert possible > 15 * len(JUDGED)
+    assert possible > 800
     assert held >= 0.98 * possible, f"{held} of {possible}"
 
 
