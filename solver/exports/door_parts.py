@@ -28,6 +28,9 @@ _BOTTOM_RAIL = 0.2
 _LOCK_RAIL = (0.88, 1.06)
 _HANDLE_HEIGHT = 1.0
 _FROM_EDGE = 0.06
+_HANDLE_PROUD = 0.04
+"""How far a handle stands out of its leaf: with half a leaf no more than a frame, so that it keeps to the door's square."""
+_LEVER = 0.016
 _INSET = 0.012
 _MOULDING = 0.05
 _SECTION = 0.55
@@ -91,13 +94,14 @@ def _framed(look: LeafLook, fields: Sequence[Reach], paint: Paint, fill: Callabl
 def _handles(look: LeafLook) -> list[Painted]:
     """Returns a lever on both sides, at the end away from the hinge."""
     x, y, half, metal = look.width / 2 - _FROM_EDGE, min(_HANDLE_HEIGHT, look.height * 0.8), LEAF_THICKNESS / 2, look.metal
+    neck = _HANDLE_PROUD - _LEVER
     return [
         part
         for side in (-1, 1)
         for part in (
             _block((0.045, 0.17, 0.008), (x, y - 0.03, side * (half + 0.004)), metal),
-            _block((0.02, 0.02, 0.05), (x, y, side * (half + 0.025)), metal),
-            _block((0.13, 0.022, 0.016), (x - 0.055, y, side * (half + 0.05)), metal),
+            _block((0.02, 0.02, neck), (x, y, side * (half + neck / 2)), metal),
+            _block((0.13, 0.022, _LEVER), (x - 0.055, y, side * (half + neck + _LEVER / 2)), metal),
         )
     ]
 

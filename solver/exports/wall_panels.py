@@ -21,7 +21,8 @@ THINNEST: Final = 0.02
 """Scenes that say no thickness have walls of none; a wall must still be seen."""
 RAILING_BAR: Final = 0.05
 POST_SPACING: Final = 1.2
-FRAME: Final = 0.04
+FRAME: Final = 0.06
+"""How wide a frame's bars are, m: a leaf that stands open, with its handle, is then no wider than its opening (door_parts)."""
 FRAME_PROUD: Final = 0.01
 THRESHOLD: Final = 0.008
 """How high the board is that lies under a leaf, where two floors meet, m."""

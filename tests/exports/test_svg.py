@@ -14,6 +14,7 @@ from solver.exports.model import DoorLeaf, HouseModel
 from solver.exports.plan_rooms import Dimension, PlanBox, label_box, number_box
 from solver.exports.plan_storeys import PlanStorey, drawing_ranks, open_leaf, storeys_of
 from solver.exports.plan_symbols import marks_of
+from solver.exports.wall_panels import FRAME
 from solver.scene import Room, Scene
 from tests.exports import homes
 from tests.exports.agreement import differences
@@ -58,8 +59,8 @@ def test_leaves_open_to_the_side_and_from_the_end_that_the_scene_says() -> None:
         along, across = (0, 1) if opening.axis == "x" else (1, 0)
         assert (stands.opened[across] - opening.line) * opening.towards > 0.5
         at_hinge, other = (opening.start, opening.end) if opening.hinge == "start" else (opening.end, opening.start)
-        assert stands.opened[along] == pytest.approx(at_hinge, abs=0.06)
-        assert stands.shut[along] == pytest.approx(other, abs=0.06)
+        assert stands.opened[along] == pytest.approx(at_hinge, abs=FRAME + 0.001)
+        assert stands.shut[along] == pytest.approx(other, abs=FRAME + 0.001)
 
 
 def number_boxes(line: Dimension, size: float) -> list[PlanBox]:

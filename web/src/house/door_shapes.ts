@@ -25,6 +25,9 @@ const BOTTOM_RAIL = 0.2;
 const LOCK_RAIL = [0.88, 1.06] as const;
 const HANDLE_HEIGHT = 1.0;
 const FROM_EDGE = 0.06;
+/** With half a leaf no more than a frame is wide, so that an open leaf stays over the floor kept free at a door. */
+const HANDLE_PROUD = 0.04;
+const LEVER = 0.016;
 const INSET = 0.012;
 const MOULDING = 0.05;
 const SECTION = 0.55;
@@ -53,13 +56,13 @@ function framed({ width, height }: Leaf, fields: readonly Reach[], paint: Paint,
 
 /** A lever on both sides, at the end away from the hinge. */
 function handles({ width, height }: Leaf, metal: Paint): Part[] {
-  const [x, y] = [width / 2 - FROM_EDGE, Math.min(HANDLE_HEIGHT, height * 0.8)];
+  const [x, y, neck] = [width / 2 - FROM_EDGE, Math.min(HANDLE_HEIGHT, height * 0.8), HANDLE_PROUD - LEVER];
   return [-1, 1].flatMap((side) => {
     const at = (out: number): number => side * (LEAF_THICKNESS / 2 + out);
     return [
       part("box", [0.045, 0.17, 0.008], [x, y - 0.03, at(0.004)], metal),
-      part("box", [0.02, 0.02, 0.05], [x, y, at(0.025)], metal),
-      part("box", [0.13, 0.022, 0.016], [x - 0.055, y, at(0.05)], metal),
+      part("box", [0.02, 0.02, neck], [x, y, at(neck / 2)], metal),
+      part("box", [0.13, 0.022, LEVER], [x - 0.055, y, at(neck + LEVER / 2)], metal),
     ];
   });
 }

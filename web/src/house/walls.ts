@@ -33,7 +33,8 @@ export const RAILING_HEIGHT = 0.6;
 const THINNEST = 0.02;
 const RAILING_BAR = 0.05;
 const POST_SPACING = 1.2;
-export const FRAME = 0.04;
+/** How wide a frame's bars are [m]: a leaf that stands open, with its handle, is then no wider than its opening. */
+export const FRAME = 0.06;
 const FRAME_PROUD = 0.01;
 /** How high the board is that lies under a leaf, where two floors meet [m]. */
 export const THRESHOLD = 0.008;
