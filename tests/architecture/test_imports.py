@@ -16,6 +16,7 @@ MAY_IMPORT = {
     "compose_homes": {"catalogs", "solver", "service", "compose_homes"},
 }
 GROUND_FLOOR = {
+    "core",
     "scene",
     "scene_bodies",
     "named_kinds",
@@ -38,10 +39,10 @@ GROUND_FLOOR = {
 JOINER = "pipeline"
 # By package: what else it has no business with.
 FOREIGN = {
-    "catalogs": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "pyscipopt", "fastapi", "starlette", "uvicorn"},
+    "catalogs": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt", "fastapi", "starlette", "uvicorn"},
     "solver": {"pyscipopt", "daqp", "fastapi", "starlette", "uvicorn", "argparse"},
-    "service": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "pyscipopt"},
-    "compose_homes": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "pyscipopt", "fastapi", "starlette", "uvicorn"},
+    "service": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt"},
+    "compose_homes": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt", "fastapi", "starlette", "uvicorn"},
 }
 # What differs from run to run stays out of results: one module times them, one draws the seed of a request without one.
 UNREPEATABLE = {"random", "secrets", "uuid", "time", "datetime"}
@@ -133,8 +134,17 @@ def test_the_compiler_is_imported_in_one_place_and_only_where_it_is_asked_for() 
     assert places([one for one in found if not one.lazy]) == []
 
 
+def test_the_core_is_run_in_one_place_and_loaded_only_where_it_is_asked_for() -> None:
+    found = [one for one in imports(*PACKAGES) if one.top == "wasmtime"]
+    assert {one.importer for one in found} == {"solver.core.host"}
+    typed = [one for one in found if not one.lazy]
+    assert len(typed) == 1  # under TYPE_CHECKING
+    own = [one for one in imports("solver") if one.importer.startswith("solver.core") and one.top == "solver"]
+    assert places([one for one in own if part(one.module) != "core"]) == []
+
+
 def test_no_engine_is_loaded_before_a_placement_is_asked_for() -> None:
-    program = "import sys, solver; print([name for name in ('numba', 'scipy', 'osqp', 'cvxpy') if name in sys.modules])"
+    program = "import sys, solver; print([name for name in ('numba', 'scipy', 'osqp', 'cvxpy', 'wasmtime') if name in sys.modules])"
     run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False)
     assert (run.stdout.strip(), run.returncode) == ("[]", 0), run.stderr
 

@@ -1,0 +1,224 @@
+"""The core's host: loads core.wasm once a process, makes instances of it, calls what it exports.
+
+Comes in: the name of an export and its numbers, bytes and arrays for its memory. Goes out: a number, bytes, numpy views of the memory.
+Not here: what any export means.
+
+An instance has a memory of its own, one arena from which the core and the host take what they need; it is given back with the instance,
+or down to a mark. Instances share nothing: each may be called by one thread at a time, and calls run beside Python's other threads.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+from collections import deque
+from collections.abc import Iterator
+from contextlib import contextmanager
+from math import prod
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+if TYPE_CHECKING:
+    import wasmtime
+
+WASM = Path(__file__).with_name("core.wasm")
+FAILURES = {1: "its memory is full", 2: "the request is none", 3: "an index is out of range", 4: "it does not come to an end"}
+"""What the core says of why it ended a call: `enum class Failure` of plain/memory.hpp."""
+MOST_IDLE = 4
+"""Instances kept for the next that asks."""
+MOST_IDLE_BYTES = 64 << 20
+"""An instance whose memory grew beyond this is not kept."""
+
+
+class CoreFailed(RuntimeError):
+    """A call of the core ended in a trap: an error within it. Its instance is of no further use."""
+
+
+class _Export(NamedTuple):
+    """A function of the core: what its numbers are, f64 or not, and whether it returns one: "f64", "i32", "i64" or None."""
+
+    floats: tuple[bool, ...]
+    result: str | None
+
+
+class _Loaded(NamedTuple):
+    engine: wasmtime.Engine
+    module: wasmtime.Module
+    linker: wasmtime.Linker
+    exports: dict[str, _Export]
+
+
+@functools.cache
+def _loaded() -> _Loaded:
+    """Compiles core.wasm for this machine, once a process: some 0.1 s.
+
+    Raises:
+        CoreFailed: the file is missing.
+    """
+    import wasmtime  # noqa: PLC0415 - what only reads types needs no runtime
+
+    if not WASM.exists():
+        raise CoreFailed(f"{WASM} is missing: `make core` builds it")
+    config = wasmtime.Config()
+    config.memory_may_move = False
+    engine = wasmtime.Engine(config)
+    module = wasmtime.Module.from_file(engine, str(WASM))
+    exports = {}
+    for export in module.exports:
+        if isinstance(export.type, wasmtime.FuncType):
+            results = [str(one) for one in export.type.results]
+            exports[export.name] = _Export(tuple(str(one) == "f64" for one in export.type.params), results[0] if results else None)
+    return _Loaded(engine, module, wasmtime.Linker(engine), exports)
+
+
+class _MemoryPiece:
+    """A piece of an instance's memory as numpy takes it; the views made of it keep the instance alive."""
+
+    def __init__(self, instance: CoreInstance, address: int, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+        self.instance = instance
+        self.__array_interface__ = {"version": 3, "data": (address, False), "shape": shape, "typestr": dtype.str}
+
+
+class CoreInstance:
+    """One instance of the core, with its own memory.
+
+    Raises:
+        CoreFailed: core.wasm is missing.
+    """
+
+    def __init__(self) -> None:
+        import wasmtime  # noqa: PLC0415
+
+        loaded = _loaded()
+        self._exports = loaded.exports
+        self._store = wasmtime.Store(loaded.engine)
+        self._instance = loaded.linker.instantiate(self._store, loaded.module)
+        self._found = self._instance.exports(self._store)
+        memory = self._found["memory"]
+        assert isinstance(memory, wasmtime.Memory)
+        self._memory = memory
+        self._base = ctypes.addressof(memory.data_ptr(self._store).contents)
+        self._functions: dict[str, Any] = {}
+        self.failed = False
+
+    def call(self, name: str, *arguments: float) -> Any:
+        """Calls an export.
+
+        Args:
+            name: its name.
+            arguments: its numbers: addresses and whole numbers, or floats where it takes f64.
+
+        Returns:
+            Its number, or None.
+
+        Raises:
+            CoreFailed: the call ended in a trap, the instance had failed before, or there is no such export with so many numbers.
+        """
+        from wasmtime import _ffi  # noqa: PLC0415 - the public call looks the types up each time and takes 40 us
+
+        export = self._exports.get(name)
+        if export is None or len(export.floats) != len(arguments) or self.failed:
+            raise CoreFailed(f"the core was not asked for {name}: " + ("it failed before" if self.failed else "it has no such function"))
+        function = self._functions.get(name)
+        if function is None:
+            function = self._functions[name] = self._found[name]._func  # type: ignore[union-attr]
+        numbers = (_ffi.wasmtime_val_raw_t * max(len(arguments), 1))()
+        for slot, is_float, value in zip(numbers, export.floats, arguments, strict=False):
+            if is_float:
+                slot.f64 = value
+            else:
+                slot.i64 = value
+        trap = ctypes.POINTER(_ffi.wasm_trap_t)()
+        error = _ffi.wasmtime_func_call_unchecked(self._store._context(), ctypes.byref(function), numbers, len(numbers), ctypes.byref(trap))
+        if error or trap:
+            raise self._failure(name, error, trap)
+        return getattr(numbers[0], export.result) if export.result else None
+
+    def _failure(self, name: str, error: Any, trap: Any) -> CoreFailed:
+        """Says why a call ended; nothing is asked of the instance after this."""
+        from wasmtime import Trap, WasmtimeError  # noqa: PLC0415
+
+        said = str(WasmtimeError._from_ptr(error) if error else Trap._from_ptr(trap)).strip().splitlines()[-1].strip()
+        code = 0 if name == "failure" else self.call("failure")
+        self.failed = True
+        return CoreFailed(f"{name} ended in a trap of the core: {FAILURES.get(code, said)}")
+
+    @property
+    def size(self) -> int:
+        """The bytes its memory has grown to."""
+        return int(self._memory.data_len(self._store))
+
+    def reserve(self, size: int) -> int:
+        """Takes bytes of the memory; returns their address, a multiple of 16. They are not set to anything.
+
+        Raises:
+            CoreFailed: the memory is full.
+        """
+        return int(self.call("reserve", size))
+
+    def mark(self) -> int:
+        """Returns how much of the memory is taken, for `release`."""
+        return int(self.call("mark"))
+
+    def release(self, mark: int = 0) -> None:
+        """Gives back all that was taken since a mark; what views of it show is then void."""
+        self.call("release", mark)
+
+    def view(self, address: int, shape: tuple[int, ...], dtype: DTypeLike) -> NDArray[Any]:
+        """Returns an array that is a piece of the memory: what the core writes there, it shows; it keeps the instance alive.
+
+        Raises:
+            ValueError: the piece is not within the memory.
+        """
+        kind = np.dtype(dtype)
+        if address < 0 or address + prod(shape) * kind.itemsize > self.size:
+            raise ValueError(f"{shape} of {kind} at {address} is not within the core's memory")
+        return np.asarray(_MemoryPiece(self, self._base + address, shape, kind))
+
+    def new_array(self, shape: tuple[int, ...], dtype: DTypeLike) -> NDArray[Any]:
+        """Takes memory for an array, not set to anything; as `view`."""
+        return self.view(self.reserve(prod(shape) * np.dtype(dtype).itemsize), shape, dtype)
+
+    def address_of(self, array: NDArray[Any]) -> int:
+        """Returns where in the memory a view of it begins.
+
+        Raises:
+            ValueError: the array is no view of this memory, or has gaps.
+        """
+        address = int(array.__array_interface__["data"][0]) - self._base
+        if not array.flags.c_contiguous or not 0 <= address <= self.size - array.nbytes:
+            raise ValueError("the array is no piece of the core's memory")
+        return address
+
+    def write(self, content: bytes) -> int:
+        """Takes memory for bytes and copies them there; returns their address."""
+        address = self.reserve(len(content))
+        ctypes.memmove(self._base + address, content, len(content))
+        return address
+
+    def read(self, address: int, size: int) -> bytes:
+        """Returns a copy of bytes of the memory."""
+        return bytes(self.view(address, (size,), np.uint8))
+
+
+_idle: deque[CoreInstance] = deque()
+
+
+@contextmanager
+def borrowed() -> Iterator[CoreInstance]:
+    """Lends an instance for a block: an idle one, or a new one. What the block took of its memory is given back at its end.
+
+    After an exception the instance is thrown away. No view of its memory may outlive the block.
+    """
+    try:
+        instance = _idle.popleft()
+    except IndexError:
+        instance = CoreInstance()
+    mark = instance.mark()
+    yield instance
+    instance.release(mark)
+    if len(_idle) < MOST_IDLE and instance.size <= MOST_IDLE_BYTES:
+        _idle.append(instance)

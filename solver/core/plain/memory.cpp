@@ -1,0 +1,58 @@
+#include "memory.hpp"
+
+extern "C" {
+extern u8 __heap_base;
+
+static i32 failure_code = 0;
+
+void* memset(void* to, int value, unsigned long count) { return __builtin_memset(to, value, count); }
+void* memcpy(void* to, const void* from, unsigned long count) { return __builtin_memcpy(to, from, count); }
+void* memmove(void* to, const void* from, unsigned long count) { return __builtin_memmove(to, from, count); }
+}
+
+[[noreturn]] void fail(Failure failure) {
+  failure_code = static_cast<i32>(failure);
+  __builtin_trap();
+}
+
+namespace arena {
+
+constexpr i64 PAGE = 65536;
+static u64 top = 0;
+
+static u64 base() { return (reinterpret_cast<u64>(&__heap_base) + 15) / 16 * 16; }
+
+Mark mark() { return top; }
+
+void release(Mark mark) { top = mark; }
+
+void* reserve(i64 bytes) {
+  if (bytes < 0) fail(Failure::memory_full);
+  const u64 at = base() + top;
+  const u64 end = at + (static_cast<u64>(bytes) + 15) / 16 * 16;
+  const u64 have = __builtin_wasm_memory_size(0) * PAGE;
+  if (end > have) {
+    const u64 pages = (end - have + PAGE - 1) / PAGE;
+    if (pages > 65536 || __builtin_wasm_memory_grow(0, pages) == static_cast<unsigned long>(-1)) fail(Failure::memory_full);
+  }
+  top = end - base();
+  return reinterpret_cast<void*>(at);
+}
+
+void* zeroed(i64 bytes) {
+  void* at = reserve(bytes);
+  __builtin_memset(at, 0, static_cast<unsigned long>(bytes));
+  return at;
+}
+
+}  // namespace arena
+
+// What the host calls, whatever the stage.
+extern "C" {
+__attribute__((export_name("failure"))) i32 failure() { return failure_code; }
+__attribute__((export_name("mark"))) i32 arena_mark() { return static_cast<i32>(arena::mark()); }
+__attribute__((export_name("release"))) void arena_release(i32 mark) { arena::release(static_cast<u64>(mark)); }
+__attribute__((export_name("reserve"))) i32 arena_reserve(i64 bytes) {
+  return static_cast<i32>(reinterpret_cast<u64>(arena::reserve(bytes)));
+}
+}
