@@ -86,6 +86,10 @@ def _add_engine(command: ArgumentParser) -> None:
     command.add_argument("--engine", choices=("osqp", "reference"), default="osqp", help="of the final QP (osqp)")
 
 
+def _add_workers(command: ArgumentParser) -> None:
+    command.add_argument("--workers", type=_COUNT, default=os.cpu_count() or 1, metavar="N", help="processes for many houses (one a core)")
+
+
 def _add_scene(command: ArgumentParser) -> None:
     command.add_argument("scene", nargs="?", default="-", metavar="SCENE", help="a scene, YAML or JSON (standard input)")
 
@@ -114,6 +118,7 @@ def _add_generate(commands: Commands) -> None:
     command = _command(commands, "generate", "Make a furnished house; options win over the request file.")
     _add_request(command)
     command.add_argument("-n", "--count", type=_COUNT, metavar="N", help="make N houses of successive seeds into the folder -o")
+    _add_workers(command)
     _add_engine(command)
     _add_output(command, "the scene")
     _add_catalog(command)
@@ -184,7 +189,7 @@ def _add_stats(commands: Commands) -> None:
     _add_request(command)
     command.add_argument("-n", "--count", type=_COUNT, default=100, metavar="N", help="how many houses (100)")
     command.add_argument("--presets", action="store_true", help="as many of each preset, side by side")
-    command.add_argument("--workers", type=_COUNT, default=os.cpu_count() or 1, metavar="N", help="processes (one a core)")
+    _add_workers(command)
     _add_output(command, "it", ("table", "yaml", "json"))
     _add_catalog(command)
 

@@ -17,7 +17,7 @@ from solver.errors import ComposeError, FieldError, SyntaxFault
 from solver.exchange import dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
-from solver.scene import MAX_SEED, Request
+from solver.scene import Request
 
 if TYPE_CHECKING:
     from catalogs import Catalogs
@@ -47,36 +47,26 @@ def _generate(options: Namespace) -> int:
     catalogs, request = _catalogs(options), _request(options)
     if options.count is not None:
         return _generate_many(options, request, catalogs)
-    answer = _made(options, request, catalogs)
-    _write(answer["scene"], options)
-    return _judged(answer)
-
-
-def _made(options: Namespace, request: Mapping[str, Any], catalogs: Catalogs) -> Document:
     from service import calls
 
-    return _checked(options.request, lambda: calls.generate_house(request, catalogs, options.engine))
+    answer = _checked(options.request, lambda: calls.generate_house(request, catalogs, options.engine))
+    _write(answer["scene"], options)
+    return _judged(answer["issues"])
 
 
 def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Catalogs) -> int:
-    """Makes a set of houses into a folder, one file a seed."""
-    from tqdm import tqdm
-
+    """Makes a set of houses into a folder, one file a seed; goes on where it was ended."""
     from service.calls import draw_seed
+    from service.many import HouseSet, into_folder
 
     folder = Path(options.output)
     if options.output == STREAM or folder.is_file():
         raise FieldError("--output", f"{options.output} holds one document", "with --count, a folder")
-    folder.mkdir(parents=True, exist_ok=True)
     given = read_request({"seed": request.get("seed")}).seed
     start = draw_seed() if given is None else given
-    status, format = CLEAN, options.format or "yaml"
-    for number in tqdm(range(options.count), unit="house", disable=None):
-        seed = (start + number) % (MAX_SEED + 1)
-        answer = _made(options, {**request, "seed": seed}, catalogs)
-        (folder / f"{seed}.{format}").write_bytes(dump_text(answer["scene"], format))
-        status = max(status, _judged(answer, f"seed {seed}: "))
-    return status
+    houses = HouseSet(request, folder, options.format or "yaml", options.engine)
+    made = into_folder(houses, range(start, start + options.count), catalogs, options.workers)
+    return _checked(options.request, lambda: max((_judged(issues, f"seed {seed}: ") for seed, issues in made), default=CLEAN))
 
 
 def _stats(options: Namespace) -> int:
@@ -109,7 +99,7 @@ def _fix(options: Namespace) -> int:
     for entry in answer["removed"]:
         _say(f"removed {entry['id']}: {entry['reason']}")
     _contested(answer)
-    return _judged(answer)
+    return _judged(answer["issues"])
 
 
 def _place(options: Namespace) -> int:
@@ -125,7 +115,7 @@ def _place(options: Namespace) -> int:
             _say(f"not held: {relation['piece']} {relation['type']} {relation['of'] or ''}".rstrip())
     for entry in answer["unplaced"]:
         _say(f"unplaced {entry['id']}: {entry['reason']}")
-    return max(_judged(answer), _contested(answer))
+    return max(_judged(answer["issues"]), _contested(answer))
 
 
 def _validate(options: Namespace) -> int:
@@ -134,7 +124,7 @@ def _validate(options: Namespace) -> int:
         _put(answer["report"]["text"].encode(), options.output)
     else:
         _write(answer, options)
-    return _judged(answer)
+    return _judged(answer["issues"])
 
 
 def _view(options: Namespace) -> int:
@@ -274,11 +264,11 @@ def _contested(answer: Mapping[str, Any]) -> int:
     return ERRORS_FOUND if answer["conflicts"] else CLEAN
 
 
-def _judged(answer: Mapping[str, Any], prefix: str = "") -> int:
+def _judged(issues: list[Document], prefix: str = "") -> int:
     """Says what breaks the rules and returns the exit status."""
-    for issue in answer["issues"]:
+    for issue in issues:
         _say(f"{prefix}{issue['severity']} {issue['rule']} {issue['room'] or ''}: {issue['message']}")
-    return _exit_status(answer["issues"])
+    return _exit_status(issues)
 
 
 def _exit_status(issues: list[Document]) -> int:

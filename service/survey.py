@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import multiprocessing
-from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, Final
-
-from tqdm import tqdm
+from typing import Any
 
 from catalogs import Catalogs
+from service.many import in_processes
 from service.work import packed, unpacked
 from solver import generate
 from solver.exchange import read_request
@@ -19,9 +16,6 @@ from solver.plain import Document
 from solver.scene import MAX_SEED, Request
 from solver.statistics import House, house_of, summary
 from solver.validator import RULES, metrics
-
-BATCH: Final = 4
-"""Houses that a process is given at a time: enough that handing them over costs nothing, few enough for a smooth bar."""
 
 
 def survey(requests: Sequence[Mapping[str, Any]], count: int, workers: int, catalogs: Catalogs) -> Document:
@@ -38,7 +32,7 @@ def survey(requests: Sequence[Mapping[str, Any]], count: int, workers: int, cata
     """
     read = [read_request(request) for request in requests]
     jobs = [replace(one, seed=((one.seed or 0) + k) % (MAX_SEED + 1)) for one in read for k in range(count)]
-    houses = list(tqdm(_made(jobs, workers, packed(catalogs)), total=len(jobs), unit="house", disable=None))
+    houses = list(in_processes(partial(_house, packed(catalogs)), jobs, workers))
     sets = []
     for k, request in enumerate(requests):
         shown = {name: value for name, value in request.items() if name != "seed"}
@@ -54,19 +48,6 @@ def _name(request: Request) -> str:
         return ", ".join([request.program, *words])
     words = [f"{number} {word}" for word, number in (request.program or {}).items()] + words
     return ", ".join(words) if request.planned else "{:g} x {:g} m".format(*request.extents)
-
-
-def _made(jobs: Sequence[Request], workers: int, catalogs: bytes) -> Iterator[House]:
-    make = partial(_house, catalogs)
-    if min(workers, len(jobs)) == 1:
-        yield from map(make, jobs)
-        return
-    # Processes start empty: one that is a copy of this one would share whatever its threads hold.
-    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"))
-    try:
-        yield from pool.map(make, jobs, chunksize=BATCH)
-    finally:
-        pool.shutdown(cancel_futures=True)
 
 
 def _house(catalogs: bytes, request: Request) -> House:

@@ -90,7 +90,7 @@ def test_many_houses_go_into_a_folder(tmp_path: Path, capfdbinary: Captured) -> 
     small = ["--width", "6", "--depth", "5"]
     assert main(["generate", *small, "--seed", str(2**53 - 2), "-n", "3", "-o", str(tmp_path / "set")]) in (0, 1)
     assert sorted(path.name for path in (tmp_path / "set").iterdir()) == sorted(
-        ["9007199254740990.yaml", "9007199254740991.yaml", "0.yaml"]
+        ["9007199254740990.yaml", "9007199254740991.yaml", "0.yaml", "made_from.json"]
     )
     assert capfdbinary.readouterr().out == b""
     main(["generate", *small, "--seed", "0"])

@@ -1,0 +1,146 @@
+"""Many houses, of successive seeds, made in some processes: the number of processes changes neither their order nor a byte.
+
+Comes in: a request and how many. Goes out: a folder with a file a house, each whole or not there, and `made_from.json`, which says what
+they were made from; so the same command goes on where it was ended.
+"""
+
+from __future__ import annotations
+
+import json
+import multiprocessing
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, Final, TypeVar
+
+from tqdm import tqdm
+
+from catalogs import Catalogs
+from service import calls
+from service.work import packed, unpacked
+from solver.errors import ComposeError, FieldError
+from solver.exchange import dump_text
+from solver.plain import Document
+from solver.scene import MAX_SEED
+from solver.version import VERSION
+
+Asked = TypeVar("Asked")
+Made = TypeVar("Made")
+
+BATCH: Final = 4
+"""Houses that a process is given at a time: enough that handing them over costs nothing, few enough for a smooth bar."""
+MADE_FROM: Final = "made_from.json"
+"""The file of a folder that says what its houses were made from."""
+
+
+@dataclass(frozen=True)
+class HouseSet:
+    """A folder of houses that differ by their seeds alone.
+
+    Args:
+        request: of every house; its own seed does not count.
+        folder: one file a seed; made where there is none.
+        format: yaml or json.
+        engine: of the final QP.
+    """
+
+    request: Mapping[str, Any]
+    folder: Path
+    format: str
+    engine: str
+
+    def file(self, seed: int) -> Path:
+        """Returns the file of a seed's house."""
+        return self.folder / f"{seed}.{self.format}"
+
+    def made_from(self, catalogs: Catalogs) -> bytes:
+        """Returns what the folder says of its houses."""
+        shown = {name: value for name, value in self.request.items() if name != "seed"}
+        said = {"version": VERSION, "catalog": catalogs.fingerprint, "engine": self.engine, "request": shown}
+        return (json.dumps(said, indent=2, sort_keys=True) + "\n").encode()
+
+
+def in_processes(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: int) -> Iterator[Made]:
+    """Yields what a function of a module makes of each job, in their order, with a bar on a terminal.
+
+    Args:
+        make: can be sent to a process.
+        jobs: what it is given.
+        workers: processes; with one all is done in this one.
+    """
+    with tqdm(total=len(jobs), unit="house", disable=None) as bar:
+        for made in _made(make, jobs, workers):
+            bar.update()
+            yield made
+
+
+def _made(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: int) -> Iterator[Made]:
+    if min(workers, len(jobs)) <= 1:
+        yield from map(make, jobs)
+        return
+    # Processes start empty: one that is a copy of this one would share whatever its threads hold.
+    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"))
+    try:
+        yield from pool.map(make, jobs, chunksize=BATCH)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def into_folder(houses: HouseSet, seeds: range, catalogs: Catalogs, workers: int) -> Iterator[tuple[int, list[Document]]]:
+    """Makes houses into their folder and yields each seed with its house's issues; files that are there stay.
+
+    Args:
+        houses: where, and what of.
+        seeds: the houses' seeds; after the greatest comes 0.
+        catalogs: what to furnish with.
+        workers: processes.
+
+    Raises:
+        FieldError: a request is wrong, no house can meet it, or the folder's houses were made from something else.
+    """
+    _claim(houses.folder, houses.made_from(catalogs))
+    todo = [seed for seed in (seed % (MAX_SEED + 1) for seed in seeds) if not houses.file(seed).exists()]
+    for seed, made in zip(todo, in_processes(partial(_file_made, packed(catalogs), houses), todo, workers), strict=True):
+        if isinstance(made, ComposeError):
+            raise made
+        yield seed, made
+
+
+def _claim(folder: Path, made_from: bytes) -> None:
+    """Says in a folder what its houses are made from.
+
+    Raises:
+        FieldError: there are houses in it that were made from something else.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / MADE_FROM
+    if path.exists() and path.read_bytes() == made_from:
+        return
+    if path.exists() and any(other.stem.isdecimal() for other in folder.iterdir()):
+        raise FieldError("--output", f"{folder} holds houses of another version, catalog or request", f"what {path} says, or a new folder")
+    write_whole(path, made_from)
+
+
+def _file_made(catalogs: bytes, houses: HouseSet, seed: int) -> list[Document] | ComposeError:
+    """Makes a house and writes it; returns its issues."""
+    try:
+        answer = calls.generate_house({**houses.request, "seed": seed}, unpacked(catalogs), houses.engine)
+    except ComposeError as error:
+        return error
+    write_whole(houses.file(seed), dump_text(answer["scene"], houses.format))
+    issues: list[Document] = answer["issues"]
+    return issues
+
+
+def write_whole(path: Path, content: bytes) -> None:
+    """Writes a file so that at any time it is whole or not there."""
+    part = path.with_name(f"{path.name}.{os.getpid()}.part")
+    try:
+        part.write_bytes(content)
+        part.replace(path)
+    except OSError:
+        part.unlink(missing_ok=True)
+        raise
