@@ -6,7 +6,7 @@ Comes in: catalogs; a body's name and size. Goes out: the kind's key, and what t
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Final, NamedTuple
+from typing import Final
 
 from catalogs.dressing import DecorationKind
 from catalogs.schema import Catalogs, FurnitureSpec
@@ -18,11 +18,8 @@ SEATED: Final = "_seated"
 """Ends the name of the shape of somebody who sits."""
 
 
-class SizedKind(NamedTuple):
-    """A kind and the size it has there: width, depth and height, m."""
-
-    key: str
-    size: tuple[float, float, float]
+Extents = tuple[float, float, float]
+"""Width, depth and height, m."""
 
 
 class KindBook:
@@ -42,17 +39,17 @@ class KindBook:
 
     def _index(
         self, kinds: Mapping[str, FurnitureSpec] | Mapping[str, DecorationKind], names: Mapping[str, str]
-    ) -> dict[str, list[SizedKind]]:
-        index: dict[str, list[SizedKind]] = {}
+    ) -> dict[str, dict[str, Extents]]:
+        index: dict[str, dict[str, Extents]] = {}
         for key, kind in kinds.items():
             width, depth, height = kind.size
-            sized = index.setdefault(names[key], [])
-            sized.append(SizedKind(key, kind.size))
+            sized = index.setdefault(names[key], {})
+            sized[key] = kind.size
             if key + UPRIGHT in self._catalogs.shapes:
-                sized.append(SizedKind(key + UPRIGHT, (width, height, depth)))
+                sized[key + UPRIGHT] = width, height, depth
         return index
 
-    def kind_of(self, sort: str, name: str, size: tuple[float, float, float], said: str | None = None) -> str | None:
+    def kind_of(self, sort: str, name: str, size: Extents, said: str | None = None) -> str | None:
         """Returns the key of a body's kind, with `_upright` behind it where the thing is tipped; None where the catalogs know none.
 
         Args:
@@ -61,16 +58,20 @@ class KindBook:
             size: its width, depth and height, m.
             said: the kind that the scene names; it counts where scenes call that kind by this name.
         """
-        sized = self._by_name[sort].get(name, ())
-        if any(one.key == said for one in sized):
-            return said
-        return min(sized, key=lambda one: _difference(one.size, size)).key if sized else None
+        sized = self._by_name[sort].get(name)
+        if not sized:
+            return None
+        return said if said in sized else min(sized, key=lambda key: _difference(sized[key], size))
 
     def spec(self, sort: str, key: str) -> FurnitureSpec | DecorationKind:
         """Returns what the catalogs say of a kind, by a key that `kind_of` returned."""
         if sort == "furniture":
             return self._catalogs.furniture[key]
         return self._catalogs.decorations[key if key in self._catalogs.decorations else key.removesuffix(UPRIGHT)]
+
+    def dweller(self, kind: str) -> FurnitureSpec | None:
+        """Returns what the catalogs say of a kind of person or pet; None where they do not know it."""
+        return self._catalogs.furniture.get(kind)
 
     def solids(self, key: str | None) -> tuple[Solid, ...]:
         """Returns the shape of a kind; nothing where there is none."""
@@ -82,6 +83,6 @@ class KindBook:
         return key if key in self._catalogs.shapes else None
 
 
-def _difference(one: tuple[float, float, float], other: tuple[float, float, float]) -> float:
+def _difference(one: Extents, other: Extents) -> float:
     """Returns how much two sizes differ: the sum over width, depth and height, m."""
     return sum(abs(a - b) for a, b in zip(one, other, strict=True))

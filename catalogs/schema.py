@@ -228,6 +228,10 @@ class Catalogs(Entry):
     shapes: dict[str, tuple[Solid, ...]] = Field(default_factory=dict)
     fingerprint: str
 
+    def __hash__(self) -> int:
+        """Equal catalogs have equal fingerprints, so that what is worked out from them can be kept by them."""
+        return hash(self.fingerprint)
+
     def of_home(self, types: Collection[str]) -> Catalogs:
         """Returns the catalogs of a planned home: pieces that it needs `without` rooms it does not have are wanted."""
         return self.model_copy(update={"rooms": {name: self._at_home(room, set(types)) for name, room in self.rooms.items()}})

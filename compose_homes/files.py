@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from os import PathLike
-from pathlib import Path
+from pathlib import Path, PurePath
 
+from solver.errors import RequestError
+from solver.export_formats import EXPORTERS
 from solver.scene import Scene
 
 
@@ -51,6 +53,7 @@ def dump(scene: Scene, path: str | PathLike[str] | None = None, format: str | No
 
     Raises:
         OSError: the file cannot be written.
+        RequestError: the format, or the file's ending, is one that `export` writes, such as glb.
         SceneError: the scene holds what no document can say, such as a number that is not finite.
 
     Example:
@@ -61,7 +64,11 @@ def dump(scene: Scene, path: str | PathLike[str] | None = None, format: str | No
     """
     from solver.exchange import dump_text, format_of_name, write_scene
 
-    content = dump_text(write_scene(scene), format or format_of_name(str(path or "")) or "yaml")
+    name = str(path or "")
+    asked = format or PurePath(name).suffix.lower().removeprefix(".")
+    if asked in EXPORTERS:
+        raise RequestError("format", f"dump writes no {asked}; export(scene, {asked!r}) does", "json or yaml")
+    content = dump_text(write_scene(scene), format or format_of_name(name) or "yaml")
     if path is not None:
         Path(path).write_bytes(content)
     return content.decode()

@@ -10,10 +10,11 @@ from typing import Final
 
 from catalogs import Catalogs
 from solver.export_formats import Freedom
-from solver.exports.described_bodies import LIVING, BodyMaker
+from solver.exports.described_bodies import BodyMaker
 from solver.exports.door_leaves import leaves_of
+from solver.exports.kind_facts import classes_of
 from solver.exports.model import FloorPlate, HouseModel, Paint
-from solver.exports.paints import PLAIN_FLOOR, Paints
+from solver.exports.paints import PLAIN_FLOOR, paints_of
 from solver.exports.wall_lines import RoomFinder, corners_of, on_lattice, openings_of, runs_of, signed_area
 from solver.exports.wall_panels import THINNEST, Storey, WallPlan, boxes_of, fittings_of, panels_of
 from solver.scene import Room, Scene
@@ -32,12 +33,14 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         warnings: what is wrong with it, in words, to stand in the files.
     """
     storeys = {level.index: Storey(level.elevation, level.height) for level in scene.levels}
-    paints = Paints(catalogs, style_of(scene))
+    paints = paints_of(catalogs, style_of(scene))
     rooms = scene.rooms
-    plan = WallPlan(runs_of(rooms), openings_of(rooms), storeys, max(scene.wall_thickness, THINNEST), rooms)
-    panels, finder = panels_of(plan), RoomFinder(rooms)
+    finder = RoomFinder(rooms)
+    plan = WallPlan(runs_of(rooms), openings_of(rooms, finder), storeys, max(scene.wall_thickness, THINNEST), rooms)
+    panels = panels_of(plan)
     maker = BodyMaker(catalogs, paints, {level: storey.elevation for level, storey in storeys.items()}, free)
     bodies = tuple(maker.bodies(scene))
+    kinds, categories = classes_of(catalogs)
     return HouseModel(
         scene=scene,
         name="house" if scene.seed is None else f"house_{scene.seed}",
@@ -51,17 +54,9 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         thickness=plan.thickness,
         shapes=maker.unit_shapes,
         warnings=tuple(warnings),
-        kinds=tuple(sorted(catalogs.furniture)),
-        categories=tuple(
-            sorted({kind.category for kind in catalogs.furniture.values()} | {kind.group for kind in catalogs.decorations.values()})
-        ),
+        kinds=kinds,
+        categories=categories,
     )
-
-
-def _categories(catalogs: Catalogs) -> set[str]:
-    """Returns the categories that bodies can have; people and pets have one of their own."""
-    things = {kind.category for kind in catalogs.furniture.values()} | {kind.group for kind in catalogs.decorations.values()}
-    return things | {LIVING}
 
 
 def style_of(scene: Scene) -> str | None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 from solver.body_parts import BodyPart
@@ -61,15 +62,16 @@ class LeafLook:
         return self.paints.of("metal", None) if self.paints.has("metal") else _METAL
 
 
-def parts_of_leaf(look: LeafLook) -> list[Painted]:
+@lru_cache(maxsize=512)
+def parts_of_leaf(look: LeafLook) -> tuple[Painted, ...]:
     """Returns a leaf's parts, closed and whole."""
     if look.name == "sectional":
-        return _sectional(look)
+        return tuple(_sectional(look))
     if look.name == "gate":
-        return _gate(look)
+        return tuple(_gate(look))
     if look.name == "glazed":
-        return _glazed(look)
-    return _panelled(look, _ENTRANCE if look.name == "entrance" else look.wood)
+        return tuple(_glazed(look))
+    return tuple(_panelled(look, _ENTRANCE if look.name == "entrance" else look.wood))
 
 
 def _block(size: tuple[float, float, float], at: tuple[float, float, float], paint: Paint) -> Painted:

@@ -51,8 +51,7 @@ class Cuboid(NamedTuple):
         return self.x1 - self.x0, self.y1 - self.y0, self.z1 - self.z0
 
 
-@dataclass(frozen=True)
-class ModelBody:
+class ModelBody(NamedTuple):
     """A piece of furniture, a decoration, a person or a pet.
 
     `x` and `z` are the middle of its footprint and `y` its underside in the house, m; `turn` in degrees; `mass` in kg; `friction` is a

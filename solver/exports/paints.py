@@ -5,6 +5,7 @@ Comes in: catalogs, a style's name; slots and colours. Goes out: `Paint`s. May i
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Final
 
 from catalogs import Catalogs
@@ -71,7 +72,7 @@ class Paints:
 
     def __init__(self, catalogs: Catalogs, style: str | None) -> None:
         self._slots: dict[str, Material] = dict(catalogs.materials)
-        self._mixed: dict[tuple[str, str], Paint] = {}
+        self._mixed = lru_cache(maxsize=1 << 12)(self._mix)
         known = catalogs.styles.get(style or "")
         for slot, change in (known.materials if known else {}).items():
             base = self._slots.get(slot, Material())
@@ -80,16 +81,19 @@ class Paints:
     def of(self, slot: str, color: str | None, accent: str | None = None) -> Paint:
         """Returns the paint of a slot on a body of a colour, in a room with an accent; an unknown slot is the body's own colour."""
         own = (accent or color if slot == ACCENT_SLOT else color) or UNSAID
-        paint = self._mixed.get((slot, own))
-        if paint is None:
-            paint = self._mixed[slot, own] = self._mix(self._slots.get(slot) or _UNKNOWN, own)
-        return paint
+        return self._mixed(slot, own)
 
     def has(self, slot: str) -> bool:
         """Tells whether the catalogs know a slot."""
         return slot in self._slots
 
-    @staticmethod
-    def _mix(material: Material, own: str) -> Paint:
+    def _mix(self, slot: str, own: str) -> Paint:
+        material = self._slots.get(slot) or _UNKNOWN
         color = shade(material.color or own, material.shade)
         return Paint(color, material.roughness, material.metalness, material.opacity, material.glow, material.texture)
+
+
+@lru_cache(maxsize=64)
+def paints_of(catalogs: Catalogs, style: str | None) -> Paints:
+    """Returns the paints of a style, kept from one house to the next."""
+    return Paints(catalogs, style)

@@ -111,26 +111,29 @@ def _kind(covering: Sequence[OutlineEdge]) -> Literal["wall", "railing"] | None:
     return "railing" if not is_shared and all(edge.room.outdoor for edge in covering) else "wall"
 
 
-def openings_of(rooms: Sequence[Room]) -> list[PlacedOpening]:
+def openings_of(rooms: Sequence[Room], finder: RoomFinder) -> list[PlacedOpening]:
     """Returns every opening of a house once; of the entries under one id the one that draws the leaf, whose hinge and swing count."""
-    kept: dict[str, tuple[PlacedOpening, bool]] = {}
+    kept: dict[str, tuple[OutlineEdge, float, Opening]] = {}
     for room in rooms:
         edges = edges_of(room)
+        sides = edges_of(_as_rectangle(room)) if room.outline else edges
         for opening in room.openings:
-            spot = _spot(room, edges, opening)
-            if spot and (opening.id not in kept or (opening.render_panel and not kept[opening.id][1])):
-                kept[opening.id] = (_placed(*spot, opening), opening.render_panel)
-    finder = RoomFinder(rooms)
-    return [_between(placed, finder) for placed, _ in kept.values()]
+            spot = _spot(edges, sides, opening)
+            if spot and (opening.id not in kept or (opening.render_panel and not kept[opening.id][2].render_panel)):
+                kept[opening.id] = (*spot, opening)
+    return [_placed(*found, finder) for found in kept.values()]
 
 
-def _spot(room: Room, edges: Sequence[OutlineEdge], opening: Opening) -> tuple[OutlineEdge, float] | None:
-    """Returns the edge an opening lies on, and from where on its line positions are counted; None where the scene does not say."""
+def _spot(edges: Sequence[OutlineEdge], sides: Sequence[OutlineEdge], opening: Opening) -> tuple[OutlineEdge, float] | None:
+    """Returns the edge an opening lies on, and from where on its line positions are counted; None where the scene does not say.
+
+    `edges` are the room's, `sides` those of the rectangle round it.
+    """
     if opening.edge is not None:
         return (edges[opening.edge], edges[opening.edge].start) if opening.edge < len(edges) else None
     if not opening.wall:
         return None
-    rectangle = next(edge for edge in edges_of(_as_rectangle(room)) if edge.side == opening.wall)
+    rectangle = next(edge for edge in sides if edge.side == opening.wall)
     at = rectangle.start + opening.position
     here = [e for e in edges if e.side == opening.wall and e.start <= at + _NEGLIGIBLE and at <= e.end + _NEGLIGIBLE]
     outermost = min(here, key=lambda edge: abs(edge.line[2] - rectangle.line[2]), default=rectangle)
@@ -141,34 +144,26 @@ def _as_rectangle(room: Room) -> Room:
     return Room(room.id, x=room.x, z=room.z, width=room.width, depth=room.depth, level=room.level)
 
 
-def _placed(edge: OutlineEdge, start: float, opening: Opening) -> PlacedOpening:
-    centre, sill = start + opening.position, opening.sill if opening.kind == "window" else 0.0
+def _placed(edge: OutlineEdge, origin: float, opening: Opening, finder: RoomFinder) -> PlacedOpening:
+    centre, sill = origin + opening.position, opening.sill if opening.kind == "window" else 0.0
+    start, end = on_lattice(centre - opening.width / 2), on_lattice(centre + opening.width / 2)
     outward: Literal[1, -1] = -1 if edge.inward == 1 else 1
+    greater, smaller = finder.beside(edge.line, (start + end) / 2, _BEFORE)
     return PlacedOpening(
         id=opening.id,
         kind=opening.kind,
         level=edge.line[0],
         axis=edge.line[1],
         line=edge.line[2],
-        start=on_lattice(centre - opening.width / 2),
-        end=on_lattice(centre + opening.width / 2),
+        start=start,
+        end=end,
         sill=sill,
         head=sill + opening.height,
         hinge="end" if opening.hinge == "end" else "start",
         towards=outward if opening.swing == "out" else edge.inward,
         is_main_entrance=opening.main_entrance,
+        rooms=(greater.id if greater else None, smaller.id if smaller else None),
     )
-
-
-def _between(placed: PlacedOpening, finder: RoomFinder) -> PlacedOpening:
-    """Returns an opening with the rooms on both of its sides."""
-    middle = (placed.start + placed.end) / 2
-    sides = []
-    for across in (placed.line + _BEFORE, placed.line - _BEFORE):
-        point = (middle, across) if placed.axis == "x" else (across, middle)
-        room = finder.at(placed.level, *point)
-        sides.append(room.id if room else None)
-    return PlacedOpening(**{**placed.__dict__, "rooms": (sides[0], sides[1])})
 
 
 class RoomFinder:
@@ -179,14 +174,23 @@ class RoomFinder:
     """
 
     def __init__(self, rooms: Sequence[Room]) -> None:
-        self._rooms = [(room, *_bounds(room)) for room in rooms]
+        self._levels: dict[int, list[tuple[Room, float, float, float, float]]] = defaultdict(list)
+        for room in rooms:
+            self._levels[room.level].append((room, *_bounds(room)))
 
     def at(self, level: int, x: float, z: float) -> Room | None:
         """Returns the room that holds a point, m; None outside."""
-        for room, x0, z0, x1, z1 in self._rooms:
-            if x0 <= x <= x1 and z0 <= z <= z1 and room.level == level and (not room.outline or _encloses(room, x - room.x, z - room.z)):
+        for room, x0, z0, x1, z1 in self._levels.get(level, ()):
+            if x0 <= x <= x1 and z0 <= z <= z1 and (not room.outline or _encloses(room, x - room.x, z - room.z)):
                 return room
         return None
+
+    def beside(self, line: Line, along: float, away: float) -> tuple[Room | None, Room | None]:
+        """Returns the rooms on both sides of a line, towards greater and towards smaller coordinates, `away` from it, m."""
+        level, axis, across = line
+        if axis == "x":
+            return self.at(level, along, across + away), self.at(level, along, across - away)
+        return self.at(level, across + away, along), self.at(level, across - away, along)
 
 
 def _bounds(room: Room) -> tuple[float, float, float, float]:

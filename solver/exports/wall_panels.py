@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
@@ -53,6 +54,11 @@ class WallPlan:
     def storey(self, level: int) -> Storey:
         """Returns a level's storey."""
         return self.storeys.get(level, Storey())
+
+    @cached_property
+    def stretches(self) -> list[_Stretch]:
+        """The runs, with how they end and what is in them."""
+        return _stretches(self)
 
 
 class _End(NamedTuple):
@@ -106,7 +112,7 @@ def _end(run: WallRun, end: float, lines: Mapping[Line, Sequence[WallRun]], half
 def panels_of(plan: WallPlan) -> list[WallPanel]:
     """Returns the walls of a house, without its railings."""
     corners = _finish_corners(plan.rooms)
-    return [_panel(stretch, plan.thickness, corners) for stretch in _stretches(plan) if stretch.run.kind == "wall"]
+    return [_panel(stretch, plan.thickness, corners) for stretch in plan.stretches if stretch.run.kind == "wall"]
 
 
 def _panel(stretch: _Stretch, thickness: float, corners: Mapping[PlanAxis, Sequence[float]]) -> WallPanel:
@@ -139,28 +145,27 @@ def boxes_of(panel: WallPanel, finder: RoomFinder) -> Iterator[WallBox]:
     stops = {panel.start, panel.end, *panel.seams}
     stops |= {end for hole in panel.holes for end in (hole.start, hole.end) if panel.start < end < panel.end}
     ordered = sorted(stops)
+    half = panel.thickness / 2
+    across = panel.line - half, panel.line + half
     for start, end in pairwise(ordered):
         middle = (start + end) / 2
+        greater, lesser = map(_paint_in, finder.beside((panel.level, panel.axis, panel.line), middle, half + _BEFORE))
         holes = sorted((hole.low, hole.high) for hole in panel.holes if hole.start < middle < hole.end)
-        for low, high in between(0.0, panel.height, holes):
-            yield _wall_box(panel, (start, end), (low, high), finder)
+        for up in between(0.0, panel.height, holes):
+            box = box_on_line(panel.axis, (start, end), across, shifted(up, panel.elevation))
+            yield WallBox(panel.axis, box, lesser, greater, REVEAL)
 
 
-def _wall_box(panel: WallPanel, along: Span, up: Span, finder: RoomFinder) -> WallBox:
-    half, middle = panel.thickness / 2, (along[0] + along[1]) / 2
-    paints: list[Paint] = []
-    for across in (panel.line - half - _BEFORE, panel.line + half + _BEFORE):
-        room = finder.at(panel.level, *((middle, across) if panel.axis == "x" else (across, middle)))
-        finish = room.walls if room else None
-        paints.append(Paint(finish.color, WALL_ROUGHNESS.get(finish.type, 0.95), texture=finish.type) if finish else PLAIN_WALL)
-    box = box_on_line(panel.axis, along, (panel.line - half, panel.line + half), shifted(up, panel.elevation))
-    return WallBox(panel.axis, box, paints[0], paints[1], REVEAL)
+def _paint_in(room: Room | None) -> Paint:
+    """Returns the paint of a room's walls."""
+    finish = room.walls if room else None
+    return Paint(finish.color, WALL_ROUGHNESS.get(finish.type, 0.95), texture=finish.type) if finish else PLAIN_WALL
 
 
 def fittings_of(plan: WallPlan) -> list[Fitting]:
     """Returns what is fitted to a house's walls, and its railings."""
     made: list[Fitting] = []
-    for stretch in _stretches(plan):
+    for stretch in plan.stretches:
         if stretch.run.kind == "railing":
             made += _railing(stretch)
         else:

@@ -57,6 +57,14 @@ def test_a_format_wins_over_the_name(house: Scene, tmp_path: Path) -> None:
         load(tmp_path / "house.json")
 
 
+@pytest.mark.parametrize(("name", "format"), [("house.glb", None), ("house.USD", None), ("house.yaml", "glb"), (None, "svg")])
+def test_what_export_writes_is_refused_with_its_name(house: Scene, tmp_path: Path, name: str | None, format: str | None) -> None:
+    with pytest.raises(RequestError, match=r"export\(scene, '(glb|usd|svg)'\) does"):
+        dump(house, tmp_path / name if name else None, format=format)
+    assert not any(tmp_path.iterdir())
+    assert dump(house, tmp_path / "told.glb", format="yaml") == dump(house)
+
+
 def test_of_an_answer_the_scene_is_read(house: Scene) -> None:
     assert load(json.dumps({"scene": json.loads(dump(house, format="json")), "issues": []})) == house
 
