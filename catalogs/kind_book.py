@@ -18,7 +18,7 @@ SEATED: Final = "_seated"
 """Ends the name of the shape of somebody who sits."""
 
 
-Extents = tuple[float, float, float]
+KindSize = tuple[float, float, float]
 """Width, depth and height, m."""
 
 
@@ -39,8 +39,8 @@ class KindBook:
 
     def _index(
         self, kinds: Mapping[str, FurnitureSpec] | Mapping[str, DecorationKind], names: Mapping[str, str]
-    ) -> dict[str, dict[str, Extents]]:
-        index: dict[str, dict[str, Extents]] = {}
+    ) -> dict[str, dict[str, KindSize]]:
+        index: dict[str, dict[str, KindSize]] = {}
         for key, kind in kinds.items():
             width, depth, height = kind.size
             sized = index.setdefault(names[key], {})
@@ -49,7 +49,7 @@ class KindBook:
                 sized[key + UPRIGHT] = width, height, depth
         return index
 
-    def kind_of(self, sort: str, name: str, size: Extents, said: str | None = None) -> str | None:
+    def kind_of(self, sort: str, name: str, size: KindSize, said: str | None = None) -> str | None:
         """Returns the key of a body's kind, with `_upright` behind it where the thing is tipped; None where the catalogs know none.
 
         Args:
@@ -83,6 +83,6 @@ class KindBook:
         return key if key in self._catalogs.shapes else None
 
 
-def _difference(one: Extents, other: Extents) -> float:
+def _difference(one: KindSize, other: KindSize) -> float:
     """Returns how much two sizes differ: the sum over width, depth and height, m."""
     return sum(abs(a - b) for a, b in zip(one, other, strict=True))

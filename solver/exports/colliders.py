@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Sequence
+from functools import lru_cache
 from typing import Final, Literal, NamedTuple
 
 from catalogs.shapes import Axis
@@ -82,7 +83,12 @@ def colliders_of(body: ModelBody, carries: Collection[str]) -> tuple[Collider, .
     """
     if body.sort == "decoration" and body.id not in carries:
         return (Collider("box", (body.width, body.depth, body.height), (0.0, 0.0, body.height / 2)),)
-    return tuple(_solid(part) for part in body.parts)
+    return _solids(body.parts)
+
+
+@lru_cache(maxsize=1 << 12)
+def _solids(parts: tuple[BodyPart, ...]) -> tuple[Collider, ...]:
+    return tuple(map(_solid, parts))
 
 
 def carriers(bodies: Sequence[ModelBody]) -> set[str]:
@@ -127,9 +133,16 @@ def floor_boxes(floor: FloorPlate) -> Iterator[Collider]:
 
 def shared_mass(colliders: Sequence[Collider], mass: float) -> list[tuple[Collider, float]]:
     """Returns each solid of a body with its share of the mass, kg, by volume."""
+    shares = shares_of(tuple(colliders))
+    return [(solid, mass * volume / whole) for solid, (volume, whole) in zip(colliders, shares, strict=True)]
+
+
+@lru_cache(maxsize=1 << 12)
+def shares_of(colliders: tuple[Collider, ...]) -> tuple[tuple[float, float], ...]:
+    """Returns each solid's volume, m3, with that of all together."""
     volumes = [solid.volume for solid in colliders]
     whole = sum(volumes)
-    return [(solid, mass * volume / whole) for solid, volume in zip(colliders, volumes, strict=True)]
+    return tuple((volume, whole) for volume in volumes)
 
 
 def _solid(part: BodyPart) -> Collider:

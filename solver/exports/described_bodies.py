@@ -35,7 +35,7 @@ USE_DISTANCE: Final = 0.45
 """How far before a side of use somebody stands, m: half of the 0.9 m that a side view of a person at work takes up."""
 LEAST_MASS: Final = 0.01
 _TURN_OF: Final[Mapping[Side, float]] = {"front": 0.0, "right": 90.0, "back": 180.0, "left": 270.0}
-AnyBody = Furniture | Decoration | Dynamic
+BodyOfScene = Furniture | Decoration | Dynamic
 
 
 class BodyMaker:
@@ -74,7 +74,7 @@ class BodyMaker:
             if person.room in rooms:
                 yield self._made(person, "dynamic", rooms[person.room], living_facts(book, person.kind, person.on is not None))
 
-    def _made(self, body: AnyBody, sort: Sort, room: Room, facts: KindFacts, hung: bool = False) -> ModelBody:
+    def _made(self, body: BodyOfScene, sort: Sort, room: Room, facts: KindFacts, hung: bool = False) -> ModelBody:
         carrier = body.parent if isinstance(body, Decoration) else body.on
         width, depth, height = size = body.width, body.depth, body.height
         sits = sort == "dynamic" and carrier is not None and facts.key
@@ -130,7 +130,7 @@ class BodyMaker:
         return made
 
 
-def _uses(facts: KindFacts, piece: AnyBody, x: float, z: float) -> tuple[tuple[float, float, float], ...]:
+def _uses(facts: KindFacts, piece: BodyOfScene, x: float, z: float) -> tuple[tuple[float, float, float], ...]:
     """Returns from where a piece is used: (x, z) in the house, m, and the turn of somebody who faces it there."""
     found = []
     for side in facts.sides:

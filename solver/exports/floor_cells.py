@@ -12,12 +12,10 @@ import numpy.typing as npt
 def squared_distances(taken: npt.NDArray[np.bool_]) -> npt.NDArray[np.int32]:
     """Returns each cell's squared distance from its nearest taken cell, centre to centre, in cells; large where there is none."""
     rows, columns = taken.shape
-    columnwise = np.full(taken.shape, rows + columns, dtype=np.int32)
-    columnwise[taken] = 0
-    for row in range(1, rows):
-        np.minimum(columnwise[row], columnwise[row - 1] + 1, out=columnwise[row])
-    for row in range(rows - 2, -1, -1):
-        np.minimum(columnwise[row], columnwise[row + 1] + 1, out=columnwise[row])
+    far, row = rows + columns, np.arange(rows, dtype=np.int32)[:, None]
+    above = np.maximum.accumulate(np.where(taken, row, -far), axis=0)
+    below = np.minimum.accumulate(np.where(taken, row, far + rows)[::-1], axis=0)[::-1]
+    columnwise: npt.NDArray[np.int32] = np.minimum(np.minimum(row - above, below - row), far).astype(np.int32)
     vertical = columnwise * columnwise
     found = vertical.copy()
     step = 1

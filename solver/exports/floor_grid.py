@@ -8,7 +8,7 @@ Row 0 lies in the north, column 0 in the west. Lengths in m, in the house.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -45,6 +45,13 @@ class FloorGrid(NamedTuple):
     def touched(self, x0: float, z0: float, x1: float, z1: float) -> tuple[slice, slice]:
         """Returns the rows and columns of the cells that share area with a rectangle of the plan."""
         return (_touched(z0 - self.z, z1 - self.z, self.cell, self.rows), _touched(x0 - self.x, x1 - self.x, self.cell, self.columns))
+
+    def all_touched(self, boxes: Sequence[tuple[float, float, float, float]]) -> Iterator[tuple[slice, slice]]:
+        """Yields for each rectangle of the plan what `touched` returns."""
+        corners = (np.array(boxes).reshape(-1, 2, 2) - (self.x, self.z)) / self.cell
+        first, last = np.floor(corners[:, 0] + _SAME), np.ceil(corners[:, 1] - _SAME)
+        ends = np.clip(np.stack([first, last], axis=1), 0, (self.columns, self.rows)).astype(int).tolist()
+        return ((slice(top, bottom), slice(left, right)) for (left, top), (right, bottom) in ends)
 
     def centred(self, x0: float, z0: float, x1: float, z1: float) -> tuple[slice, slice]:
         """Returns the rows and columns of the cells whose centres a rectangle of the plan holds."""
@@ -123,11 +130,13 @@ def obstacles(model: HouseModel, level: int, grid: FloorGrid, height: float) -> 
     taken = np.zeros(grid.shape, dtype=np.bool_)
     floor = next((room.elevation for room in model.rooms if room.level == level), 0.0)
     low, high = floor + WALKED_ON, floor + height
-    for box in solid_boxes(model):
-        if box.y0 < high and box.y1 > low:
-            taken[grid.touched(box.x0, box.z0, box.x1, box.z1)] = True
-    for body in model.bodies:
-        if body.sort != "dynamic" and body.y < high and body.y + body.height > low and not body.flat:
+    boxes = [(box.x0, box.z0, box.x1, box.z1) for box in solid_boxes(model) if box.y0 < high and box.y1 > low]
+    standing = [one for one in model.bodies if one.y < high and one.y + one.height > low and one.sort != "dynamic" and not one.flat]
+    boxes += [footprint(body) for body in standing if body.turn % 90 == 0]
+    for window in grid.all_touched(boxes):
+        taken[window] = True
+    for body in standing:
+        if body.turn % 90:
             mark_body(grid, taken, body)
     return taken
 

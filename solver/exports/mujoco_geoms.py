@@ -8,10 +8,11 @@ Frame: z up, as in colliders.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Final
+from functools import lru_cache
+from typing import Final, NamedTuple
 
 from solver.body_parts import BodyPart
-from solver.exports.colliders import AXES, Collider, z_up
+from solver.exports.colliders import AXES, Collider, shares_of, z_up
 from solver.exports.model import Paint
 from solver.exports.paints import channels
 from solver.exports.xml_text import xml_numbers
@@ -28,13 +29,37 @@ _EDGES: Final = 16
 
 def geom(solid: Collider, classed: str, more: str = "") -> str:
     """Returns a geom of a class; `more` are further attributes, a space before each."""
+    return f"{_begun(solid, classed)}{more}/>"
+
+
+def _begun(solid: Collider, classed: str) -> str:
+    """Returns a geom that further attributes may follow."""
     at = f'pos="{xml_numbers(*solid.at)}"'
     if solid.form in ("box", "ellipsoid"):
         kind = "" if solid.form == "box" else ' type="ellipsoid"'
-        return f'<geom class="{classed}"{kind} size="{xml_numbers(*(extent / 2 for extent in solid.size))}" {at}{more}/>'
+        w, d, h = solid.size
+        return f'<geom class="{classed}"{kind} size="{xml_numbers(w / 2, d / 2, h / 2)}" {at}'
     radius, length = solid.round_size
     half = length / 2 - (radius if solid.form == "capsule" else 0.0)
-    return f'<geom class="{classed}" type="{solid.form}" size="{xml_numbers(radius, half)}" {at}{_TURNED[solid.axis]}{more}/>'
+    return f'<geom class="{classed}" type="{solid.form}" size="{xml_numbers(radius, half)}" {at}{_TURNED[solid.axis]}'
+
+
+@lru_cache(maxsize=1 << 12)
+def _all_begun(solids: tuple[Collider, ...], classed: str) -> tuple[str, ...]:
+    return tuple(_begun(solid, classed) for solid in solids)
+
+
+def touching_geoms(solids: tuple[Collider, ...], mass: float, classed: str, more: str = "") -> str:
+    """Returns the geoms with which a body of a mass, kg, touches others."""
+    several = zip(_all_begun(solids, classed), shares_of(solids), strict=True)
+    return "".join([f'{begun}{more} mass="{mass * volume / whole:.9g}"/>' for begun, (volume, whole) in several])
+
+
+class _ShownPart(NamedTuple):
+    """A part's geom until its material; what comes before that is the name of its mesh, where it has one."""
+
+    begun: str
+    mesh: tuple[str, str] | None = None
 
 
 class MujocoLooks:
@@ -48,13 +73,23 @@ class MujocoLooks:
     def parts(self, parts: tuple[BodyPart, ...], paints: tuple[Paint, ...]) -> str:
         """Returns the visual geoms of a body."""
         key = parts, paints
-        if key not in self._shown:
-            self._shown[key] = "".join([self._part(part, paint) for part, paint in zip(parts, paints, strict=True)])
-        return self._shown[key]
+        found = self._shown.get(key)
+        if found is None:
+            several = zip(_shown(parts), paints, strict=True)
+            found = self._shown[key] = "".join([f"{self._meshed(part)}{self.painted(paint)}/>" for part, paint in several])
+        return found
 
     def painted(self, paint: Paint) -> str:
         """Returns the attribute that paints a geom."""
-        return f' material="{self._materials.setdefault(paint, f"paint_{len(self._materials)}")}"'
+        found = self._materials.get(paint)
+        if found is None:
+            found = self._materials[paint] = f"paint_{len(self._materials)}"
+        return f' material="{found}"'
+
+    def _meshed(self, part: _ShownPart) -> str:
+        if part.mesh is None:
+            return part.begun
+        return f'<geom class="visual" type="mesh" mesh="{self._meshes.setdefault(part.mesh, f"mesh_{len(self._meshes)}")}"{part.begun}'
 
     def assets(self) -> Iterator[str]:
         """Yields the materials and meshes of all that was shown."""
@@ -66,25 +101,30 @@ class MujocoLooks:
         for (scale, ratio), name in self._meshes.items():
             yield f'<mesh name="{name}" builtin="cone" params="{_EDGES} {ratio}" scale="{scale}"/>'
 
-    def _part(self, part: BodyPart, paint: Paint) -> str:
-        (w, h, d), at, axis = part.size, z_up(*part.at), AXES[part.axis]
-        size, look = (w, d, h), self.painted(paint)
-        if part.form in ("box", "rounded"):
-            return geom(Collider("box", size, at), "visual", look)
-        across, along = [size[i] for i in _LOCAL[axis][:2]], size[_LOCAL[axis][2]]
-        is_round = abs(across[0] - across[1]) < 1e-4
-        if part.form == "capsule" and is_round and along > across[0]:
-            return geom(Collider("capsule", size, at, axis), "visual", look)
-        if part.form in ("ball", "capsule"):
-            return geom(Collider("ellipsoid", size, at), "visual", look)
-        if part.form == "cylinder" and part.taper == 1 and is_round:
-            return geom(Collider("cylinder", size, at, axis), "visual", look)
-        return self._mesh((*across, along), at, axis, part.taper) + f"{look}/>"
 
-    def _mesh(self, local: Sequence[float], at: tuple[float, float, float], axis: str, taper: float) -> str:
-        """Returns the begin of a geom for a cone, a stump or an oval."""
-        tipped = taper > 1
-        key = xml_numbers(*(extent / 2 for extent in local)), xml_numbers(round(1 / taper if tipped else taper, 3))
-        name = self._meshes.setdefault(key, f"mesh_{len(self._meshes)}")
-        turn = (_TIPPED if tipped else _TURNED)[axis]
-        return f'<geom class="visual" type="mesh" mesh="{name}" pos="{xml_numbers(*at)}"{turn}'
+@lru_cache(maxsize=1 << 12)
+def _shown(parts: tuple[BodyPart, ...]) -> tuple[_ShownPart, ...]:
+    return tuple(map(_shown_part, parts))
+
+
+def _shown_part(part: BodyPart) -> _ShownPart:
+    (w, h, d), at, axis = part.size, z_up(*part.at), AXES[part.axis]
+    size = (w, d, h)
+    if part.form in ("box", "rounded"):
+        return _ShownPart(_begun(Collider("box", size, at), "visual"))
+    across, along = [size[i] for i in _LOCAL[axis][:2]], size[_LOCAL[axis][2]]
+    is_round = abs(across[0] - across[1]) < 1e-4
+    if part.form == "capsule" and is_round and along > across[0]:
+        return _ShownPart(_begun(Collider("capsule", size, at, axis), "visual"))
+    if part.form in ("ball", "capsule"):
+        return _ShownPart(_begun(Collider("ellipsoid", size, at), "visual"))
+    if part.form == "cylinder" and part.taper == 1 and is_round:
+        return _ShownPart(_begun(Collider("cylinder", size, at, axis), "visual"))
+    return _mesh((*across, along), at, axis, part.taper)
+
+
+def _mesh(local: Sequence[float], at: tuple[float, float, float], axis: str, taper: float) -> _ShownPart:
+    """Returns the geom of a cone, a stump or an oval."""
+    tipped = taper > 1
+    mesh = xml_numbers(*(extent / 2 for extent in local)), xml_numbers(round(1 / taper if tipped else taper, 3))
+    return _ShownPart(f' pos="{xml_numbers(*at)}"{(_TIPPED if tipped else _TURNED)[axis]}', mesh)

@@ -5,7 +5,7 @@ Comes in: parts. Goes out: `PlanMark`s, m, in the body's own frame (x right, z t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from functools import lru_cache
 from operator import itemgetter
 from typing import Final, Literal, NamedTuple
 
@@ -34,7 +34,8 @@ class PlanMark(NamedTuple):
     part: int
 
 
-def marks_of(parts: Sequence[BodyPart]) -> list[PlanMark]:
+@lru_cache(maxsize=1 << 12)
+def marks_of(parts: tuple[BodyPart, ...]) -> tuple[PlanMark, ...]:
     """Returns the outlines of a body's parts as seen from above, the lowest first; at least one."""
     ordered = sorted([(part.at[1] + part.size[1] / 2, index) for index, part in enumerate(parts)], key=itemgetter(0))
     kept: list[PlanMark] = []
@@ -55,5 +56,4 @@ def marks_of(parts: Sequence[BodyPart]) -> list[PlanMark]:
             share = _SOFT if form == "rounded" else 0.5 if form == "capsule" else 0.0
             kept.append(PlanMark("rectangle", x, z, width, depth, share * min(width, depth), index))
             covers.append((x0 - 2e-6, x1 + 2e-6, z0 - 2e-6, z1 + 2e-6))
-    kept.reverse()
-    return kept
+    return tuple(reversed(kept))

@@ -114,21 +114,23 @@ class GltfBook:
             **({"bufferViews": _listed(views), "buffers": f'[{{"byteLength":{sum(lengths)}}}]'} if self._accessors else {}),
         }
         text = "{" + ",".join(f'"{key}":{value}' for key, value in parts.items()) + "}"
-        return _packed(text.encode(), b"".join(part for contents in self._content for part in contents))
+        return _packed(text.encode(), [part for contents in self._content for part in contents])
 
 
 def _listed(items: Iterable[str]) -> str:
     return f"[{','.join(items)}]"
 
 
-def _packed(text: bytes, content: bytes) -> bytes:
-    chunks = [_chunk(_JSON_CHUNK, text, b" "), *([_chunk(_BINARY_CHUNK, content, b"\0")] if content else [])]
-    return b"".join((struct.pack("<4sII", b"glTF", 2, 12 + sum(map(len, chunks))), *chunks))
+def _packed(text: bytes, content: Sequence[bytes]) -> bytes:
+    pieces = [*_chunk(_JSON_CHUNK, [text], b" "), *(_chunk(_BINARY_CHUNK, content, b"\0") if content else ())]
+    return b"".join((struct.pack("<4sII", b"glTF", 2, 12 + sum(map(len, pieces))), *pieces))
 
 
-def _chunk(kind: int, content: bytes, filler: bytes) -> bytes:
-    padded = content + filler * (-len(content) % 4)
-    return struct.pack("<II", len(padded), kind) + padded
+def _chunk(kind: int, content: Sequence[bytes], filler: bytes) -> tuple[bytes, ...]:
+    """Returns a chunk in pieces: its head, its content, what fills it up to whole words."""
+    length = sum(map(len, content))
+    missing = -length % 4
+    return struct.pack("<II", length + missing, kind), *content, filler * missing
 
 
 @lru_cache(maxsize=4096)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Collection, Iterator
+from functools import lru_cache
 from typing import Final
 
 from solver.exports.colliders import (
@@ -20,11 +21,10 @@ from solver.exports.colliders import (
     leaf_colliders,
     painted_halves,
     parts_of_hung_leaf,
-    shared_mass,
     z_up,
 )
 from solver.exports.model import Cuboid, DoorLeaf, HouseModel, ModelBody
-from solver.exports.mujoco_geoms import MujocoLooks, geom
+from solver.exports.mujoco_geoms import MujocoLooks, geom, touching_geoms
 from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_numbers, xml_text
@@ -78,15 +78,22 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
 def _custom(model: HouseModel) -> Iterator[str]:
     """Yields what a simulator keeps but does not use: where the house is from, and what things are."""
     scene = model.scene
+    labels = {body.id: body.labels for body in model.bodies}
     said = {
         "seed": "" if scene.seed is None else str(scene.seed),
-        "catalog": str((scene.generator or {}).get("catalog", "")),
-        "labels": json.dumps({body.id: body.labels for body in model.bodies}, ensure_ascii=False, separators=(",", ":")),
-        "warnings": "\n".join(model.warnings),
+        "catalog": xml_text(str((scene.generator or {}).get("catalog", ""))),
+        "labels": f"{{{','.join([f'{_json(identity)}:{_json(words)}' for identity, words in labels.items()])}}}",
+        "warnings": xml_text("\n".join(model.warnings)),
     }
     yield "<custom>"
-    yield from (f'<text name="{name}" data="{xml_text(words)}"/>' for name, words in said.items() if words)
+    yield from (f'<text name="{name}" data="{words}"/>' for name, words in said.items() if words)
     yield "</custom>"
+
+
+@lru_cache(maxsize=1 << 12)
+def _json(value: str | tuple[str, ...]) -> str:
+    """Returns an id or labels as JSON within an attribute."""
+    return xml_text(json.dumps(value, ensure_ascii=False, separators=(",", ":")))
 
 
 def _house(model: HouseModel, looks: MujocoLooks) -> Iterator[str]:
@@ -117,12 +124,9 @@ def _ground(model: HouseModel, height: float) -> Collider:
 
 def _body(body: ModelBody, carry: Collection[str], looks: MujocoLooks, name: str) -> str:
     colliders, classed = colliders_of(body, carry), "flat" if body.flat else "collider"
-    friction = f' friction="{xml_numbers(body.friction)}"'
-    touching = [geom(solid, classed, f'{friction} mass="{mass:.9g}"') for solid, mass in shared_mass(colliders, body.mass)]
+    touching = touching_geoms(colliders, body.mass, classed, f' friction="{xml_numbers(body.friction)}"')
     joint = "" if body.fixed else f'<freejoint name="{xml_text(name)}"/>'
-    return (
-        f"{_opened(name, z_up(body.x, body.y, body.z), body.turn)}{joint}{''.join(touching)}{looks.parts(body.parts, body.paints)}</body>"
-    )
+    return f"{_opened(name, z_up(body.x, body.y, body.z), body.turn)}{joint}{touching}{looks.parts(body.parts, body.paints)}</body>"
 
 
 def _opened(name: str, at: tuple[float, float, float], turn: float) -> str:
@@ -137,8 +141,7 @@ def _leaf(leaf: DoorLeaf, looks: MujocoLooks, name: str) -> str:
         joint = f'<joint name="{xml_text(name)}/hinge" class="leaf" axis="0 0 1" range="{xml_numbers(*ends)}"/>'
     else:
         joint = f'<joint name="{xml_text(name)}/slide" class="leaf" type="slide" axis="0 0 1" range="{xml_numbers(0, leaf.height)}"/>'
-    solids = leaf_colliders(leaf)
-    touching = "".join(geom(solid, "leaf", f' mass="{mass:.9g}"') for solid, mass in shared_mass(solids, leaf.mass))
+    touching = touching_geoms(leaf_colliders(leaf), leaf.mass, "leaf")
     return f"{_opened(name, z_up(*leaf.hinge), leaf.closed)}{joint}{touching}{looks.parts(parts_of_hung_leaf(leaf), leaf.paints)}</body>"
 
 

@@ -10,12 +10,13 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import Final
 
-from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, PlacedOpening
+from solver.body_parts import BodyPart
+from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening
 from solver.exports.paints import shade
 from solver.exports.plan_rooms import PlanBox, words_of
 from solver.exports.plan_sheet import dimension, room_name, title
 from solver.exports.plan_storeys import PlanStorey, drawing_ranks, open_leaf, opening_box, storeys_of
-from solver.exports.plan_symbols import HIGH, PlanMark, marks_of
+from solver.exports.plan_symbols import HIGH, marks_of
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_text
 
@@ -52,7 +53,6 @@ def _floor(room: FloorPlate) -> str:
 def _bodies(bodies: Sequence[ModelBody]) -> Iterator[str]:
     """Yields the symbols that bodies use, then the bodies, the lowest first; what hangs high is dashed."""
     symbols: dict[tuple[object, ...], str] = {}
-    marks: dict[int, list[PlanMark]] = {}
     ranks = drawing_ranks(bodies)
     drawn, texts = [], ["<defs>\n"]
     for body in bodies:
@@ -61,8 +61,7 @@ def _bodies(bodies: Sequence[ModelBody]) -> Iterator[str]:
         symbol = symbols.get(key)
         if symbol is None:
             symbol = symbols[key] = f"s{len(symbols)}"
-            seen = marks.get(id(body.parts)) or marks.setdefault(id(body.parts), marks_of(body.parts))
-            texts.append(_symbol(symbol, body, seen, high))
+            texts.append(_symbol(symbol, body, high))
         kind = f' data-kind="{xml_text(body.kind)}"' if body.kind else ""
         turn = f"rotate({-body.turn:g})" if body.turn else ""
         at = f"translate({body.x * 1000:.10g} {body.z * 1000:.10g}){turn}"
@@ -74,11 +73,18 @@ def _bodies(bodies: Sequence[ModelBody]) -> Iterator[str]:
     yield from (text for _, _, text in drawn)
 
 
-def _symbol(name: str, body: ModelBody, marks: Sequence[PlanMark], high: bool) -> str:
+def _symbol(name: str, body: ModelBody, high: bool) -> str:
     style = "high" if high else "item" if body.sort == "decoration" else "body"
+    size = f"{body.width:.10g} {body.depth:.10g} {body.height:.10g}"
+    return f'<g id="{name}" class="{style}" data-size="{size}">{_shapes(body.parts, () if high else body.paints)}</g>\n'
+
+
+@lru_cache(maxsize=1 << 12)
+def _shapes(parts: tuple[BodyPart, ...], paints: tuple[Paint, ...]) -> str:
+    """Returns the outlines of parts, filled with their paints if there are any."""
     shapes = []
-    for form, x, z, width, depth, radius, part in marks:
-        fill = "" if high else f' fill="{light(body.paints[part].color, LIGHTER)}"'
+    for form, x, z, width, depth, radius, part in marks_of(parts):
+        fill = f' fill="{light(paints[part].color, LIGHTER)}"' if paints else ""
         if form == "ellipse":
             radii = f'rx="{width * 500:.0f}" ry="{depth * 500:.0f}"'
             shapes.append(f'<ellipse cx="{x * 1000:.0f}" cy="{z * 1000:.0f}" {radii}{fill}/>')
@@ -86,8 +92,7 @@ def _symbol(name: str, body: ModelBody, marks: Sequence[PlanMark], high: bool) -
             rounded = f' rx="{radius * 1000:.0f}"' if radius else ""
             at = f'x="{(x - width / 2) * 1000:.0f}" y="{(z - depth / 2) * 1000:.0f}"'
             shapes.append(f'<rect {at} width="{width * 1000:.0f}" height="{depth * 1000:.0f}"{rounded}{fill}/>')
-    size = f"{body.width:.10g} {body.depth:.10g} {body.height:.10g}"
-    return f'<g id="{name}" class="{style}" data-size="{size}">{"".join(shapes)}</g>\n'
+    return "".join(shapes)
 
 
 def _opening(opening: PlacedOpening, half: float) -> str:
