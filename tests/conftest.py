@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -36,16 +36,22 @@ def client() -> Iterator[TestClient]:
         yield client
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+@pytest.hookimpl(wrapper=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
     """Share the tests, file by file, among the workers of a parallel run, so that what a file makes for its tests is made once.
 
-    The browser's go to few workers, those of the application to one: each of these starts a service of its own.
+    The browser's files go to few workers, those that call the application to one: each of these starts a service of its own. They take
+    longest and are begun first. A wrapper comes before pytest-xdist, which reads the marks in the same hook.
     """
-    files = sorted({item.path for item in items if item.path.parent == BROWSER_TESTS})
+    browsers = sorted({item.path for item in items if item.path.parent == BROWSER_TESTS})
+    calling = {item.path for item in items if "client" in getattr(item, "fixturenames", ())}
+
+    def group(item: pytest.Item) -> str:
+        if item.path in browsers:
+            return f"browser {browsers.index(item.path) % BROWSERS}"
+        return "service" if item.path in calling else item.nodeid.partition("::")[0]
+
     for item in items:
-        if item.path in files:
-            item.add_marker(pytest.mark.xdist_group(f"browser {files.index(item.path) % BROWSERS}"))
-        elif "client" in getattr(item, "fixturenames", ()):
-            item.add_marker(pytest.mark.xdist_group("service"))
-        elif not item.get_closest_marker("xdist_group"):
-            item.add_marker(pytest.mark.xdist_group(item.nodeid.partition("::")[0]))
+        item.add_marker(pytest.mark.xdist_group(group(item)))
+    items.sort(key=lambda item: (item.path not in browsers, item.path not in calling))
+    yield

@@ -1,18 +1,17 @@
-"""What a user's type checker sees: every public name with a type, none of them Any."""
+"""What a user's type checker sees: every public name with a type, none of them Any.
+
+The checker's cache is one database, which two workers must not open at once: the tests of one file share a worker.
+"""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
 
-import pytest
 from mypy import api
 
 import compose_homes
 from tests.architecture.tree import ROOT
-
-# The checker's cache is one database, which two workers must not open at once.
-pytestmark = pytest.mark.xdist_group("user types")
 
 USER = """
 from pathlib import Path
