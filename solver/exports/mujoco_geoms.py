@@ -68,16 +68,18 @@ class MujocoLooks:
     def __init__(self) -> None:
         self._materials: dict[Paint, str] = {}
         self._meshes: dict[tuple[str, str], str] = {}
-        self._shown: dict[tuple[tuple[BodyPart, ...], tuple[Paint, ...]], str] = {}
+        self._shown: dict[tuple[int, int], tuple[str, tuple[BodyPart, ...], tuple[Paint, ...]]] = {}
+        """Texts by the identities of what they show, which is kept with them, so that no other takes its identity."""
 
     def parts(self, parts: tuple[BodyPart, ...], paints: tuple[Paint, ...]) -> str:
         """Returns the visual geoms of a body."""
-        key = parts, paints
+        key = id(parts), id(paints)
         found = self._shown.get(key)
         if found is None:
             several = zip(_shown(parts), paints, strict=True)
-            found = self._shown[key] = "".join([f"{self._meshed(part)}{self.painted(paint)}/>" for part, paint in several])
-        return found
+            text = "".join([f"{self._meshed(part)}{self.painted(paint)}/>" for part, paint in several])
+            found = self._shown[key] = text, parts, paints
+        return found[0]
 
     def painted(self, paint: Paint) -> str:
         """Returns the attribute that paints a geom."""
