@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
-from typing import Any, Final
+from itertools import groupby, pairwise
+from typing import Any, Final, NamedTuple
 
 import mujoco
 import numpy as np
@@ -14,7 +14,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components, dijkstra
 
 from solver.exports import HouseModel
-from solver.exports.model import FloorPlate
+from solver.exports.model import DoorLeaf, FloorPlate
 from tests.exports.physics import mjcf
 
 RADIUS: Final = 0.25
@@ -23,10 +23,20 @@ CLEARANCE: Final = 0.28
 """How far ways stay off everything, m: in a gap of 0.6 m, with a frame 1 cm proud, on a lattice of CELL."""
 CELL: Final = 0.02
 HANDLE: Final = 0.06
-"""How far handles stand out of a leaf, m."""
+"""How far ways round an open leaf stay off it besides: its handle is less, m."""
+BEHIND: Final = 2.0
+"""So near the hinge of a leaf that was closed behind the base its ways may begin and end, m."""
+STOP: Final = 1.0
+"""As many metres as closing or opening a leaf is worth."""
+TORQUE: Final = 5.0
+"""What turns a leaf then, Nm: 6 N at its handle."""
+TURNED: Final = 2.0
+"""So near its end a leaf has been turned, degrees."""
 CROSSED: Final = 1.0
 """So long a way through a room is a visit, m."""
 SPEED: Final = 0.6
+STEPS: Final = 2
+"""After so many steps of the simulation the base is steered anew."""
 AHEAD: Final = 0.12
 """How far ahead on its way the base aims, m."""
 BASE: Final = (
@@ -38,51 +48,76 @@ MOTORS: Final = '<actuator><velocity joint="base_x" kv="2000"/><velocity joint="
 
 @dataclass
 class Driven:
-    """Which rooms were reached of how many, what was touched besides leaves, which leaves were pushed; the rooms that were not."""
+    """Which rooms were reached of how many; what was touched besides leaves; leaves pushed, and closed behind it; rooms not reached."""
 
     rooms: int
     reached: list[str] = field(default_factory=list)
     touched: set[str] = field(default_factory=set)
     pushed: set[str] = field(default_factory=set)
+    closed: set[str] = field(default_factory=set)
     missed: set[str] = field(default_factory=set)
+
+
+class Stand(NamedTuple):
+    """Where a way leads, x and z in m, and the leaf that is closed then, if one is."""
+
+    x: float
+    z: float
+    closed: str | None
 
 
 class Floor:
     """The floor of a house as cells, north-west first: which are farther than CLEARANCE from all that stands.
 
-    Args:
-        model: the house.
-        round_leaves: whether ways go round open leaves, else through them: the base then pushes them to and fro.
+    `free` is so with all leaves open. A layer a leaf, about its hinge, says what is free with that leaf closed. Between the two the base
+    stands where no leaf can hit it. A node of the graph is a cell, or a cell of a layer.
     """
 
-    def __init__(self, model: HouseModel, round_leaves: bool) -> None:
+    def __init__(self, model: HouseModel) -> None:
         corners = np.array([corner for floor in model.rooms for corner in floor.corners])
         self.origin = corners.min(axis=0) - 0.5
         columns, rows = np.ceil((corners.max(axis=0) + 0.5 - self.origin) / CELL).astype(int)
-        self.free = np.ones((rows, columns), dtype=bool)
+        bare = np.zeros((rows, columns), dtype=bool)
+        self.free = bare
+        for floor in model.rooms:
+            bare |= self.within(floor)
         for box in (*(wall.box for wall in model.walls), *(one.box for one in model.fittings if one.surface != "threshold")):
             if box.y0 < HEIGHT:
-                self._block((box.middle[0], box.middle[2]), (box.size[0], box.size[2]), 0.0)
+                self._block(bare, (box.middle[0], box.middle[2]), (box.size[0], box.size[2]), 0.0)
         for body in model.bodies:
             if not body.flat and body.y < HEIGHT:
-                self._block((body.x, body.z), (body.width, body.depth), body.turn)
-        for leaf in model.leaves:
-            if leaf.motion == "swing" and round_leaves:
-                turn = math.radians(leaf.closed + leaf.swing)
-                middle = leaf.hinge[0] + math.cos(turn) * leaf.width / 2, leaf.hinge[2] - math.sin(turn) * leaf.width / 2
-                self._block(middle, (leaf.width, leaf.thickness), math.degrees(turn), RADIUS + HANDLE)
-        inside = np.zeros_like(self.free)
-        for floor in model.rooms:
-            inside |= self.within(floor)
-        self.free &= inside
+                self._block(bare, (body.x, body.z), (body.width, body.depth), body.turn)
+        leaves = [leaf for leaf in model.leaves if leaf.motion == "swing"]
+        self.free = self._with(bare, leaves, None)
+        self.layers = [(leaf, *self._behind(bare, leaves, leaf)) for leaf in leaves]
 
-    def _block(self, at: tuple[float, float], size: tuple[float, float], turn: float, clearance: float = CLEARANCE) -> None:
+    def _with(self, bare: Any, leaves: Sequence[DoorLeaf], closed: DoorLeaf | None) -> Any:
+        """Returns which cells are free with all leaves open but one."""
+        free = bare.copy()
+        for leaf in leaves:
+            turn = math.radians(leaf.closed + (0.0 if leaf is closed else leaf.swing))
+            middle = leaf.hinge[0] + math.cos(turn) * leaf.width / 2, leaf.hinge[2] - math.sin(turn) * leaf.width / 2
+            self._block(free, middle, (leaf.width, leaf.thickness), math.degrees(turn), RADIUS + HANDLE)
+        return free
+
+    def _behind(self, bare: Any, leaves: Sequence[DoorLeaf], leaf: DoorLeaf) -> tuple[Any, Any, Any]:
+        """Returns the cells about a leaf's hinge, which are free with it closed, and from which of them it can be turned."""
+        rows, columns = np.indices(bare.shape, sparse=True)
+        at = (columns + 0.5) * CELL + self.origin[0] - leaf.hinge[0], (rows + 0.5) * CELL + self.origin[1] - leaf.hinge[2]
+        away = np.hypot(*at)
+        numbers = np.arange(bare.size).reshape(bare.shape)
+        low, high = (np.argwhere(away < BEHIND).min(axis=0), np.argwhere(away < BEHIND).max(axis=0) + 1)
+        near = slice(low[0], high[0]), slice(low[1], high[1])
+        free = self._with(bare, leaves, leaf) & (away < BEHIND)
+        return numbers[near], free[near], (free & self.free & (away > leaf.width + RADIUS + HANDLE))[near]
+
+    def _block(self, free: Any, at: tuple[float, float], size: tuple[float, float], turn: float, clearance: float = CLEARANCE) -> None:
         """Takes away the cells near a rectangle."""
         (x, z), (width, depth) = at, size
         reach = math.hypot(width, depth) / 2 + clearance
         low = np.maximum(((np.array((x, z)) - reach - self.origin) / CELL).astype(int), 0)
         high = ((np.array((x, z)) + reach - self.origin) / CELL).astype(int) + 2
-        part = self.free[low[1] : high[1], low[0] : high[0]]
+        part = free[low[1] : high[1], low[0] : high[0]]
         across = self.origin[0] + (low[0] + np.arange(part.shape[1]) + 0.5) * CELL - x
         down = (self.origin[1] + (low[1] + np.arange(part.shape[0]) + 0.5) * CELL - z)[:, None]
         angle = math.radians(turn)
@@ -101,51 +136,65 @@ class Floor:
                 inside ^= ((z0 > z) != (z1 > z)) & (x < x0 + (z - z0) / (z1 - z0) * (x1 - x0))
         return inside
 
-    def place(self, cell: int) -> tuple[float, float]:
-        """Returns the middle of a cell, m."""
+    def stand(self, node: int) -> Stand:
+        """Returns the middle of a node's cell, and which leaf is closed."""
+        cell, closed, first = node, None, self.free.size
+        for leaf, numbers, _, _ in self.layers:
+            if first <= node < first + numbers.size:
+                cell, closed = int(numbers.reshape(-1)[node - first]), leaf.id
+            first += numbers.size
         row, column = divmod(cell, self.free.shape[1])
-        return float(self.origin[0] + (column + 0.5) * CELL), float(self.origin[1] + (row + 0.5) * CELL)
+        return Stand(float(self.origin[0] + (column + 0.5) * CELL), float(self.origin[1] + (row + 0.5) * CELL), closed)
 
     def graph(self) -> Any:
-        """Returns which free cells are next to each other, and how far."""
-        rows, columns = self.free.shape
-        number = np.arange(rows * columns).reshape(rows, columns)
-        ends: list[tuple[Any, Any, float]] = []
-        for down, across in ((0, 1), (1, 0), (1, 1), (1, -1)):
-            one = (slice(0, rows - down), slice(max(-across, 0), columns - max(across, 0)))
-            other = (slice(down, rows), slice(max(across, 0), columns + min(across, 0)))
-            both = self.free[one] & self.free[other]
-            ends.append((number[one][both], number[other][both], math.hypot(down, across) * CELL))
-        start, end = (np.concatenate([pair[i] for pair in ends]) for i in (0, 1))
-        far = np.concatenate([np.full(len(pair[0]), pair[2]) for pair in ends])
-        return coo_matrix((far, (start, end)), shape=(rows * columns, rows * columns)).tocsr()
+        """Returns which nodes are next to each other, and how far."""
+        numbers = np.arange(self.free.size).reshape(self.free.shape)
+        edges, first = list(_steps(numbers, self.free)), self.free.size
+        for _, below, free, turns in self.layers:
+            here = first + np.arange(below.size).reshape(below.shape)
+            edges += [*_steps(here, free), (below[turns], here[turns], STOP)]
+            first += below.size
+        start, end = (np.concatenate([edge[i] for edge in edges]) for i in (0, 1))
+        far = np.concatenate([np.full(len(edge[0]), edge[2]) for edge in edges])
+        return coo_matrix((far, (start, end)), shape=(first, first)).tocsr()
+
+
+def _steps(numbers: Any, free: Any) -> Iterator[tuple[Any, Any, float]]:
+    """Yields the free cells that are next to each other: their numbers, and how far apart they are."""
+    rows, columns = free.shape
+    for down, across in ((0, 1), (1, 0), (1, 1), (1, -1)):
+        one = (slice(0, rows - down), slice(max(-across, 0), columns - max(across, 0)))
+        other = (slice(down, rows), slice(max(across, 0), columns + min(across, 0)))
+        both = free[one] & free[other]
+        yield numbers[one][both], numbers[other][both], math.hypot(down, across) * CELL
 
 
 def drive(model: HouseModel) -> Driven:
     """Drives the base from the room with the main entrance to every room that doors or passages join, the farthest first.
 
-    All doors are closed at each start; rooms that it crosses on its way are reached, too. Things that are fixed make it fast, and
-    must not be touched either way.
+    All doors are closed at each start. The base pushes them open; where an open leaf is in its way, the leaf is closed behind it, by a
+    torque such as an arm has, while it stands still. Rooms that it crosses on its way are reached, too. Things that are fixed make it
+    fast, and must not be touched either way.
     """
-    floors = Floor(model, round_leaves=True), Floor(model, round_leaves=False)
+    floor = Floor(model)
     joined = {room for opening in model.openings if opening.kind != "window" for room in opening.rooms}
-    inside = {plate.id: floors[0].within(plate).reshape(-1) for plate in model.rooms if plate.id in joined}
+    inside = {plate.id: floor.within(plate).reshape(-1) for plate in model.rooms if plate.id in joined}
     entrance = next((room for one in model.openings if one.is_main_entrance for room in one.rooms if room), next(iter(inside)))
-    here = _start(floors[0], inside[entrance])
+    here = _start(floor, inside[entrance])
     outcome = Driven(len(inside), [entrance])
-    ride = _Ride(model, floors[0].place(here), outcome)
-    for floor in floors:
-        far, before = dijkstra(floor.graph(), directed=False, indices=here, return_predecessors=True)
-        found = {room: _goal(cells & floor.free.reshape(-1), far) for room, cells in inside.items()}
-        goals = {room: cell for room, cell in found.items() if cell is not None}
-        for room in sorted(goals, key=lambda name: -float(far[goals[name]])):
-            if room not in outcome.reached:
-                way = [goals[room]]
-                while way[-1] != here:
-                    way.append(int(before[way[-1]]))
-                if ride.along([floor.place(step) for step in reversed(way)]):
-                    crossed = {name for name, cells in inside.items() if cells[way].sum() * CELL > CROSSED}
-                    outcome.reached += sorted(crossed.union({room}) - set(outcome.reached))
+    ride = _Ride(model, floor.stand(here), outcome)
+    far, before = dijkstra(floor.graph(), directed=False, indices=here, return_predecessors=True)
+    found = {room: _goal(cells & floor.free.reshape(-1), far) for room, cells in inside.items()}
+    goals = {room: cell for room, cell in found.items() if cell is not None}
+    for room in sorted(goals, key=lambda name: -float(far[goals[name]])):
+        if room not in outcome.reached:
+            way = [goals[room]]
+            while way[-1] != here:
+                way.append(int(before[way[-1]]))
+            if ride.along([floor.stand(node) for node in reversed(way)]):
+                steps = [node for node in way if node < floor.free.size]
+                crossed = {name for name, cells in inside.items() if cells[steps].sum() * CELL > CROSSED}
+                outcome.reached += sorted(crossed.union({room}) - set(outcome.reached))
     outcome.missed = set(inside) - set(outcome.reached)
     return outcome
 
@@ -153,6 +202,7 @@ def drive(model: HouseModel) -> Driven:
 def _start(floor: Floor, inside: Any) -> int:
     """Returns the cell of a room that is nearest to its middle, of those from which most of the house is reached."""
     _, labels = connected_components(floor.graph(), directed=False)
+    labels = labels[: floor.free.size]
     most = max(set(labels[floor.free.reshape(-1) & inside]), key=lambda label: int((labels == label).sum()))
     cells = np.argwhere((inside & floor.free.reshape(-1) & (labels == most)).reshape(floor.free.shape))
     middle = np.argwhere(inside.reshape(floor.free.shape)).mean(axis=0)
@@ -162,33 +212,60 @@ def _start(floor: Floor, inside: Any) -> int:
 
 def _goal(cells: Any, far: Any) -> int | None:
     """Returns the cell of a room that is reached, half of the room's others being farther."""
-    numbers = np.flatnonzero(cells & np.isfinite(far))
+    numbers = np.flatnonzero(cells & np.isfinite(far[: cells.size]))
     return int(numbers[np.argsort(far[numbers])[len(numbers) // 2]]) if len(numbers) else None
 
 
 class _Ride:
     """The base in its home."""
 
-    def __init__(self, model: HouseModel, start: tuple[float, float], outcome: Driven) -> None:
+    def __init__(self, model: HouseModel, start: Stand, outcome: Driven) -> None:
         text = mjcf(model)
         head, _, _ = text.partition("<keyframe>")
-        base = BASE.format(x=start[0], y=-start[1], z=HEIGHT / 2 + 0.02)
+        base = BASE.format(x=start.x, y=-start.z, z=HEIGHT / 2 + 0.02)
         self.world = mujoco.MjModel.from_xml_string(head.replace("</worldbody>", base + "</worldbody>") + MOTORS + "</mujoco>")
         self.state, self.outcome, self.start = mujoco.MjData(self.world), outcome, start
         self.base = self.world.geom("base").id
-        self.leaves = {leaf.id for leaf in model.leaves}
+        self.leaves = {leaf.id: leaf for leaf in model.leaves}
         self.joints = [self.world.joint(name).qposadr[0] for name in ("base_x", "base_y")]
 
     def _at(self) -> tuple[float, float]:
         x, y = (float(self.state.qpos[joint]) for joint in self.joints)
-        return self.start[0] + x, self.start[1] - y
+        return self.start.x + x, self.start.z - y
 
-    def along(self, way: Sequence[tuple[float, float]]) -> bool:
-        """Drives along a way, x and z in m, all doors closed first; returns whether its end was reached in three times its time."""
+    def along(self, way: Sequence[Stand]) -> bool:
+        """Drives along a way, all doors closed first; returns whether its end was reached."""
         mujoco.mj_resetData(self.world, self.state)
-        goal, step = 0, 2
+        shut: str | None = None
+        for closed, stretch in groupby(way, key=lambda stand: stand.closed):
+            if closed != shut and not (self._turned(closed or shut, closed is not None)):
+                return False
+            shut = closed
+            if not self._drove([(stand.x, stand.z) for stand in stretch]):
+                return False
+        return True
+
+    def _turned(self, name: str | None, closing: bool) -> bool:
+        """Closes or opens a leaf, the base standing still; returns whether it is so within 20 s. It is held closed, left open."""
+        leaf = self.leaves[name or ""]
+        joint = self.world.joint(int(self.world.body(leaf.id).jntadr[0]))
+        wanted, sign = (0.0 if closing else leaf.swing), math.copysign(1.0, leaf.swing)
+        self.state.ctrl[:] = 0.0
+        self.state.qfrc_applied[joint.dofadr[0]] = -sign * TORQUE if closing else sign * TORQUE
+        for _ in range(int(20 / self.world.opt.timestep / STEPS)):
+            mujoco.mj_step(self.world, self.state, nstep=STEPS)
+            self._touch()
+            if abs(math.degrees(float(self.state.qpos[joint.qposadr[0]])) - wanted) < TURNED:
+                self.outcome.closed.add(leaf.id)
+                self.state.qfrc_applied[joint.dofadr[0]] *= closing
+                return True
+        return False
+
+    def _drove(self, way: Sequence[tuple[float, float]]) -> bool:
+        """Drives along a stretch, x and z in m; returns whether its end was reached in three times its time."""
+        goal = 0
         length = sum(math.dist(a, b) for a, b in pairwise(way))
-        for _ in range(int((length / SPEED * 3 + 5) / self.world.opt.timestep / step)):
+        for _ in range(int((length / SPEED * 3 + 5) / self.world.opt.timestep / STEPS)):
             at = self._at()
             while goal < len(way) - 1 and math.dist(at, way[goal]) < AHEAD:
                 goal += 1
@@ -197,7 +274,7 @@ class _Ride:
                 return True
             speed = min(SPEED, away * 5)
             self.state.ctrl[:] = (way[goal][0] - at[0]) / away * speed, (at[1] - way[goal][1]) / away * speed
-            mujoco.mj_step(self.world, self.state, nstep=step)
+            mujoco.mj_step(self.world, self.state, nstep=STEPS)
             self._touch()
         return False
 

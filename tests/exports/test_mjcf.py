@@ -12,7 +12,7 @@ import pytest
 from catalogs import load_catalogs
 from solver.exports import describe
 from solver.exports.model import HouseModel
-from solver.scene import Furniture, Scene
+from solver.scene import Furniture, Opening, Room, Scene
 from tests.exports.driving import drive
 from tests.exports.homes import SCENES, described, family, own
 from tests.exports.physics import mjcf, settle, started, swung
@@ -127,3 +127,28 @@ def test_a_base_drives_to_every_room() -> None:
     assert len(done.reached) == done.rooms
     assert done.touched == set()
     assert done.pushed
+
+
+def _behind_a_leaf(*more: Furniture) -> HouseModel:
+    """Three rooms in a row; in the middle one an open leaf stands between its door and the way on, round a block as high as a man."""
+    door = Opening("door", wall="south", position=2.0, width=0.9, connects_to="middle", hinge="start", swing="out")
+    front = Opening("front", wall="north", position=2.0, width=0.9, connects_to="EXTERIOR", hinge="start", swing="in", main_entrance=True)
+    way_on = Opening("way_on", wall="south", position=0.6, width=0.9, connects_to="last", kind="passage")
+    block = Furniture("block", "block", x=2.5, z=2.5, width=2.9, depth=2.9, height=1.8)
+    rooms = (
+        Room("first", 0, "hallway", z=0.0, width=4.0, depth=2.0, openings=(front, door)),
+        Room("middle", 1, "bedroom", z=2.0, width=4.0, depth=4.0, openings=(way_on,), furniture=(block, *more)),
+        Room("last", 2, "bathroom", z=6.0, width=4.0, depth=2.0),
+    )
+    return describe(Scene(wall_thickness=0.1, rooms=rooms), load_catalogs(), free="none")
+
+
+def test_a_base_closes_a_leaf_behind_it_that_is_in_its_way() -> None:
+    done = drive(_behind_a_leaf())
+    assert (done.missed, done.touched, done.closed) == (set(), set(), {"door"})
+
+
+def test_a_base_that_has_no_floor_to_stand_beside_a_leaf_does_not_pass_it() -> None:
+    done = drive(_behind_a_leaf(Furniture("chest", "chest", x=3.2, z=0.55, width=1.4, depth=0.9, height=0.5)))
+    assert done.missed == {"last"}
+    assert done.touched == set()
