@@ -2,8 +2,9 @@
 
 from catalogs import CatalogError, Catalogs, load_catalogs
 from catalogs.schema import RelationSpec
+from solver.explained import Explained, Hold
 from solver.export_formats import EXPORTERS
-from solver.pipeline import export, fix, generate, place, reroll, validate
+from solver.pipeline import explain, export, fix, generate, place, reroll, validate
 from solver.requested import Answered, Held, PieceRequest, Placement, Unplaced
 
 EXPORT_FORMATS = {name: exporter.words for name, exporter in EXPORTERS.items()}
@@ -14,11 +15,14 @@ __all__ = [
     "Answered",
     "CatalogError",
     "Catalogs",
+    "Explained",
     "Held",
+    "Hold",
     "PieceRequest",
     "Placement",
     "RelationSpec",
     "Unplaced",
+    "explain",
     "export",
     "fix",
     "generate",

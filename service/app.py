@@ -24,6 +24,7 @@ from service.refusals import NoSuchFormat
 from service.wire import body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, do_alone, packed, warm
 from service.workers import Workers
+from solver.explained import Explained
 from solver.scene import Fixed, Generated, Scene
 from solver.scene import Request as HouseRequest
 from solver.version import VERSION
@@ -94,6 +95,11 @@ def validate(body: contract.ValidateBody) -> contract.ValidateAnswer:  # type: i
 @posts.post("/view")
 def view(body: contract.ViewBody) -> contract.Lines:  # type: ignore[empty-body]
     """Writes a scene as readable YAML, and which body each line is."""
+
+
+@posts.post("/explain")
+def explain(body: contract.ExplainBody) -> Explained:  # type: ignore[empty-body]
+    """Says where a piece of a generated home was wished, and what holds it back from there."""
 
 
 @posts.post("/floor")

@@ -10,6 +10,7 @@ from typing import Final, NamedTuple, TypeAlias, cast
 
 from catalogs import Catalogs
 from service.contract import (
+    ExplainBody,
     ExportBody,
     ExportFormat,
     ExportFormats,
@@ -25,7 +26,7 @@ from service.contract import (
     ValidateBody,
     ViewBody,
 )
-from solver import export, fix, generate, place, reroll, validate
+from solver import explain, export, fix, generate, place, reroll, validate
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, read_request, scene_schema, write, write_scene
 from solver.export_formats import EXPORTERS, Freedom
@@ -150,6 +151,20 @@ def view_scene(document: object, _: Catalogs | None = None) -> Document:
     return write(Lines(*view(read(ViewBody, document).scene)))
 
 
+def explain_place(document: object, catalogs: Catalogs) -> Document:
+    """Says where a piece was wished and what holds it back from there.
+
+    Args:
+        document: an `ExplainBody`.
+        catalogs: what the house was furnished with.
+
+    Raises:
+        FieldError: a field is wrong.
+    """
+    body = read(ExplainBody, document)
+    return write(explain(body.scene, body.id, catalogs=catalogs))
+
+
 def floor_of(document: object, _: Catalogs | None = None) -> Document:
     """Says where the floor of rooms is clear, kept free, and free to come to.
 
@@ -234,7 +249,7 @@ def schema_document(_: Catalogs | None = None) -> Document:
 
 CALLS: Final[Mapping[str, Call]] = {
     "generate": generate_house, "fix": fix_scene, "place": place_pieces, "validate": validate_scene, "view": view_scene,
-    "export": export_scene, "floor": floor_of,
+    "export": export_scene, "explain": explain_place, "floor": floor_of,
 }  # fmt: skip
 """The calls that take a body, by the names of their routes."""
 MAY_BE_EMPTY: Final = frozenset({"generate"})

@@ -157,6 +157,11 @@ def _add_readers(commands: Commands) -> None:
     view = _command(commands, "view", "Write a scene for a person to read.")
     _add_scene(view)
     view.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write the text (standard output)")
+    explain = _command(commands, "explain", "Say where a piece of a generated home was wished, and what holds it back from there.")
+    explain.add_argument("scene", metavar="SCENE", help="a scene, YAML or JSON; - for standard input")
+    explain.add_argument("id", metavar="ID", help="of a piece of furniture")
+    _add_output(explain, "the answer")
+    _add_catalog(explain)
     export = _command(commands, "export", "Write a scene for a simulator, an editor or a training set; or as a scene, all written out.")
     _add_scene(export)
     add = export.add_argument

@@ -132,6 +132,11 @@ def _view(options: Namespace) -> int:
     return CLEAN
 
 
+def _explain(options: Namespace) -> int:
+    _write(_answer(options, id=options.id), options)
+    return CLEAN
+
+
 def _export(options: Namespace) -> int:
     from service.calls import export_files
 
@@ -188,8 +193,8 @@ def _serve(options: Namespace) -> int:
 
 
 COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
-    "generate": _generate, "fix": _fix, "place": _place, "validate": _validate, "view": _view, "export": _export, "serve": _serve,
-    "catalog": _catalog, "schema": _schema, "stats": _stats,
+    "generate": _generate, "fix": _fix, "place": _place, "validate": _validate, "view": _view, "explain": _explain, "export": _export,
+    "serve": _serve, "catalog": _catalog, "schema": _schema, "stats": _stats,
 }  # fmt: skip
 
 

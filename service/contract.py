@@ -74,6 +74,14 @@ class ViewBody(Record):
 
 
 @dataclass(frozen=True)
+class ExplainBody(Record):
+    """Asks why a piece of furniture stands where it does."""
+
+    scene: SentScene
+    id: Text
+
+
+@dataclass(frozen=True)
 class FloorBody(Record):
     """Asks for the floor of rooms; of all where none are named."""
 

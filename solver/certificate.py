@@ -15,7 +15,7 @@ from solver.pieces import Arrangement
 from solver.scene import Room, Scene
 from solver.scene_bodies import counted
 
-OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best"})
+OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best", "residuals"})
 """What is true of the placement that was made, and of no other."""
 MARK_LENGTH: Final = 12
 
@@ -49,6 +49,7 @@ def room_certificate(arrangement: Arrangement, room: Room) -> dict[str, Any]:
         "cost": arrangement.cost,
         "proven": arrangement.proven,
         "best": arrangement.best,
+        **({"residuals": arrangement.residuals._asdict()} if arrangement.residuals else {}),
         "left_out": [{"piece": label, "reason": reason} for label, reason in arrangement.left_out],
         "notes": list(arrangement.notes),
     }

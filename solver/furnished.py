@@ -25,16 +25,22 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
     for it, which all pieces of the room with that palette then share, or else of its kind's own colours; all pieces of one kind
     in a room share it.
     """
+    ids = ids_of(room, arrangement, catalogs)
+    kinds = sorted({placed.chosen.kind for placed in arrangement.placed})
+    colours = _colours({kind: _palette(kind, catalogs, style) for kind in kinds}, catalogs, stream)
+    pieces = tuple(_piece(placed, ids, colours, catalogs) for placed in arrangement.placed)
+    return replace(room, furniture=pieces)
+
+
+def ids_of(room: Room, arrangement: Arrangement, catalogs: Catalogs) -> dict[str, str]:
+    """Returns the ids of an arrangement's pieces in a room, by label."""
     ids: dict[str, str] = {}
     counts: dict[str, int] = {}
     for placed in arrangement.placed:
         name = catalogs.name_of(placed.chosen.kind)
         counts[name] = counts.get(name, 0) + 1
         ids[placed.label] = f"{room.id}/{name}_{counts[name]}"
-    kinds = sorted({placed.chosen.kind for placed in arrangement.placed})
-    colours = _colours({kind: _palette(kind, catalogs, style) for kind in kinds}, catalogs, stream)
-    pieces = tuple(_piece(placed, ids, colours, catalogs) for placed in arrangement.placed)
-    return replace(room, furniture=pieces)
+    return ids
 
 
 def _palette(kind: str, catalogs: Catalogs, style: Style | None) -> tuple[str, ...]:

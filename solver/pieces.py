@@ -206,6 +206,17 @@ class Placed:
     footprint: Rect
 
 
+class Residuals(NamedTuple):
+    """How exactly an independent solver finds the same optimum, each bound a power of ten."""
+
+    primal: float
+    """By how much any constraint is broken, m."""
+    dual: float
+    """By how much anything is still drawn, m^-1."""
+    gap: float
+    """By how much the cost and its lower bound differ."""
+
+
 @dataclass(frozen=True)
 class Arrangement:
     """A room's result.
@@ -224,3 +235,4 @@ class Arrangement:
     solves: int = 0
     notes: tuple[str, ...] = field(default=())
     best: bool = True
+    residuals: Residuals | None = None

@@ -1,13 +1,14 @@
-"""The flows, top to bottom; the only place where two stages meet. Start reading here: generate.py, fix.py, place.py, export.py.
+"""The flows, top to bottom; the only place where two stages meet. Start reading here: generate.py, fix.py, place.py, export.py, explain.py.
 
 Comes in: Request, Scene, or a Room and a list of pieces. Goes out: Generated, Fixed, Answered or files.
 May import: every stage. Not here: what a stage does inside.
 """
 
+from solver.pipeline.explain import explain
 from solver.pipeline.export import export
 from solver.pipeline.fix import fix
 from solver.pipeline.generate import generate, reroll
 from solver.pipeline.place import place
 from solver.validator import validate
 
-__all__ = ["export", "fix", "generate", "place", "reroll", "validate"]
+__all__ = ["explain", "export", "fix", "generate", "place", "reroll", "validate"]

@@ -114,6 +114,11 @@ def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict
     return plan, _explained(plan.rooms, arrangements, setting)
 
 
+def generator(catalogs: Catalogs) -> dict[str, Any]:
+    """Returns what a scene says of the Compose and the catalogs that it was made with."""
+    return {"version": VERSION, "catalog": catalogs.fingerprint}
+
+
 def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tuple[Piece, ...], tuple[tuple[str, str], ...]]:
     """Returns what placement was asked for in a room of a generated scene, and what not.
 
@@ -224,7 +229,7 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
     return Scene(
         seed=setting.seed,
         request=write_request(_with_extents(request)),
-        generator={"version": VERSION, "catalog": setting.catalogs.fingerprint},
+        generator=generator(setting.catalogs),
         size=Size(to_m(outline.width), to_m(outline.depth), STOREY_HEIGHT),
         wall_thickness=setting.thickness,
         levels=(Level(0, 0.0, STOREY_HEIGHT),),

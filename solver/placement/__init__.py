@@ -4,11 +4,14 @@ Comes in: rooms as (Space, pieces). Goes out: Arrangements on the millimetre lat
 left out. May import: the ground floor. Not here: rules of room types (furnish), the rules (validator).
 """
 
-from solver.placement.arrange import feasible
+from solver.placement.arrange import SolvedRoom, arrange, feasible
 from solver.placement.budget import ROOM_WORK, Budget
 from solver.placement.displacement import move_least, moved_back
-from solver.placement.explain import minimal_conflict
 from solver.placement.finish import finish, place
 from solver.placement.kernel import compiled_kernel
+from solver.placement.left_out import minimal_conflict
 
-__all__ = ["ROOM_WORK", "Budget", "compiled_kernel", "feasible", "finish", "minimal_conflict", "move_least", "moved_back", "place"]
+__all__ = [
+    "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "compiled_kernel", "feasible", "finish", "minimal_conflict", "move_least", "moved_back",
+    "place",
+]  # fmt: skip

@@ -252,7 +252,8 @@ class Core:
         both = zip(work.choice_parts[:count].tolist(), work.choice_size[:count].tolist(), strict=True)
         for c, ((first, second), size) in enumerate(both):
             name = boxes[second].label if second >= 0 else self.encoded.space.zones[-1 - second].cause
-            found.append(Choice(boxes[first].label, name, tuple([DifferenceRow(*row) for row in options[4 * c : 4 * c + size]])))
+            ways, stands = tuple([DifferenceRow(*row) for row in options[4 * c : 4 * c + size]]), second >= 0 and boxes[second].stand
+            found.append(Choice(boxes[first].label, name, ways, (boxes[first].stand, stands)))
         return found
 
     def solution(self) -> Solution | None:

@@ -15,8 +15,8 @@ from solver.placement.arrange import LIMITS, SolvedRoom, arrange, solved_room
 from solver.placement.budget import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
-from solver.placement.explain import why_left_out
-from solver.placement.problem import Positions
+from solver.placement.left_out import why_left_out
+from solver.placement.problem import Confirmed, Positions
 from solver.placement.snap import snap
 from solver.placement.tidy import Lattice, tidied
 
@@ -44,12 +44,12 @@ def place(rooms: Sequence[tuple[Space, Sequence[Piece]]], engine: str = "osqp", 
 
 def finish(rooms: Sequence[SolvedRoom], engine: str = "osqp", tidy: bool = False) -> list[Arrangement]:
     """Solves all rooms as one block-diagonal programme, snaps each room and, where asked for, tidies it."""
-    return [_arrangement(room, positions, tidy) for room, positions in zip(rooms, _solve(rooms, engine), strict=True)]
+    return [_arrangement(room, solved, tidy) for room, solved in zip(rooms, _solve(rooms, engine), strict=True)]
 
 
-def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Positions]:
+def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Confirmed]:
     if engine == "search":
-        return [room.solution.positions for room in rooms]
+        return [Confirmed(room.solution.positions) for room in rooms]
     solved = [(room.problem, room.solution) for room in rooms]
     if engine == "reference":
         try:
@@ -57,18 +57,18 @@ def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Positions]:
         except ModuleNotFoundError as missing:
             problem = f"'reference' needs {missing.name}, which is not installed"
             raise RequestError("engine", problem, "'osqp'; or install compose-homes[reference]") from None
-        return reference_house(solved)
+        return [Confirmed(positions) for positions in reference_house(solved)]
     if engine != "osqp":
         raise RequestError("engine", f"is {engine!r}", "'osqp' or 'reference'")
-    from solver.placement.qp import solve_house  # noqa: PLC0415 - OSQP and scipy take 0.4 s to import
+    from solver.placement.qp import confirmed  # noqa: PLC0415 - OSQP and scipy take 0.4 s to import
 
-    return solve_house(solved)
+    return confirmed(solved)
 
 
-def _arrangement(room: SolvedRoom, positions: Positions, tidy: bool) -> Arrangement:
-    p, walkable = _snapped(room, positions)
+def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangement:
+    p, walkable = _snapped(room, confirmed.positions)
     if room.walkable and not walkable and (wider := _with_margin(room)) is not None:
-        room = wider
+        room, confirmed = wider, Confirmed(wider.solution.positions)
         p, walkable = _snapped(room, room.solution.positions)
     p, more = tidied(room, p) if tidy and walkable else (p, 0.0)
     bodies = {box.label: box for box in room.problem.boxes if not box.stand}
@@ -84,7 +84,7 @@ def _arrangement(room: SolvedRoom, positions: Positions, tidy: bool) -> Arrangem
     reasons = tuple((piece.label, f"{why}; {why_left_out(room.space, piece, placed)}") for piece, why in room.left_out)
     notes = () if walkable else ("no walkable arrangement of the required pieces was found",)
     cost = round(room.cost + more, 6)
-    return Arrangement(room.space.room, tuple(placed), reasons, cost, room.proven, room.solves, notes, room.best)
+    return Arrangement(room.space.room, tuple(placed), reasons, cost, room.proven, room.solves, notes, room.best, confirmed.residuals)
 
 
 def _with_margin(room: SolvedRoom) -> SolvedRoom | None:

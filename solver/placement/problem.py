@@ -12,11 +12,11 @@ from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
 from solver.geometry import Rect
+from solver.pieces import Residuals
 from solver.placement.kernel.layout import Floats
 
 ORIGIN: Final = -1
 """Stands for the constant 0 in place of a variable, so that a wished place is a difference, and a bound a row, as well."""
-
 
 Positions = tuple[Floats, Floats]
 """By axis and variable, m."""
@@ -77,11 +77,15 @@ class ProblemBox(NamedTuple):
 
 
 class Choice(NamedTuple):
-    """One of `options` must hold: `first` is left of, right of, north of or south of `second`."""
+    """One of `options` must hold: `first` is left of, right of, north of or south of `second`.
+
+    `stands` tells of each of the two whether it is not the body but the square of a person who uses it.
+    """
 
     first: str
     second: str
     options: tuple[DifferenceRow, ...]
+    stands: tuple[bool, bool] = (False, False)
 
 
 @dataclass
@@ -127,3 +131,29 @@ class Solution:
     rows: tuple[DifferenceRow, ...]
     proven: bool
     solves: int
+
+
+@dataclass(frozen=True)
+class Force:
+    """What keeps a variable from going where it is drawn.
+
+    Args:
+        row: the difference row; a bound is a row against ORIGIN.
+        per_m: what a metre more room would save, m^-1.
+        choice: the number of the room's choice that took the row; None for bounds and what always holds.
+        bound: whether it is a bound of the variable.
+    """
+
+    row: DifferenceRow
+    per_m: float
+    choice: int | None = None
+    bound: bool = False
+
+
+@dataclass(frozen=True)
+class Confirmed:
+    """A room's final positions, m, how exactly they are the optimum, and every row that holds something."""
+
+    positions: Positions
+    residuals: Residuals | None = None
+    forces: tuple[Force, ...] = ()

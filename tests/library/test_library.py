@@ -27,7 +27,17 @@ def house() -> Scene:
 
 
 def test_every_function_is_told_with_an_example_that_runs() -> None:
-    assert {function.__name__ for function in FUNCTIONS} == {"dump", "export", "fix", "generate", "load", "place", "reroll", "validate"}
+    assert {function.__name__ for function in FUNCTIONS} == {
+        "dump",
+        "explain",
+        "export",
+        "fix",
+        "generate",
+        "load",
+        "place",
+        "reroll",
+        "validate",
+    }
     for function in FUNCTIONS:
         (found,) = doctest.DocTestFinder().find(function, function.__name__)
         assert len(found.examples) > 1, function.__name__

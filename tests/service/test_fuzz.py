@@ -15,7 +15,7 @@ from catalogs.schema import RelationWord
 from solver.scene import Furniture, Opening, Request, Room
 from tests.service.problems import problem_of
 
-POSTS = ["/generate", "/fix", "/place", "/validate", "/view", "/floor", "/export/json", "/export/yaml"]
+POSTS = ["/generate", "/fix", "/place", "/validate", "/view", "/explain", "/floor", "/export/json", "/export/yaml"]
 BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
 RELATED = get_args(RelationWord)
@@ -91,6 +91,7 @@ BODIES: dict[str, st.SearchStrategy[Any]] = {
     ),
     "/validate": st.fixed_dictionaries({"scene": SCENES}),
     "/view": st.fixed_dictionaries({"scene": SCENES}),
+    "/explain": st.fixed_dictionaries({"scene": SCENES, "id": st.text(max_size=4) | VALUES}),
     "/floor": st.fixed_dictionaries({"scene": SCENES}, optional={"rooms": IDS}),
 }
 BODIES |= dict.fromkeys(["/export/json", "/export/yaml"], st.fixed_dictionaries({"scene": SCENES}) | SCENES)
