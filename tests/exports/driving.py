@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby, pairwise
 from typing import Any, Final, NamedTuple
@@ -19,8 +19,9 @@ from tests.exports.physics import mjcf
 
 RADIUS: Final = 0.25
 HEIGHT: Final = 0.4
-CLEARANCE: Final = 0.28
-"""How far ways stay off everything, m: in a gap of 0.6 m, with a frame 1 cm proud, on a lattice of CELL."""
+WAYS: Final = ((0.28, 0.12), (0.26, 0.06))
+"""How far ways stay off everything and how far ahead on them the base aims, m: in a gap of 0.6 m, with a frame 1 cm proud, on a lattice
+of CELL; where that does not lead on, closer and more slowly."""
 CELL: Final = 0.02
 HANDLE: Final = 0.06
 """How far ways round an open leaf stay off it besides: its handle is less, m."""
@@ -37,8 +38,6 @@ CROSSED: Final = 1.0
 SPEED: Final = 0.6
 STEPS: Final = 2
 """After so many steps of the simulation the base is steered anew."""
-AHEAD: Final = 0.12
-"""How far ahead on its way the base aims, m."""
 BASE: Final = (
     '<body name="base" pos="{x} {y} {z}"><joint name="base_x" type="slide" axis="1 0 0"/><joint name="base_y" type="slide" axis="0 1 0"/>'
     f'<geom name="base" type="cylinder" size="{RADIUS} {HEIGHT / 2}" mass="40" friction="0.1" contype="1" conaffinity="3"/></body>'
@@ -67,13 +66,13 @@ class Stand(NamedTuple):
 
 
 class Floor:
-    """The floor of a house as cells, north-west first: which are farther than CLEARANCE from all that stands.
+    """The floor of a house as cells, north-west first: which are farther than a clearance, m, from all that stands.
 
     `free` is so with all leaves open. A layer a leaf, about its hinge, says what is free with that leaf closed. Between the two the base
     stands where no leaf can hit it. A node of the graph is a cell, or a cell of a layer.
     """
 
-    def __init__(self, model: HouseModel) -> None:
+    def __init__(self, model: HouseModel, clearance: float) -> None:
         corners = np.array([corner for floor in model.rooms for corner in floor.corners])
         self.origin = corners.min(axis=0) - 0.5
         columns, rows = np.ceil((corners.max(axis=0) + 0.5 - self.origin) / CELL).astype(int)
@@ -83,10 +82,10 @@ class Floor:
             bare |= self.within(floor)
         for box in (*(wall.box for wall in model.walls), *(one.box for one in model.fittings if one.surface != "threshold")):
             if box.y0 < HEIGHT:
-                self._block(bare, (box.middle[0], box.middle[2]), (box.size[0], box.size[2]), 0.0)
+                self._block(bare, (box.middle[0], box.middle[2]), (box.size[0], box.size[2]), 0.0, clearance)
         for body in model.bodies:
             if not body.flat and body.y < HEIGHT:
-                self._block(bare, (body.x, body.z), (body.width, body.depth), body.turn)
+                self._block(bare, (body.x, body.z), (body.width, body.depth), body.turn, clearance)
         leaves = [leaf for leaf in model.leaves if leaf.motion == "swing"]
         self.free = self._with(bare, leaves, None)
         self.layers = [(leaf, *self._behind(bare, leaves, leaf)) for leaf in leaves]
@@ -111,7 +110,7 @@ class Floor:
         free = self._with(bare, leaves, leaf) & (away < BEHIND)
         return numbers[near], free[near], (free & self.free & (away > leaf.width + RADIUS + HANDLE))[near]
 
-    def _block(self, free: Any, at: tuple[float, float], size: tuple[float, float], turn: float, clearance: float = CLEARANCE) -> None:
+    def _block(self, free: Any, at: tuple[float, float], size: tuple[float, float], turn: float, clearance: float) -> None:
         """Takes away the cells near a rectangle."""
         (x, z), (width, depth) = at, size
         reach = math.hypot(width, depth) / 2 + clearance
@@ -176,27 +175,35 @@ def drive(model: HouseModel) -> Driven:
     torque such as an arm has, while it stands still. Rooms that it crosses on its way are reached, too. Things that are fixed make it
     fast, and must not be touched either way.
     """
-    floor = Floor(model)
+    floor = Floor(model, WAYS[0][0])
     joined = {room for opening in model.openings if opening.kind != "window" for room in opening.rooms}
     inside = {plate.id: floor.within(plate).reshape(-1) for plate in model.rooms if plate.id in joined}
     entrance = next((room for one in model.openings if one.is_main_entrance for room in one.rooms if room), next(iter(inside)))
     here = _start(floor, inside[entrance])
     outcome = Driven(len(inside), [entrance])
     ride = _Ride(model, floor.stand(here), outcome)
+    for clearance, ride.ahead in WAYS:
+        if set(inside) - set(outcome.reached):
+            _visit(Floor(model, clearance), here, inside, ride)
+    outcome.missed = set(inside) - set(outcome.reached)
+    return outcome
+
+
+def _visit(floor: Floor, here: int, inside: Mapping[str, Any], ride: _Ride) -> None:
+    """Drives to the rooms that were not reached, each from the start."""
+    reached = ride.outcome.reached
     far, before = dijkstra(floor.graph(), directed=False, indices=here, return_predecessors=True)
     found = {room: _goal(cells & floor.free.reshape(-1), far) for room, cells in inside.items()}
     goals = {room: cell for room, cell in found.items() if cell is not None}
     for room in sorted(goals, key=lambda name: -float(far[goals[name]])):
-        if room not in outcome.reached:
+        if room not in reached:
             way = [goals[room]]
             while way[-1] != here:
                 way.append(int(before[way[-1]]))
             if ride.along([floor.stand(node) for node in reversed(way)]):
                 steps = [node for node in way if node < floor.free.size]
                 crossed = {name for name, cells in inside.items() if cells[steps].sum() * CELL > CROSSED}
-                outcome.reached += sorted(crossed.union({room}) - set(outcome.reached))
-    outcome.missed = set(inside) - set(outcome.reached)
-    return outcome
+                reached += sorted(crossed.union({room}) - set(reached))
 
 
 def _start(floor: Floor, inside: Any) -> int:
@@ -224,7 +231,7 @@ class _Ride:
         head, _, _ = text.partition("<keyframe>")
         base = BASE.format(x=start.x, y=-start.z, z=HEIGHT / 2 + 0.02)
         self.world = mujoco.MjModel.from_xml_string(head.replace("</worldbody>", base + "</worldbody>") + MOTORS + "</mujoco>")
-        self.state, self.outcome, self.start = mujoco.MjData(self.world), outcome, start
+        self.state, self.outcome, self.start, self.ahead = mujoco.MjData(self.world), outcome, start, WAYS[0][1]
         self.base = self.world.geom("base").id
         self.leaves = {leaf.id: leaf for leaf in model.leaves}
         self.joints = [self.world.joint(name).qposadr[0] for name in ("base_x", "base_y")]
@@ -267,7 +274,7 @@ class _Ride:
         length = sum(math.dist(a, b) for a, b in pairwise(way))
         for _ in range(int((length / SPEED * 3 + 5) / self.world.opt.timestep / STEPS)):
             at = self._at()
-            while goal < len(way) - 1 and math.dist(at, way[goal]) < AHEAD:
+            while goal < len(way) - 1 and math.dist(at, way[goal]) < self.ahead:
                 goal += 1
             away = math.dist(at, way[goal])
             if goal == len(way) - 1 and away < 0.02:
