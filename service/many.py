@@ -20,7 +20,7 @@ from tqdm import tqdm
 
 from catalogs import Catalogs
 from service import calls
-from service.work import packed, unpacked
+from service.work import packed, unpacked, warm
 from solver.errors import ComposeError, FieldError
 from solver.exchange import dump_text
 from solver.plain import Document
@@ -63,26 +63,29 @@ class HouseSet:
         return (json.dumps(said, indent=2, sort_keys=True) + "\n").encode()
 
 
-def in_processes(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: int) -> Iterator[Made]:
+def in_processes(make: Callable[[bytes, Asked], Made], jobs: Sequence[Asked], workers: int, catalogs: Catalogs) -> Iterator[Made]:
     """Yields what a function of a module makes of each job, in their order, with a bar on a terminal.
 
     Args:
-        make: can be sent to a process.
+        make: takes the catalogs, packed, and a job; can be sent to a process.
         jobs: what it is given.
         workers: processes; with one all is done in this one.
+        catalogs: to furnish with.
     """
+    known = packed(catalogs)
     with tqdm(total=len(jobs), unit="house", disable=None) as bar:
-        for made in _made(make, jobs, workers):
+        for made in _made(partial(make, known), jobs, workers, known):
             bar.update()
             yield made
 
 
-def _made(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: int) -> Iterator[Made]:
+def _made(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: int, catalogs: bytes) -> Iterator[Made]:
     if min(workers, len(jobs)) <= 1:
+        warm(catalogs)
         yield from map(make, jobs)
         return
     # Processes start empty: one that is a copy of this one would share whatever its threads hold.
-    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"))
+    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), warm, (catalogs,))
     try:
         yield from pool.map(make, jobs, chunksize=BATCH)
     finally:
@@ -103,7 +106,7 @@ def into_folder(houses: HouseSet, seeds: range, catalogs: Catalogs, workers: int
     """
     _claim(houses.folder, houses.made_from(catalogs))
     todo = [seed for seed in (seed % (MAX_SEED + 1) for seed in seeds) if not houses.file(seed).exists()]
-    for seed, made in zip(todo, in_processes(partial(_file_made, packed(catalogs), houses), todo, workers), strict=True):
+    for seed, made in zip(todo, in_processes(partial(_file_made, houses), todo, workers, catalogs), strict=True):
         if isinstance(made, ComposeError):
             raise made
         yield seed, made
@@ -124,7 +127,7 @@ def _claim(folder: Path, made_from: bytes) -> None:
     write_whole(path, made_from)
 
 
-def _file_made(catalogs: bytes, houses: HouseSet, seed: int) -> list[Document] | ComposeError:
+def _file_made(houses: HouseSet, catalogs: bytes, seed: int) -> list[Document] | ComposeError:
     """Makes a house and writes it; returns its issues."""
     try:
         answer = calls.generate_house({**houses.request, "seed": seed}, unpacked(catalogs), houses.engine)

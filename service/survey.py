@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 from catalogs import Catalogs
 from service.many import in_processes
-from service.work import packed, unpacked
+from service.work import unpacked
 from solver import generate
 from solver.exchange import read_request
 from solver.plain import Document
@@ -32,7 +31,7 @@ def survey(requests: Sequence[Mapping[str, Any]], count: int, workers: int, cata
     """
     read = [read_request(request) for request in requests]
     jobs = [replace(one, seed=((one.seed or 0) + k) % (MAX_SEED + 1)) for one in read for k in range(count)]
-    houses = list(in_processes(partial(_house, packed(catalogs)), jobs, workers))
+    houses = list(in_processes(_house, jobs, workers, catalogs))
     sets = []
     for k, request in enumerate(requests):
         shown = {name: value for name, value in request.items() if name != "seed"}
