@@ -56,21 +56,30 @@ def syntax(path: Path) -> ast.Module:
 
 def imports(*packages: str) -> list[Import]:
     """Every import statement's modules in some packages, `from a import b` as a.b where that is a module of ours, else a."""
-    ours = {module_name(path) for path in sources(*PACKAGES)}
-    return [found for path in sources(*packages) for found in _imports_of(path, ours)]
+    return [found for path in sources(*packages) for found in _imports_of(path)]
 
 
-def _imports_of(path: Path, ours: set[str]) -> Iterator[Import]:
+@cache
+def _ours() -> frozenset[str]:
+    return frozenset(module_name(path) for path in sources(*PACKAGES))
+
+
+@cache
+def _imports_of(path: Path) -> tuple[Import, ...]:
+    return tuple(_found_in(path))
+
+
+def _found_in(path: Path) -> Iterator[Import]:
     name = module_name(path)
     package = name if path.name == "__init__.py" else name.rpartition(".")[0]
     tree = syntax(path)
     lazy = {id(node) for function in ast.walk(tree) if isinstance(function, ast.FunctionDef) for node in ast.walk(function)}
     for node in ast.walk(tree):
-        for module in _modules_of(node, package, ours):
+        for module in _modules_of(node, package, _ours()):
             yield Import(name, module, f"{path.relative_to(ROOT)}:{getattr(node, 'lineno', 0)}", id(node) in lazy)
 
 
-def _modules_of(node: ast.AST, package: str, ours: set[str]) -> list[str]:
+def _modules_of(node: ast.AST, package: str, ours: frozenset[str]) -> list[str]:
     if isinstance(node, ast.Import):
         return [alias.name for alias in node.names]
     if not isinstance(node, ast.ImportFrom):

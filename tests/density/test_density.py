@@ -130,4 +130,10 @@ def test_most_kitchens_have_a_working_triangle() -> None:
 
 @pytest.mark.parametrize("of", EQUAL, ids=str)
 def test_one_room_is_furnished_in_many_ways(of: Equal) -> None:
-    assert len({ruler.signature(equal(of, seed)) for seed in range(100)}) >= 60
+    """A hundred seeds furnish it in sixty ways at least; no more seeds are drawn than it takes to see so many."""
+    seen: set[object] = set()
+    for seed in range(100):
+        seen.add(ruler.signature(equal(of, seed)))
+        if len(seen) == 60:
+            break
+    assert len(seen) == 60
