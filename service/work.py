@@ -84,8 +84,8 @@ def do(job: Job) -> Response | Failure:
 def do_alone(job: Job) -> Response | Failure:
     """Makes a call in a process that does nothing else, with bounded memory."""
     if sys.platform != "win32":
-        _, most = resource.getrlimit(resource.RLIMIT_AS)
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, most))
+        _, most = resource.getrlimit(resource.RLIMIT_DATA)
+        resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_LIMIT, most))  # not RLIMIT_AS: the core reserves addresses that it never uses
     return do(job)
 
 

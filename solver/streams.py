@@ -25,12 +25,13 @@ class Stream:
 
     def __init__(self, seed: int, stage: str, room: int | str = "") -> None:
         digest = blake2b(f"{seed}/{stage}/{room}".encode(), digest_size=8).digest()
-        self._state = int.from_bytes(digest, "little")
+        self.state = int.from_bytes(digest, "little")
+        """Where the stream is: 64 bits; the core's streams go on from here."""
 
     def bits(self) -> int:
         """Returns the next 64 random bits."""
-        self._state = (self._state + 0x9E3779B97F4A7C15) & _MASK
-        z = self._state
+        self.state = (self.state + 0x9E3779B97F4A7C15) & _MASK
+        z = self.state
         z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & _MASK
         z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & _MASK
         return z ^ (z >> 31)

@@ -9,6 +9,7 @@ or down to a mark. Instances share nothing: each may be called by one thread at 
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import functools
 from collections import deque
@@ -205,6 +206,13 @@ class CoreInstance:
 
 
 _idle: deque[CoreInstance] = deque()
+
+
+@atexit.register
+def _let_go() -> None:
+    """Gives back what wasmtime holds while Python can still do so."""
+    _idle.clear()
+    _loaded.cache_clear()
 
 
 @contextmanager

@@ -7,7 +7,6 @@ Comes in: a `scene.Room` with openings, the catalogs, the room's stream, or a li
 from solver.furnish.comfort import with_comfort
 from solver.furnish.listed_pieces import ListedPieces, listed_pieces
 from solver.furnish.room_types import unwanted_pieces, wanted_pieces
-from solver.furnish.wall_occupancy import WallOccupancy
 from solver.furnish.zones import scope_of, space_of
 
-__all__ = ["ListedPieces", "WallOccupancy", "listed_pieces", "scope_of", "space_of", "unwanted_pieces", "wanted_pieces", "with_comfort"]
+__all__ = ["ListedPieces", "listed_pieces", "scope_of", "space_of", "unwanted_pieces", "wanted_pieces", "with_comfort"]

@@ -17,6 +17,7 @@ from solver.pieces import Attach, Candidate, Placed, Stance
 from solver.relations import RELATIONS
 from solver.relations.at_side import whole
 from solver.relations.knee_room import taken
+from solver.relations.on import On
 from solver.relations.relation import ANYWHERE, Fit, missed
 from solver.relations.subject import Footing, Kind, Parent
 
@@ -77,7 +78,8 @@ def attached(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed
 def _resting_on(listed: ListedPiece, specs: Sequence[RelationSpec], label: str) -> Iterator[Candidate]:
     """Yields the places on another piece's surface; it stands as that piece does."""
     for spec in specs:
-        for slot in RELATIONS[spec.type].effect(listed.subject, spec).slots if spec.type == "on" else ():
+        relation = RELATIONS[spec.type]
+        for slot in relation.slots(listed.subject, spec) if isinstance(relation, On) else ():
             if slot.attach is not None and slot.attach.parent == label and slot.attach.parent_stance is not None:
                 yield replace(slot, cost=0.0, weights=(FIRM, FIRM), stance=Stance(slot.attach.parent_stance.rotation))
 
@@ -94,7 +96,7 @@ class _Frames:
         self.listed, self._specs = listed, specs
         pull = FIRM if any(RELATIONS[spec.type].gives_place for spec in specs) else LOOSE
         self._pulls = (pull, pull)
-        clear = listed.walls.space.clear
+        clear = listed.space.clear
         self._far = max(clear.width, clear.depth)
         self._tucked: set[tuple[int, Rect]] = set()
         self._centres: dict[tuple[Rect, Stance], Rect] = {}

@@ -14,7 +14,6 @@ from operator import attrgetter
 
 from solver.furnish.attached import UNSURE, attached, between_others
 from solver.furnish.stances import Costed, ListedPiece
-from solver.furnish.wall_occupancy import WallOccupancy
 from solver.furnish.zones import scope_of
 from solver.geometry import ALONG_X, Rect, turned
 from solver.pieces import Candidate, Piece, Placed, Space, Stance
@@ -76,7 +75,7 @@ def listed_pieces(
         kinds: of the requests and of what stands already, by id.
         standing: what stands in the room already, one candidate each, which tells its stance.
     """
-    scope, walls = scope_of(room, space), WallOccupancy(space)
+    scope = scope_of(room, space)
     pieces = list(standing)
     labels = {one.label: (one.label,) for one in pieces}
     parents: dict[str, tuple[Parent, ...]] = {
@@ -90,7 +89,7 @@ def listed_pieces(
         kind = kinds[request.id]
         for label in request.labels:
             subject = Subject(scope, ((kind, 0.0),), request.relations, dict(labels), dict(parents))
-            listed[label] = ListedPiece(subject, walls, reach, frozenset(unlikely))
+            listed[label] = ListedPiece(subject, space, reach, frozenset(unlikely))
             piece = _piece(listed[label], label, request.required)
             pieces.append(piece)
             if request.id in named:

@@ -10,10 +10,9 @@ from typing import TypeAlias
 
 from catalogs.checks import OPENINGS
 from catalogs.schema import RelationSpec
-from solver.furnish.candidates import rotations
-from solver.furnish.wall_occupancy import Stretch, WallOccupancy
+from solver.furnish.wall_stretches import Stretch, clear_stretches
 from solver.geometry import INWARDS, ROTATION_AT_WALL, Rect, strip_at, turned
-from solver.pieces import Stance
+from solver.pieces import Space, Stance
 from solver.relations import RELATIONS
 from solver.relations.relation import missed
 from solver.relations.subject import Footing, Kind, Subject
@@ -31,13 +30,13 @@ class ListedPiece:
 
     Args:
         subject: the piece.
-        walls: the room's.
+        space: the room's.
         reach: where the centre of an earlier piece may be, by its label and stance, mm.
         unlikely: stances of earlier pieces that miss a relation which others hold: no places are sought beside them.
     """
 
     subject: Subject
-    walls: WallOccupancy
+    space: Space
     reach: Mapping[tuple[str, Stance], Rect]
     unlikely: Collection[tuple[str, Stance]]
 
@@ -60,7 +59,7 @@ class ListedPiece:
     @cached_property
     def stretches(self) -> Mapping[str, list[Stretch]]:
         """The clear stretches of each wall for it."""
-        return {wall: self.walls.stretches(wall, self.kind.size[1], self.kind.size[2]) for wall in WALLS}
+        return {wall: clear_stretches(self.space, wall, *self.kind.size[1:]) for wall in WALLS}
 
     @cached_property
     def places(self) -> Sequence[tuple[Footing, list[Costed]]]:
@@ -70,7 +69,7 @@ class ListedPiece:
 
 def _footings(listed: ListedPiece) -> Iterator[Footing]:
     """Yields the ways a piece may be turned: with its back at each wall, and free in the room."""
-    clear, gap = listed.walls.space.clear, listed.walls.space.gap_mm
+    clear, gap = listed.space.clear, listed.space.gap_mm
     width, depth, _ = listed.kind.size
     relations = [RELATIONS[spec.type] for spec in listed.subject.relations]
     if listed.kind.at_walls or any(relation.at_walls for relation in relations):
@@ -79,9 +78,16 @@ def _footings(listed: ListedPiece) -> Iterator[Footing]:
             reach = strip_at(wall, clear.line(wall) + INWARDS[wall] * gap, clear.along(wall), depth)
             yield Footing(turn, wall, turned(width, depth, turn), reach)
     if not listed.kind.at_walls:
-        turns = (0, 90, 180, 270) if any(relation.turns for relation in relations) else rotations(listed.kind)
+        turns = (0, 90, 180, 270) if any(relation.turns for relation in relations) else _rotations(listed.kind)
         for turn in turns:
             yield Footing(turn, None, turned(width, depth, turn), clear)
+
+
+def _rotations(kind: Kind) -> tuple[int, ...]:
+    """Returns the rotations that differ: four for what has a front, two for what is only longer one way, else one."""
+    if 0 < len(kind.use_sides) < 4:
+        return (0, 90, 180, 270)
+    return (0,) if kind.size[0] == kind.size[1] else (0, 90)
 
 
 def _places(listed: ListedPiece, footing: Footing) -> list[Costed]:

@@ -127,7 +127,7 @@ def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tupl
     """
     setting = _setting_of(scene, catalogs, scene.seed or 0)
     space, wanted = _wished(room, setting)
-    return space, wanted, unwanted_pieces(room, setting.catalogs, _furnishing(room, setting), wanted)
+    return space, wanted, unwanted_pieces(room, space, setting.catalogs, _furnishing(room, setting), wanted)
 
 
 def _furnishing(room: Room, setting: _Setting) -> Stream:

@@ -4,21 +4,13 @@ from __future__ import annotations
 
 from catalogs.schema import RelationSpec
 from solver.pieces import Link
-from solver.relations.relation import ALIGN_PULL, ANYWHERE, NOTHING, Box, Effect, Fit, Relation, first
-from solver.relations.subject import Subject
+from solver.relations.relation import ALIGN_PULL, ANYWHERE, Box, Fit, Relation
 
 
 class AlignedWith(Relation):
     """Has its middle in line with another piece's middle, along either axis."""
 
     by_degree = among_copies = True
-
-    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
-        """Draws the middles into line, and asks for the walls it names."""
-        label = first(subject, spec)
-        if label is None:
-            return NOTHING
-        return Effect(links=(Link(spec.type, label, walls=spec.wall, cost=spec.cost if spec.wall else 0.0, align=spec.weight),))
 
     def boxes(self, fit: Fit) -> list[Box]:
         """Middles in line, across or along."""

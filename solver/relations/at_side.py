@@ -8,16 +8,12 @@ from __future__ import annotations
 from typing import ClassVar
 
 from catalogs.schema import RelationSpec
-from solver.geometry import Rect, to_mm, turned
-from solver.pieces import Attach, Candidate, Link
-from solver.relations.knee_room import free, nearest_free, taken
-from solver.relations.relation import EXACT, GAP_MM, HELD, Box, Effect, Fit, LeastMost, Relation, Tolerance, first
-from solver.relations.subject import Kind, Subject
+from solver.geometry import Rect, to_mm
+from solver.relations.knee_room import free
+from solver.relations.relation import EXACT, GAP_MM, HELD, Box, Fit, LeastMost, Relation, Tolerance
 
 TOWARDS = {"left": 90, "right": 270, "front": 180, "back": 0}
 """The turn, in the other's frame, with which a piece at that side faces it."""
-SIDE_COST = 0.05
-"""What each later side in a relation's list costs more than the one before it."""
 MOST_PLACES = 4
 """Most rectangles that are sought of the places where a piece can reach under another one."""
 FloorSize = tuple[int, int]
@@ -73,7 +69,7 @@ class AtSide(Relation):
     sides: ClassVar[tuple[str, ...]] = ("left", "right")
     """Where the relation names no sides."""
     best_gap: ClassVar[float] = 0.02
-    """The free space, m, of the best place where the relation names no gap."""
+    """The free space, m, of the best place where the relation names neither gap nor align."""
     sought_mm: ClassVar[LeastMost] = (20, 280)
     """The same of all places that are sought."""
     held_mm: ClassVar[LeastMost] = (0, 300)
@@ -82,52 +78,6 @@ class AtSide(Relation):
     """How the best place lines up, where there is one that is better than the rest."""
     looks: ClassVar[bool] = False
     """It must face the other."""
-    least_tucked_mm: ClassVar[int] = 0
-    """The gap of a piece that was to reach under the other, where their parts leave no room for it."""
-
-    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
-        """Offers a slot for every variant, parent and side; where it is to face its parent, it does so there."""
-        return Effect(slots=self._slots(subject, spec, self.looks or subject.faces(spec.of)), links=wall_links(subject, spec))
-
-    def _slots(self, subject: Subject, spec: RelationSpec, turn: bool) -> tuple[Candidate, ...]:
-        gap = self.slot_gap(spec)
-        found: list[Candidate] = []
-        for kind, cost in subject.variants:
-            for parent in subject.parents(spec.of):
-                for order, side in enumerate(spec.sides or self.sides):
-                    rotation = TOWARDS[side] if turn else 0
-                    align = spec.align or ("back" if side in ("left", "right") else "centre")
-                    if align in ("back", "front") and side in ("front", "back"):
-                        align = "centre"
-                    sizes = parent.kind.size[:2], turned(*kind.size[:2], rotation)
-                    wish, along_it = whole(at_side(sizes, side, gap, align)), whole(at_side(sizes, side, gap, None))
-                    under = parent.label if gap[0] < 0 else None
-                    for place in self.tucked(wish, along_it, (parent.kind, kind, rotation), side) if under else [wish]:
-                        attach = Attach(parent.label, parent.kind.name, *spans(place), side, parent.stance)
-                        found.append(Candidate(kind.name, kind.size, rotation, cost=cost + SIDE_COST * order, attach=attach, under=under))
-        return tuple(found)
-
-    def tucked(self, wish: Rect, near: Rect, kinds: tuple[Kind, Kind, int], side: str) -> list[Rect]:
-        """Returns the places of a piece that reaches under another one, at that one's side, where their parts do not cross.
-
-        Args:
-            wish: the best places.
-            near: those that will do as well; and what lies between them and where the pieces hardly overlap any more.
-            kinds: of the other piece, and of the piece with its rotation in the other's frame.
-            side: of the other.
-        """
-        parent, own, rotation = kinds
-        out = whole(at_side((parent.size[:2], turned(*own.size[:2], rotation)), side, (self.least_tucked_mm,) * 2, "centre"))
-        sideways = side in ("left", "right")
-        x = (min(near.x0, out.x0), max(near.x1, out.x1)) if sideways else (near.x0, near.x1)
-        z = (near.z0, near.z1) if sideways else (min(near.z0, out.z0), max(near.z1, out.z1))
-        blocked = taken(parent.parts, own.parts, rotation)
-        return nearest_free(wish, Rect(x[0], z[0], x[1], z[1]), blocked, outwards="x" if sideways else "z")
-
-    def slot_gap(self, spec: RelationSpec) -> tuple[int, int]:
-        """Returns the free space of a room type's slot, mm."""
-        low, high = spec.gap or (self.best_gap, self.best_gap)
-        return to_mm(low), to_mm(high)
 
     def boxes(self, fit: Fit) -> list[Box]:
         """At each side: the place that looks best, then all that hold."""
@@ -160,11 +110,3 @@ class AtSide(Relation):
             return self.held_mm if held else self.sought_mm
         more = GAP_MM if held else 0
         return to_mm(fit.spec.gap[0]) - more, to_mm(fit.spec.gap[1]) + more
-
-
-def wall_links(subject: Subject, spec: RelationSpec) -> tuple[Link, ...]:
-    """Returns the link that a relation's `wall` asks for."""
-    label = first(subject, spec)
-    if spec.wall is None or label is None:
-        return ()
-    return (Link(spec.type, label, walls=spec.wall, cost=spec.cost, required=spec.required),)

@@ -2,27 +2,19 @@
 
 from __future__ import annotations
 
-from catalogs.checks import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import FACING, OPPOSITE, WALL_BEHIND, Rect
-from solver.pieces import Candidate, Link
 from solver.relations.relation import (
     ANYWHERE,
-    NOTHING,
     SOUGHT,
     Box,
-    Effect,
     Fit,
     Relation,
     Standing,
     Tolerance,
-    first,
-    missed,
 )
-from solver.relations.subject import Footing, Scope, Subject
+from solver.relations.subject import Footing, Scope
 
-AT_SIDES = ("beside", "in_front_of", "around", "under")
-"""Relations whose slots turn the piece already."""
 AHEAD_MM = (250.0, 700.0, 1500.0)
 """Distances of the other's middle at which places are sought from where it lies within half a right angle of the front."""
 
@@ -31,21 +23,6 @@ class Facing(Relation):
     """Turns its front towards a piece or an opening; in a slot of that piece the slot does it."""
 
     turns = True
-
-    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
-        """Asks for the turn; to an opening, for being turned to its wall."""
-        kinds = tuple(name for name in spec.of if name in OPENINGS)
-        if kinds:
-            walls = {opening.wall for opening in subject.scope.opened(*kinds)}
-
-            def cost_of(candidate: Candidate) -> float:
-                return 0.0 if _wall_ahead(candidate.rotation) in walls else missed(spec)
-
-            return Effect(cost_of=cost_of) if walls else NOTHING
-        label = first(subject, spec)
-        if label is None or any(other.type in AT_SIDES and set(other.of) & set(spec.of) for other in subject.relations):
-            return NOTHING
-        return Effect(links=(Link(spec.type, label, turn=180, cost=spec.cost, required=spec.required),))
 
     def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
         """Anywhere, turned to the wall of an opening."""

@@ -8,9 +8,8 @@ from catalogs.checks import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, Rect
 from solver.pieces import Link
-from solver.relations.distance import off_distance
-from solver.relations.relation import ANYWHERE, SOUGHT, Box, Effect, Fit, Relation, Standing, Tolerance, distance_mm
-from solver.relations.subject import Footing, Scope, Subject
+from solver.relations.relation import ANYWHERE, SOUGHT, Box, Fit, Relation, Standing, Tolerance, distance_mm
+from solver.relations.subject import Footing, Scope
 
 FAR_MM, FAR_FROM_OPENING_MM = 2000, 1500
 """How far is far from a piece, and from an opening, where the relation names no distance."""
@@ -27,17 +26,6 @@ class FarFrom(Relation):
     def openings(self, spec: RelationSpec) -> tuple[str, ...]:
         """Returns the kinds of openings it is about."""
         return tuple(name for name in spec.of if name in OPENINGS)
-
-    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
-        """Every metre short of the distance costs; short of an opening's, in full at the opening."""
-        kinds = self.openings(spec)
-        if kinds:
-            return off_distance(subject, spec, kinds, (FAR_FROM_OPENING_MM, -1))
-        distance = distance_mm(spec, FAR_MM) / 1000
-        links = [Link(spec.type, label, apart_m=distance, apart_cost=spec.cost) for label in subject.labels(spec.of)]
-        if spec.wall and links:
-            links.append(Link(spec.type, links[0].of, walls=spec.wall, cost=spec.cost, required=spec.required))
-        return Effect(links=tuple(links))
 
     def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
         """Rectangles clear of the square around every opening; along a wall, exactly clear of the circle."""

@@ -79,36 +79,3 @@ def _without(rect: Rect, hole: Rect) -> list[Rect]:
         return [rect]
     sides = [Rect(x0, z0, hole.x0, z1), Rect(hole.x1, z0, x1, z1), Rect(x0, z0, x1, hole.z0), Rect(x0, hole.z1, x1, z1)]
     return [side for side in sides if side.x0 <= side.x1 and side.z0 <= side.z1]
-
-
-def nearest_free(wish: Rect, reach: Rect, blocked: Sequence[Rect], *, outwards: str) -> list[Rect]:
-    """Returns what of the places wished for is free; where nothing is, the places nearest to them.
-
-    Args:
-        wish: the best places.
-        reach: those that will do.
-        blocked: where the centre must not be.
-        outwards: the axis that leads away from the other piece, x or z: as little as possible is lost along it, then along the other.
-    """
-    found = free(wish, blocked)
-    if found:
-        return found
-    near = [_nearest(place, wish) for place in free(reach, blocked)]
-    away = [(_gap(rect.x0, rect.x1, wish.x0, wish.x1), _gap(rect.z0, rect.z1, wish.z0, wish.z1)) for rect in near]
-    ranked = [gaps if outwards == "x" else gaps[::-1] for gaps in away]
-    return [rect for rect, rank in zip(near, ranked, strict=True) if rank == min(ranked)]
-
-
-def _gap(low: int, high: int, start: int, end: int) -> int:
-    return max(0, low - end, start - high)
-
-
-def _nearest(place: Rect, wish: Rect) -> Rect:
-    """Returns the part of a rectangle of places that is nearest to another one."""
-    (x0, x1), (z0, z1) = _towards((place.x0, place.x1), (wish.x0, wish.x1)), _towards((place.z0, place.z1), (wish.z0, wish.z1))
-    return Rect(x0, z0, x1, z1)
-
-
-def _towards(span: tuple[int, int], wish: tuple[int, int]) -> tuple[int, int]:
-    low, high = max(span[0], wish[0]), min(span[1], wish[1])
-    return (low, high) if low <= high else (span[0], span[0]) if span[0] > wish[1] else (span[1], span[1])

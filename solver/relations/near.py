@@ -7,11 +7,9 @@ import math
 from catalogs.checks import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, Rect
-from solver.pieces import Link
 from solver.relations.centred import about
-from solver.relations.distance import off_distance
-from solver.relations.relation import NOTHING, SOUGHT, Box, Effect, Fit, Relation, Standing, Tolerance, distance_mm, first
-from solver.relations.subject import Footing, Opened, Scope, Subject
+from solver.relations.relation import SOUGHT, Box, Fit, Relation, Standing, Tolerance, distance_mm
+from solver.relations.subject import Footing, Opened, Scope
 
 NEAR_MM = 1500
 """How far is near where the relation names no distance."""
@@ -25,17 +23,6 @@ class Near(Relation):
     def openings(self, spec: RelationSpec) -> tuple[str, ...]:
         """Returns the kinds of openings it is about."""
         return tuple(name for name in spec.of if name in OPENINGS)
-
-    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
-        """Pulls towards a piece; what is farther from an opening than wished costs, in full at twice the distance."""
-        kinds = self.openings(spec)
-        if kinds:
-            return off_distance(subject, spec, kinds, (NEAR_MM, 1))
-        label = first(subject, spec)
-        if label is None:
-            return NOTHING
-        cost = spec.cost if spec.wall else 0.0
-        return Effect(links=(Link(spec.type, label, walls=spec.wall, cost=cost, required=spec.required, near=spec.weight),))
 
     def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
         """Within the distance of each opening."""

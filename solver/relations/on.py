@@ -5,7 +5,7 @@ from __future__ import annotations
 from catalogs.schema import RelationSpec
 from solver.pieces import Attach, Candidate
 from solver.relations.at_side import lined_up
-from solver.relations.relation import EXACT, Effect, Relation, Standing
+from solver.relations.relation import EXACT, Relation, Standing
 from solver.relations.subject import Subject
 
 
@@ -14,8 +14,8 @@ class On(Relation):
 
     gives_place = True
 
-    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
-        """Offers the first surface of every parent that has room above it."""
+    def slots(self, subject: Subject, spec: RelationSpec) -> tuple[Candidate, ...]:
+        """Returns a candidate on the first surface of every parent that has room above it."""
         found: list[Candidate] = []
         for kind, cost in subject.variants:
             width, depth, height = kind.size
@@ -31,7 +31,7 @@ class On(Relation):
                 along = round(back[0]), round(back[1])
                 attach = Attach(parent.label, parent.kind.name, across, along, f"on {level.name}", parent.stance)
                 found.append(Candidate(kind.name, kind.size, 0, cost=cost, attach=attach, on=parent.label, bottom_mm=level.height_mm))
-        return Effect(slots=tuple(found))
+        return tuple(found)
 
     def holds_with(self, spec: RelationSpec, own: Standing, other: Standing) -> bool:
         """Tells whether its middle is over the other, and its underside on one of the other's surfaces."""

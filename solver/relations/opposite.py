@@ -5,24 +5,13 @@ from __future__ import annotations
 from catalogs.schema import RelationSpec
 from solver.geometry import OPPOSITE
 from solver.pieces import Link
-from solver.relations.relation import ALIGN_PULL, ANYWHERE, NOTHING, Box, Effect, Fit, Relation, first
-from solver.relations.subject import Subject
+from solver.relations.relation import ALIGN_PULL, ANYWHERE, Box, Fit, Relation
 
 
 class Opposite(Relation):
     """Stands at the wall opposite another piece, each looking at the other, one's middle on the other."""
 
     turns = at_walls = True
-
-    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
-        """Asks for the turn and the walls, and draws the middles in line."""
-        label = first(subject, spec)
-        if label is None:
-            return NOTHING
-        link = Link(
-            spec.type, label, turn=180, walls="opposite", cost=spec.cost, required=spec.required, align=spec.weight
-        )  # fmt: skip
-        return Effect(links=(link,))
 
     def boxes(self, fit: Fit) -> list[Box]:
         """Before the other's front, turned to it."""

@@ -1,21 +1,20 @@
 """What a relation is: one class a word of the vocabulary, which says where the relation holds and whether it does.
 
-A relation answers three questions. `regions` and `boxes`: where does it hold, in the room or in another piece's frame?
-`holds_in_room` and `holds_with`: does it hold in a finished room? `effect`: what does a room type that wishes for it, by
-degree, make of a piece's candidates? docs/relations.md tells what each word means to those who write it.
+A relation answers two questions here. `regions` and `boxes`: where does it hold, in the room or in another piece's frame?
+`holds_in_room` and `holds_with`: does it hold in a finished room? What a room type that wishes for it, by degree, makes of a piece's
+candidates, its class in solver/core/furnish/relations says. docs/relations.md tells what each word means to those who write it.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
 from catalogs.schema import RelationSpec
 from solver.geometry import OPPOSITE, Rect, rotate, to_mm, turned
-from solver.pieces import Candidate, Link
-from solver.relations.subject import Footing, Scope, Subject
+from solver.pieces import Link
+from solver.relations.subject import Footing, Scope
 
 LeastMost = tuple[float, float]
 """The least and the greatest of a coordinate, mm."""
@@ -104,38 +103,6 @@ class Standing:
         return rotate(x - other_x, z - other_z, -other.rotation)
 
 
-CostOf = Callable[[Candidate], float]
-"""Returns what a candidate costs by one relation; infinity forbids it."""
-
-
-@dataclass(frozen=True)
-class Effect:
-    """What a room type's relation does to a piece's candidates.
-
-    Args:
-        slots: candidates at another piece.
-        links: conditions and terms against earlier pieces.
-        cost_of: cost of a candidate that is no slot.
-        positions: further centres along a wall to try (wall, kind, mm), beside the ends and middles of its clear stretches.
-        spots: further free anchors to try (kind, (x, z) mm).
-        corners: free pieces are tried in the room's corners.
-        backs: free pieces are tried with their back at each wall.
-        weight: pull towards the anchor, m^-2, where the relation wants a firm one.
-    """
-
-    slots: tuple[Candidate, ...] = ()
-    links: tuple[Link, ...] = ()
-    cost_of: CostOf | None = None
-    positions: tuple[tuple[str, str, int], ...] = ()
-    spots: tuple[tuple[str, tuple[int, int]], ...] = ()
-    corners: bool = False
-    backs: bool = False
-    weight: float = 0.0
-
-
-NOTHING = Effect()
-
-
 class Relation:
     """One word of the vocabulary; this one says nothing and never holds, the others override what they mean."""
 
@@ -151,10 +118,6 @@ class Relation:
     """It may hold between the copies of one piece."""
     at_walls: ClassVar[bool] = False
     """It makes a piece stand with its back at a wall that would not do so by itself."""
-
-    def effect(self, subject: Subject, spec: RelationSpec) -> Effect:
-        """Returns what the relation does to the candidates of a room type's piece."""
-        return NOTHING
 
     def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
         """Returns the rectangles in any of which a footprint holds the relation to the room; none where it cannot hold so."""
@@ -199,8 +162,3 @@ def missed(spec: RelationSpec) -> float:
 def distance_mm(spec: RelationSpec, default: int) -> int:
     """Returns the distance a relation wishes, mm."""
     return default if spec.distance is None else to_mm(spec.distance)
-
-
-def first(subject: Subject, spec: RelationSpec) -> str | None:
-    """Returns the label of the first earlier piece that the relation names; None where the room has none."""
-    return next(iter(subject.labels(spec.of)), None)

@@ -154,7 +154,3 @@ class Subject:
     def parents(self, names: tuple[str, ...]) -> list[Parent]:
         """Returns every way that the earlier pieces of those names may stand."""
         return [parent for label in self.labels(names) for parent in self.standing[label]]
-
-    def faces(self, names: tuple[str, ...]) -> bool:
-        """Tells whether a relation turns this piece towards one of those."""
-        return any(spec.type == "facing" and set(spec.of) & set(names) for spec in self.relations)

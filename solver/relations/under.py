@@ -14,7 +14,7 @@ class Under(AtSide):
 
     turns = looks = True
     sides = ("front",)
-    best_gap, sought_mm, held_mm, least_tucked_mm = -0.3, (-10_000, -50), (-10_000, -10), -10
+    sought_mm, held_mm = (-10_000, -50), (-10_000, -10)
 
     def gap(self, fit: Fit) -> LeastMost:
         """Returns a gap with which it does reach under the other; none (low above high) where the relation's own does not."""

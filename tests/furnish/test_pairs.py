@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from solver.furnish.preferences import QUARTER_PREFERENCE, SIDE_PREFERENCE
 from solver.pieces import Candidate, Link, Piece
+from tests.furnish.reference.drawn import QUARTER_PREFERENCE, SIDE_PREFERENCE
 from tests.furnish.worlds import KINDS, ask, box_of, den, front_of, gap, piece
 
 TURNS = (0, 90, 180, 270)

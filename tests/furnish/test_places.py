@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from solver.furnish.preferences import WALL_PREFERENCE
 from solver.pieces import Candidate, Piece
 from solver.scene import Opening
+from tests.furnish.reference.drawn import WALL_PREFERENCE
 from tests.furnish.worlds import DOOR, WINDOW, ask, box_of, cheapest, den, front_of, piece
 
 GARAGE_DOOR = Opening("gate", "garage_door", "east", 2.0, 2.4)

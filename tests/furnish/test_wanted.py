@@ -8,10 +8,10 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.furnish import space_of, wanted_pieces
-from solver.furnish.room_types import LIMIT
 from solver.pieces import Piece, Stand
 from solver.scene import Opening, Room
 from solver.streams import Stream
+from tests.furnish.reference.stage import LIMIT
 from tests.furnish.worlds import DOOR, WINDOW, ask, box_of, clear_of_zones, den, piece
 
 KNOWN = load_catalogs()

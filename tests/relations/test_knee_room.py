@@ -8,13 +8,17 @@ from random import Random
 import pytest
 
 from catalogs import load_catalogs
-from catalogs.schema import RelationSpec
+from catalogs.schema import RelationSpec, RoomType
+from solver.furnish import space_of, wanted_pieces
 from solver.geometry import Rect, turned
-from solver.pieces import Stance
+from solver.pieces import Candidate
 from solver.relations import RELATIONS
-from solver.relations.knee_room import PartBox, free, nearest_free, taken
+from solver.relations.knee_room import PartBox, free, taken
 from solver.relations.relation import Fit
-from solver.relations.subject import Kind, Parent, Scope, Subject
+from solver.relations.subject import Kind
+from solver.scene import Room
+from solver.streams import Stream
+from tests.furnish.reference.slots import nearest_free
 
 KNOWN = load_catalogs()
 TABLE = (PartBox(Rect(-500, -300, 500, 300), 700, 750), PartBox(Rect(-500, -300, -450, 300), 0, 700))
@@ -41,6 +45,17 @@ TUCKED = [
     }.items()
     for seat in seats
 ]
+
+
+def slots(table: str, seat: str, rule: dict[str, object]) -> list[Candidate]:
+    """Returns the slots of a room type's seat at a table, by a rule that it must keep."""
+    pieces = [{"piece": table}, {"piece": seat, "rules": [{**rule, "of": [table], "required": True}]}]
+    den = RoomType.model_validate(
+        {"area": {"min": (4, 4), "typical": 12, "max": 60}, "flooring": "wood", "accent": "#808080", "pieces": pieces}
+    )
+    room = Room("den_0", 0, "den", width=5.0, depth=5.0)
+    wanted = wanted_pieces(room, space_of(room, 0.1), KNOWN.model_copy(update={"rooms": {"den": den}}), Stream(1, "furnish", 0))
+    return [one for one in wanted[1].candidates if one.attach]
 
 
 def crosses(table: Kind, seat: Kind, at: tuple[float, float], turn: int) -> bool:
@@ -96,10 +111,10 @@ def test_free_places_are_all_there_are(seed: int) -> None:
 
 def test_the_nearest_place_keeps_under_before_it_keeps_in_line() -> None:
     wish, reach, hole = Rect(0, 0, 0, 0), Rect(-10, 0, 10, 20), Rect(-4, -5, 6, 5)
-    assert nearest_free(wish, reach, [hole], outwards="z") == [Rect(-4, 0, -4, 0)]
-    assert nearest_free(wish, reach, [hole], outwards="x") == [Rect(0, 5, 0, 5)]
-    assert nearest_free(wish, reach, [Rect(-20, -5, 20, 5)], outwards="z") == [Rect(0, 5, 0, 5)]
-    assert nearest_free(wish, Rect(-10, 0, 10, 4), [Rect(-20, -5, 20, 5)], outwards="z") == []
+    assert nearest_free(wish, reach, [hole], sideways=False) == [Rect(-4, 0, -4, 0)]
+    assert nearest_free(wish, reach, [hole], sideways=True) == [Rect(0, 5, 0, 5)]
+    assert nearest_free(wish, reach, [Rect(-20, -5, 20, 5)], sideways=False) == [Rect(0, 5, 0, 5)]
+    assert nearest_free(wish, Rect(-10, 0, 10, 4), [Rect(-20, -5, 20, 5)], sideways=False) == []
 
 
 @pytest.mark.parametrize(("table", "seat"), TUCKED)
@@ -118,19 +133,15 @@ def test_what_is_free_under_a_table_crosses_nothing(table: str, seat: str) -> No
 )
 def test_slots_of_room_types_reach_under_and_cross_nothing(table: str, seat: str, rule: dict[str, object]) -> None:
     parent, own = Kind.of(table, KNOWN), Kind.of(seat, KNOWN)
-    subject = Subject(
-        Scope(Rect(0, 0, 5000, 5000), ()), ((own, 0.0),), (), {"it": ("it_1",)}, {"it_1": (Parent("it_1", parent, Stance(0)),)}
-    )  # fmt: skip
-    spec = RelationSpec.model_validate({**rule, "of": ["it"]})
-    slots = RELATIONS[spec.type].effect(subject, spec).slots
-    assert slots
-    for slot in slots:
-        assert slot.attach is not None and slot.under == "it_1"
+    found = slots(table, seat, rule)
+    assert found
+    for slot in found:
+        assert slot.attach is not None and slot.under == f"{table}_1"
         for at in product(slot.attach.across_mm, slot.attach.along_mm):
             assert not crosses(parent, own, at, slot.rotation)
             width, depth = turned(*own.size[:2], slot.rotation)
             shared = (parent.size[0] + width) / 2 - abs(at[0]), (parent.size[1] + depth) / 2 - abs(at[1])
-            assert min(shared) >= (10 if spec.type == "under" else 0)
+            assert min(shared) >= (10 if rule["type"] == "under" else 0)
 
 
 @pytest.mark.parametrize(("table", "seat"), TUCKED)
@@ -147,9 +158,6 @@ def test_places_that_are_sought_cross_nothing(table: str, seat: str) -> None:
 def test_a_corner_seat_moves_off_the_leg_and_stays_apart_from_its_neighbour() -> None:
     parent, own = Kind.of("small_dining_table", KNOWN), Kind.of("dining_chair", KNOWN)
     assert crosses(parent, own, (300, parent.size[1] // 2 + own.size[1] // 2 - 150), 180)
-    subject = Subject(
-        Scope(Rect(0, 0, 5000, 5000), ()), ((own, 0.0),), (), {"it": ("it_1",)}, {"it_1": (Parent("it_1", parent, Stance(0)),)}
-    )  # fmt: skip
-    spec = RelationSpec.model_validate({"type": "around", "of": ["it"], "sides": ["front"], "gap": -0.15})
-    across = sorted(slot.attach.across_mm for slot in RELATIONS["around"].effect(subject, spec).slots if slot.attach)
+    found = slots("small_dining_table", "dining_chair", {"type": "around", "sides": ["front"], "gap": -0.15})
+    across = sorted(slot.attach.across_mm for slot in found if slot.attach)
     assert across[0][0] == -across[1][0] and own.size[0] <= across[1][0] - across[0][0] < 600

@@ -37,3 +37,5 @@ inline i64 whole(f64 x) {
   if (x < -END) return -9223372036854775807LL - 1;
   return static_cast<i64>(x);
 }
+
+constexpr i64 magnitude(i64 a) { return a < 0 ? -a : a; }

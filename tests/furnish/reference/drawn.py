@@ -111,14 +111,3 @@ def _range(piece: PieceSpec, area: float) -> tuple[int, int]:
         return piece.count, piece.count
     most = max(1, min(piece.count, int(area / piece.per_area)))
     return (most + 1) // 2, most
-
-
-def why_fewer(piece: PieceSpec, area: float, copies: int) -> str:
-    """Says for a person why `count` wanted fewer of a piece than its spec's `count`."""
-    least, most = _range(piece, area)
-    if most == 0:
-        return f"needs {piece.min_area:g} m2"
-    if copies == 0:
-        return f"by chance {piece.chance:g}, not drawn"
-    drawn = "" if least == most else f", drawn from {least} to {most}"
-    return f"{copies} of at most {piece.count}: one for every {piece.per_area:g} m2{drawn}"

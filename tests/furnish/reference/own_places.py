@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from solver.furnish.wall_occupancy import WallOccupancy
 from solver.geometry import ROTATION_AT_WALL, turned
 from solver.pieces import Candidate
-from solver.relations.relation import Effect
 from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
+from tests.furnish.reference.effects import Effect
+from tests.furnish.reference.occupancy import TakenWalls
 
 DRAW = 0.05
 """Pull towards an anchor that no rule asks to be firm, m^-2."""
@@ -20,7 +20,7 @@ Anchor = Callable[[tuple[int, int]], tuple[int, int]]
 """Extents along x and z -> the centre (x, z) wished for a footprint of them, mm."""
 
 
-def own_candidates(subject: Subject, walls: WallOccupancy, effects: Sequence[Effect]) -> list[Candidate]:
+def own_candidates(subject: Subject, walls: TakenWalls, effects: Sequence[Effect]) -> list[Candidate]:
     """Returns the ways a piece may stand by itself, each with its variant's cost.
 
     Where no wall has a clear stretch for any variant, every wall is tried nevertheless: placement says why it is not there.
@@ -33,7 +33,7 @@ def own_candidates(subject: Subject, walls: WallOccupancy, effects: Sequence[Eff
     ]
 
 
-def _standing(subject: Subject, walls: WallOccupancy, effects: Sequence[Effect]) -> Iterator[Candidate]:
+def _standing(subject: Subject, walls: TakenWalls, effects: Sequence[Effect]) -> Iterator[Candidate]:
     backs = any(effect.backs for effect in effects)
     for kind, cost in subject.variants:
         if kind.at_walls or backs:
@@ -53,7 +53,7 @@ def at_wall(scope: Scope, kind: Kind, wall: str, centre_mm: int, cost: float) ->
     return Candidate(kind.name, kind.size, ROTATION_AT_WALL[wall], wall, anchor, (DRAW, DRAW), cost=cost)
 
 
-def _centres(walls: WallOccupancy, effects: Sequence[Effect], wall: str, kind: Kind) -> list[tuple[int, float]]:
+def _centres(walls: TakenWalls, effects: Sequence[Effect], wall: str, kind: Kind) -> list[tuple[int, float]]:
     """Returns the centres to try along a wall, with what each costs: first clear of where earlier pieces are meant to stand."""
     width, depth, height = kind.size
     proposed = [p for effect in effects for on_wall, of_kind, p in effect.positions if (on_wall, of_kind) == (wall, kind.name)]
@@ -65,7 +65,7 @@ def _centres(walls: WallOccupancy, effects: Sequence[Effect], wall: str, kind: K
     return []
 
 
-def _in_stretch(walls: WallOccupancy, wall: str, stretch: tuple[int, int], width: int, proposed: Sequence[int]) -> list[int]:
+def _in_stretch(walls: TakenWalls, wall: str, stretch: tuple[int, int], width: int, proposed: Sequence[int]) -> list[int]:
     """Returns the centres to try in one clear stretch: what the relations propose, its ends and its middle."""
     a, b = stretch
     clear, gap, half = walls.space.clear.along(wall), walls.space.gap_mm, width // 2

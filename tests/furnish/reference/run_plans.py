@@ -13,14 +13,14 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 from catalogs.schema import Run
-from solver.furnish.candidates import at_wall
-from solver.furnish.preferences import CountedPiece
-from solver.furnish.wall_occupancy import WallOccupancy
 from solver.geometry import FACING, walls_beside
 from solver.pieces import Candidate
 from solver.relations.subject import Kind, Scope
 from solver.scene import WALLS
 from solver.streams import Stream
+from tests.furnish.reference.drawn import CountedPiece
+from tests.furnish.reference.occupancy import TakenWalls
+from tests.furnish.reference.own_places import at_wall
 
 DRAWS = 300
 """Runs drawn for a room; the best of those that fit is taken (measured: more find no better triangles)."""
@@ -59,7 +59,7 @@ class Leg:
 class _Walls:
     """Where bodies of a depth and height may stand along the walls; asked many times, looked up once."""
 
-    def __init__(self, scope: Scope, walls: WallOccupancy) -> None:
+    def __init__(self, scope: Scope, walls: TakenWalls) -> None:
         self.scope, self._walls = scope, walls
         self._free: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
 
@@ -72,7 +72,7 @@ class _Walls:
         return any(a <= start and start + width <= b for a, b in self._free[key])
 
 
-def planned_run(scope: Scope, free: WallOccupancy, run: Run, pieces: Mapping[str, CountedPiece], stream: Stream) -> dict[str, Candidate]:
+def planned_run(scope: Scope, free: TakenWalls, run: Run, pieces: Mapping[str, CountedPiece], stream: Stream) -> dict[str, Candidate]:
     """Returns where each piece of the best run drawn is meant to stand; empty where none fits.
 
     Args:

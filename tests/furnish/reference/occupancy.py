@@ -5,11 +5,8 @@ from __future__ import annotations
 from solver.geometry import Rect, gaps_between, strip
 from solver.pieces import Space
 
-Stretch = tuple[int, int]
-"""An interval along a wall, mm, from its west or north end."""
 
-
-class WallOccupancy:
+class TakenWalls:
     """The walls of one room and what takes them up.
 
     Args:
@@ -21,7 +18,7 @@ class WallOccupancy:
         self.space, self.gates = space, gates
         self._taken: list[Rect] = []
 
-    def stretches(self, wall: str, depth_mm: int, height_mm: int, occupied: bool = True) -> list[Stretch]:
+    def stretches(self, wall: str, depth_mm: int, height_mm: int, occupied: bool = True) -> list[tuple[int, int]]:
         """Returns the clear stretches for a body of that depth and height with its back to the wall, west or north first.
 
         `occupied` tells whether what was marked by `occupy` counts.

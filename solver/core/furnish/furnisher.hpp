@@ -1,0 +1,48 @@
+// The pieces of one room, each made when those before it are known.
+#pragma once
+
+#include "preferences.hpp"
+#include "relations/relation.hpp"
+
+// A piece of the answer; its candidates and links are the next rows of theirs.
+struct PieceRow {
+  i32 spec;
+  i32 number;
+  i32 kind;  // the wanted one
+  i32 candidates;
+  i32 links;
+  i32 unused;
+};
+
+class Furnisher {
+ public:
+  Furnisher(const Scope& scope, const RoomType& type, WallOccupancy& walls);
+
+  // Adds a copy of a piece, which a run may have planned (else null); false where a relation it cannot do without has nothing to hold on to.
+  bool add(const CountedPiece& counted, i32 number, const Preferences& preferences, const Candidate* planned);
+
+  List<PieceRow> pieces;
+  List<Candidate> candidates;
+  List<Link> links;
+
+ private:
+  // Where a piece is meant to stand; `kind` is -1 where nowhere.
+  struct Meant {
+    i32 kind;
+    i32 rotation;
+    Point centre;
+  };
+
+  List<Candidate> found_for(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const;
+  List<Candidate> alone(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const;
+  f64 cost_in_the_way(const Subject& subject, const Candidate& candidate) const;
+  void keep(const CountedPiece& counted, i32 number, Span<Candidate> ways, Span<Effect> effects);
+  Meant meant(const Candidate& candidate) const;
+  void intend(Span<Candidate> ways);
+
+  const Scope& scope_;
+  const RoomType& type_;
+  WallOccupancy& walls_;
+  Earlier earlier_;
+  List<Meant> meant_;  // by piece
+};

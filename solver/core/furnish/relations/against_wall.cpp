@@ -1,0 +1,63 @@
+#include "against_wall.hpp"
+
+// A wall is long, and those beside it short, from this ratio on: a square room has neither.
+constexpr f64 LONGER = 1.15;
+
+void AgainstWall::effect(const Subject&, const Rule&, Effect& effect) const { effect.has_cost = effect.backs = true; }
+
+// Tells whether a window is right behind a candidate.
+static bool is_before_window(const Subject& subject, const Candidate& candidate) {
+  const Interval own = subject.footprint(candidate).along(candidate.wall);
+  for (const Opened& one : subject.scope.openings) {
+    const bool here = one.kind == Opening::window && one.wall == candidate.wall;
+    if (here && one.stretch.low < own.high && own.low < one.stretch.high) return true;
+  }
+  return false;
+}
+
+// Tells whether a piece's long side lies before the middle of a window of another wall: a bed lengthwise under it.
+static bool is_along_window(const Subject& subject, const Candidate& candidate) {
+  const Rect rect = subject.footprint(candidate);
+  const Kind& kind = subject.kind(candidate);
+  if (kind.depth <= kind.width) return false;
+  for (const Opened& one : subject.scope.openings) {
+    if (one.kind != Opening::window || one.wall == candidate.wall) continue;
+    const Interval side = rect.along(one.wall);
+    const bool close = rect.wall_distance(one.wall, subject.scope.clear) <= 2 * subject.scope.gap;
+    if (close && side.low < one.middle() && one.middle() < side.high) return true;
+  }
+  return false;
+}
+
+static bool has_opening(const Scope& scope, Wall wall, bool windows_too) {
+  for (const Opened& one : scope.openings) {
+    if (one.wall == wall && (windows_too || one.kind != Opening::window)) return true;
+  }
+  return false;
+}
+
+// Tells whether the wall behind a candidate is of a sort; only a window right behind it counts.
+static bool is_of(Sort sort, const Subject& subject, const Candidate& candidate) {
+  const Scope& scope = subject.scope;
+  const Wall wall = candidate.wall;
+  const f64 width = static_cast<f64>(scope.clear.width()), depth = static_cast<f64>(scope.clear.depth());
+  const f64 own = runs_along_x(wall) ? width : depth, other = runs_along_x(wall) ? depth : width;
+  switch (sort) {
+    case Sort::door: return has_opening(scope, wall, false);
+    case Sort::plain: return !has_opening(scope, wall, true);
+    case Sort::exterior: return scope.exterior >> static_cast<i32>(wall) & 1;
+    case Sort::longer: return own > LONGER * other;
+    case Sort::shorter: return other > LONGER * own;
+    case Sort::window: return is_before_window(subject, candidate) || is_along_window(subject, candidate);
+  }
+  return false;
+}
+
+f64 AgainstWall::cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const {
+  if (candidate.wall == Wall::none) return effect.rule->missed();
+  f64 sum = 0.0;
+  for (const SortCost& sort : RoomType::part(subject.type.sorts, effect.rule->sorts)) {
+    if (is_of(sort.sort, subject, candidate)) sum += sort.cost;
+  }
+  return sum;
+}

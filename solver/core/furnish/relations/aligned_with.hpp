@@ -1,0 +1,17 @@
+// `aligned_with`: its middle in line with another piece's middle.
+#pragma once
+
+#include "relation.hpp"
+
+class AlignedWith : public Relation {
+ public:
+  // Draws the middles into line, and asks for the walls it names.
+  void effect(const Subject& subject, const Rule& rule, Effect& effect) const override {
+    const i32 piece = subject.first(rule);
+    if (piece < 0) return;
+    Link& link = effect.links.add(link_to(rule, piece));
+    link.walls = rule.wall;
+    link.cost = rule.wall == Walls::any ? 0.0 : rule.cost;
+    link.align = rule.weight;
+  }
+};

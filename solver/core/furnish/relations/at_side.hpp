@@ -1,0 +1,66 @@
+// The relations that place a piece at a side of another one: beside, in_front_of, under; their geometry is that of around and in_row too.
+//
+// Offsets are in the other's own frame, mm, from its centre to the piece's centre: front +z, right +x. Halves are kept by doubling.
+#pragma once
+
+#include "../../plain/rounding.hpp"
+#include "relation.hpp"
+
+// Where a centre may lie in another piece's frame, doubled.
+struct DoubleBox {
+  Interval across, along;
+};
+
+// The turn, in the other's frame, with which a piece at that side faces it.
+constexpr i32 towards(Side side) { return side == Side::left ? 90 : side == Side::right ? 270 : side == Side::front ? 180 : 0; }
+
+// The doubled offsets along a side with which two lengths line up; by default the shorter one within the longer one.
+constexpr Interval lined_up(i64 parent, i64 own, Align align) {
+  if (align == Align::back) return {own - parent, own - parent};
+  if (align == Align::front) return {parent - own, parent - own};
+  if (align == Align::centre) return {0, 0};
+  const i64 half = parent > own ? parent - own : own - parent;
+  return {-half, half};
+}
+
+constexpr Interval rounded(Interval doubled) { return {rounded_half(doubled.low), rounded_half(doubled.high)}; }
+
+// Where the centre of a piece lies that stands at a side of its parent, a gap away and lined up with it, rounded.
+Rect at_side(Extent parent, Extent own, Side side, Interval gap, Align align);
+
+// Another piece, and how the own kind is turned at it.
+struct Pair {
+  Parent parent;
+  i32 kind;
+  i32 rotation;
+  Side side;
+};
+
+class AtSide : public Relation {
+ public:
+  // What one word of them means: its sides, the gap where none is named, the gap of what was to reach under the other where parts leave
+  // no room for it, mm, and whether it must face the other.
+  struct Meaning {
+    const Side* sides;
+    i32 side_count;
+    i64 gap;
+    i64 least_tucked;
+    bool looks;
+  };
+
+  explicit constexpr AtSide(Meaning meaning) : meaning_(meaning) { gives_place = true; }
+  void effect(const Subject& subject, const Rule& rule, Effect& effect) const override;
+
+ protected:
+  Span<const Side> sides(const Subject& subject, const Rule& rule) const;
+  Interval slot_gap(const Rule& rule) const;
+  // Offers a slot for every variant, parent and side.
+  void add_slots(const Subject& subject, const Rule& rule, bool turn, Effect& effect) const;
+  // The places of a piece that reaches under another one where their parts do not cross: those wished for, else the nearest of those near.
+  List<Rect> tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
+
+ private:
+  void add_at(const Subject& subject, const Rule& rule, const Pair& pair, f64 cost, Effect& effect) const;
+
+  Meaning meaning_;
+};

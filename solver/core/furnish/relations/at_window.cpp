@@ -1,0 +1,23 @@
+#include "at_window.hpp"
+
+#include "centred.hpp"
+
+// Tries the windows' middles, and costs by the distance from them.
+void AtWindow::effect(const Subject& subject, const Rule& rule, Effect& effect) const {
+  for (const Opened& one : subject.scope.openings) {
+    if (one.kind != Opening::window) continue;
+    effect.has_cost = true;
+    effect.weight = rule.weight;
+    for (const Variant& variant : subject.variants) effect.positions.add({one.wall, variant.kind, one.middle()});
+  }
+}
+
+f64 AtWindow::cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const {
+  f64 nearest = INFINITE;
+  for (const Opened& one : subject.scope.openings) {
+    if (one.kind != Opening::window || one.wall != candidate.wall) continue;
+    const i64 along = runs_along_x(one.wall) ? candidate.anchor.x : candidate.anchor.z;
+    nearest = least(nearest, static_cast<f64>(magnitude(along - one.middle())));
+  }
+  return off_middle(*effect.rule, nearest);
+}

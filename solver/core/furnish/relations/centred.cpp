@@ -1,0 +1,24 @@
+#include "centred.hpp"
+
+// A piece this far from where it should be centred pays the full cost.
+constexpr f64 REACH_MM = 1000.0;
+
+f64 off_middle(const Rule& rule, f64 off_mm) { return off_mm == 0.0 ? 0.0 : rule.missed() * least(1.0, off_mm / REACH_MM); }
+
+// Tries the middles, and costs by the distance from them.
+void Centred::effect(const Subject& subject, const Rule& rule, Effect& effect) const {
+  const Point middle = subject.scope.clear.centre();
+  for (Wall wall : WALLS) {
+    for (const Variant& variant : subject.variants) effect.positions.add({wall, variant.kind, runs_along_x(wall) ? middle.x : middle.z});
+  }
+  for (const Variant& variant : subject.variants) effect.spots.add({variant.kind, 0, middle});
+  effect.has_cost = true;
+  effect.weight = rule.weight;
+}
+
+f64 Centred::cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const {
+  const Point middle = subject.scope.clear.centre(), at = candidate.anchor;
+  const i64 x = magnitude(at.x - middle.x), z = magnitude(at.z - middle.z);
+  const i64 off = candidate.wall == Wall::none ? most(x, z) : runs_along_x(candidate.wall) ? x : z;
+  return off_middle(*effect.rule, static_cast<f64>(off));
+}

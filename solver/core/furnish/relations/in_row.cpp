@@ -1,0 +1,36 @@
+#include "in_row.hpp"
+
+// The depths of the ways the others may stand, each once, the least first.
+static List<i64> depths_of(const Subject& subject, const Rule& rule) {
+  List<i64> all;
+  for (const Parent& parent : subject.parents(rule)) all.add(subject.type.kinds[parent.kind].depth);
+  stable_sort(all.all(), [](i64 a, i64 b) { return a < b; });
+  List<i64> found;
+  for (i64 depth : all) {
+    if (found.size() == 0 || found[found.size() - 1] != depth) found.add(depth);
+  }
+  return found;
+}
+
+// Offers the slots at both ends, or the places next to each corner that leave room for the row's depth.
+void InRow::effect(const Subject& subject, const Rule& rule, Effect& effect) const {
+  if (rule.wall != Walls::adjacent) return add_slots(subject, rule, false, effect);
+  const i32 piece = subject.first(rule);
+  if (piece < 0) return;
+  Link& link = effect.links.add(link_to(rule, piece));
+  link.walls = Walls::adjacent;
+  link.cost = rule.cost;
+  link.required = rule.required;
+  link.near = rule.weight;
+  const List<i64> depths = depths_of(subject, rule);
+  for (const Variant& variant : subject.variants) {
+    for (Wall wall : WALLS) {
+      const Interval along = subject.scope.clear.along(wall);
+      for (i64 depth : depths) {
+        const i64 start = subject.scope.gap + depth + floor_div(subject.type.kinds[variant.kind].width, 2);
+        effect.positions.add({wall, variant.kind, along.low + start});
+        effect.positions.add({wall, variant.kind, along.high - start});
+      }
+    }
+  }
+}

@@ -1,0 +1,13 @@
+// `in_row`: continues a row at either end of another piece, or round the corner from it.
+#pragma once
+
+#include "at_side.hpp"
+
+class InRow : public AtSide {
+ public:
+  constexpr InRow() : AtSide({SIDES, 2, 0, 0, false}) {}
+  void effect(const Subject& subject, const Rule& rule, Effect& effect) const override;
+
+ private:
+  static constexpr Side SIDES[] = {Side::left, Side::right};
+};

@@ -1,0 +1,30 @@
+// `near`: close to a piece or an opening; `near_door` to a door.
+#pragma once
+
+#include "openings.hpp"
+
+class Near : public Relation {
+ public:
+  explicit constexpr Near(bool doors) : doors_(doors) {}
+
+  // Pulls towards a piece; what is farther from an opening than wished costs, in full at twice the distance.
+  void effect(const Subject& subject, const Rule& rule, Effect& effect) const override {
+    const Span<Name> names = subject.type.of(rule);
+    if (doors_ || names_opening(names)) return measure_from(subject, names, doors_, effect);
+    const i32 piece = subject.first(rule);
+    if (piece < 0) return;
+    Link& link = effect.links.add(link_to(rule, piece));
+    link.walls = rule.wall;
+    link.cost = rule.wall == Walls::any ? 0.0 : rule.cost;
+    link.required = rule.required;
+    link.near = rule.weight;
+  }
+
+  f64 cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const override {
+    constexpr i64 NEAR_MM = 1500;
+    return off_distance(subject, effect, candidate, NEAR_MM, Off::beyond);
+  }
+
+ private:
+  bool doors_;
+};

@@ -1,0 +1,60 @@
+// What a relation of a room type makes of a piece's candidates: one class a word, as in solver/relations/.
+#pragma once
+
+#include "../subject.hpp"
+
+class Relation;
+
+// A further centre along a wall to try for a kind, mm.
+struct Position {
+  Wall wall;
+  i32 kind;
+  i64 along;
+};
+
+// A further free anchor to try for a kind.
+struct Spot {
+  i32 kind;
+  i32 unused;
+  Point at;
+};
+
+struct Effect {
+  const Relation* relation = nullptr;
+  const Rule* rule = nullptr;
+  List<Candidate> slots;
+  List<Link> links;
+  List<Position> positions;
+  List<Spot> spots;
+  bool has_cost = false;
+  bool corners = false;  // free pieces are tried in the room's corners
+  bool backs = false;    // free pieces are tried with their back at each wall
+  f64 weight = 0.0;      // pull towards the anchor, m^-2
+  List<Point> points;    // of what a cost is measured from
+  u64 walls = 0;         // that a front is to look to; bit by Wall
+};
+
+// One word of the vocabulary; this one says nothing, the others override what they mean.
+class Relation {
+ public:
+  constexpr Relation() = default;
+
+  // It places a piece at another one; who is there has what it needs from it.
+  bool gives_place = false;
+
+  // What it does to the candidates of a piece.
+  virtual void effect(const Subject&, const Rule&, Effect&) const {}
+  // What a candidate that is no slot costs by it, where the effect has a cost; infinity forbids it.
+  virtual f64 cost(const Subject&, const Effect&, const Candidate&) const { return 0.0; }
+};
+
+const Relation& relation_of(Word word);
+
+// A link that says nothing yet.
+inline Link link_to(const Rule& rule, i32 piece) {
+  Link made{};
+  made.word = rule.word;
+  made.of = piece;
+  made.turn = -1;
+  return made;
+}

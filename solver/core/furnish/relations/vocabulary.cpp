@@ -1,0 +1,42 @@
+// The vocabulary: every relation by its word.
+#include "against_wall.hpp"
+#include "aligned_with.hpp"
+#include "around.hpp"
+#include "at_side.hpp"
+#include "at_window.hpp"
+#include "centred.hpp"
+#include "facing.hpp"
+#include "far_from.hpp"
+#include "in_corner.hpp"
+#include "in_row.hpp"
+#include "near.hpp"
+#include "on.hpp"
+#include "opposite.hpp"
+
+constexpr Side LEFT_RIGHT[] = {Side::left, Side::right};
+constexpr Side FRONT[] = {Side::front};
+
+static constexpr AgainstWall against_wall;
+static constexpr InCorner in_corner;
+static constexpr AtSide beside({LEFT_RIGHT, 2, 20, 0, false});
+static constexpr AtSide in_front_of({FRONT, 1, 400, 0, false});
+static constexpr AtSide under({FRONT, 1, -300, -10, true});
+static constexpr Opposite opposite;
+static constexpr Facing facing_it;
+static constexpr Near near(false), near_door(true);
+static constexpr FarFrom far_from(false), far_from_door(true);
+static constexpr Around around;
+static constexpr AlignedWith aligned_with;
+static constexpr Centred centred;
+static constexpr InRow in_row;
+static constexpr AtWindow at_window;
+static constexpr On on;
+
+// In the order of the enum.
+static constexpr const Relation* RELATIONS[] = {
+  &against_wall, &in_corner, &beside, &in_front_of, &opposite, &facing_it, &near, &far_from, &around,
+  &aligned_with, &centred, &in_row, &at_window, &near_door, &far_from_door, &on, &under,
+};
+static_assert(sizeof(RELATIONS) / sizeof(RELATIONS[0]) == static_cast<i32>(Word::COUNT));
+
+const Relation& relation_of(Word word) { return *RELATIONS[static_cast<i32>(word)]; }

@@ -1,0 +1,54 @@
+#include "room.hpp"
+
+// Depth of the floor before a garage door where only cars are wished.
+constexpr i64 GATE_MM = 1000;
+
+WallOccupancy::WallOccupancy(const Scope& scope) : scope_(scope) {
+  for (const Opened& one : scope.openings) {
+    if (one.kind == Opening::garage_door) gates_.add(strip(scope.clear, one.wall, one.stretch, GATE_MM));
+  }
+}
+
+static bool meets_any(const Rect& footprint, const List<Rect>& rects) {
+  for (const Rect& rect : rects) {
+    if (footprint.overlaps(rect)) return true;
+  }
+  return false;
+}
+
+bool WallOccupancy::is_occupied(const Rect& footprint) const { return meets_any(footprint, taken_); }
+
+bool WallOccupancy::is_before_gate(const Rect& footprint) const { return meets_any(footprint, gates_); }
+
+// What intervals leave free of a whole interval, from its low end up.
+static List<Interval> gaps_between(Interval whole, Span<Interval> blocked) {
+  stable_sort(blocked, [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  List<Interval> free;
+  i64 at = whole.low;
+  for (const Interval& one : blocked) {
+    const i64 end = least(one.low, whole.high);
+    if (one.low > at && at < end) free.add({at, end});
+    at = most(at, one.high);
+  }
+  if (at < whole.high) free.add({at, whole.high});
+  return free;
+}
+
+List<Interval> WallOccupancy::stretches(Wall wall, const Kind& kind, bool occupied) const {
+  const Rect& clear = scope_.clear;
+  const i64 depth = least(kind.depth + scope_.gap, least(clear.width(), clear.depth()));
+  const Rect reach = strip(clear, wall, clear.along(wall), depth);
+  List<Interval> blocked;
+  for (const Zone& zone : scope_.zones) {
+    if (zone.above < kind.height && zone.rect.overlaps(reach)) blocked.add(zone.rect.along(wall));
+  }
+  for (const Rect& gate : gates_) {
+    if (gate.overlaps(reach)) blocked.add(gate.along(wall));
+  }
+  if (occupied) {
+    for (const Rect& rect : taken_) {
+      if (rect.overlaps(reach)) blocked.add(rect.along(wall));
+    }
+  }
+  return gaps_between(clear.along(wall), blocked.all());
+}

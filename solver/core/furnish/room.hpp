@@ -1,0 +1,71 @@
+// The room to be furnished: its clear rectangle, openings and zones, and what of its walls is taken.
+#pragma once
+
+#include "../plain/lists.hpp"
+#include "room_type.hpp"
+
+// An opening: its kind, its wall, its stretch along it, and the wall line's coordinate across, mm.
+struct Opened {
+  Opening kind;
+  Wall wall;
+  Interval stretch;
+  i64 across;
+
+  i64 middle() const { return floor_div(stretch.low + stretch.high, 2); }
+  Point centre() const { return runs_along_x(wall) ? Point{middle(), across} : Point{across, middle()}; }
+};
+
+// Bodies that reach above `above` must stay out of it.
+struct Zone {
+  Rect rect;
+  i64 above;
+};
+
+// What Python sends; openings and zones follow.
+struct RoomHeader {
+  u64 stream;
+  f64 area;
+  Rect clear;
+  i64 gap;
+  i32 exterior;  // bit by Wall
+  i32 openings;
+  i32 zones;
+  i32 counts_only;
+};
+
+struct Scope {
+  Rect clear;
+  i64 gap;
+  i32 exterior;
+  Span<Opened> openings;
+  Span<Zone> zones;
+
+  // Passages are doors here.
+  static bool is(const Opened& one, Opening kind) {
+    return one.kind == kind || (kind == Opening::door && one.kind == Opening::passage);
+  }
+  bool has(Opening kind) const {
+    for (const Opened& one : openings) {
+      if (is(one, kind)) return true;
+    }
+    return false;
+  }
+};
+
+// The walls of the room and what takes them up.
+class WallOccupancy {
+ public:
+  explicit WallOccupancy(const Scope& scope);
+
+  // The clear stretches for a body of that kind with its back to the wall, west or north first; `occupied`: what was marked counts.
+  List<Interval> stretches(Wall wall, const Kind& kind, bool occupied) const;
+
+  void occupy(const Rect& footprint) { taken_.add(footprint); }
+  bool is_occupied(const Rect& footprint) const;
+  bool is_before_gate(const Rect& footprint) const;
+
+ private:
+  const Scope& scope_;
+  List<Rect> gates_;
+  List<Rect> taken_;
+};

@@ -1,0 +1,62 @@
+#include "room_type.hpp"
+
+// More than a room type may ask for.
+constexpr i32 MOST_COPIES = 100;
+
+static void check(bool right) {
+  if (!right) fail(Failure::bad_request);
+}
+
+template <class E> static bool is_one(E value, E last) { return static_cast<i32>(value) >= 0 && value <= last; }
+
+static bool is_word(i32 word, const RoomType& type) { return word >= 0 && word < type.all_words; }
+
+static void check_rule(const Rule& rule, const RoomType& type) {
+  check(is_one(rule.word, Word::under) && is_one(rule.align, Align::any) && is_one(rule.wall, Walls::other));
+  for (const Name& name : type.of(rule)) check(is_word(name.word, type));
+  for (Side side : RoomType::part(type.sides, rule.sides)) check(is_one(side, Side::back));
+  for (const SortCost& sort : RoomType::part(type.sorts, rule.sorts)) check(is_one(sort.sort, Sort::longer));
+}
+
+static void check_type(const RoomType& type) {
+  for (const Kind& kind : type.kinds) {
+    type.levels_of(kind);
+    type.parts_of(kind);
+  }
+  for (const Variant& variant : type.variants) type.kind(variant.kind);
+  for (const Rule& rule : type.rules) check_rule(rule, type);
+  for (const PieceSpec& piece : type.pieces) {
+    check(is_word(piece.word, type) && piece.count >= 0 && piece.count <= MOST_COPIES && piece.variants.count > 0);
+    RoomType::part(type.variants, piece.variants);
+    type.rules_of(piece);
+  }
+  for (const Range& order : type.orders) RoomType::part(type.words, order);
+  for (i32 word : type.words) check(is_word(word, type));
+  for (i32 word : type.corners) check(is_word(word, type));
+  for (i32 word : type.triangle) check(is_word(word, type));
+  check(!type.has_run || type.orders.size > 0);
+}
+
+RoomType read_room_type(u8* data, i64 size) {
+  Reader reader(data, size);
+  const TypeHeader header = reader.take<TypeHeader>(1)[0];
+  RoomType type{};
+  type.kinds = reader.take<Kind>(header.kinds);
+  type.levels = reader.take<Level>(header.levels);
+  type.parts = reader.take<PartBox>(header.parts);
+  type.pieces = reader.take<PieceSpec>(header.pieces);
+  type.variants = reader.take<Variant>(header.variants);
+  type.rules = reader.take<Rule>(header.rules);
+  type.names = reader.take<Name>(header.names);
+  type.sorts = reader.take<SortCost>(header.sorts);
+  type.sides = reader.take<Side>(header.sides);
+  type.orders = reader.take<Range>(header.orders);
+  type.words = reader.take<i32>(header.words);
+  type.corners = reader.take<i32>(header.corners);
+  type.triangle = reader.take<i32>(header.triangle);
+  type.all_words = header.all_words;
+  type.has_run = header.has_run != 0;
+  check(type.all_words >= 0 && type.all_words <= 1 << 16);
+  check_type(type);
+  return type;
+}

@@ -1,0 +1,167 @@
+// A room type as Python compiles it: rows of plain structs, one after the other; names are indices into Python's tables.
+#pragma once
+
+#include "../plain/rects.hpp"
+#include "../plain/spans.hpp"
+
+// In the order of RelationWord of catalogs/schema.py.
+enum class Word : i32 {
+  against_wall, in_corner, beside, in_front_of, opposite, facing, near, far_from, around,
+  aligned_with, centred, in_row, at_window, near_door, far_from_door, on, under, COUNT,
+};
+
+enum class Opening : i32 { none = -1, door = 0, garage_door = 1, window = 2, passage = 3 };
+
+// What a wall has, as `walls` of against_wall prices it.
+enum class Sort : i32 { door = 0, window = 1, exterior = 2, plain = 3, shorter = 4, longer = 5 };
+
+// How a piece beside another one lines up with it.
+enum class Align : i32 { none = 0, back = 1, centre = 2, front = 3, any = 4 };
+
+// How the walls of two pieces should lie.
+enum class Walls : i32 { any = 0, same = 1, opposite = 2, adjacent = 3, other = 4 };
+
+// Rows of another table: the first, and how many.
+struct Range {
+  i32 first;
+  i32 count;
+};
+
+// A surface of a kind: its height, and the free height above it (-1: any), mm.
+struct Level {
+  i64 height;
+  i64 clearance;
+};
+
+// The box around a part of a kind: seen from above, and from `low` to `high`, mm.
+struct PartBox {
+  Rect rect;
+  i64 low;
+  i64 high;
+};
+
+struct Kind {
+  i64 width, depth, height;
+  i32 at_walls;
+  i32 use_count;
+  i32 use_sides;  // bit by Side
+  i32 unused;
+  Range levels;
+  Range parts;
+
+  Extent size() const { return {width, depth}; }
+  bool is_used_from(Side side) const { return use_sides >> static_cast<i32>(side) & 1; }
+  bool has_front_only() const { return use_count == 1 && is_used_from(Side::front); }
+};
+
+struct Variant {
+  i32 kind;
+  i32 unused;
+  f64 cost;
+  f64 min_area;
+};
+
+// A word of an `of`: its own index, and which opening it is, if any.
+struct Name {
+  i32 word;
+  Opening opening;
+};
+
+struct SortCost {
+  Sort sort;
+  i32 unused;
+  f64 cost;
+};
+
+struct Rule {
+  Word word;
+  i32 required;
+  Align align;
+  Walls wall;
+  i32 has_distance;
+  i32 has_gap;
+  Range of;
+  Range sides;
+  Range sorts;
+  i64 distance;
+  Interval gap;
+  f64 cost;
+  f64 weight;
+
+  // What doing without it costs: everything, where it is hard.
+  f64 missed() const { return required ? INFINITE : cost; }
+  i64 distance_or(i64 usual) const { return has_distance ? distance : usual; }
+};
+
+struct PieceSpec {
+  i32 word;  // what relations call it
+  i32 required;
+  i32 count;
+  i32 among;  // which of the words of `among`, or -1
+  i32 has_per_area;
+  i32 unused;
+  Range variants;
+  Range rules;
+  f64 per_area;
+  f64 min_area;
+  f64 chance;
+};
+
+// The sizes of the tables, in their order.
+struct TypeHeader {
+  i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, orders, words, corners, triangle, all_words;
+  i32 has_run;
+  i32 unused;
+};
+
+struct RoomType {
+  Span<Kind> kinds;
+  Span<Level> levels;
+  Span<PartBox> parts;
+  Span<PieceSpec> pieces;
+  Span<Variant> variants;
+  Span<Rule> rules;
+  Span<Name> names;
+  Span<SortCost> sorts;
+  Span<Side> sides;
+  Span<Range> orders;   // of a run, each a range of `words`
+  Span<i32> words;      // of pieces, as the next two
+  Span<i32> corners;
+  Span<i32> triangle;
+  i32 all_words;  // how many words are told apart
+  bool has_run;
+
+  template <class T> static Span<T> part(Span<T> table, Range range) {
+    if (range.first < 0 || range.count < 0 || range.first > table.size - range.count) fail(Failure::bad_request);
+    return {table.data + range.first, range.count};
+  }
+  const Kind& kind(i32 at) const {
+    if (at < 0 || at >= kinds.size) fail(Failure::bad_request);
+    return kinds.data[at];
+  }
+  Span<Rule> rules_of(const PieceSpec& piece) const { return part(rules, piece.rules); }
+  Span<Name> of(const Rule& rule) const { return part(names, rule.of); }
+  Span<Level> levels_of(const Kind& kind) const { return part(levels, kind.levels); }
+  Span<PartBox> parts_of(const Kind& kind) const { return part(parts, kind.parts); }
+};
+
+// Reads tables out of bytes; a table that reaches beyond them ends the call.
+class Reader {
+ public:
+  Reader(u8* data, i64 size) : data_(data), left_(size) {}
+
+  template <class T> Span<T> take(i32 count) {
+    const i64 bytes = (static_cast<i64>(count) * sizeof(T) + 7) / 8 * 8;
+    if (count < 0 || bytes > left_) fail(Failure::bad_request);
+    T* found = reinterpret_cast<T*>(data_);
+    data_ += bytes;
+    left_ -= bytes;
+    return {found, count};
+  }
+
+ private:
+  u8* data_;
+  i64 left_;
+};
+
+RoomType read_room_type(u8* data, i64 size);

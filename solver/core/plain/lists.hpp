@@ -1,0 +1,64 @@
+// Rows that grow, in the arena, and their stable sorting.
+#pragma once
+
+#include "spans.hpp"
+
+// A row that grows: room is doubled where it is full; what it had is given back with the arena.
+template <class T> class List {
+ public:
+  T& add(const T& value) {
+    if (size_ == room_) grow();
+    return data_[size_++] = value;
+  }
+  void add_all(Span<T> values) {
+    for (const T& value : values) add(value);
+  }
+  void cut(i32 size) { size_ = least(size, size_); }
+  T& operator[](i64 at) const {
+    check_index(at, size_);
+    return data_[at];
+  }
+  i32 size() const { return size_; }
+  Span<T> all() const { return {data_, size_}; }
+  T* begin() const { return data_; }
+  T* end() const { return data_ + size_; }
+
+ private:
+  void grow() {
+    if (room_ > (1 << 24)) fail(Failure::memory_full);
+    room_ = most(8, 2 * room_);
+    T* wider = reserved<T>(room_).data;
+    for (i32 i = 0; i < size_; i++) wider[i] = data_[i];
+    data_ = wider;
+  }
+
+  T* data_ = nullptr;
+  i32 size_ = 0;
+  i32 room_ = 0;
+};
+
+// Sorts so that equals keep their order; `before(a, b)` tells whether a goes before b.
+template <class T, class Before> void stable_sort(Span<T> values, Before before) {
+  constexpr i32 FEW = 16;
+  if (values.size <= FEW) {
+    for (i32 i = 1; i < values.size; i++) {
+      const T value = values[i];
+      i32 at = i;
+      for (; at > 0 && before(value, values.data[at - 1]); at--) values.data[at] = values.data[at - 1];
+      values.data[at] = value;
+    }
+    return;
+  }
+  const i32 half = values.size / 2;
+  const Span<T> low{values.data, half}, high{values.data + half, values.size - half};
+  stable_sort(low, before);
+  stable_sort(high, before);
+  arena::Scope scope;
+  const Span<T> kept = reserved<T>(half);
+  for (i32 i = 0; i < half; i++) kept.data[i] = low.data[i];
+  i32 i = 0, j = 0;
+  for (i32 at = 0; i < half; at++) {
+    const bool from_high = j < high.size && before(high.data[j], kept.data[i]);
+    values.data[at] = from_high ? high.data[j++] : kept.data[i++];
+  }
+}

@@ -1,0 +1,103 @@
+// Rectangles, walls and right angles on the lattice of whole millimetres.
+#pragma once
+
+#include "numbers.hpp"
+
+// In the order in which Python's WALLS names them.
+enum class Wall : i32 { none = -1, north = 0, south = 1, east = 2, west = 3 };
+constexpr Wall WALLS[] = {Wall::north, Wall::south, Wall::east, Wall::west};
+
+// Of an unrotated body; front is south, left is west.
+enum class Side : i32 { left = 0, right = 1, front = 2, back = 3 };
+
+constexpr bool runs_along_x(Wall wall) { return wall == Wall::north || wall == Wall::south; }
+constexpr i64 inwards(Wall wall) { return wall == Wall::north || wall == Wall::west ? 1 : -1; }
+constexpr bool is_lateral(Side side) { return side == Side::left || side == Side::right; }
+
+// The rotation of a body with its back to that wall, degrees.
+constexpr i32 rotation_at(Wall wall) { return wall == Wall::north ? 0 : wall == Wall::west ? 90 : wall == Wall::south ? 180 : 270; }
+
+// The wall that the front of a body looks to.
+constexpr Wall wall_ahead(i32 rotation) {
+  constexpr Wall AHEAD[] = {Wall::south, Wall::east, Wall::north, Wall::west};
+  return AHEAD[floor_mod(rotation, 360) / 90];
+}
+
+struct Point {
+  i64 x;
+  i64 z;
+};
+
+struct Interval {
+  i64 low;
+  i64 high;
+};
+
+// Extents along x and z.
+struct Extent {
+  i64 x;
+  i64 z;
+};
+
+// The unit vector (x, z) of the front, by rotation.
+constexpr Point facing(i32 rotation) {
+  constexpr Point FACING[] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
+  return FACING[floor_mod(rotation, 360) / 90];
+}
+
+// A vector in a body's frame (across its +x side, along its front) in the room's.
+constexpr Point rotated(Point at, i32 rotation) {
+  const Point d = facing(rotation);
+  return {d.z * at.x + d.x * at.z, d.z * at.z - d.x * at.x};
+}
+
+constexpr Extent turned(Extent size, i32 rotation) { return rotation % 180 == 90 ? Extent{size.z, size.x} : size; }
+
+// The length of a vector; its squares are exact up to 67 km.
+inline f64 length(i64 x, i64 z) {
+  const f64 dx = static_cast<f64>(x), dz = static_cast<f64>(z);
+  return root(dx * dx + dz * dz);
+}
+
+struct Rect {
+  i64 x0, z0, x1, z1;
+
+  static constexpr Rect around(Point centre, Extent extent) {
+    const i64 x0 = centre.x - floor_div(extent.x, 2), z0 = centre.z - floor_div(extent.z, 2);
+    return {x0, z0, x0 + extent.x, z0 + extent.z};
+  }
+  constexpr bool operator==(const Rect&) const = default;
+  constexpr i64 width() const { return x1 - x0; }
+  constexpr i64 depth() const { return z1 - z0; }
+  constexpr Point centre() const { return {floor_div(x0 + x1, 2), floor_div(z0 + z1, 2)}; }
+  constexpr Rect shrunk(i64 by) const { return {x0 + by, z0 + by, x1 - by, z1 - by}; }
+  constexpr bool overlaps(const Rect& other) const { return x0 < other.x1 && other.x0 < x1 && z0 < other.z1 && other.z0 < z1; }
+  constexpr bool contains(const Rect& other) const {
+    return x0 <= other.x0 && z0 <= other.z0 && other.x1 <= x1 && other.z1 <= z1;
+  }
+  constexpr Interval along(Wall wall) const { return runs_along_x(wall) ? Interval{x0, x1} : Interval{z0, z1}; }
+  constexpr i64 line(Wall wall) const {
+    return wall == Wall::north ? z0 : wall == Wall::south ? z1 : wall == Wall::west ? x0 : x1;
+  }
+  constexpr i64 wall_distance(Wall wall, const Rect& room) const { return (line(wall) - room.line(wall)) * inwards(wall); }
+  constexpr Point point_at(Wall wall, i64 along, i64 into) const {
+    const i64 across = line(wall) + inwards(wall) * into;
+    return runs_along_x(wall) ? Point{along, across} : Point{across, along};
+  }
+  // The free distance to a point; 0 inside.
+  f64 distance_to(Point at) const {
+    return length(most<i64>(most(x0 - at.x, at.x - x1), 0), most<i64>(most(z0 - at.z, at.z - z1), 0));
+  }
+};
+
+// By west edge, then north, east, south: as Python orders tuples.
+constexpr bool goes_before(const Rect& a, const Rect& b) {
+  return a.x0 != b.x0 ? a.x0 < b.x0 : a.z0 != b.z0 ? a.z0 < b.z0 : a.x1 != b.x1 ? a.x1 < b.x1 : a.z1 < b.z1;
+}
+
+// The rectangle that lies along a wall of `rect`, inside it, over an interval of that wall.
+constexpr Rect strip(const Rect& rect, Wall wall, Interval over, i64 depth) {
+  const i64 line = rect.line(wall), inner = line + inwards(wall) * depth;
+  const i64 low = least(line, inner), high = most(line, inner);
+  return runs_along_x(wall) ? Rect{over.low, low, over.high, high} : Rect{low, over.low, high, over.high};
+}

@@ -1,0 +1,36 @@
+// Rounding as Python's round() does it: exactly, and a half to the even neighbour.
+#pragma once
+
+#include "numbers.hpp"
+
+// Half of a whole number, rounded to the nearest whole number.
+constexpr i64 rounded_half(i64 doubled) {
+  const i64 low = floor_div(doubled, 2);
+  return doubled % 2 == 0 || low % 2 == 0 ? low : low + 1;
+}
+
+// The product of two floats as a sum of two, exact (Dekker); for magnitudes far from the ends of what a float holds.
+struct Product {
+  f64 high;
+  f64 low;
+};
+
+inline Product exact_product(f64 a, f64 b) {
+  constexpr f64 SPLITTER = 134217729.0;
+  const f64 wide_a = SPLITTER * a, wide_b = SPLITTER * b;
+  const f64 a_high = wide_a - (wide_a - a), b_high = wide_b - (wide_b - b);
+  const f64 a_low = a - a_high, b_low = b - b_high;
+  const f64 high = a * b;
+  return {high, ((a_high * b_high - high) + a_high * b_low + a_low * b_high) + a_low * b_low};
+}
+
+// The float nearest to a number's decimal with six places, as Python's round(x, 6); for what is at least 0.
+inline f64 rounded_6(f64 x) {
+  constexpr f64 MILLION = 1e6, NO_PLACES_LEFT = 4294967296.0;
+  if (!(x < NO_PLACES_LEFT)) return x;
+  const Product product = exact_product(x, MILLION);
+  const f64 low = floor(product.high);
+  const f64 beyond_half = (product.high - low) - 0.5;
+  const bool up = beyond_half > -product.low || (beyond_half == -product.low && whole(low) % 2 != 0);
+  return (up ? low + 1.0 : low) / MILLION;
+}

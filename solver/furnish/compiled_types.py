@@ -1,0 +1,135 @@
+"""Room types as the core reads them: rows of numbers, one table after the other; names are indices.
+
+Comes in: the catalogs and a room type of theirs. Goes out: `CompiledType`, made once a room type. The rows are those of
+solver/core/furnish/room_type.hpp, in the same order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from struct import Struct
+from typing import Final, TypeVar, get_args
+
+from catalogs.checks import OPENINGS
+from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType
+from solver.geometry import to_mm
+from solver.relations.relation import distance_mm
+from solver.relations.subject import Kind
+
+Item = TypeVar("Item")
+
+SIDES: Final = ("left", "right", "front", "back")
+"""As the core numbers them."""
+WALLS_ASKED: Final = (None, "same", "opposite", "adjacent", "other")
+"""How the walls of two pieces should lie, as the core numbers it."""
+RELATION_WORDS: Final[tuple[str, ...]] = get_args(RelationWord)
+_ALIGNS: Final = (None, "back", "centre", "front", "any")
+_SORTS: Final = ("door", "window", "exterior", "plain", "short", "long")
+_ROW: Final = {
+    name: Struct(layout)
+    for name, layout in {
+        "kind": "<3q8i", "level": "<2q", "part": "<6q", "piece": "<10i3d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
+        "sort": "<2id", "side": "<i", "order": "<2i", "word": "<i", "corner": "<i", "triangle": "<i",
+    }.items()
+}  # fmt: skip
+_HEADER: Final = Struct("<16i")
+_MOST_KEPT: Final = 512
+"""Room types of the homes made last: a home changes those that must hold what it has no room for."""
+
+
+@dataclass(frozen=True, eq=False)
+class CompiledType:
+    """A room type for the core.
+
+    Args:
+        data: its bytes.
+        specs: the pieces that its rows speak of.
+        kinds: the kinds that its rows speak of.
+        made_from: the room type and what it was compiled with.
+    """
+
+    data: bytes
+    specs: tuple[PieceSpec, ...]
+    kinds: tuple[Kind, ...]
+    made_from: tuple[object, ...]
+
+
+_kept: dict[tuple[int, ...], CompiledType] = {}
+
+
+def compiled_type(room_type: RoomType, catalogs: Catalogs) -> CompiledType:
+    """Returns a room type of the catalogs for the core; the same object for the same room type, kinds and shapes."""
+    made_from = (room_type, catalogs.furniture, catalogs.shapes)
+    key = tuple(map(id, made_from))
+    found = _kept.get(key)
+    if found is None:
+        if len(_kept) >= _MOST_KEPT:
+            _kept.clear()
+        tables = _Tables(catalogs)
+        specs = tuple(spec for spec in room_type.pieces if not spec.without)
+        found = _kept[key] = CompiledType(tables.compiled(room_type, specs), specs, tuple(tables.kinds.values()), made_from)
+    return found
+
+
+class _Tables:
+    """The tables of a room type while they are written."""
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        self.kinds: dict[str, Kind] = {}
+        self._catalogs = catalogs
+        self._rows: dict[str, list[bytes]] = {name: [] for name in _ROW}
+        self._words: dict[str, int] = {}
+        self._among: dict[str, int] = {}
+
+    def compiled(self, room_type: RoomType, specs: Sequence[PieceSpec]) -> bytes:
+        """Returns the bytes of a room type with those of its pieces that are wanted."""
+        for spec in specs:
+            self._add_piece(spec)
+        run = room_type.run
+        if run is not None:
+            self._added("order", run.orders, lambda order: self._added("word", order, lambda name: (self._word(name),)))
+            self._added("corner", run.corners, lambda name: (self._word(name),))
+            self._added("triangle", run.triangle, lambda name: (self._word(name),))
+        for kind in self.kinds.values():
+            self._add_kind(kind)
+        header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None, 0)
+        tables = [b"".join(rows) for rows in self._rows.values()]
+        return b"".join([header, *(table + bytes(-len(table) % 8) for table in tables)])
+
+    def _added(self, table: str, items: Iterable[Item], row: Callable[[Item], Iterable[float]]) -> tuple[int, int]:
+        """Adds rows to a table; returns the first and how many."""
+        rows, pack = self._rows[table], _ROW[table].pack
+        made = [pack(*row(item)) for item in items]
+        rows += made
+        return len(rows) - len(made), len(made)
+
+    def _word(self, name: str) -> int:
+        return self._words.setdefault(name, len(self._words))
+
+    def _kind(self, name: str) -> int:
+        if name not in self.kinds:
+            self.kinds[name] = Kind.of(name, self._catalogs)
+        return [*self.kinds].index(name)
+
+    def _add_kind(self, kind: Kind) -> None:
+        sides = sum({1 << SIDES.index(side) for side in kind.use_sides})
+        levels = self._added("level", kind.levels, lambda one: (one.height_mm, -1 if one.clearance_mm is None else one.clearance_mm))
+        parts = self._added("part", kind.parts, lambda part: (*part.rect, part.low, part.high))
+        self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, len(kind.use_sides), sides, 0, *levels, *parts))
+
+    def _add_piece(self, spec: PieceSpec) -> None:
+        variants = self._added("variant", spec.variants, lambda one: (self._kind(one.kind), 0, one.cost, one.min_area))
+        rules = self._added("rule", spec.rules, self._rule)
+        among = -1 if spec.among is None else self._among.setdefault(spec.among, len(self._among))
+        counted = (self._word(spec.piece), spec.required, spec.count, among, spec.per_area is not None, 0)
+        self._added("piece", [spec], lambda _: (*counted, *variants, *rules, spec.per_area or 0.0, spec.min_area, spec.chance))
+
+    def _rule(self, rule: RelationSpec) -> tuple[float, ...]:
+        names = self._added("name", rule.of, lambda name: (self._word(name), OPENINGS.index(name) if name in OPENINGS else -1))
+        sides = self._added("side", rule.sides, lambda side: (SIDES.index(side),))
+        sorts = self._added("sort", rule.walls.items(), lambda sort: (_SORTS.index(sort[0]), 0, sort[1]))
+        low, high = map(to_mm, rule.gap or (0.0, 0.0))
+        asked = RELATION_WORDS.index(rule.type), rule.required, _ALIGNS.index(rule.align), WALLS_ASKED.index(rule.wall)
+        given = rule.distance is not None, rule.gap is not None
+        return (*asked, *given, *names, *sides, *sorts, distance_mm(rule, 0), low, high, rule.cost, rule.weight)
