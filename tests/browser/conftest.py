@@ -14,6 +14,9 @@ from tests.chromium import FLAGS, executable
 PIXEL_RATIO = 0.5
 """The canvas has a pixel for two of CSS each way: without a graphics card every pixel costs."""
 
+JAGGED = "--webgl-antialiasing-mode=none"
+"""Smooth edges cost as much as all else that is drawn, and no test looks at them."""
+
 KEPT = "async () => location.protocol === 'http:' ? localStorage.length + (await indexedDB.databases()).length : 0"
 """How much a page has put where the next one finds it."""
 
@@ -25,7 +28,7 @@ def browser() -> Iterator[Browser]:
     """A headless Chromium with WebGL, one for the whole run."""
     path = executable()
     with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=path, args=FLAGS, timeout=ANSWER_MS)
+        chromium = playwright.chromium.launch(executable_path=path, args=[*FLAGS, JAGGED], timeout=ANSWER_MS)
         yield chromium
         chromium.close()
 
