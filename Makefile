@@ -14,7 +14,7 @@ FUZZ_ARGS =
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets bench fuzz lint format core kernel page page-bench pictures gallery chromium pins wheel clean
+.PHONY: help run test targets bench fuzz lint format core page page-bench pictures gallery chromium pins wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -28,30 +28,27 @@ unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
 
 PY = .venv/bin/python
 PINS = pyproject.toml constraints.txt
-# The search is compiled when it is set up, and anew when its sources change: about a minute.
-KERNEL = $(wildcard solver/placement/kernel/*.py)
 UV = uv="$$($(PYTHON3) scripts/find_uv.py)" && "$$uv"
 INSTALL = $(UV) pip install --quiet --python $(PY) --constraint constraints.txt
-COMPILE = $(PY) -m solver.placement.kernel
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1  /p' Makefile
 
-run: core kernel page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
+run: core page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
 
-test: .venv/dev.stamp core kernel page chromium ## run every test: Python, page, browser; some minutes on two cores
+test: .venv/dev.stamp core page chromium ## run every test: Python, page, browser; some minutes on two cores
 	$(PY) scripts/page.py check
 	$(PY) scripts/page.py test
 	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 --dist loadgroup $(PYTEST_ARGS)
 
-targets: .venv/dev.stamp core kernel page ## run the long checks and benches: thousands of seeds, timings
+targets: .venv/dev.stamp core page ## run the long checks and benches: thousands of seeds, timings
 	$(PY) -m tests.targets
 
-bench: .venv/dev.stamp core kernel ## measure the placement core: against exact oracles, OSQP with heuristics, and the clock
+bench: .venv/dev.stamp core ## measure the placement core: against exact oracles, OSQP with heuristics, and the clock
 	$(PY) -m tests.bench $(BENCH_ARGS)
 
-fuzz: .venv/dev.stamp core kernel ## place 100,000 random rooms and check each in exact integers
+fuzz: .venv/dev.stamp core ## place 100,000 random rooms and check each in exact integers
 	$(PY) -m tests.bench.fuzz $(FUZZ_ARGS)
 
 lint: .venv/dev.stamp ## check style and types: ruff, mypy, tsc
@@ -64,21 +61,19 @@ format: .venv/dev.stamp ## put the Python sources in ruff's format
 	$(PY) -m ruff check --fix-only .
 	$(PY) -m ruff format .
 
-core: .venv/python.stamp ## build the compiled core, solver/core/core.wasm, where it is not yet
+core: .venv/run.stamp ## build the compiled core, solver/core/core.wasm, where it is not yet
 	@$(PY) scripts/core.py build
-
-kernel: .venv/kernel.stamp ## compile the placement kernel where it is not yet
 
 page: .venv/python.stamp ## build the page into service/static/
 	@$(PY) scripts/page.py build
 
-page-bench: .venv/dev.stamp core kernel page chromium ## measure what the page costs: script time, draw calls, bytes
+page-bench: .venv/dev.stamp core page chromium ## measure what the page costs: script time, draw calls, bytes
 	$(PY) -m tests.browser.bench
 
-pictures: .venv/dev.stamp core kernel page chromium ## take the README's pictures of the page
+pictures: .venv/dev.stamp core page chromium ## take the README's pictures of the page
 	$(PY) -m tests.browser.pictures
 
-gallery: .venv/dev.stamp core kernel ## write one home in every format, and a page of pictures, into gallery/
+gallery: .venv/dev.stamp core ## write one home in every format, and a page of pictures, into gallery/
 	$(PY) -m scripts.gallery
 
 chromium: .venv/dev.stamp ## bring the Chromium of the browser tests
@@ -108,7 +103,3 @@ clean: ## remove everything that make brought or built
 .venv/dev.stamp: .venv/python.stamp $(PINS)
 	$(INSTALL) --editable . --group dev
 	@touch $@ .venv/run.stamp
-
-.venv/kernel.stamp: .venv/run.stamp $(KERNEL)
-	$(COMPILE)
-	@touch $@

@@ -16,15 +16,15 @@ from catalogs import Catalogs
 from service import calls, problems
 from service.refusals import TooMuch
 from service.wire import attached, written
+from solver.core import load_core
 from solver.errors import ComposeError
 from solver.exchange import FORMATS, GLB, load_text
-from solver.placement import compiled_kernel
 
 if sys.platform != "win32":
     import resource
 
 MEMORY_LIMIT: Final = 2 << 30
-"""Address space of a worker, bytes. Our choice: a house of 20 x 15 m takes a tenth of that."""
+"""Memory that a worker may write to, bytes; the core only reserves address space beyond that. A house takes less than a tenth of it."""
 
 
 @dataclass(frozen=True)
@@ -92,6 +92,6 @@ def do_alone(job: Job) -> Response | Failure:
 def warm(catalogs: bytes) -> None:
     """Does nothing but load what calls need; the collector of cycles leaves that alone from then on."""
     unpacked(catalogs)
-    compiled_kernel()
+    load_core()
     gc.collect()
     gc.freeze()

@@ -1,6 +1,6 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
-    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|kernel|nav2|physics|glb|usd|plans|sh3d|sweeps]
+    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|plans|sh3d|sweeps]
         [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
@@ -35,7 +35,6 @@ from tests.floorplan.homes import programme_table
 from tests.floorplan.targets import floorplan_table
 from tests.library.targets import imports
 from tests.pipeline.forced import Case, cases
-from tests.placement.cold_cache import kernel
 
 SETS: Mapping[str, tuple[dict[str, object], int]] = {
     "defaults": ({}, 1),
@@ -203,14 +202,13 @@ def main() -> int:
     parser.add_argument(
         "what",
         nargs="*",
-        default=["imports", "kernel", "floorplan", "rooms", "houses", "calls", "nav2", "physics", "glb", "usd", "plans", "sh3d", "sweeps"],
+        default=["imports", "floorplan", "rooms", "houses", "calls", "nav2", "physics", "glb", "usd", "plans", "sh3d", "sweeps"],
     )
     parser.add_argument("--seeds", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=2)
     asked = parser.parse_args()
     measurements: Mapping[str, Callable[[], bool]] = {
         "imports": imports,
-        "kernel": kernel,
         "floorplan": lambda: floorplan(asked.seeds),
         "programme": lambda: programme(asked.seeds, asked.workers),
         "rooms": lambda: rooms(asked.workers),

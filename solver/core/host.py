@@ -18,6 +18,7 @@ from contextlib import contextmanager
 from math import prod
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
+from weakref import finalize
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -28,7 +29,8 @@ if TYPE_CHECKING:
 WASM = Path(__file__).with_name("core.wasm")
 FAILURES = {1: "its memory is full", 2: "the request is none", 3: "an index is out of range", 4: "it does not come to an end"}
 """What the core says of why it ended a call: `enum class Failure` of plain/memory.hpp."""
-MOST_IDLE = 4
+MEMORY_FULL = 1
+MOST_IDLE = 32
 """Instances kept for the next that asks."""
 MOST_IDLE_BYTES = 64 << 20
 """An instance whose memory grew beyond this is not kept."""
@@ -36,6 +38,10 @@ MOST_IDLE_BYTES = 64 << 20
 
 class CoreFailed(RuntimeError):
     """A call of the core ended in a trap: an error within it. Its instance is of no further use."""
+
+
+class CoreFull(CoreFailed, MemoryError):
+    """The core asked for more memory than it may have: 1 GB, or what is left to the process."""
 
 
 class _Export(NamedTuple):
@@ -65,6 +71,7 @@ def _loaded() -> _Loaded:
         raise CoreFailed(f"{WASM} is missing: `make core` builds it")
     config = wasmtime.Config()
     config.memory_may_move = False
+    config.parallel_compilation = False  # no threads in a process that may fork
     engine = wasmtime.Engine(config)
     module = wasmtime.Module.from_file(engine, str(WASM))
     exports = {}
@@ -73,6 +80,11 @@ def _loaded() -> _Loaded:
             results = [str(one) for one in export.type.results]
             exports[export.name] = _Export(tuple(str(one) == "f64" for one in export.type.params), results[0] if results else None)
     return _Loaded(engine, module, wasmtime.Linker(engine), exports)
+
+
+def load_core() -> None:
+    """Loads the core, where this process has not done so yet, so that the first call need not."""
+    _loaded()
 
 
 class _MemoryPiece:
@@ -88,6 +100,7 @@ class CoreInstance:
 
     Raises:
         CoreFailed: core.wasm is missing.
+        CoreFull: the process may have no more memory.
     """
 
     def __init__(self) -> None:
@@ -96,7 +109,10 @@ class CoreInstance:
         loaded = _loaded()
         self._exports = loaded.exports
         self._store = wasmtime.Store(loaded.engine)
-        self._instance = loaded.linker.instantiate(self._store, loaded.module)
+        try:
+            self._instance = loaded.linker.instantiate(self._store, loaded.module)
+        except wasmtime.WasmtimeError as error:
+            raise CoreFull(f"the core's memory could not be set up: {error}") from error
         self._found = self._instance.exports(self._store)
         memory = self._found["memory"]
         assert isinstance(memory, wasmtime.Memory)
@@ -117,6 +133,7 @@ class CoreInstance:
 
         Raises:
             CoreFailed: the call ended in a trap, the instance had failed before, or there is no such export with so many numbers.
+            CoreFull: it asked for more memory than there is.
         """
         from wasmtime import _ffi  # noqa: PLC0415 - the public call looks the types up each time and takes 40 us
 
@@ -145,7 +162,8 @@ class CoreInstance:
         said = str(WasmtimeError._from_ptr(error) if error else Trap._from_ptr(trap)).strip().splitlines()[-1].strip()
         code = 0 if name == "failure" else self.call("failure")
         self.failed = True
-        return CoreFailed(f"{name} ended in a trap of the core: {FAILURES.get(code, said)}")
+        kind = CoreFull if code == MEMORY_FULL else CoreFailed
+        return kind(f"{name} ended in a trap of the core: {FAILURES.get(code, said)}")
 
     @property
     def size(self) -> int:
@@ -156,7 +174,7 @@ class CoreInstance:
         """Takes bytes of the memory; returns their address, a multiple of 16. They are not set to anything.
 
         Raises:
-            CoreFailed: the memory is full.
+            CoreFull: there is no more.
         """
         return int(self.call("reserve", size))
 
@@ -167,6 +185,15 @@ class CoreInstance:
     def release(self, mark: int = 0) -> None:
         """Gives back all that was taken since a mark; what views of it show is then void."""
         self.call("release", mark)
+
+    def lent(self) -> NDArray[np.uint8]:
+        """Returns the memory as it is now, for views of parts of it; once the last of them is gone, the instance goes to the idle ones.
+
+        All that was taken is then given back, so that nothing else may use the instance at that time.
+        """
+        piece = _MemoryPiece(self, self._base, (self.size,), np.dtype(np.uint8))
+        finalize(piece, _lay_idle, self).atexit = False
+        return np.asarray(piece)
 
     def view(self, address: int, shape: tuple[int, ...], dtype: DTypeLike) -> NDArray[Any]:
         """Returns an array that is a piece of the memory: what the core writes there, it shows; it keeps the instance alive.
@@ -215,18 +242,27 @@ def _let_go() -> None:
     _loaded.cache_clear()
 
 
+def taken() -> CoreInstance:
+    """Returns an instance with nothing in its memory: an idle one, or a new one."""
+    try:
+        return _idle.popleft()
+    except IndexError:
+        return CoreInstance()
+
+
+def _lay_idle(instance: CoreInstance) -> None:
+    """Keeps an instance for the next that asks, unless it failed, is large, or there are enough."""
+    if len(_idle) < MOST_IDLE and instance.size <= MOST_IDLE_BYTES and not instance.failed:
+        instance.release()
+        _idle.append(instance)
+
+
 @contextmanager
 def borrowed() -> Iterator[CoreInstance]:
-    """Lends an instance for a block: an idle one, or a new one. What the block took of its memory is given back at its end.
+    """Lends an instance for a block. What the block took of its memory is given back at its end.
 
     After an exception the instance is thrown away. No view of its memory may outlive the block.
     """
-    try:
-        instance = _idle.popleft()
-    except IndexError:
-        instance = CoreInstance()
-    mark = instance.mark()
+    instance = taken()
     yield instance
-    instance.release(mark)
-    if len(_idle) < MOST_IDLE and instance.size <= MOST_IDLE_BYTES:
-        _idle.append(instance)
+    _lay_idle(instance)

@@ -8,10 +8,9 @@ from solver.placement.arrange import SolvedRoom, arrange, feasible
 from solver.placement.budget import ROOM_WORK, Budget
 from solver.placement.displacement import move_least, moved_back
 from solver.placement.finish import finish, place
-from solver.placement.kernel import compiled_kernel
 from solver.placement.left_out import minimal_conflict
 
 __all__ = [
-    "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "compiled_kernel", "feasible", "finish", "minimal_conflict", "move_least", "moved_back",
+    "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "feasible", "finish", "minimal_conflict", "move_least", "moved_back",
     "place",
 ]  # fmt: skip

@@ -17,7 +17,7 @@ from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits
 from solver.placement.empty_floor import empty_floor
 from solver.placement.encode import encode
-from solver.placement.kernel.layout import ABSENT, COVERED, NO_WAY, SPENT, Ints
+from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Ints
 from solver.placement.problem import Problem, Solution
 from solver.placement.walkable import find_walkable
 
@@ -96,7 +96,7 @@ class SolvedRoom:
 
 
 def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | None = None) -> SolvedRoom:
-    """Returns what the last search of a core found, or an earlier solution of it; the core lets go of what searching took.
+    """Returns what the last search of a core found, or an earlier solution of it.
 
     Args:
         core: whose last problem is that of the decisions.
@@ -112,7 +112,6 @@ def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | No
         raise ValueError(f"{core.encoded.space.room}: nothing was found for the decisions")
     walkable = walk or core.walkable_near(solution)
     preference, problem = core.preference(decisions), core.problem()
-    core.release()
     return SolvedRoom(core, decisions, preference, problem, solution, walkable, solves=solution.solves, proven=solution.proven)
 
 

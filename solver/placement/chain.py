@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from solver.geometry import outwards
 from solver.pieces import Piece, Placed, Space
-from solver.placement.kernel.layout import PERSON_MM
+from solver.placement.layout import PERSON_MM
 
 OUTSIDE = "what is outside the outline"
 

@@ -7,21 +7,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import astuple, dataclass, replace
+from dataclasses import astuple, dataclass
 from functools import cached_property
 
 import numpy as np
 
 from solver.geometry import Rect
 from solver.pieces import Candidate
+from solver.placement import kernel, layout
 from solver.placement.budget import Budget
 from solver.placement.encode import Encoded
-from solver.placement.kernel import compiled_kernel, layout
-from solver.placement.kernel.layout import BEST, CLOSED, DEEPEST, DOUBTED, Engine, Ints, Work
-from solver.placement.kernel.space import example_engine
+from solver.placement.layout import BEST, CLOSED, DEEPEST, DOUBTED, Engine, Ints
 from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
 
-_SMALL = example_engine()
 VOID = (0, layout.ORIGIN, layout.ORIGIN, 0)
 """A row that always holds."""
 
@@ -77,17 +75,13 @@ class Core:
     def __init__(self, encoded: Encoded) -> None:
         self.encoded = encoded
         self.engine: Engine = encoded.engine
-        self.kernel = compiled_kernel()
 
     def arrange(self, limits: Limits, budget: Budget, walk: bool) -> Arranged:
         """Arranges required and optional pieces; the final placement stays in the work space."""
-        count = len(self.encoded.pieces)
-        decisions, fates = self.blank(), np.zeros(count, dtype=np.int64)
-        costs, report = np.zeros(3), np.zeros(4, dtype=np.int64)
         self.engine.tree.budget[0] = budget.left
-        self.kernel.arrange_room(self.engine, decisions, costs, fates, limits.row, report, walk)
+        decisions, fates, report = kernel.arrange_room(self.engine, limits.row, walk)
         budget.left = float(self.engine.tree.budget[0])
-        complete, closed, proven, solves = (int(value) for value in report)
+        complete, closed, proven, solves = report
         return Arranged(decisions, fates, bool(complete), bool(closed), bool(proven), solves, self._deepest())
 
     def stand_together(self, limits: Limits, budget: Budget, walk: bool) -> tuple[Ints | None, bool]:
@@ -97,10 +91,9 @@ class Core:
             Decisions of the best way for all to stand, or None; and whether that answer is exact.
         """
         count, tree = len(self.encoded.pieces), self.engine.tree
-        start, group = self.blank(), np.array([0, count], dtype=np.int64)
         tree.budget[0] = budget.left
-        own = np.array([limits.required, limits.required_qps, layout.MANY], dtype=np.int64)
-        found = self.kernel.best_first(self.engine, start, np.array([0.0, 0.0, 1e12]), group, own, walk)
+        own = (limits.required, limits.required_qps, layout.MANY)
+        found = kernel.best_first(self.engine, self.blank(), (0, count), own, walk)
         budget.left = float(tree.budget[0])
         closed = bool(tree.counters[CLOSED])
         if not found:
@@ -126,17 +119,17 @@ class Core:
 
     def first_decisions(self) -> Ints | None:
         """Returns every piece's cheapest candidate and sides beside the ones before it, or None where one has none."""
-        tree, decisions = self.engine.tree, self.blank()
+        decisions = self.blank()
         for piece in range(len(decisions)):
-            count = self.kernel.open_decisions(self.engine.room, decisions, piece, tree.found, tree.found_cost)
-            if not count:
+            found, costs = kernel.open_decisions(self.engine, decisions, piece)
+            if not len(found):
                 return None
-            decisions[piece] = tree.found[int(tree.found_cost[:count].round(9).argmin())]
+            decisions[piece] = found[int(costs.round(9).argmin())]
         return decisions
 
     def preference(self, decisions: Ints) -> float:
         """Returns the preference cost of decisions that can stand together."""
-        return float(self.kernel.total_preference(self.engine.room, decisions))
+        return kernel.total_preference(self.engine, decisions)
 
     def decided(self, piece: int, decision: int) -> tuple[Candidate, tuple[str, ...]]:
         """Returns the candidate and the use sides that a decision of a piece means."""
@@ -149,12 +142,12 @@ class Core:
 
     def assemble(self, decisions: Ints) -> bool:
         """Lays out the problem of decisions; tells whether they can stand together."""
-        return bool(self.kernel.assemble(self.engine.room, self.engine.work, decisions))
+        return kernel.assemble(self.engine, decisions)
 
     def evaluate(self, decisions: Ints, limit: int, budget: Budget, walk: bool, ceiling: float = np.inf) -> bool:
         """Searches a placement of the decisions; it stays in the work space."""
         self.engine.tree.budget[0] = budget.left
-        found = bool(self.kernel.evaluate(self.engine, np.ascontiguousarray(decisions), limit, ceiling, walk))
+        found = kernel.evaluate(self.engine, decisions, limit, ceiling, walk)
         budget.left = float(self.engine.tree.budget[0])
         return found
 
@@ -172,13 +165,26 @@ class Core:
         positions = self.engine.grid.positions
         for axis in (0, 1):
             positions[axis, : len(p[axis])] = p[axis]
-        return bool(self.kernel.walkable(self.engine.room, self.engine.work, self.engine.grid, positions))
+        return kernel.walkable(self.engine)
 
-    def bodies_alone(self) -> Work:
-        """Returns the assembled problem with the rows and choices of the persons' squares made void; the walk asks for what they ensure."""
-        work = self.engine.work
-        rows, options, size = work.rows.copy(), work.options.copy(), work.choice_size.copy()
-        parts, between = work.parts[: work.counts[layout.N_PARTS]], work.choice_parts[: work.counts[layout.N_CHOICES]]
+    def holds_alone_at(self, p: Sequence[Sequence[int]]) -> bool:
+        """Tells whether bodies keep all rules at integer positions p[axis][variable], mm, were there no persons' squares.
+
+        Whether all can be used is then the walk's to say. The problem is the one `lay_alone` was last called for.
+        """
+        positions = self.engine.grid.positions
+        for axis in (0, 1):
+            positions[axis, : len(p[axis])] = p[axis]
+        positions[:, -1] = 0
+        return kernel.holds_alone(self.engine)
+
+    def lay_alone(self) -> None:
+        """Copies the assembled problem with the rows and choices of the persons' squares made void."""
+        work, alone = self.engine.work, self.engine.alone
+        n_rows, n_parts, n_choices = work.counts[: layout.N_PULLS].tolist()
+        rows, size, options = alone.rows[:n_rows], alone.choice_size[:n_choices], alone.options[: 4 * n_choices]
+        rows[:], size[:], options[:] = work.rows[:n_rows], work.choice_size[:n_choices], work.options[: 4 * n_choices]
+        parts, between = work.parts[:n_parts], work.choice_parts[:n_choices]
         person = (parts[:, layout.STAND] != 0) & (parts[:, layout.STAND] != layout.EMPTY_FLOOR)
         void = person[between[:, 0]] | ((between[:, 1] >= 0) & person[between[:, 1].clip(0)])
         options[4 * np.flatnonzero(void)] = VOID
@@ -189,15 +195,6 @@ class Core:
             for end in (layout.I, layout.J):
                 own &= (rows[:, end] == layout.ORIGIN) | np.isin(rows[:, end], of_bodies)
             rows[(rows[:, layout.AXIS] == axis) & ~own] = VOID
-        return work._replace(rows=rows, options=options, choice_size=size)
-
-    def holds_at(self, p: Sequence[Sequence[int]], work: Work) -> bool:
-        """Tells whether a problem's bounds, rows and choices hold at integer positions p[axis][variable], mm."""
-        positions = self.engine.grid.positions
-        for axis in (0, 1):
-            positions[axis, : len(p[axis])] = p[axis]
-        positions[:, -1] = 0
-        return bool(self.kernel.holds(work, positions))
 
     def pulled_back(self, places: Sequence[Rect | None]) -> Solution | None:
         """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.
@@ -213,7 +210,7 @@ class Core:
             _, _, x, z, off_x, off_z, *_ = part
             if place is not None:
                 positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
-        return self.solution() if self.kernel.pull_back(self.engine) else None
+        return self.solution() if kernel.pull_back(self.engine) else None
 
     def rotation(self, piece: int) -> int:
         """Returns the absolute rotation of an assembled piece."""
@@ -259,11 +256,6 @@ class Core:
     def solution(self) -> Solution | None:
         """Returns what the last search found."""
         return solution_of(self.engine)
-
-    def release(self) -> None:
-        """Gives back what only a search needs; the assembled problem and the walk stay."""
-        self.engine = self.engine._replace(programs=_SMALL.programs, nodes=_SMALL.nodes, tree=_SMALL.tree)
-        self.encoded = replace(self.encoded, engine=self.engine)
 
 
 def solution_of(engine: Engine) -> Solution | None:

@@ -18,7 +18,7 @@ from solver.placement.budget import Budget
 from solver.placement.core import Core
 from solver.placement.empty_floor import WHOLE_SHAPES, empty_floor, places_round_a_floor
 from solver.placement.encode import encode
-from solver.placement.kernel.layout import ABSENT
+from solver.placement.layout import ABSENT
 from solver.placement.problem import Solution
 from solver.placement.walkable import WalkablePlace, find_walkable
 

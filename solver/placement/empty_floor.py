@@ -15,7 +15,7 @@ from solver.pieces import Attach, Candidate, Piece, Space
 from solver.placement.budget import Budget
 from solver.placement.core import Core, Limits
 from solver.placement.encode import FREE_CENTRES_MM2, encode
-from solver.placement.kernel.layout import PERSON_MM
+from solver.placement.layout import PERSON_MM
 from solver.placement.walkable import WalkablePlace
 
 SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760), (900, 900), (750, 1200), (1200, 750))

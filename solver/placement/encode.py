@@ -12,9 +12,9 @@ from itertools import chain
 import numpy as np
 
 from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
-from solver.placement.kernel import layout
-from solver.placement.kernel.layout import Engine, Ints, RoomArrays
-from solver.placement.kernel.space import Sizes, new_engine
+from solver.placement import layout
+from solver.placement.layout import Engine, Ints, RoomArrays
+from solver.placement.space import Sizes, new_engine
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 
 from solver.geometry import Rect
 from solver.pieces import Residuals
-from solver.placement.kernel.layout import Floats
+from solver.placement.layout import Floats
 
 ORIGIN: Final = -1
 """Stands for the constant 0 in place of a variable, so that a wished place is a difference, and a bound a row, as well."""

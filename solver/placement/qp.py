@@ -17,7 +17,7 @@ import osqp
 from scipy import sparse
 
 from solver.pieces import Residuals
-from solver.placement.kernel.layout import Floats
+from solver.placement.layout import Floats
 from solver.placement.problem import ORIGIN, Confirmed, DifferenceRow, Force, Positions, Problem, Solution
 
 SETTINGS = {

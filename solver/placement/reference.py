@@ -11,7 +11,7 @@ from typing import Any
 import cvxpy
 import numpy as np
 
-from solver.placement.kernel.layout import Floats
+from solver.placement.layout import Floats
 from solver.placement.problem import ORIGIN, Positions, Problem, Solution
 
 cp: Any = cvxpy  # its annotations do not cover its own names

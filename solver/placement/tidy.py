@@ -6,14 +6,13 @@ that costs. A piece slides with all that is attached to it, alone or with what i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from itertools import combinations
 from typing import NamedTuple
 
 from solver.geometry import Rect, strip
 from solver.placement.arrange import SolvedRoom
-from solver.placement.kernel.layout import Work
 from solver.placement.problem import ProblemBox
 
 TOUCHING_MM, SLIVER_MM, REACH_MM = 50, 150, 300
@@ -134,9 +133,10 @@ class _Slides:
         self.fixed = [*walls, *(zone.rect for zone in solved.space.zones if zone.cause == "outline")]
 
     @cached_property
-    def work(self) -> Work:
-        """The rules as they are without persons' squares: whether all can be used is the walk's to say."""
-        return self.core.bodies_alone()
+    def holds(self) -> Callable[[Lattice], bool]:
+        """Tells whether the rules hold without persons' squares: whether all can be used is the walk's to say."""
+        self.core.lay_alone()
+        return self.core.holds_alone_at
 
     def boxes(self, p: Lattice) -> list[Rect]:
         """Returns the bodies' footprints, then what is fixed."""
@@ -181,7 +181,7 @@ class _Slides:
         for slide in self.slides(p, found):
             self.tries -= 1
             new = _slid(p, slide)
-            if self.tries < 0 or slide.cost > most or not self.core.holds_at(new, self.work):
+            if self.tries < 0 or slide.cost > most or not self.holds(new):
                 continue
             left = gaps(self.boxes(new), len(self.bodies))
             if len(slivers(left)) < before:

@@ -13,11 +13,11 @@ import numpy as np
 
 from solver.geometry import Rect
 from solver.pieces import Candidate, Piece, Space, Stand
+from solver.placement import kernel, layout
 from solver.placement.budget import Budget
 from solver.placement.encode import FREE_CENTRES_MM2, lay_out, sizes_of
-from solver.placement.kernel import compiled_kernel, layout
-from solver.placement.kernel.layout import IMPOSSIBLE, POSSIBLE, UNKNOWN
-from solver.placement.kernel.space import new_grid, new_work
+from solver.placement.layout import IMPOSSIBLE, POSSIBLE, UNKNOWN
+from solver.placement.space import new_engine
 
 WORK = 9000
 """Work of one proof over all candidates together: nodes times pieces."""
@@ -74,7 +74,7 @@ def find_walkable(
     verdict = proof.join(0)
     found = proof.found() if verdict == POSSIBLE else ()
     if verdict == IMPOSSIBLE and prove:  # the search asks for a little more floor than a room must have
-        proof.room.space[layout.LEAST_FLOOR] = FREE_CENTRES_MM2
+        proof.engine.room.space[layout.LEAST_FLOOR] = FREE_CENTRES_MM2
         verdict = IMPOSSIBLE if proof.join(0) == IMPOSSIBLE else UNKNOWN
     budget.left -= (most - proof.left) * size
     return {IMPOSSIBLE: False, POSSIBLE: True}.get(verdict), found
@@ -84,17 +84,13 @@ class _Proof:
     """The work space of one proof."""
 
     def __init__(self, space: Space, pieces: Sequence[Piece], most: int) -> None:
-        self.pieces, self.left, self.kernel = pieces, most, compiled_kernel()
-        self.tables, self.room = lay_out(space, pieces, "stands")
-        sizes = sizes_of(self.room)
-        self.work, self.grid = new_work(sizes), new_grid(sizes)
+        self.pieces, self.left = pieces, most
+        self.tables, room = lay_out(space, pieces, "stands")
+        sizes = sizes_of(room)
+        self.engine = new_engine(room, sizes)
         depth = min(3 * sizes.choices + 32 * sizes.variables + 8, MOST_DEPTH)
-        shape = (depth, 2, sizes.variables)
-        self.lows, self.highs = np.empty(shape, dtype=np.int64), np.empty(shape, dtype=np.int64)
-        self.picks = np.empty((depth, sizes.choices), dtype=np.int64)
-        self.refused = np.empty((depth, sizes.choices), dtype=np.int64)
+        self.nodes = kernel.new_proof(self.engine, depth, sizes.variables, sizes.choices)
         self.decisions = np.full(len(pieces), layout.ABSENT, dtype=np.int64)
-        self.candidates, self.costs = np.empty(sizes.decisions, dtype=np.int64), np.empty(sizes.decisions)
 
     def join(self, piece: int) -> int:
         """Returns the verdict on the pieces from number `piece` on beside those decided before it."""
@@ -118,28 +114,26 @@ class _Proof:
 
     def _ways(self, piece: int) -> list[int]:
         """Returns a piece's decisions, of those that differ only in their anchor or cost the first."""
-        count = self.kernel.open_decisions(self.room, self.decisions, piece, self.candidates, self.costs)
         first: dict[tuple[int, int], int] = {}
-        for decision in self.candidates[:count].tolist():
-            first.setdefault((int(self.room.candidates[decision // 8, layout.KIN]), decision % 8), decision)
+        for decision in kernel.open_decisions(self.engine, self.decisions, piece)[0].tolist():
+            first.setdefault((int(self.engine.room.candidates[decision // 8, layout.KIN]), decision % 8), decision)
         return list(first.values())
 
     def _verdict(self, most: int) -> int:
         self.left -= 1
-        if not self.kernel.assemble(self.room, self.work, self.decisions):
+        if not kernel.assemble(self.engine, self.decisions):
             return IMPOSSIBLE
-        allowed = np.array([most], dtype=np.int64)
-        verdict = self.kernel.prove(self.room, self.work, self.grid, self.lows, self.highs, self.picks, self.refused, allowed)
-        self.left -= most - int(allowed[0])
-        return int(verdict)
+        verdict, spent = kernel.prove(self.engine, self.nodes, most)
+        self.left -= spent
+        return verdict
 
     def found(self) -> tuple[WalkablePlace, ...]:
         """Returns where the pieces are once they were found walkable."""
-        found, work, positions = [], self.work, self.grid.positions
+        found, work, positions = [], self.engine.work, self.engine.grid.positions
         for k, piece in enumerate(self.pieces):
             part, decision = work.parts[work.body_part[k]], int(self.decisions[k])
             x, z = (int(positions[a, part[layout.VAR_X + a]] + part[layout.OFF_X + a]) for a in (0, 1))
             rect = Rect(x, z, x + int(part[layout.EXT_X]), z + int(part[layout.EXT_X + 1]))
-            side = int(self.room.pieces[k, layout.SIDES_0]) + decision % 8
+            side = int(self.engine.room.pieces[k, layout.SIDES_0]) + decision % 8
             found.append(WalkablePlace(piece, self.tables.candidates[decision // 8], self.tables.side_names[side], rect))
         return tuple(found)

@@ -39,17 +39,15 @@ GROUND_FLOOR = {
 JOINER = "pipeline"
 # By package: what else it has no business with.
 FOREIGN = {
-    "catalogs": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt", "fastapi", "starlette", "uvicorn"},
+    "catalogs": {"numpy", "scipy", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt", "fastapi", "starlette", "uvicorn"},
     "solver": {"pyscipopt", "daqp", "fastapi", "starlette", "uvicorn", "argparse"},
-    "service": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt"},
-    "compose_homes": {"numpy", "scipy", "numba", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt", "fastapi", "starlette", "uvicorn"},
+    "service": {"numpy", "scipy", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt"},
+    "compose_homes": {"numpy", "scipy", "osqp", "daqp", "cvxpy", "wasmtime", "pyscipopt", "fastapi", "starlette", "uvicorn"},
 }
 # What differs from run to run stays out of results: one module times them, one draws the seed of a request without one.
 UNREPEATABLE = {"random", "secrets", "uuid", "time", "datetime"}
 EXCEPTED = {("solver.pipeline.timing", "time"), ("solver.pipeline.generate", "secrets")}
 REFERENCE = "solver.placement.reference"
-KERNEL = "solver.placement.kernel"
-COMPILER = f"{KERNEL}.jit"
 
 
 def part(module: str) -> str:
@@ -114,24 +112,9 @@ def test_cvxpy_is_imported_by_the_reference_alone_and_late() -> None:
 
 
 def test_the_engines_stay_inside_the_placement() -> None:
-    found = [one for one in imports("solver") if one.top in {"numba", "osqp", "scipy"}]
-    assert {one.top for one in found} >= {"numba", "osqp"}
+    found = [one for one in imports("solver") if one.top in {"osqp", "scipy"}]
+    assert {one.top for one in found} >= {"osqp"}
     assert places([one for one in found if part(one.importer) != "placement"]) == []
-
-
-def test_the_kernel_stands_on_itself() -> None:
-    """What is compiled asks nothing of Python objects; setting it up (`__main__`) may import who uses it."""
-    found = [one for one in imports("solver") if one.importer.startswith(f"{KERNEL}.") and not one.module.startswith(KERNEL)]
-    compiled = [one for one in found if one.importer not in {COMPILER, f"{KERNEL}.cache", f"{KERNEL}.__main__"}]
-    assert len({one.importer for one in compiled}) > 8
-    assert places([one for one in compiled if one.top not in {"__future__", "typing", "collections", "numpy"}]) == []
-    assert places([one for one in found if one.top in {"solver", "catalogs"} and not one.importer.endswith("__main__")]) == []
-
-
-def test_the_compiler_is_imported_in_one_place_and_only_where_it_is_asked_for() -> None:
-    found = [one for one in imports(*PACKAGES) if one.top in {"numba", "llvmlite"}]
-    assert {one.importer for one in found} == {COMPILER}
-    assert places([one for one in found if not one.lazy]) == []
 
 
 def test_the_core_is_run_in_one_place_and_loaded_only_where_it_is_asked_for() -> None:
@@ -144,7 +127,7 @@ def test_the_core_is_run_in_one_place_and_loaded_only_where_it_is_asked_for() ->
 
 
 def test_no_engine_is_loaded_before_a_placement_is_asked_for() -> None:
-    program = "import sys, solver; print([name for name in ('numba', 'scipy', 'osqp', 'cvxpy', 'wasmtime') if name in sys.modules])"
+    program = "import sys, solver; print([name for name in ('scipy', 'osqp', 'cvxpy', 'wasmtime') if name in sys.modules])"
     run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False)
     assert (run.stdout.strip(), run.returncode) == ("[]", 0), run.stderr
 

@@ -105,7 +105,7 @@ def house_lines(houses: Sequence[tuple[float, int]]) -> list[Line]:
 
 def printed(lines: Sequence[Line]) -> None:
     """Prints the table and what it was made with."""
-    versions = ", ".join(f"{name} {version(name)}" for name in ("numpy", "numba", "osqp", "daqp"))
+    versions = ", ".join(f"{name} {version(name)}" for name in ("numpy", "wasmtime", "osqp", "daqp"))
     print(f"python {platform.python_version()}, {versions}, HiGHS of scipy {version('scipy')}, SCIP {scip_version()} (pyscipopt)\n")
     print("| what | figure | target | |\n|---|---|---|---|")
     for what, figure, target, met in lines:

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from solver.placement.kernel import compiled_kernel
+from solver.placement import kernel
 from solver.placement.problem import Problem
 from tests.bench.baseline import Guess, guess
 from tests.bench.rooms import house_problems, room_problem
@@ -51,7 +51,7 @@ def stage(problems: Sequence[Problem]) -> Callable[[], None]:
 
     def run() -> None:
         for engine in engines:
-            compiled_kernel().search(engine, LIMIT, float("inf"), False)
+            kernel.search(engine, LIMIT, float("inf"), False)
 
     return run
 

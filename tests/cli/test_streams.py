@@ -16,7 +16,21 @@ from service.cli import main
 from tests.cli.programs import PROGRAM, ROOT, SMALL, compose, said
 
 Captured = pytest.CaptureFixture[bytes]
-LIBRARIES = ("numpy", "scipy", "osqp", "daqp", "cvxpy", "fastapi", "starlette", "uvicorn", "pydantic", "yaml", "solver", "catalogs")
+LIBRARIES = (
+    "numpy",
+    "wasmtime",
+    "scipy",
+    "osqp",
+    "daqp",
+    "cvxpy",
+    "fastapi",
+    "starlette",
+    "uvicorn",
+    "pydantic",
+    "yaml",
+    "solver",
+    "catalogs",
+)
 
 
 @pytest.fixture(scope="module")

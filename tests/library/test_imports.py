@@ -10,7 +10,7 @@ import pytest
 
 from tests.architecture.tree import ROOT
 
-KERNEL = {"numba", "llvmlite", "osqp", "daqp", "scipy", "cvxpy"}
+KERNEL = {"wasmtime", "osqp", "daqp", "scipy", "cvxpy"}
 SERVER = {"fastapi", "starlette", "uvicorn", "anyio"}
 CATALOGS = {"catalogs.reading", "catalogs.schema", "numpy"}
 SCENE = "from compose_homes import Room, Scene\nscene = Scene(rooms=(Room('den', width=4.0, depth=3.0),))\n"
@@ -47,4 +47,4 @@ def test_what_is_not_used_is_not_loaded(program: str, without: set[str]) -> None
 
 
 def test_a_call_loads_what_it_needs() -> None:
-    assert loaded(GENERATE) > {"numba", "osqp"}
+    assert loaded(GENERATE) > {"wasmtime", "osqp"}

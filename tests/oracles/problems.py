@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.geometry import Rect
+from solver.placement import kernel, layout
 from solver.placement.core import solution_of
-from solver.placement.kernel import compiled_kernel, layout
-from solver.placement.kernel.layout import Engine, RoomArrays, Work
-from solver.placement.kernel.space import Sizes, new_engine
+from solver.placement.layout import Engine, RoomArrays, Work
 from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Term
+from solver.placement.space import Sizes, new_engine
 
 LIMIT = 4000
 """QPs after which the search gives up proving."""
@@ -94,7 +94,7 @@ def solve(problem: Problem, *, limit: int = LIMIT, ceiling: float = float("inf")
         ValueError: a variable has two anchors.
     """
     engine = laid_out(problem)
-    compiled_kernel().search(engine, limit, ceiling, False)
+    kernel.search(engine, limit, ceiling, False)
     found, result = solution_of(engine), engine.nodes.result
     if found is None:
         return Outcome(float("inf"), None, (), bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES]))

@@ -24,6 +24,26 @@ template <class T> struct Span {
   T* end() const { return data + size; }
 };
 
+// Structs of 8-byte fields: to the host a table of numbers with a column a field.
+template <class T> struct Rows {
+  T* data;
+  i32 size;
+  i32 columns;
+
+  T& operator[](i64 at) const {
+    check_index(at, size);
+    return data[at];
+  }
+};
+
+// One struct of 8-byte fields: to the host a row of numbers.
+template <class T> struct One {
+  T* data;
+  i32 size;
+
+  T* operator->() const { return data; }
+};
+
 // Values by row and column, one row after the other.
 template <class T> struct Table {
   T* data;

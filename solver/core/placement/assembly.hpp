@@ -1,0 +1,14 @@
+// From decisions to a problem: what each piece adds (parts.hpp), and the choices between its parts and those before.
+#pragma once
+
+#include "placement/engine.hpp"
+
+namespace placement {
+
+// Writes the problem of the decisions; false where the bounds alone rule them out.
+//
+// A piece whose parent is absent is an error of the caller. Choices that the bounds settle are left out. What the last problem
+// began with in the same way is kept.
+bool assemble(const Room& room, const Work& work, const Decisions& decisions);
+
+}  // namespace placement

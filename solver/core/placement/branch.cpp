@@ -1,0 +1,169 @@
+#include "placement/branch.hpp"
+
+#include "placement/dual.hpp"
+#include "placement/nodes.hpp"
+#include "placement/program.hpp"
+#include "placement/reach.hpp"
+#include "placement/widen.hpp"
+
+namespace placement {
+
+constexpr f64 VIOLATED = 1e-8;  // an option holds when it misses by less than this, m
+// Sorts choices with fewer options within reach before those violated more; more than any slack in steps.
+constexpr i64 FEWER_FIRST = 1'000'000'000'000;
+// With more choices than this the most violated come first whatever is left to them: nothing is proven there anyway.
+constexpr i64 MANY_CHOICES = 500;
+
+// How far an option holds at the open node, m.
+static f64 slack_at(const Nodes& nodes, const DifferenceRow& row) {
+  const f64 j = place_of(nodes.positions, row.axis, row.j), i = place_of(nodes.positions, row.axis, row.i);
+  return j - i - static_cast<f64>(row.s) / 1000;
+}
+
+// How far the option of a choice holds that holds best; of one that holds at all, the first.
+static f64 best_slack(const Work& work, const Nodes& nodes, i64 choice) {
+  f64 slack = -INFINITE;
+  for (i64 k = OPTIONS * choice; k < OPTIONS * choice + work.choice_size[choice]; k++) {
+    slack = most(slack, slack_at(nodes, work.options[k]));
+    if (slack >= -VIOLATED) break;
+  }
+  return slack;
+}
+
+// How many options of a choice are still within reach.
+static i64 possible_options(const Work& work, const Programs& programs, i64 choice) {
+  i64 count = 0;
+  for (i64 k = OPTIONS * choice; k < OPTIONS * choice + work.choice_size[choice]; k++) count += possible(programs, work.options[k]);
+  return count;
+}
+
+// Inserts a choice into nodes.worst, `count` long so far, where its key is small enough; returns the new length.
+static i64 insert_worst(const Nodes& nodes, const ChoiceKey& own, i64 count) {
+  i64 at = count;
+  while (at > 0 && nodes.worst[at - 1].key > own.key) at--;
+  if (at >= TRIED_CHOICES) return count;
+  const i64 grown = least(count + 1, TRIED_CHOICES);
+  for (i64 to = grown - 1; to > at; to--) nodes.worst[to] = nodes.worst[to - 1];
+  nodes.worst[at] = own;
+  return grown;
+}
+
+i64 find_violated(const Engine& engine, i64 slot) {
+  const Work& work = engine.work;
+  const Programs& programs = engine.programs;
+  const Nodes& nodes = engine.nodes;
+  const bool few = work.counts->choices <= MANY_CHOICES;
+  bool known = false;
+  i64 count = 0;
+  for (i64 c = 0; c < work.counts->choices; c++) {
+    const f64 slack = best_slack(work, nodes, c);
+    if (slack >= -VIOLATED) continue;
+    if (!known) {
+      known = true;
+      for (i64 axis = 0; axis < 2; axis++) propagate(programs, axis, programs.fixed_rows[axis] + nodes.row_count.at(slot, axis));
+    }
+    const i64 left = possible_options(work, programs, c);
+    if (left <= 1) {
+      nodes.worst[0].choice = c;
+      return left == 0 ? DEAD : 1;
+    }
+    count = insert_worst(nodes, {c, (few ? left * FEWER_FIRST : 0) + in_steps(slack)}, count);
+  }
+  return count;
+}
+
+// Solves the parent with one row more; returns the child's slot, or -1 where it is infeasible or too dear.
+static i64 solve_child(const Engine& engine, i64 parent, i64 option, f64 ceiling) {
+  const Programs& programs = engine.programs;
+  const Nodes& nodes = engine.nodes;
+  NodesState& state = *nodes.state.data;
+  const i64 capacity = engine.work.options.size;
+  const DifferenceRow& row = option < capacity ? engine.work.options[option] : engine.work.wide[option - capacity];
+  const i64 axis = row.axis;
+  const i64 at = programs.fixed_rows[axis] + nodes.row_count.at(parent, axis);
+  if (at >= programs.rows.columns) return -1;
+  nodes.result->solves++;
+  if (!append_row(programs, at, row)) return -1;
+  if (state.base[axis] == 0) build_base(Programme(programs, nodes, axis, parent));
+  const i64 slot = nodes.spare[state.spare - 1];
+  const f64 other = nodes.cost.at(parent, 1 - axis);
+  copy_axis(nodes, parent, slot, axis, programs.size[axis]);
+  Programme own(programs, nodes, axis, slot);
+  const Solved solved = continue_dual(own, at + 1, 2 * own.n + at, ceiling - other);
+  state.base[axis] = own.dropped ? 0 : 1;
+  if (solved != Solved::YES || *own.cost + other >= ceiling) return -1;
+  copy_axis(nodes, parent, slot, 1 - axis, programs.size[1 - axis]);
+  nodes.row_count.at(slot, axis)++;
+  nodes.last_pick[slot] = option;  // becomes a pick when the child is kept
+  nodes.widened[slot] = nodes.widened[parent];
+  state.spare--;
+  return slot;
+}
+
+// Writes the numbers of a choice's options to nodes.order, those that miss least at nodes.positions first.
+static void order_options(const Work& work, const Nodes& nodes, i64 choice) {
+  for (i64 o = 0; o < work.choice_size[choice]; o++) {
+    const i64 k = OPTIONS * choice + o;
+    const i64 slack = in_steps(slack_at(nodes, work.options[k]));
+    i64 at = o;
+    for (; at > 0 && nodes.order[at - 1].slack < slack; at--) nodes.order[at] = nodes.order[at - 1];
+    nodes.order[at] = {k, slack};
+  }
+}
+
+// Solves the children of a choice and writes them to the family from `first` on; returns where they end.
+// DEAD as soon as one is no dearer than `dearest`, the cheapest child of another choice: there is more to gain from that one.
+static i64 add_children(const Engine& engine, i64 parent, i64 choice, i64 first, i64 dearest, f64 ceiling) {
+  const Work& work = engine.work;
+  const Nodes& nodes = engine.nodes;
+  i64 last = first;
+  order_options(work, nodes, choice);
+  for (i64 o = 0; o < work.choice_size[choice]; o++) {
+    const i64 k = nodes.order[o].option;
+    if (!possible(engine.programs, work.options[k])) continue;
+    const i64 slot = solve_child(engine, parent, k, ceiling);
+    if (slot < 0) continue;
+    const i64 key = in_steps(nodes.total(slot));
+    nodes.family[last++] = {slot, key};
+    if (key <= dearest) {
+      give_back(nodes, first, last, 0);
+      return DEAD;
+    }
+  }
+  sort_family(nodes, first, last);
+  return last;
+}
+
+void branch(const Engine& engine, i64 parent, i64 count, f64 ceiling) {
+  const Nodes& nodes = engine.nodes;
+  i64 kept = 0, dearest = -1;
+  for (i64 w = 0; w < count; w++) {
+    const i64 last = add_children(engine, parent, nodes.worst[w].choice, kept, dearest, ceiling);
+    if (last == DEAD) continue;
+    give_back(nodes, 0, kept, 0);
+    if (last == kept) return;
+    dearest = nodes.family[kept].key;
+    for (i64 k = kept; k < last; k++) nodes.family[k - kept] = nodes.family[k];
+    kept = last - kept;
+    if (kept == 1) break;
+  }
+  open_family(nodes, parent, 0, kept);
+}
+
+void widen(const Engine& engine, i64 parent, f64 ceiling) {
+  const Work& work = engine.work;
+  const Nodes& nodes = engine.nodes;
+  i64 last = 0;
+  for (i64 k = add_wider_rows(engine.room, work, engine.grid); k < work.counts->wide; k++) {
+    const i64 slot = solve_child(engine, parent, work.options.size + k, ceiling);
+    if (slot < 0) continue;
+    nodes.widened[slot]++;
+    nodes.family[last++] = {slot, in_steps(nodes.total(slot))};
+    if (last == nodes.family.size || nodes.state->spare < TRIED_CHOICES * OPTIONS) break;
+  }
+  sort_family(nodes, 0, last);
+  give_back(nodes, 0, last, WIDE_CHILDREN);
+  open_family(nodes, parent, 0, least(last, WIDE_CHILDREN));
+}
+
+}  // namespace placement

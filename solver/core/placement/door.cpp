@@ -1,0 +1,74 @@
+// What the host calls of placement. `desk` is where `new_desk` put a room; what is handed over beside numbers lies on it.
+#include "placement/assembly.hpp"
+#include "placement/grid.hpp"
+#include "placement/grow.hpp"
+#include "placement/options.hpp"
+#include "placement/prove.hpp"
+#include "placement/pull.hpp"
+#include "placement/search.hpp"
+#include "placement/space.hpp"
+
+#define EXPORT(name) __attribute__((export_name(#name)))
+
+using namespace placement;
+
+template <class T> static T& as(const Span<i64>& numbers) { return *reinterpret_cast<T*>(numbers.data); }
+
+extern "C" {
+
+EXPORT(new_desk) Desk* door_new_desk(RoomRequest* request) { return new_desk(request); }
+
+EXPORT(assemble) i32 door_assemble(const Desk* desk) { return assemble(desk->engine.room, desk->engine.work, desk->decisions); }
+
+EXPORT(arrange_room) void door_arrange_room(const Desk* desk, i32 walk) {
+  const RoomLimits limits = as<RoomLimits>(desk->limits);
+  as<RoomReport>(desk->report) = arrange_room(desk->engine, desk->decisions, desk->fates, limits, walk != 0);
+}
+
+EXPORT(best_first) i32 door_best_first(const Desk* desk, i32 walk) {
+  const SearchLimits limits = as<SearchLimits>(desk->limits);
+  return best_first(desk->engine, desk->decisions, NOTHING_SPENT, as<Group>(desk->group), limits, walk != 0);
+}
+
+EXPORT(evaluate) i32 door_evaluate(const Desk* desk, i64 limit, f64 ceiling, i32 walk) {
+  return evaluate(desk->engine, desk->decisions, limit, ceiling, walk != 0);
+}
+
+EXPORT(holds_alone) i32 door_holds_alone(const Desk* desk) { return holds(desk->alone, desk->engine.grid.positions); }
+
+EXPORT(open_decisions) i32 door_open_decisions(const Desk* desk, i32 piece) {
+  const Engine& engine = desk->engine;
+  return static_cast<i32>(open_decisions(engine.room, desk->decisions, piece, engine.tree.found, engine.tree.found_cost));
+}
+
+// Takes space for the open nodes of a proof.
+EXPORT(new_proof) ProofNodes* door_new_proof(i32 depth, i32 variables, i32 choices) {
+  ProofNodes& nodes = *zeroes<ProofNodes>(1).data;
+  nodes.low = {reserved<i64>(depth * 2 * variables).data, depth, 2, variables};
+  nodes.high = {reserved<i64>(depth * 2 * variables).data, depth, 2, variables};
+  nodes.picks = {reserved<i64>(depth * choices).data, depth, choices};
+  nodes.refused = {reserved<i64>(depth * choices).data, depth, choices};
+  return &nodes;
+}
+
+// Leaves in report[0] how many nodes were looked at.
+EXPORT(prove) i32 door_prove(const Desk* desk, const ProofNodes* nodes, i64 most) {
+  i64 allowed = most;
+  const Verdict verdict = prove(desk->engine, *nodes, allowed);
+  desk->report[0] = most - allowed;
+  return static_cast<i32>(verdict);
+}
+
+EXPORT(pull_back) i32 door_pull_back(const Desk* desk) { return pull_back(desk->engine); }
+
+EXPORT(search) void door_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) { search(desk->engine, limit, ceiling, walk != 0); }
+
+EXPORT(total_preference) f64 door_total_preference(const Desk* desk) {
+  return total_preference(desk->engine.room, desk->decisions);
+}
+
+EXPORT(walkable) i32 door_walkable(const Desk* desk) {
+  const Engine& engine = desk->engine;
+  return walkable(engine.room, engine.work, engine.grid, engine.grid.positions);
+}
+}

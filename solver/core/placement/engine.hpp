@@ -1,0 +1,228 @@
+// The work space of one room, allocated once (space.hpp).
+#pragma once
+
+#include "placement/room.hpp"
+
+namespace placement {
+
+constexpr i64 OPTIONS = 4;  // options a choice has at most
+
+// p_j - p_i >= s along an axis, s in mm.
+struct DifferenceRow {
+  i64 axis, i, j, s;
+};
+
+// Something that takes space: the body of a piece, or (stand != 0) a person's square at one of its use sides.
+// It lies from variable + offset to variable + offset + extent, and from height low to high.
+struct Part {
+  i64 piece, stand;
+  i64 variable[2], offset[2], extent[2];
+  i64 low, high;
+};
+
+// A wish for the distance between two variables: weight (p_j - p_i - offset)^2.
+struct PullRow {
+  i64 axis, i, j;
+};
+
+struct PullCost {
+  f64 offset, weight;
+};
+
+// The two parts that a choice keeps apart; of the second -1 - its number for a zone.
+struct ChoiceParts {
+  i64 part[2];
+};
+
+struct Counts {
+  i64 rows, parts, choices, pulls, wide;
+  i64 assembled;  // pieces that the problem was laid out for
+  i64 unused[2];
+};
+
+// What the problem was once a piece was added, beside its bounds.
+struct Mark {
+  i64 decision;
+  i64 sizes[2];
+  i64 rows, parts, choices, pulls;
+};
+
+// A problem: variables with bounds and anchors, pulls, fixed rows, and choices. Choice c has the options 4c ... 4c + choice_size[c] - 1.
+struct Work {
+  One<Counts> counts;
+  Span<i64> sizes;  // number of variables along each axis
+  Table<i64> low, high;
+  Table<f64> anchor_weight, anchor_at;
+  Rows<PullRow> pulls;
+  Rows<PullCost> pull_costs;
+  Rows<DifferenceRow> rows;
+  Rows<Part> parts;
+  Span<i64> choice_size;
+  Rows<ChoiceParts> choice_parts;
+  Rows<DifferenceRow> options;
+  Rows<DifferenceRow> wide;  // what widenings ask for; option number options.size + k
+  Span<i64> body_part, rotation, taken_candidate, taken_side;  // by piece
+  Rows<Mark> marks;
+  Cube<i64> marked_bounds;  // by piece: low of both axes, high of both axes
+};
+
+// The quadratic programmes of both axes over the free variables; see program.hpp. The first index is the axis.
+struct Programs {
+  Span<i64> size;  // how many variables are free
+  Table<i64> column;  // of a variable: its number among the free ones, or -1
+  Table<f64> value;  // of a fixed variable, m
+  Cube<f64> bounds;
+  Cube<f64> inverse;
+  Table<f64> start;
+  Span<f64> start_cost;
+  Span<i64> fixed_rows;
+  Cube<i64> rows;  // i of every row, j of every row: numbers of free variables, or -1
+  Table<f64> row_s;
+  Cube<f64> reach;  // least and most: how far the rows let each free variable go, m
+  Cube<f64> columns, factor, vectors;
+};
+
+struct NodesState {
+  i64 open, spare, picked;
+  i64 base[2];  // whether the base of the open node is built along an axis
+};
+
+struct ChoiceKey {
+  i64 choice, key;
+};
+
+struct OptionSlack {
+  i64 option, slack;
+};
+
+struct Child {
+  i64 slot, key;
+};
+
+struct SearchResult {
+  i64 found, exhausted, solves, turned_down, picks;
+  i64 unused[3];
+};
+
+// Open nodes of the tree, by slot; `stack` and `spare` hold slots. A path is a chain of picks: the one before, and its option.
+struct Nodes {
+  One<NodesState> state;
+  Cube<f64> x;
+  Cube<i64> active;
+  Cube<f64> multiplier;
+  Table<i64> active_size;
+  Table<f64> cost;
+  Table<i64> row_count;
+  Span<i64> last_pick, widened, stack, spare, pick_before, pick_option;
+  Table<f64> positions;  // of the open node, m; the last column is the origin's
+  Rows<ChoiceKey> worst;
+  Rows<OptionSlack> order;
+  Rows<Child> family;
+  Table<f64> best;
+  Span<i64> best_picks;
+  Span<f64> best_cost;
+  One<SearchResult> result;
+
+  f64 total(i64 slot) const { return cost.at(slot, 0) + cost.at(slot, 1); }
+};
+
+struct GridState {
+  i64 blocks, targets;
+  i64 cuts[2];
+  i64 components;
+  i64 numbers;  // of targets: of the rectangles of one number any will do
+  i64 entered;  // the component one walks in, or 0
+  i64 unused;
+};
+
+// A rectangle with a number: of a block its part, or -1 - its zone; of a target what is to be reached there.
+struct NumberedRect {
+  i64 low[2], high[2];
+  i64 number;
+};
+
+struct Reached {
+  i64 count, last;
+};
+
+// The compressed grid of the walk; see grid.hpp. Lengths in it are doubled millimetres.
+struct WalkGrid {
+  One<GridState> state;
+  Rows<NumberedRect> blocks, targets;
+  Table<i64> cuts;
+  Span<i64> labels, queue, areas;
+  Rows<Reached> reached;
+  Table<i64> positions;  // mm, not doubled; the last column is the origin's
+};
+
+struct Counters {
+  i64 states, heaped, order, evaluated;
+  i64 closed;  // whether the answer is exact within the search
+  i64 diving;
+  i64 best, deepest;  // numbers of states, or -1
+  i64 refused;
+  i64 doubted;  // whether a placement was turned down for the walk alone
+  i64 incumbent, lapsed, solved_qps, moves_left;
+  i64 unused[2];
+};
+
+struct HeapEntry {
+  i64 rank, bound, age, state, decision;
+};
+
+struct Move {
+  i64 piece, decision;
+};
+
+// Pieces from `first` to before `last`.
+struct Group {
+  i64 first, last;
+};
+
+// Evaluations before the dive, QPs of each, and evaluations that may end at that limit before the search gives up.
+struct SearchLimits {
+  i64 evaluations, qps, lapses;
+};
+
+// A cost, of it the preferences, and the cost above which no answer counts.
+struct Costs {
+  f64 all, preferences, ceiling;
+};
+
+constexpr Costs NOTHING_SPENT = {0.0, 0.0, 1e12};
+
+// Best-first search over prefixes; see grow.hpp.
+struct Tree {
+  One<Counters> counters;
+  Span<f64> budget;  // QPs of a small room that are left
+  Table<i64> decisions;
+  Span<f64> costs, preferences;
+  Span<i64> depths;
+  Rows<HeapEntry> heap;
+  Span<f64> heap_cost;
+  Span<i64> refused;
+  Span<i64> found;
+  Span<f64> found_cost;
+  Span<i64> trial;
+  Rows<Move> moves;
+  Span<f64> move_cost;
+  Span<i64> shifted;
+};
+
+struct Engine {
+  Room room;
+  Work work;
+  Programs programs;
+  Nodes nodes;
+  WalkGrid grid;
+  Tree tree;
+};
+
+// A position of a table (axis, variable) whose last column is the origin's.
+template <class T> inline T place_of(const Table<T>& positions, i64 axis, i64 variable) {
+  return positions.at(axis, variable < 0 ? positions.columns - 1 : variable);
+}
+
+static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 7 * 8 && sizeof(Counters) == 16 * 8 && sizeof(GridState) == 8 * 8);
+
+}  // namespace placement

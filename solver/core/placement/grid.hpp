@@ -1,0 +1,30 @@
+// Can a square person get from the doors to every use side? Exact, on the compressed grid; and what blocks the way.
+//
+// Bodies are inflated by half the person and the walls moved in by as much; cuts at the inflated edges make cells that are wholly
+// free or wholly blocked. Lengths are doubled millimetres, so that halves stay integers, and the person is 1 mm smaller than asked,
+// so that a gap of exactly its size counts. Targets then never lie on a cut.
+#pragma once
+
+#include "placement/engine.hpp"
+
+namespace placement {
+
+// Cells from `first` to before `last` along both axes.
+struct Cells {
+  i64 first[2], last[2];
+};
+
+// The number of the first cut of an axis at or above a value.
+i64 first_cell(const WalkGrid& grid, i64 axis, i64 value);
+
+// Tells whether all doors and use sides are joined, with the bodies at integer positions, mm.
+// Leaves labels, cuts and the entered component in `grid`.
+bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions);
+
+// Tells whether the bodies may leave one component of the least free centres that meets all doors and use sides.
+//
+// "No" is certain for all positions between low and high: only what is covered at every one of them blocks the way, and whatever
+// may be a place to come to counts as one.
+bool may_be_walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high);
+
+}  // namespace placement

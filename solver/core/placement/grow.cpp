@@ -1,0 +1,169 @@
+#include "placement/grow.hpp"
+
+#include "placement/assembly.hpp"
+#include "placement/heap.hpp"
+#include "placement/nodes.hpp"
+#include "placement/options.hpp"
+#include "placement/search.hpp"
+
+namespace placement {
+
+constexpr i64 MODULUS = 2147483647;
+
+bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
+  const Work& work = engine.work;
+  SearchResult& result = *engine.nodes.result.data;
+  result = {};
+  result.exhausted = 1;
+  if (!assemble(engine.room, work, decisions)) return false;
+  const f64 size = static_cast<f64>(work.sizes[0] + work.sizes[1]) / 40;
+  const f64 scale = 1 + size * size;  // a dense QP grows with its square
+  const f64 left = engine.tree.budget[0];
+  search(engine, least(limit, whole(most(left / scale, 0.0))), ceiling, walk);
+  const f64 reading = static_cast<f64>(work.counts->choices) / 4;  // reading the choices costs too
+  engine.tree.budget[0] = left - static_cast<f64>(result.solves) * scale - reading;
+  engine.tree.counters->solved_qps += result.solves;
+  return result.found == 1;
+}
+
+// A number for what decides feasibility: decisions that agree in it differ only in their anchors.
+static i64 fingerprint(const Room& room, const Decisions& decisions) {
+  i64 one = 1, two = 1;
+  for (const i64 decision : decisions) {
+    const i64 value = decision == ABSENT ? 0 : 8 * room.candidates[candidate_of(decision)].kin + sides_of(decision) + 1;
+    one = (one * 48271 + value) % MODULUS;
+    two = (two * 69621 + value + 12345) % MODULUS;
+  }
+  return one * MODULUS + two;
+}
+
+// Tells whether a fingerprint is among the refused; adds it where asked.
+static bool refused(const Tree& tree, i64 number, bool add) {
+  const i64 size = tree.refused.size;
+  i64 at = number % size;
+  for (; tree.refused[at] != 0; at = (at + 1) % size) {
+    if (tree.refused[at] == number) return true;
+  }
+  if (add && tree.counters->refused < size / 2) {
+    tree.refused[at] = number;
+    tree.counters->refused++;
+  }
+  return false;
+}
+
+// Stores a state; returns its number, or -1 where there is no room.
+static i64 store(const Tree& tree, const Decisions& decisions, f64 cost, f64 chosen, i64 depth) {
+  const i64 k = tree.counters->states;
+  if (k >= tree.costs.size) return -1;
+  for (i64 piece = 0; piece < decisions.size; piece++) tree.decisions.at(k, piece) = decisions[piece];
+  tree.costs[k] = cost;
+  tree.preferences[k] = chosen;
+  tree.depths[k] = depth;
+  tree.counters->states = k + 1;
+  return k;
+}
+
+// Pushes every way the next piece may join a state; false where the heap is full.
+static bool expand(const Engine& engine, i64 state, i64 piece, i64 depth) {
+  const Tree& tree = engine.tree;
+  const i64 count = open_decisions(engine.room, tree.decisions.row(state), piece, tree.found, tree.found_cost);
+  for (i64 k = 0; k < count; k++) {
+    if (!push(tree, tree.costs[state] + tree.found_cost[k], state, tree.found[k], tree.found_cost[k], depth)) return false;
+  }
+  return true;
+}
+
+// Notes what a way that failed says of others, and whether the search is still exact.
+static void note_failure(const Engine& engine, i64 number, const SearchLimits& limits) {
+  Counters& counters = *engine.tree.counters.data;
+  const SearchResult& result = *engine.nodes.result.data;
+  const bool impossible = result.turned_down == 0 && result.exhausted == 1;
+  if (counters.incumbent < 0 && (limits.lapses < MANY || impossible)) refused(engine.tree, number, true);
+  if (result.turned_down > 0) counters.doubted = 1;
+  if (result.exhausted == 0) {
+    counters.closed = 0;
+    counters.lapsed++;
+  }
+}
+
+// Evaluates a way; pushes the grown state. False where there is no room to store it.
+// What costs more than the best complete state found so far is cut off: costs only grow.
+static bool try_entry(const Engine& engine, i64 entry, const Group& group, const SearchLimits& limits, bool walk) {
+  const Tree& tree = engine.tree;
+  Counters& counters = *tree.counters.data;
+  const i64 state = tree.heap[entry].state, depth = tree.depths[tree.heap[entry].state];
+  const Decisions trial = tree.trial;
+  for (i64 k = 0; k < trial.size; k++) trial[k] = tree.decisions.at(state, k);
+  trial[group.first + depth] = tree.heap[entry].decision;
+  const i64 number = fingerprint(engine.room, trial);
+  if (refused(tree, number, false)) return true;
+  counters.evaluated++;
+  const f64 chosen = tree.preferences[state] + tree.heap_cost[entry];
+  const i64 incumbent = counters.incumbent;
+  const f64 ceiling = incumbent >= 0 ? tree.costs[incumbent] - chosen : INFINITE;
+  if (!evaluate(engine, trial, limits.qps, ceiling, walk)) {
+    note_failure(engine, number, limits);
+    return true;
+  }
+  const i64 grown = store(tree, trial, engine.nodes.best_cost[0] + chosen, chosen, depth + 1);
+  if (grown < 0) return false;
+  const bool complete = depth + 1 == group.last - group.first;
+  if (complete && (incumbent < 0 || tree.costs[grown] < tree.costs[incumbent])) counters.incumbent = grown;
+  if (counters.deepest < 0 || depth + 1 > tree.depths[counters.deepest]) counters.deepest = grown;
+  return push(tree, tree.costs[grown], grown, EXPANDED, 0.0, depth + 1);
+}
+
+// Empties the tree but for what counts over a whole room.
+static void begin(const Tree& tree) {
+  const i64 solved = tree.counters->solved_qps, moves = tree.counters->moves_left;
+  *tree.counters.data = {};
+  tree.counters->solved_qps = solved;
+  tree.counters->moves_left = moves;
+  tree.counters->closed = 1;
+  tree.counters->best = tree.counters->deepest = tree.counters->incumbent = -1;
+  for (i64& number : tree.refused) number = 0;
+}
+
+bool best_first(
+    const Engine& engine, const Decisions& start, const Costs& start_cost, const Group& group, const SearchLimits& limits, bool walk) {
+  const Tree& tree = engine.tree;
+  const i64 total = group.last - group.first;
+  Counters& counters = *tree.counters.data;
+  begin(tree);
+  i64 limit = limits.evaluations;
+  push(tree, start_cost.all, store(tree, start, start_cost.all, start_cost.preferences, 0), EXPANDED, 0.0, 0);
+  while (counters.heaped > 0) {
+    pop(tree);
+    const i64 entry = counters.heaped;
+    const i64 state = tree.heap[entry].state, depth = tree.depths[tree.heap[entry].state];
+    if (static_cast<f64>(tree.heap[entry].bound) >= start_cost.ceiling * STEPS) {
+      if (counters.diving) continue;
+      return false;
+    }
+    bool stored;
+    if (tree.heap[entry].decision != EXPANDED) {
+      stored = try_entry(engine, entry, group, limits, walk);
+    } else if (depth == total) {
+      counters.best = state;
+      return true;
+    } else {
+      stored = expand(engine, state, group.first + depth, depth);
+    }
+    if (!stored || tree.budget[0] <= 0) {
+      counters.closed = 0;
+      return false;
+    }
+    if (counters.evaluated >= limit || counters.lapsed > limits.lapses) {
+      if (counters.diving || limits.lapses < MANY) {
+        counters.closed = 0;
+        counters.best = counters.incumbent;
+        return counters.incumbent >= 0;
+      }
+      dive(tree);
+      limit *= 2;
+    }
+  }
+  return false;
+}
+
+}  // namespace placement

@@ -1,0 +1,97 @@
+#include "placement/narrow.hpp"
+
+namespace placement {
+
+constexpr i64 ROUNDS = 40;  // passes over the rows at a node, at most; fewer only prune less
+
+enum class Step { IMPOSSIBLE, SAME, CHANGED };
+
+// Narrows two intervals to p_j - p_i >= s.
+static Step tighten(const ProofNode& node, const DifferenceRow& row) {
+  if (row.i == row.j) return row.s > 0 ? Step::IMPOSSIBLE : Step::SAME;
+  const i64 first = row.i == ORIGIN ? 0 : node.low.at(row.axis, row.i);
+  const i64 last = row.j == ORIGIN ? 0 : node.high.at(row.axis, row.j);
+  if (last - first < row.s) return Step::IMPOSSIBLE;
+  Step step = Step::SAME;
+  if (row.j != ORIGIN && node.low.at(row.axis, row.j) < first + row.s) {
+    node.low.at(row.axis, row.j) = first + row.s;
+    step = Step::CHANGED;
+  }
+  if (row.i != ORIGIN && node.high.at(row.axis, row.i) > last - row.s) {
+    node.high.at(row.axis, row.i) = last - row.s;
+    step = Step::CHANGED;
+  }
+  return step;
+}
+
+Holds holds_in(const ProofNode& node, const DifferenceRow& row) {
+  if (row.i == row.j) return row.s <= 0 ? Holds::EVERYWHERE : Holds::NOWHERE;
+  i64 lowest = 0, highest = 0;
+  if (row.j != ORIGIN) {
+    lowest = node.low.at(row.axis, row.j);
+    highest = node.high.at(row.axis, row.j);
+  }
+  if (row.i != ORIGIN) {
+    lowest -= node.high.at(row.axis, row.i);
+    highest -= node.low.at(row.axis, row.i);
+  }
+  return lowest >= row.s ? Holds::EVERYWHERE : highest < row.s ? Holds::NOWHERE : Holds::DEPENDS;
+}
+
+// Settles a choice of which an option holds anywhere, and takes the only option left; false where none is.
+static bool choose(const Work& work, const ProofNode& node, i64 choice) {
+  i64 left = 0, only = 0;
+  for (i64 k = 0; k < work.choice_size[choice]; k++) {
+    const Holds holds = holds_in(node, work.options[OPTIONS * choice + k]);
+    if (holds == Holds::EVERYWHERE) {
+      node.picks[choice] = SETTLED;
+      return true;
+    }
+    if (holds == Holds::DEPENDS && !(node.refused[choice] & (1LL << k))) {
+      left++;
+      only = k;
+    }
+  }
+  if (left == 1) node.picks[choice] = only;
+  return left > 0;
+}
+
+// Narrows the intervals by one choice: by what is refused of it, and by the option it took.
+static Step decide(const Work& work, const ProofNode& node, i64 choice) {
+  Step all = Step::SAME;
+  for (i64 k = 0; k < work.choice_size[choice]; k++) {
+    if (node.refused[choice] & (1LL << k)) {
+      const DifferenceRow& row = work.options[OPTIONS * choice + k];
+      const Step step = tighten(node, {row.axis, row.j, row.i, 1 - row.s});
+      if (step == Step::IMPOSSIBLE) return step;
+      all = most(all, step);
+    }
+  }
+  if (node.picks[choice] == UNDECIDED && !choose(work, node, choice)) return Step::IMPOSSIBLE;
+  if (node.picks[choice] >= 0) {
+    const Step step = tighten(node, work.options[OPTIONS * choice + node.picks[choice]]);
+    return step == Step::IMPOSSIBLE ? step : most(all, step);
+  }
+  return all;
+}
+
+bool narrow(const Work& work, const ProofNode& node) {
+  for (i64 round = 0; round < ROUNDS; round++) {
+    Step all = Step::SAME;
+    for (i64 k = 0; k < work.counts->rows; k++) {
+      const Step step = tighten(node, work.rows[k]);
+      if (step == Step::IMPOSSIBLE) return false;
+      all = most(all, step);
+    }
+    for (i64 choice = 0; choice < work.counts->choices; choice++) {
+      if (node.picks[choice] == SETTLED && !node.refused[choice]) continue;
+      const Step step = decide(work, node, choice);
+      if (step == Step::IMPOSSIBLE) return false;
+      all = most(all, step);
+    }
+    if (all == Step::SAME) return true;
+  }
+  return true;
+}
+
+}  // namespace placement

@@ -1,0 +1,24 @@
+// Intervals of the variables, narrowed by rows and choices: the nodes of a proof.
+#pragma once
+
+#include "placement/engine.hpp"
+
+namespace placement {
+
+constexpr i64 UNDECIDED = -1;  // of a choice: no option taken yet
+constexpr i64 SETTLED = -2;  // of a choice: one of its options holds anywhere in the intervals
+
+struct ProofNode {
+  Table<i64> low, high;
+  Span<i64> picks, refused;
+};
+
+enum class Holds { NOWHERE = -1, DEPENDS = 0, EVERYWHERE = 1 };
+
+// Where in the intervals of a node a row holds.
+Holds holds_in(const ProofNode& node, const DifferenceRow& row);
+
+// Narrows the intervals until nothing changes; false where a row or a choice cannot hold.
+bool narrow(const Work& work, const ProofNode& node);
+
+}  // namespace placement

@@ -1,0 +1,56 @@
+#include "placement/nodes.hpp"
+
+namespace placement {
+
+void copy_axis(const Nodes& nodes, i64 parent, i64 slot, i64 axis, i64 n) {
+  const f64* x = nodes.x.row(parent, axis).data;
+  f64* own_x = nodes.x.row(slot, axis).data;
+  for (i64 k = 0; k < n; k++) own_x[k] = x[k];
+  const i64 size = nodes.active_size.at(parent, axis);
+  for (i64 k = 0; k < size; k++) {
+    nodes.active.at(slot, axis, k) = nodes.active.at(parent, axis, k);
+    nodes.multiplier.at(slot, axis, k) = nodes.multiplier.at(parent, axis, k);
+  }
+  nodes.active_size.at(slot, axis) = size;
+  nodes.cost.at(slot, axis) = nodes.cost.at(parent, axis);
+  nodes.row_count.at(slot, axis) = nodes.row_count.at(parent, axis);
+}
+
+void give_back(const Nodes& nodes, i64 first, i64 last, i64 keep) {
+  for (i64 k = most(first, keep); k < last; k++) nodes.spare[nodes.state->spare++] = nodes.family[k].slot;
+}
+
+void sort_family(const Nodes& nodes, i64 first, i64 last) {
+  for (i64 k = first + 1; k < last; k++) {
+    const Child own = nodes.family[k];
+    i64 at = k;
+    for (; at > first && nodes.family[at - 1].key > own.key; at--) nodes.family[at] = nodes.family[at - 1];
+    nodes.family[at] = own;
+  }
+}
+
+void open_family(const Nodes& nodes, i64 parent, i64 first, i64 last) {
+  for (i64 k = last - 1; k >= first; k--) {
+    const i64 slot = nodes.family[k].slot, pick = nodes.state->picked++;
+    nodes.pick_option[pick] = nodes.last_pick[slot];
+    nodes.pick_before[pick] = nodes.last_pick[parent];
+    nodes.last_pick[slot] = pick;
+    nodes.stack[nodes.state->open++] = slot;
+  }
+}
+
+void cheapest_on_top(const Nodes& nodes) {
+  if (nodes.state->spare < nodes.spare.size / 2) return;
+  const i64 top = nodes.state->open - 1;
+  i64 found = top, lowest = in_steps(nodes.total(nodes.stack[top]));
+  for (i64 k = top - 1; k >= 0; k--) {
+    const i64 key = in_steps(nodes.total(nodes.stack[k]));
+    if (key < lowest) {
+      found = k;
+      lowest = key;
+    }
+  }
+  swap(nodes.stack[top], nodes.stack[found]);
+}
+
+}  // namespace placement

@@ -1,0 +1,28 @@
+// The tree's open nodes: their slots, the families of children that become nodes, and which node is next.
+#pragma once
+
+#include "placement/engine.hpp"
+
+namespace placement {
+
+// Costs and slacks are compared in steps of a nanometre or its like, so that rounding decides no tie.
+constexpr f64 STEPS = 1e9;
+
+inline i64 in_steps(f64 value) { return whole(value * STEPS); }
+
+// Copies what a node knows of an axis with n free variables.
+void copy_axis(const Nodes& nodes, i64 parent, i64 slot, i64 axis, i64 n);
+
+// Gives back the slots of a family's members first ... last - 1, but for the first `keep` of the family.
+void give_back(const Nodes& nodes, i64 first, i64 last, i64 keep);
+
+// Sorts a family's members by cost, stably.
+void sort_family(const Nodes& nodes, i64 first, i64 last);
+
+// Opens a family's members, the cheapest on top.
+void open_family(const Nodes& nodes, i64 parent, i64 first, i64 last);
+
+// Brings the cheapest open node to the top, of equal ones the upper; not where slots run short, since depth needs fewer.
+void cheapest_on_top(const Nodes& nodes);
+
+}  // namespace placement

@@ -1,0 +1,95 @@
+#include "placement/options.hpp"
+
+namespace placement {
+
+// The absolute rotation of a decided piece.
+static i64 rotation_of(const Room& room, const Decisions& decisions, i64 piece) {
+  i64 turn = 0;
+  while (piece >= 0) {
+    const CandidateRow& own = room.candidates[candidate_of(decisions[piece])];
+    turn += own.turn;
+    piece = own.parent;
+  }
+  return floor_mod(turn, 360);
+}
+
+// Tells whether the parent is there in the variant the slot is for, and the slot free.
+static bool fits_parent(const Room& room, const Decisions& decisions, i64 piece, const CandidateRow& own) {
+  if (own.parent < 0) return true;
+  if (decisions[own.parent] == ABSENT || room.candidates[candidate_of(decisions[own.parent])].kind != own.parent_kind) return false;
+  if (own.slot < 0) return true;
+  for (i64 other = 0; other < decisions.size; other++) {
+    if (other == piece || decisions[other] == ABSENT) continue;
+    const CandidateRow& taken = room.candidates[candidate_of(decisions[other])];
+    if (taken.parent == own.parent && taken.slot == own.slot) return false;
+  }
+  return true;
+}
+
+static bool walls_hold(i64 relation, i64 own, i64 other) {
+  if (relation == ANY_WALLS) return true;
+  if (own == NO_WALL || other == NO_WALL) return false;
+  const bool same = own == other;
+  const bool opposite = own / 2 == other / 2 && !same;
+  if (relation == SAME) return same;
+  if (relation == OPPOSITE) return opposite;
+  if (relation == ADJACENT) return !same && !opposite;
+  return relation == OTHER && !same;
+}
+
+// What is missing of a distance that is wished between two centres, m.
+static f64 too_near(f64 apart, const CandidateRow& own, const CandidateRow& other) {
+  const i64 dx = own.anchor[0] - other.anchor[0];
+  const i64 dz = own.anchor[1] - other.anchor[1];
+  return most(0.0, apart - root(static_cast<f64>(dx * dx + dz * dz)) / 1000);
+}
+
+f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 candidate) {
+  const CandidateRow& own = room.candidates[candidate];
+  if (!fits_parent(room, decisions, piece, own)) return RULED_OUT;
+  f64 total = room.candidate_costs[candidate].cost;
+  i64 turn = own.turn;
+  if (own.parent >= 0) turn += rotation_of(room, decisions, own.parent);
+  const PieceRow& row = room.pieces[piece];
+  for (i64 k = row.links[0]; k < row.links[1]; k++) {
+    const LinkRow& link = room.links[k];
+    const LinkCost& cost = room.link_costs[k];
+    if (decisions[link.of] == ABSENT) continue;
+    const CandidateRow& other = room.candidates[candidate_of(decisions[link.of])];
+    const bool turned = link.turn < 0 || floor_mod(turn - rotation_of(room, decisions, link.of) - link.turn, 360) == 0;
+    if (!turned || !walls_hold(link.walls, own.wall, other.wall)) {
+      if (link.required) return RULED_OUT;
+      total += cost.cost;
+    }
+    if (cost.apart_cost > 0 && own.parent < 0 && other.parent < 0) total += cost.apart_cost * too_near(cost.apart, own, other);
+  }
+  return total;
+}
+
+f64 total_preference(const Room& room, const Decisions& decisions) {
+  f64 total = 0.0;
+  for (i64 piece = 0; piece < decisions.size; piece++) {
+    if (decisions[piece] == ABSENT) continue;
+    const f64 cost = preference(room, decisions, piece, candidate_of(decisions[piece]));
+    if (cost < 0) return RULED_OUT;
+    total += cost + room.side_costs[room.pieces[piece].sides[0] + sides_of(decisions[piece])];
+  }
+  return total;
+}
+
+i64 open_decisions(const Room& room, const Decisions& decisions, i64 piece, const Span<i64>& found, const Span<f64>& costs) {
+  i64 count = 0;
+  const PieceRow& row = room.pieces[piece];
+  for (i64 candidate = row.candidates[0]; candidate < row.candidates[1]; candidate++) {
+    const f64 cost = preference(room, decisions, piece, candidate);
+    if (cost < 0) continue;
+    for (i64 side = row.sides[0]; side < row.sides[1]; side++) {
+      found[count] = 8 * candidate + side - row.sides[0];
+      costs[count] = cost + room.side_costs[side];
+      count++;
+    }
+  }
+  return count;
+}
+
+}  // namespace placement

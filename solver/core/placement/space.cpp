@@ -1,0 +1,226 @@
+#include "placement/space.hpp"
+
+namespace placement {
+
+constexpr i64 SPARE_PATH = 16;  // rows a path may have beside one for every choice: its widenings
+constexpr i64 MOST_WIDE = 8192;  // rows that the widenings of one search may ask for
+constexpr i64 MOST_NODES = 4096;  // open nodes of one search; where there would be more, the search stops as at its limit
+constexpr i64 MOST_PICKS = 200'000;  // children one search may create; as with the nodes
+constexpr i64 MOST_FAMILY = 256;  // children of one node
+constexpr i64 MOST_MOVES = 64;
+constexpr i64 MOST_REFUSED = 4096;
+
+template <class T> static Rows<T> new_rows(i64 count) {
+  const Span<T> space = reserved<T>(static_cast<i32>(count));
+  return {space.data, space.size, sizeof(T) / 8};
+}
+
+template <class T> static Table<T> new_table(i64 rows, i64 columns) {
+  return {reserved<T>(static_cast<i32>(rows * columns)).data, static_cast<i32>(rows), static_cast<i32>(columns)};
+}
+
+template <class T> static Table<T> new_zeroes(i64 rows, i64 columns) {
+  return {zeroes<T>(static_cast<i32>(rows * columns)).data, static_cast<i32>(rows), static_cast<i32>(columns)};
+}
+
+template <class T> static Cube<T> new_cube(i64 blocks, i64 rows, i64 columns) {
+  const Table<T> table = new_table<T>(blocks * rows, columns);
+  return {table.data, static_cast<i32>(blocks), static_cast<i32>(rows), static_cast<i32>(columns)};
+}
+
+template <class T> static Span<T> new_span(i64 count) { return reserved<T>(static_cast<i32>(count)); }
+
+template <class T> static One<T> new_one() { return {zeroes<T>(1).data, sizeof(T) / 8}; }
+
+// Takes tables that lie one behind the other.
+struct Cursor {
+  u8* at;
+
+  template <class T> T* take(i64 count) {
+    T* found = reinterpret_cast<T*>(at);
+    at += count * static_cast<i64>(sizeof(T));
+    return found;
+  }
+  template <class T> Rows<T> rows(i64 count) { return {take<T>(count), static_cast<i32>(count), sizeof(T) / 8}; }
+  template <class T> Span<T> span(i64 count) { return {take<T>(count), static_cast<i32>(count)}; }
+};
+
+static Room room_of(RoomRequest* request) {
+  const RoomRequest& sent = *request;
+  Cursor from = {reinterpret_cast<u8*>(request + 1)};
+  Room room;
+  room.space = {from.take<SpaceRow>(1), sizeof(SpaceRow) / 8};
+  room.zones = from.rows<Zone>(sent.zones);
+  room.doors = from.rows<Door>(sent.doors);
+  room.pieces = from.rows<PieceRow>(sent.pieces);
+  room.skip_costs = from.span<f64>(sent.pieces);
+  room.sides = from.rows<SidesRow>(sent.sides);
+  room.side_costs = from.span<f64>(sent.sides);
+  room.candidates = from.rows<CandidateRow>(sent.candidates);
+  room.candidate_costs = from.rows<CandidateCost>(sent.candidates);
+  room.links = from.rows<LinkRow>(sent.links);
+  room.link_costs = from.rows<LinkCost>(sent.links);
+  return room;
+}
+
+static Work new_work(const Sizes& sizes) {
+  const i64 p = sizes.pieces, v = sizes.variables, c = sizes.choices;
+  Work work;
+  work.counts = new_one<Counts>();
+  work.sizes = zeroes<i64>(2);
+  work.low = new_table<i64>(2, v);
+  work.high = new_table<i64>(2, v);
+  work.anchor_weight = new_table<f64>(2, v);
+  work.anchor_at = new_table<f64>(2, v);
+  work.pulls = new_rows<PullRow>(sizes.pulls);
+  work.pull_costs = new_rows<PullCost>(sizes.pulls);
+  work.rows = new_rows<DifferenceRow>(sizes.rows);
+  work.parts = new_rows<Part>(v);
+  work.choice_size = new_span<i64>(c);
+  work.choice_parts = new_rows<ChoiceParts>(c);
+  work.options = new_rows<DifferenceRow>(OPTIONS * c);
+  work.wide = new_rows<DifferenceRow>(MOST_WIDE);
+  work.body_part = new_span<i64>(p);
+  work.rotation = new_span<i64>(p);
+  work.taken_candidate = new_span<i64>(p);
+  work.taken_side = new_span<i64>(p);
+  work.marks = new_rows<Mark>(p);
+  work.marked_bounds = new_cube<i64>(p, 4, v);
+  return work;
+}
+
+static Programs new_programs(const Sizes& sizes) {
+  const i64 v = sizes.variables, r = sizes.rows + sizes.choices + SPARE_PATH;
+  Programs programs;
+  programs.size = zeroes<i64>(2);
+  programs.column = new_table<i64>(2, v);
+  programs.value = new_table<f64>(2, v);
+  programs.bounds = new_cube<f64>(2, 2, v);
+  programs.inverse = new_cube<f64>(2, v, v);
+  programs.start = new_table<f64>(2, v);
+  programs.start_cost = new_span<f64>(2);
+  programs.fixed_rows = new_span<i64>(2);
+  programs.rows = new_cube<i64>(2, 2, r);
+  programs.row_s = new_table<f64>(2, r);
+  programs.reach = new_cube<f64>(2, 2, v);
+  programs.columns = new_cube<f64>(2, v + 1, v);
+  programs.factor = new_cube<f64>(2, v + 1, v + 1);
+  programs.vectors = new_cube<f64>(2, 2, v + 1);
+  return programs;
+}
+
+static Nodes new_nodes(const Sizes& sizes) {
+  const i64 v = sizes.variables, n = least(MOST_NODES, 4 * sizes.choices + 128);
+  Nodes nodes;
+  nodes.state = new_one<NodesState>();
+  nodes.x = new_cube<f64>(n, 2, v);
+  nodes.active = new_cube<i64>(n, 2, v);
+  nodes.multiplier = new_cube<f64>(n, 2, v);
+  nodes.active_size = new_table<i64>(n, 2);
+  nodes.cost = new_table<f64>(n, 2);
+  nodes.row_count = new_table<i64>(n, 2);
+  nodes.last_pick = new_span<i64>(n);
+  nodes.widened = new_span<i64>(n);
+  nodes.stack = new_span<i64>(n);
+  nodes.spare = new_span<i64>(n);
+  nodes.pick_before = new_span<i64>(MOST_PICKS);
+  nodes.pick_option = new_span<i64>(MOST_PICKS);
+  nodes.positions = new_zeroes<f64>(2, v + 1);
+  nodes.worst = new_rows<ChoiceKey>(2 * OPTIONS);
+  nodes.order = new_rows<OptionSlack>(OPTIONS);
+  nodes.family = new_rows<Child>(MOST_FAMILY);
+  nodes.best = new_zeroes<f64>(2, v + 1);
+  nodes.best_picks = new_span<i64>(sizes.choices + SPARE_PATH);
+  nodes.best_cost = zeroes<f64>(1);
+  nodes.result = new_one<SearchResult>();
+  return nodes;
+}
+
+static WalkGrid new_grid(const Sizes& sizes) {
+  const i64 blocks = sizes.pieces + sizes.walls;
+  const i64 cuts = 2 * blocks + 2;
+  const i64 cells = (cuts - 1) * (cuts - 1);
+  WalkGrid grid;
+  grid.state = new_one<GridState>();
+  grid.blocks = new_rows<NumberedRect>(blocks);
+  grid.targets = new_rows<NumberedRect>(sizes.doors + OPTIONS * sizes.pieces);
+  grid.cuts = new_table<i64>(2, cuts);
+  grid.labels = new_span<i64>(cells);
+  grid.queue = new_span<i64>(cells);
+  grid.areas = new_span<i64>(cells + 1);
+  grid.reached = new_rows<Reached>(cells + 1);
+  grid.positions = new_zeroes<i64>(2, sizes.variables + 1);
+  return grid;
+}
+
+static Tree new_tree(const Sizes& sizes) {
+  const i64 n = sizes.states, p = sizes.pieces;
+  const i64 heap = sizes.decisions * (n / 4 + 8);
+  Tree tree;
+  tree.counters = new_one<Counters>();
+  tree.budget = zeroes<f64>(1);
+  tree.decisions = new_table<i64>(n, p);
+  tree.costs = new_span<f64>(n);
+  tree.preferences = new_span<f64>(n);
+  tree.depths = new_span<i64>(n);
+  tree.heap = new_rows<HeapEntry>(heap);
+  tree.heap_cost = new_span<f64>(heap);
+  tree.refused = new_span<i64>(MOST_REFUSED);
+  tree.found = new_span<i64>(sizes.decisions);
+  tree.found_cost = new_span<f64>(sizes.decisions);
+  tree.trial = new_span<i64>(p);
+  tree.moves = new_rows<Move>(MOST_MOVES);
+  tree.move_cost = new_span<f64>(MOST_MOVES);
+  tree.shifted = new_span<i64>(p);
+  return tree;
+}
+
+template <class T> static i32 address(T* of) { return static_cast<i32>(reinterpret_cast<u64>(of)); }
+template <class T> static Shown show(const Span<T>& own) { return {address(own.data), own.size, 0}; }
+template <class T> static Shown show(const One<T>& own) { return {address(own.data), own.size, 0}; }
+template <class T> static Shown show(const Rows<T>& own) { return {address(own.data), own.size, own.columns}; }
+template <class T> static Shown show(const Table<T>& own) { return {address(own.data), own.rows, own.columns}; }
+
+static void show_all(Desk& desk) {
+  const Room& room = desk.engine.room;
+  const Work &work = desk.engine.work, &alone = desk.alone;
+  const Nodes& nodes = desk.engine.nodes;
+  const Tree& tree = desk.engine.tree;
+  const Shown shown[] = {
+      show(room.space), show(room.pieces), show(room.candidates),
+      show(work.counts), show(work.sizes), show(work.low), show(work.high), show(work.anchor_weight), show(work.anchor_at),
+      show(work.pulls), show(work.pull_costs), show(work.rows), show(work.parts), show(work.choice_size), show(work.choice_parts),
+      show(work.options), show(work.wide), show(work.body_part), show(work.rotation),
+      show(nodes.best), show(nodes.best_picks), show(nodes.best_cost), show(nodes.result),
+      show(desk.engine.grid.positions),
+      show(tree.counters), show(tree.budget), show(tree.decisions), show(tree.found), show(tree.found_cost),
+      show(alone.rows), show(alone.choice_size), show(alone.options),
+      show(desk.decisions), show(desk.fates), show(desk.limits), show(desk.group), show(desk.report),
+  };
+  static_assert(sizeof(shown) == SHOWN * sizeof(Shown));
+  for (i32 k = 0; k < SHOWN; k++) desk.shown[k] = shown[k];
+}
+
+Desk* new_desk(RoomRequest* request) {
+  const Sizes& sizes = request->sizes;
+  Desk& desk = *static_cast<Desk*>(arena::zeroed(sizeof(Desk)));
+  desk.engine.room = room_of(request);
+  desk.engine.work = new_work(sizes);
+  desk.engine.programs = new_programs(sizes);
+  desk.engine.nodes = new_nodes(sizes);
+  desk.engine.grid = new_grid(sizes);
+  desk.engine.tree = new_tree(sizes);
+  desk.alone = desk.engine.work;
+  desk.alone.rows = new_rows<DifferenceRow>(sizes.rows);
+  desk.alone.choice_size = new_span<i64>(sizes.choices);
+  desk.alone.options = new_rows<DifferenceRow>(OPTIONS * sizes.choices);
+  desk.decisions = new_span<i64>(request->pieces);
+  desk.fates = zeroes<i64>(static_cast<i32>(request->pieces));
+  desk.limits = zeroes<i64>(sizeof(RoomLimits) / 8);
+  desk.group = zeroes<i64>(sizeof(Group) / 8);
+  desk.report = zeroes<i64>(sizeof(RoomReport) / 8);
+  show_all(desk);
+  return &desk;
+}
+
+}  // namespace placement

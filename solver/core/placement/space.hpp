@@ -1,0 +1,41 @@
+// Work space for one room, allocated once, and what the host sees of it.
+#pragma once
+
+#include "placement/engine.hpp"
+#include "placement/fill.hpp"
+
+namespace placement {
+
+// How large a room's problem may get: variables along an axis, parts, choices, fixed rows, pulls, and so on.
+struct Sizes {
+  i64 pieces, variables, choices, rows, pulls, walls, doors, decisions, states;
+};
+
+// What the host sends: sizes, how many rows the room's tables have, and then the tables themselves in the order of `Room`.
+struct RoomRequest {
+  Sizes sizes;
+  i64 zones, doors, pieces, sides, candidates, links;
+};
+
+// An array of 8-byte numbers that the host sees: where it is, and its shape (columns 0: it has one dimension).
+struct Shown {
+  i32 address, rows, columns;
+};
+
+// What the host sees, in the order of solver/placement/layout.py.
+constexpr i32 SHOWN = 37;
+
+// A room's work space with what calls hand over and bring back.
+struct Desk {
+  Shown shown[SHOWN];
+  Engine engine;
+  Work alone;  // as engine.work, with rows and choices of its own: the problem without the persons' squares
+  Decisions decisions;
+  Span<i64> fates;
+  Span<i64> limits, group, report;
+};
+
+// Returns space for a room, and the room in it.
+Desk* new_desk(RoomRequest* request);
+
+}  // namespace placement

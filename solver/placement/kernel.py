@@ -1,0 +1,99 @@
+"""What is asked of the core about one room: the functions of solver/core/placement/door.cpp.
+
+Comes in: an `Engine`, and decisions. Goes out: numbers, and what is left in the engine's arrays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from solver.placement.layout import Engine, Floats, Ints
+
+
+def assemble(engine: Engine, decisions: Ints) -> bool:
+    """Writes the problem of the decisions to `work`; False where the bounds alone rule them out."""
+    engine.call.decisions[:] = decisions
+    return bool(engine.instance.call("assemble", engine.desk))
+
+
+def arrange_room(engine: Engine, limits: Ints, walk: bool) -> tuple[Ints, Ints, list[int]]:
+    """Arranges a whole room; the final placement is left in `work` and `nodes`.
+
+    Args:
+        engine: the work space.
+        limits: the seven numbers of `Limits`.
+        walk: whether doors and use sides must be joined.
+
+    Returns:
+        Decisions; what becomes of each optional piece; and whether all required pieces stand, whether their arrangement is exact,
+        whether the final placement is proven, and QPs.
+    """
+    engine.call.limits[:] = limits
+    engine.instance.call("arrange_room", engine.desk, walk)
+    return engine.call.decisions.copy(), engine.call.fates.copy(), engine.call.report.tolist()
+
+
+def best_first(engine: Engine, start: Ints, group: Sequence[int], limits: Sequence[int], walk: bool) -> bool:
+    """Finds the cheapest way for the pieces group[0] ... group[1] - 1 to join decisions; what it found is left in `tree`."""
+    call = engine.call
+    call.decisions[:], call.group[:], call.limits[:3] = start, group, limits
+    return bool(engine.instance.call("best_first", engine.desk, walk))
+
+
+def evaluate(engine: Engine, decisions: Ints, limit: int, ceiling: float, walk: bool) -> bool:
+    """Assembles and searches; tells whether a placement was found."""
+    engine.call.decisions[:] = decisions
+    return bool(engine.instance.call("evaluate", engine.desk, limit, ceiling, walk))
+
+
+def holds_alone(engine: Engine) -> bool:
+    """Tells whether bounds, rows and choices of `alone` hold at grid.positions, whose last column must be 0."""
+    return bool(engine.instance.call("holds_alone", engine.desk))
+
+
+def open_decisions(engine: Engine, decisions: Ints, piece: int) -> tuple[Ints, Floats]:
+    """Returns the decisions possible for a piece beside those decided, and their preference costs; views of the engine."""
+    engine.call.decisions[:] = decisions
+    count = engine.instance.call("open_decisions", engine.desk, piece)
+    return engine.tree.found[:count], engine.tree.found_cost[:count]
+
+
+def pull_back(engine: Engine) -> bool:
+    """Brings the bodies at grid.positions back towards their wishes; False where not all held there."""
+    return bool(engine.instance.call("pull_back", engine.desk))
+
+
+def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
+    """Finds the cheapest placement of the problem in `work`; the outcome is left in `nodes`."""
+    engine.instance.call("search", engine.desk, limit, ceiling, walk)
+
+
+def total_preference(engine: Engine, decisions: Ints) -> float:
+    """Returns the preference cost of decisions together, or -1 where they rule each other out."""
+    engine.call.decisions[:] = decisions
+    return float(engine.instance.call("total_preference", engine.desk))
+
+
+def walkable(engine: Engine) -> bool:
+    """Tells whether doors and use sides are joined with the bodies of `work` at grid.positions."""
+    return bool(engine.instance.call("walkable", engine.desk))
+
+
+def new_proof(engine: Engine, depth: int, variables: int, choices: int) -> int:
+    """Takes space for a proof's open nodes, for so many of them, and for so many variables and choices; returns its address."""
+    return int(engine.instance.call("new_proof", depth, variables, choices))
+
+
+def prove(engine: Engine, nodes: int, most: int) -> tuple[int, int]:
+    """Proves that the assembled pieces cannot be used together, or finds where they can: that is then in grid.positions.
+
+    Args:
+        engine: the work space.
+        nodes: the proof's space.
+        most: nodes that may be looked at.
+
+    Returns:
+        IMPOSSIBLE, POSSIBLE or UNKNOWN, and how many nodes were looked at.
+    """
+    verdict = int(engine.instance.call("prove", engine.desk, nodes, most))
+    return verdict, int(engine.call.report[0])

@@ -1,0 +1,169 @@
+"""The core's arrays of one room, as Python sees them, and the columns that Python reads or writes.
+
+A room comes in as `RoomArrays`, its problem is laid out in `Work`, what a search finds is left in `Nodes`. Integers are millimetres
+unless a name says otherwise, floats are metres and costs; everything is C-contiguous int64 or float64. What all columns mean is said
+in solver/core/placement/room.hpp and engine.hpp: a row is a struct, a column one of its fields.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from solver.core import CoreInstance
+
+Ints = NDArray[np.int64]
+Floats = NDArray[np.float64]
+
+ORIGIN: Final = -1
+ABSENT: Final = -1
+
+# RoomArrays.space
+LEAST_FLOOR = 7
+# RoomArrays.pieces
+REQUIRED, CANDIDATE_0, CANDIDATE_1, LINK_0, LINK_1, SIDES_0, SIDES_1, GROUP_END, EMPTY = range(9)
+EMPTY_FLOOR = 16
+# EMPTY is EMPTY_FLOOR for floor that is asked for empty, as if a person stood all over it: no body, but apart from all bodies
+# RoomArrays.sides: bits of the use sides that get a stand
+STANDS = 0
+FRONT, BACK, LEFT, RIGHT = 1, 2, 4, 8
+# RoomArrays.candidates
+KIN = 23
+NO_WALL, NORTH, SOUTH, EAST, WEST = -1, 0, 1, 2, 3
+# RoomArrays.links
+ANY_WALLS, SAME, OPPOSITE, OTHER, ADJACENT = range(5)
+# Work.counts
+N_ROWS, N_PARTS, N_CHOICES, N_PULLS = range(4)
+# rows and options
+AXIS, I, J, S = range(4)
+# Work.parts
+PIECE, STAND, VAR_X, VAR_Z, OFF_X, OFF_Z, EXT_X, EXT_Z, LOW, HIGH = range(10)
+# Nodes.result
+FOUND, EXHAUSTED, SOLVES, TURNED_DOWN, PICKS = range(5)
+# Tree.counters
+CLOSED, BEST, DEEPEST, DOUBTED = 4, 6, 7, 9
+# what became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent
+PLACED, NO_WAY, COVERED, SPENT = range(4)
+# verdicts of a proof
+UNKNOWN, IMPOSSIBLE, POSSIBLE = range(3)
+
+MANY: Final = 1_000_000
+"""A limit that is none."""
+PERSON_MM: Final = 1800
+"""Height a standing person needs free, mm."""
+
+
+class RoomArrays(NamedTuple):
+    """What placement is asked, as arrays; see the columns above."""
+
+    space: Ints
+    zones: Ints
+    doors: Ints
+    pieces: Ints
+    skip_costs: Floats
+    sides: Ints
+    side_costs: Floats
+    candidates: Ints
+    candidate_costs: Floats
+    links: Ints
+    link_costs: Floats
+
+
+class RoomSeen(NamedTuple):
+    """What is read of a room again: the engine's copies of its arrays."""
+
+    space: Ints
+    pieces: Ints
+    candidates: Ints
+
+
+class Work(NamedTuple):
+    """A problem: bounds (2, variables), terms, rows, parts, choices; choice c has options 4c ... 4c + choice_size[c] - 1."""
+
+    counts: Ints
+    sizes: Ints
+    """Number of variables along x and z."""
+    low: Ints
+    high: Ints
+    anchor_weight: Floats
+    anchor_at: Floats
+    pulls: Ints
+    pull_costs: Floats
+    rows: Ints
+    parts: Ints
+    choice_size: Ints
+    choice_parts: Ints
+    options: Ints
+    wide: Ints
+    """Rows that widenings ask for; option number len(options) + k."""
+    body_part: Ints
+    rotation: Ints
+
+
+class Nodes(NamedTuple):
+    """What a search found: positions (2, variables + 1), m, the options taken, cost, counts."""
+
+    best: Floats
+    best_picks: Ints
+    best_cost: Floats
+    result: Ints
+
+
+class GridSeen(NamedTuple):
+    """Positions (2, variables + 1), mm, to ask about; the last column is the origin's and 0."""
+
+    positions: Ints
+
+
+class Tree(NamedTuple):
+    """Best-first search over prefixes: its states' decisions, and the ways found for one piece."""
+
+    counters: Ints
+    budget: Floats
+    decisions: Ints
+    found: Ints
+    found_cost: Floats
+
+
+class Alone(NamedTuple):
+    """Rows and choices of the problem without persons' squares; all else is as in `Work`."""
+
+    rows: Ints
+    choice_size: Ints
+    options: Ints
+
+
+class CallRows(NamedTuple):
+    """What calls hand over and bring back; decisions and fates by piece."""
+
+    decisions: Ints
+    fates: Ints
+    limits: Ints
+    group: Ints
+    report: Ints
+
+
+SEEN = (RoomSeen, Work, Nodes, GridSeen, Tree, Alone, CallRows)
+"""What is seen of an engine, in the order in which the core tells where it is (`show_all` in solver/core/placement/space.cpp)."""
+
+
+@dataclass(frozen=True)
+class Engine:
+    """All work space of one room: arrays in the memory of an instance of the core.
+
+    Args:
+        desk: its address there.
+    """
+
+    room: RoomSeen
+    work: Work
+    nodes: Nodes
+    grid: GridSeen
+    tree: Tree
+    alone: Alone
+    call: CallRows
+    instance: CoreInstance
+    desk: int

@@ -1,0 +1,64 @@
+"""Work space for one room, in the memory of an instance of the core.
+
+Comes in: a room's arrays and how large its problem may get. Goes out: an `Engine`.
+"""
+
+from __future__ import annotations
+
+from itertools import islice
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from solver.core import taken
+from solver.placement.layout import SEEN, Engine, RoomArrays
+
+FLOATS = {"anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "budget", "found_cost"}
+"""The arrays of floats; the others hold whole numbers."""
+KINDS = [np.dtype(np.float64 if name in FLOATS else np.int64) for part in SEEN for name in part._fields]
+
+
+class Sizes(NamedTuple):
+    """How large a room's problem may get: variables along an axis, parts, choices, fixed rows, pulls, and so on."""
+
+    pieces: int
+    variables: int
+    choices: int
+    rows: int
+    pulls: int
+    walls: int
+    doors: int
+    decisions: int
+    states: int
+
+
+def new_engine(room: RoomArrays, sizes: Sizes) -> Engine:
+    """Returns all work space for a room, and the room in it.
+
+    Raises:
+        CoreFull: the core's memory is too small for it.
+    """
+    counts = [len(part) for part in (room.zones, room.doors, room.pieces, room.sides, room.candidates, room.links)]
+    head = np.array([*sizes, *counts], dtype=np.int64)
+    instance = taken()
+    desk = int(instance.call("new_desk", instance.write(b"".join(array.tobytes() for array in (head, *room)))))
+    shown = np.frombuffer(instance.read(desk, 12 * len(KINDS)), dtype=np.int32).reshape(-1, 3).tolist()
+    memory = instance.lent()
+    arrays = iter([_array(memory, kind, *one) for kind, one in zip(KINDS, shown, strict=True)])
+    seen: dict[str, Any] = {part.__name__: part(*islice(arrays, len(part._fields))) for part in SEEN}
+    return Engine(
+        room=seen["RoomSeen"],
+        work=seen["Work"],
+        nodes=seen["Nodes"],
+        grid=seen["GridSeen"],
+        tree=seen["Tree"],
+        alone=seen["Alone"],
+        call=seen["CallRows"],
+        instance=instance,
+        desk=desk,
+    )
+
+
+def _array(memory: NDArray[np.uint8], kind: np.dtype[Any], address: int, rows: int, columns: int) -> NDArray[Any]:
+    return np.ndarray((rows, columns) if columns else (rows,), kind, memory, address)
