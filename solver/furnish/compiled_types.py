@@ -36,6 +36,7 @@ _ROW: Final = {
 _HEADER: Final = Struct("<16i")
 _MOST_KEPT: Final = 512
 """Room types of the homes made last: a home changes those that must hold what it has no room for."""
+_MOST_CATALOGS: Final = 16
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +57,8 @@ class CompiledType:
 
 
 _kept: dict[tuple[int, ...], CompiledType] = {}
+_known_kinds: dict[tuple[int, ...], tuple[tuple[object, ...], dict[str, Kind]]] = {}
+"""By the catalogs' kinds and shapes: these, and their kinds as relations see them; homes share them where their room types differ."""
 
 
 def compiled_type(room_type: RoomType, catalogs: Catalogs) -> CompiledType:
@@ -72,12 +75,23 @@ def compiled_type(room_type: RoomType, catalogs: Catalogs) -> CompiledType:
     return found
 
 
+def _kinds_of(catalogs: Catalogs) -> dict[str, Kind]:
+    """Returns the kinds of the catalogs that were asked for before, to be added to."""
+    made_from = (catalogs.furniture, catalogs.shapes)
+    key = tuple(map(id, made_from))
+    if key not in _known_kinds:
+        if len(_known_kinds) >= _MOST_CATALOGS:
+            _known_kinds.clear()
+        _known_kinds[key] = made_from, {}
+    return _known_kinds[key][1]
+
+
 class _Tables:
     """The tables of a room type while they are written."""
 
     def __init__(self, catalogs: Catalogs) -> None:
         self.kinds: dict[str, Kind] = {}
-        self._catalogs = catalogs
+        self._catalogs, self._known = catalogs, _kinds_of(catalogs)
         self._rows: dict[str, list[bytes]] = {name: [] for name in _ROW}
         self._words: dict[str, int] = {}
         self._among: dict[str, int] = {}
@@ -109,7 +123,9 @@ class _Tables:
 
     def _kind(self, name: str) -> int:
         if name not in self.kinds:
-            self.kinds[name] = Kind.of(name, self._catalogs)
+            if name not in self._known:
+                self._known[name] = Kind.of(name, self._catalogs)
+            self.kinds[name] = self._known[name]
         return [*self.kinds].index(name)
 
     def _add_kind(self, kind: Kind) -> None:

@@ -29,11 +29,11 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
         robot_width: side, m, of the square that must be able to walk everywhere.
         others: rooms whose doors into this one keep their squares here too, should this one not list them.
     """
-    lines, half = bounds_of(room), (to_mm(wall_thickness) + 1) // 2
+    lines, edges, half = bounds_of(room), outline_edges(room), (to_mm(wall_thickness) + 1) // 2
     zones = [Zone(rect, -1, "outline") for rect in missing_parts(room, half)]
     doorways: list[Doorway] = []
     for opening in room.openings:
-        line = line_of(room, opening)
+        line = _line_among(lines, edges, opening)
         if line is None:
             continue
         zone = opening_zone(opening, line, lines)
@@ -49,8 +49,9 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
 def scope_of(room: Room, space: Space) -> Scope:
     """Returns a room as the relations see it, with the openings whose wall it tells."""
     found: list[Opened] = []
+    lines, edges = bounds_of(room), outline_edges(room)
     for opening in room.openings:
-        line = line_of(room, opening)
+        line = _line_among(lines, edges, opening)
         if line is not None:
             wall, across, start, _ = line
             centre, half = start + to_mm(opening.position), to_mm(opening.width) // 2
@@ -94,10 +95,14 @@ def doorways_of_others(room: Room, others: Sequence[Room]) -> list[Doorway]:
 
 def line_of(room: Room, opening: Opening) -> WallLine | None:
     """Returns the stretch of wall line an opening is in, or None where it names no wall or edge of the room."""
-    edges = outline_edges(room)
+    return _line_among(bounds_of(room), outline_edges(room), opening)
+
+
+def _line_among(lines: Rect, edges: Sequence[WallLine], opening: Opening) -> WallLine | None:
+    """Returns the same of a room with those bounds and edges."""
     if opening.edge is not None:
         return edges[opening.edge] if opening.edge < len(edges) else None
-    lines, wall = bounds_of(room), opening.wall or ""
+    wall = opening.wall or ""
     at = to_mm(opening.position)
     if wall not in WALLS:
         return None

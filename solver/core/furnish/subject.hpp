@@ -1,7 +1,7 @@
 // What furnish makes: candidates and links; and the piece that seeks its places, as relations see it.
 #pragma once
 
-#include "room.hpp"
+#include "relations/knee_room.hpp"
 
 // What a slot of another piece is called by: a side; a place around it; a surface.
 enum class Slot : i32 { none = 0, side = 1, seat = 2, level = 3 };
@@ -71,6 +71,7 @@ struct Subject {
   Span<Variant> variants;  // those that suit the room, the wanted one first
   Span<Rule> rules;
   const Earlier& earlier;
+  KneeRoom& knee_room;
 
   const Kind& kind(const Candidate& candidate) const { return type.kinds[candidate.kind]; }
   Rect footprint(const Candidate& candidate) const {

@@ -1,7 +1,5 @@
 #include "at_side.hpp"
 
-#include "knee_room.hpp"
-
 // What each later side in a relation's list costs more than the one before it.
 constexpr f64 SIDE_COST = 0.05;
 
@@ -74,7 +72,7 @@ void AtSide::add_at(const Subject& subject, const Rule& rule, const Pair& pair, 
   }
 }
 
-List<Rect> AtSide::tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const {
+const List<Rect>& AtSide::tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const {
   const RoomType& type = subject.type;
   const Kind& parent = type.kinds[pair.parent.kind];
   const Kind& own = type.kinds[pair.kind];
@@ -89,6 +87,5 @@ List<Rect> AtSide::tucked(const Subject& subject, const Pair& pair, const Rect& 
     reach.z0 = least(near.z0, out.z0);
     reach.z1 = most(near.z1, out.z1);
   }
-  const List<Rect> blocked = blocked_places(type.parts_of(parent), type.parts_of(own), pair.rotation);
-  return nearest_free(wish, reach, blocked, sideways);
+  return subject.knee_room.nearest_free({pair.parent.kind, pair.kind, pair.rotation, sideways}, wish, reach);
 }

@@ -57,7 +57,7 @@ class AtSide : public Relation {
   // Offers a slot for every variant, parent and side.
   void add_slots(const Subject& subject, const Rule& rule, bool turn, Effect& effect) const;
   // The places of a piece that reaches under another one where their parts do not cross: those wished for, else the nearest of those near.
-  List<Rect> tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
+  const List<Rect>& tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
 
  private:
   void add_at(const Subject& subject, const Rule& rule, const Pair& pair, f64 cost, Effect& effect) const;
