@@ -88,7 +88,7 @@ def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits) -> Round:
 
 
 def _freedom(space: Space, piece: Piece) -> float:
-    """Returns how much floor a piece's best candidates leave it to slide on, in its own footprints."""
+    """Returns how much floor a piece's best candidates leave it to slide on, in its own footprints, of 1 mm2 at least."""
     dearest = min((candidate.cost for candidate in piece.candidates), default=0.0) + NEARLY_BEST
     total = 0
     for candidate in piece.candidates:
@@ -97,7 +97,7 @@ def _freedom(space: Space, piece: Piece) -> float:
             turn = candidate.stance.rotation if candidate.stance else candidate.rotation
             width, depth = turned(*candidate.size_mm[:2], turn)
             total += (rect.width - width + SLIDES_MM) * (rect.depth - depth + SLIDES_MM)
-    return total / (width * depth) if total else 0.0
+    return total / max(width * depth, 1) if total else 0.0
 
 
 def _mended(task: PlaceTask, wanted: Sequence[Piece], found: Round) -> Round:

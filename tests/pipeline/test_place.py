@@ -13,7 +13,7 @@ from solver import place, validate
 from solver.errors import RequestError
 from solver.relations.held import held
 from solver.requested import Answered, PieceRequest, in_order
-from solver.scene import Furniture, Opening, Room
+from solver.scene import Decoration, Furniture, Opening, Room
 from tests.relations.test_held import finished
 
 CATALOGS = load_catalogs()
@@ -127,6 +127,13 @@ def test_the_wall_that_a_piece_names_is_the_one_behind_it() -> None:
 def test_sizes_may_be_left_out_where_the_name_is_a_kind() -> None:
     sofa = body(placed(wish("sofa")), "sofa")
     assert (sofa.width, sofa.depth, sofa.height) == CATALOGS.furniture["sofa"].size
+
+
+@pytest.mark.parametrize("size", [(1e-12, 0.4), (0.4, 1e-12)])
+def test_a_thing_without_a_footprint_is_no_fault(size: tuple[float, float]) -> None:
+    vase = Decoration("vase_1", "vase", x=2.0, z=2.0, width=size[0], depth=size[1], height=0.3)
+    answer = placed(wish("sofa"), room=replace(ROOM, decorations=(vase,)))
+    assert (answer.best.unplaced, answer.best.scene.rooms[0].decorations) == ((), (vase,))
 
 
 def test_what_cannot_stand_together_is_a_minimal_conflict() -> None:
