@@ -266,7 +266,11 @@ def solution_of(engine: Engine) -> Solution | None:
     n_x, n_z = engine.work.sizes.tolist()
     picks = engine.nodes.best_picks[: result[layout.PICKS]].tolist()
     proven, solves = bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES])
-    return Solution(float(engine.nodes.best_cost[0]), (best[0, :n_x].copy(), best[1, :n_z].copy()), _taken(engine, picks), proven, solves)
+    count = int(result[layout.FORCES])
+    rows, values = engine.nodes.best_forces[:count].tolist(), engine.nodes.best_multipliers[:count].tolist()
+    multipliers = tuple((axis, i, j, value) for (axis, i, j), value in zip(rows, values, strict=True))
+    positions = best[0, :n_x].copy(), best[1, :n_z].copy()
+    return Solution(float(engine.nodes.best_cost[0]), positions, _taken(engine, picks), proven, solves, multipliers)
 
 
 def _taken(engine: Engine, picks: list[int]) -> tuple[DifferenceRow, ...]:

@@ -42,7 +42,7 @@ AXIS, I, J, S = range(4)
 # Work.parts
 PIECE, STAND, VAR_X, VAR_Z, OFF_X, OFF_Z, EXT_X, EXT_Z, LOW, HIGH = range(10)
 # Nodes.result
-FOUND, EXHAUSTED, SOLVES, TURNED_DOWN, PICKS = range(5)
+FOUND, EXHAUSTED, SOLVES, TURNED_DOWN, PICKS, FORCES = range(6)
 # Tree.counters
 CLOSED, BEST, DEEPEST, DOUBTED = 4, 6, 7, 9
 # what became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent
@@ -109,6 +109,9 @@ class Nodes(NamedTuple):
     best: Floats
     best_picks: Ints
     best_cost: Floats
+    best_forces: Ints
+    """Rows (axis, i, j) of the constraints that hold something: numbers of free variables, or -1."""
+    best_multipliers: Floats
     result: Ints
 
 

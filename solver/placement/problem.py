@@ -124,6 +124,8 @@ class Solution:
         proven: the tree was exhausted, so nothing is cheaper; where a placement was turned down as not walkable, within the
             widenings tried.
         solves: QPs.
+        multipliers: of the constraints that hold something: axis, the numbers of the free variables that it keeps apart, or -1, and
+            what a metre more room would save, m^-1.
     """
 
     cost: float
@@ -131,6 +133,7 @@ class Solution:
     rows: tuple[DifferenceRow, ...]
     proven: bool
     solves: int
+    multipliers: tuple[tuple[int, int, int, float], ...] = ()
 
 
 @dataclass(frozen=True)

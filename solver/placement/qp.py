@@ -9,7 +9,7 @@ OSQP: Stellato et al., Mathematical Programming Computation 2020.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 
 import numpy as np
@@ -38,10 +38,25 @@ ACTIVE = 1e-6
 """A row with less slack, m, holds what it is about."""
 LEAST_DECADE = -6
 """Residuals below 10 to this power are said to be that: the last digits, which a machine may change, decide no byte."""
+REFUTED = 1e-5
+"""A proven optimum that is this far, m, from OSQP's is none."""
 _SOLVED = 1
 
 Difference = tuple[list[tuple[int, int]], float]
 """p_j - p_i: the columns of those that may move, each with its sign, and what the others are, m."""
+
+
+class OptimumRefuted(Exception):
+    """OSQP finds another optimum than the one that was called proven: a fault of ours.
+
+    Args:
+        problem: the room's.
+        solution: what was called its optimum.
+    """
+
+    def __init__(self, problem: Problem, solution: Solution) -> None:
+        super().__init__(f"OSQP finds a cheaper placement than the proven one of {problem}: {solution}")
+        self.problem, self.solution = problem, solution
 
 
 class _Block:
@@ -82,6 +97,7 @@ class _Block:
             if signs:
                 self._add(row, choice, signs, (row.s / 1000 - rest, np.inf))
         moving = [k for k, column in enumerate(self._column) if column is not None]
+        self.found = solution.multipliers
         self.start: Floats = solution.positions[axis][moving]
         self.matrix = np.zeros((len(self.rows), free))
         for at, column, sign in self.entries:
@@ -114,17 +130,28 @@ class _Block:
         for (one, s), (two, t) in product(signs, signs):
             self.squares[one, two] += 2 * weight * s * t
 
-    def multipliers(self) -> Floats:
-        """Returns the multipliers at the search's optimum: of the rows that hold there, those that balance what draws."""
+    def multipliers(self, found: Iterable[tuple[int, int, int, float]]) -> Floats:
+        """Returns the rows' multipliers at the search's optimum: each goes to the first row between the same columns that binds there."""
         at = self.matrix @ self.start
         below, above = at - self.low <= ACTIVE, self.high - at <= ACTIVE
-        active = np.flatnonzero(below | above)
-        found: Floats = np.zeros(len(self.rows))
-        if len(active):
-            drawn = self.squares @ self.start + self.linear
-            balance = np.linalg.lstsq(self.matrix[active].T, -drawn, rcond=None)[0]
-            found[active] = np.clip(balance, np.where(below[active], -np.inf, 0.0), np.where(above[active], np.inf, 0.0))
-        return found
+        rows: dict[tuple[int, int], int] = {}
+        for k, (binds, ends) in enumerate(zip(below.tolist(), self._ends(), strict=True)):
+            if binds:
+                rows.setdefault(ends, k)
+        values: Floats = np.zeros(len(self.rows))
+        for axis, i, j, value in found:
+            if axis == self.axis and (i, j) in rows:
+                values[rows[i, j]] -= value
+            elif axis == self.axis and j == ORIGIN and above[i]:
+                values[i] += value
+        return values
+
+    def _ends(self) -> list[tuple[int, int]]:
+        """Returns the columns that each row keeps apart, ORIGIN for none; the rows of bounds are numbered as their columns."""
+        ends = [[ORIGIN, ORIGIN] for _ in self.rows]
+        for row, column, sign in self.entries:
+            ends[row][0 if sign < 0 else 1] = column
+        return [(i, j) for i, j in ends]
 
     def residuals(self, x: Floats, y: Floats) -> tuple[float, float, float]:
         """Returns by how much positions break a row, m, are drawn at all, and differ from the dual's value."""
@@ -156,6 +183,9 @@ class _Block:
 def confirmed(rooms: Sequence[tuple[Problem, Solution]]) -> list[Confirmed]:
     """Solves all rooms at once.
 
+    Raises:
+        OptimumRefuted: OSQP finds another optimum than one that was proven.
+
     Returns:
         What OSQP says of each room. Where it does not report success, the search's own positions, which are optimal already, with
         no residuals.
@@ -168,6 +198,8 @@ def confirmed(rooms: Sequence[tuple[Problem, Solution]]) -> list[Confirmed]:
     for k, ((_, solution), both) in enumerate(zip(rooms, blocks, strict=True)):
         answers = solved[2 * k : 2 * k + 2]
         x, z = (block.placed(own, p) for block, (own, _), p in zip(both, answers, solution.positions, strict=True))
+        if solution.proven and max(_moved(p, q) for p, q in zip((x, z), solution.positions, strict=True)) > REFUTED:
+            raise OptimumRefuted(rooms[k][0], solution)
         worst = [max(pair) for pair in zip(*(block.residuals(*own) for block, own in zip(both, answers, strict=True)), strict=True)]
         forces = tuple(force for block, (_, y) in zip(both, answers, strict=True) for force in block.forces(y))
         found.append(Confirmed((x, z), Residuals(*map(_decade, worst)), forces))
@@ -195,13 +227,19 @@ def _solved(blocks: Sequence[_Block]) -> list[tuple[Floats, Floats]] | None:
     low, high = (np.concatenate([getattr(block, end) for block in blocks]) for end in ("low", "high"))
     solver = osqp.OSQP(algebra="builtin")
     solver.setup(P, np.concatenate([block.linear for block in blocks]), A, low, high, **SETTINGS)
-    solver.warm_start(np.concatenate([block.start for block in blocks]), np.concatenate([block.multipliers() for block in blocks]))
+    solver.warm_start(
+        np.concatenate([block.start for block in blocks]), np.concatenate([block.multipliers(block.found) for block in blocks])
+    )
     result = solver.solve(raise_error=False)
     if result.info.status_val != _SOLVED:
         return None
     return [
         (result.x[columns[k] : columns[k + 1]], result.y[rows[k] : rows[k + 1]]) for k in range(len(blocks))
     ]  # fmt: skip
+
+
+def _moved(p: Floats, q: Floats) -> float:
+    return float(np.abs(p - q).max(initial=0.0))
 
 
 def _decade(value: float) -> float:

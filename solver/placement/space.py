@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from solver.core import taken
 from solver.placement.layout import SEEN, Engine, RoomArrays
 
-FLOATS = {"anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "budget", "found_cost"}
+FLOATS = {"anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost"}
 """The arrays of floats; the others hold whole numbers."""
 KINDS = [np.dtype(np.float64 if name in FLOATS else np.int64) for part in SEEN for name in part._fields]
 

@@ -6,6 +6,7 @@ The conditions are worked out here from the problem's own rows and terms, in a w
 from __future__ import annotations
 
 from collections import defaultdict
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from solver import Request, generate
 from solver.pipeline.generate import wanted_in
 from solver.placement import arrange
 from solver.placement.problem import ORIGIN, Choice, Confirmed, DifferenceRow, Problem, ProblemBox, Solution, Term
-from solver.placement.qp import confirmed
+from solver.placement.qp import OptimumRefuted, confirmed
 
 NEARLY = 1e-5
 
@@ -80,12 +81,24 @@ def test_a_force_is_what_a_metre_more_room_would_save() -> None:
     assert [list(axis) for axis in answer.positions] == [[pytest.approx(1.5)], [pytest.approx(1.0)]]
 
 
-def test_a_wrong_start_is_put_right() -> None:
+def test_what_was_wrongly_called_proven_is_never_served() -> None:
     problem, solution = held_room()
-    elsewhere = Solution(9.0, (np.array([2.5]), np.array([0.3])), solution.rows, True, 1)
-    (answer,) = confirmed([(problem, elsewhere)])
-    # The row has a metre of slack at that start, so it is left out: OSQP finds the wish instead, and shows the start was none.
+    elsewhere = replace(solution, cost=9.0, positions=(np.array([2.5]), np.array([0.3])))
+    with pytest.raises(OptimumRefuted) as refuted:
+        confirmed([(problem, elsewhere)])
+    assert refuted.value.problem is problem
+    (answer,) = confirmed([(problem, replace(elsewhere, proven=False))])
+    # The row has a metre of slack at that start, so it is left out: what OSQP finds is the wish.
     assert [list(axis) for axis in answer.positions] == [[pytest.approx(1.0)], [pytest.approx(1.0)]]
+
+
+def test_the_search_says_what_its_placement_costs() -> None:
+    """Also where a constraint's slack is gone with the step that drops another one: it must stay active."""
+    for seed, program in ((0, "family"), (3, None), (5, None)):
+        for problem, solution in rooms(seed, program):
+            assert sum(term.cost(solution.positions[term.axis].tolist()) for term in problem.terms) == pytest.approx(
+                solution.cost, abs=1e-9
+            )
 
 
 def test_a_bound_holds_too() -> None:

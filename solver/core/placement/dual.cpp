@@ -172,7 +172,8 @@ static bool enforce(Programme& own, i64 c) {
   const f64 square = normal_times(own, c, own.n);
   f64 added = 0.0;
   f64 slack = slack_of(own, c);
-  while (slack < -FEASIBLE) {
+  // With a multiplier of its own already the constraint goes on until it is active, though its slack may be gone with the last step.
+  while (slack < -FEASIBLE || added > 0.0) {
     const f64 length = square - find_directions(own, c, q);
     f64 step = INFINITE;
     i64 dropped = -1;
@@ -183,8 +184,8 @@ static bool enforce(Programme& own, i64 c) {
         dropped = a;
       }
     }
-    const f64 full = length > DEPENDENT * square ? -slack / length : INFINITE;
-    if (dropped < 0 && full == INFINITE) return false;
+    const f64 full = length > DEPENDENT * square ? most(-slack, 0.0) / length : INFINITE;
+    if (dropped < 0 && full == INFINITE) return slack >= -FEASIBLE;
     const f64 taken = least(step, full);
     move(own, q, taken, full < INFINITE);
     if (full < INFINITE) *own.cost += taken * length * (0.5 * taken + added);

@@ -100,8 +100,13 @@ struct Child {
 };
 
 struct SearchResult {
-  i64 found, exhausted, solves, turned_down, picks;
-  i64 unused[3];
+  i64 found, exhausted, solves, turned_down, picks, forces;
+  i64 unused[2];
+};
+
+// A constraint that holds something at the optimum: the free variables that its row keeps apart along an axis, or -1 (a bound, a fixed end).
+struct ForceRow {
+  i64 axis, i, j;
 };
 
 // Open nodes of the tree, by slot; `stack` and `spare` hold slots. A path is a chain of picks: the one before, and its option.
@@ -121,6 +126,8 @@ struct Nodes {
   Table<f64> best;
   Span<i64> best_picks;
   Span<f64> best_cost;
+  Rows<ForceRow> best_forces;
+  Span<f64> best_multipliers;  // of these rows, per m
   One<SearchResult> result;
 
   f64 total(i64 slot) const { return cost.at(slot, 0) + cost.at(slot, 1); }

@@ -147,7 +147,7 @@ bool pull_back(const Engine& engine) {
   }
   engine.nodes.best_cost[0] = movement(work, p);
   engine.nodes.result->found = 1;
-  engine.nodes.result->exhausted = engine.nodes.result->picks = 0;
+  engine.nodes.result->exhausted = engine.nodes.result->picks = engine.nodes.result->forces = 0;
   return true;
 }
 

@@ -26,7 +26,23 @@ static void open_node(const Work& work, const Programs& programs, const Nodes& n
   }
 }
 
-static void keep_best(const Work& work, const Nodes& nodes, i64 slot) {
+// Notes the active constraints of an axis at the open node, with their multipliers.
+static void keep_forces(const Programs& programs, const Nodes& nodes, i64 slot, i64 axis) {
+  const i64 n = programs.size[axis];
+  for (i64 a = 0; a < nodes.active_size.at(slot, axis); a++) {
+    const i64 c = nodes.active.at(slot, axis, a), at = nodes.result->forces++;
+    ForceRow& force = nodes.best_forces[at];
+    force = {axis, -1, c};
+    if (c >= 2 * n) {
+      force = {axis, programs.rows.at(axis, 0, c - 2 * n), programs.rows.at(axis, 1, c - 2 * n)};
+    } else if (c >= n) {
+      force = {axis, c - n, -1};
+    }
+    nodes.best_multipliers[at] = nodes.multiplier.at(slot, axis, a);
+  }
+}
+
+static void keep_best(const Work& work, const Programs& programs, const Nodes& nodes, i64 slot) {
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < work.sizes[axis]; v++) nodes.best.at(axis, v) = nodes.positions.at(axis, v);
   }
@@ -35,6 +51,8 @@ static void keep_best(const Work& work, const Nodes& nodes, i64 slot) {
   for (i64 pick = nodes.last_pick[slot]; pick >= 0; pick = nodes.pick_before[pick]) nodes.best_picks[count++] = nodes.pick_option[pick];
   nodes.result->found = 1;
   nodes.result->picks = count;
+  nodes.result->forces = 0;
+  for (i64 axis = 0; axis < 2; axis++) keep_forces(programs, nodes, slot, axis);
 }
 
 // Opens the root; false where it is infeasible.
@@ -81,7 +99,7 @@ static void visit(const Engine& engine, i64 slot, f64 best, bool walk) {
   } else if (count == DEAD) {
     nodes.result->solves++;  // costs about as much as a QP
   } else if (!walk || passes(engine)) {
-    keep_best(engine.work, nodes, slot);
+    keep_best(engine.work, engine.programs, nodes, slot);
   } else {
     nodes.result->turned_down++;
     if (nodes.widened[slot] < WIDENINGS) widen(engine, slot, best);

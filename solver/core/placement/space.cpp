@@ -132,6 +132,8 @@ static Nodes new_nodes(const Sizes& sizes) {
   nodes.best = new_zeroes<f64>(2, v + 1);
   nodes.best_picks = new_span<i64>(sizes.choices + SPARE_PATH);
   nodes.best_cost = zeroes<f64>(1);
+  nodes.best_forces = new_rows<ForceRow>(2 * v);
+  nodes.best_multipliers = new_span<f64>(2 * v);
   nodes.result = new_one<SearchResult>();
   return nodes;
 }
@@ -191,7 +193,8 @@ static void show_all(Desk& desk) {
       show(work.counts), show(work.sizes), show(work.low), show(work.high), show(work.anchor_weight), show(work.anchor_at),
       show(work.pulls), show(work.pull_costs), show(work.rows), show(work.parts), show(work.choice_size), show(work.choice_parts),
       show(work.options), show(work.wide), show(work.body_part), show(work.rotation),
-      show(nodes.best), show(nodes.best_picks), show(nodes.best_cost), show(nodes.result),
+      show(nodes.best), show(nodes.best_picks), show(nodes.best_cost), show(nodes.best_forces), show(nodes.best_multipliers),
+      show(nodes.result),
       show(desk.engine.grid.positions),
       show(tree.counters), show(tree.budget), show(tree.decisions), show(tree.found), show(tree.found_cost),
       show(alone.rows), show(alone.choice_size), show(alone.options),
