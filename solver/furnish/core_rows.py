@@ -99,12 +99,13 @@ def _candidates(answer: Answer, known: CompiledType, labels: Sequence[str]) -> l
             label, other = labels[parent], kinds[parent_kind]
             name = SIDES[side] if slot != _SURFACE else f"on {other.levels[number].name}"
             attach = Attach(label, other.name, (spans[0], spans[1]), (spans[2], spans[3]), f"{name} {number}" if slot == _SEAT else name)
-        found.append(
-            Candidate(
-                kind.name, kind.size, rotation, _WALL_NAMES[wall], (x, z), (weight, weight), None, cost, bottom, attach,
-                label if is_under else None, label if is_on else None,
-            )
-        )  # fmt: skip
+        made = object.__new__(Candidate)
+        own = made.__dict__  # a frozen dataclass's own `__init__` takes three times as long, and there are a hundred in a room
+        own["kind"], own["size_mm"], own["rotation"], own["wall"] = kind.name, kind.size, rotation, _WALL_NAMES[wall]
+        own["anchor_mm"], own["weights"], own["within"], own["cost"] = (x, z), (weight, weight), None, cost
+        own["bottom_mm"], own["attach"], own["slack_mm"], own["stance"] = bottom, attach, None, None
+        own["under"], own["on"] = label if is_under else None, label if is_on else None
+        found.append(made)
     return found
 
 

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import ast
+import re
+from pathlib import Path
 
 from tests.architecture.tree import PACKAGES, ROOT, files, sources, syntax
 
 FILE_LINES = 400
 FUNCTION_LINES = 50
-COUNTED = (".py", ".ts", ".css", ".html", ".md")
+CORE_FUNCTION_LINES = 60
+CORE_LINE = 140
+CORE_INDENT = 2
+COUNTED = (".py", ".ts", ".css", ".html", ".md", ".cpp", ".hpp")
+CORE_FUNCTION = re.compile(r" *(?!(?:if|for|while|switch|else|do|struct|class|enum|union)\b)[\w~:].*\) ?(?:const |override |noexcept )*\{")
 EMPTY_NAMES = {"util", "utils", "helper", "helpers", "manager", "handler", "handlers", "data", "info", "misc", "common"}
 
 Function = ast.FunctionDef | ast.AsyncFunctionDef
@@ -18,6 +24,18 @@ def functions() -> list[tuple[str, int]]:
     """Every Python function of the project: where it is, and its lines without its docstring."""
     found = [(path, node) for path in files(".py") for node in ast.walk(syntax(path)) if isinstance(node, Function)]
     return [(f"{path.relative_to(ROOT)}:{node.lineno} {node.name}", length(node)) for path, node in found]
+
+
+def core_functions(path: Path) -> dict[str, int]:
+    """The functions of a C++ file, each ended by a brace as far in as its first line begins: where each is, and its lines."""
+    lines, found = path.read_text(encoding="utf-8").splitlines(), {}
+    for opened, line in enumerate(lines):
+        if CORE_FUNCTION.fullmatch(line):
+            first = next(at for at in range(opened, -1, -1) if len(lines[at]) - len(lines[at].lstrip()) <= CORE_INDENT)
+            end = lines[first][: -len(lines[first].lstrip())] + "}"
+            last = next(at for at in range(opened + 1, len(lines)) if lines[at].startswith(end))
+            found[f"{path.name}:{first + 1} {lines[first].strip()}"] = last - first + 1
+    return found
 
 
 def length(node: Function) -> int:
@@ -39,6 +57,15 @@ def test_no_function_is_long() -> None:
     found = functions()
     assert len(found) > 100
     assert [(place, lines) for place, lines in found if lines > FUNCTION_LINES] == []
+
+
+def test_nothing_in_the_core_is_long() -> None:
+    sources = [path for path in files(".cpp", ".hpp") if path.relative_to(ROOT).parts[0] == "solver"]
+    found = {place: lines for path in sources for place, lines in core_functions(path).items()}
+    assert len(found) > 50
+    assert {place: lines for place, lines in found.items() if lines > CORE_FUNCTION_LINES} == {}
+    wide = [f"{path.name}:{i}" for path in sources for i, line in enumerate(path.read_text().splitlines(), 1) if len(line) > CORE_LINE]
+    assert wide == []
 
 
 def test_a_function_is_measured_without_its_docstring() -> None:

@@ -34,7 +34,7 @@ static void add_in_stretch(const Scope& scope, const Position& of, Interval stre
   }
   add_new(found, first + (stretch.low == clear.low ? gap : 0));
   add_new(found, last - (stretch.high == clear.high ? gap : 0));
-  add_new(found, floor_div(stretch.low + stretch.high, 2));
+  add_new(found, stretch.middle());
 }
 
 // Adds the places of a variant along a wall: clear of where earlier pieces are meant to stand, else of what is there for certain.
@@ -124,8 +124,8 @@ List<Candidate> own_candidates(const Subject& subject, const WallOccupancy& wall
   if (found.size() > 0) return found;
   for (const Variant& variant : subject.variants) {
     for (Wall wall : WALLS) {
-      const Interval along = subject.scope.clear.along(wall);
-      found.add(at_wall(subject.scope, subject.type, variant.kind, wall, floor_div(along.low + along.high, 2), variant.cost));
+      const i64 middle = subject.scope.clear.along(wall).middle();
+      found.add(at_wall(subject.scope, subject.type, variant.kind, wall, middle, variant.cost));
     }
   }
   return found;

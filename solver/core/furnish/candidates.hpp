@@ -6,6 +6,6 @@
 // The candidate with its back at a wall, its middle at a coordinate along it.
 Candidate at_wall(const Scope& scope, const RoomType& type, i32 kind, Wall wall, i64 middle, f64 cost);
 
-// The ways a piece may stand by itself, each with its variant's cost. Where no wall has a clear stretch for any variant, every wall is tried
-// nevertheless: placement says why it is not there.
+// The ways a piece may stand by itself, each with its variant's cost. Where no wall has a clear stretch for any variant, every wall is
+// tried nevertheless: placement says why it is not there.
 List<Candidate> own_candidates(const Subject& subject, const WallOccupancy& walls, Span<Effect> effects);

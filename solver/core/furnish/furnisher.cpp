@@ -18,7 +18,8 @@ constexpr f64 OFF_PLAN_COST = 3.0;
 // Pull towards an anchor that no rule asks to be firm, m^-2.
 constexpr f64 DRAW = 0.05;
 
-Furnisher::Furnisher(const Scope& scope, const RoomType& type, WallOccupancy& walls) : scope_(scope), type_(type), walls_(walls), knee_room_(type) {
+Furnisher::Furnisher(const Scope& scope, const RoomType& type, WallOccupancy& walls)
+    : scope_(scope), type_(type), walls_(walls), knee_room_(type) {
   earlier_.by_word = zeroes<List<i32>>(type.all_words);
 }
 
@@ -126,8 +127,8 @@ Furnisher::Meant Furnisher::meant(const Candidate& candidate) const {
   if (candidate.parent < 0) return {candidate.kind, candidate.rotation, candidate.anchor};
   const Meant& parent = meant_[candidate.parent];
   if (parent.kind != candidate.parent_kind) return {-1, 0, {0, 0}};
-  const i64 across = floor_div(candidate.across.low + candidate.across.high, 2), along = floor_div(candidate.along.low + candidate.along.high, 2);
-  const Point away = rotated({across, along}, parent.rotation);
+  const Point middle{candidate.across.middle(), candidate.along.middle()};
+  const Point away = rotated(middle, parent.rotation);
   return {candidate.kind, (parent.rotation + candidate.rotation) % 360, {parent.centre.x + away.x, parent.centre.z + away.z}};
 }
 

@@ -18,7 +18,7 @@ class Furnisher {
  public:
   Furnisher(const Scope& scope, const RoomType& type, WallOccupancy& walls);
 
-  // Adds a copy of a piece, which a run may have planned (else null); false where a relation it cannot do without has nothing to hold on to.
+  // Adds a copy of a piece, which a run may have planned (else null); false where a relation it must keep has nothing to hold on to.
   bool add(const CountedPiece& counted, i32 number, const Preferences& preferences, const Candidate* planned);
 
   List<PieceRow> pieces;

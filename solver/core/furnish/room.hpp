@@ -11,7 +11,7 @@ struct Opened {
   Interval stretch;
   i64 across;
 
-  i64 middle() const { return floor_div(stretch.low + stretch.high, 2); }
+  i64 middle() const { return stretch.middle(); }
   Point centre() const { return runs_along_x(wall) ? Point{middle(), across} : Point{across, middle()}; }
 };
 

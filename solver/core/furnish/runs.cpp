@@ -163,8 +163,8 @@ static Span<Item> reversed(Span<Item> items) {
   return made.all();
 }
 
-// Lays the first half along a wall into its low or high corner, the second half from there along the next wall. The first half's last item is
-// the one in the corner.
+// Lays the first half along a wall into its low or high corner, the second half from there along the next wall. The first half's last item
+// is the one in the corner.
 List<Leg> RunPlanner::legs_of(const Drawn& drawn) const {
   const Span<Item> all = drawn.items.all();
   const Span<Item> first{all.data, drawn.corner}, second{all.data + drawn.corner, all.size - drawn.corner};
@@ -233,6 +233,7 @@ Span<Candidate> RunPlanner::best(Stream& stream) {
 
 }  // namespace
 
-Span<Candidate> planned_run(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted, Stream& stream) {
+Span<Candidate> planned_run(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted,
+                            Stream& stream) {
   return RunPlanner(scope, walls, type, counted).best(stream);
 }

@@ -8,4 +8,5 @@
 #include "preferences.hpp"
 
 // Where each piece of the best run drawn is meant to stand, by its word; `kind` is -1 for what is in none.
-Span<Candidate> planned_run(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted, Stream& stream);
+Span<Candidate> planned_run(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted,
+                            Stream& stream);

@@ -31,6 +31,8 @@ struct Point {
 struct Interval {
   i64 low;
   i64 high;
+
+  constexpr i64 middle() const { return floor_div(low + high, 2); }
 };
 
 // Extents along x and z.

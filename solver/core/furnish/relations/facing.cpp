@@ -5,7 +5,8 @@
 // Tells whether the slots of another relation of the piece to those it faces turn it already.
 static bool slots_turn_it(const Subject& subject, const Rule& rule) {
   for (const Rule& other : subject.rules) {
-    const bool at_side = other.word == Word::beside || other.word == Word::in_front_of || other.word == Word::around || other.word == Word::under;
+    const Word word = other.word;
+    const bool at_side = word == Word::beside || word == Word::in_front_of || word == Word::around || word == Word::under;
     if (at_side && share_a_name(subject.type.of(other), subject.type.of(rule))) return true;
   }
   return false;
