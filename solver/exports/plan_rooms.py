@@ -92,9 +92,9 @@ def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel]) -> list[tuple[
 
 
 def _turning(corners: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Returns corners without those in the middle of a straight edge."""
+    """Returns corners without those in the middle of a straight edge; all of a floor without width, on which none turns."""
     neighbours = zip((corners[-1], *corners[:-1]), corners, (*corners[1:], corners[0]), strict=True)
-    return [b for a, b, c in neighbours if not (a[0] == b[0] == c[0] or a[1] == b[1] == c[1])]
+    return [b for a, b, c in neighbours if not (a[0] == b[0] == c[0] or a[1] == b[1] == c[1])] or list(corners)
 
 
 def area_of(corners: Sequence[tuple[float, float]]) -> float:

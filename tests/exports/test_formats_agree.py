@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import pytest
 
+from catalogs import load_catalogs
 from solver.export_formats import EXPORTERS
-from solver.exports import written_as
+from solver.exports import describe, written_as
 from solver.exports.writers import ExportSettings
+from solver.scene import Room, Scene
 from tests.exports.agreement import NOT_READ, differences, reader_of
 from tests.exports.homes import SCENES, described
 
@@ -34,6 +36,13 @@ def test_hostile_names_break_no_file(format: str) -> None:
     model = described("hostile")
     seen = reader_of(format)(written_as(model, ExportSettings(format)))
     assert differences(model, seen, format) == []
+
+
+@pytest.mark.parametrize("format", EXPORTERS)
+@pytest.mark.parametrize(("width", "depth"), [(1e-12, 1e-12), (0.0004, 0.0004), (1e-12, 4.0)])
+def test_rooms_without_a_floor_break_no_file(width: float, depth: float, format: str) -> None:
+    rooms = tuple(Room(name, number, "den", width=width, depth=depth) for number, name in enumerate("ab"))
+    assert written_as(describe(Scene(wall_thickness=0.0, rooms=rooms), load_catalogs()), ExportSettings(format))
 
 
 def test_a_mirror_image_would_be_seen() -> None:

@@ -204,7 +204,7 @@ def _parameters(model: HouseModel) -> HouseJson:
         }
         for number, room in enumerate(model.rooms)
         if not room.outdoor
-        for west, north, east, south in [max(rectangles_of(room.corners), key=_area)]
+        for west, north, east, south in [max(rectangles_of(room.corners), key=_area, default=(*room.corners[0], *room.corners[0]))]
     ]
     return {
         "ceilingMaterial": _material(CEILING),
