@@ -1,7 +1,8 @@
 """Build the core: solver/core/**/*.cpp -> solver/core/core.wasm, with the C++ compiler in PyPI's ziglang.
 
-`python scripts/core.py build`; the wheel's build hook calls the same `build`. The compiler is fetched into .tools/zig/ where this
-Python has none; nothing of it is needed to run what was built.
+`python scripts/core.py build`; the wheel's build hook calls the same `build`. `python scripts/core.py check MAIN.cpp PROGRAM` builds a
+program for this machine from the core and one more file: every index is checked, undefined behaviour traps. The compiler is fetched into
+.tools/zig/ where this Python has none; nothing of it is needed to run what was built.
 """
 
 import hashlib
@@ -26,6 +27,7 @@ TARGET = ("-target", "wasm32-freestanding", "-mcpu=generic+simd128+bulk_memory",
 # What a call may use: 1 MB of stack (below all data: an overflow traps) and 1 GB of memory.
 LINK = ("-Wl,--no-entry", "-Wl,-z,stack-size=1048576", "-Wl,--max-memory=1073741824", "-s")
 FLAGS = (*TARGET, *LANGUAGE, *NUMBERS, *LINK)
+CHECKS = ("-DCORE_CHECKED", "-g", "-O1", "-fsanitize=undefined", "-fsanitize-trap=undefined", "-Wno-unknown-attributes", "-nostdlib++")
 
 
 def sources() -> list[Path]:
@@ -69,15 +71,15 @@ def fetch_compiler() -> Path:
     return found
 
 
-def compile_to(target: Path, flags: tuple[str, ...]) -> None:
-    """Compile all sources to one file.
+def compile_to(target: Path, flags: tuple[str, ...], *more: str) -> None:
+    """Compile all sources, and some more, to one file.
 
     Raises:
         SystemExit: the compiler refused them; it has said why.
     """
     caches = {name: str(ROOT / ".tools" / "zig-cache") for name in ("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR")}
     files = [str(path.relative_to(ROOT)) for path in sources() if path.suffix == ".cpp"]
-    command = [str(packaged_compiler() or fetch_compiler()), "c++", *flags, "-I", "solver/core", "-o", str(target), *files]
+    command = [str(packaged_compiler() or fetch_compiler()), "c++", *flags, "-I", "solver/core", "-o", str(target), *files, *more]
     if subprocess.run(command, cwd=ROOT, env={**os.environ, **caches}, check=False).returncode:
         raise SystemExit("the core was not compiled")
 
@@ -95,7 +97,16 @@ def build() -> None:
     STAMP.write_text(fingerprint())
 
 
+def check(main: str, program: str) -> None:
+    """Build a program for this machine that checks what it does, from the core and a file with its `main`."""
+    compile_to(Path(program).resolve(), (*LANGUAGE, *NUMBERS, *CHECKS), str(Path(main).resolve()))
+
+
 if __name__ == "__main__":
-    if sys.argv[1:] != ["build"]:
-        raise SystemExit("usage: core.py build")
-    build()
+    task, words = sys.argv[1:2], sys.argv[2:]
+    if task == ["build"] and not words:
+        build()
+    elif task == ["check"] and len(words) == 2:
+        check(*words)
+    else:
+        raise SystemExit("usage: core.py build | check MAIN.cpp PROGRAM")

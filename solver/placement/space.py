@@ -33,16 +33,20 @@ class Sizes(NamedTuple):
     states: int
 
 
+def request_of(room: RoomArrays, sizes: Sizes) -> bytes:
+    """Returns what the core is sent of a room: `RoomRequest` of solver/core/placement/space.hpp."""
+    counts = [len(part) for part in (room.zones, room.doors, room.pieces, room.sides, room.candidates, room.links)]
+    return b"".join(array.tobytes() for array in (np.array([*sizes, *counts], dtype=np.int64), *room))
+
+
 def new_engine(room: RoomArrays, sizes: Sizes) -> Engine:
     """Returns all work space for a room, and the room in it.
 
     Raises:
         CoreFull: the core's memory is too small for it.
     """
-    counts = [len(part) for part in (room.zones, room.doors, room.pieces, room.sides, room.candidates, room.links)]
-    head = np.array([*sizes, *counts], dtype=np.int64)
     instance = taken()
-    desk = int(instance.call("new_desk", instance.write(b"".join(array.tobytes() for array in (head, *room)))))
+    desk = int(instance.call("new_desk", instance.write(request_of(room, sizes))))
     shown = np.frombuffer(instance.read(desk, 12 * len(KINDS)), dtype=np.int32).reshape(-1, 3).tolist()
     memory = instance.lent()
     arrays = iter([_array(memory, kind, *one) for kind, one in zip(KINDS, shown, strict=True)])

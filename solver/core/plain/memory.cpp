@@ -1,14 +1,17 @@
 #include "memory.hpp"
 
+static i32 failure_code = 0;
+
+#ifdef __wasm__
 extern "C" {
 extern u8 __heap_base;
-
-static i32 failure_code = 0;
 
 void* memset(void* to, int value, unsigned long count) { return __builtin_memset(to, value, count); }
 void* memcpy(void* to, const void* from, unsigned long count) { return __builtin_memcpy(to, from, count); }
 void* memmove(void* to, const void* from, unsigned long count) { return __builtin_memmove(to, from, count); }
 }
+
+#endif
 
 [[noreturn]] void fail(Failure failure) {
   failure_code = static_cast<i32>(failure);
@@ -17,10 +20,26 @@ void* memmove(void* to, const void* from, unsigned long count) { return __builti
 
 namespace arena {
 
-constexpr i64 PAGE = 65536;
 static u64 top = 0;
 
+#ifdef __wasm__
+constexpr i64 PAGE = 65536;
+
 static u64 base() { return (reinterpret_cast<u64>(&__heap_base) + 15) / 16 * 16; }
+
+// Makes the memory reach to an address; false where there is no more.
+static bool grow_to(u64 end) {
+  const u64 have = __builtin_wasm_memory_size(0) * PAGE;
+  const u64 pages = end > have ? (end - have + PAGE - 1) / PAGE : 0;
+  return pages <= 65536 && (pages == 0 || __builtin_wasm_memory_grow(0, pages) != static_cast<unsigned long>(-1));
+}
+#else
+alignas(16) static u8 space[1 << 30];
+
+static u64 base() { return reinterpret_cast<u64>(space); }
+
+static bool grow_to(u64 end) { return end <= base() + sizeof(space); }
+#endif
 
 Mark mark() { return top; }
 
@@ -30,11 +49,7 @@ void* reserve(i64 bytes) {
   if (bytes < 0) fail(Failure::memory_full);
   const u64 at = base() + top;
   const u64 end = at + (static_cast<u64>(bytes) + 15) / 16 * 16;
-  const u64 have = __builtin_wasm_memory_size(0) * PAGE;
-  if (end > have) {
-    const u64 pages = (end - have + PAGE - 1) / PAGE;
-    if (pages > 65536 || __builtin_wasm_memory_grow(0, pages) == static_cast<unsigned long>(-1)) fail(Failure::memory_full);
-  }
+  if (!grow_to(end)) fail(Failure::memory_full);
   top = end - base();
   return reinterpret_cast<void*>(at);
 }

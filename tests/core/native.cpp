@@ -1,0 +1,49 @@
+// Arranges rooms natively, with every index checked: `native ROOMS` reads what the host would send and writes what it would read.
+//
+// Of a room: the length of its request (8 bytes), the request, RoomLimits, whether to walk (8 bytes), the budget (a float).
+// Written of it: decisions, RoomReport, the budget left, the cost, positions along x and z, whether they may be walked between.
+#include <stdio.h>
+
+#include "placement/fill.hpp"
+#include "placement/grid.hpp"
+#include "placement/space.hpp"
+
+using namespace placement;
+
+template <class T> static bool read(FILE* from, T* into, i64 count) {
+  return fread(into, sizeof(T), static_cast<unsigned long>(count), from) == static_cast<unsigned long>(count);
+}
+
+template <class T> static void write(const T* from, i64 count) { fwrite(from, sizeof(T), static_cast<unsigned long>(count), stdout); }
+
+// Arranges the next room of a file; false at its end.
+static bool arrange_next(FILE* file) {
+  const arena::Scope scope;
+  i64 size, walk;
+  RoomLimits limits;
+  if (!read(file, &size, 1)) return false;
+  u8* request = static_cast<u8*>(arena::reserve(size));
+  Desk* desk;
+  if (!read(file, request, size) || !read(file, &limits, 1) || !read(file, &walk, 1)) fail(Failure::bad_request);
+  desk = new_desk(reinterpret_cast<RoomRequest*>(request));
+  const Engine& engine = desk->engine;
+  if (!read(file, engine.tree.budget.data, 1)) fail(Failure::bad_request);
+  const RoomReport report = arrange_room(engine, desk->decisions, desk->fates, limits, walk != 0);
+  write(desk->decisions.data, desk->decisions.size);
+  write(&report, 1);
+  write(engine.tree.budget.data, 1);
+  write(engine.nodes.best_cost.data, 1);
+  if (engine.nodes.result->found) {
+    for (i64 axis = 0; axis < 2; axis++) write(engine.nodes.best.row(axis).data, engine.work.sizes[axis]);
+    const i64 walked = walkable(engine.room, engine.work, engine.grid, engine.grid.positions);
+    write(&walked, 1);
+  }
+  return true;
+}
+
+int main(int count, char** words) {
+  FILE* file = count == 2 ? fopen(words[1], "rb") : nullptr;
+  if (file == nullptr) return 2;
+  while (arrange_next(file)) continue;
+  return fclose(file);
+}

@@ -1,0 +1,75 @@
+"""The same rooms in the core as it is built, and in a native build that checks every index and traps at undefined behaviour."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from solver.placement import Budget, kernel
+from solver.placement.arrange import LIMITS
+from solver.placement.encode import lay_out, sizes_of
+from solver.placement.layout import FOUND
+from solver.placement.space import new_engine, request_of
+from solver.streams import Stream
+from tests.architecture.tree import ROOT
+from tests.placement.rooms import random_space, random_wanted
+
+ROOMS = 120
+SOURCE = Path(__file__).with_name("native.cpp")
+
+
+@pytest.fixture(scope="module")
+def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The native build."""
+    target = tmp_path_factory.mktemp("native") / "rooms"
+    built = subprocess.run(
+        [sys.executable, "scripts/core.py", "check", SOURCE, target], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert built.returncode == 0, built.stderr
+    return target
+
+
+class Room(NamedTuple):
+    """A room as it is sent to the core, with what comes behind it, and what the core made of it: see native.cpp."""
+
+    sent: bytes
+    answer: bytes
+
+
+@cache
+def room(seed: int) -> Room:
+    """A random room; every fifth need not be walkable."""
+    stream, walk, budget = Stream(seed, "native"), seed % 5 > 0, np.array([Budget().left])
+    space = random_space(stream)
+    _, arrays = lay_out(space, random_wanted(space, stream, 2 + seed % 11), ("stands", "mixed", "test")[seed % 3])
+    sizes = sizes_of(arrays)
+    engine, request = new_engine(arrays, sizes), request_of(arrays, sizes)
+    engine.tree.budget[:] = budget
+    decisions, _, report = kernel.arrange_room(engine, LIMITS.row, walk)
+    answer = [decisions, np.array(report), engine.tree.budget, engine.nodes.best_cost]
+    if engine.nodes.result[FOUND]:
+        answer += [engine.nodes.best[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
+        answer.append(np.array([int(kernel.walkable(engine))]))
+    head = len(request).to_bytes(8, "little")
+    tail = LIMITS.row.tobytes() + int(walk).to_bytes(8, "little") + budget.tobytes()
+    return Room(head + request + tail, b"".join(part.tobytes() for part in answer))
+
+
+def test_checked_and_as_built_agree_to_the_last_bit(program: Path, tmp_path: Path) -> None:
+    rooms = [room(seed) for seed in range(ROOMS)]
+    (tmp_path / "rooms").write_bytes(b"".join(one.sent for one in rooms))
+    run = subprocess.run([program, tmp_path / "rooms"], capture_output=True, check=False)
+    assert run.returncode == 0, "a negative status is the signal of a trap: run it in a debugger"
+    assert run.stdout == b"".join(one.answer for one in rooms)
+    assert len({one.answer for one in rooms}) > 0.9 * ROOMS
+
+
+def test_the_native_build_stops_at_a_bad_room(program: Path, tmp_path: Path) -> None:
+    (tmp_path / "rooms").write_bytes(room(0).sent[:200])
+    assert subprocess.run([program, tmp_path / "rooms"], capture_output=True, check=False).returncode < 0
