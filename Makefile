@@ -45,8 +45,9 @@ test: .venv/dev.stamp core page chromium ## run every test: Python, page, browse
 targets: .venv/dev.stamp core page ## run the long checks and benches: thousands of seeds, timings
 	$(PY) -m tests.targets
 
-bench: .venv/dev.stamp core ## measure the placement core: against exact oracles, OSQP with heuristics, and the clock
+bench: .venv/dev.stamp core ## measure placement against exact oracles and OSQP with heuristics; and a home stage by stage
 	$(PY) -m tests.bench $(BENCH_ARGS)
+	$(PY) -m tests.bench.flow
 
 fuzz: .venv/dev.stamp core ## place 100,000 random rooms and check each in exact integers
 	$(PY) -m tests.bench.fuzz $(FUZZ_ARGS)

@@ -1,0 +1,204 @@
+"""What a home costs from request to JSON, stage by stage, beside the least that any such solver must do, in one run.
+
+    python -m tests.bench.flow [--seeds 100]
+
+Prints Markdown; CPU ms. The limit is what nobody can leave out: OSQP on the home's final problem, from nothing ("cold") or begun at its
+optimum ("warm"), and the home's JSON. Growth is over plain houses of more and more rooms. Starting and memory are of new processes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import gc
+import json
+import math
+import resource
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, ClassVar, NamedTuple
+from unittest import mock
+
+import osqp
+from tqdm import tqdm
+
+from catalogs import load_catalogs
+from solver import Request, generate
+from solver.exchange import write_scene
+from solver.pipeline.generate import wanted_in
+from solver.placement import arrange, finish, qp
+from solver.scene import Scene
+from tests.bench.__main__ import percentile
+
+SETS: Mapping[str, dict[str, Any]] = {
+    "plain default": {}, "family, decorated": {"program": "family", "decorate": True},
+    "large, decorated": {"program": "large", "decorate": True},
+}  # fmt: skip
+STAGES = ("floorplan", "furniture", "decorations", "people", "validate", "json", "total")
+LIMIT_HOMES = 20
+"""Homes a set whose final problem is solved again, for the limit."""
+READY = "from catalogs import load_catalogs; from service.work import packed, warm"
+GROWTH = ((20, 15), (45, 33), (64, 47), (90, 66))
+"""Sizes, m, of the plain houses of growing numbers of rooms."""
+
+
+class Home(NamedTuple):
+    """A home and what it cost, ms by stage."""
+
+    scene: Scene
+    ms: Mapping[str, float]
+
+
+def made(request: Request) -> Home:
+    """Makes a home and its JSON."""
+    answer = generate(request, clock=time.process_time)
+    begun = time.process_time()
+    json.dumps(write_scene(answer.scene))
+    taken = 1000 * (time.process_time() - begun)
+    return Home(answer.scene, {**answer.timing_ms, "json": taken, "total": answer.timing_ms["total"] + taken})
+
+
+def homes(name: str, seeds: range) -> list[Home]:
+    """Makes the homes of a set."""
+    return [made(Request(seed=seed, **SETS[name])) for seed in tqdm(seeds, desc=name, disable=None)]
+
+
+def cpu_ms(do: Callable[[], object], rounds: int = 5) -> float:
+    """The least CPU time of some rounds, ms."""
+    found = []
+    for _ in range(rounds):
+        begun = time.process_time()
+        do()
+        found.append(1000 * (time.process_time() - begun))
+    return min(found)
+
+
+OSQP = osqp.OSQP
+
+
+class Recorder:
+    """OSQP that keeps what it was last asked, and where it was begun."""
+
+    asked: ClassVar[tuple[Any, ...]] = ()
+    begun_at: ClassVar[tuple[Any, ...]] = ()
+
+    def __init__(self, **settings: Any) -> None:
+        self.solver = OSQP(**settings)
+        self.solve = self.solver.solve
+
+    def setup(self, *problem: Any, **settings: Any) -> None:
+        """Keeps the problem."""
+        Recorder.asked = problem
+        self.solver.setup(*problem, **settings)
+
+    def warm_start(self, *points: Any) -> None:
+        """Keeps where it begins."""
+        Recorder.begun_at = points
+        self.solver.warm_start(*points)
+
+
+def limit(scene: Scene) -> tuple[float, float, int]:
+    """What OSQP takes for a home's final problem, cold and warm, set up each time, and its iterations begun at the optimum."""
+    known = load_catalogs()
+    rooms = [arrange(*wanted_in(scene, room, known)[:2]) for room in scene.rooms]
+    with mock.patch("solver.placement.qp.osqp.OSQP", Recorder):
+        finish(rooms)
+
+    def solve(warm: bool) -> Any:
+        solver = osqp.OSQP(algebra="builtin")
+        solver.setup(*Recorder.asked, **{**qp.SETTINGS, "check_termination": 1 if warm else 25})
+        if warm:
+            solver.warm_start(*Recorder.begun_at)
+        return solver.solve(raise_error=False)
+
+    return cpu_ms(lambda: solve(False)), cpu_ms(lambda: solve(True)), int(solve(True).info.iter)
+
+
+def stage_lines(found: Mapping[str, Sequence[Home]]) -> Iterator[str]:
+    """The table of stages."""
+    yield "| CPU ms a home | rooms | " + " | ".join(STAGES) + " | ms a room | p99 |"
+    yield "|:--|" + "--:|" * (len(STAGES) + 3)
+    for name, made_homes in found.items():
+        rooms = statistics.mean(len(home.scene.rooms) for home in made_homes)
+        medians = [statistics.median(home.ms.get(stage, 0.0) for home in made_homes) for stage in STAGES]
+        solved = [(home.ms["total"] - home.ms["floorplan"]) / len(home.scene.rooms) for home in made_homes]
+        cells = [f"{value:.1f}" for value in medians]
+        yield f"| {name} | {rooms:.1f} | {' | '.join(cells)} | {statistics.median(solved):.2f} | {percentile(solved, 0.99):.2f} |"
+
+
+def limit_lines(found: Mapping[str, Sequence[Home]]) -> Iterator[str]:
+    """The table of the whole flow beside its limit."""
+    yield "| of a home, ms | OSQP cold | OSQP warm | iterations, most | JSON | whole flow: times the warm limit | times the cold one |"
+    yield "|:--|--:|--:|--:|--:|--:|--:|"
+    for name, made_homes in found.items():
+        few = made_homes[:LIMIT_HOMES]
+        cold, warm, steps = zip(*(limit(home.scene) for home in few), strict=True)
+        text = statistics.median(home.ms["json"] for home in few)
+        whole = statistics.median(home.ms["total"] for home in few)
+        nothing, begun = statistics.median(cold), statistics.median(warm)
+        cells = [f"{nothing:.2f}", f"{begun:.3f}", str(max(steps)), f"{text:.2f}"]
+        yield f"| {name} | {' | '.join(cells)} | {whole / (begun + text):.0f} | {whole / (nothing + text):.0f} |"
+
+
+def growth_lines() -> Iterator[str]:
+    """How a house's time grows with its rooms."""
+    yield "| plain house, m | rooms | CPU ms | ms a room |"
+    yield "|:--|--:|--:|--:|"
+    points = []
+    for width, depth in GROWTH:
+        gc.collect()
+        home = made(Request(seed=1, width=width, depth=depth, max_depth=12))
+        points.append((len(home.scene.rooms), home.ms["total"]))
+        yield f"| {width} x {depth} | {points[-1][0]} | {points[-1][1]:.0f} | {points[-1][1] / points[-1][0]:.1f} |"
+    (fewest, least), (most, longest) = points[1], points[-1]
+    yield f"\nGrowth exponent from {fewest} to {most} rooms: {math.log(longest / least) / math.log(most / fewest):.2f}."
+
+
+def start_lines() -> Iterator[str]:
+    """What new processes cost: CPU s and memory."""
+    yield "| new process | CPU s | memory, MB |"
+    yield "|:--|--:|--:|"
+    commands = {
+        "import compose_homes": ["-c", "import compose_homes"],
+        "compose schema": ["-m", "compose_homes", "schema"],
+        "compose generate, family": ["-m", "compose_homes", "generate", "--seed", "1", "--program", "family"],
+        "a worker, ready": [
+            "-c",
+            "from catalogs import load_catalogs; from service.work import packed, warm; warm(packed(load_catalogs()))",
+        ],
+    }
+    for name, words in commands.items():
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        child = [sys.executable, *words]
+        subprocess.run(child, stdout=subprocess.PIPE, check=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        yield f"| {name} | {seconds:.2f} | {peak_mb(child):.0f} |"
+
+
+def peak_mb(command: Sequence[str]) -> float:
+    """The most memory that a command takes, MB, as told by a process that does nothing but run it."""
+    ask = "import resource, subprocess, sys; subprocess.run(sys.argv[1:], stdout=subprocess.PIPE, check=True); "
+    tell = "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)"
+    done = subprocess.run([sys.executable, "-S", "-c", ask + tell, *command], capture_output=True, text=True, check=True)
+    return int(done.stdout) / 1024
+
+
+def main() -> int:
+    """Prints the tables."""
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--seeds", type=int, default=100, help="homes a set (100)")
+    seeds = range(arguments.parse_args().seeds)
+    made(Request(seed=seeds.stop, program="family", decorate=True))
+    gc.collect()
+    gc.freeze()
+    found = {name: homes(name, seeds) for name in SETS}
+    for lines in (stage_lines(found), limit_lines(found), growth_lines(), start_lines()):
+        print("\n".join(lines), end="\n\n", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
