@@ -34,7 +34,7 @@ _ROW: Final = {
     }.items()
 }  # fmt: skip
 _HEADER: Final = Struct("<16i")
-_MOST_KEPT: Final = 512
+_MOST_KEPT: Final = 128
 """Room types of the homes made last: a home changes those that must hold what it has no room for."""
 _MOST_CATALOGS: Final = 16
 
@@ -68,7 +68,7 @@ def compiled_type(room_type: RoomType, catalogs: Catalogs) -> CompiledType:
     found = _kept.get(key)
     if found is None:
         if len(_kept) >= _MOST_KEPT:
-            _kept.clear()
+            _kept.pop(next(iter(_kept)), None)
         tables = _Tables(catalogs)
         specs = tuple(spec for spec in room_type.pieces if not spec.without)
         found = _kept[key] = CompiledType(tables.compiled(room_type, specs), specs, tuple(tables.kinds.values()), made_from)

@@ -12,12 +12,13 @@ import pytest
 
 from catalogs import load_catalogs
 from catalogs.schema import Catalogs
-from solver.core import CoreFailed, borrowed
+from solver.core import CoreFailed
 from solver.furnish import scope_of, space_of, wanted_pieces
 from solver.furnish.compiled_types import compiled_type
 from solver.furnish.core_rows import room_rows
 from solver.scene import Room
 from solver.streams import Stream
+from tests.core.test_native_furnish import answer
 from tests.furnish.random_types import random_room, random_type
 from tests.furnish.reference import stage
 from tests.furnish.worlds import catalog
@@ -77,12 +78,6 @@ def test_what_twenty_rooms_want_is_what_they_wanted_when_the_stage_moved() -> No
     assert digest.hexdigest() == GOLDEN
 
 
-def asked(known: bytes, room: bytes) -> int:
-    with borrowed() as core:
-        packed = core.call("furnish", core.write(known), len(known), core.write(room), len(room))
-        return len(core.read(packed & 0xFFFFFFFF, packed >> 32))
-
-
 def request(name: str, seed: int = 1) -> tuple[bytes, bytes]:
     room = random_room(Random(seed), name)
     space = space_of(room, 0.1)
@@ -99,20 +94,20 @@ def test_bytes_that_are_spoiled_end_in_an_answer_or_a_refusal(name: str) -> None
             part = rng.choice(spoiled)
             part[rng.randrange(len(part))] = rng.randrange(256)
         try:
-            asked(bytes(spoiled[0]), bytes(spoiled[1]))
+            answer(bytes(spoiled[0]), bytes(spoiled[1]))
         except CoreFailed:
             refused += 1
     assert 0 < refused < 150
-    assert asked(known, room) > 24
+    assert len(answer(known, room)) > 24
 
 
 @pytest.mark.parametrize("size", [0, 3, 63, 64, 200])
 def test_bytes_that_are_cut_off_are_refused(size: int) -> None:
     known, room = request("bedroom")
     with pytest.raises(CoreFailed, match="the request is none"):
-        asked(known[:size], room)
+        answer(known[:size], room)
     with pytest.raises(CoreFailed, match="the request is none"):
-        asked(known, room[:size] if size < len(room) else b"")
+        answer(known, room[:size] if size < len(room) else b"")
 
 
 def test_a_type_without_pieces_and_a_room_without_floor_want_nothing_or_little() -> None:

@@ -1,4 +1,6 @@
-#include "candidates.hpp"
+#include "furnish/candidates.hpp"
+
+namespace furnish {
 
 // What a place at a wall costs where an earlier piece is meant to stand: it may not be taken after all.
 constexpr f64 INTENDED_COST = 0.3;
@@ -130,3 +132,5 @@ List<Candidate> own_candidates(const Subject& subject, const WallOccupancy& wall
   }
   return found;
 }
+
+}  // namespace furnish

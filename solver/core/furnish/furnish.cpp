@@ -1,6 +1,9 @@
-// The stage's door: a room type and a room as bytes -> the rows of what the room wants.
-#include "furnisher.hpp"
-#include "runs.hpp"
+#include "furnish/furnish.hpp"
+
+#include "furnish/furnisher.hpp"
+#include "furnish/runs.hpp"
+
+namespace furnish {
 
 namespace {
 
@@ -59,7 +62,7 @@ static void add_pieces(Furnisher& furnisher, const RoomType& type, const List<Co
   }
 }
 
-static i64 answer(const Furnisher& furnisher, const List<CountedPiece>& counted, const Stream& stream) {
+static Bytes answer(const Furnisher& furnisher, const List<CountedPiece>& counted, const Stream& stream) {
   const Span<PieceRow> pieces = furnisher.pieces.all();
   const Span<Candidate> candidates = furnisher.candidates.all();
   const Span<Link> links = furnisher.links.all();
@@ -72,14 +75,13 @@ static i64 answer(const Furnisher& furnisher, const List<CountedPiece>& counted,
   writer.put(pieces);
   writer.put(candidates);
   writer.put(links);
-  return writer.size() << 32 | static_cast<i64>(reinterpret_cast<u64>(writer.start()));
+  return {writer.start(), writer.size()};
 }
 
-// Returns the answer's size, bytes, in the upper half, and where it begins in the lower.
-extern "C" __attribute__((export_name("furnish"))) i64 furnish(u8* type_data, i64 type_size, u8* room_data, i64 room_size) {
-  const RoomType type = read_room_type(type_data, type_size);
+Bytes furnish_room(Bytes type_rows, Bytes room_rows) {
+  const RoomType type = read_room_type(type_rows.data, type_rows.size);
   RoomHeader room;
-  const Scope scope = read_room(room_data, room_size, room);
+  const Scope scope = read_room(room_rows.data, room_rows.size, room);
   WallOccupancy walls(scope);
   Furnisher furnisher(scope, type, walls);
   Stream stream(room.stream);
@@ -90,3 +92,5 @@ extern "C" __attribute__((export_name("furnish"))) i64 furnish(u8* type_data, i6
   }
   return answer(furnisher, counted, stream);
 }
+
+}  // namespace furnish

@@ -1,8 +1,10 @@
-#include "furnisher.hpp"
+#include "furnish/furnisher.hpp"
 
-#include "../plain/rounding.hpp"
-#include "candidates.hpp"
-#include "slots.hpp"
+#include "furnish/candidates.hpp"
+#include "furnish/slots.hpp"
+#include "plain/rounding.hpp"
+
+namespace furnish {
 
 // Overlaps up to this between meant places do not matter.
 constexpr i64 TOUCH_MM = 20;
@@ -145,3 +147,5 @@ void Furnisher::intend(Span<Candidate> ways) {
     return;
   }
 }
+
+}  // namespace furnish

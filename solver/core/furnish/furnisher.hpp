@@ -1,8 +1,10 @@
 // The pieces of one room, each made when those before it are known.
 #pragma once
 
-#include "preferences.hpp"
-#include "relations/relation.hpp"
+#include "furnish/preferences.hpp"
+#include "furnish/relations/relation.hpp"
+
+namespace furnish {
 
 // A piece of the answer; its candidates and links are the next rows of theirs.
 struct PieceRow {
@@ -47,3 +49,5 @@ class Furnisher {
   KneeRoom knee_room_;
   List<Meant> meant_;  // by piece
 };
+
+}  // namespace furnish

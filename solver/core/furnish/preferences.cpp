@@ -1,4 +1,6 @@
-#include "preferences.hpp"
+#include "furnish/preferences.hpp"
+
+namespace furnish {
 
 // Most that a wall, a quarter, a side of another piece, a size variant may cost a piece by the seed alone.
 constexpr f64 WALL_PREFERENCE = 1.6, QUARTER_PREFERENCE = 0.35, SIDE_PREFERENCE = 0.3, KIND_PREFERENCE = 0.5;
@@ -105,3 +107,5 @@ List<CountedPiece> counted_pieces(const RoomType& type, f64 area, Stream& stream
   }
   return found;
 }
+
+}  // namespace furnish

@@ -1,8 +1,10 @@
 // What a seed alone decides: the order of pieces that matter alike, how many there are, and small costs among good ways.
 #pragma once
 
-#include "../plain/streams.hpp"
-#include "subject.hpp"
+#include "furnish/subject.hpp"
+#include "plain/streams.hpp"
+
+namespace furnish {
 
 // A piece that a room wants: its place in the type's table, the variants that suit the room, and how many copies.
 struct CountedPiece {
@@ -25,3 +27,5 @@ class Preferences {
   static constexpr i32 KINDS = 3;
   f64 walls_[4], quarters_[4], sides_[4], kinds_[KINDS];
 };
+
+}  // namespace furnish

@@ -1,4 +1,6 @@
-#include "room.hpp"
+#include "furnish/room.hpp"
+
+namespace furnish {
 
 // Depth of the floor before a garage door where only cars are wished.
 constexpr i64 GATE_MM = 1000;
@@ -52,3 +54,5 @@ List<Interval> WallOccupancy::stretches(Wall wall, const Kind& kind, bool occupi
   }
   return gaps_between(clear.along(wall), blocked.all());
 }
+
+}  // namespace furnish

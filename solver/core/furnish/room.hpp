@@ -1,8 +1,10 @@
 // The room to be furnished: its clear rectangle, openings and zones, and what of its walls is taken.
 #pragma once
 
-#include "../plain/lists.hpp"
-#include "room_type.hpp"
+#include "furnish/room_type.hpp"
+#include "plain/lists.hpp"
+
+namespace furnish {
 
 // An opening: its kind, its wall, its stretch along it, and the wall line's coordinate across, mm.
 struct Opened {
@@ -69,3 +71,5 @@ class WallOccupancy {
   List<Rect> gates_;
   List<Rect> taken_;
 };
+
+}  // namespace furnish

@@ -1,4 +1,6 @@
-#include "room_type.hpp"
+#include "furnish/room_type.hpp"
+
+namespace furnish {
 
 // More than a room type may ask for.
 constexpr i32 MOST_COPIES = 100;
@@ -60,3 +62,5 @@ RoomType read_room_type(u8* data, i64 size) {
   check_type(type);
   return type;
 }
+
+}  // namespace furnish

@@ -1,8 +1,10 @@
 // A room type as Python compiles it: rows of plain structs, one after the other; names are indices into Python's tables.
 #pragma once
 
-#include "../plain/rects.hpp"
-#include "../plain/spans.hpp"
+#include "plain/rects.hpp"
+#include "plain/spans.hpp"
+
+namespace furnish {
 
 // In the order of RelationWord of catalogs/schema.py.
 enum class Word : i32 {
@@ -165,3 +167,5 @@ class Reader {
 };
 
 RoomType read_room_type(u8* data, i64 size);
+
+}  // namespace furnish

@@ -1,4 +1,6 @@
-#include "runs.hpp"
+#include "furnish/runs.hpp"
+
+namespace furnish {
 
 // Runs drawn for a room; the best of those that fit is taken (measured: more find no better triangles).
 constexpr i32 DRAWS = 300;
@@ -237,3 +239,5 @@ Span<Candidate> planned_run(const Scope& scope, const WallOccupancy& walls, cons
                             Stream& stream) {
   return RunPlanner(scope, walls, type, counted).best(stream);
 }
+
+}  // namespace furnish

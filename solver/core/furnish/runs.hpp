@@ -4,9 +4,13 @@
 // nearest to a working triangle, with what is wanted in it.
 #pragma once
 
-#include "candidates.hpp"
-#include "preferences.hpp"
+#include "furnish/candidates.hpp"
+#include "furnish/preferences.hpp"
+
+namespace furnish {
 
 // Where each piece of the best run drawn is meant to stand, by its word; `kind` is -1 for what is in none.
 Span<Candidate> planned_run(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted,
                             Stream& stream);
+
+}  // namespace furnish

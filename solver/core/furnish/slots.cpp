@@ -1,6 +1,8 @@
-#include "slots.hpp"
+#include "furnish/slots.hpp"
 
-#include "../plain/rounding.hpp"
+#include "plain/rounding.hpp"
+
+namespace furnish {
 
 static bool is_must(const Rule& rule) { return rule.required && relation_of(rule.word).gives_place; }
 
@@ -77,3 +79,5 @@ List<Candidate> best_of_each(const Subject& subject, List<Candidate>& found) {
   for (const Group& group : groups) best.add_all(group.ways.all());
   return best;
 }
+
+}  // namespace furnish

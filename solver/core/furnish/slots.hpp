@@ -1,8 +1,10 @@
 // Of all the ways found for a piece: what slots cost, and the best few that stand alone.
 #pragma once
 
-#include "preferences.hpp"
-#include "relations/relation.hpp"
+#include "furnish/preferences.hpp"
+#include "furnish/relations/relation.hpp"
+
+namespace furnish {
 
 // Tells whether a relation that gives a place must hold: then the piece stands nowhere else.
 bool must_have_slot(Span<Rule> rules);
@@ -12,3 +14,5 @@ List<Candidate> slots_of(const Subject& subject, Span<Effect> effects, const Pre
 
 // Keeps, for every variant, wall and way round, the cheapest anchors: a few for the wanted variant, one for the others.
 List<Candidate> best_of_each(const Subject& subject, List<Candidate>& found);
+
+}  // namespace furnish

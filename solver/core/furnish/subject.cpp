@@ -1,4 +1,6 @@
-#include "subject.hpp"
+#include "furnish/subject.hpp"
+
+namespace furnish {
 
 List<i32> Subject::pieces(const Rule& rule) const {
   List<i32> found;
@@ -48,3 +50,5 @@ bool Subject::faces(Opening opening) const {
   }
   return false;
 }
+
+}  // namespace furnish

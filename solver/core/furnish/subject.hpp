@@ -1,7 +1,9 @@
 // What furnish makes: candidates and links; and the piece that seeks its places, as relations see it.
 #pragma once
 
-#include "relations/knee_room.hpp"
+#include "furnish/relations/knee_room.hpp"
+
+namespace furnish {
 
 // What a slot of another piece is called by: a side; a place around it; a surface.
 enum class Slot : i32 { none = 0, side = 1, seat = 2, level = 3 };
@@ -88,3 +90,5 @@ struct Subject {
   bool faces(Span<Name> names) const;
   bool faces(Opening opening) const;
 };
+
+}  // namespace furnish

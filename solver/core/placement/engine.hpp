@@ -104,7 +104,7 @@ struct SearchResult {
   i64 unused[2];
 };
 
-// A constraint that holds something at the optimum: the free variables that its row keeps apart along an axis, or -1 (a bound, a fixed end).
+// A constraint that holds something at the optimum: free variables that its row keeps apart along an axis, or -1 (a bound, a fixed end).
 struct ForceRow {
   i64 axis, i, j;
 };

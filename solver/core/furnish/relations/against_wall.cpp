@@ -1,4 +1,6 @@
-#include "against_wall.hpp"
+#include "furnish/relations/against_wall.hpp"
+
+namespace furnish {
 
 // A wall is long, and those beside it short, from this ratio on: a square room has neither.
 constexpr f64 LONGER = 1.15;
@@ -61,3 +63,5 @@ f64 AgainstWall::cost(const Subject& subject, const Effect& effect, const Candid
   }
   return sum;
 }
+
+}  // namespace furnish

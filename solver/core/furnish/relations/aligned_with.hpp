@@ -1,7 +1,9 @@
 // `aligned_with`: its middle in line with another piece's middle.
 #pragma once
 
-#include "relation.hpp"
+#include "furnish/relations/relation.hpp"
+
+namespace furnish {
 
 class AlignedWith : public Relation {
  public:
@@ -15,3 +17,5 @@ class AlignedWith : public Relation {
     link.align = rule.weight;
   }
 };
+
+}  // namespace furnish

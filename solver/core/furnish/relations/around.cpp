@@ -1,4 +1,6 @@
-#include "around.hpp"
+#include "furnish/relations/around.hpp"
+
+namespace furnish {
 
 // What each later place along the sides costs: chairs fill a table in pairs.
 constexpr f64 SLOT_COST = 0.01;
@@ -67,3 +69,5 @@ void Around::add_seat(const Subject& subject, const Pair& pair, i64 shift, Inter
     effect.slots.add(slot);
   }
 }
+
+}  // namespace furnish

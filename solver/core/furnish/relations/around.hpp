@@ -1,7 +1,9 @@
 // `around`: at one of the places around another piece, looking at it; long sides take several, filled in pairs.
 #pragma once
 
-#include "at_side.hpp"
+#include "furnish/relations/at_side.hpp"
+
+namespace furnish {
 
 class Around : public AtSide {
  public:
@@ -20,3 +22,5 @@ class Around : public AtSide {
 
   static constexpr Side SIDES[] = {Side::front, Side::back, Side::left, Side::right};
 };
+
+}  // namespace furnish

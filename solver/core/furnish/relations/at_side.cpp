@@ -1,4 +1,6 @@
-#include "at_side.hpp"
+#include "furnish/relations/at_side.hpp"
+
+namespace furnish {
 
 // What each later side in a relation's list costs more than the one before it.
 constexpr f64 SIDE_COST = 0.05;
@@ -89,3 +91,5 @@ const List<Rect>& AtSide::tucked(const Subject& subject, const Pair& pair, const
   }
   return subject.knee_room.nearest_free({pair.parent.kind, pair.kind, pair.rotation, sideways}, wish, reach);
 }
+
+}  // namespace furnish

@@ -3,8 +3,10 @@
 // Offsets are in the other's own frame, mm, from its centre to the piece's centre: front +z, right +x. Halves are kept by doubling.
 #pragma once
 
-#include "../../plain/rounding.hpp"
-#include "relation.hpp"
+#include "furnish/relations/relation.hpp"
+#include "plain/rounding.hpp"
+
+namespace furnish {
 
 // Where a centre may lie in another piece's frame, doubled.
 struct DoubleBox {
@@ -64,3 +66,5 @@ class AtSide : public Relation {
 
   Meaning meaning_;
 };
+
+}  // namespace furnish

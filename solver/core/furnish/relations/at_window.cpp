@@ -1,6 +1,8 @@
-#include "at_window.hpp"
+#include "furnish/relations/at_window.hpp"
 
-#include "centred.hpp"
+#include "furnish/relations/centred.hpp"
+
+namespace furnish {
 
 // Tries the windows' middles, and costs by the distance from them.
 void AtWindow::effect(const Subject& subject, const Rule& rule, Effect& effect) const {
@@ -21,3 +23,5 @@ f64 AtWindow::cost(const Subject& subject, const Effect& effect, const Candidate
   }
   return off_middle(*effect.rule, nearest);
 }
+
+}  // namespace furnish

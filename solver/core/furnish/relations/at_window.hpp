@@ -1,10 +1,14 @@
 // `at_window`: at a window, its middle on the window's middle; says nothing in a room without one.
 #pragma once
 
-#include "relation.hpp"
+#include "furnish/relations/relation.hpp"
+
+namespace furnish {
 
 class AtWindow : public Relation {
  public:
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override;
   f64 cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const override;
 };
+
+}  // namespace furnish

@@ -1,4 +1,6 @@
-#include "centred.hpp"
+#include "furnish/relations/centred.hpp"
+
+namespace furnish {
 
 // A piece this far from where it should be centred pays the full cost.
 constexpr f64 REACH_MM = 1000.0;
@@ -22,3 +24,5 @@ f64 Centred::cost(const Subject& subject, const Effect& effect, const Candidate&
   const i64 off = candidate.wall == Wall::none ? most(x, z) : runs_along_x(candidate.wall) ? x : z;
   return off_middle(*effect.rule, static_cast<f64>(off));
 }
+
+}  // namespace furnish

@@ -1,7 +1,9 @@
 // `centred`: in the middle of its wall, or of the room.
 #pragma once
 
-#include "relation.hpp"
+#include "furnish/relations/relation.hpp"
+
+namespace furnish {
 
 class Centred : public Relation {
  public:
@@ -11,3 +13,5 @@ class Centred : public Relation {
 
 // What being off a middle costs: by degree, and everything where the relation is hard.
 f64 off_middle(const Rule& rule, f64 off_mm);
+
+}  // namespace furnish

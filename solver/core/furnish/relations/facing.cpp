@@ -1,6 +1,8 @@
-#include "facing.hpp"
+#include "furnish/relations/facing.hpp"
 
-#include "openings.hpp"
+#include "furnish/relations/openings.hpp"
+
+namespace furnish {
 
 // Tells whether the slots of another relation of the piece to those it faces turn it already.
 static bool slots_turn_it(const Subject& subject, const Rule& rule) {
@@ -33,3 +35,5 @@ f64 Facing::cost(const Subject&, const Effect& effect, const Candidate& candidat
   const i32 ahead = static_cast<i32>(wall_ahead(candidate.rotation));
   return effect.walls >> ahead & 1 ? 0.0 : effect.rule->missed();
 }
+
+}  // namespace furnish

@@ -1,7 +1,9 @@
 // `far_from`: at least a distance from a piece or an opening; `far_from_door` from every door.
 #pragma once
 
-#include "openings.hpp"
+#include "furnish/relations/openings.hpp"
+
+namespace furnish {
 
 class FarFrom : public Relation {
  public:
@@ -32,3 +34,5 @@ class FarFrom : public Relation {
  private:
   bool doors_;
 };
+
+}  // namespace furnish

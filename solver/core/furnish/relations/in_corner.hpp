@@ -1,7 +1,9 @@
 // `in_corner`: in a corner of the room, near two walls that meet.
 #pragma once
 
-#include "relation.hpp"
+#include "furnish/relations/relation.hpp"
+
+namespace furnish {
 
 class InCorner : public Relation {
  public:
@@ -18,3 +20,5 @@ class InCorner : public Relation {
     return most(x, z) <= 2 * subject.scope.gap ? 0.0 : effect.rule->missed();
   }
 };
+
+}  // namespace furnish

@@ -1,4 +1,6 @@
-#include "in_row.hpp"
+#include "furnish/relations/in_row.hpp"
+
+namespace furnish {
 
 // The depths of the ways the others may stand, each once, the least first.
 static List<i64> depths_of(const Subject& subject, const Rule& rule) {
@@ -34,3 +36,5 @@ void InRow::effect(const Subject& subject, const Rule& rule, Effect& effect) con
     }
   }
 }
+
+}  // namespace furnish

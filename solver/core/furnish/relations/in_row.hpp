@@ -1,7 +1,9 @@
 // `in_row`: continues a row at either end of another piece, or round the corner from it.
 #pragma once
 
-#include "at_side.hpp"
+#include "furnish/relations/at_side.hpp"
+
+namespace furnish {
 
 class InRow : public AtSide {
  public:
@@ -11,3 +13,5 @@ class InRow : public AtSide {
  private:
   static constexpr Side SIDES[] = {Side::left, Side::right};
 };
+
+}  // namespace furnish

@@ -1,4 +1,6 @@
-#include "knee_room.hpp"
+#include "furnish/relations/knee_room.hpp"
+
+namespace furnish {
 
 // How far apart, seen from above, two parts are kept.
 constexpr i64 CLEAR_MM = 5;
@@ -126,3 +128,5 @@ const List<Rect>& KneeRoom::nearest_free(const TurnedPair& pair, const Rect& wis
   }
   return answers_.add({pair, wish, reach, found_free(wish, reach, blocked(pair), pair.sideways)}).places;
 }
+
+}  // namespace furnish

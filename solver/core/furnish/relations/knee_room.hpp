@@ -3,7 +3,9 @@
 // A place is that of the piece's centre, mm, from the other's centre in the other's frame.
 #pragma once
 
-#include "../room.hpp"
+#include "furnish/room.hpp"
+
+namespace furnish {
 
 // Two kinds, one turned so at the other, which is at its side in x or in z.
 struct TurnedPair {
@@ -41,3 +43,5 @@ class KneeRoom {
   List<Blocked> blocked_;
   List<Answer> answers_;
 };
+
+}  // namespace furnish

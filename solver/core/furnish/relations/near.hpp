@@ -1,7 +1,9 @@
 // `near`: close to a piece or an opening; `near_door` to a door.
 #pragma once
 
-#include "openings.hpp"
+#include "furnish/relations/openings.hpp"
+
+namespace furnish {
 
 class Near : public Relation {
  public:
@@ -28,3 +30,5 @@ class Near : public Relation {
  private:
   bool doors_;
 };
+
+}  // namespace furnish

@@ -1,6 +1,8 @@
-#include "on.hpp"
+#include "furnish/relations/on.hpp"
 
-#include "at_side.hpp"
+#include "furnish/relations/at_side.hpp"
+
+namespace furnish {
 
 // The first surface of a kind that has room above it, by its place among them, or -1.
 static i32 surface_for(Span<Level> levels, i64 height) {
@@ -33,3 +35,5 @@ void On::effect(const Subject& subject, const Rule& rule, Effect& effect) const 
     }
   }
 }
+
+}  // namespace furnish

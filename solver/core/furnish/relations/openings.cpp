@@ -1,4 +1,6 @@
-#include "openings.hpp"
+#include "furnish/relations/openings.hpp"
+
+namespace furnish {
 
 bool names_opening(Span<Name> names) {
   for (const Name& name : names) {
@@ -31,3 +33,5 @@ f64 off_distance(const Subject& subject, const Effect& effect, const Candidate& 
   const f64 off = which == Off::beyond ? beyond : -beyond;
   return off > 0.0 ? effect.rule->missed() * least(1.0, off / wished) : 0.0;
 }
+
+}  // namespace furnish

@@ -1,7 +1,9 @@
 // What facing, near and far_from have in common: the openings they name, and the cost of being too far from or too near to them.
 #pragma once
 
-#include "relation.hpp"
+#include "furnish/relations/relation.hpp"
+
+namespace furnish {
 
 bool names_opening(Span<Name> names);
 bool is_named(const Opened& one, Span<Name> names);
@@ -14,3 +16,5 @@ void measure_from(const Subject& subject, Span<Name> names, bool doors, Effect& 
 
 // What a candidate costs that is off the wished distance, mm, to the nearest of what is measured from.
 f64 off_distance(const Subject& subject, const Effect& effect, const Candidate& candidate, i64 usual, Off which);
+
+}  // namespace furnish

@@ -1,7 +1,9 @@
 // `opposite`: at the wall opposite another piece, facing it.
 #pragma once
 
-#include "relation.hpp"
+#include "furnish/relations/relation.hpp"
+
+namespace furnish {
 
 class Opposite : public Relation {
  public:
@@ -17,3 +19,5 @@ class Opposite : public Relation {
     link.align = rule.weight;
   }
 };
+
+}  // namespace furnish

@@ -1,7 +1,9 @@
 // What a relation of a room type makes of a piece's candidates: one class a word, as in solver/relations/.
 #pragma once
 
-#include "../subject.hpp"
+#include "furnish/subject.hpp"
+
+namespace furnish {
 
 class Relation;
 
@@ -58,3 +60,5 @@ inline Link link_to(const Rule& rule, i32 piece) {
   made.turn = -1;
   return made;
 }
+
+}  // namespace furnish

@@ -1,17 +1,19 @@
 // The vocabulary: every relation by its word.
-#include "against_wall.hpp"
-#include "aligned_with.hpp"
-#include "around.hpp"
-#include "at_side.hpp"
-#include "at_window.hpp"
-#include "centred.hpp"
-#include "facing.hpp"
-#include "far_from.hpp"
-#include "in_corner.hpp"
-#include "in_row.hpp"
-#include "near.hpp"
-#include "on.hpp"
-#include "opposite.hpp"
+#include "furnish/relations/against_wall.hpp"
+#include "furnish/relations/aligned_with.hpp"
+#include "furnish/relations/around.hpp"
+#include "furnish/relations/at_side.hpp"
+#include "furnish/relations/at_window.hpp"
+#include "furnish/relations/centred.hpp"
+#include "furnish/relations/facing.hpp"
+#include "furnish/relations/far_from.hpp"
+#include "furnish/relations/in_corner.hpp"
+#include "furnish/relations/in_row.hpp"
+#include "furnish/relations/near.hpp"
+#include "furnish/relations/on.hpp"
+#include "furnish/relations/opposite.hpp"
+
+namespace furnish {
 
 constexpr Side LEFT_RIGHT[] = {Side::left, Side::right};
 constexpr Side FRONT[] = {Side::front};
@@ -40,3 +42,5 @@ static constexpr const Relation* RELATIONS[] = {
 static_assert(sizeof(RELATIONS) / sizeof(RELATIONS[0]) == static_cast<i32>(Word::COUNT));
 
 const Relation& relation_of(Word word) { return *RELATIONS[static_cast<i32>(word)]; }
+
+}  // namespace furnish

@@ -1,0 +1,17 @@
+// What a room of a type wants: pieces with their candidates and links.
+#pragma once
+
+#include "plain/memory.hpp"
+
+namespace furnish {
+
+struct Bytes {
+  u8* data;
+  i64 size;
+};
+
+// A room type (room_type.hpp: TypeHeader and its tables) and a room (room.hpp: RoomHeader, openings, zones) -> the rows of what it wants,
+// in the arena: the stream's state and the counts of what follows, then how many of each piece, pieces, candidates, links.
+Bytes furnish_room(Bytes type_rows, Bytes room_rows);
+
+}  // namespace furnish
