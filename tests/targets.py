@@ -1,6 +1,6 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
-    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|plans|sh3d|sweeps]
+    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|sweeps]
         [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
@@ -27,6 +27,7 @@ from catalogs import load_catalogs
 from solver import Request, generate
 from solver.scene import Generated, Room
 from tests.decorations.targets import homes
+from tests.exports.agreement_targets import formats_agree
 from tests.exports.drawing_targets import drawings, sweet_homes
 from tests.exports.model_targets import glb_homes, usd_homes
 from tests.exports.physics_targets import physics
@@ -202,7 +203,7 @@ def main() -> int:
     parser.add_argument(
         "what",
         nargs="*",
-        default=["imports", "floorplan", "rooms", "houses", "calls", "nav2", "physics", "glb", "usd", "plans", "sh3d", "sweeps"],
+        default=["imports", "floorplan", "rooms", "houses", "calls", "nav2", "physics", "glb", "usd", "agree", "plans", "sh3d", "sweeps"],
     )
     parser.add_argument("--seeds", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=2)
@@ -220,6 +221,7 @@ def main() -> int:
         "usd": lambda: usd_homes(min(asked.seeds, 100), asked.workers),
         "nav2": lambda: nav2_maps(min(asked.seeds, 100), asked.workers),
         "physics": lambda: physics(min(asked.seeds, 100), asked.workers),
+        "agree": lambda: formats_agree(min(asked.seeds, 100), asked.workers),
         "plans": lambda: drawings(min(asked.seeds, 100), asked.workers),
         "sh3d": sweet_homes,
     }
