@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from random import Random
 from typing import Any
 
@@ -14,11 +15,11 @@ COSTS = (0.0, 0.1, 0.3, 1 / 128, 3 / 128, 5 / 64, 0.7, 2.0, 100.0)
 """Some end in a half at the sixth decimal."""
 
 
-def random_type(rng: Random, catalogs: Catalogs) -> RoomType:
+def random_type(rng: Random, catalogs: Catalogs, words: Sequence[str] = WORDS) -> RoomType:
     """Returns a room type of some kinds of the catalogs; its rules may be ones that the catalogs' checks would refuse."""
     kinds = rng.sample(sorted(catalogs.furniture), min(rng.randint(1, 9), len(catalogs.furniture)))
     names = [kind if rng.random() < 0.7 else f"piece_{i}" for i, kind in enumerate(kinds)]
-    pieces = [_piece(rng, name, kinds, names) for name in names]
+    pieces = [_piece(rng, (name, words), kinds, names) for name in names]
     asked: dict[str, Any] = {"area": {"min": (4, 4), "typical": 12, "max": 60}, "flooring": "wood", "accent": "#808080", "pieces": pieces}
     if rng.random() < 0.3:
         orders = [rng.sample(names, rng.randint(1, len(names))) for _ in range(rng.randint(1, 3))]
@@ -26,7 +27,8 @@ def random_type(rng: Random, catalogs: Catalogs) -> RoomType:
     return RoomType.model_validate(asked)
 
 
-def _piece(rng: Random, name: str, kinds: list[str], names: list[str]) -> dict[str, Any]:
+def _piece(rng: Random, so: tuple[str, Sequence[str]], kinds: list[str], names: list[str]) -> dict[str, Any]:
+    name, words = so
     variants = [{"kind": kind, "cost": rng.choice(COSTS), "min_area": rng.choice((0.0, 0.0, 12.0))} for kind in rng.choices(kinds, k=3)]
     piece: dict[str, Any] = {
         "piece": name,
@@ -36,13 +38,13 @@ def _piece(rng: Random, name: str, kinds: list[str], names: list[str]) -> dict[s
     }
     if not piece["required"]:
         piece |= {"chance": rng.choice((0.4, 1.0)), "per_area": rng.choice((None, 5.0)), "min_area": rng.choice((0.0, 0.0, 15.0))}
-    piece["rules"] = [_rule(rng, names) for _ in range(rng.randint(0, 4))]
+    piece["rules"] = [_rule(rng, names, words) for _ in range(rng.randint(0, 4))]
     more = {"among": rng.choice(("these", "those")), "approach": rng.sample(SIDES, 2), "with_next": True, "without": ("kitchen",)}
     return piece | {key: value for key, value in more.items() if rng.random() < (0.5 if key == "among" else 0.15)}
 
 
-def _rule(rng: Random, names: list[str]) -> dict[str, Any]:
-    rule: dict[str, Any] = {"type": rng.choice(WORDS), "cost": rng.choice(COSTS), "required": rng.random() < 0.2}
+def _rule(rng: Random, names: list[str], words: Sequence[str]) -> dict[str, Any]:
+    rule: dict[str, Any] = {"type": rng.choice(words), "cost": rng.choice(COSTS), "required": rng.random() < 0.2}
     of = rng.choices([*names, "door", "garage_door", "window", "nothing"], k=rng.randint(0, 3))
     more = {
         "of": of, "distance": rng.choice((0.0, 0.7, 2.5)), "gap": sorted(rng.choices((-0.3, -0.15, 0.0, 0.015, 0.4), k=2)),

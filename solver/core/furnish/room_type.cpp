@@ -14,7 +14,8 @@ template <class E> static bool is_one(E value, E last) { return static_cast<i32>
 static bool is_word(i32 word, const RoomType& type) { return word >= 0 && word < type.all_words; }
 
 static void check_rule(const Rule& rule, const RoomType& type) {
-  check(is_one(rule.word, Word::under) && is_one(rule.align, Align::any) && is_one(rule.wall, Walls::other));
+  constexpr Word LAST_WORD = static_cast<Word>(static_cast<i32>(Word::COUNT) - 1);
+  check(is_one(rule.word, LAST_WORD) && is_one(rule.align, Align::any) && is_one(rule.wall, Walls::other));
   for (const Name& name : type.of(rule)) check(is_word(name.word, type));
   for (Side side : RoomType::part(type.sides, rule.sides)) check(is_one(side, Side::back));
   for (const SortCost& sort : RoomType::part(type.sorts, rule.sorts)) check(is_one(sort.sort, Sort::longer));
