@@ -30,8 +30,10 @@ WASM = Path(__file__).with_name("core.wasm")
 FAILURES = {1: "its memory is full", 2: "the request is none", 3: "an index is out of range", 4: "it does not come to an end"}
 """What the core says of why it ended a call: `enum class Failure` of plain/memory.hpp."""
 MEMORY_FULL = 1
-MOST_IDLE = 32
-"""Instances kept for the next that asks."""
+MOST_IDLE = {False: 32, True: 2}
+"""Instances kept for the next that asks: small ones, and roomy ones."""
+ROOMY_BYTES = 3 << 20
+"""An instance whose memory grew beyond this is roomy."""
 MOST_IDLE_BYTES = 64 << 20
 """An instance whose memory grew beyond this is not kept."""
 
@@ -232,29 +234,37 @@ class CoreInstance:
         return bytes(self.view(address, (size,), np.uint8))
 
 
-_idle: deque[CoreInstance] = deque()
+_idle: dict[bool, deque[CoreInstance]] = {False: deque(), True: deque()}
+"""Instances that nobody uses, the roomy ones apart, so that few instances ever take much memory."""
 
 
 @atexit.register
 def _let_go() -> None:
     """Gives back what wasmtime holds while Python can still do so."""
-    _idle.clear()
+    for instances in _idle.values():
+        instances.clear()
     _loaded.cache_clear()
 
 
-def taken() -> CoreInstance:
-    """Returns an instance with nothing in its memory: an idle one, or a new one."""
+def taken(roomy: bool = False) -> CoreInstance:
+    """Returns an instance with nothing in its memory: an idle one, or a new one.
+
+    Args:
+        roomy: whether more than a megabyte will be asked of it.
+    """
     try:
-        return _idle.popleft()
+        return _idle[roomy].pop()
     except IndexError:
         return CoreInstance()
 
 
 def _lay_idle(instance: CoreInstance) -> None:
     """Keeps an instance for the next that asks, unless it failed, is large, or there are enough."""
-    if len(_idle) < MOST_IDLE and instance.size <= MOST_IDLE_BYTES and not instance.failed:
+    size = instance.size
+    idle = _idle[size > ROOMY_BYTES]
+    if len(idle) < MOST_IDLE[size > ROOMY_BYTES] and size <= MOST_IDLE_BYTES and not instance.failed:
         instance.release()
-        _idle.append(instance)
+        idle.append(instance)
 
 
 @contextmanager

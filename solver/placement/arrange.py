@@ -96,7 +96,7 @@ class SolvedRoom:
 
 
 def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | None = None) -> SolvedRoom:
-    """Returns what the last search of a core found, or an earlier solution of it.
+    """Returns what the last search of a core found, or an earlier solution of it; the core lets go of what searching took.
 
     Args:
         core: whose last problem is that of the decisions.
@@ -112,6 +112,7 @@ def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | No
         raise ValueError(f"{core.encoded.space.room}: nothing was found for the decisions")
     walkable = walk or core.walkable_near(solution)
     preference, problem = core.preference(decisions), core.problem()
+    core.release()
     return SolvedRoom(core, decisions, preference, problem, solution, walkable, solves=solution.solves, proven=solution.proven)
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -19,6 +19,7 @@ from solver.placement.budget import Budget
 from solver.placement.encode import Encoded
 from solver.placement.layout import BEST, CLOSED, DEEPEST, DOUBTED, Engine, Ints
 from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
+from solver.placement.space import without_search
 
 VOID = (0, layout.ORIGIN, layout.ORIGIN, 0)
 """A row that always holds."""
@@ -256,6 +257,11 @@ class Core:
     def solution(self) -> Solution | None:
         """Returns what the last search found."""
         return solution_of(self.engine)
+
+    def release(self) -> None:
+        """Gives back what only a search needs; the assembled problem and the walk stay."""
+        self.engine = without_search(self.engine)
+        self.encoded = replace(self.encoded, engine=self.engine)
 
 
 def solution_of(engine: Engine) -> Solution | None:

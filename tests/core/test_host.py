@@ -63,7 +63,8 @@ def test_what_is_not_exported_cannot_be_called() -> None:
 
 
 def test_a_borrowed_instance_is_lent_again_empty_and_thrown_away_after_a_failure() -> None:
-    _idle.clear()
+    for instances in _idle.values():
+        instances.clear()
     with borrowed() as first:
         first.write(b"something")
     with borrowed() as again:

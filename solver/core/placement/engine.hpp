@@ -109,7 +109,7 @@ struct ForceRow {
   i64 axis, i, j;
 };
 
-// Open nodes of the tree, by slot; `stack` and `spare` hold slots. A path is a chain of picks: the one before, and its option.
+// Open nodes of the tree, by slot; `stack` and `spare` hold slots. A path is a chain of picks: the one before and its option.
 struct Nodes {
   One<NodesState> state;
   Cube<f64> x;

@@ -79,7 +79,6 @@ static Work new_work(const Sizes& sizes) {
   work.choice_size = new_span<i64>(c);
   work.choice_parts = new_rows<ChoiceParts>(c);
   work.options = new_rows<DifferenceRow>(OPTIONS * c);
-  work.wide = new_rows<DifferenceRow>(MOST_WIDE);
   work.body_part = new_span<i64>(p);
   work.rotation = new_span<i64>(p);
   work.taken_candidate = new_span<i64>(p);
@@ -209,10 +208,7 @@ Desk* new_desk(RoomRequest* request) {
   Desk& desk = *static_cast<Desk*>(arena::zeroed(sizeof(Desk)));
   desk.engine.room = room_of(request);
   desk.engine.work = new_work(sizes);
-  desk.engine.programs = new_programs(sizes);
-  desk.engine.nodes = new_nodes(sizes);
   desk.engine.grid = new_grid(sizes);
-  desk.engine.tree = new_tree(sizes);
   desk.alone = desk.engine.work;
   desk.alone.rows = new_rows<DifferenceRow>(sizes.rows);
   desk.alone.choice_size = new_span<i64>(sizes.choices);
@@ -222,6 +218,11 @@ Desk* new_desk(RoomRequest* request) {
   desk.limits = zeroes<i64>(sizeof(RoomLimits) / 8);
   desk.group = zeroes<i64>(sizeof(Group) / 8);
   desk.report = zeroes<i64>(sizeof(RoomReport) / 8);
+  desk.kept = address(static_cast<u8*>(arena::reserve(0)));
+  desk.engine.work.wide = desk.alone.wide = new_rows<DifferenceRow>(MOST_WIDE);
+  desk.engine.programs = new_programs(sizes);
+  desk.engine.nodes = new_nodes(sizes);
+  desk.engine.tree = new_tree(sizes);
   show_all(desk);
   return &desk;
 }

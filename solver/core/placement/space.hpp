@@ -26,8 +26,12 @@ struct Shown {
 constexpr i32 SHOWN = 39;
 
 // A room's work space with what calls hand over and bring back.
+//
+// It lies behind the request, and before what only a search needs: the bytes up to `kept` can be copied to another instance, to the same
+// addresses, and are there a desk without a search.
 struct Desk {
   Shown shown[SHOWN];
+  i32 kept;
   Engine engine;
   Work alone;  // as engine.work, with rows and choices of its own: the problem without the persons' squares
   Decisions decisions;

@@ -1,0 +1,90 @@
+"""Rooms in the core's memory: what is given back, what stays, and that one room's leavings never show in another."""
+
+from __future__ import annotations
+
+import gc
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from solver.core import CoreFailed
+from solver.core.host import _idle
+from solver.placement import Budget, kernel, place
+from solver.placement.arrange import arrange
+from solver.placement.core import Core
+from solver.placement.encode import encode
+from solver.streams import Stream
+from tests.placement.rooms import random_space, random_wanted
+
+ROOMS = 24
+
+
+def core_of(seed: int) -> Core:
+    """A room whose pieces stand at their first ways."""
+    stream = Stream(seed, "rooms in the core")
+    space = random_space(stream)
+    core = Core(encode(space, random_wanted(space, stream, 2 + seed % 8)))
+    decisions = core.first_decisions()
+    assert decisions is not None
+    core.evaluate(decisions, 400, Budget(), True)
+    return core
+
+
+def answers(core: Core) -> tuple[object, ...]:
+    """What is asked of a room once its search is over."""
+    problem = core.problem()
+    low = [core.walkable_at(problem.low), core.walkable_at(problem.high)]
+    core.lay_alone()
+    held = [core.holds_alone_at(problem.low), core.holds_alone_at(problem.high)]
+    return problem, low, held, [core.rotation(k) for k in range(len(core.encoded.pieces))]
+
+
+@pytest.mark.parametrize("seed", range(ROOMS))
+def test_a_room_answers_the_same_without_its_search(seed: int) -> None:
+    core = core_of(seed)
+    before = answers(core)
+    core.release()
+    assert answers(core) == before
+    assert [len(array) for array in (core.engine.nodes.best, core.engine.tree.budget, core.engine.work.wide)] == [0, 0, 0]
+    with pytest.raises(IndexError):
+        core.evaluate(core.blank(), 1, Budget(), False)
+
+
+def room(seed: int) -> str:
+    stream = Stream(seed, "rooms in a row")
+    space = random_space(stream)
+    return repr(place([(space, random_wanted(space, stream, 3 + seed % 9))]))
+
+
+def idle_sizes() -> list[list[int]]:
+    gc.collect()
+    return [sorted(instance.size for instance in instances) for instances in _idle.values()]
+
+
+def test_rooms_in_a_row_take_the_same_memory() -> None:
+    first = [room(seed) for seed in range(ROOMS)]
+    sizes = idle_sizes()
+    assert [room(seed) for seed in range(ROOMS)] == first
+    assert idle_sizes() == sizes
+    assert len(sizes[True]) <= 2
+
+
+def test_rooms_at_once_are_what_they_are_alone() -> None:
+    alone = [room(seed) for seed in range(ROOMS)]
+    with ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(room, range(ROOMS))) == alone
+
+
+def test_a_failure_in_a_room_harms_no_other() -> None:
+    stream = Stream(1, "failing")
+    space = random_space(stream)
+    wanted = random_wanted(space, stream, 5)
+    before = arrange(space, wanted).decisions.tolist()
+    core = Core(encode(space, wanted))
+    outside = np.full_like(core.blank(), 8 * 10_000_000)  # candidates whose rows would lie far behind the memory's end
+    with pytest.raises(CoreFailed, match="total_preference ended in a trap"):
+        kernel.total_preference(core.engine, outside)
+    with pytest.raises(CoreFailed, match="failed before"):
+        kernel.walkable(core.engine)
+    assert arrange(space, wanted).decisions.tolist() == before
