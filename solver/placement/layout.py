@@ -7,8 +7,10 @@ in solver/core/placement/room.hpp and engine.hpp: a row is a struct, a column on
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final, NamedTuple
+from collections.abc import Iterator
+from functools import cached_property
+from math import prod
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -151,22 +153,68 @@ class CallRows(NamedTuple):
 
 SEEN = (RoomSeen, Work, Nodes, GridSeen, Tree, Alone, CallRows)
 """What is seen of an engine, in the order in which the core tells where it is (`show_all` in solver/core/placement/space.cpp)."""
+FLOATS = {"anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost"}
+"""The arrays of floats; the others hold whole numbers."""
+COUNT: Final = sum(len(part._fields) for part in SEEN)
+SHOWN_BYTES: Final = 12
+"""What the core tells of one array: its address, rows and columns, 32 bits each."""
 
 
-@dataclass(frozen=True)
 class Engine:
-    """All work space of one room: arrays in the memory of an instance of the core.
+    """All work space of one room: arrays in the memory of an instance of the core, made when they are first named.
 
     Args:
-        desk: its address there.
+        instance: whose memory.
+        desk: the room's address there.
+        end: the address behind which nothing of the room is; the arrays that would lie there are empty.
     """
 
-    room: RoomSeen
-    work: Work
-    nodes: Nodes
-    grid: GridSeen
-    tree: Tree
-    alone: Alone
-    call: CallRows
-    instance: CoreInstance
-    desk: int
+    def __init__(self, instance: CoreInstance, desk: int, end: int | None = None) -> None:
+        self.instance, self.desk = instance, desk
+        self._memory = instance.lent()[:end]
+        self._shown = np.frombuffer(instance.read(desk, SHOWN_BYTES * COUNT), dtype=np.int32).reshape(-1, 3)
+
+    @cached_property
+    def room(self) -> RoomSeen:
+        """What is read of the room again."""
+        return RoomSeen(*self._arrays(RoomSeen))
+
+    @cached_property
+    def work(self) -> Work:
+        """The problem."""
+        return Work(*self._arrays(Work))
+
+    @cached_property
+    def nodes(self) -> Nodes:
+        """What the last search found."""
+        return Nodes(*self._arrays(Nodes))
+
+    @cached_property
+    def grid(self) -> GridSeen:
+        """Positions to ask about."""
+        return GridSeen(*self._arrays(GridSeen))
+
+    @cached_property
+    def tree(self) -> Tree:
+        """The best-first search."""
+        return Tree(*self._arrays(Tree))
+
+    @cached_property
+    def alone(self) -> Alone:
+        """The problem without persons' squares."""
+        return Alone(*self._arrays(Alone))
+
+    @cached_property
+    def call(self) -> CallRows:
+        """What calls hand over and bring back."""
+        return CallRows(*self._arrays(CallRows))
+
+    def _arrays(self, part: type[Any]) -> Iterator[NDArray[Any]]:
+        first = sum(len(before._fields) for before in SEEN[: SEEN.index(part)])
+        names: tuple[str, ...] = part._fields
+        for name, (address, rows, columns) in zip(names, self._shown[first : first + len(names)].tolist(), strict=True):
+            kind, shape = np.float64 if name in FLOATS else np.int64, (rows, columns) if columns else (rows,)
+            if address + 8 * prod(shape) > len(self._memory):
+                yield np.empty((0, *shape[1:]), kind)
+            else:
+                yield np.ndarray(shape, kind, self._memory, address)

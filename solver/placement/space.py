@@ -5,19 +5,12 @@ Comes in: a room's arrays and how large its problem may get. Goes out: an `Engin
 
 from __future__ import annotations
 
-from itertools import islice
-from math import prod
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from solver.core import CoreInstance, taken
-from solver.placement.layout import SEEN, Engine, RoomArrays
-
-FLOATS = {"anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost"}
-"""The arrays of floats; the others hold whole numbers."""
-KINDS = [np.dtype(np.float64 if name in FLOATS else np.int64) for part in SEEN for name in part._fields]
+from solver.core import taken
+from solver.placement.layout import COUNT, SHOWN_BYTES, Engine, RoomArrays
 
 
 class Sizes(NamedTuple):
@@ -47,7 +40,7 @@ def new_engine(room: RoomArrays, sizes: Sizes) -> Engine:
         CoreFull: the core's memory is too small for it.
     """
     instance = taken(roomy=True)
-    return _seen(instance, int(instance.call("new_desk", instance.write(request_of(room, sizes)))), None)
+    return Engine(instance, int(instance.call("new_desk", instance.write(request_of(room, sizes)))))
 
 
 def without_search(engine: Engine) -> Engine:
@@ -57,32 +50,6 @@ def without_search(engine: Engine) -> Engine:
     """
     whole, instance = engine.instance, taken()
     start = instance.reserve(0)
-    size = int(whole.view(engine.desk + 12 * len(KINDS), (1,), np.int32)[0]) - start
+    size = int(whole.view(engine.desk + SHOWN_BYTES * COUNT, (1,), np.int32)[0]) - start
     instance.view(instance.reserve(size), (size,), np.uint8)[:] = whole.view(start, (size,), np.uint8)
-    return _seen(instance, engine.desk, start + size)
-
-
-def _seen(instance: CoreInstance, desk: int, end: int | None) -> Engine:
-    """Returns what is seen of a desk in an instance's memory; what lies behind an end is empty."""
-    shown = np.frombuffer(instance.read(desk, 12 * len(KINDS)), dtype=np.int32).reshape(-1, 3).tolist()
-    memory = instance.lent()
-    arrays = iter([_array(memory[:end], kind, *one) for kind, one in zip(KINDS, shown, strict=True)])
-    seen: dict[str, Any] = {part.__name__: part(*islice(arrays, len(part._fields))) for part in SEEN}
-    return Engine(
-        room=seen["RoomSeen"],
-        work=seen["Work"],
-        nodes=seen["Nodes"],
-        grid=seen["GridSeen"],
-        tree=seen["Tree"],
-        alone=seen["Alone"],
-        call=seen["CallRows"],
-        instance=instance,
-        desk=desk,
-    )
-
-
-def _array(memory: NDArray[np.uint8], kind: np.dtype[Any], address: int, rows: int, columns: int) -> NDArray[Any]:
-    shape = (rows, columns) if columns else (rows,)
-    if address + 8 * prod(shape) > len(memory):
-        shape, address = (0, *shape[1:]), 0
-    return np.ndarray(shape, kind, memory, address)
+    return Engine(instance, engine.desk, start + size)
