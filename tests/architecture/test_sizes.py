@@ -13,6 +13,8 @@ FUNCTION_LINES = 50
 CORE_FUNCTION_LINES = 60
 CORE_LINE = 140
 CORE_INDENT = 2
+WRITTEN_BY_OTHERS = frozenset({"CHANGELOG.md", "served.ts"})
+"""Files that grow with each release, or that a script writes."""
 COUNTED = (".py", ".ts", ".css", ".html", ".md", ".cpp", ".hpp")
 CORE_FUNCTION = re.compile(r" *(?!(?:if|for|while|switch|else|do|struct|class|enum|union)\b)[\w~:].*\) ?(?:const |override |noexcept )*\{")
 EMPTY_NAMES = {"util", "utils", "helper", "helpers", "manager", "handler", "handlers", "data", "info", "misc", "common"}
@@ -47,7 +49,7 @@ def length(node: Function) -> int:
 
 
 def test_no_file_is_long() -> None:
-    counted = [path for path in files(*COUNTED) if path.name != "CHANGELOG.md"]
+    counted = [path for path in files(*COUNTED) if path.name not in WRITTEN_BY_OTHERS]
     assert len(counted) > 20
     lengths = {str(path.relative_to(ROOT)): path.read_text(encoding="utf-8").count("\n") for path in counted}
     assert {name: lines for name, lines in lengths.items() if lines > FILE_LINES} == {}

@@ -42,6 +42,17 @@ export interface Dynamic {
   readonly on?: string | null;
 }
 
+/** Why a piece stands where it does: where it was wished, what holds it back from there, and what is to be said besides. */
+export interface Explained {
+  readonly id: string;
+  readonly room: string;
+  /** x, z of the footprint's centre in the room, m */
+  readonly stands: readonly [number, number];
+  readonly wished: readonly [number, number] | null;
+  readonly holds: readonly Hold[];
+  readonly notes: readonly string[];
+}
+
 /** A field that is wrong: where, how, and what would be right (empty where there is nothing to say). */
 export interface FieldProblem {
   readonly field: string;
@@ -136,6 +147,15 @@ export interface Generated {
   readonly scene: Scene;
   readonly issues: readonly Issue[];
   readonly timing_ms: Readonly<Record<string, number>>;
+}
+
+/** What keeps a piece from going on in one direction, and what a metre more room there would save. */
+export interface Hold {
+  readonly by: string | null;
+  readonly what: "wall" | "piece" | "use_side" | "door" | "window" | "outline" | "way" | "relation";
+  readonly towards: "north" | "east" | "south" | "west";
+  readonly cost_per_m: number;
+  readonly message: string;
 }
 
 /** One broken rule: its name, the room's id, the ids of the bodies, and by how much, m. */

@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { Catalog, FieldProblem, FixAnswer, FloorAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
+import type { Catalog, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 
 /** What is known of a refusal beside its words. */
 interface Refusal {
@@ -118,6 +118,11 @@ export function generate(request: HouseRequest, signal: AbortSignal): Promise<Ge
 /** Furnishes rooms of a scene anew; without a seed the service draws one. */
 export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<GenerateAnswer> {
   return post("generate", { scene, reroll: rooms }, signal);
+}
+
+/** Why a piece of furniture stands where it does. */
+export function explain(scene: Scene, id: string, signal: AbortSignal): Promise<Explained> {
+  return post("explain", { scene, id }, signal);
 }
 
 export type FileFormat = "json" | "yaml";

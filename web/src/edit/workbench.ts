@@ -2,7 +2,7 @@
 import type { Scene } from "../contract";
 import { bodiesOf, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
-import { catalog, fix, floor } from "../service";
+import { catalog, explain, fix, floor } from "../service";
 import type { Stage } from "../stage";
 import type { Home, Showing } from "../state/home";
 import { ConflictPanel } from "./conflict_panel";
@@ -13,6 +13,7 @@ import { Palette } from "./palette";
 import { carriedBy, companionsOf, keptCompanions, without, type FurnitureKind } from "./scene_edits";
 import { Slide, spotOf } from "./slide";
 import { Toolbar, type Tool } from "./toolbar";
+import { WhyPanel } from "./why_panel";
 
 /** How far an arrow key moves a piece, and with Shift [m]. */
 const STEP = 0.05;
@@ -38,6 +39,7 @@ export class Workbench {
   readonly #palette = new Palette(within("palette"));
   readonly #toolbar: Toolbar;
   readonly #floor: FloorZones;
+  readonly #why: WhyPanel;
   readonly #floorSwitch = within("show_floor") as HTMLInputElement;
   /** The house last drawn: from its places bodies slide to those of the next. */
   #drawn: House | null = null;
@@ -57,13 +59,15 @@ export class Workbench {
       settled: () => this.#settled(),
     });
     this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason));
+    this.#why = new WhyPanel(within("why"), explain, (reason) => words.failed(reason));
+    this.#why.onChoose = (id) => home.select(id);
     this.#floorSwitch.addEventListener("change", () => this.#showFloor());
     this.#toolbar = new Toolbar(within("tools"), this.#tools());
     this.#hand = this.#grasping();
     this.#conflicts.onTake = (refusal, repair) => this.editor.take(refusal, repair);
     this.#palette.onChoose = (kind) => this.#add(kind);
     home.on("shown", (how) => this.#shown(how));
-    home.on("selected", () => this.#offer());
+    home.on("selected", () => { this.#why.hide(); this.#offer(); });
     document.addEventListener("keydown", (event) => this.#key(event));
     this.#offer();
   }
@@ -143,6 +147,7 @@ export class Workbench {
   #shown(how: Showing): void {
     const [before, house] = [this.#drawn, this.stage.house];
     this.#drawn = house;
+    this.#why.hide(); // it spoke of where things stood before
     if (!house || !this.home.scene) return;
     house.mark("locked", [...this.home.locked]);
     if (how === "step" && this.#refused) this.#refuse(null); // it spoke of a home that is no longer shown
@@ -186,6 +191,7 @@ export class Workbench {
       { name: "right", words: "Turn right", sign: "⟳", keys: "E", ofPiece: true, act: onPiece((id) => this.editor.rotate(id, -90)) },
       { name: "lock", words: "Lock", sign: "Lock", keys: "K", ofPiece: true, act: onPiece((id) => this.editor.toggleLock(id)) },
       { name: "delete", words: "Delete", sign: "Delete", keys: "Delete", ofPiece: true, act: onPiece((id) => this.editor.remove(id)) },
+      { name: "why", words: "Why here?", sign: "Why?", keys: "H", ofPiece: true, act: () => this.#explain() },
       { name: "add", words: "Add a piece", sign: "+ Add", keys: "A", act: () => this.#openPalette() },
     ];
   }
@@ -197,8 +203,14 @@ export class Workbench {
     this.#toolbar.enable("undo", this.home.canUndo);
     this.#toolbar.enable("redo", this.home.canRedo);
     for (const name of ["left", "right", "delete"]) this.#toolbar.enable(name, found !== null && !isLocked);
-    this.#toolbar.enable("lock", found !== null);
+    for (const name of ["lock", "why"]) this.#toolbar.enable(name, found !== null);
     this.#toolbar.press("lock", isLocked);
+  }
+
+  /** Says why the chosen piece stands where it does. */
+  #explain(): void {
+    const [scene, id] = [this.home.scene, this.home.selected];
+    if (scene && id !== null && this.home.find(id)) void this.#why.show(scene, id);
   }
 
   #openPalette(): void {
@@ -245,12 +257,13 @@ export class Workbench {
   #pieceKey(event: KeyboardEvent): (() => void) | null {
     if (event.key === "Escape" && this.editor.dragged !== null) return () => { this.#hand.cancel(); this.editor.cancel(); };
     if (event.key === "Escape" && this.#refused) return () => this.#refuse(null);
+    if (event.key === "Escape" && !this.#why.host.hidden) return () => this.#why.hide();
     if (event.key.toLowerCase() === "a") return () => this.#openPalette();
     if (event.key.toLowerCase() === "o") return () => this.#floorSwitch.click();
     const id = this.home.selected;
     if (id === null) return null;
     const acts: Readonly<Record<string, () => void>> = {
-      q: () => this.editor.rotate(id, 90), e: () => this.editor.rotate(id, -90), k: () => this.editor.toggleLock(id),
+      q: () => this.editor.rotate(id, 90), e: () => this.editor.rotate(id, -90), k: () => this.editor.toggleLock(id), h: () => this.#explain(),
       Delete: () => this.editor.remove(id), Backspace: () => this.editor.remove(id),
     };
     return acts[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;

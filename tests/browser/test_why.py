@@ -1,0 +1,37 @@
+"""Why a piece stands where it does: the page says what the service answers, and goes to what holds it."""
+
+from __future__ import annotations
+
+from playwright.sync_api import expect
+
+from tests.browser.visit import SMALL, Document, Visit, furniture_of
+
+
+def asked(visit: Visit, id_of: str) -> Document:
+    """Chooses a piece, presses the key, and returns what the service said."""
+    visit.line_of(id_of).click()
+    with visit.page.expect_response(lambda response: response.url.endswith("/explain")) as caught:
+        visit.page.keyboard.press("h")
+    answer: Document = caught.value.json()
+    return answer
+
+
+def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
+    made, page = visit.open(SMALL.format(4)), visit.page
+    panel, tool = page.locator("#why"), page.get_by_role("button", name="Why here?")
+    expect(tool).to_be_disabled()
+    answers = {piece: asked(visit, piece) for piece in furniture_of(made)[:12]}
+    held, by = next((piece, hold) for piece, answer in answers.items() for hold in answer["holds"] if hold["what"] == "piece")
+    assert asked(visit, held) == answers[held]
+    expect(panel).to_be_visible()
+    expect(panel.get_by_role("listitem")).to_have_text([hold["message"] for hold in answers[held]["holds"]])
+    for note in answers[held]["notes"]:
+        expect(panel).to_contain_text(note[1:])
+    panel.get_by_role("button", name=by["message"]).click()
+    assert visit.state()["selected"] == by["by"]
+    expect(panel).to_be_hidden()
+    tool.click()
+    expect(panel).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(panel).to_be_hidden()
+    assert visit.console == []
