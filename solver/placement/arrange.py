@@ -7,14 +7,14 @@ earlier. The work is the kernel's; here is what to ask it.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from solver.geometry import Rect
 from solver.pieces import Candidate, Piece, Space
 from solver.placement.budget import Budget
-from solver.placement.core import Arranged, Core, Limits
+from solver.placement.core import Arranged, Core, Limits, rounded
 from solver.placement.empty_floor import empty_floor
 from solver.placement.encode import encode
 from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Ints
@@ -33,8 +33,9 @@ REASONS = {
 
 @dataclass(frozen=True)
 class Chosen:
-    """A piece with the candidate taken, and its absolute rotation."""
+    """A piece with its number in the room, the candidate taken, and its absolute rotation."""
 
+    number: int
     piece: Piece
     candidate: Candidate
     rotation: int
@@ -48,8 +49,7 @@ class SolvedRoom:
         core: the kernel's work space, for the walk.
         decisions: the kernel's numbers of what was chosen.
         preference: what the candidates chosen cost.
-        problem: with those candidates.
-        solution: its cheapest placement.
+        solution: the cheapest placement.
         walkable: whether the solution is, rounded to millimetres.
         left_out: pieces without a place, each with the reason.
         solves: QPs.
@@ -60,13 +60,17 @@ class SolvedRoom:
     core: Core
     decisions: Ints
     preference: float
-    problem: Problem
     solution: Solution
     walkable: bool
     left_out: tuple[tuple[Piece, str], ...] = ()
     solves: int = 0
     proven: bool = True
     best: bool = True
+
+    @cached_property
+    def problem(self) -> Problem:
+        """The problem with those candidates, for reading; its core must not have gone on to another one."""
+        return self.core.problem()
 
     @property
     def space(self) -> Space:
@@ -83,16 +87,14 @@ class SolvedRoom:
         """The pieces that stand."""
         core, decided = self.core, zip(self.core.encoded.pieces, self.decisions.tolist(), strict=True)
         return tuple(
-            Chosen(piece, core.decided(k, decision)[0], core.rotation(k))
+            Chosen(k, piece, core.decided(k, decision)[0], core.rotation(k))
             for k, (piece, decision) in enumerate(decided)
             if decision != ABSENT and not piece.is_floor
         )
 
     def footprints(self) -> list[Rect]:
         """Returns where the chosen pieces are, rounded to millimetres."""
-        bodies = {box.label: box for box in self.problem.boxes if not box.stand}
-        p = [[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in self.solution.positions]
-        return [bodies[chosen.piece.label].rect(p) for chosen in self.chosen]
+        return self.core.footprints([chosen.number for chosen in self.chosen], rounded(self.solution.positions))
 
 
 def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | None = None) -> SolvedRoom:
@@ -111,9 +113,9 @@ def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | No
     if solution is None:
         raise ValueError(f"{core.encoded.space.room}: nothing was found for the decisions")
     walkable = walk or core.walkable_near(solution)
-    preference, problem = core.preference(decisions), core.problem()
+    preference = core.preference(decisions)
     core.release()
-    return SolvedRoom(core, decisions, preference, problem, solution, walkable, solves=solution.solves, proven=solution.proven)
+    return SolvedRoom(core, decisions, preference, solution, walkable, solves=solution.solves, proven=solution.proven)
 
 
 def arrange(space: Space, pieces: Sequence[Piece], walk: bool = True, budget: Budget | None = None, limits: Limits = LIMITS) -> SolvedRoom:

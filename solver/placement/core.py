@@ -6,7 +6,7 @@ Comes in: an `Encoded` room. Goes out: decisions, solutions, problems. Here end 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import astuple, dataclass, replace
 from functools import cached_property
 
@@ -17,12 +17,9 @@ from solver.pieces import Candidate
 from solver.placement import kernel, layout
 from solver.placement.budget import Budget
 from solver.placement.encode import Encoded
-from solver.placement.layout import BEST, CLOSED, DEEPEST, DOUBTED, Engine, Ints
-from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
+from solver.placement.layout import BEST, CLOSED, DEEPEST, DOUBTED, Engine, Floats, Ints
+from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Positions, Problem, ProblemBox, Solution, Term
 from solver.placement.space import without_search
-
-VOID = (0, layout.ORIGIN, layout.ORIGIN, 0)
-"""A row that always holds."""
 
 
 @dataclass(frozen=True)
@@ -139,7 +136,7 @@ class Core:
 
     def walkable_near(self, solution: Solution) -> bool:
         """Tells whether a solution, rounded to millimetres, is walkable."""
-        return self.walkable_at([[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in solution.positions])
+        return self.walkable_at(rounded(solution.positions))
 
     def assemble(self, decisions: Ints) -> bool:
         """Lays out the problem of decisions; tells whether they can stand together."""
@@ -154,10 +151,20 @@ class Core:
 
     def bodies(self, first: int = 0) -> list[Rect]:
         """Returns the footprints that the last search found, by piece from `first` on, all decided, rounded to millimetres."""
-        work, best, found = self.engine.work, self.engine.nodes.best, []
-        for k in range(first, len(self.encoded.pieces)):
-            _, _, u, v, off_x, off_z, wide, deep = work.parts[work.body_part[k], : layout.LOW].tolist()
-            x, z = math.floor(best[0, u] * 1000 + 0.5) + off_x, math.floor(best[1, v] * 1000 + 0.5) + off_z
+        return self.footprints(range(first, len(self.encoded.pieces)), rounded(self.engine.nodes.best))
+
+    def footprints(self, pieces: Sequence[int], p: Sequence[Sequence[int]] | None = None) -> list[Rect]:
+        """Returns the footprints of decided pieces.
+
+        Args:
+            pieces: their numbers.
+            p: positions by axis and variable, mm; those that were settled last where None.
+        """
+        own = self.engine.work.body_part[list(pieces)]
+        xs, zs = self.engine.grid.positions.tolist() if p is None else p
+        found = []
+        for _, _, u, v, off_x, off_z, wide, deep, _, _ in self.engine.work.parts[own].tolist():
+            x, z = xs[u] + off_x, zs[v] + off_z
             found.append(Rect(x, z, x + wide, z + deep))
         return found
 
@@ -168,34 +175,26 @@ class Core:
             positions[axis, : len(p[axis])] = p[axis]
         return kernel.walkable(self.engine)
 
-    def holds_alone_at(self, p: Sequence[Sequence[int]]) -> bool:
-        """Tells whether bodies keep all rules at integer positions p[axis][variable], mm, were there no persons' squares.
+    def settle(self, positions: Positions, solution: Solution, walk: bool, tidy: bool) -> tuple[bool, float]:
+        """Puts the assembled problem on whole millimetres; `places` tells where everything then is.
 
-        Whether all can be used is then the walk's to say. The problem is the one `lay_alone` was last called for.
+        Args:
+            positions: of the final solve, m.
+            solution: the search's.
+            walk: whether it is walkable.
+            tidy: whether slivers are closed or opened.
+
+        Returns:
+            Whether all is walkable, and by how much tidying made the terms dearer.
+
+        Raises:
+            AssertionError: the positions break a rule, which those of a search never do.
         """
-        positions = self.engine.grid.positions
-        for axis in (0, 1):
-            positions[axis, : len(p[axis])] = p[axis]
-        positions[:, -1] = 0
-        return kernel.holds_alone(self.engine)
-
-    def lay_alone(self) -> None:
-        """Copies the assembled problem with the rows and choices of the persons' squares made void."""
-        work, alone = self.engine.work, self.engine.alone
-        n_rows, n_parts, n_choices = work.counts[: layout.N_PULLS].tolist()
-        rows, size, options = alone.rows[:n_rows], alone.choice_size[:n_choices], alone.options[: 4 * n_choices]
-        rows[:], size[:], options[:] = work.rows[:n_rows], work.choice_size[:n_choices], work.options[: 4 * n_choices]
-        parts, between = work.parts[:n_parts], work.choice_parts[:n_choices]
-        person = (parts[:, layout.STAND] != 0) & (parts[:, layout.STAND] != layout.EMPTY_FLOOR)
-        void = person[between[:, 0]] | ((between[:, 1] >= 0) & person[between[:, 1].clip(0)])
-        options[4 * np.flatnonzero(void)] = VOID
-        size[np.flatnonzero(void)] = 1
-        for axis in (0, 1):
-            of_bodies = parts[~person, layout.VAR_X + axis]
-            own = rows[:, layout.AXIS] == axis
-            for end in (layout.I, layout.J):
-                own &= (rows[:, end] == layout.ORIGIN) | np.isin(rows[:, end], of_bodies)
-            rows[(rows[:, layout.AXIS] == axis) & ~own] = VOID
+        settled, added = kernel.settle(self.engine, positions, solution, walk, tidy)
+        if settled in (layout.NO_WHOLE_PLACE, layout.NOT_VALID):
+            broken = self.problem().violations(self.engine.grid.positions.tolist()) if settled == layout.NOT_VALID else ()
+            raise AssertionError(f"{self.encoded.space.room}: {(*broken, 'the rows leave no whole position')[0]}")
+        return settled == layout.WALKABLE, added
 
     def pulled_back(self, places: Sequence[Rect | None]) -> Solution | None:
         """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.
@@ -264,32 +263,20 @@ class Core:
         self.encoded = replace(self.encoded, engine=self.engine)
 
 
+def rounded(positions: Iterable[Floats]) -> list[list[int]]:
+    """Returns positions in m, by axis, to the nearest millimetre."""
+    return [[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in positions]
+
+
 def solution_of(engine: Engine) -> Solution | None:
     """Returns what the last search of a work space found; None where it found nothing."""
     best, result = engine.nodes.best, engine.nodes.result
     if not result[layout.FOUND]:
         return None
     n_x, n_z = engine.work.sizes.tolist()
-    picks = engine.nodes.best_picks[: result[layout.PICKS]].tolist()
     proven, solves = bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES])
     count = int(result[layout.FORCES])
     rows, values = engine.nodes.best_forces[:count].tolist(), engine.nodes.best_multipliers[:count].tolist()
     multipliers = tuple((axis, i, j, value) for (axis, i, j), value in zip(rows, values, strict=True))
     positions = best[0, :n_x].copy(), best[1, :n_z].copy()
-    return Solution(float(engine.nodes.best_cost[0]), positions, _taken(engine, picks), proven, solves, multipliers)
-
-
-def _taken(engine: Engine, picks: list[int]) -> tuple[DifferenceRow, ...]:
-    """Returns the option each choice took, the one branched on, else the one that holds with most slack; then the wider rows."""
-    work, best = engine.work, engine.nodes.best
-    count, capacity = int(work.counts[layout.N_CHOICES]), len(work.options)
-    branched = {pick // 4: pick for pick in picks if pick < capacity}
-    options = work.options[: 4 * count]
-    axis, i, j, s = (options[:, k] for k in range(4))
-    own = np.arange(4 * count) % 4 < np.repeat(work.choice_size[:count], 4)
-    slack = np.full(4 * count, -np.inf)
-    slack[own] = best[axis[own], j[own]] - best[axis[own], i[own]] - s[own] / 1000
-    widest = slack.reshape(count, 4).argmax(axis=1) if count else np.zeros(0, dtype=np.int64)
-    taken = [branched.get(c, 4 * c + most) for c, most in enumerate(widest.tolist())]
-    wider = [pick - capacity for pick in reversed(picks) if pick >= capacity]
-    return tuple(DifferenceRow(*row) for row in (*options[taken].tolist(), *work.wide[wider].tolist()))
+    return Solution(float(engine.nodes.best_cost[0]), positions, kernel.find_taken(engine), proven, solves, multipliers)

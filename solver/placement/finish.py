@@ -1,4 +1,4 @@
-"""From solved rooms to the lattice: one continuous solve for the house, then the snap, then an exact check.
+"""From solved rooms to whole millimetres: one continuous solve for the house, then the core's snap, exact check and tidying.
 
 Comes in: rooms, or what was arranged of them. Goes out: Arrangements in whole millimetres. Not here: which candidates are taken.
 """
@@ -16,9 +16,7 @@ from solver.placement.budget import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
 from solver.placement.left_out import why_left_out
-from solver.placement.problem import Confirmed, Positions
-from solver.placement.snap import snap
-from solver.placement.tidy import Lattice, tidied
+from solver.placement.problem import Confirmed
 
 NEAR_WALL_MM = 150
 """A companion whose back is this close to its parent's wall counts as standing at it (the rule wall_far: beyond 0.2 m
@@ -34,7 +32,7 @@ def place(rooms: Sequence[tuple[Space, Sequence[Piece]]], engine: str = "osqp", 
         rooms: each room's space and pieces, in order of importance.
         engine: of the final solve: "osqp", "reference" for the cvxpy model, or "search" for the search's own positions, which
             are optimal already: for trials.
-        tidy: whether slivers are closed or opened afterwards (`tidy`), at a cost of at most MOST_COST a room.
+        tidy: whether slivers are closed or opened afterwards (solver/core/placement/tidy.hpp), at a cost of at most 0.2 a room.
 
     Returns:
         One arrangement a room, in the same order, exactly valid on the millimetre lattice.
@@ -66,15 +64,13 @@ def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Confirmed]:
 
 
 def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangement:
-    p, walkable = _snapped(room, confirmed.positions)
+    walkable, more = room.core.settle(confirmed.positions, room.solution, room.walkable, tidy)
     if room.walkable and not walkable and (wider := _with_margin(room)) is not None:
         room, confirmed = wider, Confirmed(wider.solution.positions)
-        p, walkable = _snapped(room, room.solution.positions)
-    p, more = tidied(room, p) if tidy and walkable else (p, 0.0)
-    bodies = {box.label: box for box in room.problem.boxes if not box.stand}
-    placed: list[Placed] = []
-    for chosen in room.chosen:
-        candidate, rect = chosen.candidate, bodies[chosen.piece.label].rect(p)
+        walkable, more = room.core.settle(confirmed.positions, room.solution, True, tidy)
+    everything, placed = room.chosen, list[Placed]()
+    for chosen, rect in zip(everything, room.core.footprints([chosen.number for chosen in everything]), strict=True):
+        candidate = chosen.candidate
         wall = candidate.wall
         if wall is None and candidate.attach is not None and candidate.bottom_mm == 0:
             behind = WALL_BEHIND[chosen.rotation]
@@ -94,23 +90,3 @@ def _with_margin(room: SolvedRoom) -> SolvedRoom | None:
     if not core.evaluate(room.decisions, LIMITS.final_qps, Budget(), True):
         return None
     return replace(solved_room(core, room.decisions, True), left_out=room.left_out, solves=room.solves, proven=False, best=False)
-
-
-def _snapped(room: SolvedRoom, positions: Positions) -> tuple[Lattice, bool]:
-    """Returns positions on the lattice and whether they are walkable, both checked in integers.
-
-    Where the walk hangs on the last millimetre, the search's own positions are snapped instead of the final solve's.
-    """
-    p = _on_lattice(room, positions)
-    if not room.walkable or room.core.walkable_at(p):
-        return p, room.walkable
-    own = _on_lattice(room, room.solution.positions)
-    return (own, True) if room.core.walkable_at(own) else (p, False)
-
-
-def _on_lattice(room: SolvedRoom, positions: Positions) -> Lattice:
-    p = snap(room.problem, room.solution.rows, positions)
-    broken = room.problem.violations(p)
-    if broken:
-        raise AssertionError(f"{room.space.room}: {broken[0]}")
-    return p

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.placement.layout import Engine, Floats, Ints
+from solver.placement.problem import Solution
 
 
 def assemble(engine: Engine, decisions: Ints) -> bool:
@@ -46,9 +47,9 @@ def evaluate(engine: Engine, decisions: Ints, limit: int, ceiling: float, walk: 
     return bool(engine.instance.call("evaluate", engine.desk, limit, ceiling, walk))
 
 
-def holds_alone(engine: Engine) -> bool:
-    """Tells whether bounds, rows and choices of `alone` hold at grid.positions, whose last column must be 0."""
-    return bool(engine.instance.call("holds_alone", engine.desk))
+def find_taken(engine: Engine) -> Ints:
+    """Returns the rows that the choices of what the last search found took, then those of widenings."""
+    return engine.call.taken[: engine.instance.call("find_taken", engine.desk)].copy()
 
 
 def open_decisions(engine: Engine, decisions: Ints, piece: int) -> tuple[Ints, Floats]:
@@ -66,6 +67,27 @@ def pull_back(engine: Engine) -> bool:
 def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
     """Finds the cheapest placement of the problem in `work`; the outcome is left in `nodes`."""
     engine.instance.call("search", engine.desk, limit, ceiling, walk)
+
+
+def settle(engine: Engine, positions: Sequence[Floats], solution: Solution, walk: bool, tidy: bool) -> tuple[int, float]:
+    """Puts the assembled problem on whole millimetres, which are left in grid.positions.
+
+    Args:
+        engine: the work space.
+        positions: of the final solve, by axis and variable, m.
+        solution: the search's, whose own positions are snapped where the walk hangs on the last millimetre.
+        walk: whether the solution is walkable.
+        tidy: whether slivers are tidied away.
+
+    Returns:
+        WALKABLE, NOT_WALKABLE, or what no search result is: NO_WHOLE_PLACE or NOT_VALID; and by how much tidying made the terms dearer.
+    """
+    call = engine.call
+    for axis, (final, own) in enumerate(zip(positions, solution.positions, strict=True)):
+        call.finals[axis, : len(final)], call.owns[axis, : len(own)] = final, own
+    call.taken[: len(solution.taken)] = solution.taken
+    settled = int(engine.instance.call("settle", engine.desk, len(solution.taken), walk, tidy))
+    return settled, float(call.added[0])
 
 
 def total_preference(engine: Engine, decisions: Ints) -> float:

@@ -51,6 +51,8 @@ CLOSED, BEST, DEEPEST, DOUBTED = 4, 6, 7, 9
 PLACED, NO_WAY, COVERED, SPENT = range(4)
 # verdicts of a proof
 UNKNOWN, IMPOSSIBLE, POSSIBLE = range(3)
+# what becomes of positions that are put on whole millimetres
+NOT_WALKABLE, WALKABLE, NO_WHOLE_PLACE, NOT_VALID = range(4)
 
 MANY: Final = 1_000_000
 """A limit that is none."""
@@ -133,14 +135,6 @@ class Tree(NamedTuple):
     found_cost: Floats
 
 
-class Alone(NamedTuple):
-    """Rows and choices of the problem without persons' squares; all else is as in `Work`."""
-
-    rows: Ints
-    choice_size: Ints
-    options: Ints
-
-
 class CallRows(NamedTuple):
     """What calls hand over and bring back; decisions and fates by piece."""
 
@@ -149,11 +143,20 @@ class CallRows(NamedTuple):
     limits: Ints
     group: Ints
     report: Ints
+    finals: Floats
+    """Positions (2, variables + 1) of the final solve, m; the last column is the origin's."""
+    owns: Floats
+    """The same of the search."""
+    taken: Ints
+    """Rows that the choices took."""
+    added: Floats
 
 
-SEEN = (RoomSeen, Work, Nodes, GridSeen, Tree, Alone, CallRows)
+SEEN = (RoomSeen, Work, Nodes, GridSeen, Tree, CallRows)
 """What is seen of an engine, in the order in which the core tells where it is (`show_all` in solver/core/placement/space.cpp)."""
-FLOATS = {"anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost"}
+FLOATS = {
+    "anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost", "finals", "owns", "added",
+}  # fmt: skip
 """The arrays of floats; the others hold whole numbers."""
 COUNT: Final = sum(len(part._fields) for part in SEEN)
 SHOWN_BYTES: Final = 12
@@ -198,11 +201,6 @@ class Engine:
     def tree(self) -> Tree:
         """The best-first search."""
         return Tree(*self._arrays(Tree))
-
-    @cached_property
-    def alone(self) -> Alone:
-        """The problem without persons' squares."""
-        return Alone(*self._arrays(Alone))
 
     @cached_property
     def call(self) -> CallRows:

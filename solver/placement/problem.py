@@ -1,6 +1,6 @@
 """A room's placement problem and its solution as plain data: variables, terms, rows and choices.
 
-Comes in: nothing. Goes out: the types that the search's result, the final solve, the snap and every oracle share. Along each axis
+Comes in: nothing. Goes out: the types that the search's result, the final solve and every oracle share. Along each axis
 apart: minimise the sum of the terms, subject to low <= p <= high and the rows; and of every choice at least one option must hold.
 Variables are min corners; terms count in metres, everything else in whole millimetres. docs/maths.md says it at more length.
 """
@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 
 from solver.geometry import Rect
 from solver.pieces import Residuals
-from solver.placement.layout import Floats
+from solver.placement.layout import Floats, Ints
 
 ORIGIN: Final = -1
 """Stands for the constant 0 in place of a variable, so that a wished place is a difference, and a bound a row, as well."""
@@ -120,7 +120,7 @@ class Solution:
     Args:
         cost: the sum of the terms.
         positions: m, by axis and variable.
-        rows: the option that each choice took, then the rows of widenings.
+        taken: the option that each choice took, then the rows of widenings: axis, i, j, s in mm.
         proven: the tree was exhausted, so nothing is cheaper; where a placement was turned down as not walkable, within the
             widenings tried.
         solves: QPs.
@@ -130,10 +130,15 @@ class Solution:
 
     cost: float
     positions: Positions
-    rows: tuple[DifferenceRow, ...]
+    taken: Ints
     proven: bool
     solves: int
     multipliers: tuple[tuple[int, int, int, float], ...] = ()
+
+    @property
+    def rows(self) -> tuple[DifferenceRow, ...]:
+        """The rows taken, for reading."""
+        return tuple(DifferenceRow(*row) for row in self.taken.tolist())
 
 
 @dataclass(frozen=True)

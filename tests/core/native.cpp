@@ -1,12 +1,13 @@
 // Arranges rooms natively, with every index checked: `native ROOMS` reads what the host would send and writes what it would read.
 //
 // Of a room: the length of its request (8 bytes), the request, RoomLimits, whether to walk (8 bytes), the budget (a float).
-// Written of it: decisions, RoomReport, the budget left, the cost, positions along x and z, whether they may be walked between.
+// Written of it: decisions, RoomReport, the budget left, the cost, positions along x and z, whether they may be walked between; and
+// what becomes of them in whole millimetres.
 #include <stdio.h>
 
 #include "placement/fill.hpp"
 #include "placement/grid.hpp"
-#include "placement/space.hpp"
+#include "placement/settle.hpp"
 
 using namespace placement;
 
@@ -15,6 +16,16 @@ template <class T> static bool read(FILE* from, T* into, i64 count) {
 }
 
 template <class T> static void write(const T* from, i64 count) { fwrite(from, sizeof(T), static_cast<unsigned long>(count), stdout); }
+
+// Puts what was found on whole millimetres, tidied, and writes what became of it, positions along x and z, and what tidying cost.
+static void settle_found(const Desk& desk, bool walk) {
+  const Table<f64>& best = desk.engine.nodes.best;
+  for (i32 k = 0; k < best.rows * best.columns; k++) desk.finals.data[k] = desk.owns.data[k] = best.data[k];
+  const i64 settled = static_cast<i64>(settle(desk, static_cast<i32>(find_taken(desk)), walk, true));
+  write(&settled, 1);
+  for (i64 axis = 0; axis < 2; axis++) write(desk.engine.grid.positions.row(axis).data, desk.engine.work.sizes[axis]);
+  write(desk.added.data, 1);
+}
 
 // Arranges the next room of a file; false at its end.
 static bool arrange_next(FILE* file) {
@@ -37,6 +48,7 @@ static bool arrange_next(FILE* file) {
     for (i64 axis = 0; axis < 2; axis++) write(engine.nodes.best.row(axis).data, engine.work.sizes[axis]);
     const i64 walked = walkable(engine.room, engine.work, engine.grid, engine.grid.positions);
     write(&walked, 1);
+    settle_found(*desk, walked != 0);
   }
   return true;
 }

@@ -13,6 +13,7 @@ import pytest
 
 from solver.placement import Budget, kernel
 from solver.placement.arrange import LIMITS
+from solver.placement.core import solution_of
 from solver.placement.encode import lay_out, sizes_of
 from solver.placement.layout import FOUND
 from solver.placement.space import new_engine, request_of
@@ -55,7 +56,12 @@ def room(seed: int) -> Room:
     answer = [decisions, np.array(report), engine.tree.budget, engine.nodes.best_cost]
     if engine.nodes.result[FOUND]:
         answer += [engine.nodes.best[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
-        answer.append(np.array([int(kernel.walkable(engine))]))
+        walked, found = kernel.walkable(engine), solution_of(engine)
+        assert found is not None
+        settled, added = kernel.settle(engine, found.positions, found, walked, True)
+        answer.append(np.array([int(walked), settled]))
+        answer += [engine.grid.positions[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
+        answer.append(np.array([added]))
     head = len(request).to_bytes(8, "little")
     tail = LIMITS.row.tobytes() + int(walk).to_bytes(8, "little") + budget.tobytes()
     return Room(head + request + tail, b"".join(part.tobytes() for part in answer))

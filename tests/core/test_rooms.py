@@ -14,6 +14,7 @@ from solver.placement import Budget, kernel, place
 from solver.placement.arrange import arrange
 from solver.placement.core import Core
 from solver.placement.encode import encode
+from solver.placement.problem import Solution
 from solver.streams import Stream
 from tests.placement.rooms import random_space, random_wanted
 
@@ -31,21 +32,21 @@ def core_of(seed: int) -> Core:
     return core
 
 
-def answers(core: Core) -> tuple[object, ...]:
-    """What is asked of a room once its search is over."""
-    problem = core.problem()
+def answers(core: Core, found: Solution | None) -> tuple[object, ...]:
+    """What is asked of a room once its search is over, and has found a placement or none."""
+    problem, numbers = core.problem(), range(len(core.encoded.pieces))
     low = [core.walkable_at(problem.low), core.walkable_at(problem.high)]
-    core.lay_alone()
-    held = [core.holds_alone_at(problem.low), core.holds_alone_at(problem.high)]
-    return problem, low, held, [core.rotation(k) for k in range(len(core.encoded.pieces))]
+    settled = [(core.settle(found.positions, found, True, tidy), core.footprints(numbers)) for tidy in (False, True)] if found else []
+    return problem, low, settled, [core.rotation(k) for k in numbers]
 
 
 @pytest.mark.parametrize("seed", range(ROOMS))
 def test_a_room_answers_the_same_without_its_search(seed: int) -> None:
     core = core_of(seed)
-    before = answers(core)
+    found = core.solution()
+    before = answers(core, found)
     core.release()
-    assert answers(core) == before
+    assert answers(core, found) == before
     assert [len(array) for array in (core.engine.nodes.best, core.engine.tree.budget, core.engine.work.wide)] == [0, 0, 0]
     with pytest.raises(IndexError):
         core.evaluate(core.blank(), 1, Budget(), False)

@@ -15,7 +15,7 @@ from solver.geometry import Rect
 from solver.placement import kernel, layout
 from solver.placement.core import solution_of
 from solver.placement.layout import Engine, RoomArrays, Work
-from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Term
+from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
 from solver.placement.space import Sizes, new_engine
 
 LIMIT = 4000
@@ -99,6 +99,22 @@ def solve(problem: Problem, *, limit: int = LIMIT, ceiling: float = float("inf")
     if found is None:
         return Outcome(float("inf"), None, (), bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES]))
     return Outcome(found.cost, found.positions, found.rows, found.proven, found.solves)
+
+
+def on_lattice(problem: Problem, outcome: Outcome) -> list[list[int]]:
+    """Returns an outcome's positions as the core puts them on whole millimetres.
+
+    Raises:
+        AssertionError: the core says that there are none.
+    """
+    assert outcome.positions is not None
+    engine = laid_out(problem)
+    solution = Solution(
+        outcome.cost, outcome.positions, np.array(outcome.rows, dtype=np.int64).reshape(-1, 4), outcome.proven, outcome.solves
+    )
+    settled, _ = kernel.settle(engine, outcome.positions, solution, False, False)
+    assert settled == layout.NOT_WALKABLE  # nobody asked
+    return [own[:n].tolist() for own, n in zip(engine.grid.positions, engine.work.sizes, strict=True)]
 
 
 def laid_out(problem: Problem) -> Engine:

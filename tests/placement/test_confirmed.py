@@ -70,7 +70,7 @@ def held_room() -> tuple[Problem, Solution]:
     box = ProblemBox("box", False, (0, 0), (0, 0), (500, 500), 0, 500)
     terms = [Term(0, ORIGIN, 0, 1.0, 3.0), Term(1, ORIGIN, 0, 1.0, 3.0)]
     problem = Problem(([0], [0]), ([3000], [3000]), terms, [], [box], [Choice("box", "door", (row,))])
-    return problem, Solution(0.75, (np.array([1.5]), np.array([1.0])), (row,), True, 1)
+    return problem, Solution(0.75, (np.array([1.5]), np.array([1.0])), np.array([row]), True, 1)
 
 
 def test_a_force_is_what_a_metre_more_room_would_save() -> None:
@@ -104,7 +104,7 @@ def test_the_search_says_what_its_placement_costs() -> None:
 def test_a_bound_holds_too() -> None:
     problem, _ = held_room()
     tight = Problem(([0], [0]), ([800], [3000]), problem.terms, [], problem.boxes, [])
-    (answer,) = confirmed([(tight, Solution(0.12, (np.array([0.8]), np.array([1.0])), (), True, 1))])
+    (answer,) = confirmed([(tight, Solution(0.12, (np.array([0.8]), np.array([1.0])), np.zeros((0, 4), dtype=np.int64), True, 1))])
     (force,) = answer.forces
     assert (force.bound, force.choice, force.row) == (True, None, DifferenceRow(0, 0, ORIGIN, -800))
     assert force.per_m == pytest.approx(2 * 3.0 * 0.2, abs=1e-6)

@@ -16,10 +16,9 @@ from solver.placement import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
 from solver.placement.problem import DifferenceRow, Problem, ProblemBox
-from solver.placement.snap import snap
 from solver.streams import Stream
 from tests.oracles import sums, twin
-from tests.oracles.problems import anchor, apart, choose, new_variable, solve
+from tests.oracles.problems import anchor, apart, choose, new_variable, on_lattice, solve
 from tests.placement.rooms import random_size, random_space, random_wanted
 
 TWINS = 160
@@ -207,7 +206,7 @@ def test_the_snap_is_exact_in_integers_and_moves_nothing_far(seed: int) -> None:
     if outcome.positions is None:
         assert outcome.cost == float("inf")
         return
-    p = snap(problem, outcome.rows, outcome.positions)
+    p = on_lattice(problem, outcome)
     rects = assert_apart(space, problem, p)
     drift = max(abs(p[a][i] - 1000 * x) for a in (0, 1) for i, x in enumerate(outcome.positions[a]))
     assert drift < rects + 1

@@ -8,7 +8,9 @@ import pytest
 
 from solver.geometry import Rect
 from solver.pieces import Arrangement, Attach, Candidate, Doorway, Piece, Space, Stand, Zone
-from solver.placement import place
+from solver.placement import arrange, place
+from solver.streams import Stream
+from tests.placement.rooms import random_space, random_wanted
 
 ROOM = Space("r", Rect(50, 50, 4050, 3050), (), (Doorway("d", "south", Rect(1600, 2150, 2500, 3050), "hallway"),))
 SIZE = (800, 400, 900)
@@ -76,6 +78,25 @@ def test_nothing_moves_where_that_costs_too_much() -> None:
     assert before == after
     dear = both(at_north("a", 1000, 20.0), at_north("b", 1940, 20.0))
     assert dear[0] == dear[1]
+
+
+def test_tidying_costs_what_the_terms_of_the_bodies_say() -> None:
+    slid = 0
+    for seed in range(60):
+        stream = Stream(seed, "tidy")
+        space = random_space(stream)
+        solved = arrange(space, random_wanted(space, stream, 3 + seed % 7))
+        problem, costs = solved.problem, []
+        moved = {(axis, box.var[axis]) for box in problem.boxes if not box.stand for axis in (0, 1)}
+        for tidy in (False, True):
+            walkable, added = solved.core.settle(solved.solution.positions, solved.solution, solved.walkable, tidy)
+            metres = [[at / 1000 for at in own] for own in solved.core.engine.grid.positions.tolist()]
+            costs.append(sum(term.cost(metres[term.axis]) for term in problem.terms if (term.axis, term.j) in moved))
+            assert walkable == solved.walkable
+        assert added == pytest.approx(costs[1] - costs[0], abs=1e-8)
+        assert added <= 0.2
+        slid += costs[1] != costs[0]
+    assert slid > 5
 
 
 def test_wide_gaps_and_contacts_stay() -> None:

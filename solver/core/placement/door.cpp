@@ -6,6 +6,7 @@
 #include "placement/prove.hpp"
 #include "placement/pull.hpp"
 #include "placement/search.hpp"
+#include "placement/settle.hpp"
 #include "placement/space.hpp"
 
 #define EXPORT(name) __attribute__((export_name(#name)))
@@ -34,7 +35,7 @@ EXPORT(evaluate) i32 door_evaluate(const Desk* desk, i64 limit, f64 ceiling, i32
   return evaluate(desk->engine, desk->decisions, limit, ceiling, walk != 0);
 }
 
-EXPORT(holds_alone) i32 door_holds_alone(const Desk* desk) { return holds(desk->alone, desk->engine.grid.positions); }
+EXPORT(find_taken) i32 door_find_taken(const Desk* desk) { return static_cast<i32>(find_taken(*desk)); }
 
 EXPORT(open_decisions) i32 door_open_decisions(const Desk* desk, i32 piece) {
   const Engine& engine = desk->engine;
@@ -62,6 +63,10 @@ EXPORT(prove) i32 door_prove(const Desk* desk, const ProofNodes* nodes, i64 most
 EXPORT(pull_back) i32 door_pull_back(const Desk* desk) { return pull_back(desk->engine); }
 
 EXPORT(search) void door_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) { search(desk->engine, limit, ceiling, walk != 0); }
+
+EXPORT(settle) i32 door_settle(const Desk* desk, i32 taken, i32 walk, i32 slide) {
+  return static_cast<i32>(settle(*desk, taken, walk != 0, slide != 0));
+}
 
 EXPORT(total_preference) f64 door_total_preference(const Desk* desk) {
   return total_preference(desk->engine.room, desk->decisions);

@@ -10,11 +10,6 @@ constexpr i64 MOST_FAMILY = 256;  // children of one node
 constexpr i64 MOST_MOVES = 64;
 constexpr i64 MOST_REFUSED = 4096;
 
-template <class T> static Rows<T> new_rows(i64 count) {
-  const Span<T> space = reserved<T>(static_cast<i32>(count));
-  return {space.data, space.size, sizeof(T) / 8};
-}
-
 template <class T> static Table<T> new_table(i64 rows, i64 columns) {
   return {reserved<T>(static_cast<i32>(rows * columns)).data, static_cast<i32>(rows), static_cast<i32>(columns)};
 }
@@ -72,18 +67,18 @@ static Work new_work(const Sizes& sizes) {
   work.high = new_table<i64>(2, v);
   work.anchor_weight = new_table<f64>(2, v);
   work.anchor_at = new_table<f64>(2, v);
-  work.pulls = new_rows<PullRow>(sizes.pulls);
-  work.pull_costs = new_rows<PullCost>(sizes.pulls);
-  work.rows = new_rows<DifferenceRow>(sizes.rows);
-  work.parts = new_rows<Part>(v);
+  work.pulls = reserved_rows<PullRow>(sizes.pulls);
+  work.pull_costs = reserved_rows<PullCost>(sizes.pulls);
+  work.rows = reserved_rows<DifferenceRow>(sizes.rows);
+  work.parts = reserved_rows<Part>(v);
   work.choice_size = new_span<i64>(c);
-  work.choice_parts = new_rows<ChoiceParts>(c);
-  work.options = new_rows<DifferenceRow>(OPTIONS * c);
+  work.choice_parts = reserved_rows<ChoiceParts>(c);
+  work.options = reserved_rows<DifferenceRow>(OPTIONS * c);
   work.body_part = new_span<i64>(p);
   work.rotation = new_span<i64>(p);
   work.taken_candidate = new_span<i64>(p);
   work.taken_side = new_span<i64>(p);
-  work.marks = new_rows<Mark>(p);
+  work.marks = reserved_rows<Mark>(p);
   work.marked_bounds = new_cube<i64>(p, 4, v);
   return work;
 }
@@ -125,13 +120,13 @@ static Nodes new_nodes(const Sizes& sizes) {
   nodes.pick_before = new_span<i64>(MOST_PICKS);
   nodes.pick_option = new_span<i64>(MOST_PICKS);
   nodes.positions = new_zeroes<f64>(2, v + 1);
-  nodes.worst = new_rows<ChoiceKey>(2 * OPTIONS);
-  nodes.order = new_rows<OptionSlack>(OPTIONS);
-  nodes.family = new_rows<Child>(MOST_FAMILY);
+  nodes.worst = reserved_rows<ChoiceKey>(2 * OPTIONS);
+  nodes.order = reserved_rows<OptionSlack>(OPTIONS);
+  nodes.family = reserved_rows<Child>(MOST_FAMILY);
   nodes.best = new_zeroes<f64>(2, v + 1);
   nodes.best_picks = new_span<i64>(sizes.choices + SPARE_PATH);
   nodes.best_cost = zeroes<f64>(1);
-  nodes.best_forces = new_rows<ForceRow>(2 * v);
+  nodes.best_forces = reserved_rows<ForceRow>(2 * v);
   nodes.best_multipliers = new_span<f64>(2 * v);
   nodes.result = new_one<SearchResult>();
   return nodes;
@@ -143,13 +138,13 @@ static WalkGrid new_grid(const Sizes& sizes) {
   const i64 cells = (cuts - 1) * (cuts - 1);
   WalkGrid grid;
   grid.state = new_one<GridState>();
-  grid.blocks = new_rows<NumberedRect>(blocks);
-  grid.targets = new_rows<NumberedRect>(sizes.doors + OPTIONS * sizes.pieces);
+  grid.blocks = reserved_rows<NumberedRect>(blocks);
+  grid.targets = reserved_rows<NumberedRect>(sizes.doors + OPTIONS * sizes.pieces);
   grid.cuts = new_table<i64>(2, cuts);
   grid.labels = new_span<i64>(cells);
   grid.queue = new_span<i64>(cells);
   grid.areas = new_span<i64>(cells + 1);
-  grid.reached = new_rows<Reached>(cells + 1);
+  grid.reached = reserved_rows<Reached>(cells + 1);
   grid.positions = new_zeroes<i64>(2, sizes.variables + 1);
   return grid;
 }
@@ -164,13 +159,13 @@ static Tree new_tree(const Sizes& sizes) {
   tree.costs = new_span<f64>(n);
   tree.preferences = new_span<f64>(n);
   tree.depths = new_span<i64>(n);
-  tree.heap = new_rows<HeapEntry>(heap);
+  tree.heap = reserved_rows<HeapEntry>(heap);
   tree.heap_cost = new_span<f64>(heap);
   tree.refused = new_span<i64>(MOST_REFUSED);
   tree.found = new_span<i64>(sizes.decisions);
   tree.found_cost = new_span<f64>(sizes.decisions);
   tree.trial = new_span<i64>(p);
-  tree.moves = new_rows<Move>(MOST_MOVES);
+  tree.moves = reserved_rows<Move>(MOST_MOVES);
   tree.move_cost = new_span<f64>(MOST_MOVES);
   tree.shifted = new_span<i64>(p);
   return tree;
@@ -184,7 +179,7 @@ template <class T> static Shown show(const Table<T>& own) { return {address(own.
 
 static void show_all(Desk& desk) {
   const Room& room = desk.engine.room;
-  const Work &work = desk.engine.work, &alone = desk.alone;
+  const Work& work = desk.engine.work;
   const Nodes& nodes = desk.engine.nodes;
   const Tree& tree = desk.engine.tree;
   const Shown shown[] = {
@@ -196,8 +191,8 @@ static void show_all(Desk& desk) {
       show(nodes.result),
       show(desk.engine.grid.positions),
       show(tree.counters), show(tree.budget), show(tree.decisions), show(tree.found), show(tree.found_cost),
-      show(alone.rows), show(alone.choice_size), show(alone.options),
       show(desk.decisions), show(desk.fates), show(desk.limits), show(desk.group), show(desk.report),
+      show(desk.finals), show(desk.owns), show(desk.taken), show(desk.added),
   };
   static_assert(sizeof(shown) == SHOWN * sizeof(Shown));
   for (i32 k = 0; k < SHOWN; k++) desk.shown[k] = shown[k];
@@ -209,17 +204,17 @@ Desk* new_desk(RoomRequest* request) {
   desk.engine.room = room_of(request);
   desk.engine.work = new_work(sizes);
   desk.engine.grid = new_grid(sizes);
-  desk.alone = desk.engine.work;
-  desk.alone.rows = new_rows<DifferenceRow>(sizes.rows);
-  desk.alone.choice_size = new_span<i64>(sizes.choices);
-  desk.alone.options = new_rows<DifferenceRow>(OPTIONS * sizes.choices);
   desk.decisions = new_span<i64>(request->pieces);
   desk.fates = zeroes<i64>(static_cast<i32>(request->pieces));
   desk.limits = zeroes<i64>(sizeof(RoomLimits) / 8);
   desk.group = zeroes<i64>(sizeof(Group) / 8);
   desk.report = zeroes<i64>(sizeof(RoomReport) / 8);
+  desk.finals = new_zeroes<f64>(2, sizes.variables + 1);
+  desk.owns = new_zeroes<f64>(2, sizes.variables + 1);
+  desk.taken = reserved_rows<DifferenceRow>(2 * sizes.choices + SPARE_PATH);
+  desk.added = zeroes<f64>(1);
   desk.kept = address(static_cast<u8*>(arena::reserve(0)));
-  desk.engine.work.wide = desk.alone.wide = new_rows<DifferenceRow>(MOST_WIDE);
+  desk.engine.work.wide = reserved_rows<DifferenceRow>(MOST_WIDE);
   desk.engine.programs = new_programs(sizes);
   desk.engine.nodes = new_nodes(sizes);
   desk.engine.tree = new_tree(sizes);

@@ -23,7 +23,7 @@ struct Shown {
 };
 
 // What the host sees, in the order of solver/placement/layout.py.
-constexpr i32 SHOWN = 39;
+constexpr i32 SHOWN = 40;
 
 // A room's work space with what calls hand over and bring back.
 //
@@ -33,10 +33,12 @@ struct Desk {
   Shown shown[SHOWN];
   i32 kept;
   Engine engine;
-  Work alone;  // as engine.work, with rows and choices of its own: the problem without the persons' squares
   Decisions decisions;
   Span<i64> fates;
   Span<i64> limits, group, report;
+  Table<f64> finals, owns;  // positions of the final solve and of the search, m; the last column is the origin's
+  Rows<DifferenceRow> taken;  // the options that the choices took, and wider rows
+  Span<f64> added;  // what tidying costs
 };
 
 // Returns space for a room, and the room in it.

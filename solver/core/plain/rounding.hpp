@@ -24,13 +24,17 @@ inline Product exact_product(f64 a, f64 b) {
   return {high, ((a_high * b_high - high) + a_high * b_low + a_low * b_high) + a_low * b_low};
 }
 
-// The float nearest to a number's decimal with six places, as Python's round(x, 6); for what is at least 0.
-inline f64 rounded_6(f64 x) {
-  constexpr f64 MILLION = 1e6, NO_PLACES_LEFT = 4294967296.0;
-  if (!(x < NO_PLACES_LEFT)) return x;
-  const Product product = exact_product(x, MILLION);
+// The float nearest to a number's decimal with as many places as SCALE has zeros, as Python's round(); NO_PLACES_LEFT or more has none.
+template <i64 SCALE, i64 NO_PLACES_LEFT> inline f64 rounded_decimal(f64 x) {
+  const f64 size = absolute(x);
+  if (!(size < NO_PLACES_LEFT)) return x;
+  const Product product = exact_product(size, SCALE);
   const f64 low = floor(product.high);
   const f64 beyond_half = (product.high - low) - 0.5;
   const bool up = beyond_half > -product.low || (beyond_half == -product.low && whole(low) % 2 != 0);
-  return (up ? low + 1.0 : low) / MILLION;
+  const f64 rounded = (up ? low + 1.0 : low) / SCALE;
+  return x < 0 ? -rounded : rounded;
 }
+
+inline f64 rounded_6(f64 x) { return rounded_decimal<1'000'000, 4'294'967'296>(x); }
+inline f64 rounded_9(f64 x) { return rounded_decimal<1'000'000'000, 8'388'608>(x); }

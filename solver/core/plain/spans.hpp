@@ -89,3 +89,9 @@ template <class T> Span<T> reserved(i32 size) { return {static_cast<T*>(arena::r
 
 // The same, all bytes 0.
 template <class T> Span<T> zeroes(i32 size) { return {static_cast<T*>(arena::zeroed(static_cast<i64>(size) * sizeof(T))), size}; }
+
+// The same for structs of 8-byte fields.
+template <class T> Rows<T> reserved_rows(i64 count) {
+  const Span<T> space = reserved<T>(static_cast<i32>(count));
+  return {space.data, space.size, sizeof(T) / 8};
+}

@@ -1,0 +1,30 @@
+// Gaps between boxes on a room's floor, whole millimetres.
+#pragma once
+
+#include "plain/lists.hpp"
+
+namespace placement {
+
+// Gaps below the first are contact; from it to the second slivers; from the third on a hand and a broom come in.
+constexpr i64 TOUCHING_MM = 50, SLIVER_MM = 150, REACH_MM = 300;
+
+struct Box {
+  i64 low[2], high[2];
+};
+
+// Free floor between two boxes along an axis; `low` and `high` are numbers of the boxes at its ends.
+struct Gap {
+  i64 axis, low, high, wide;
+
+  bool is_sliver() const { return TOUCHING_MM <= wide && wide < SLIVER_MM; }
+};
+
+// The gaps narrower than REACH_MM beside the first `bodies` boxes, those in which nothing else stands.
+List<Gap> gaps_between(const Span<Box>& boxes, i32 bodies);
+
+i64 count_slivers(const List<Gap>& gaps);
+
+// A body and what it touches along an axis, directly or through others, but for what is on the gap's other side: true for each box.
+Span<u8> touching(const List<Gap>& gaps, i32 boxes, i64 axis, i64 body, i64 other);
+
+}  // namespace placement
