@@ -13,10 +13,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from catalogs import Catalogs, load_catalogs
-from solver.scene import Issue, Scene
+from solver.scene import Issue, Room, Scene
 from solver.validator.judging import RuleCase
-from solver.validator.kinds import Kinds
+from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.rules import CHECKS, homeless, issues_of
+from solver.validator.sent_rooms import room_bytes
 from solver.validator.walk import storeys, walk_of
 from solver.validator.world import world_of
 
@@ -50,8 +51,7 @@ class Checked:
         """Returns the changed scene with its issues; checks again only what the change can have touched."""
         if scene is self.scene:
             return self
-        before = self._judged if _shell(scene) == _shell(self.scene) else ()
-        return _checked(scene, self._kinds, before)
+        return _checked(scene, self._kinds, self._judged if _same_shell(scene, self.scene) else ())
 
 
 def validate(scene: Scene, catalogs: Catalogs | None = None) -> tuple[Issue, ...]:
@@ -75,25 +75,35 @@ def validate(scene: Scene, catalogs: Catalogs | None = None) -> tuple[Issue, ...
 
 def check(scene: Scene, catalogs: Catalogs) -> Checked:
     """Returns a scene with its issues, all of it checked."""
-    return _checked(scene, Kinds(catalogs), ())
+    return _checked(scene, kinds_of(catalogs), ())
 
 
-def _shell(scene: Scene) -> Scene:
-    """Returns a scene without what may be moved."""
-    return replace(scene, rooms=tuple(replace(room, furniture=(), decorations=()) for room in scene.rooms), dynamic=(), certificate=None)
+def _same_shell(one: Scene, other: Scene) -> bool:
+    """Tells whether two scenes differ in nothing but what may be moved."""
+    if len(one.rooms) != len(other.rooms) or _without_rooms(one) != _without_rooms(other):
+        return False
+    return all(a is b or _empty(a) == _empty(b) for a, b in zip(one.rooms, other.rooms, strict=True))
+
+
+def _without_rooms(scene: Scene) -> Scene:
+    return replace(scene, rooms=(), dynamic=(), certificate=None)
+
+
+def _empty(room: Room) -> Room:
+    return replace(room, furniture=(), decorations=())
 
 
 def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked:
-    world = world_of(scene)
+    world = world_of(scene, before[0].case.world if before else None)
     was = {one.case.room.room.id: one for one in before}
     same = {place.room.id for place in world.places if place.room.id in was and was[place.room.id].case.room == place}
     judged = {}
     for places in storeys(world):
-        unchanged = all(place.room.id in same for place in places)
-        walk = was[places[0].room.id].case.walk if unchanged else walk_of(world, places)
-        for place in places:
-            known = was[place.room.id] if place.room.id in same else None
-            judged[place.room.id] = _judge(RuleCase(world, walk, place, kinds), known)
+        known = {place.room.id: was[place.room.id] for place in places if place.room.id in same}
+        placed = [(place, known[place.room.id].case.rows if place.room.id in same else room_bytes(world, place, kinds)) for place in places]
+        walk = known[places[0].room.id].case.walk if len(known) == len(places) else walk_of(world, placed)
+        for place, rows in placed:
+            judged[place.room.id] = _judge(RuleCase(world, walk, place, kinds, rows), known.get(place.room.id))
     rooms = tuple(judged[place.room.id] for place in world.places)
     found = (issue for one in rooms for rule in CHECKS for issue in one.issues[rule])
     return Checked(scene, (*homeless(scene), *found), kinds, rooms)

@@ -1,23 +1,59 @@
-"""What a rule is asked, and what it answers. May import: nothing of ours but the scene in exact numbers."""
+"""What a rule is asked, and what it answers.
+
+Comes in: a room, and what the core found in it. Goes out: to each rule the rows that are its own. May import: scene, core.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from functools import cached_property
+from struct import Struct
+from typing import Final, NamedTuple
 
 from solver.validator.kinds import Kinds
+from solver.validator.sent_rooms import ask
 from solver.validator.walk import Walk
 from solver.validator.world import PlacedRoom, World
+
+JUDGED: Final = ("out_of_bounds", "overlap", "wall_far", "blocks_door", "blocks_window", "floating", "shapes_cross")
+"""The rules that the core judges, by their numbers there (`enum class Rule` of solver/core/validate/room.hpp)."""
+_FINDING: Final = Struct("<8q")
+
+
+class Told(NamedTuple):
+    """A broken rule as the core tells it: bodies by their place in the room, lengths in lattice steps."""
+
+    body: int
+    other: int
+    amount: int
+    a: int
+    b: int
+    c: int
+    how: int
 
 
 @dataclass(frozen=True)
 class RuleCase:
-    """A room to be judged: the house it is in, the walk of its storey, and what the catalogs say."""
+    """A room to be judged: the house it is in, the walk of its storey, what the catalogs say, and the room as the core reads it."""
 
     world: World
     walk: Walk
     room: PlacedRoom
     kinds: Kinds
+    rows: bytes
+
+    @cached_property
+    def told(self) -> Mapping[str, Sequence[Told]]:
+        """What the core finds in the room, by rule."""
+        found: dict[str, list[Told]] = {rule: [] for rule in JUDGED}
+        for rule, *row in _FINDING.iter_unpack(ask("judge_room", self.rows)):
+            found[JUDGED[rule]].append(Told(*row))
+        return found
+
+    def name(self, body: int) -> str:
+        """Returns the id of a body by its place in the room."""
+        return self.room.bodies[body].id
 
 
 class Finding(NamedTuple):

@@ -1,19 +1,46 @@
 """What the catalogs say of a name in a scene; those they do not know ask for nothing.
 
-Comes in: the catalogs. Goes out: use sides, surfaces, room types, what bodies are made of. May import: catalogs.
+Comes in: the catalogs. Goes out: use sides, room types; surfaces and parts as rows for the core. May import: scene, catalogs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from functools import lru_cache
+from itertools import chain
+from struct import pack
+from typing import Final, NamedTuple, TypeAlias
 
 from catalogs import Catalogs
 from catalogs.dressing import DecorationKind
 from catalogs.kind_book import KindBook
 from catalogs.schema import FurnitureSpec, Use
+from solver.scene import Decoration, Dynamic, Furniture
+from solver.validator.lattice import exact
 
-UnitBox = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
-"""The box around a part, shares of its body's box: low and high end along x, y and z."""
+KindKey: TypeAlias = tuple[str, str, tuple[float, float, float], str | None]
+"""What a body's kind is looked up by: furniture, decoration or person; name, size, the kind that the scene names. Of people:
+their kind, no size, "seated" where they sit."""
+_MOST_KNOWN: Final = 20_000
+"""Keys whose rows are kept."""
+
+
+class KindRows(NamedTuple):
+    """A kind as the core reads it: how many surfaces and parts it has; rows (height, inset) in lattice steps, and boxes in shares."""
+
+    surfaces: int
+    surface_rows: bytes
+    parts: int
+    part_rows: bytes
+
+
+NO_KIND: Final = KindRows(0, b"", 0, b"")
+"""A kind of which nothing is said."""
+
+
+@lru_cache(maxsize=4)
+def kinds_of(catalogs: Catalogs) -> Kinds:
+    """Returns the kinds of catalogs."""
+    return Kinds(catalogs)
 
 
 class Kinds:
@@ -22,7 +49,7 @@ class Kinds:
     def __init__(self, catalogs: Catalogs) -> None:
         self.rooms = catalogs.rooms
         self._book = KindBook(catalogs)
-        self._boxes: dict[str | None, Sequence[UnitBox]] = {}
+        self._rows: dict[KindKey, KindRows] = {}
         self._named = catalogs.kinds_by_name()
         furniture: list[tuple[str, FurnitureSpec | DecorationKind]] = [(k.name or kind, k) for kind, k in catalogs.furniture.items()]
         self._surfaces: dict[str, dict[tuple[float, ...], list[tuple[float, float]]]] = {}
@@ -34,7 +61,33 @@ class Kinds:
         """Returns which sides of a piece are used; None where none is, or the piece is unknown."""
         return self._named[name].use if name in self._named else None
 
-    def surfaces(self, name: str, size: tuple[float, float, float]) -> Sequence[tuple[float, float]]:
+    @staticmethod
+    def key(body: Furniture | Decoration | Dynamic) -> KindKey:
+        """Returns what a body's kind is looked up by."""
+        if isinstance(body, Dynamic):
+            return "person", body.kind, (0.0, 0.0, 0.0), "seated" if body.on is not None else None
+        sort = "furniture" if isinstance(body, Furniture) else "decoration"
+        return sort, body.name, (body.width, body.depth, body.height), body.kind
+
+    def rows(self, key: KindKey) -> KindRows:
+        """Returns a kind as the core reads it."""
+        known = self._rows.get(key)
+        if known is None:
+            if len(self._rows) >= _MOST_KNOWN:
+                self._rows.clear()
+            known = self._rows[key] = self._rows_of(*key)
+        return known
+
+    def _rows_of(self, sort: str, name: str, size: tuple[float, float, float], said: str | None) -> KindRows:
+        is_person = sort == "person"
+        shape = self._book.living(name, said is not None) if is_person else self._book.kind_of(sort, name, size, said)
+        surfaces = [] if is_person else self._surfaces_of(name, size)
+        solids = self._book.solids(shape)
+        heights = [exact(length) for surface in surfaces for length in surface]
+        ends = list(chain.from_iterable((*solid.x, *solid.y, *solid.z) for solid in solids))
+        return KindRows(len(surfaces), pack(f"<{len(heights)}q", *heights), len(solids), pack(f"<{len(ends)}d", *ends))
+
+    def _surfaces_of(self, name: str, size: tuple[float, float, float]) -> list[tuple[float, float]]:
         """Returns what a piece or decoration carries things on: heights above its underside, and how far in from its edges, m.
 
         Where its size is not that of a kind of its name: its top, and every height known for the name, on all of it.
@@ -43,23 +96,3 @@ class Kinds:
         if size in known:
             return known[size] or [top]
         return [top, *((height, 0.0) for found in known.values() for height, _ in found)]
-
-    def made_of(self, sort: str, name: str, size: tuple[float, float, float], said: str | None) -> Sequence[UnitBox]:
-        """Returns the boxes around the parts of furniture or a decoration; nothing where its kind has no shape.
-
-        Args:
-            sort: "furniture" or "decoration".
-            name: what the scene calls it.
-            size: its width, depth and height, m.
-            said: the kind that the scene names.
-        """
-        return self._boxes_of(self._book.kind_of(sort, name, size, said))
-
-    def living(self, kind: str, seated: bool) -> Sequence[UnitBox]:
-        """Returns the boxes around the parts of a person or a pet; nothing where there is no shape."""
-        return self._boxes_of(self._book.living(kind, seated))
-
-    def _boxes_of(self, key: str | None) -> Sequence[UnitBox]:
-        if key not in self._boxes:
-            self._boxes[key] = tuple((solid.x, solid.y, solid.z) for solid in self._book.solids(key))
-        return self._boxes[key]

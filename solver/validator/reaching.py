@@ -9,10 +9,11 @@ from collections.abc import Iterator
 from typing import Final
 
 from catalogs.schema import Use
+from solver.scene import Furniture
 from solver.validator.judging import Finding, RuleCase
-from solver.validator.lattice import PER_METRE, words
+from solver.validator.lattice import PER_METRE, exact, words
 from solver.validator.walk import Walk
-from solver.validator.world import PlacedBody, PlacedRoom, World
+from solver.validator.world import FLAT, PlacedRoom, World, side_of
 
 LEAST_FLOOR: Final = PER_METRE * PER_METRE // 4
 """How much of a room's free centres must be reached: 0.25 m2 (docs/scene.md), in square lattice steps."""
@@ -24,16 +25,22 @@ def unreachable(case: RuleCase) -> Iterator[Finding]:
     if walk.floor(place) < LEAST_FLOOR:
         yield Finding((), world.robot, _room_message(world, walk, place))
         return
-    for body in place.bodies:
-        use = case.kinds.use(body.name) if body.is_furniture else None
-        missed = missed_sides(walk, place, body, use) if use else ()
+    for number, piece in enumerate(place.room.furniture):
+        use = case.kinds.use(piece.name) if is_body(piece) else None
+        missed = missed_sides(walk, place, number, use) if use else ()
         if use and missed:
-            yield Finding((body.id,), world.robot, _side_message(world, body, use, missed))
+            yield Finding((piece.id,), world.robot, _side_message(world, piece, use, missed))
 
 
-def missed_sides(walk: Walk, place: PlacedRoom, body: PlacedBody, use: Use) -> tuple[str, ...]:
-    """Returns the use sides that the square cannot come to; none where enough of them are reached."""
-    missed = tuple(side for side in use.sides if not walk.touches(place, body, body.side(side)))
+def is_body(piece: Furniture) -> bool:
+    """Tells whether a piece is higher than a rug."""
+    return exact(piece.height) > FLAT
+
+
+def missed_sides(walk: Walk, place: PlacedRoom, number: int, use: Use) -> tuple[str, ...]:
+    """Returns the use sides of a piece, by its number in its room, that the square cannot come to; none where enough are reached."""
+    piece = place.room.furniture[number]
+    missed = tuple(side for side in use.sides if not walk.touches(place, number, side_of(piece, side)))
     return missed if use.need == "all" or len(missed) == len(use.sides) else ()
 
 
@@ -42,12 +49,12 @@ def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
     ways = ", ".join(dict.fromkeys(hole.opening.id for hole in walk.entrances))
     if walk.floor(place, only_entered=False) < LEAST_FLOOR:
         return f"{place.room.id} has less than 0.25 m2 where {wide} can stand"
-    if walk.entrances and not walk.entered:
+    if walk.entrances and not walk.comes_in:
         return f"{wide} cannot come in through {ways}, so not to {place.room.id}"
     return f"{wide} cannot come to {place.room.id} from {ways or 'the largest free floor'}"
 
 
-def _side_message(world: World, body: PlacedBody, use: Use, missed: tuple[str, ...]) -> str:
+def _side_message(world: World, piece: Furniture, use: Use, missed: tuple[str, ...]) -> str:
     joined = " and its " if use.need == "all" else " or its "
-    sides = joined.join(f"{side} ({body.side(side)})" for side in missed)
-    return f"a square of {words(world.robot)} cannot come to {body.id}'s {sides}"
+    sides = joined.join(f"{side} ({side_of(piece, side)})" for side in missed)
+    return f"a square of {words(world.robot)} cannot come to {piece.id}'s {sides}"

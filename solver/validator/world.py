@@ -5,14 +5,15 @@ Comes in: a scene. Goes out: a `World`. May import: scene.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Final
+from typing import Final, TypeAlias
 
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
-from solver.validator.lattice import ExactBox, Outline, WallEdge, exact, outline_of
+from solver.validator.lattice import Outline, WallEdge, exact, outline_of
+
+AnyBody: TypeAlias = Furniture | Decoration | Dynamic
 
 SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
@@ -23,32 +24,6 @@ DOOR_KINDS: Final = ("door", "passage")
 """Openings whose square is kept free."""
 WAYS: Final = ("door", "passage", "garage_door")
 """Openings one can walk through."""
-
-
-@dataclass(frozen=True)
-class PlacedBody:
-    """Something that takes up space: its footprint in its room, from `low` to `high`, and how many quarter turns it has made."""
-
-    id: str
-    name: str
-    box: ExactBox
-    low: int
-    high: int
-    turns: int
-    depth: int
-    is_furniture: bool = False
-    wall: str | None = None
-    under: str | None = None
-    on: str | None = None
-
-    @property
-    def front(self) -> str:
-        """The side of the room that its front looks to."""
-        return SIDES[self.turns]
-
-    def side(self, name: str) -> str:
-        """Returns where a side of the catalog (front, back, left = -x, right = +x, unrotated) looks in the room."""
-        return SIDES[(self.turns + {"front": 0, "right": 1, "back": 2, "left": 3}[name]) % 4]
 
 
 @dataclass(frozen=True)
@@ -65,19 +40,24 @@ class Hole:
 
 @dataclass(frozen=True)
 class PlacedRoom:
-    """A room: what the document says, its floor, holes and bodies (room-relative), and where it lies in the house."""
+    """A room: what the document says, its floor, holes (room-relative) and people, and where it lies in the house."""
 
     room: Room
     x: int
     z: int
     outline: Outline
     holes: tuple[Hole, ...]
-    bodies: tuple[PlacedBody, ...]
+    people: tuple[Dynamic, ...]
 
     @property
     def edges(self) -> Iterator[WallEdge]:
         """The pieces of its wall line."""
         return (edge for edge in self.outline.edges if edge is not None)
+
+    @cached_property
+    def bodies(self) -> tuple[AnyBody, ...]:
+        """All that is in it: furniture, small things, people; the core's answers number them so."""
+        return (*self.room.furniture, *self.room.decorations, *self.people)
 
 
 @dataclass(frozen=True)
@@ -105,12 +85,24 @@ class World:
         return found
 
 
-def world_of(scene: Scene) -> World:
-    """Reads a scene into exact numbers."""
+def world_of(scene: Scene, before: World | None = None) -> World:
+    """Reads a scene into exact numbers.
+
+    Args:
+        scene: any that could be read.
+        before: a scene's that differs from this one in bodies and people alone: its rooms' walls and openings are taken as they are.
+    """
     people: dict[str | None, list[Dynamic]] = {}
     for person in scene.dynamic:
         people.setdefault(home_of(scene, person), []).append(person)
-    places = tuple(_place(room, people.get(room.id, [])) for room in scene.rooms)
+    inside = [tuple(people.get(room.id, ())) for room in scene.rooms]
+    if before is not None:
+        known = zip(before.places, scene.rooms, inside, strict=True)
+        placed = tuple(
+            was if room is was.room and crowd == was.people else replace(was, room=room, people=crowd) for was, room, crowd in known
+        )
+        return replace(before, scene=scene, places=placed)
+    places = tuple(_place(room, crowd) for room, crowd in zip(scene.rooms, inside, strict=True))
     return World(scene, exact(scene.wall_thickness) // 2, exact(robot_width_of(scene)), places)
 
 
@@ -119,48 +111,21 @@ def home_of(scene: Scene, person: Dynamic) -> str | None:
     return scene.rooms[0].id if person.room is None and len(scene.rooms) == 1 else person.room
 
 
-def _place(room: Room, people: Sequence[Dynamic]) -> PlacedRoom:
+def _place(room: Room, people: tuple[Dynamic, ...]) -> PlacedRoom:
     corners = room.outline or ((0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth))
     outline = outline_of([(exact(x), exact(z)) for x, z in corners])
     holes = tuple(hole for opening in room.openings if (hole := _hole(opening, outline)) is not None)
-    floor = [item for item in room.decorations if item.parent is None and item.mounted_on_wall is None and item.y == 0]
-    items: list[Furniture | Decoration | Dynamic] = [*room.furniture, *floor, *people]
-    bodies = [_body(item) for item in items]
-    return PlacedRoom(room, exact(room.x), exact(room.z), outline, holes, tuple(body for body in bodies if body.high - body.low > FLAT))
+    return PlacedRoom(room, exact(room.x), exact(room.z), outline, holes, people)
 
 
-def _body(item: Furniture | Decoration | Dynamic) -> PlacedBody:
-    return PlacedBody(
-        id=item.id,
-        name=item.kind if isinstance(item, Dynamic) else item.name,
-        box=box_of(item),
-        low=exact(item.y),
-        high=exact(item.y) + exact(item.height),
-        turns=round(item.rotation % 360 / 90) % 4,
-        depth=exact(item.depth),
-        is_furniture=isinstance(item, Furniture),
-        wall=item.wall if isinstance(item, Furniture) else None,
-        under=item.under if isinstance(item, Furniture) else None,
-        on=None if isinstance(item, Decoration) else item.on,
-    )
+def turns_of(rotation: float) -> int:
+    """Returns how many quarter turns a rotation is, rounded: 0 to 3."""
+    return round(rotation % 360 / 90) % 4
 
 
-def box_of(item: Furniture | Decoration | Dynamic) -> ExactBox:
-    """Returns a body's footprint in its room."""
-    x, z = exact(item.x), exact(item.z)
-    across, along = _extents(exact(item.width), exact(item.depth), item.rotation)
-    return ExactBox(x - across // 2, z - along // 2, x + across // 2, z + along // 2)
-
-
-def _extents(width: int, depth: int, rotation: float) -> tuple[int, int]:
-    """Returns a rotated footprint's extents along x and z: exact at right angles, else the bounding rectangle's, to the micrometre."""
-    if rotation % 180 == 0:
-        return width, depth
-    if rotation % 180 == 90:
-        return depth, width
-    angle = math.radians(rotation % 360)
-    cosine, sine = abs(math.cos(angle)), abs(math.sin(angle))
-    return 4 * round((width * cosine + depth * sine) / 4), 4 * round((width * sine + depth * cosine) / 4)
+def side_of(body: AnyBody, name: str) -> str:
+    """Returns where a side of the catalog (front, back, left = -x, right = +x, unrotated) looks in the room."""
+    return SIDES[(turns_of(body.rotation) + {"front": 0, "right": 1, "back": 2, "left": 3}[name]) % 4]
 
 
 def _hole(opening: Opening, outline: Outline) -> Hole | None:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.scene import Opening, Room, Scene
-from solver.validator import tiled_floor
-from solver.validator.tiled_floor import label
-from solver.validator.walk import walks
+from solver.validator import floors, walk
 from solver.validator.world import world_of
 from tests.validator.test_against_raster import houses, told, unreached
 from tests.validator.worlds import piece, room, scene
@@ -20,7 +17,7 @@ from tests.validator.worlds import piece, room, scene
 @given(houses(), st.sampled_from([8, 14, 25]))
 def test_tiles_do_not_show(house: Scene, most: int) -> None:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(tiled_floor, "MOST", most)
+        patch.setattr(walk, "MOST", most)
         assert told(house, "unreachable") == unreached(house)
 
 
@@ -42,8 +39,12 @@ def town(side: int, walled: int | None = None) -> Scene:
 
 
 def test_a_town_is_walked_from_tile_to_tile() -> None:
-    (walk,) = walks(world_of(town(14)))
-    assert len(walk.free.tiles) >= 4
+    (tiled,) = walk.walks(world_of(town(14)))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(walk, "MOST", 10_000)
+        (whole,) = walk.walks(world_of(town(14)))
+    assert tiled.tiles >= 4 > whole.tiles == 1
+    assert (tiled.areas, tiled.sides, tiled.comes_in) == (whole.areas, whole.sides, whole.comes_in)
     assert told(town(14), "unreachable") == set()
     assert told(town(14, walled=9), "unreachable") == {("unreachable", f"{x}.{z}", ()) for x in range(14) for z in range(9, 14)}
 
@@ -53,23 +54,28 @@ def test_a_hall_of_thousands_of_pieces_takes_cells_in_proportion() -> None:
     crates = [piece(1.0 + x, 1.0 + z, 0.3, 0.3, id=f"{x}.{z}", name="sofa") for x in range(60) for z in range(60)]
     hall = scene(room(*crates, width=61.0, depth=61.0))
     assert told(hall, "unreachable", "overlap") == set()
-    (walk,) = walks(world_of(hall))
-    assert sum(tile.components.size for tile in walk.free.tiles) < 500 * len(crates)
+    (walked,) = walk.walks(world_of(hall))
+    assert walked.cells < 500 * len(crates)
 
 
-@given(st.integers(0, 12), st.integers(0, 12), st.data())
-def test_patches_are_what_a_flood_finds(rows: int, columns: int, data: st.DataObject) -> None:
-    cells = data.draw(st.lists(st.lists(st.booleans(), min_size=columns, max_size=columns), min_size=rows, max_size=rows))
-    free = np.array(cells, dtype=bool).reshape(rows, columns)
-    expected = np.zeros((rows, columns), dtype=int)
-    patch = 0
-    for start in np.ndindex(rows, columns):
-        if free[start] and not expected[start]:
-            patch += 1
-            waiting = [start]
-            while waiting:
-                row, column = waiting.pop()
-                if 0 <= row < rows and 0 <= column < columns and free[row, column] and not expected[row, column]:
-                    expected[row, column] = patch
-                    waiting += [(row + 1, column), (row - 1, column), (row, column + 1), (row, column - 1)]
-    assert (label(free) == expected).all()
+@settings(max_examples=60)
+@given(st.lists(st.lists(st.booleans(), min_size=7, max_size=7), min_size=1, max_size=7), st.sampled_from([6, 400]))
+def test_what_is_come_to_is_what_a_flood_finds(taken: list[list[bool]], most: int) -> None:
+    """A hall of squares of 1 m, some of them taken by crates; one comes in at the first."""
+    rows, columns = len(taken), len(taken[0])
+    crates = [piece(k + 0.5, i + 0.5, id=f"{i}.{k}") for i in range(rows) for k in range(columns) if taken[i][k]]
+    way_in = Opening("in", wall="north", position=0.5, main_entrance=True)
+    hall = scene(room(*crates, width=float(columns), depth=float(rows), openings=(way_in,)), request={"robot_width": 0.1})
+    reached, waiting = set(), [(0, 0)]
+    while waiting:
+        i, k = waiting.pop()
+        if 0 <= i < rows and 0 <= k < columns and not taken[i][k] and (i, k) not in reached:
+            reached.add((i, k))
+            waiting += [(i + 1, k), (i - 1, k), (i, k + 1), (i, k - 1)]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(walk, "MOST", most)
+        (floor,) = floors(hall)
+    for i in range(rows):
+        for k in range(columns):
+            shared = [(min(x1, k + 1) - max(x0, k), min(z1, i + 1) - max(z0, i)) for x0, z0, x1, z1 in floor["free"]]
+            assert sum(x * z for x, z in shared if x > 0 and z > 0) == pytest.approx(float((i, k) in reached), abs=1e-5)

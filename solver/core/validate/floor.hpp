@@ -1,0 +1,68 @@
+// Free floor of any size: floors less obstacles, cut at every edge that matters, in components one can walk about in.
+//
+// A grid's cells grow with the square of its boxes, so the floor is cut into tiles of few each: a house is one tile, a town or a heap of
+// thousands of boxes many. Components are numbered across the tiles' borders, from 1.
+#pragma once
+
+#include "area.hpp"
+#include "plain/lists.hpp"
+#include "plain/rects.hpp"
+
+namespace validate {
+
+// The cells between all edges of some floors and obstacles; `cells` holds 0 where something stands, else what was put there.
+struct Grid {
+  Span<i64> xs;
+  Span<i64> zs;
+  Table<i32> cells;  // by place along x, then along z
+
+  i64 width(i32 i) const { return xs[i + 1] - xs[i]; }
+  i64 depth(i32 k) const { return zs[k + 1] - zs[k]; }
+};
+
+// The cells [x0, x1) by [z0, z1) of a grid.
+struct CellWindow {
+  i32 x0, x1, z0, z1;
+};
+
+// Free cells are 1.
+Grid grid_of(Span<Rect> floors, Span<Rect> obstacles);
+
+// The cells that a box meets.
+CellWindow window_of(const Grid& grid, const Rect& box);
+
+// Tiles without what one obstacle covers; free cells are 1.
+List<Grid> tiles_of(Span<Rect> floors, Span<Rect> obstacles, i32 most_boxes);
+
+// Numbers the components of free cells that share sides, in the order of their first cells; returns how many there are.
+i32 label(List<Grid>& tiles);
+
+// Merges the cells that are chosen, `chosen(i, k)`: runs along z, then runs that are alike from place to place along x.
+template <class Chosen> void rectangles(const Grid& grid, Chosen chosen, List<Rect>& found) {
+  struct Run {
+    i32 start, end, since;
+  };
+  List<Run> open, kept, runs;
+  for (i32 i = 0; i <= grid.cells.rows; i++) {
+    runs.cut(0), kept.cut(0);
+    for (i32 k = 0; i < grid.cells.rows && k < grid.cells.columns; k++) {
+      if (!chosen(i, k)) continue;
+      if (runs.size() > 0 && runs[runs.size() - 1].end == k) runs[runs.size() - 1].end = k + 1;
+      else runs.add({k, k + 1, i});
+    }
+    for (const Run& one : open) {
+      bool goes_on = false;
+      for (Run& run : runs) {
+        if (run.start == one.start && run.end == one.end) goes_on = true, run.since = -1;
+      }
+      if (goes_on) kept.add(one);
+      else found.add({grid.xs[one.since], grid.zs[one.start], grid.xs[i], grid.zs[one.end]});
+    }
+    for (const Run& run : runs) {
+      if (run.since >= 0) kept.add(run);
+    }
+    swap(open, kept);
+  }
+}
+
+}  // namespace validate

@@ -1,0 +1,182 @@
+// A room as the rules see it: its walls, zones and bodies in steps of a quarter micrometre (solver/validator/lattice.py tells why).
+#pragma once
+
+#include "plain/lists.hpp"
+#include "plain/rects.hpp"
+
+namespace validate {
+
+constexpr i64 PER_METRE = 4000000;
+constexpr i64 MICROMETRE = 4;
+constexpr i64 FLAT = PER_METRE / 50;  // what is no higher is not a body
+
+// The nearest whole number; of two as near, the even one, as Python's round() says.
+inline f64 nearest(f64 x) { return __builtin_rint(x); }
+inline i64 rounded(f64 x) { return whole(nearest(x)); }
+
+// Metres to the micrometre, in steps. Nothing is farther away than a million kilometres.
+inline i64 exact(f64 metres) {
+  if (!(absolute(metres) <= 1e9)) fail(Failure::bad_request);
+  return MICROMETRE * rounded(metres * 1e6);
+}
+
+constexpr Rect grown(const Rect& box, i64 by) { return box.shrunk(-by); }
+constexpr Rect moved(const Rect& box, i64 x, i64 z) { return {box.x0 + x, box.z0 + z, box.x1 + x, box.z1 + z}; }
+
+// How much of x and of z two boxes share; above 0 in both where they overlap.
+constexpr Extent shared(const Rect& a, const Rect& b) { return {least(a.x1, b.x1) - most(a.x0, b.x0), least(a.z1, b.z1) - most(a.z0, b.z0)}; }
+constexpr bool meet(const Rect& a, const Rect& b) {
+  const Extent both = shared(a, b);
+  return both.x > 0 && both.z > 0;
+}
+
+// A straight piece of wall line; the room lies to the south of its north wall.
+struct Edge {
+  i64 side;  // a Wall
+  i64 line;
+  i64 start;
+  i64 end;
+
+  constexpr bool runs_east() const { return runs_along_x(static_cast<Wall>(side)); }
+  constexpr bool looks_ahead() const { return inwards(static_cast<Wall>(side)) > 0; }
+  // The box over an interval of the edge that reaches into the room and out of it.
+  constexpr Rect strip(i64 from, i64 to, i64 into, i64 out) const {
+    const i64 low = line - (looks_ahead() ? out : into), high = line + (looks_ahead() ? into : out);
+    return runs_east() ? Rect{from, low, to, high} : Rect{low, from, high, to};
+  }
+  constexpr Edge moved(i64 x, i64 z) const {
+    const i64 across = runs_east() ? z : x, along = runs_east() ? x : z;
+    return {side, line + across, start + along, end + along};
+  }
+};
+
+// Floor that an opening keeps free of what stands between two heights.
+struct Zone {
+  Rect box;
+  i64 sill;
+  i64 top;
+};
+
+// Where a kind's surfaces and parts lie among those of its room.
+struct Kind {
+  i32 first_surface, surfaces, first_part, parts;
+};
+
+// What carries things: how high above the underside, how far in from the edges.
+struct Surface {
+  i64 height;
+  i64 inset;
+};
+
+// The box around a part, shares of its body's box.
+struct UnitBox {
+  f64 x0, x1, y0, y1, z0, z1;
+};
+
+enum class Sort : i32 { furniture = 0, decoration = 1, person = 2 };
+enum class Turn : i32 { along = 0, crosswise = 1, between = 2 };
+
+// A body as it is sent: metres; cosine and sine as they are, and without sign of the same angle within one turn.
+struct BodyRow {
+  f64 x, y, z, width, depth, height;
+  f64 cosine, sine, cosine_size, sine_size;
+  Turn turn;
+  i32 quarters;  // how often it was turned by a right angle: its front looks south, east, north, west
+  Sort sort;
+  i32 name;   // ids as numbers: equal where the ids are
+  i32 on;     // whom it says carries it, -1 nobody
+  i32 under;  // the table, -1 none
+  i32 wall;   // where it must stand or hang, -1 nowhere, 4 at no wall that there is
+  i32 kind;
+};
+
+// A body's footprint and heights.
+struct Body {
+  const BodyRow* row;
+  Rect box;
+  i64 x, y, z;  // its middle, and its underside
+  i64 high;
+  bool is_solid;  // it stands on the floor's level of the plan: what the rules for standing speak of
+
+  i64 low() const { return y; }
+  bool is(Sort sort) const { return row->sort == sort; }
+  bool hangs() const { return row->sort == Sort::decoration && row->wall >= 0; }
+  // A small thing on something, at a wall, or above the floor.
+  bool rests() const { return row->sort == Sort::decoration && (row->on >= 0 || row->wall >= 0 || row->y != 0.0); }
+};
+
+struct RoomRow {
+  i64 half_wall;
+  Rect bounds;
+  i32 inside, missing, edges, ways, doors, windows, kinds, surfaces, parts, bodies, names, padding;
+};
+
+struct Room {
+  i64 half_wall;
+  Rect bounds;
+  Span<Rect> inside;   // boxes that cover its floor
+  Span<Rect> missing;  // boxes that cover the rest of its bounds
+  Span<Edge> edges;
+  Span<Edge> ways;  // doors and passages: from, to on their edges
+  Span<Zone> doors;
+  Span<Zone> windows;
+  Span<Kind> kinds;
+  Span<Surface> surfaces;
+  Span<UnitBox> parts;
+  Span<Body> bodies;
+  i32 names;
+
+  Span<Surface> surfaces_of(const Body& body) const {
+    const Kind& kind = kinds[body.row->kind];
+    return {surfaces.data + kind.first_surface, kind.surfaces};
+  }
+  Span<UnitBox> parts_of(const Body& body) const {
+    const Kind& kind = kinds[body.row->kind];
+    return {parts.data + kind.first_part, kind.parts};
+  }
+};
+
+// Takes rows from bytes, one after the other; rows start at multiples of 8.
+class Reader {
+ public:
+  Reader(u8* data, i64 size) : at_(data), end_(data + size) {}
+
+  template <class T> Span<T> take(i32 count) {
+    static_assert(sizeof(T) % 8 == 0);
+    if (count < 0 || end_ - at_ < static_cast<i64>(count) * static_cast<i64>(sizeof(T))) fail(Failure::bad_request);
+    const Span<T> rows{reinterpret_cast<T*>(at_), count};
+    at_ += static_cast<i64>(count) * static_cast<i64>(sizeof(T));
+    return rows;
+  }
+
+ private:
+  u8* at_;
+  u8* end_;
+};
+
+Room read_room(Reader& reader);
+
+// A broken rule: who, with whom, by how much, and what its words say besides.
+struct Finding {
+  i64 rule;
+  i64 body;
+  i64 other;
+  i64 amount;
+  i64 a, b, c;
+  i64 how;
+};
+
+// In the order of the answers' rules (solver/validator/judging.py).
+enum class Rule : i32 { out_of_bounds, overlap, wall_far, blocks_door, blocks_window, floating, shapes_cross };
+
+using Findings = List<Finding>;
+
+inline void tell(Findings& found, Rule rule, i64 body, i64 other, i64 amount, i64 a = 0, i64 b = 0, i64 c = 0, i64 how = 0) {
+  found.add({static_cast<i64>(rule), body, other, amount, a, b, c, how});
+}
+
+void find_standing(const Room& room, Findings& found);
+void find_floating(const Room& room, Findings& found);
+void find_crossing(const Room& room, Findings& found);
+
+}  // namespace validate

@@ -1,0 +1,183 @@
+// The walk of a storey.
+#include "walk.hpp"
+
+namespace validate {
+
+constexpr i64 WALL_SLACK = PER_METRE / 4;  // two walls this close are one wall's two faces: a door in one goes through both
+
+Storey read_storey(Reader& reader) {
+  const StoreyRow& sent = reader.take<StoreyRow>(1)[0];
+  Storey storey{sent.half_wall, sent.reach, most(sent.most_boxes, 1), {}, {}, {}};
+  storey.bridges = reader.take<Rect>(sent.bridges);
+  storey.entrances = reader.take<Rect>(sent.entrances);
+  if (sent.rooms < 0) fail(Failure::bad_request);
+  storey.rooms = reserved<Placed>(sent.rooms);
+  for (Placed& placed : storey.rooms) {
+    const Point at = reader.take<Point>(1)[0];
+    placed = {read_room(reader), at.x, at.z};
+  }
+  return storey;
+}
+
+// What the centre must stay out of along a piece of wall line: all of it but its ways through, sorted. At a corner the wall goes on by half
+// its thickness, at a jamb it ends.
+static void add_walls(const Edge& edge, const List<Interval>& ways, i64 half_wall, i64 reach, List<Rect>& found) {
+  const i64 deep = half_wall + reach;
+  i64 start = edge.start, before = deep;
+  for (const Interval& way : ways) {
+    if (way.low > start) found.add(edge.strip(start - before, way.low + reach, deep, deep));
+    if (way.high >= start) start = way.high, before = reach;
+  }
+  if (start < edge.end) found.add(edge.strip(start - before, edge.end + deep, deep, deep));
+}
+
+// The ways through walls of a storey, by direction and line.
+static List<Edge> all_ways(const Storey& storey) {
+  List<Edge> ways;
+  for (const Placed& placed : storey.rooms) {
+    for (const Edge& way : placed.room.ways) ways.add(way.moved(placed.x, placed.z));
+  }
+  stable_sort(ways.all(), [](const Edge& a, const Edge& b) {
+    return a.runs_east() != b.runs_east() ? b.runs_east() : a.line < b.line;
+  });
+  return ways;
+}
+
+// The ways through a piece of wall line: those that run along it, no farther than a wall is thick.
+static void ways_through(const List<Edge>& ways, const Edge& edge, List<Interval>& found) {
+  i32 low = 0, high = ways.size();
+  while (low < high) {
+    const i32 middle = (low + high) / 2;
+    const Edge& way = ways[middle];
+    const bool is_before = way.runs_east() != edge.runs_east() ? edge.runs_east() : way.line < edge.line - WALL_SLACK;
+    if (is_before) low = middle + 1;
+    else high = middle;
+  }
+  for (; low < ways.size() && ways[low].runs_east() == edge.runs_east() && ways[low].line <= edge.line + WALL_SLACK; low++) {
+    const Edge& way = ways[low];
+    if (way.start < edge.end && edge.start < way.end) found.add({most(way.start, edge.start), least(way.end, edge.end)});
+  }
+  stable_sort(found.all(), [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+}
+
+static List<Rect> obstacles_of(const Storey& storey) {
+  List<Rect> found;
+  const List<Edge> ways = all_ways(storey);
+  List<Interval> through;
+  for (const Placed& placed : storey.rooms) {
+    for (const Body& body : placed.room.bodies) {
+      if (body.is_solid && body.low() < HEADROOM) found.add(grown(moved(body.box, placed.x, placed.z), storey.reach));
+    }
+    for (const Edge& one : placed.room.edges) {
+      const Edge edge = one.moved(placed.x, placed.z);
+      through.cut(0);
+      ways_through(ways, edge, through);
+      add_walls(edge, through, storey.half_wall, storey.reach, found);
+    }
+  }
+  return found;
+}
+
+// Calls `look(tile, window)` for every tile that a box meets.
+template <class Look> static void look_at(const Walk& walk, const Rect& box, Look look) {
+  for (const Grid& tile : walk.tiles) {
+    const i32 last_x = tile.xs.size - 1, last_z = tile.zs.size - 1;
+    if (last_x < 1 || last_z < 1) continue;
+    if (tile.xs[0] < box.x1 && tile.zs[0] < box.z1 && tile.xs[last_x] > box.x0 && tile.zs[last_z] > box.z0) look(tile, window_of(tile, box));
+  }
+}
+
+// The component of the largest area, the first of those that are alike; 0 where no floor is free.
+static i32 largest(const Walk& walk, i32 count) {
+  const Span<f64> sums = zeroes<f64>(count + 1), here = reserved<f64>(count + 1);
+  for (const Grid& tile : walk.tiles) {
+    for (f64& sum : here) sum = 0.0;
+    for (i32 i = 0; i < tile.cells.rows; i++) {
+      for (i32 k = 0; k < tile.cells.columns; k++) {
+        here[tile.cells.at(i, k)] += static_cast<f64>(tile.width(i)) * static_cast<f64>(tile.depth(k));
+      }
+    }
+    for (i32 one = 1; one <= count; one++) sums[one] += here[one];
+  }
+  i32 found = 0;
+  for (i32 one = 1; one <= count; one++) {
+    if (sums[one] > sums[found]) found = one;
+  }
+  return found;
+}
+
+Walk walk_of(const Storey& storey) {
+  List<Rect> floors;
+  for (const Placed& placed : storey.rooms) {
+    for (const Rect& box : placed.room.inside) floors.add(moved(box, placed.x, placed.z));
+  }
+  floors.add_all(storey.bridges);
+  Walk walk{tiles_of(floors.all(), obstacles_of(storey).all(), storey.most_boxes), {}};
+  const i32 count = label(walk.tiles);
+  walk.entered = zeroes<bool>(count + 1);
+  if (storey.entrances.size == 0) walk.entered[largest(walk, count)] = true;
+  for (const Rect& entrance : storey.entrances) {
+    look_at(walk, entrance, [&](const Grid& tile, const CellWindow& at) {
+      for (i32 i = at.x0; i < at.x1; i++) {
+        for (i32 k = at.z0; k < at.z1; k++) walk.entered[tile.cells.at(i, k)] = true;
+      }
+    });
+  }
+  walk.entered[0] = false;
+  return walk;
+}
+
+Area walked_floor(const Walk& walk, const Placed& placed, bool only_entered) {
+  Area area;
+  for (const Rect& box : placed.room.inside) {
+    look_at(walk, moved(box, placed.x, placed.z), [&](const Grid& tile, const CellWindow& at) {
+      for (i32 i = at.x0; i < at.x1; i++) {
+        i64 deep = 0;
+        for (i32 k = at.z0; k < at.z1; k++) {
+          const i32 component = tile.cells.at(i, k);
+          if (only_entered ? walk.entered[component] : component > 0) deep += tile.depth(k);
+        }
+        area.add_product(tile.width(i), deep);
+      }
+    });
+  }
+  return area;
+}
+
+bool touches(const Walk& walk, const Rect& box, Wall side, i64 reach) {
+  const bool runs_east = runs_along_x(side);
+  const i64 line = box.line(side) - inwards(side) * reach;
+  const Wall opposite = side == Wall::north ? Wall::south : side == Wall::south ? Wall::north : side == Wall::east ? Wall::west : Wall::east;
+  const Edge edge{static_cast<i64>(opposite), line, runs_east ? box.x0 : box.z0, runs_east ? box.x1 : box.z1};
+  bool found = false;
+  look_at(walk, edge.strip(edge.start, edge.end, 1, 0), [&](const Grid& tile, const CellWindow& at) {
+    for (i32 i = at.x0; i < at.x1; i++) {
+      for (i32 k = at.z0; k < at.z1; k++) found = found || walk.entered[tile.cells.at(i, k)];
+    }
+  });
+  return found;
+}
+
+void find_swept_floor(const Storey& storey, const Walk& walk, const Placed& placed, List<Rect>& found) {
+  const Rect near = grown(moved(placed.room.bounds, placed.x, placed.z), storey.reach);
+  Rect clear = grown(placed.room.bounds, -storey.half_wall);
+  clear.x1 = most(clear.x0, clear.x1), clear.z1 = most(clear.z0, clear.z1);
+  List<Rect> centres, swept, walls;
+  look_at(walk, near, [&](const Grid& tile, const CellWindow& at) {
+    const auto is_reached = [&](i32 i, i32 k) {
+      return i >= at.x0 && i < at.x1 && k >= at.z0 && k < at.z1 && walk.entered[tile.cells.at(i, k)];
+    };
+    rectangles(tile, is_reached, centres);
+  });
+  for (const Rect& one : centres) {
+    const Rect box = grown(moved(one, -placed.x, -placed.z), storey.reach);
+    if (meet(box, clear)) swept.add({most(box.x0, clear.x0), most(box.z0, clear.z0), least(box.x1, clear.x1), least(box.z1, clear.z1)});
+  }
+  walls.add_all(placed.room.missing);
+  const i64 half = storey.half_wall;
+  for (const Edge& edge : placed.room.edges) walls.add(edge.strip(edge.start - half, edge.end + half, half, half));
+  const Grid grid = grid_of(swept.all(), walls.all());
+  rectangles(grid, [&](i32 i, i32 k) { return grid.cells.at(i, k) != 0; }, found);
+}
+
+}  // namespace validate

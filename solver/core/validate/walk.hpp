@@ -1,0 +1,49 @@
+// Where a square can walk on a storey: its centre is free where the square meets no body and no wall.
+#pragma once
+
+#include "floor.hpp"
+#include "room.hpp"
+
+namespace validate {
+
+constexpr i64 HEADROOM = 2 * PER_METRE;  // what hangs higher is walked under: the height of a door
+
+struct StoreyRow {
+  i64 half_wall;
+  i64 reach;  // half the square's side, less a step: gaps of exactly the side pass
+  i32 rooms, bridges, entrances, most_boxes;
+};
+
+// A room and where it lies.
+struct Placed {
+  Room room;
+  i64 x, z;
+};
+
+struct Storey {
+  i64 half_wall;
+  i64 reach;
+  i32 most_boxes;
+  Span<Rect> bridges;    // floor inside doorways between walls that lie apart
+  Span<Rect> entrances;  // a step of floor along every door that one comes in by; none: the largest free floor is come to
+  Span<Placed> rooms;
+};
+
+struct Walk {
+  List<Grid> tiles;
+  Span<bool> entered;  // by component: whether one can come to it
+};
+
+Storey read_storey(Reader& reader);
+Walk walk_of(const Storey& storey);
+
+// The area of a room's free centres: those that can be come to, or all.
+Area walked_floor(const Walk& walk, const Placed& placed, bool only_entered);
+
+// Whether the square can come to touch a side of a box, its centre within the side's extent.
+bool touches(const Walk& walk, const Rect& box, Wall side, i64 reach);
+
+// What the square sweeps of a room's clear floor, in rectangles that do not overlap.
+void find_swept_floor(const Storey& storey, const Walk& walk, const Placed& placed, List<Rect>& found);
+
+}  // namespace validate
