@@ -1,9 +1,9 @@
 """The one validator: the rules of docs/scene.md, one function each.
 
 Comes in: a scene and the catalogs. Goes out: issues in a fixed order, and measures. Serves /generate, /fix, /validate, the page
-and the tests. May import: scene, errors, catalogs. Shares no code with the solver: where the solver linearises, this is
-exact, in integers (lattice.py). `check` keeps what it found, so that a changed scene is checked again only where it changed.
-Adding a rule: one function, a row in RULES, its two-body test.
+and the tests. May import: scene, errors, catalogs, core. Shares no geometry with the solver: where the solver linearises, this is
+exact, in integers (lattice.py). What breaks a rule is found in solver/core/validate; here are the words. `check` keeps what it
+found, so that a changed scene is checked again only where it changed. Adding a rule: CONTRIBUTING.md.
 """
 
 from solver.validator.checking import Checked, check, validate

@@ -51,14 +51,6 @@ class ExactBox(NamedTuple):
         """Shifts the box."""
         return ExactBox(self.x0 + x, self.z0 + z, self.x1 + x, self.z1 + z)
 
-    def shared(self, other: ExactBox) -> tuple[int, int]:
-        """Returns how much of x and of z both boxes take up; positive in both where they overlap."""
-        return min(self.x1, other.x1) - max(self.x0, other.x0), min(self.z1, other.z1) - max(self.z0, other.z0)
-
-    def meets(self, other: ExactBox) -> bool:
-        """Tells whether the interiors overlap; touching is not meeting."""
-        return min(self.shared(other)) > 0
-
 
 class WallEdge(NamedTuple):
     """A straight piece of a room's wall line.

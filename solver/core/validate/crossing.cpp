@@ -1,6 +1,6 @@
 // The rule shapes_cross: no part of one body is in a part of another. Parts are boxes here, turned with their body; how deep they are in
 // each other is counted in steps. Bodies far apart, the most by far, are told by floats first.
-#include "room.hpp"
+#include "validate/room.hpp"
 
 namespace validate {
 
@@ -68,7 +68,8 @@ class Window {
 
 static PlacedPart placed(const Body& body, const UnitBox& part) {
   const BodyRow& row = *body.row;
-  const f64 width = static_cast<f64>(exact(row.width)), depth = static_cast<f64>(exact(row.depth)), height = static_cast<f64>(exact(row.height));
+  const f64 width = static_cast<f64>(exact(row.width)), depth = static_cast<f64>(exact(row.depth));
+  const f64 height = static_cast<f64>(exact(row.height));
   const f64 across = nearest((part.x0 + part.x1 - 1.0) / 2.0 * width), along = nearest((part.z0 + part.z1 - 1.0) / 2.0 * depth);
   i64 half_x = rounded((part.x1 - part.x0) / 2.0 * width), half_z = rounded((part.z1 - part.z0) / 2.0 * depth);
   const i64 x = body.x + rounded(across * row.cosine + along * row.sine), z = body.z + rounded(along * row.cosine - across * row.sine);

@@ -1,5 +1,5 @@
 // The rule floating: a thing lies on a surface of what carries it, or hangs at its wall; furniture stands on what it says.
-#include "room.hpp"
+#include "validate/room.hpp"
 
 namespace validate {
 
@@ -133,7 +133,8 @@ void find_floating(const Room& room, Findings& found) {
   const Carriers carriers(room);
   for (i32 i = 0; i < room.bodies.size; i++) {
     const Body& body = room.bodies[i];
-    if (body.is(Sort::furniture) ? body.row->on >= 0 : body.is(Sort::decoration) && !body.hangs()) find_not_carried(room, carriers, i, found);
+    const bool must_be_carried = body.is(Sort::furniture) ? body.row->on >= 0 : body.is(Sort::decoration) && !body.hangs();
+    if (must_be_carried) find_not_carried(room, carriers, i, found);
     if (body.hangs()) find_off_its_wall(room, i, found);
   }
 }

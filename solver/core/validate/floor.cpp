@@ -1,5 +1,5 @@
 // Tiles, their grids and components.
-#include "floor.hpp"
+#include "validate/floor.hpp"
 
 namespace validate {
 

@@ -4,7 +4,7 @@
 // thousands of boxes many. Components are numbered across the tiles' borders, from 1.
 #pragma once
 
-#include "area.hpp"
+#include "validate/area.hpp"
 #include "plain/lists.hpp"
 #include "plain/rects.hpp"
 

@@ -1,5 +1,5 @@
 // A room's bytes -> the room; bodies as integers.
-#include "room.hpp"
+#include "validate/room.hpp"
 
 namespace validate {
 

@@ -3,6 +3,7 @@
 
 #include "plain/lists.hpp"
 #include "plain/rects.hpp"
+#include "validate/validate.hpp"
 
 namespace validate {
 
@@ -24,7 +25,9 @@ constexpr Rect grown(const Rect& box, i64 by) { return box.shrunk(-by); }
 constexpr Rect moved(const Rect& box, i64 x, i64 z) { return {box.x0 + x, box.z0 + z, box.x1 + x, box.z1 + z}; }
 
 // How much of x and of z two boxes share; above 0 in both where they overlap.
-constexpr Extent shared(const Rect& a, const Rect& b) { return {least(a.x1, b.x1) - most(a.x0, b.x0), least(a.z1, b.z1) - most(a.z0, b.z0)}; }
+constexpr Extent shared(const Rect& a, const Rect& b) {
+  return {least(a.x1, b.x1) - most(a.x0, b.x0), least(a.z1, b.z1) - most(a.z0, b.z0)};
+}
 constexpr bool meet(const Rect& a, const Rect& b) {
   const Extent both = shared(a, b);
   return both.x > 0 && both.z > 0;
@@ -139,7 +142,7 @@ struct Room {
 // Takes rows from bytes, one after the other; rows start at multiples of 8.
 class Reader {
  public:
-  Reader(u8* data, i64 size) : at_(data), end_(data + size) {}
+  explicit Reader(Bytes rows) : at_(rows.data), end_(rows.data + rows.size) {}
 
   template <class T> Span<T> take(i32 count) {
     static_assert(sizeof(T) % 8 == 0);

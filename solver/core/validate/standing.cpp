@@ -1,5 +1,5 @@
 // The rules for where bodies stand: out_of_bounds, overlap, wall_far, blocks_door, blocks_window. All in integers.
-#include "room.hpp"
+#include "validate/room.hpp"
 
 namespace validate {
 

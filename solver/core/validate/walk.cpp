@@ -1,5 +1,5 @@
 // The walk of a storey.
-#include "walk.hpp"
+#include "validate/walk.hpp"
 
 namespace validate {
 
@@ -83,7 +83,7 @@ template <class Look> static void look_at(const Walk& walk, const Rect& box, Loo
   for (const Grid& tile : walk.tiles) {
     const i32 last_x = tile.xs.size - 1, last_z = tile.zs.size - 1;
     if (last_x < 1 || last_z < 1) continue;
-    if (tile.xs[0] < box.x1 && tile.zs[0] < box.z1 && tile.xs[last_x] > box.x0 && tile.zs[last_z] > box.z0) look(tile, window_of(tile, box));
+    if (meet(box, {tile.xs[0], tile.zs[0], tile.xs[last_x], tile.zs[last_z]})) look(tile, window_of(tile, box));
   }
 }
 
@@ -147,7 +147,8 @@ Area walked_floor(const Walk& walk, const Placed& placed, bool only_entered) {
 bool touches(const Walk& walk, const Rect& box, Wall side, i64 reach) {
   const bool runs_east = runs_along_x(side);
   const i64 line = box.line(side) - inwards(side) * reach;
-  const Wall opposite = side == Wall::north ? Wall::south : side == Wall::south ? Wall::north : side == Wall::east ? Wall::west : Wall::east;
+  constexpr Wall OPPOSITE[] = {Wall::south, Wall::north, Wall::west, Wall::east};
+  const Wall opposite = OPPOSITE[static_cast<i32>(side)];
   const Edge edge{static_cast<i64>(opposite), line, runs_east ? box.x0 : box.z0, runs_east ? box.x1 : box.z1};
   bool found = false;
   look_at(walk, edge.strip(edge.start, edge.end, 1, 0), [&](const Grid& tile, const CellWindow& at) {

@@ -1,8 +1,8 @@
 // Where a square can walk on a storey: its centre is free where the square meets no body and no wall.
 #pragma once
 
-#include "floor.hpp"
-#include "room.hpp"
+#include "validate/floor.hpp"
+#include "validate/room.hpp"
 
 namespace validate {
 

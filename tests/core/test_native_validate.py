@@ -1,0 +1,64 @@
+"""Scenes judged by the core as it is built, and by a native build that checks every index and traps at undefined behaviour."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from random import Random
+from typing import TypeVar
+
+from catalogs import load_catalogs
+from solver.pipeline import generate
+from solver.scene import Decoration, Furniture, Request, Scene
+from solver.validator.kinds import kinds_of
+from solver.validator.sent_rooms import ask, room_bytes
+from solver.validator.walk import walks
+from solver.validator.world import world_of
+from tests.architecture.tree import ROOT
+
+Thing = TypeVar("Thing", Furniture, Decoration)
+
+KNOWN = load_catalogs()
+SOURCE = Path(__file__).with_name("native_validate.cpp")
+ANSWERS = ("judge_room", "walk_storey", "free_floors", "measure_storey")
+
+
+def thrown_about(scene: Scene, chance: Random) -> Scene:
+    """A scene with a third of its things pushed, turned and stretched."""
+
+    def thrown(body: Thing) -> Thing:
+        if chance.random() < 0.7:
+            return body
+        x, z = body.x + chance.uniform(-1.5, 1.5), body.z + chance.uniform(-1.5, 1.5)
+        return replace(body, x=x, z=z, rotation=chance.choice((0, 45, 90, -30, 270, 400)), height=body.height * chance.uniform(0.3, 2.0))
+
+    rooms = [
+        replace(room, furniture=tuple(map(thrown, room.furniture)), decorations=tuple(map(thrown, room.decorations)))
+        for room in scene.rooms
+    ]
+    return replace(scene, rooms=tuple(rooms))
+
+
+def requests() -> list[tuple[int, bytes]]:
+    """Homes as they are made and thrown about: every room, every storey."""
+    found, chance = [], Random("native")
+    for seed, preset in enumerate(("studio", "one_bed", "family")):
+        made = generate(Request(seed=seed, program=preset, decorate=True)).scene
+        for scene in (made, thrown_about(made, chance), thrown_about(made, chance)):
+            world = world_of(scene)
+            found += [(0, room_bytes(world, place, kinds_of(KNOWN))) for place in world.places]
+            found += [(answer, walk.rows) for walk in walks(world) for answer in (1, 2, 3)]
+    return found
+
+
+def test_checked_and_as_built_agree_to_the_last_bit(tmp_path: Path) -> None:
+    program = tmp_path / "native"
+    subprocess.run([sys.executable, "scripts/core.py", "check", SOURCE, program], cwd=ROOT, check=True)
+    asked = requests()
+    sent = b"".join(number.to_bytes(8, "little") + len(rows).to_bytes(8, "little") + rows for number, rows in asked)
+    (tmp_path / "rows").write_bytes(sent)
+    run = subprocess.run([program, tmp_path / "rows"], capture_output=True, check=False)
+    assert run.returncode == 0, "a negative status is the signal of a trap: run it in a debugger"
+    assert run.stdout == b"".join(ask(ANSWERS[number], rows) for number, rows in asked)
