@@ -14,12 +14,12 @@ from catalogs import Catalogs
 from catalogs.dressing import DecorationKind
 from catalogs.kind_book import KindBook
 from catalogs.schema import FurnitureSpec, Use
-from solver.scene import Decoration, Dynamic, Furniture
 from solver.validator.lattice import exact
 
-KindKey: TypeAlias = tuple[str, str, tuple[float, float, float], str | None]
-"""What a body's kind is looked up by: furniture, decoration or person; name, size, the kind that the scene names. Of people:
-their kind, no size, "seated" where they sit."""
+KindKey: TypeAlias = tuple[str, str, float, float, float, str | None]
+"""What a body's kind is looked up by: "furniture" or "decoration", name, width, depth and height, the kind that the scene names; or
+"person", the kind, no size, and SEATED of those who sit."""
+SEATED: Final = "seated"
 _MOST_KNOWN: Final = 20_000
 """Keys whose rows are kept."""
 
@@ -61,26 +61,19 @@ class Kinds:
         """Returns which sides of a piece are used; None where none is, or the piece is unknown."""
         return self._named[name].use if name in self._named else None
 
-    @staticmethod
-    def key(body: Furniture | Decoration | Dynamic) -> KindKey:
-        """Returns what a body's kind is looked up by."""
-        if isinstance(body, Dynamic):
-            return "person", body.kind, (0.0, 0.0, 0.0), "seated" if body.on is not None else None
-        sort = "furniture" if isinstance(body, Furniture) else "decoration"
-        return sort, body.name, (body.width, body.depth, body.height), body.kind
-
     def rows(self, key: KindKey) -> KindRows:
         """Returns a kind as the core reads it."""
         known = self._rows.get(key)
         if known is None:
             if len(self._rows) >= _MOST_KNOWN:
                 self._rows.clear()
-            known = self._rows[key] = self._rows_of(*key)
+            known = self._rows[key] = self._rows_of(key)
         return known
 
-    def _rows_of(self, sort: str, name: str, size: tuple[float, float, float], said: str | None) -> KindRows:
-        is_person = sort == "person"
-        shape = self._book.living(name, said is not None) if is_person else self._book.kind_of(sort, name, size, said)
+    def _rows_of(self, key: KindKey) -> KindRows:
+        sort, name, width, depth, height, said = key
+        is_person, size = sort == "person", (width, depth, height)
+        shape = self._book.living(name, said == SEATED) if is_person else self._book.kind_of(sort, name, size, said)
         surfaces = [] if is_person else self._surfaces_of(name, size)
         solids = self._book.solids(shape)
         heights = [exact(length) for surface in surfaces for length in surface]

@@ -12,11 +12,11 @@ from struct import Struct
 from typing import Final
 
 from solver.core import borrowed
-from solver.scene import WALLS, Dynamic, Furniture
-from solver.validator.kinds import NO_KIND, KindRows, Kinds
+from solver.scene import WALLS
+from solver.validator.kinds import NO_KIND, SEATED, KindKey, KindRows, Kinds
 from solver.validator.lattice import ExactBox, WallEdge
 from solver.validator.squares import squares, window_zone
-from solver.validator.world import WAYS, AnyBody, Hole, PlacedRoom, World, turns_of
+from solver.validator.world import WAYS, Hole, PlacedRoom, World, turns_of
 
 _ROOM: Final = Struct("<5q12i")
 _BOX: Final = Struct("<4q")
@@ -26,8 +26,9 @@ _BODY: Final = Struct("<6d40s6i")
 _TURN: Final = Struct("<4d2i")
 _STOREY: Final = Struct("<2q4i")
 _PLACE: Final = Struct("<2q")
-_WALL: Final = {wall: i for i, wall in enumerate(WALLS)}
+_WALL: Final[dict[str | None, int]] = {None: -1, **{wall: i for i, wall in enumerate(WALLS)}}
 _NO_SUCH_WALL: Final = 4
+_FURNITURE, _DECORATION, _PERSON = 0, 1, 2
 _ALONG, _CROSSWISE, _BETWEEN = 0, 1, 2
 """How a body is turned: its width along x, along z, or neither."""
 
@@ -50,9 +51,8 @@ def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:
     windows = [_zone(hole, window_zone(hole)) for hole in place.holes if hole.opening.kind == "window"]
     edges = [_edge(edge) for edge in place.edges]
     ways = [_edge(WallEdge(hole.edge.side, hole.edge.line, hole.start, hole.end)) for hole in place.holes if hole.opening.kind in WAYS]
-    numbers: dict[str, int] = {}
-    of_kinds = _KindTable(kinds)
-    bodies = [_body(body, numbers, of_kinds) for body in place.bodies]
+    numbers, of_kinds = _Numbers(), _KindTable(kinds)
+    bodies = _bodies(place, numbers, of_kinds)
     outline = place.outline
     shell = (outline.inside, outline.missing, edges, ways, doors, windows)
     sizes = (*map(len, shell), *of_kinds.sizes, len(bodies), len(numbers), 0)
@@ -83,21 +83,17 @@ def reach_of(world: World) -> int:
     return world.robot // 2 - 1
 
 
-class _KindTable:
-    """The kinds of a room's bodies, each once."""
+class _KindTable(dict[KindKey, int]):
+    """The kinds of a room's bodies, each once, by what they are looked up by; one that is not there yet is added."""
 
     def __init__(self, kinds: Kinds | None) -> None:
+        super().__init__()
         self._kinds = kinds
-        self._found: dict[object, int] = {}
         self._rows: list[KindRows] = []
 
-    def at(self, body: AnyBody) -> int:
-        """Returns a body's kind by its place in the table."""
-        key = Kinds.key(body) if self._kinds else None
-        at = self._found.get(key)
-        if at is None:
-            at = self._found[key] = len(self._rows)
-            self._rows.append(self._kinds.rows(key) if self._kinds and key else NO_KIND)
+    def __missing__(self, key: KindKey) -> int:
+        at = self[key] = len(self._rows)
+        self._rows.append(self._kinds.rows(key) if self._kinds else NO_KIND)
         return at
 
     @property
@@ -116,6 +112,14 @@ class _KindTable:
         yield from (one.part_rows for one in self._rows)
 
 
+class _Numbers(dict[str | None, int]):
+    """Ids as numbers: -1 for none, else the same for the same id."""
+
+    def __missing__(self, name: str | None) -> int:
+        at = self[name] = -1 if name is None else len(self)
+        return at
+
+
 def _zone(hole: Hole, box: ExactBox) -> bytes:
     return _ZONE.pack(*box, hole.sill, hole.top)
 
@@ -124,23 +128,27 @@ def _edge(edge: WallEdge) -> bytes:
     return _BOX.pack(_WALL[edge.side], edge.line, edge.start, edge.end)
 
 
-def _body(body: AnyBody, numbers: dict[str, int], kinds: _KindTable) -> bytes:
-    if isinstance(body, Furniture):
-        sort, on, under, wall = 0, body.on, body.under, body.wall
-    elif isinstance(body, Dynamic):
-        sort, on, under, wall = 2, body.on, None, None
-    else:
-        sort, on, under, wall = 1, body.parent, None, body.mounted_on_wall
-    return _BODY.pack(
-        body.x, body.y, body.z, body.width, body.depth, body.height,
-        _turn(body.rotation),
-        sort,
-        numbers.setdefault(body.id, len(numbers)),
-        -1 if on is None else numbers.setdefault(on, len(numbers)),
-        -1 if under is None else numbers.setdefault(under, len(numbers)),
-        -1 if wall is None else _WALL.get(wall, _NO_SUCH_WALL),
-        kinds.at(body),
-    )  # fmt: skip
+def _bodies(place: PlacedRoom, numbers: _Numbers, kinds: _KindTable) -> list[bytes]:
+    """Returns the rows of furniture, small things and people."""
+    pack, room, none = _BODY.pack, place.room, numbers[None]
+    rows = []
+    for piece in room.furniture:
+        width, depth, height = piece.width, piece.depth, piece.height
+        kind = kinds["furniture", piece.name, width, depth, height, piece.kind]
+        place_of = piece.x, piece.y, piece.z, width, depth, height, _turn(piece.rotation)
+        ids = numbers[piece.id], numbers[piece.on], numbers[piece.under]
+        rows.append(pack(*place_of, _FURNITURE, *ids, _WALL.get(piece.wall, _NO_SUCH_WALL), kind))
+    for thing in room.decorations:
+        width, depth, height = thing.width, thing.depth, thing.height
+        kind = kinds["decoration", thing.name, width, depth, height, thing.kind]
+        place_of = thing.x, thing.y, thing.z, width, depth, height, _turn(thing.rotation)
+        ids = numbers[thing.id], numbers[thing.parent], none
+        rows.append(pack(*place_of, _DECORATION, *ids, _WALL.get(thing.mounted_on_wall, _NO_SUCH_WALL), kind))
+    for person in place.people:
+        kind = kinds["person", person.kind, 0.0, 0.0, 0.0, None if person.on is None else SEATED]
+        place_of = person.x, person.y, person.z, person.width, person.depth, person.height, _turn(person.rotation)
+        rows.append(pack(*place_of, _PERSON, numbers[person.id], numbers[person.on], none, none, kind))
+    return rows
 
 
 @lru_cache(maxsize=1024)
