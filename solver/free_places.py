@@ -10,13 +10,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import chain
+from struct import Struct, pack
 from typing import Final, NamedTuple
 
+from solver.core import borrowed
 from solver.geometry import Rect, extents
 from solver.scene import Decoration, Dynamic, Furniture
 
 FLAT_MM: Final = 20
 """Rugs and mats: what is no higher is no body, one stands on it (docs/scene.md, The rules)."""
+
+_RECT: Final = Struct("<4q")
+_NEAREST: Final = Struct("<9q2i")
 
 
 class Block(NamedTuple):
@@ -54,20 +60,18 @@ def nearest_place(own: Rect, area: Rect, blocks: Sequence[Rect], reach: int | No
         blocks: what it must not overlap.
         reach: how far from the wish it may be, mm; None: anywhere.
 
-    Ties go to the lesser step along x, then along z.
+    Ties go to the lesser step along x, then west, then along z, then north.
     """
-    taken = [(rect.x0 - own.width, rect.x1, rect.z0 - own.depth, rect.z1) for rect in blocks]
-    limit = math.inf if reach is None else reach * reach + 1
-    best: Rect | None = None
-    for x in _steps(own.x0, (area.x0, area.x1 - own.width), [(west, east) for west, east, _, _ in taken]):
-        aside = (x - own.x0) ** 2
-        if aside >= limit:
-            break
-        beside = [(low, high) for west, east, low, high in taken if west < x < east]
-        z = _nearest_free(own.z0, (area.z0, area.z1 - own.depth), beside)
-        if z is not None and aside + (z - own.z0) ** 2 < limit:
-            best, limit = own.moved(x - own.x0, z - own.z0), aside + (z - own.z0) ** 2
-    return best
+    request = _NEAREST.pack(*own, *area, -1 if reach is None else reach, len(blocks), 0) + rect_rows(blocks)
+    with borrowed() as core:
+        at = core.write(request)
+        found = core.call("nearest_place", at, len(request))
+        return Rect(*_RECT.unpack(core.read(at, _RECT.size))) if found else None
+
+
+def rect_rows(rects: Sequence[Rect]) -> bytes:
+    """Returns rectangles as the core reads them."""
+    return pack(f"<{4 * len(rects)}q", *chain.from_iterable(rects))
 
 
 def free_places(own: Rect, clear: Rect, blocks: Sequence[Rect], apart: int) -> Iterator[Rect]:
@@ -86,13 +90,3 @@ def _steps(wish: int, bounds: tuple[int, int], taken: Sequence[tuple[int, int]])
     """Returns the coordinates within bounds worth trying along an axis, nearest first: the wish, and the ends of what is taken."""
     tried = {wish, *bounds, *(end for ends in taken for end in ends)}
     return sorted((v for v in tried if bounds[0] <= v <= bounds[1]), key=lambda v: (abs(v - wish), v))
-
-
-def _nearest_free(wish: int, bounds: tuple[int, int], taken: Sequence[tuple[int, int]]) -> int | None:
-    """Returns the coordinate within bounds nearest to a wish that lies inside none of the open intervals, or None."""
-    up = down = min(max(wish, bounds[0]), bounds[1])
-    for low, high in sorted(taken):
-        up = high if low < up < high else up
-    for low, high in sorted(taken, key=lambda ends: -ends[1]):
-        down = low if low < down < high else down
-    return min((v for v in (down, up) if bounds[0] <= v <= bounds[1]), key=lambda v: (abs(v - wish), v), default=None)

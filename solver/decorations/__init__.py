@@ -4,7 +4,7 @@ Comes in: a Room, its Space, the catalogs' dressing. Goes out: Decorations. May 
 furniture stands (placement); nothing here moves it.
 """
 
-from solver.decorations.decorated_room import DecorationSettings
 from solver.decorations.decorating import decorations_of
+from solver.decorations.decoration_settings import DecorationSettings
 
 __all__ = ["DecorationSettings", "decorations_of"]

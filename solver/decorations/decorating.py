@@ -1,50 +1,36 @@
-"""decorations_of(): one room, top to bottom.
+"""decorations_of(): one room.
 
-Comes in: a furnished Room, its Space, the settings, a Stream. Goes out: its Decorations. May import: the ground floor, catalogs.
+Comes in: a furnished Room, its Space, the settings, a Stream. Goes out: its Decorations. May import: the ground floor, catalogs. The work
+is the core's: solver/core/dress.
 """
 
 from __future__ import annotations
 
-from solver.decorations.decorated_room import Carrier, DecoratedRoom, DecorationSettings
-from solver.decorations.on_floor import stand
-from solver.decorations.on_surfaces import lay
-from solver.decorations.on_walls import hang, hang_free
+from solver.core import borrowed
+from solver.decorations.compiled_dressing import compiled_dressing
+from solver.decorations.decorated_rows import decorated_rows, decorations_in, stream_after
+from solver.decorations.decoration_settings import DecorationSettings
 from solver.pieces import Space
 from solver.scene import Decoration, Room
 from solver.streams import Stream
 
 
 def decorations_of(room: Room, space: Space, settings: DecorationSettings, stream: Stream) -> tuple[Decoration, ...]:
-    """Returns what decorates a furnished room; its furniture stays as it is.
+    """Returns what decorates a furnished room, naming its kinds; the room's furniture stays as it is.
 
     Args:
         room: furnished at right angles.
         space: its clear rectangle, and what its doors and windows keep free.
         settings: with what, in which style, how high the room is.
         stream: of random numbers, the room's own.
+
+    Raises:
+        CoreFailed: an error within the core.
     """
-    decorated = DecoratedRoom(room, space, settings, stream)
-    for group in _groups(decorated):
-        lay(decorated, group)
-    for piece in decorated.pieces:
-        hang(decorated, piece)
-    hang_free(decorated)
-    _lay_on_things(decorated)
-    stand(decorated)
-    return tuple(decorated.things)
-
-
-def _groups(decorated: DecoratedRoom) -> list[list[Carrier]]:
-    """Returns the pieces one by one, or together where their dressing says so."""
-    groups: dict[str, list[Carrier]] = {}
-    for piece in decorated.pieces:
-        entry = decorated.catalogs.dressing.get(piece.name)
-        groups.setdefault(piece.name if entry and entry.together else piece.id, []).append(piece)
-    return list(groups.values())
-
-
-def _lay_on_things(decorated: DecoratedRoom) -> None:
-    """Lays things on the things that have a dressing of their own: a mounted shelf is a parent like any other."""
-    for thing in decorated.made:  # grows meanwhile
-        if thing.surfaces:
-            lay(decorated, [thing])
+    known = compiled_dressing(settings)
+    rows = decorated_rows(room, space, known, settings.height, stream.state)
+    with borrowed() as core:
+        packed = core.call("dress", core.write(known.data), len(known.data), core.write(rows), len(rows))
+        answer = core.read(packed & 0xFFFFFFFF, packed >> 32)
+    stream.state = stream_after(answer)
+    return tuple(decorations_in(answer, room, known))

@@ -9,10 +9,8 @@ from collections.abc import Container
 from dataclasses import replace
 
 from catalogs import Catalogs
-from catalogs.kind_book import KindBook
 from solver.decorations import DecorationSettings, decorations_of
 from solver.furnish import space_of
-from solver.named_kinds import naming
 from solver.scene import Room, Scene, robot_width_of
 from solver.streams import Stream
 
@@ -31,14 +29,11 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
     name = style if isinstance(style, str) else ""
     settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8)
 
-    book = KindBook(catalogs)
-
     def done(room: Room) -> Room:
-        space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
         bare = replace(room, decorations=())
         if not wanted:
             return bare
-        made = decorations_of(bare, space, settings, Stream(seed, "decorations", room.index))
-        return replace(bare, decorations=naming("decoration", made, book))
+        space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
+        return replace(bare, decorations=decorations_of(bare, space, settings, Stream(seed, "decorations", room.index)))
 
     return replace(scene, rooms=tuple(done(room) if room.id in rooms else room for room in scene.rooms))

@@ -1,26 +1,16 @@
 // Furnishes rooms natively, with every index checked: `native_furnish ROOMS` reads what the host would send and writes what it would read.
 //
 // Of a room: the length of its type's rows (8 bytes), the rows, the length of its own rows, the rows. Written of it: the answer.
-#include <stdio.h>
+#include "native_io.hpp"
 
 #include "furnish/furnish.hpp"
-
-using furnish::Bytes;
-
-static Bytes read(FILE* file) {
-  i64 size;
-  if (fread(&size, sizeof size, 1, file) != 1) return {nullptr, 0};
-  u8* data = static_cast<u8*>(arena::reserve(size));
-  if (static_cast<i64>(fread(data, 1, static_cast<unsigned long>(size), file)) != size) fail(Failure::bad_request);
-  return {data, size};
-}
 
 // Furnishes the next room of a file; false at its end.
 static bool furnish_next(FILE* file) {
   const arena::Scope scope;
-  const Bytes type = read(file);
+  const Bytes type = read_bytes(file);
   if (type.data == nullptr) return false;
-  const Bytes answer = furnish::furnish_room(type, read(file));
+  const Bytes answer = furnish::furnish_room(type, read_bytes(file));
   fwrite(answer.data, 1, static_cast<unsigned long>(answer.size), stdout);
   return true;
 }

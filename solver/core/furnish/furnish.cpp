@@ -18,26 +18,6 @@ struct CountRow {
   i32 copies;
 };
 
-template <class T> i64 bytes_of(Span<T> rows) { return static_cast<i64>(rows.size) * sizeof(T); }
-
-class Writer {
- public:
-  explicit Writer(i64 size) : start_(static_cast<u8*>(arena::reserve(size))), at_(start_) {}
-
-  template <class T> void put(Span<T> rows) {
-    if (rows.size == 0) return;
-    const i64 bytes = bytes_of(rows);
-    __builtin_memcpy(at_, rows.data, static_cast<unsigned long>(bytes));
-    at_ += bytes;
-  }
-  u8* start() const { return start_; }
-  i64 size() const { return at_ - start_; }
-
- private:
-  u8* start_;
-  u8* at_;
-};
-
 }  // namespace
 
 static Scope read_room(u8* data, i64 size, RoomHeader& header) {
@@ -75,7 +55,7 @@ static Bytes answer(const Furnisher& furnisher, const List<CountedPiece>& counte
   writer.put(pieces);
   writer.put(candidates);
   writer.put(links);
-  return {writer.start(), writer.size()};
+  return writer.written();
 }
 
 Bytes furnish_room(Bytes type_rows, Bytes room_rows) {

@@ -1,14 +1,9 @@
 // What a room of a type wants: pieces with their candidates and links.
 #pragma once
 
-#include "plain/memory.hpp"
+#include "plain/tables.hpp"
 
 namespace furnish {
-
-struct Bytes {
-  u8* data;
-  i64 size;
-};
 
 // A room type (room_type.hpp: TypeHeader and its tables) and a room (room.hpp: RoomHeader, openings, zones) -> the rows of what it wants,
 // in the arena: the stream's state and the counts of what follows, then how many of each piece, pieces, candidates, links.

@@ -91,7 +91,7 @@ static i32 drawn_count(const PieceSpec& piece, f64 area, Stream& stream) {
 
 // The variants that suit a room of that area; all where none does.
 static Span<Variant> suited(const RoomType& type, const PieceSpec& piece, f64 area) {
-  const Span<Variant> all = RoomType::part(type.variants, piece.variants);
+  const Span<Variant> all = part_of(type.variants, piece.variants);
   List<Variant> found;
   for (const Variant& variant : all) {
     if (variant.min_area <= area) found.add(variant);

@@ -17,8 +17,8 @@ static void check_rule(const Rule& rule, const RoomType& type) {
   constexpr Word LAST_WORD = static_cast<Word>(static_cast<i32>(Word::COUNT) - 1);
   check(is_one(rule.word, LAST_WORD) && is_one(rule.align, Align::any) && is_one(rule.wall, Walls::other));
   for (const Name& name : type.of(rule)) check(is_word(name.word, type));
-  for (Side side : RoomType::part(type.sides, rule.sides)) check(is_one(side, Side::back));
-  for (const SortCost& sort : RoomType::part(type.sorts, rule.sorts)) check(is_one(sort.sort, Sort::longer));
+  for (Side side : part_of(type.sides, rule.sides)) check(is_one(side, Side::back));
+  for (const SortCost& sort : part_of(type.sorts, rule.sorts)) check(is_one(sort.sort, Sort::longer));
 }
 
 static void check_type(const RoomType& type) {
@@ -30,10 +30,10 @@ static void check_type(const RoomType& type) {
   for (const Rule& rule : type.rules) check_rule(rule, type);
   for (const PieceSpec& piece : type.pieces) {
     check(is_word(piece.word, type) && piece.count >= 0 && piece.count <= MOST_COPIES && piece.variants.count > 0);
-    RoomType::part(type.variants, piece.variants);
+    part_of(type.variants, piece.variants);
     type.rules_of(piece);
   }
-  for (const Range& order : type.orders) RoomType::part(type.words, order);
+  for (const Range& order : type.orders) part_of(type.words, order);
   for (i32 word : type.words) check(is_word(word, type));
   for (i32 word : type.corners) check(is_word(word, type));
   for (i32 word : type.triangle) check(is_word(word, type));

@@ -1,8 +1,8 @@
 // A room type as Python compiles it: rows of plain structs, one after the other; names are indices into Python's tables.
 #pragma once
 
+#include "plain/tables.hpp"
 #include "plain/rects.hpp"
-#include "plain/spans.hpp"
 
 namespace furnish {
 
@@ -22,12 +22,6 @@ enum class Align : i32 { none = 0, back = 1, centre = 2, front = 3, any = 4 };
 
 // How the walls of two pieces should lie.
 enum class Walls : i32 { any = 0, same = 1, opposite = 2, adjacent = 3, other = 4 };
-
-// Rows of another table: the first, and how many.
-struct Range {
-  i32 first;
-  i32 count;
-};
 
 // A surface of a kind: its height, and the free height above it (-1: any), mm.
 struct Level {
@@ -133,37 +127,14 @@ struct RoomType {
   i32 all_words;  // how many words are told apart
   bool has_run;
 
-  template <class T> static Span<T> part(Span<T> table, Range range) {
-    if (range.first < 0 || range.count < 0 || range.first > table.size - range.count) fail(Failure::bad_request);
-    return {table.data + range.first, range.count};
-  }
   const Kind& kind(i32 at) const {
     if (at < 0 || at >= kinds.size) fail(Failure::bad_request);
     return kinds.data[at];
   }
-  Span<Rule> rules_of(const PieceSpec& piece) const { return part(rules, piece.rules); }
-  Span<Name> of(const Rule& rule) const { return part(names, rule.of); }
-  Span<Level> levels_of(const Kind& kind) const { return part(levels, kind.levels); }
-  Span<PartBox> parts_of(const Kind& kind) const { return part(parts, kind.parts); }
-};
-
-// Reads tables out of bytes; a table that reaches beyond them ends the call.
-class Reader {
- public:
-  Reader(u8* data, i64 size) : data_(data), left_(size) {}
-
-  template <class T> Span<T> take(i32 count) {
-    const i64 bytes = (static_cast<i64>(count) * sizeof(T) + 7) / 8 * 8;
-    if (count < 0 || bytes > left_) fail(Failure::bad_request);
-    T* found = reinterpret_cast<T*>(data_);
-    data_ += bytes;
-    left_ -= bytes;
-    return {found, count};
-  }
-
- private:
-  u8* data_;
-  i64 left_;
+  Span<Rule> rules_of(const PieceSpec& piece) const { return part_of(rules, piece.rules); }
+  Span<Name> of(const Rule& rule) const { return part_of(names, rule.of); }
+  Span<Level> levels_of(const Kind& kind) const { return part_of(levels, kind.levels); }
+  Span<PartBox> parts_of(const Kind& kind) const { return part_of(parts, kind.parts); }
 };
 
 RoomType read_room_type(u8* data, i64 size);

@@ -119,7 +119,7 @@ i64 RunPlanner::length_of(Span<Item> items) const {
 
 // Draws an order, which way round, and what it holds in which variants.
 void RunPlanner::draw_items(Stream& stream, Drawn& drawn) const {
-  const Span<i32> order = RoomType::part(type_.words, stream.pick(type_.orders));
+  const Span<i32> order = part_of(type_.words, stream.pick(type_.orders));
   const bool mirrored = stream.chance(0.5);
   drawn.cost = stream.up_to(PREFERENCE);
   for (i32 i = 0; i < order.size; i++) {

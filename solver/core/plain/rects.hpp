@@ -41,8 +41,18 @@ struct Extent {
   i64 z;
 };
 
+// The wall behind a body.
+constexpr Wall wall_behind(i64 rotation) {
+  constexpr Wall BEHIND[] = {Wall::north, Wall::west, Wall::south, Wall::east};
+  return BEHIND[floor_mod(rotation, 360) / 90];
+}
+
+constexpr Wall opposite(Wall wall) {
+  return wall == Wall::north ? Wall::south : wall == Wall::south ? Wall::north : wall == Wall::east ? Wall::west : Wall::east;
+}
+
 // The unit vector (x, z) of the front, by rotation.
-constexpr Point facing(i32 rotation) {
+constexpr Point facing(i64 rotation) {
   constexpr Point FACING[] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
   return FACING[floor_mod(rotation, 360) / 90];
 }
@@ -77,6 +87,15 @@ struct Rect {
   constexpr bool contains(const Rect& other) const {
     return x0 <= other.x0 && z0 <= other.z0 && other.x1 <= x1 && other.z1 <= z1;
   }
+  constexpr Rect moved(i64 dx, i64 dz) const { return {x0 + dx, z0 + dz, x1 + dx, z1 + dz}; }
+  // Shifted by the shortest way into a larger one.
+  constexpr Rect held_in(const Rect& area) const {
+    return moved(least(most(x0, area.x0), area.x1 - width()) - x0, least(most(z0, area.z0), area.z1 - depth()) - z0);
+  }
+  // The bounds of all that it covers while it is shifted so far.
+  constexpr Rect swept(Point by) const {
+    return {x0 + least<i64>(0, by.x), z0 + least<i64>(0, by.z), x1 + most<i64>(0, by.x), z1 + most<i64>(0, by.z)};
+  }
   constexpr Interval along(Wall wall) const { return runs_along_x(wall) ? Interval{x0, x1} : Interval{z0, z1}; }
   constexpr i64 line(Wall wall) const {
     return wall == Wall::north ? z0 : wall == Wall::south ? z1 : wall == Wall::west ? x0 : x1;
@@ -97,9 +116,12 @@ constexpr bool goes_before(const Rect& a, const Rect& b) {
   return a.x0 != b.x0 ? a.x0 < b.x0 : a.z0 != b.z0 ? a.z0 < b.z0 : a.x1 != b.x1 ? a.x1 < b.x1 : a.z1 < b.z1;
 }
 
-// The rectangle that lies along a wall of `rect`, inside it, over an interval of that wall.
-constexpr Rect strip(const Rect& rect, Wall wall, Interval over, i64 depth) {
-  const i64 line = rect.line(wall), inner = line + inwards(wall) * depth;
+// The rectangle over an interval of a wall whose line is given, `depth` deep into its room.
+constexpr Rect strip_at(Wall wall, i64 line, Interval over, i64 depth) {
+  const i64 inner = line + inwards(wall) * depth;
   const i64 low = least(line, inner), high = most(line, inner);
   return runs_along_x(wall) ? Rect{over.low, low, over.high, high} : Rect{low, over.low, high, over.high};
 }
+
+// The rectangle that lies along a wall of `rect`, inside it, over an interval of that wall.
+constexpr Rect strip(const Rect& rect, Wall wall, Interval over, i64 depth) { return strip_at(wall, rect.line(wall), over, depth); }

@@ -9,6 +9,15 @@ constexpr i64 rounded_half(i64 doubled) {
   return doubled % 2 == 0 || low % 2 == 0 ? low : low + 1;
 }
 
+// The nearest whole number, as Python's round(x).
+inline i64 rounded(f64 x) {
+  const f64 low = floor(x), beyond_half = (x - low) - 0.5;
+  return whole(low) + (beyond_half > 0 || (beyond_half == 0 && whole(low) % 2 != 0));
+}
+
+// The least whole number that is no less.
+inline i64 rounded_up(f64 x) { return whole(-floor(-x)); }
+
 // The product of two floats as a sum of two, exact (Dekker); for magnitudes far from the ends of what a float holds.
 struct Product {
   f64 high;

@@ -58,7 +58,7 @@ static bool is_of(Sort sort, const Subject& subject, const Candidate& candidate)
 f64 AgainstWall::cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const {
   if (candidate.wall == Wall::none) return effect.rule->missed();
   f64 sum = 0.0;
-  for (const SortCost& sort : RoomType::part(subject.type.sorts, effect.rule->sorts)) {
+  for (const SortCost& sort : part_of(subject.type.sorts, effect.rule->sorts)) {
     if (is_of(sort.sort, subject, candidate)) sum += sort.cost;
   }
   return sum;

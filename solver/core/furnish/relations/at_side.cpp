@@ -21,7 +21,7 @@ Rect at_side(Extent parent, Extent own, Side side, Interval gap, Align align) {
 }
 
 Span<const Side> AtSide::sides(const Subject& subject, const Rule& rule) const {
-  const Span<Side> named = RoomType::part(subject.type.sides, rule.sides);
+  const Span<Side> named = part_of(subject.type.sides, rule.sides);
   return named.size ? Span<const Side>{named.data, named.size} : Span<const Side>{meaning_.sides, meaning_.side_count};
 }
 

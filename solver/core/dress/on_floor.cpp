@@ -1,0 +1,214 @@
+#include "dress/stages.hpp"
+#include "floor/nearest.hpp"
+
+namespace dress {
+
+namespace {
+
+// What stands at a wall stands this far from its face, as furniture does.
+constexpr i64 OFF_WALL_MM = 30;
+// How much floor before a cupboard's doors things that do not lie about leave free. Our choice.
+constexpr i64 FRONT_MM = 300;
+// Places tried for a thing that stands anywhere. Our choice.
+constexpr i32 TRIES = 3;
+
+// A place wished for: inside an area, near a point, turned so.
+struct Spot {
+  Rect area;
+  Point wish;
+  i64 rotation;
+};
+
+// The floor of a room, and where on it things may go.
+class Floor {
+ public:
+  explicit Floor(DecoratedRoom& room);
+
+  void spread(const Stands& row, const Choice& choice);
+  void scatter(const Stands& row, const Turns& turns);
+
+ private:
+  List<Spot> spots_of(const Stands& row);
+  void add_beside(const Stands& row, List<Spot>& spots);
+  Spot at_wall(Wall wall, i64 along) const;
+  bool stood(const Stands& row, const Choice& choice, const Spot& spot);
+  List<Rect> blocks_at(const Stands& row, const Spot& spot, const Size& size) const;
+
+  DecoratedRoom& room_;
+  const Rect clear_;
+  List<Goal> goals_;
+  FreeFloor free_;
+};
+
+List<Goal> goals_of(Span<Piece> pieces) {
+  List<Goal> goals;
+  for (const Piece& piece : pieces) {
+    if (piece.sides) goals.add({piece.rect, piece.sides, piece.need_all});
+  }
+  return goals;
+}
+
+Floor::Floor(DecoratedRoom& room)
+    : room_(room), clear_(room.room.clear), goals_(goals_of(room.pieces)), free_(clear_, room.room.robot, room.doors, goals_.all()) {
+  for (const Piece& piece : room.pieces) {
+    if (piece.in_the_way) free_.add(piece.rect);
+  }
+  for (const Zone& zone : room.zones) {
+    if (zone.is_outline) free_.add(zone.rect);
+  }
+}
+
+// Lays a rug in the middle of the room, along its longer side.
+void Floor::spread(const Stands& row, const Choice& choice) {
+  const i64 wide = room_.room.wide, deep = room_.room.deep, longer = most(wide, deep), lesser = least(wide, deep);
+  Size size = room_.known.kind_of(choice).size;
+  if (row.fills) {
+    const i64 widest = row.widest ? row.widest : longer;
+    size.width = floor_div(whole(static_cast<f64>(longer) * row.fill), 10) * 10;
+    size.depth = floor_div(least(whole(static_cast<f64>(lesser) * row.fill), widest), 10) * 10;
+  }
+  const i64 rotation = wide >= deep ? 0 : 90;
+  const Extent extent = room_.bounds_of(size, rotation);
+  const Rect place = Rect{0, 0, extent.x, extent.z}.moved(floor_div(wide - extent.x, 2), floor_div(deep - extent.z, 2));
+  if (!clear_.contains(place)) return;
+  for (const Zone& zone : room_.zones) {
+    if (zone.is_outline && place.overlaps(zone.rect)) return;
+  }
+  room_.add(choice, row.row, place, 0, size, rotation, NOBODY, Wall::none);
+}
+
+Spot Floor::at_wall(Wall wall, i64 along) const {
+  const Rect inner = clear_.shrunk(OFF_WALL_MM);
+  return {inner, inner.point_at(wall, along, 0), rotation_at(wall)};
+}
+
+// Adds places at both ends of the pieces named, the first names first, along the wall behind them.
+void Floor::add_beside(const Stands& row, List<Spot>& spots) {
+  for (const i32 word : part_of(room_.known.words, row.of)) {
+    for (const Piece& piece : room_.pieces) {
+      if (piece.word != word || piece.low != 0) continue;
+      const Wall wall = wall_behind(piece.rotation);
+      const Interval along = piece.rect.along(wall);
+      i64 ends[] = {along.low, along.high};
+      room_.stream.shuffle(Span<i64>{ends, 2});
+      for (const i64 end : ends) spots.add(at_wall(wall, end));
+    }
+  }
+}
+
+List<Spot> Floor::spots_of(const Stands& row) {
+  List<Spot> spots;
+  Stream& stream = room_.stream;
+  if (row.where == Where::corner) {
+    Point corners[] = {{clear_.x0, clear_.z0}, {clear_.x0, clear_.z1}, {clear_.x1, clear_.z0}, {clear_.x1, clear_.z1}};
+    stream.shuffle(Span<Point>{corners, 4});
+    for (const Point& corner : corners) {
+      spots.add(at_wall(corner.z == clear_.z0 ? Wall::north : Wall::south, corner.x));
+      spots.add(at_wall(corner.x == clear_.x0 ? Wall::west : Wall::east, corner.z));
+    }
+  } else if (row.where == Where::free) {
+    const Rect inner = clear_.shrunk(OFF_WALL_MM);
+    for (i32 k = 0; k < TRIES && inner.width() >= 0 && inner.depth() >= 0; k++) {
+      const i64 x = inner.x0 + stream.below(static_cast<i32>(inner.width() + 1));
+      const i64 z = inner.z0 + stream.below(static_cast<i32>(inner.depth() + 1));
+      spots.add({inner, {x, z}, 90 * stream.below(4)});
+    }
+  } else {
+    if (row.where == Where::beside) add_beside(row, spots);
+    Wall walls[] = {WALLS[0], WALLS[1], WALLS[2], WALLS[3]};
+    stream.shuffle(Span<Wall>{walls, 4});
+    for (const Wall wall : walls) {
+      const Interval along = clear_.along(wall);
+      if (along.high >= along.low) spots.add(at_wall(wall, along.low + stream.below(static_cast<i32>(along.high - along.low + 1))));
+    }
+  }
+  return spots;
+}
+
+// What a thing must keep out of around a spot.
+List<Rect> Floor::blocks_at(const Stands& row, const Spot& spot, const Size& size) const {
+  const Rect around = Rect{spot.wish.x, spot.wish.z, spot.wish.x, spot.wish.z}.shrunk(-(row.reach + 2 * (size.width + size.depth)));
+  List<Rect> found;
+  const auto add = [&](const Rect& rect) {
+    if (around.overlaps(rect)) found.add(rect);
+  };
+  for (const Zone& zone : room_.zones) {
+    if (size.height > zone.above) add(zone.rect);
+  }
+  for (const DecoratedRoom::Block& block : room_.blocks) {
+    if (block.low < size.height) add(block.rect);
+  }
+  for (const Piece& piece : room_.pieces) {
+    const Point ahead = facing(piece.rotation);
+    if (row.where != Where::free && piece.faced) add(piece.rect.swept({ahead.x * FRONT_MM, ahead.z * FRONT_MM}));
+  }
+  return found;
+}
+
+// The free place nearest to a spot: along the wall it is at, or anywhere within the row's reach.
+NearestPlace free_place(const Stands& row, const Spot& spot, Extent extent, Span<Rect> blocks) {
+  Rect area = spot.area;
+  if (row.where != Where::free) {
+    const Wall wall = wall_behind(spot.rotation);
+    area = strip(area, wall, area.along(wall), runs_along_x(wall) ? extent.z : extent.x);
+  }
+  return nearest_place(Rect::around(spot.wish, extent).held_in(area), area, blocks, row.reach);
+}
+
+// Stands a thing near a spot; tells whether it found a place. Where nobody could come in before, no body may stand.
+bool Floor::stood(const Stands& row, const Choice& choice, const Spot& spot) {
+  const Kind& kind = room_.known.kind_of(choice);
+  const i64 askew = room_.jitter(kind);
+  const List<Rect> blocks = blocks_at(row, spot, kind.size);
+  for (const Size& size : room_.known.sizes_of(choice)) {
+    for (i32 angle = 0; angle < (askew ? 2 : 1); angle++) {
+      const i64 rotation = spot.rotation + (angle == 0 ? askew : 0);
+      const NearestPlace nearest = free_place(row, spot, room_.bounds_of(size, rotation), blocks.all());
+      const bool is_body = size.height > FLAT_MM;
+      if (!nearest.found || (is_body && !(room_.doors.size > 0 && free_.connects_with(nearest.place)))) continue;
+      room_.add(choice, row.row, nearest.place, 0, size, rotation, NOBODY, Wall::none);
+      if (is_body) free_.add(nearest.place);
+      return true;
+    }
+  }
+  return false;
+}
+
+// Stands a row's things one after the other, each at the first spot that has a place; a corner holds one of them.
+void Floor::scatter(const Stands& row, const Turns& turns) {
+  i64 count = row.count;
+  if (row.per_area != 0) count = most<i64>(1, least(count, whole(room_.room.width * room_.room.depth / row.per_area)));
+  const List<Spot> spots = spots_of(row);
+  const Span<bool> gone = zeroes<bool>(spots.size());
+  for (i64 k = 0; k < count; k++) {
+    for (i32 at = 0; at < spots.size(); at++) {
+      if (gone[at] || !stood(row, turns.at(k), spots[at])) continue;
+      if (row.where == Where::corner) gone[at / 2 * 2] = gone[at / 2 * 2 + 1] = true;
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+static void stand_rows(DecoratedRoom& room, Floor& floor, const Entry& entry) {
+  for (const Stands& row : part_of(room.known.stands, entry.stands)) {
+    const Turns turns = room.wanted(row.row);
+    if (turns.choices.size == 0 || least(room.room.width, room.room.depth) < row.min_side) continue;
+    if (row.where == Where::middle) {
+      floor.spread(row, turns.at(0));
+    } else {
+      floor.scatter(row, turns);
+    }
+  }
+}
+
+void stand(DecoratedRoom& room) {
+  const Entry* own = room.known.entry_of(room.room.word);
+  const Entry* indoor = room.known.entry_of(room.known.indoor_entry);
+  Floor floor(room);
+  if (!room.room.outdoor && (own == nullptr || own->indoor) && indoor != nullptr) stand_rows(room, floor, *indoor);
+  if (own != nullptr) stand_rows(room, floor, *own);
+}
+
+}  // namespace dress

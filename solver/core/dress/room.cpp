@@ -1,0 +1,101 @@
+#include "dress/room.hpp"
+
+#include "plain/rounding.hpp"
+
+namespace dress {
+
+// How far askew a thing may lie, degrees.
+constexpr i32 JITTER = 15;
+
+static void check(bool right) {
+  if (!right) fail(Failure::bad_request);
+}
+
+DecoratedRoom::DecoratedRoom(const Dressing& dressing, Bytes rows) : known(dressing), stream(0) {
+  Reader reader(rows.data, rows.size);
+  room = reader.take<RoomHeader>(1)[0];
+  pieces = reader.take<Piece>(room.pieces);
+  openings = reader.take<Opening>(room.openings);
+  zones = reader.take<Zone>(room.zones);
+  doors = reader.take<Doorway>(room.doors);
+  stream = Stream(room.stream);
+  for (const Piece& piece : pieces) {
+    check(piece.rotation >= 0 && piece.rotation < 360 && piece.rotation % 90 == 0);
+    const i64 number = carriers.size();
+    carriers.add({piece.rect, piece.low, piece.high, piece.rotation, piece.word, known.surfaces_of(piece.surfaces), NOBODY});
+    blocks.add({piece.rect, piece.low, piece.high, number});
+  }
+}
+
+static bool holds(Span<i32> words, i64 word) {
+  for (const i32 one : words) {
+    if (one == word) return true;
+  }
+  return false;
+}
+
+Turns DecoratedRoom::wanted(const Row& row) {
+  const Span<Choice> choices = part_of(known.choices, row.choices);
+  const Span<i32> rooms = part_of(known.words, row.rooms);
+  const bool drawn = row.always || stream.chance(row.chance);
+  const bool in_room = !holds(part_of(known.words, row.not_in), room.word) && (rooms.size == 0 || holds(rooms, room.word));
+  if (choices.size == 0 || !drawn || !row.in_style || !in_room) return {{nullptr, 0}, 0};
+  return {choices, choices.size > 1 ? stream.below(choices.size) : 0};
+}
+
+i64 DecoratedRoom::jitter(const Kind& kind) { return kind.jitter ? stream.below(2 * JITTER + 1) - JITTER : 0; }
+
+// The piece or the thing on the floor or the wall that all below a carrier stands on.
+i64 DecoratedRoom::root_of(i64 carrier) const {
+  while (carriers[carrier].parent != NOBODY) carrier = carriers[carrier].parent;
+  return carrier;
+}
+
+// Tells whether a body is a carrier, or what that one stands on.
+bool DecoratedRoom::stands_on(i64 carrier, i64 body) const {
+  while (carrier != NOBODY && carrier != body) carrier = carriers[carrier].parent;
+  return carrier == body;
+}
+
+void DecoratedRoom::near(const Rect& rect, Interval heights, i64 carrier, List<Rect>& found) const {
+  const i64 root = carrier == NOBODY ? NOBODY : root_of(carrier);
+  for (const Block& block : blocks) {
+    if (block.low >= heights.high || heights.low >= block.high || !block.rect.overlaps(rect)) continue;
+    if (carrier != NOBODY && (stands_on(carrier, block.body) || is_sat_under(block.body, root))) continue;
+    found.add(block.rect);
+  }
+}
+
+// Draws a thing's colour: one for all of its kind on one parent, unless the kind is mixed.
+i32 DecoratedRoom::colour(const Choice& choice, const Row& row, i64 parent) {
+  if (row.accent && room.has_accent) return -1;
+  const Kind& kind = known.kind_of(choice);
+  if (!kind.mixed) {
+    for (const Drawn& one : colours_) {
+      if (one.parent == parent && one.kind == choice.kind) return one.colour;
+    }
+  }
+  return colours_.add({parent, choice.kind, stream.below(kind.colours)}).colour;
+}
+
+void DecoratedRoom::add(
+    const Choice& choice, const Row& row, const Rect& rect, i64 low, const Size& size, i64 rotation, i64 parent, Wall wall) {
+  const Kind& kind = known.kind_of(choice);
+  const i32 turned = static_cast<i32>(floor_mod(rotation, 360)), at = static_cast<i32>(wall);
+  const i32 drawn = colour(choice, row, parent);
+  things.add({choice.kind, static_cast<i32>(parent), at, turned, drawn, 0, rect, low, size});
+  const i64 number = carriers.size();
+  if (parent != NOBODY || wall != Wall::none || size.height > FLAT_MM) blocks.add({rect, low, low + size.height, number});
+  carriers.add({rect, low, low + size.height, turned, kind.word, known.surfaces_of(kind.surfaces), parent});
+}
+
+Extent DecoratedRoom::bounds_of(const Size& size, i64 rotation) const {
+  const i64 degrees = floor_mod(rotation, DEGREES);
+  if (degrees == 0) return {size.width, size.depth};
+  if (degrees == 90) return {size.depth, size.width};
+  const Turn& turn = known.turns[degrees];
+  const f64 width = static_cast<f64>(size.width), depth = static_cast<f64>(size.depth);
+  return {rounded_up(width * turn.cosine + depth * turn.sine - 1e-6), rounded_up(width * turn.sine + depth * turn.cosine - 1e-6)};
+}
+
+}  // namespace dress

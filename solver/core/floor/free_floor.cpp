@@ -1,0 +1,185 @@
+#include "floor/free_floor.hpp"
+
+namespace {
+
+constexpr i64 PER_MM = 4;
+// Free centres that a room needs: 0.25 m2 (docs/scene.md, unreachable), in square lattice steps.
+constexpr i64 LEAST_FLOOR = 1000 * PER_MM * 1000 * PER_MM / 4;
+constexpr i32 FREE = 0, TAKEN = -1;
+
+constexpr Rect scaled(const Rect& rect) { return {PER_MM * rect.x0, PER_MM * rect.z0, PER_MM * rect.x1, PER_MM * rect.z1}; }
+
+// How many of sorted values are less than one; with `or_equal`, or equal to it.
+i32 count_below(Span<i64> values, i64 value, bool or_equal) {
+  i32 low = 0, high = values.size;
+  while (low < high) {
+    const i32 middle = (low + high) / 2;
+    if (values[middle] < value || (or_equal && values[middle] == value)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+// Cells from `first` to before `last` along an axis.
+struct CellRange {
+  i32 first;
+  i32 last;
+};
+
+CellRange cells_between(Span<i64> cuts, i64 low, i64 high) {
+  return {most(count_below(cuts, low, true) - 1, 0), least(count_below(cuts, high, false), cuts.size - 1)};
+}
+
+// The cuts of an axis: its ends and what lies between, sorted, without repeats.
+Span<i64> cuts_between(i64 low, i64 high, Span<Interval> edges) {
+  List<i64> cuts;
+  cuts.add(low);
+  cuts.add(high);
+  for (const Interval& one : edges) {
+    if (low < one.low && one.low < high) cuts.add(one.low);
+    if (low < one.high && one.high < high) cuts.add(one.high);
+  }
+  stable_sort(cuts.all(), [](i64 a, i64 b) { return a < b; });
+  i32 count = 1;
+  for (i32 k = 1; k < cuts.size(); k++) {
+    if (cuts[k] != cuts[count - 1]) cuts[count++] = cuts[k];
+  }
+  cuts.cut(count);
+  return cuts.all();
+}
+
+// The cells between the edges of what is taken, each with the number of its component of the free floor, from 1.
+class Cells {
+ public:
+  Cells(const Rect& floor, Span<Rect> taken) {
+    List<Interval> across, along;
+    for (const Rect& rect : taken) {
+      if (!rect.overlaps(floor)) continue;
+      across.add({rect.x0, rect.x1});
+      along.add({rect.z0, rect.z1});
+    }
+    xs_ = cuts_between(floor.x0, floor.x1, across.all());
+    zs_ = cuts_between(floor.z0, floor.z1, along.all());
+    labels_ = {zeroes<i32>((xs_.size - 1) * (zs_.size - 1)).data, xs_.size - 1, zs_.size - 1};
+    for (i32 k = 0; k < across.size(); k++) take({across[k].low, along[k].low, across[k].high, along[k].high});
+    flood();
+  }
+
+  i32 components() const { return areas_.size(); }
+  i64 area(i32 component) const { return areas_[component - 1]; }
+
+  // Marks the components of which a cell meets a box.
+  void mark_touched(const Rect& box, Span<bool> touched) const {
+    const i32 nx = xs_.size - 1, nz = zs_.size - 1;
+    if (most(box.x0, xs_[0]) >= least(box.x1, xs_[nx]) || most(box.z0, zs_[0]) >= least(box.z1, zs_[nz])) return;
+    const CellRange x = cells_between(xs_, box.x0, box.x1), z = cells_between(zs_, box.z0, box.z1);
+    for (i32 i = x.first; i < x.last; i++) {
+      for (i32 j = z.first; j < z.last; j++) {
+        if (labels_.at(i, j) != TAKEN) touched[labels_.at(i, j) - 1] = true;
+      }
+    }
+  }
+
+ private:
+  void take(const Rect& rect) {
+    const CellRange x = cells_between(xs_, rect.x0, rect.x1), z = cells_between(zs_, rect.z0, rect.z1);
+    for (i32 i = x.first; i < x.last; i++) {
+      for (i32 j = z.first; j < z.last; j++) labels_.at(i, j) = TAKEN;
+    }
+  }
+
+  void flood() {
+    const i32 all = labels_.rows * labels_.columns;
+    const Span<i32> queue = reserved<i32>(all);
+    for (i32 start = 0; start < all; start++) {
+      if (labels_.data[start] != FREE) continue;
+      areas_.add(flooded(start, areas_.size() + 1, queue));
+    }
+  }
+
+  // Numbers the free cells that hang together with one of them; returns their area.
+  i64 flooded(i32 start, i32 number, Span<i32> queue) {
+    const i32 nx = labels_.rows, nz = labels_.columns;
+    i32 queued = 0;
+    i64 area = 0;
+    const auto reach = [&](i32 cell) {
+      if (labels_.data[cell] != FREE) return;
+      labels_.data[cell] = number;
+      queue[queued++] = cell;
+    };
+    reach(start);
+    while (queued > 0) {
+      const i32 cell = queue[--queued], i = cell / nz, j = cell % nz;
+      area += (xs_[i + 1] - xs_[i]) * (zs_[j + 1] - zs_[j]);
+      if (i > 0) reach(cell - nz);
+      if (i + 1 < nx) reach(cell + nz);
+      if (j > 0) reach(cell - 1);
+      if (j + 1 < nz) reach(cell + 1);
+    }
+    return area;
+  }
+
+  Span<i64> xs_{}, zs_{};
+  Table<i32> labels_{};
+  List<i64> areas_;
+};
+
+// Takes from the components that serve those that do not touch something; gives back what touched it for the next.
+void keep(Span<bool> serving, Span<bool> touched) {
+  for (i32 k = 0; k < serving.size; k++) {
+    serving[k] = serving[k] && touched[k];
+    touched[k] = false;
+  }
+}
+
+}  // namespace
+
+FreeFloor::FreeFloor(const Rect& clear, i64 robot, Span<Doorway> doors, Span<Goal> goals)
+    : reach_(floor_div(robot * PER_MM, 2) - 1), domain_(scaled(clear).shrunk(reach_)), doors_(doors), goals_(goals) {}
+
+Rect FreeFloor::grown(const Rect& body) const { return scaled(body).shrunk(-reach_); }
+
+// Where the centre is when somebody has just come through a door.
+Rect FreeFloor::entry_of(const Doorway& door) const {
+  const Interval along = door.square.along(door.wall);
+  return strip(domain_, door.wall, {PER_MM * along.low + reach_, PER_MM * along.high - reach_}, 1);
+}
+
+// Where the centre is while somebody touches that side of a body.
+Rect FreeFloor::contact(const Rect& body, Wall side) const {
+  return strip_at(opposite(side), grown(body).line(side), scaled(body).along(side), 1);
+}
+
+bool FreeFloor::connects() const {
+  if (domain_.width() <= 0 || domain_.depth() <= 0) return false;
+  const arena::Scope scope;
+  const Cells cells(domain_, taken_.all());
+  const Span<bool> serving = reserved<bool>(cells.components()), touched = zeroes<bool>(cells.components());
+  for (i32 k = 0; k < serving.size; k++) serving[k] = cells.area(k + 1) >= LEAST_FLOOR;
+  for (const Doorway& door : doors_) {
+    cells.mark_touched(entry_of(door), touched);
+    keep(serving, touched);
+  }
+  for (const Goal& goal : goals_) {
+    for (const Wall side : WALLS) {
+      if (!(goal.sides >> static_cast<i32>(side) & 1)) continue;
+      cells.mark_touched(contact(goal.rect, side), touched);
+      if (goal.need_all) keep(serving, touched);
+    }
+    if (!goal.need_all) keep(serving, touched);
+  }
+  for (const bool serves : serving) {
+    if (serves) return true;
+  }
+  return false;
+}
+
+bool FreeFloor::connects_with(const Rect& body) {
+  add(body);
+  const bool connected = connects();
+  taken_.cut(taken_.size() - 1);
+  return connected;
+}

@@ -1,0 +1,83 @@
+#include "floor/nearest.hpp"
+
+#include "plain/lists.hpp"
+
+namespace {
+
+// The places of the box's corner at which it overlaps an obstacle: between, not at, these.
+struct Taken {
+  Interval x;
+  Interval z;
+};
+
+struct Axis {
+  i64 wish;
+  i64 low;
+  i64 high;
+
+  bool holds(i64 at) const { return low <= at && at <= high; }
+  bool goes_before(i64 a, i64 b) const {
+    const i64 far = magnitude(a - wish), farther = magnitude(b - wish);
+    return far != farther ? far < farther : a < b;
+  }
+};
+
+constexpr i64 MOST_MM2 = 0x7FFFFFFFFFFFFFFFLL;
+
+}  // namespace
+
+// The coordinates worth trying along x, nearest first: the wish, the bounds, and the ends of what is taken.
+static List<i64> steps_of(const Axis& axis, Span<Taken> taken) {
+  List<i64> tried;
+  const auto add = [&](i64 at) {
+    if (axis.holds(at)) tried.add(at);
+  };
+  add(axis.wish);
+  add(axis.low);
+  add(axis.high);
+  for (const Taken& one : taken) {
+    add(one.x.low);
+    add(one.x.high);
+  }
+  stable_sort(tried.all(), [&](i64 a, i64 b) { return axis.goes_before(a, b); });
+  return tried;
+}
+
+struct NearestPoint {
+  bool found;
+  i64 at;
+};
+
+// The free coordinate along z nearest to the wish, with the corner at an x. What is taken comes by its low ends, and by its high ones.
+static NearestPoint free_beside(const Axis& axis, i64 x, Span<Taken> upwards, Span<Taken> downwards) {
+  i64 up = least(most(axis.wish, axis.low), axis.high), down = up;
+  for (const Taken& one : upwards) {
+    if (one.x.low < x && x < one.x.high && one.z.low < up && up < one.z.high) up = one.z.high;
+  }
+  for (const Taken& one : downwards) {
+    if (one.x.low < x && x < one.x.high && one.z.low < down && down < one.z.high) down = one.z.low;
+  }
+  const bool has_up = axis.holds(up), has_down = axis.holds(down);
+  return {has_up || has_down, has_up && (!has_down || axis.goes_before(up, down)) ? up : down};
+}
+
+NearestPlace nearest_place(const Rect& own, const Rect& area, Span<Rect> blocks, i64 reach) {
+  const arena::Scope scope;
+  const Axis xs{own.x0, area.x0, area.x1 - own.width()}, zs{own.z0, area.z0, area.z1 - own.depth()};
+  List<Taken> upwards, downwards;
+  for (const Rect& rect : blocks) upwards.add({{rect.x0 - own.width(), rect.x1}, {rect.z0 - own.depth(), rect.z1}});
+  stable_sort(upwards.all(), [](const Taken& a, const Taken& b) { return a.z.low < b.z.low; });
+  downwards.add_all(upwards.all());
+  stable_sort(downwards.all(), [](const Taken& a, const Taken& b) { return a.z.high > b.z.high; });
+  i64 limit = reach == ANYWHERE ? MOST_MM2 : reach * reach + 1;
+  NearestPlace best{};
+  for (const i64 x : steps_of(xs, upwards.all())) {
+    const i64 aside = (x - own.x0) * (x - own.x0);
+    if (aside >= limit) break;
+    const NearestPoint z = free_beside(zs, x, upwards.all(), downwards.all());
+    if (!z.found || aside + (z.at - own.z0) * (z.at - own.z0) >= limit) continue;
+    best = {true, own.moved(x - own.x0, z.at - own.z0)};
+    limit = aside + (z.at - own.z0) * (z.at - own.z0);
+  }
+  return best;
+}

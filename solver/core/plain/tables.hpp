@@ -1,0 +1,59 @@
+// What the host sends and is answered: tables of plain structs, one after the other.
+#pragma once
+
+#include "spans.hpp"
+
+struct Bytes {
+  u8* data;
+  i64 size;
+};
+
+// Rows of another table: the first, and how many.
+struct Range {
+  i32 first;
+  i32 count;
+};
+
+template <class T> Span<T> part_of(Span<T> table, Range range) {
+  if (range.first < 0 || range.count < 0 || range.first > table.size - range.count) fail(Failure::bad_request);
+  return {table.data + range.first, range.count};
+}
+
+// Reads tables out of bytes, each of which begins at a multiple of 8; a table that reaches beyond them ends the call.
+class Reader {
+ public:
+  Reader(u8* data, i64 size) : data_(data), left_(size) {}
+
+  template <class T> Span<T> take(i32 count) {
+    const i64 bytes = (static_cast<i64>(count) * sizeof(T) + 7) / 8 * 8;
+    if (count < 0 || bytes > left_) fail(Failure::bad_request);
+    T* found = reinterpret_cast<T*>(data_);
+    data_ += bytes;
+    left_ -= bytes;
+    return {found, count};
+  }
+
+ private:
+  u8* data_;
+  i64 left_;
+};
+
+template <class T> i64 bytes_of(Span<T> rows) { return static_cast<i64>(rows.size) * sizeof(T); }
+
+// Puts tables into new bytes, one right after the other.
+class Writer {
+ public:
+  explicit Writer(i64 size) : start_(static_cast<u8*>(arena::reserve(size))), at_(start_) {}
+
+  template <class T> void put(Span<T> rows) {
+    if (rows.size == 0) return;
+    const i64 bytes = bytes_of(rows);
+    __builtin_memcpy(at_, rows.data, static_cast<unsigned long>(bytes));
+    at_ += bytes;
+  }
+  Bytes written() const { return {start_, at_ - start_}; }
+
+ private:
+  u8* start_;
+  u8* at_;
+};

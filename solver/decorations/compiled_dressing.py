@@ -1,0 +1,209 @@
+"""The catalogs' dressing in one style as the core reads it: rows of numbers, one table after the other; names are indices.
+
+Comes in: the settings. Goes out: `CompiledDressing`, made once for catalogs and a style. The rows are those of
+solver/core/dress/dressing.hpp, in the same order. May import: the ground floor, catalogs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from struct import Struct
+from typing import Final, TypeVar
+
+from catalogs.dressing import ALL, INDOOR, SURFACE, DecorationKind, Dressing, DressingRow, Hangs, Lies, Stands
+from catalogs.entries import Surface
+from catalogs.kind_book import UPRIGHT, KindBook
+from catalogs.styles import Leaning
+from solver.decorations.decoration_settings import DecorationSettings
+from solver.geometry import to_mm
+
+Item = TypeVar("Item")
+
+SCALE_STEP: Final = 0.1
+"""By which share things are made smaller where they do not fit. Our choice."""
+FAVOURED: Final = 1.5
+"""How much more often a style has what it is fond of. Our choice."""
+SEAT: Final = "seat"
+"""What a surface to sit on is called."""
+_WHERE: Final = ("middle", "corner", "beside", "wall", "free")
+"""As the core numbers them."""
+_ITSELF, _NO_LIMIT = -1, -1
+_ROW: Final = "d10i"
+_TABLES: Final = {
+    name: Struct(layout)
+    for name, layout in {
+        "entry": "<8i", "lies": f"<{_ROW}10i2dq", "hangs": f"<{_ROW}2i2q", "stands": f"<{_ROW}4i3d3q", "choice": "<4i", "size": "<3q",
+        "kind": "<3q6i", "surface": "<4q", "word": "<i", "place": "<2d", "share": "<d", "turn": "<2d",
+    }.items()
+}  # fmt: skip
+_HEADER: Final = Struct("<14i")
+_MOST_KEPT: Final = 64
+
+SizeMm = tuple[int, int, int]
+"""Width, depth and height, mm."""
+TableRange = tuple[int, int]
+"""Rows of a table of the core: the first, and how many."""
+
+
+@dataclass(frozen=True, eq=False)
+class CompiledDressing:
+    """A dressing for the core, and what is asked of furniture by its name.
+
+    Args:
+        data: its bytes.
+        kinds: the kinds of decorations, as its rows count them.
+        colours: what each of them is drawn from.
+        words: the numbers of names.
+        surfaces: of furniture, by name and size.
+        faced: names of what one comes to from its front alone: to use it, or because its back is at a wall.
+        uses: by name of furniture the sides it is used from, and whether all of them are needed.
+        tipped: kinds that look different when they are tipped onto their lower edge.
+        book: tells which of the two a thing of some size is.
+        made_from: what it was compiled from.
+    """
+
+    data: bytes
+    kinds: tuple[str, ...]
+    colours: tuple[tuple[str, ...], ...]
+    words: Mapping[str, int]
+    surfaces: Mapping[tuple[str, SizeMm], TableRange]
+    faced: frozenset[str]
+    uses: Mapping[str, tuple[Sequence[str], bool]]
+    tipped: frozenset[str]
+    book: KindBook
+    made_from: tuple[object, ...]
+
+
+_kept: dict[tuple[object, ...], CompiledDressing] = {}
+
+
+def compiled_dressing(settings: DecorationSettings) -> CompiledDressing:
+    """Returns the dressing of some settings for the core; the same object for the same catalogs and style."""
+    known = settings.catalogs
+    made_from = (known.furniture, known.decorations, known.dressing, known.shapes, settings.style)
+    key = (*map(id, made_from), settings.style_name)
+    found = _kept.get(key)
+    if found is None:
+        if len(_kept) >= _MOST_KEPT:
+            _kept.pop(next(iter(_kept)), None)
+        found = _kept[key] = _DressingTables(settings).compiled(made_from)
+    return found
+
+
+def millimetres(size: tuple[float, float, float]) -> SizeMm:
+    """Converts extents in metres."""
+    return to_mm(size[0]), to_mm(size[1]), to_mm(size[2])
+
+
+class _DressingTables:
+    """The tables of a dressing while they are written."""
+
+    def __init__(self, settings: DecorationSettings) -> None:
+        self._settings, self._catalogs = settings, settings.catalogs
+        self._rows: dict[str, list[bytes]] = {name: [] for name in _TABLES}
+        self._words = {name: k for k, name in enumerate(self._catalogs.dressing)}
+        self._kinds = {name: k for k, name in enumerate(self._catalogs.decorations)}
+        leaning = settings.style.decorations if settings.style else Leaning()
+        self._favoured, self._avoided = self._meant(leaning.favoured), self._meant(leaning.avoided)
+
+    def _meant(self, names: Container[str]) -> frozenset[str]:
+        """Returns the kinds of decorations that some words name, by themselves or by their group."""
+        return frozenset(name for name, kind in self._catalogs.decorations.items() if name in names or kind.group in names)
+
+    def compiled(self, made_from: tuple[object, ...]) -> CompiledDressing:
+        """Returns the dressing."""
+        known = self._catalogs
+        for entry in known.dressing.values():
+            self._add_entry(entry)
+        colours = tuple(self._colours(name, kind) for name, kind in known.decorations.items())
+        for (name, kind), palette in zip(known.decorations.items(), colours, strict=True):
+            self._add_kind(name, kind, len(palette))
+        furniture = reversed(known.furniture.items())
+        surfaces = {(one.name or name, millimetres(one.size)): self._surfaces(one.surfaces) for name, one in furniture}
+        self._added("turn", map(math.radians, range(180)), lambda angle: (abs(math.cos(angle)), abs(math.sin(angle))))
+        named = known.kinds_by_name().items()
+        return CompiledDressing(
+            self._data(), tuple(self._kinds), colours, self._words, surfaces,
+            frozenset(name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")),
+            known.use_sides(), frozenset(name for name in known.decorations if name + UPRIGHT in known.shapes), KindBook(known), made_from,
+        )  # fmt: skip
+
+    def _add_entry(self, entry: Dressing) -> None:
+        lies, hangs = self._added("lies", entry.lies, self._lies), self._added("hangs", entry.hangs, self._hangs)
+        numbers = *lies, *hangs, *self._added("stands", entry.stands, self._stands), entry.together, entry.indoor
+        self._added("entry", [numbers], lambda row: row)
+
+    def _add_kind(self, name: str, kind: DecorationKind, colours: int) -> None:
+        numbers = *self._surfaces(kind.surfaces), self._word(name), colours, kind.jitter, kind.mixed
+        self._added("kind", [numbers], lambda row: (*millimetres(kind.size), *row))
+
+    def _data(self) -> bytes:
+        indoor = [*self._catalogs.dressing].index(INDOOR) if INDOOR in self._catalogs.dressing else -1
+        header = _HEADER.pack(*map(len, self._rows.values()), indoor, self._word(SEAT))
+        tables = [b"".join(rows) for rows in self._rows.values()]
+        return b"".join([header, *(table + bytes(-len(table) % 8) for table in tables)])
+
+    def _added(self, table: str, items: Iterable[Item], row: Callable[[Item], Iterable[float]]) -> TableRange:
+        """Adds rows to a table; returns the first and how many."""
+        rows, pack = self._rows[table], _TABLES[table].pack
+        made = [pack(*row(item)) for item in items]
+        rows += made
+        return len(rows) - len(made), len(made)
+
+    def _word(self, name: str) -> int:
+        return self._words.setdefault(name, len(self._words))
+
+    def _names(self, names: Iterable[str], itself: str | None = None) -> TableRange:
+        """Adds words; one of them may stand for something else."""
+        return self._added("word", names, lambda name: (_ITSELF if name == itself else self._word(name),))
+
+    def _surfaces(self, surfaces: Sequence[Surface]) -> TableRange:
+        def numbers(one: Surface) -> tuple[int, ...]:
+            clearance = _NO_LIMIT if one.clearance is None else to_mm(one.clearance)
+            return to_mm(one.height), to_mm(one.inset), clearance, self._word(one.name)
+
+        return self._added("surface", surfaces, numbers)
+
+    def _colours(self, name: str, kind: DecorationKind) -> tuple[str, ...]:
+        palette = self._settings.style.colours(name, kind.group) if self._settings.style else ()
+        return palette or (kind.color, *kind.variants)
+
+    def _row(self, row: DressingRow, upright: bool = False) -> tuple[float, ...]:
+        names = [name for name in row.put if name not in self._avoided]
+        fond = any(name in self._favoured for name in names)
+        sized = [(name, self._added("size", sizes(self._catalogs.decorations[name], row, upright), lambda size: size)) for name in names]
+        choices = self._added("choice", sized, lambda one: (self._kinds[one[0]], 0, *one[1]))
+        in_style = not row.styles or self._settings.style_name in row.styles
+        places = *self._names(row.rooms), *self._names(row.not_in)
+        return row.chance * (FAVOURED if fond else 1.0), *choices, *places, row.chance >= 1, in_style, row.accent, 0
+
+    def _lies(self, row: Lies) -> tuple[float, ...]:
+        at = self._added("place", () if row.at == "seats" else row.at, lambda place: place)
+        words = *self._names(row.surface, ALL), *self._names(row.upon or (SURFACE,), SURFACE)
+        flags = row.at == "seats", row.turn, row.upright, row.fill is not None
+        reach = _NO_LIMIT if row.reach is None else to_mm(row.reach)
+        return *self._row(row, row.upright), *at, *words, *flags, *(row.fill or (0.0, 0.0)), reach
+
+    def _hangs(self, row: Hangs) -> tuple[float, ...]:
+        return *self._row(row), *self._added("share", row.at, lambda share: (share,)), to_mm(row.height), to_mm(row.gap)
+
+    def _stands(self, row: Stands) -> tuple[float, ...]:
+        asked = *self._names(row.of), _WHERE.index(row.where), row.fill is not None
+        shares = row.per_area or 0.0, row.min_side, row.fill or 0.0
+        return *self._row(row), *asked, *shares, row.count, to_mm(row.widest or 0.0), to_mm(row.reach)
+
+
+def sizes(kind: DecorationKind, row: DressingRow, upright: bool = False) -> list[SizeMm]:
+    """Returns the extents a thing may have, mm, largest first; made smaller, whole centimetres."""
+    width, depth, height = millimetres(kind.size)
+    steps = max(0, round((1 - row.least) / SCALE_STEP + 1e-9))
+    shares = [max(1 - step * SCALE_STEP, row.least) for step in range(1, steps + 1)]
+    bases = [(width, depth), *((_centimetres(width * share), _centimetres(depth * share)) for share in shares)]
+    return [(across, height, along) if upright else (across, along, height) for across, along in bases]
+
+
+def _centimetres(length: float) -> int:
+    """Rounds a length in mm down to whole centimetres, at least one."""
+    return max(10, int(length) // 10 * 10)

@@ -1,0 +1,62 @@
+"""The core's dress stage: what it made when it was moved from Python, and what it does with nonsense."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from hashlib import sha256
+from random import Random
+
+import pytest
+
+from catalogs import load_catalogs
+from solver.core import CoreFailed
+from solver.decorations import decorations_of
+from solver.furnish import space_of
+from solver.streams import Stream
+from tests.core.test_native_dress import answer, request
+from tests.decorations.random_rooms import furnished, random_dressing, random_settings
+
+KNOWN = load_catalogs()
+GOLDEN = "2b6ee3ebf40346f172ab2415e76af4ac92d4a750558bb1217809e207286ce98b"
+"""Of 300 random rooms, half of them with random dressings, recorded from the Python stage."""
+
+
+def test_random_rooms_are_decorated_as_they_always_were() -> None:
+    digest, things = sha256(), 0
+    for seed in range(300):
+        settings = random_settings(Random(f"golden dressing {seed // 10}"), KNOWN)
+        room, stream = furnished(Random(f"golden {seed}"), KNOWN), Stream(seed, "decorations", "golden")
+        made = decorations_of(room, space_of(room, 0.1), settings, stream)
+        things += len(made)
+        digest.update(repr(([replace(thing, kind=None) for thing in made], stream.state)).encode())
+    assert things > 600
+    assert digest.hexdigest() == GOLDEN
+
+
+def test_random_dressings_have_rows_of_every_sort() -> None:
+    entries = random_dressing(Random("sorts"), KNOWN).values()
+    assert {row.where for entry in entries for row in entry.stands} == {"middle", "corner", "beside", "wall", "free"}
+    lies = [row for entry in entries for row in entry.lies]
+    assert all(any(have(row) for row in lies) for have in (lambda row: row.at == "seats", lambda row: row.upon, lambda row: row.fill))
+
+
+@pytest.mark.parametrize("cut", [0, 8, 100])
+def test_a_request_that_is_cut_off_is_refused(cut: int) -> None:
+    known, room = request(3)
+    for rows in ((known[:cut], room), (known, room[:cut])):
+        with pytest.raises(CoreFailed, match="the request is none"):
+            answer(*rows)
+
+
+def test_rows_that_speak_of_what_is_not_there_are_refused() -> None:
+    known, room = request(3)
+    head, entry, ranges = 14 * 4, 8 * 4, 6 * 4
+    for at in (head + entry * number + at for number in range(3) for at in range(0, ranges, 4)):
+        with pytest.raises(CoreFailed):
+            answer(known[:at] + (10**6).to_bytes(4, "little") + known[at + 4 :], room)
+
+
+def test_a_room_too_small_to_stand_in_has_nothing_on_its_floor() -> None:
+    room = replace(furnished(Random("small"), KNOWN), type="kids_bedroom", furniture=(), outline=None, width=0.12, depth=0.12)
+    made = decorations_of(room, space_of(room, 0.1), random_settings(Random(1), KNOWN), Stream(1, "decorations", 0))
+    assert [thing for thing in made if thing.mounted_on_wall is None] == []
