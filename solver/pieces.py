@@ -207,13 +207,13 @@ class Placed:
 
 
 class Residuals(NamedTuple):
-    """How exactly an independent solver finds the same optimum, each bound a power of ten."""
+    """How exactly an independent solver finds the same optimum: powers of ten that are not exceeded."""
 
-    primal: float
+    primal: int
     """By how much any constraint is broken, m."""
-    dual: float
+    dual: int
     """By how much anything is still drawn, m^-1."""
-    gap: float
+    gap: int
     """By how much the cost and its lower bound differ."""
 
 

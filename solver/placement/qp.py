@@ -242,6 +242,6 @@ def _moved(p: Floats, q: Floats) -> float:
     return float(np.abs(p - q).max(initial=0.0))
 
 
-def _decade(value: float) -> float:
-    """Returns the next power of ten from a value on, so that the last digits of a machine decide nothing."""
-    return float(f"1e{max(LEAST_DECADE, math.ceil(math.log10(value)))}") if value > 0 else 10.0**LEAST_DECADE
+def _decade(value: float) -> int:
+    """Returns the least power of ten that a value does not exceed, so that the last digits of a machine decide nothing."""
+    return max(LEAST_DECADE, math.ceil(math.log10(value))) if value > 0 else LEAST_DECADE
