@@ -230,8 +230,14 @@ class CoreInstance:
         return address
 
     def read(self, address: int, size: int) -> bytes:
-        """Returns a copy of bytes of the memory."""
-        return bytes(self.view(address, (size,), np.uint8))
+        """Returns a copy of bytes of the memory.
+
+        Raises:
+            ValueError: they are not within it.
+        """
+        if address < 0 or size < 0 or address + size > self.size:
+            raise ValueError(f"{size} bytes at {address} are not within the core's memory")
+        return ctypes.string_at(self._base + address, size)
 
 
 _idle: dict[bool, deque[CoreInstance]] = {False: deque(), True: deque()}

@@ -103,7 +103,7 @@ def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | None:
     ids = ids_of(room, made, catalogs)
     if not _same(made, ids, room.furniture):
         return None
-    return _Furnished(solved, confirmed([(solved.problem, solved.solution)])[0], ids)
+    return _Furnished(solved, confirmed([solved])[0], ids)
 
 
 def _same(made: Arrangement, ids: Mapping[str, str], furniture: Iterable[Furniture]) -> bool:

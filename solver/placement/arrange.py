@@ -17,7 +17,7 @@ from solver.placement.budget import Budget
 from solver.placement.core import Arranged, Core, Limits, rounded
 from solver.placement.empty_floor import empty_floor
 from solver.placement.encode import encode
-from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Ints
+from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Engine, Ints
 from solver.placement.problem import Problem, Solution
 from solver.placement.walkable import find_walkable
 
@@ -71,6 +71,11 @@ class SolvedRoom:
     def problem(self) -> Problem:
         """The problem with those candidates, for reading; its core must not have gone on to another one."""
         return self.core.problem()
+
+    @property
+    def engine(self) -> Engine:
+        """The work space that the problem is in."""
+        return self.core.engine
 
     @property
     def space(self) -> Space:
@@ -145,7 +150,7 @@ def arrange(space: Space, pieces: Sequence[Piece], walk: bool = True, budget: Bu
         why = "no way to stand it is free" if arranged.closed else "no place was found for it"
         left_out.append((ordered.pop(arranged.deepest), f"{why} beside the pieces before it"))
     decisions = arranged.decisions if arranged.complete else core.deepest_decisions()
-    if core.solution() is None or not arranged.complete:  # the budget ended before: once more, for this placement alone
+    if not core.found or not arranged.complete:  # the budget ended before: once more, for this placement alone
         core.evaluate(decisions, LIMITS.required_qps, Budget(), walk)
     for piece, decision, fate in zip(core.encoded.pieces, decisions.tolist(), arranged.fates.tolist(), strict=True):
         if decision == ABSENT and not piece.is_floor:

@@ -253,6 +253,11 @@ class Core:
             found.append(Choice(boxes[first].label, name, ways, (boxes[first].stand, stands)))
         return found
 
+    @property
+    def found(self) -> bool:
+        """Whether the last search found a placement."""
+        return bool(self.engine.nodes.result[layout.FOUND])
+
     def solution(self) -> Solution | None:
         """Returns what the last search found."""
         return solution_of(self.engine)
@@ -276,7 +281,6 @@ def solution_of(engine: Engine) -> Solution | None:
     n_x, n_z = engine.work.sizes.tolist()
     proven, solves = bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES])
     count = int(result[layout.FORCES])
-    rows, values = engine.nodes.best_forces[:count].tolist(), engine.nodes.best_multipliers[:count].tolist()
-    multipliers = tuple((axis, i, j, value) for (axis, i, j), value in zip(rows, values, strict=True))
+    forces, multipliers = engine.nodes.best_forces[:count].copy(), engine.nodes.best_multipliers[:count].copy()
     positions = best[0, :n_x].copy(), best[1, :n_z].copy()
-    return Solution(float(engine.nodes.best_cost[0]), positions, kernel.find_taken(engine), proven, solves, multipliers)
+    return Solution(float(engine.nodes.best_cost[0]), positions, kernel.find_taken(engine), proven, solves, forces, multipliers)

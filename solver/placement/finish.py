@@ -48,19 +48,18 @@ def finish(rooms: Sequence[SolvedRoom], engine: str = "osqp", tidy: bool = False
 def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Confirmed]:
     if engine == "search":
         return [Confirmed(room.solution.positions) for room in rooms]
-    solved = [(room.problem, room.solution) for room in rooms]
     if engine == "reference":
         try:
             from solver.placement.reference import solve_house as reference_house  # noqa: PLC0415 - cvxpy takes 0.8 s to import
         except ModuleNotFoundError as missing:
             problem = f"'reference' needs {missing.name}, which is not installed"
             raise RequestError("engine", problem, "'osqp'; or install compose-homes[reference]") from None
-        return [Confirmed(positions) for positions in reference_house(solved)]
+        return [Confirmed(positions) for positions in reference_house([(room.problem, room.solution) for room in rooms])]
     if engine != "osqp":
         raise RequestError("engine", f"is {engine!r}", "'osqp' or 'reference'")
     from solver.placement.qp import confirmed  # noqa: PLC0415 - OSQP and scipy take 0.4 s to import
 
-    return confirmed(solved)
+    return confirmed(rooms)
 
 
 def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangement:

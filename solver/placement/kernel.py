@@ -7,8 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from solver.placement.layout import Engine, Floats, Ints
 from solver.placement.problem import Solution
+
+CONFIRMATION, HOLDING_ROW = 4, 7
+"""Numbers of `struct Confirmation` and of `struct HoldingRow`."""
 
 
 def assemble(engine: Engine, decisions: Ints) -> bool:
@@ -69,6 +74,17 @@ def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
     engine.instance.call("search", engine.desk, limit, ceiling, walk)
 
 
+def hand_over(engine: Engine, solution: Solution) -> None:
+    """Puts what a search found where `settle`, `final_problem` and `confirm` look for it."""
+    call = engine.call
+    for axis, own in enumerate(solution.positions):
+        call.owns[axis, : len(own)] = own
+    call.taken[: len(solution.taken)] = solution.taken
+    call.force_rows[: len(solution.force_rows)] = solution.force_rows
+    call.multipliers[: len(solution.multipliers)] = solution.multipliers
+    call.handed[:] = len(solution.taken), len(solution.multipliers)
+
+
 def settle(engine: Engine, positions: Sequence[Floats], solution: Solution, walk: bool, tidy: bool) -> tuple[int, float]:
     """Puts the assembled problem on whole millimetres, which are left in grid.positions.
 
@@ -82,12 +98,50 @@ def settle(engine: Engine, positions: Sequence[Floats], solution: Solution, walk
     Returns:
         WALKABLE, NOT_WALKABLE, or what no search result is: NO_WHOLE_PLACE or NOT_VALID; and by how much tidying made the terms dearer.
     """
-    call = engine.call
-    for axis, (final, own) in enumerate(zip(positions, solution.positions, strict=True)):
-        call.finals[axis, : len(final)], call.owns[axis, : len(own)] = final, own
-    call.taken[: len(solution.taken)] = solution.taken
-    settled = int(engine.instance.call("settle", engine.desk, len(solution.taken), walk, tidy))
-    return settled, float(call.added[0])
+    hand_over(engine, solution)
+    for axis, final in enumerate(positions):
+        engine.call.finals[axis, : len(final)] = final
+    settled = int(engine.instance.call("settle", engine.desk, walk, tidy))
+    return settled, float(engine.call.added[0])
+
+
+def final_problem(engine: Engine, solution: Solution) -> Ints:
+    """Returns the numbers of a room's final problem, as `struct FinalProblem` of solver/core/placement/confirm.hpp has them.
+
+    Args:
+        engine: the work space.
+        solution: what the search found, whose choices are made.
+    """
+    hand_over(engine, solution)
+    instance, mark = engine.instance, engine.instance.mark()
+    address = int(instance.call("final_problem", engine.desk))
+    size = int(np.frombuffer(instance.read(address, 8), dtype=np.int64)[0])
+    found = np.frombuffer(instance.read(address, 8 * size), dtype=np.int64)
+    instance.release(mark)
+    return found
+
+
+def confirm(engine: Engine, solution: Solution, x: Floats, y: Floats) -> tuple[Floats, Ints]:
+    """Judges an answer to a room's final problem; all positions, m, are left in call.finals.
+
+    Args:
+        engine: the work space.
+        solution: what the search found.
+        x: by column, m.
+        y: by row, m^-1.
+
+    Returns:
+        By how much it breaks a row, by how much anything is still drawn, and the gap; and what holds, as `struct HoldingRow` says.
+    """
+    hand_over(engine, solution)
+    instance, mark = engine.instance, engine.instance.mark()
+    at, multipliers = instance.write(x.tobytes()), instance.write(y.tobytes())
+    address = int(instance.call("confirm", engine.desk, at, multipliers))
+    head = instance.read(address, 8 * CONFIRMATION)
+    count = int(np.frombuffer(head, dtype=np.int64)[-1])
+    rows = np.frombuffer(instance.read(address + 8 * CONFIRMATION, 8 * HOLDING_ROW * count), dtype=np.int64)
+    instance.release(mark)
+    return np.frombuffer(head, dtype=np.float64)[:-1], rows.reshape(-1, HOLDING_ROW)
 
 
 def total_preference(engine: Engine, decisions: Ints) -> float:

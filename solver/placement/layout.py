@@ -149,13 +149,19 @@ class CallRows(NamedTuple):
     """The same of the search."""
     taken: Ints
     """Rows that the choices took."""
+    force_rows: Ints
+    """Rows that hold something at the search's optimum: axis, i, j, numbers of free variables, or -1."""
+    multipliers: Floats
+    handed: Ints
+    """How many rows were handed over: taken, and holding."""
     added: Floats
 
 
 SEEN = (RoomSeen, Work, Nodes, GridSeen, Tree, CallRows)
 """What is seen of an engine, in the order in which the core tells where it is (`show_all` in solver/core/placement/space.cpp)."""
 FLOATS = {
-    "anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost", "finals", "owns", "added",
+    "anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost", "finals", "owns",
+    "multipliers", "added",
 }  # fmt: skip
 """The arrays of floats; the others hold whole numbers."""
 COUNT: Final = sum(len(part._fields) for part in SEEN)

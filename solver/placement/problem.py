@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
+import numpy as np
+
 from solver.geometry import Rect
 from solver.pieces import Residuals
 from solver.placement.layout import Floats, Ints
@@ -124,8 +126,8 @@ class Solution:
         proven: the tree was exhausted, so nothing is cheaper; where a placement was turned down as not walkable, within the
             widenings tried.
         solves: QPs.
-        multipliers: of the constraints that hold something: axis, the numbers of the free variables that it keeps apart, or -1, and
-            what a metre more room would save, m^-1.
+        force_rows: the constraints that hold something: axis, and the numbers of the free variables that each keeps apart, or -1.
+        multipliers: of these: what a metre more room would save, m^-1.
     """
 
     cost: float
@@ -133,7 +135,8 @@ class Solution:
     taken: Ints
     proven: bool
     solves: int
-    multipliers: tuple[tuple[int, int, int, float], ...] = ()
+    force_rows: Ints = field(default_factory=lambda: np.zeros((0, 3), dtype=np.int64))
+    multipliers: Floats = field(default_factory=lambda: np.zeros(0))
 
     @property
     def rows(self) -> tuple[DifferenceRow, ...]:
@@ -160,8 +163,23 @@ class Force:
 
 @dataclass(frozen=True)
 class Confirmed:
-    """A room's final positions, m, how exactly they are the optimum, and every row that holds something."""
+    """A room's final positions, m, and how exactly they are the optimum.
+
+    Args:
+        positions: by axis and variable.
+        residuals: None where the solver says nothing of them.
+        holding: of every row that holds something axis, i, j, s, the number of its choice, or -1, whether it is a bound, and what a metre
+            more room would save: a float in the bits of a whole number.
+    """
 
     positions: Positions
     residuals: Residuals | None = None
-    forces: tuple[Force, ...] = ()
+    holding: Ints = field(default_factory=lambda: np.zeros((0, 7), dtype=np.int64))
+
+    @property
+    def forces(self) -> tuple[Force, ...]:
+        """Every row that holds something, for reading."""
+        found, per_m = [], self.holding[:, -1].copy().view(np.float64)
+        for (*row, choice, bound, _), value in zip(self.holding.tolist(), per_m.tolist(), strict=True):
+            found.append(Force(DifferenceRow(*row), value, None if choice < 0 else choice, bool(bound)))
+        return tuple(found)

@@ -1,24 +1,24 @@
 """The final continuous solve of a whole house by OSQP, as one block-diagonal problem with the choices made.
 
-Comes in: rooms' problems and what the search found. Goes out: positions, how exactly they are the optimum, and what holds each piece.
-OSQP begins at the search's optimum and at the multipliers that belong to it, so that it confirms rather than solves. Variables without
-room to move are left out, and what is known of them goes into the constants.
+Comes in: solved rooms, whose problems the core lays out. Goes out: positions, how exactly they are the optimum, and what holds each piece.
+OSQP begins at the search's optimum and at the multipliers that belong to it, so that it confirms rather than solves.
 OSQP: Stellato et al., Mathematical Programming Computation 2020.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from itertools import product
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
 
 import numpy as np
 import osqp
 from scipy import sparse
 
 from solver.pieces import Residuals
-from solver.placement.layout import Floats
-from solver.placement.problem import ORIGIN, Confirmed, DifferenceRow, Force, Positions, Problem, Solution
+from solver.placement import kernel
+from solver.placement.layout import Engine, Floats, Ints
+from solver.placement.problem import Confirmed, Problem, Solution
 
 SETTINGS = {
     "verbose": False,
@@ -31,19 +31,27 @@ SETTINGS = {
     "polishing": False,  # prints to stdout whatever `verbose` says; 1e-9 needs none
 }
 """OSQP 1.x settings."""
-NEAR = 0.05
-"""Choices' rows with more slack than this at the search's optimum, m, are left out: they cannot bind at the same optimum, and
-whatever the solver returns is snapped and checked against all of them."""
-ACTIVE = 1e-6
-"""A row with less slack, m, holds what it is about."""
 LEAST_DECADE = -6
 """Residuals below 10 to this power are said to be that: the last digits, which a machine may change, decide no byte."""
 REFUTED = 1e-5
 """A proven optimum that is this far, m, from OSQP's is none."""
 _SOLVED = 1
 
-Difference = tuple[list[tuple[int, int]], float]
-"""p_j - p_i: the columns of those that may move, each with its sign, and what the others are, m."""
+
+class Solved(Protocol):
+    """A room with what the search found in it."""
+
+    @property
+    def engine(self) -> Engine:
+        """Its work space, the problem in it."""
+
+    @property
+    def problem(self) -> Problem:
+        """The same for reading."""
+
+    @property
+    def solution(self) -> Solution:
+        """What the search found."""
 
 
 class OptimumRefuted(Exception):
@@ -59,128 +67,32 @@ class OptimumRefuted(Exception):
         self.problem, self.solution = problem, solution
 
 
+class _Matrix(NamedTuple):
+    """Where the entries of each column end, their rows, and the entries."""
+
+    ends: Ints
+    rows: Ints
+    entries: Floats
+
+
 class _Block:
-    """One axis of a room: minimise 1/2 x'Px + q'x subject to low <= Ax <= high; the bounds come first.
+    """A room: minimise 1/2 x'Px + q'x subject to low <= Ax <= high; of P the upper triangle, as OSQP wants it.
 
     Args:
-        problem: the room's.
-        solution: what the search found.
-        axis: 0 or 1.
+        numbers: as `kernel.final_problem` returns them.
     """
 
-    def __init__(self, problem: Problem, solution: Solution, axis: int) -> None:
-        self.axis, self._fixed = axis, [low / 1000 for low in problem.low[axis]]
-        self._column: list[int | None] = []
-        self.rows: list[DifferenceRow] = []
-        self._choices: list[int | None] = []
-        self.entries: list[tuple[int, int, int]] = []
-        self.low: list[float] = []
-        self.high: list[float] = []
-        free = 0
-        for low, high in zip(problem.low[axis], problem.high[axis], strict=True):
-            self._column.append(free if low < high else None)
-            free += low < high
-        self.linear, self.squares = np.zeros(free), np.zeros((free, free))
-        for variable, column in enumerate(self._column):
-            if column is not None:
-                low, high = problem.low[axis][variable], problem.high[axis][variable]
-                self._add(DifferenceRow(axis, ORIGIN, variable, low), None, [(column, 1)], (low / 1000, high / 1000))
-        self._bounds = len(self.rows)
-        for term in problem.terms:
-            if term.axis == axis:
-                self._square(self._difference(term.i, term.j), term.offset, term.weight)
-        p: list[float] = (solution.positions[axis] * 1000).tolist()
-        always = ((None, row) for row in problem.rows)
-        near = ((k, row) for k, row in enumerate(solution.rows) if row.axis == axis and row.slack((p, p)) <= NEAR * 1000)
-        for choice, row in (*always, *near):
-            signs, rest = self._difference(row.i, row.j) if row.axis == axis else ([], 0.0)
-            if signs:
-                self._add(row, choice, signs, (row.s / 1000 - rest, np.inf))
-        moving = [k for k, column in enumerate(self._column) if column is not None]
-        self.found = solution.multipliers
-        self.start: Floats = solution.positions[axis][moving]
-        self.matrix = np.zeros((len(self.rows), free))
-        for at, column, sign in self.entries:
-            self.matrix[at, column] = sign
-
-    def _add(self, row: DifferenceRow, choice: int | None, signs: Sequence[tuple[int, int]], between: tuple[float, float]) -> None:
-        self.entries += [(len(self.rows), column, sign) for column, sign in signs]
-        self.rows.append(row)
-        self._choices.append(choice)
-        self.low.append(between[0])
-        self.high.append(between[1])
-
-    def _difference(self, i: int, j: int) -> Difference:
-        signs, rest = [], 0.0
-        for variable, sign in ((i, -1), (j, 1)):
-            if variable == ORIGIN or i == j:
-                continue
-            column = self._column[variable]
-            if column is None:
-                rest += sign * self._fixed[variable]
-            else:
-                signs.append((column, sign))
-        return signs, rest
-
-    def _square(self, difference: Difference, offset: float, weight: float) -> None:
-        """Adds weight * (difference - offset)^2."""
-        signs, rest = difference
-        for column, sign in signs:
-            self.linear[column] += 2 * weight * sign * (rest - offset)
-        for (one, s), (two, t) in product(signs, signs):
-            self.squares[one, two] += 2 * weight * s * t
-
-    def multipliers(self, found: Iterable[tuple[int, int, int, float]]) -> Floats:
-        """Returns the rows' multipliers at the search's optimum: each goes to the first row between the same columns that binds there."""
-        at = self.matrix @ self.start
-        below, above = at - self.low <= ACTIVE, self.high - at <= ACTIVE
-        rows: dict[tuple[int, int], int] = {}
-        for k, (binds, ends) in enumerate(zip(below.tolist(), self._ends(), strict=True)):
-            if binds:
-                rows.setdefault(ends, k)
-        values: Floats = np.zeros(len(self.rows))
-        for axis, i, j, value in found:
-            if axis == self.axis and (i, j) in rows:
-                values[rows[i, j]] -= value
-            elif axis == self.axis and j == ORIGIN and above[i]:
-                values[i] += value
-        return values
-
-    def _ends(self) -> list[tuple[int, int]]:
-        """Returns the columns that each row keeps apart, ORIGIN for none; the rows of bounds are numbered as their columns."""
-        ends = [[ORIGIN, ORIGIN] for _ in self.rows]
-        for row, column, sign in self.entries:
-            ends[row][0 if sign < 0 else 1] = column
-        return [(i, j) for i, j in ends]
-
-    def residuals(self, x: Floats, y: Floats) -> tuple[float, float, float]:
-        """Returns by how much positions break a row, m, are drawn at all, and differ from the dual's value."""
-        at, squared = self.matrix @ x, self.squares @ x
-        low, high = np.array(self.low), np.array(self.high)
-        broken = np.maximum(np.maximum(low - at, at - high), 0.0)
-        support = np.where(y > 0, np.where(np.isinf(high), 0.0, high), low) * y
-        gap = x @ squared + self.linear @ x + support.sum()
-        drawn = squared + self.linear + self.matrix.T @ y
-        return float(broken.max(initial=0.0)), float(np.abs(drawn).max(initial=0.0)), abs(float(gap))
-
-    def forces(self, y: Floats) -> Iterator[Force]:
-        """Yields what holds, by more than the solver's tolerance."""
-        for k, (row, value) in enumerate(zip(self.rows, y.tolist(), strict=True)):
-            if value < -ACTIVE:
-                yield Force(row, -value, self._choices[k], k < self._bounds)
-            elif value > ACTIVE:
-                yield Force(DifferenceRow(row.axis, row.j, ORIGIN, -round(self.high[k] * 1000)), value, bound=True)
-
-    def placed(self, x: Floats, positions: Floats) -> Floats:
-        """Returns all of the axis's positions with the columns' own."""
-        moved = positions.copy()
-        for variable, column in enumerate(self._column):
-            if column is not None:
-                moved[variable] = x[column]
-        return moved
+    def __init__(self, numbers: Ints) -> None:
+        _, self.columns, self.rows, squares, differences = numbers[:5].tolist()
+        sizes = [self.columns] * 2 + [self.rows] * 3
+        sizes += [self.columns, squares, squares, self.columns, differences, differences]
+        parts = np.split(numbers[5:], np.cumsum(sizes)[:-1])
+        self.linear, self.start, self.low, self.high, self.multipliers = (part.view(np.float64) for part in parts[:5])
+        self.squares = _Matrix(parts[5], parts[6], parts[7].view(np.float64))
+        self.differences = _Matrix(parts[8], parts[9], parts[10].view(np.float64))
 
 
-def confirmed(rooms: Sequence[tuple[Problem, Solution]]) -> list[Confirmed]:
+def confirmed(rooms: Sequence[Solved]) -> list[Confirmed]:
     """Solves all rooms at once.
 
     Raises:
@@ -190,52 +102,49 @@ def confirmed(rooms: Sequence[tuple[Problem, Solution]]) -> list[Confirmed]:
         What OSQP says of each room. Where it does not report success, the search's own positions, which are optimal already, with
         no residuals.
     """
-    blocks = [(_Block(problem, solution, 0), _Block(problem, solution, 1)) for problem, solution in rooms]
-    solved = _solved([block for both in blocks for block in both])
-    if solved is None:
-        return [Confirmed(solution.positions, None) for _, solution in rooms]
-    found = []
-    for k, ((_, solution), both) in enumerate(zip(rooms, blocks, strict=True)):
-        answers = solved[2 * k : 2 * k + 2]
-        x, z = (block.placed(own, p) for block, (own, _), p in zip(both, answers, solution.positions, strict=True))
-        if solution.proven and max(_moved(p, q) for p, q in zip((x, z), solution.positions, strict=True)) > REFUTED:
-            raise OptimumRefuted(rooms[k][0], solution)
-        worst = [max(pair) for pair in zip(*(block.residuals(*own) for block, own in zip(both, answers, strict=True)), strict=True)]
-        forces = tuple(force for block, (_, y) in zip(both, answers, strict=True) for force in block.forces(y))
-        found.append(Confirmed((x, z), Residuals(*map(_decade, worst)), forces))
-    return found
+    answers = _solved([_Block(kernel.final_problem(room.engine, room.solution)) for room in rooms])
+    if answers is None:
+        return [Confirmed(room.solution.positions) for room in rooms]
+    return [_judged(room, *answer) for room, answer in zip(rooms, answers, strict=True)]
 
 
-def solve_house(rooms: Sequence[tuple[Problem, Solution]]) -> list[Positions]:
-    """Returns the confirmed positions per room, axis and variable, m."""
-    return [room.positions for room in confirmed(rooms)]
+def _judged(room: Solved, x: Floats, y: Floats) -> Confirmed:
+    engine, own = room.engine, room.solution.positions
+    residuals, holding = kernel.confirm(engine, room.solution, x, y)
+    found = engine.call.finals[0, : len(own[0])].copy(), engine.call.finals[1, : len(own[1])].copy()
+    if room.solution.proven and max(_moved(p, q) for p, q in zip(found, own, strict=True)) > REFUTED:
+        raise OptimumRefuted(room.problem, room.solution)
+    return Confirmed(found, Residuals(*map(_decade, residuals.tolist())), holding)
 
 
 def _solved(blocks: Sequence[_Block]) -> list[tuple[Floats, Floats]] | None:
     """Returns each block's positions and multipliers; None where OSQP does not report success."""
-    columns = np.cumsum([0, *(len(block.start) for block in blocks)])
-    rows = np.cumsum([0, *(len(block.rows) for block in blocks)])
+    columns = np.cumsum([0, *(block.columns for block in blocks)])
+    rows = np.cumsum([0, *(block.rows for block in blocks)])
     if not columns[-1]:
-        return [(block.start, np.zeros(0)) for block in blocks]
-    places = [np.nonzero(np.triu(block.squares)) for block in blocks]  # OSQP wants the upper triangle
-    values = np.concatenate([block.squares[place] for block, place in zip(blocks, places, strict=True)])
-    one, two = (np.concatenate([place[k] + at for place, at in zip(places, columns, strict=False)]) for k in (0, 1))
-    P = sparse.csc_matrix((values, (one, two)), shape=(columns[-1], columns[-1]))
-    shifts = (np.array([row, column, 0]) for row, column in zip(rows, columns, strict=True))
-    entries = np.concatenate([np.array(block.entries).reshape(-1, 3) + shift for block, shift in zip(blocks, shifts, strict=False)])
-    A = sparse.csc_matrix((entries[:, 2].astype(float), (entries[:, 0], entries[:, 1])), shape=(rows[-1], columns[-1]))
-    low, high = (np.concatenate([getattr(block, end) for block in blocks]) for end in ("low", "high"))
+        return [(block.start, np.zeros(block.rows)) for block in blocks]
+    P = _joined([block.squares for block in blocks], columns, columns)
+    A = _joined([block.differences for block in blocks], rows, columns)
+    names = ("linear", "low", "high", "start", "multipliers")
+    linear, low, high, start, multipliers = (np.concatenate([getattr(block, name) for block in blocks]) for name in names)
     solver = osqp.OSQP(algebra="builtin")
-    solver.setup(P, np.concatenate([block.linear for block in blocks]), A, low, high, **SETTINGS)
-    solver.warm_start(
-        np.concatenate([block.start for block in blocks]), np.concatenate([block.multipliers(block.found) for block in blocks])
-    )
+    solver.setup(P, linear, A, low, high, **SETTINGS)
+    solver.warm_start(start, multipliers)
     result = solver.solve(raise_error=False)
     if result.info.status_val != _SOLVED:
         return None
     return [
         (result.x[columns[k] : columns[k + 1]], result.y[rows[k] : rows[k + 1]]) for k in range(len(blocks))
     ]  # fmt: skip
+
+
+def _joined(blocks: Sequence[_Matrix], rows: Ints, columns: Ints) -> sparse.csc_matrix:
+    """Returns the block-diagonal matrix of blocks that begin at rows and columns, whose ends come last."""
+    first = np.cumsum([0, *(len(block.entries) for block in blocks)])
+    starts = [0, *np.concatenate([block.ends + before for block, before in zip(blocks, first, strict=False)]).tolist()]
+    at = np.concatenate([block.rows + before for block, before in zip(blocks, rows, strict=False)])
+    entries = np.concatenate([block.entries for block in blocks])
+    return sparse.csc_matrix((entries, at, starts), shape=(rows[-1], columns[-1]))
 
 
 def _moved(p: Floats, q: Floats) -> float:

@@ -1,6 +1,7 @@
 """The same problem written for reading, in cvxpy: choices made, one axis at a time.
 
-Comes in and goes out: what `qp.solve_house` takes and returns. Used by tests and `--engine reference`; never on the default path.
+Comes in: rooms' problems and what the search found. Goes out: positions, m.
+Used by tests and `--engine reference`; never on the default path.
 """
 
 from __future__ import annotations

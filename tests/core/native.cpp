@@ -1,10 +1,11 @@
 // Arranges rooms natively, with every index checked: `native ROOMS` reads what the host would send and writes what it would read.
 //
 // Of a room: the length of its request (8 bytes), the request, RoomLimits, whether to walk (8 bytes), the budget (a float).
-// Written of it: decisions, RoomReport, the budget left, the cost, positions along x and z, whether they may be walked between; and
-// what becomes of them in whole millimetres.
+// Written of it: decisions, RoomReport, the budget left, the cost, positions along x and z, whether they may be walked between;
+// the final problem and what is said of its optimum; and what becomes of that in whole millimetres.
 #include <stdio.h>
 
+#include "placement/confirm.hpp"
 #include "placement/fill.hpp"
 #include "placement/grid.hpp"
 #include "placement/settle.hpp"
@@ -17,11 +18,27 @@ template <class T> static bool read(FILE* from, T* into, i64 count) {
 
 template <class T> static void write(const T* from, i64 count) { fwrite(from, sizeof(T), static_cast<unsigned long>(count), stdout); }
 
+// Hands over what was found, and writes the final problem and what is said of the optimum itself as its answer.
+static void confirm_found(const Desk& desk) {
+  const Nodes& nodes = desk.engine.nodes;
+  for (i32 k = 0; k < nodes.best.rows * nodes.best.columns; k++) desk.owns.data[k] = nodes.best.data[k];
+  for (i64 k = 0; k < nodes.result->forces; k++) {
+    desk.force_rows[k] = nodes.best_forces[k];
+    desk.multipliers[k] = nodes.best_multipliers[k];
+  }
+  *desk.handed.data = {find_taken(desk), nodes.result->forces};
+  const FinalProblem* problem = final_problem(desk);
+  const f64* linear = reinterpret_cast<const f64*>(problem + 1);
+  const f64* start = linear + problem->columns;
+  write(&problem->size, problem->size);
+  const Confirmation* found = confirm(desk, start, start + problem->columns + 2 * problem->rows);
+  write(&found->broken, 3);
+  write(reinterpret_cast<const HoldingRow*>(found + 1), found->holding);
+}
+
 // Puts what was found on whole millimetres, tidied, and writes what became of it, positions along x and z, and what tidying cost.
 static void settle_found(const Desk& desk, bool walk) {
-  const Table<f64>& best = desk.engine.nodes.best;
-  for (i32 k = 0; k < best.rows * best.columns; k++) desk.finals.data[k] = desk.owns.data[k] = best.data[k];
-  const i64 settled = static_cast<i64>(settle(desk, static_cast<i32>(find_taken(desk)), walk, true));
+  const i64 settled = static_cast<i64>(settle(desk, walk, true));
   write(&settled, 1);
   for (i64 axis = 0; axis < 2; axis++) write(desk.engine.grid.positions.row(axis).data, desk.engine.work.sizes[axis]);
   write(desk.added.data, 1);
@@ -48,6 +65,7 @@ static bool arrange_next(FILE* file) {
     for (i64 axis = 0; axis < 2; axis++) write(engine.nodes.best.row(axis).data, engine.work.sizes[axis]);
     const i64 walked = walkable(engine.room, engine.work, engine.grid, engine.grid.positions);
     write(&walked, 1);
+    confirm_found(*desk);
     settle_found(*desk, walked != 0);
   }
   return true;

@@ -16,6 +16,7 @@ from solver.placement.arrange import LIMITS
 from solver.placement.core import solution_of
 from solver.placement.encode import lay_out, sizes_of
 from solver.placement.layout import FOUND
+from solver.placement.qp import _Block
 from solver.placement.space import new_engine, request_of
 from solver.streams import Stream
 from tests.architecture.tree import ROOT
@@ -58,8 +59,11 @@ def room(seed: int) -> Room:
         answer += [engine.nodes.best[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
         walked, found = kernel.walkable(engine), solution_of(engine)
         assert found is not None
-        settled, added = kernel.settle(engine, found.positions, found, walked, True)
-        answer.append(np.array([int(walked), settled]))
+        final = _Block(kernel.final_problem(engine, found))
+        answer += [np.array([int(walked)]), kernel.final_problem(engine, found)]
+        answer += kernel.confirm(engine, found, final.start, final.multipliers)
+        settled, added = kernel.settle(engine, [*engine.call.finals[:, :-1].copy()], found, walked, True)
+        answer.append(np.array([settled]))
         answer += [engine.grid.positions[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
         answer.append(np.array([added]))
     head = len(request).to_bytes(8, "little")

@@ -6,7 +6,8 @@ The conditions are worked out here from the problem's own rows and terms, in a w
 from __future__ import annotations
 
 from collections import defaultdict
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import pytest
@@ -14,23 +15,34 @@ import pytest
 from catalogs import load_catalogs
 from solver import Request, generate
 from solver.pipeline.generate import wanted_in
-from solver.placement import arrange
+from solver.placement import SolvedRoom, arrange
+from solver.placement.layout import Engine
 from solver.placement.problem import ORIGIN, Choice, Confirmed, DifferenceRow, Problem, ProblemBox, Solution, Term
 from solver.placement.qp import OptimumRefuted, confirmed
+from tests.oracles.problems import laid_out
 
 NEARLY = 1e-5
 EXACT = -5
 """Residuals are 10 to this power at most."""
 
 
-def rooms(seed: int, program: str | None) -> list[tuple[Problem, Solution]]:
-    """The problems of all rooms of a home, with what the search found."""
+@dataclass(frozen=True)
+class HandMade:
+    """A problem made by hand, with what a search would have found."""
+
+    problem: Problem
+    solution: Solution
+
+    @cached_property
+    def engine(self) -> Engine:
+        """The problem in a work space."""
+        return laid_out(self.problem)
+
+
+def rooms(seed: int, program: str | None) -> list[SolvedRoom]:
+    """All rooms of a home, with what the search found."""
     scene, known = generate(Request(seed=seed, program=program)).scene, load_catalogs()
-    found = []
-    for room in scene.rooms:
-        solved = arrange(*wanted_in(scene, room, known)[:2])
-        found.append((solved.problem, solved.solution))
-    return found
+    return [arrange(*wanted_in(scene, room, known)[:2]) for room in scene.rooms]
 
 
 def unbalanced(problem: Problem, answer: Confirmed) -> float:
@@ -52,7 +64,8 @@ def unbalanced(problem: Problem, answer: Confirmed) -> float:
 @pytest.mark.parametrize(("seed", "program"), [(5, "family"), (6, "studio"), (7, None)])
 def test_the_optimum_balances_and_every_force_has_its_touch(seed: int, program: str | None) -> None:
     found, forces = rooms(seed, program), 0
-    for (problem, solution), answer in zip(found, confirmed(found), strict=True):
+    for room, answer in zip(found, confirmed(found), strict=True):
+        problem, solution = room.problem, room.solution
         mm = [[float(x) * 1000 for x in axis] for axis in answer.positions]
         assert answer.residuals is not None and max(answer.residuals) <= EXACT
         assert unbalanced(problem, answer) < NEARLY
@@ -76,7 +89,7 @@ def held_room() -> tuple[Problem, Solution]:
 
 
 def test_a_force_is_what_a_metre_more_room_would_save() -> None:
-    (answer,) = confirmed([held_room()])
+    (answer,) = confirmed([HandMade(*held_room())])
     (force,) = answer.forces
     assert (force.row, force.choice, force.bound) == (DifferenceRow(0, ORIGIN, 0, 1500), 0, False)
     assert force.per_m == pytest.approx(2 * 3.0 * 0.5, abs=1e-6)
@@ -87,9 +100,9 @@ def test_what_was_wrongly_called_proven_is_never_served() -> None:
     problem, solution = held_room()
     elsewhere = replace(solution, cost=9.0, positions=(np.array([2.5]), np.array([0.3])))
     with pytest.raises(OptimumRefuted) as refuted:
-        confirmed([(problem, elsewhere)])
+        confirmed([HandMade(problem, elsewhere)])
     assert refuted.value.problem is problem
-    (answer,) = confirmed([(problem, replace(elsewhere, proven=False))])
+    (answer,) = confirmed([HandMade(problem, replace(elsewhere, proven=False))])
     # The row has a metre of slack at that start, so it is left out: what OSQP finds is the wish.
     assert [list(axis) for axis in answer.positions] == [[pytest.approx(1.0)], [pytest.approx(1.0)]]
 
@@ -97,7 +110,8 @@ def test_what_was_wrongly_called_proven_is_never_served() -> None:
 def test_the_search_says_what_its_placement_costs() -> None:
     """Also where a constraint's slack is gone with the step that drops another one: it must stay active."""
     for seed, program in ((0, "family"), (3, None), (5, None)):
-        for problem, solution in rooms(seed, program):
+        for room in rooms(seed, program):
+            problem, solution = room.problem, room.solution
             assert sum(term.cost(solution.positions[term.axis].tolist()) for term in problem.terms) == pytest.approx(
                 solution.cost, abs=1e-9
             )
@@ -106,7 +120,7 @@ def test_the_search_says_what_its_placement_costs() -> None:
 def test_a_bound_holds_too() -> None:
     problem, _ = held_room()
     tight = Problem(([0], [0]), ([800], [3000]), problem.terms, [], problem.boxes, [])
-    (answer,) = confirmed([(tight, Solution(0.12, (np.array([0.8]), np.array([1.0])), np.zeros((0, 4), dtype=np.int64), True, 1))])
+    (answer,) = confirmed([HandMade(tight, Solution(0.12, (np.array([0.8]), np.array([1.0])), np.zeros((0, 4), dtype=np.int64), True, 1))])
     (force,) = answer.forces
     assert (force.bound, force.choice, force.row) == (True, None, DifferenceRow(0, 0, ORIGIN, -800))
     assert force.per_m == pytest.approx(2 * 3.0 * 0.2, abs=1e-6)

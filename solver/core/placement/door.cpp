@@ -1,5 +1,6 @@
 // What the host calls of placement. `desk` is where `new_desk` put a room; what is handed over beside numbers lies on it.
 #include "placement/assembly.hpp"
+#include "placement/confirm.hpp"
 #include "placement/grid.hpp"
 #include "placement/grow.hpp"
 #include "placement/options.hpp"
@@ -35,6 +36,10 @@ EXPORT(evaluate) i32 door_evaluate(const Desk* desk, i64 limit, f64 ceiling, i32
   return evaluate(desk->engine, desk->decisions, limit, ceiling, walk != 0);
 }
 
+EXPORT(final_problem) FinalProblem* door_final_problem(const Desk* desk) { return final_problem(*desk); }
+
+EXPORT(confirm) Confirmation* door_confirm(const Desk* desk, const f64* x, const f64* y) { return confirm(*desk, x, y); }
+
 EXPORT(find_taken) i32 door_find_taken(const Desk* desk) { return static_cast<i32>(find_taken(*desk)); }
 
 EXPORT(open_decisions) i32 door_open_decisions(const Desk* desk, i32 piece) {
@@ -64,8 +69,8 @@ EXPORT(pull_back) i32 door_pull_back(const Desk* desk) { return pull_back(desk->
 
 EXPORT(search) void door_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) { search(desk->engine, limit, ceiling, walk != 0); }
 
-EXPORT(settle) i32 door_settle(const Desk* desk, i32 taken, i32 walk, i32 slide) {
-  return static_cast<i32>(settle(*desk, taken, walk != 0, slide != 0));
+EXPORT(settle) i32 door_settle(const Desk* desk, i32 walk, i32 slide) {
+  return static_cast<i32>(settle(*desk, walk != 0, slide != 0));
 }
 
 EXPORT(total_preference) f64 door_total_preference(const Desk* desk) {

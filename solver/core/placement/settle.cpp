@@ -47,10 +47,10 @@ static Settled snap_and_check(const Desk& desk, const Span<DifferenceRow>& taken
   return holds(desk.engine.work, p) ? Settled::walkable : Settled::not_valid;
 }
 
-Settled settle(const Desk& desk, i32 count, bool walk, bool slide) {
+Settled settle(const Desk& desk, bool walk, bool slide) {
   const Engine& engine = desk.engine;
   const Table<i64>& p = engine.grid.positions;
-  const Span<DifferenceRow> taken = {desk.taken.data, count};
+  const Span<DifferenceRow> taken = {desk.taken.data, static_cast<i32>(desk.handed->taken)};
   desk.added[0] = 0.0;
   Settled found = snap_and_check(desk, taken, desk.finals);
   if (found != Settled::walkable) return found;

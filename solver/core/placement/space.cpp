@@ -192,7 +192,8 @@ static void show_all(Desk& desk) {
       show(desk.engine.grid.positions),
       show(tree.counters), show(tree.budget), show(tree.decisions), show(tree.found), show(tree.found_cost),
       show(desk.decisions), show(desk.fates), show(desk.limits), show(desk.group), show(desk.report),
-      show(desk.finals), show(desk.owns), show(desk.taken), show(desk.added),
+      show(desk.finals), show(desk.owns), show(desk.taken), show(desk.force_rows), show(desk.multipliers), show(desk.handed),
+      show(desk.added),
   };
   static_assert(sizeof(shown) == SHOWN * sizeof(Shown));
   for (i32 k = 0; k < SHOWN; k++) desk.shown[k] = shown[k];
@@ -212,6 +213,9 @@ Desk* new_desk(RoomRequest* request) {
   desk.finals = new_zeroes<f64>(2, sizes.variables + 1);
   desk.owns = new_zeroes<f64>(2, sizes.variables + 1);
   desk.taken = reserved_rows<DifferenceRow>(2 * sizes.choices + SPARE_PATH);
+  desk.force_rows = reserved_rows<ForceRow>(2 * sizes.variables);
+  desk.multipliers = new_span<f64>(2 * sizes.variables);
+  desk.handed = new_one<Handed>();
   desk.added = zeroes<f64>(1);
   desk.kept = address(static_cast<u8*>(arena::reserve(0)));
   desk.engine.work.wide = reserved_rows<DifferenceRow>(MOST_WIDE);

@@ -23,7 +23,12 @@ struct Shown {
 };
 
 // What the host sees, in the order of solver/placement/layout.py.
-constexpr i32 SHOWN = 40;
+constexpr i32 SHOWN = 43;
+
+// How many rows of a search's result were handed over: those that choices took, and those that hold.
+struct Handed {
+  i64 taken, forces;
+};
 
 // A room's work space with what calls hand over and bring back.
 //
@@ -38,6 +43,9 @@ struct Desk {
   Span<i64> limits, group, report;
   Table<f64> finals, owns;  // positions of the final solve and of the search, m; the last column is the origin's
   Rows<DifferenceRow> taken;  // the options that the choices took, and wider rows
+  Rows<ForceRow> force_rows;  // what holds at the search's optimum
+  Span<f64> multipliers;
+  One<Handed> handed;
   Span<f64> added;  // what tidying costs
 };
 

@@ -1,0 +1,39 @@
+// The final problem of a room for a solver outside the core, and what its answer says of the optimum.
+//
+// Both axes are one problem: minimise 1/2 x'Px + q'x subject to low <= Ax <= high, the choices made as they are in desk.taken. Variables
+// without room to move are left out, and what is known of them goes into the constants. A column is a variable that may move, those
+// along x first; a row is a bound of a column, a fixed row or one taken, all along x first. What is handed over about the search's optimum
+// (desk.owns, taken, force_rows, multipliers; desk.handed) must be there. Results are in the arena's top.
+#pragma once
+
+#include "placement/space.hpp"
+
+namespace placement {
+
+// How many numbers follow, columns, rows, entries of P's upper triangle and of A; then by column q and where it was found, by row low,
+// high and multiplier; then of P and of A where each column ends, each entry's row, and each entry. Numbers take 8 bytes each.
+struct FinalProblem {
+  i64 size, columns, rows, squares, entries;
+};
+
+FinalProblem* final_problem(const Desk& desk);
+
+// What holds something: a difference row, or a bound as a row to or from the origin; the number of the choice that took it, or -1.
+struct HoldingRow {
+  DifferenceRow row;
+  i64 choice, is_bound;
+  f64 per_m;  // what a metre more room would save
+};
+
+// How exactly an answer is the optimum, and what holds: so many HoldingRow follow.
+struct Confirmation {
+  f64 broken;  // by how much it breaks a row, m
+  f64 drawn;  // by how much anything is still drawn, m^-1
+  f64 gap;  // by how much its cost and the dual's value differ
+  i64 holding;
+};
+
+// Judges an answer: `x` by column, m, `y` by row. All positions are left in desk.finals.
+Confirmation* confirm(const Desk& desk, const f64* x, const f64* y);
+
+}  // namespace placement
