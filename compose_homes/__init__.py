@@ -6,7 +6,7 @@
     dump(house.scene, "house.yaml")
 
 Everything that is public stands here. To import it costs little: what stands on the catalogs is imported when it is first named, the
-compiled kernel when something is first placed.
+compiled core when something is first placed or judged.
 """
 
 from __future__ import annotations

@@ -10,7 +10,8 @@ import pytest
 
 from tests.architecture.tree import ROOT
 
-KERNEL = {"wasmtime", "osqp", "daqp", "scipy", "cvxpy"}
+FINAL_SOLVE = {"osqp", "daqp", "scipy", "cvxpy"}
+KERNEL = FINAL_SOLVE | {"wasmtime"}
 SERVER = {"fastapi", "starlette", "uvicorn", "anyio"}
 CATALOGS = {"catalogs.reading", "catalogs.schema", "numpy"}
 SCENE = "from compose_homes import Room, Scene\nscene = Scene(rooms=(Room('den', width=4.0, depth=3.0),))\n"
@@ -35,7 +36,7 @@ def loaded(program: str) -> set[str]:
         ("from solver.scene import Scene", KERNEL | SERVER | CATALOGS),
         ("from solver import fix, generate, place, validate", KERNEL | SERVER),
         ("from compose_homes import PieceRequest, load_catalogs; load_catalogs()", KERNEL | SERVER),
-        (SCENE + "from compose_homes import validate\nvalidate(scene)", KERNEL | SERVER),
+        (SCENE + "from compose_homes import validate\nvalidate(scene)", FINAL_SOLVE | SERVER),
         (GENERATE, {"cvxpy"} | SERVER),
         ("from service.cli import main; main(['schema'])", KERNEL | SERVER | CATALOGS),
         ("from service.cli import main; main(['catalog'])", KERNEL | {"uvicorn", "fastapi"}),
