@@ -106,10 +106,10 @@ def _rooms(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> list[
     for room, floor in floors:
         known = floor & reached
         reachable = bool(known.any())
-        inside = np.where(known if reachable else floor, squares, 0)
-        row, column = divmod(int(inside.argmax()), grid.columns)
+        cells = np.flatnonzero(known if reachable else floor)
+        row, column = divmod(int(cells[squares.flat[cells].argmax()]) if len(cells) else 0, grid.columns)
         x, z = grid.centre(row, column)
-        clearance = math.sqrt(int(inside[row, column])) * grid.cell
+        clearance = math.sqrt(int(squares[row, column])) * grid.cell if len(cells) else 0.0
         made.append(
             {
                 "id": room.id,
