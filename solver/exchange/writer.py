@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
 from functools import lru_cache
+from operator import attrgetter
 from types import UnionType
 from typing import Any, Final, NamedTuple, Union, get_args, get_origin, get_type_hints
 
@@ -63,12 +64,18 @@ class _Key(NamedTuple):
     is_omitted: bool
 
 
+class _Shape(NamedTuple):
+    """What a class of records writes: its keys, and what fetches all their values at once."""
+
+    keys: tuple[_Key, ...]
+    values: Callable[[Any], tuple[Any, ...]]
+
+
 @lru_cache
-def _keys(of: type[Any]) -> tuple[_Key, ...]:
+def _shape(of: type[Any]) -> _Shape:
     hints = get_type_hints(of)
-    return tuple(
-        _Key(part.name, _writer(part.name, hints[part.name]), OMITTED in part.metadata) for part in fields(of) if part.name != EXTRA
-    )
+    keys = [_Key(part.name, _writer(part.name, hints[part.name]), OMITTED in part.metadata) for part in fields(of) if part.name != EXTRA]
+    return _Shape(tuple(keys), attrgetter(*(key.name for key in keys)) if len(keys) > 1 else lambda one: (getattr(one, keys[0].name),))
 
 
 def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
@@ -76,13 +83,15 @@ def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
     kinds = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
     if float in kinds:
         return _degrees if name == DEGREES else _number
+    if str in kinds:
+        return _text
     return int if int in kinds and bool not in kinds else _any
 
 
 def _record(record: Any) -> dict[str, Any]:
+    keys, values = _shape(record.__class__)
     document: dict[str, Any] = {}
-    for name, write_value, is_omitted in _keys(record.__class__):
-        value = getattr(record, name)
+    for (name, write_value, is_omitted), value in zip(keys, values(record), strict=True):
         if value is not None:
             try:
                 document[name] = write_value(value)
@@ -96,6 +105,10 @@ def _record(record: Any) -> dict[str, Any]:
     return document
 
 
+def _text(value: Any) -> Any:
+    return value if value.__class__ is str and value.isascii() else _any(value)
+
+
 def _number(value: Any) -> float:
     number = float(value) + 0.0
     return number if number - number == 0.0 else plain(number)
@@ -107,11 +120,9 @@ def _degrees(value: Any) -> float:
 
 
 def _any(value: Any) -> Any:
-    if is_dataclass(value):
-        return _record(value)
     if isinstance(value, tuple):
         return [_item(index, item) for index, item in enumerate(value)]
-    return plain(value)
+    return _record(value) if is_dataclass(value) else plain(value)
 
 
 def _item(index: int, value: Any) -> Any:
