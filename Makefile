@@ -34,10 +34,12 @@ INSTALL = $(UV) pip install --quiet --python $(PY) --constraint constraints.txt
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1  /p' Makefile
 
-run: core page ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
+run: .venv/run.stamp ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
+	@$(MAKE) --no-print-directory --jobs=2 core page
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
 
-test: .venv/dev.stamp core page chromium ## run every test: Python, page, browser; some minutes on two cores
+test: .venv/dev.stamp ## run every test: Python, page, browser; some minutes on two cores
+	@$(MAKE) --no-print-directory --jobs=3 core page chromium
 	$(PY) scripts/page.py check
 	$(PY) scripts/page.py test
 	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 --dist loadgroup $(PYTEST_ARGS)
