@@ -6,18 +6,20 @@ and notes. May import: the ground floor, catalogs. No randomness: the plan's roo
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping
 from typing import Final
 
 from catalogs.schema import RoomType
 from solver.errors import RequestError
-from solver.floorplan.fitness import IMPOSSIBLE, Fitness
+from solver.floorplan.bsp import MAX_ROOMS
+from solver.floorplan.fitness import IMPOSSIBLE, MISFIT, Fitness
 from solver.scene import Request
 
 KITCHEN_M2: Final = 8.0
 MASTER_M2: Final = 12.0
-"""Least kitchen and least master bedroom where the rooms allow, m2."""
+"""Least kitchen, where none of its typical area is to be had, and least master bedroom where the rooms allow, m2."""
 PROGRAMME: Final = (
     "bathroom", "kitchen", "living_room", "bedroom_master", "bedroom", "dining_room", "bathroom", "office", "laundry",
     "bedroom", "garage", "bathroom", "bedroom", "workshop", "office", "bedroom", "living_room", "bathroom", "bedroom",
@@ -26,8 +28,12 @@ PROGRAMME: Final = (
 people build: a second bathroom by the seventh room, a garage by the eleventh, a family room in large houses."""
 ONCE: Final = ("kitchen", "bedroom_master", "dining_room", "laundry", "garage")
 """Types of which a house wishes one, and one more for every 40 rooms."""
+MOST: Final = {"bedroom_master": 1, "living_room": 2, "dining_room": 1}
+"""Of which a household has no more, however well a room would suit them; as many again for every 40 rooms."""
 HOUSEHOLD: Final = ("kitchen", "garage", "laundry", "workshop")
 """Types whose repetition makes two households of a house, or looks odd in a home: it costs thrice as much."""
+TOO_MANY: Final = 100.0
+"""Cost of a type of which there are the most already: above that of any misfit."""
 FOYER: Final = (1.5, 3.0)
 """Cost of a hallway that is a whole room: without and with an outside wall, which a living space would want more."""
 OUTDOOR: Final = ("backyard", "patio")
@@ -80,6 +86,7 @@ class _Draft:
         self.unforced = sorted((i for i, t in enumerate(self.types) if t is None), key=lambda i: (self.area[i], i))
         self.fixed: set[int] = set()
         self.counts = Counter(self.group(t) for t in self.types if t is not None)
+        self.households = 1 + (len(layout.rooms) - layout.hallways) // 40
         self.wish = self._wishes(len(layout.rooms) - layout.hallways)
         garages = {name for name, kind in fitness.rooms.items() if kind.plan.garage_door}
         self.names = sorted({name for name in PROGRAMME if name in fitness.rooms} | garages)
@@ -91,7 +98,7 @@ class _Draft:
     def _wishes(self, count: int) -> Counter[str]:
         wish = Counter(PROGRAMME[i % len(PROGRAMME)] for i in range(count))
         for name in ONCE:
-            wish[name] = min(wish[name], 1 + count // 40)
+            wish[name] = min(wish[name], self.households)
         return wish
 
     def give(self, room: int, name: str, fixed: bool = False) -> None:
@@ -114,13 +121,18 @@ class _Draft:
         if rooms >= 2 and not self.counts["bathroom"]:
             self.give(self.untyped()[0], "bathroom", fixed=True)
         if rooms >= 2 and not self.counts["kitchen"]:
-            left = self.untyped()
-            self.give(next((i for i in left if self.area[i] >= KITCHEN_M2), left[-1]), "kitchen", fixed=True)
+            left, typical = self.untyped(), self.fitness.rooms["kitchen"].area.typical
+            fit = [next((i for i in left[:-1] if self.area[i] >= least), left[-1]) for least in (typical, KITCHEN_M2)]
+            self.give(fit[0] if fit[0] != left[-1] else fit[1], "kitchen", fixed=True)
         if rooms != 2 and self.untyped() and not self.counts["living_room"]:
             self.give(min(self.untyped(), key=self._living), "living_room", fixed=True)
         if rooms >= 4 and self.untyped() and not self.counts["bedroom_master"]:
             room = min(self.untyped(), key=self._master)
             self.give(room, "bedroom_master" if self.area[room] >= MASTER_M2 else "bedroom", fixed=True)
+        if self.wish["dining_room"] and self.untyped() and not self.counts["dining_room"]:
+            room = min(self.untyped(), key=lambda i: (self.fitness.cost(i, "dining_room", self.types), i))
+            if self.fitness.cost(room, "dining_room", self.types) < MISFIT:
+                self.give(room, "dining_room", fixed=True)
 
     def _living(self, room: int) -> tuple[float, int]:
         """A living room is the largest that is not too large; best one that others are entered through."""
@@ -132,15 +144,19 @@ class _Draft:
         own = 1.0 if room in self.fitness.access_plan.through else 0.0
         return self.fitness.cost(room, "bedroom_master", self.types) + small - own, room
 
-    def repeated(self, name: str) -> float:
-        """Cost of one more room of a type: a bonus up to the wish, then ever steeper."""
+    def repeated(self, room: int, name: str) -> float:
+        """Cost of one more room of a type: a bonus up to the wish, then ever steeper; a second one that is too large is no bonus."""
         group = self.group(name)
+        if self.counts[group] >= self.households * MOST.get(group, MAX_ROOMS):
+            return TOO_MANY
         over = self.counts[group] + 1 - self.wish[group]
         steep = 6.0 if group in HOUSEHOLD else 2.0
-        return -0.8 if over <= 0 else steep * float(over) ** 1.3
+        if over <= 0:
+            return 2.0 if self.counts[group] and self.area[room] > self.fitness.rooms[name].area.max else -0.8
+        return steep * math.pow(over, 1.3)
 
     def _cost(self, room: int, name: str) -> float:
-        more = FOYER[bool(self.fitness.outside[room])] if name == "hallway" else self.repeated(name)
+        more = FOYER[bool(self.fitness.outside[room])] if name == "hallway" else self.repeated(room, name)
         return self.fitness.cost(room, name, self.types) + more
 
     def names_for(self, room: int) -> list[str]:

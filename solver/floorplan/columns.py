@@ -39,7 +39,9 @@ class Books:
         self.outline, self.least, self.seed = outline, least, seed
         self.most = MAX_ROOMS
         """How many rooms each side of the spine may have."""
-        self.suite_mm = round(bath_m2 * 1e6) // least
+        self.bath_mm2 = round(bath_m2 * 1e6)
+        """The largest bathroom."""
+        self.suite_mm = self.bath_mm2 // least
         """Widest column whose back room, as shallow as may be, is still a bathroom, mm."""
         self.hallways: list[Rect] = []
         self.rooms: dict[str, Rect] = {}

@@ -110,6 +110,8 @@ class _Carver:
         wide = self.books.unit(plot, axis) if stretch == SLIM else 0
         base = wide if length - wide >= margins[1 - end] else margins[end]
         short = round(max(base, margins[end]) * stream.uniform(1.0, stretch))
+        if stretch == DARK_SLIM:
+            short = max(min(short, self.books.bath_mm2 // plot.length(OTHER[axis]) // ROUND_MM * ROUND_MM), margins[end])
         return short if end == 0 else length - short
 
     def side_hallway(self, plot: Plot, axis: str) -> bool:

@@ -1,6 +1,6 @@
 """Prints what a designer would count in whole homes: `python -m tests.density.homes [--seeds N] [--first N] [--presets ...]`.
 
-Per preset, decorated: the share of each line of `living_ruler.py`. Exit status 1 where one is not as wanted (`!`).
+Per preset, decorated: the share of each line of `living_ruler.py` and `wet_ruler.py`. Exit status 1 where one is not as wanted (`!`).
 """
 
 from __future__ import annotations
@@ -15,8 +15,10 @@ from tqdm import tqdm
 
 from solver import Request, generate
 from solver.scene import Scene
-from tests.density.living_ruler import LINES, Count, Line
+from tests.density import living_ruler, wet_ruler
+from tests.density.living_ruler import Count, Line
 
+LINES = (*living_ruler.LINES, *wet_ruler.LINES)
 PRESETS: Mapping[str, str | None] = {"default": None, "one_bed": "one_bed", "studio": "studio", "family": "family", "large": "large"}
 """The program of each column."""
 

@@ -111,18 +111,20 @@ def strip(box: Box, side: str, depth: float, start: float = 0.0, end: float = 0.
     return (x0, box.z1, x1, box.z1 + depth) if dz > 0 else (x0, box.z0 - depth, x1, box.z0)
 
 
-def _count(cases: Iterator[bool]) -> Count:
+def count(cases: Iterator[bool]) -> Count:
+    """Returns how many cases hold, and how many there are."""
     held = list(cases)
     return sum(held), len(held)
 
 
-def _floors(scene: Scene, *types: str) -> Iterator[Floor]:
+def floors(scene: Scene, *types: str) -> Iterator[Floor]:
+    """Returns the floors of the rooms of some types, or of all indoor rooms."""
     return (floor_of(room) for room in scene.rooms if (room.type in types if types else not room.outdoor))
 
 
 def fronts_free(scene: Scene) -> Count:
     """Wardrobes and dressers with FRONT of floor free along the whole of their front."""
-    return _count(floor.free(strip(box, "front", FRONT), (box,)) for floor in _floors(scene) for box in floor.named(*STORES))
+    return count(floor.free(strip(box, "front", FRONT), (box,)) for floor in floors(scene) for box in floor.named(*STORES))
 
 
 def _chairs(floor: Floor, table: Box) -> dict[str, int]:
@@ -142,7 +144,7 @@ def _is_at(table: Box, side: str, chair: Box) -> bool:
 
 
 def _dining_tables(scene: Scene) -> Iterator[tuple[Floor, Box]]:
-    return ((floor, table) for floor in _floors(scene) for table in floor.named("dining_table"))
+    return ((floor, table) for floor in floors(scene) for table in floor.named("dining_table"))
 
 
 def lopsided(scene: Scene) -> Count:
@@ -156,15 +158,15 @@ def lopsided(scene: Scene) -> Count:
                 at = _chairs(floor, table)
                 yield at["front"] != at["back"] or at["left"] != at["right"]
 
-    return _count(cases())
+    return count(cases())
 
 
 def lonely(scene: Scene) -> Count:
     """Dining tables with one chair at most."""
-    return _count(sum(_chairs(floor, table).values()) <= 1 for floor, table in _dining_tables(scene))
+    return count(sum(_chairs(floor, table).values()) <= 1 for floor, table in _dining_tables(scene))
 
 
-def _windows_behind(room: Room, box: Box) -> Iterator[Opening]:
+def windows_behind(room: Room, box: Box) -> Iterator[Opening]:
     """Yields the windows right behind a piece whose back is within 0.3 m of their wall."""
     wall = {(0, 1): "north", (0, -1): "south", (1, 0): "west", (-1, 0): "east"}[box.ahead]
     back = {"north": box.z0, "south": room.depth - box.z1, "west": box.x0, "east": room.width - box.x1}[wall] - FACE
@@ -178,15 +180,15 @@ def _windows_behind(room: Room, box: Box) -> Iterator[Opening]:
 
 def heads_under_windows(scene: Scene) -> Count:
     """Beds with any of a window behind their head."""
-    found = ((floor.room, bed) for floor in _floors(scene) for bed in floor.named("bed", "single_bed", "bunk_bed"))
-    return _count(any(True for _ in _windows_behind(room, bed)) for room, bed in found)
+    found = ((floor.room, bed) for floor in floors(scene) for bed in floor.named("bed", "single_bed", "bunk_bed"))
+    return count(any(True for _ in windows_behind(room, bed)) for room, bed in found)
 
 
 def both_sides_free(scene: Scene) -> Count:
     """Double beds with ASIDE of floor free along both long sides, from BED_HEAD below the head on."""
-    return _count(
+    return count(
         all(floor.free(strip(bed, side, ASIDE, start=BED_HEAD), (bed,)) for side in ("left", "right"))
-        for floor in _floors(scene)
+        for floor in floors(scene)
         for bed in floor.named("bed")
         if bed.piece.width >= DOUBLE
     )
@@ -196,7 +198,7 @@ def dining_beside_dining_room(scene: Scene) -> Count:
     """Living rooms with a dining table, of homes that have a dining room."""
     if not any(room.type == "dining_room" for room in scene.rooms):
         return 0, 0
-    return _count(bool(floor.named("dining_table")) for floor in _floors(scene, "living_room"))
+    return count(bool(floor.named("dining_table")) for floor in floors(scene, "living_room"))
 
 
 def _aside(seat: Box, other: Box) -> tuple[float, float]:
@@ -220,7 +222,7 @@ def faces_nothing(scene: Scene) -> Count:
             for seat in (box for box in there if box.piece.name in SEATS):
                 yield not any(_sees(seat, box) for box in there if box.piece.name in SEEN)
 
-    return _count(cases())
+    return count(cases())
 
 
 def screen_before_sofa(scene: Scene) -> Count:
@@ -234,17 +236,17 @@ def screen_before_sofa(scene: Scene) -> Count:
                 at = [_aside(sofa, screen) for screen in screens]
                 yield any(aside <= TV_ASIDE and TV_NEAR <= away <= TV_FAR for aside, away in at)
 
-    return _count(cases())
+    return count(cases())
 
 
 def fireplaces_faced(scene: Scene) -> Count:
     """Fireplaces that a sofa or an armchair looks at."""
-    return _count(any(_sees(seat, fire) for seat in floor.named(*SEATS)) for floor in _floors(scene) for fire in floor.named("fireplace"))
+    return count(any(_sees(seat, fire) for seat in floor.named(*SEATS)) for floor in floors(scene) for fire in floor.named("fireplace"))
 
 
 def pianos_played(scene: Scene) -> Count:
     """Pianos with a seat before them and 0.9 m of floor free of all else."""
-    return _count(_played(floor, piano) for floor in _floors(scene) for piano in floor.named("piano"))
+    return count(_played(floor, piano) for floor in floors(scene) for piano in floor.named("piano"))
 
 
 def _played(floor: Floor, piano: Box) -> bool:
@@ -255,22 +257,22 @@ def _played(floor: Floor, piano: Box) -> bool:
 
 def stores_under_windows(scene: Scene) -> Count:
     """Tall cupboards and shelves with a window behind them."""
-    found = ((floor.room, box) for floor in _floors(scene) for box in floor.named(*TALL))
-    return _count(any(True for _ in _windows_behind(room, box)) for room, box in found)
+    found = ((floor.room, box) for floor in floors(scene) for box in floor.named(*TALL))
+    return count(any(True for _ in windows_behind(room, box)) for room, box in found)
 
 
 def things_in_the_way(scene: Scene) -> Count:
     """Plants, lamps, baskets, bean bags and tents that stand before a cupboard's front or along a double bed's side."""
 
     def cases() -> Iterator[bool]:
-        for floor in _floors(scene, *SLEEP):
+        for floor in floors(scene, *SLEEP):
             kept = [strip(box, "front", FRONT) for box in floor.named(*STORES)]
             kept += [strip(bed, side, ASIDE, start=BED_HEAD) for bed in floor.named("bed") for side in ("left", "right")]
             for box in (*floor.pieces, *floor.things):
                 if box.piece.name in BULKY:
                     yield any(box.meets(*rect) for rect in kept)
 
-    return _count(cases())
+    return count(cases())
 
 
 def joined_at(width: float, things: bool = True) -> Callable[[Scene], Count]:

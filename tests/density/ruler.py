@@ -211,7 +211,7 @@ def _wall(room: Room, box: Box) -> str:
     return {(0, 1): "north", (0, -1): "south", (1, 0): "west", (-1, 0): "east"}[dx, dz] if back - FACE < 0.06 else "free"
 
 
-WISHED = {"toilet": ((0.15, "left"), (0.15, "right")), "dining_chair": ((0.3, "back"),), "office_chair": ((0.3, "back"),),
+WISHED = {"toilet": ((0.18, "left"), (0.18, "right")), "dining_chair": ((0.3, "back"),), "office_chair": ((0.3, "back"),),
           "sofa": ((0.2, "front"),), "stove": ((0.9, "front"),), "sink": ((0.9, "front"),), "counter": ((0.9, "front"),),
           "refrigerator": ((0.9, "front"),), "dishwasher": ((0.9, "front"),)}  # fmt: skip
 """Floor that is comfortable to have free, m, by the piece's name."""

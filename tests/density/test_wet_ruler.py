@@ -1,0 +1,108 @@
+"""The ruler of kitchens, bathrooms and plain plans, on rooms laid by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from solver.scene import Furniture, Opening, Room, Scene
+from tests.density import wet_ruler as ruler
+from tests.density.living_ruler import Count, floor_of
+from tests.density.test_density import body
+
+DEPTH = 0.6
+
+
+def scene(*pieces: Furniture, kind: str = "kitchen", size: tuple[float, float] = (6.0, 5.0), openings: tuple[Opening, ...] = ()) -> Scene:
+    """Returns a home of one room."""
+    named = tuple(replace(piece, id=f"{piece.name}_{k}") for k, piece in enumerate(pieces))
+    return Scene(seed=0, wall_thickness=0.1, rooms=(Room("r", 0, kind, width=size[0], depth=size[1], furniture=named, openings=openings),))
+
+
+def row(*names: str, start: float = 1.0, **widths: float) -> list[Furniture]:
+    """Returns pieces side by side along the north wall, each 0.6 m wide or as said."""
+    pieces, x = [], start
+    for name in names:
+        width = widths.get(name, 0.6)
+        pieces.append(body(name, (x, 0.08), (width, DEPTH)))
+        x += width
+    return pieces
+
+
+@pytest.mark.parametrize(("x", "held"), [(0.23, 1), (0.22, 0), (5.37, 1), (5.38, 0)])
+def test_a_toilet_keeps_its_distance_from_walls(x: float, held: int) -> None:
+    assert ruler.toilets_with_room(scene(body("toilet", (x, 0.08), (0.4, 0.66)), kind="bathroom")) == (held, 1)
+
+
+def test_a_toilet_keeps_its_distance_from_furniture() -> None:
+    toilet = body("toilet", (2.0, 0.08), (0.4, 0.66))
+    assert ruler.toilets_with_room(scene(toilet, body("vanity", (2.58, 0.08), (0.8, 0.48)))) == (1, 1)
+    assert ruler.toilets_with_room(scene(toilet, body("vanity", (2.57, 0.08), (0.8, 0.48)))) == (0, 1)
+
+
+def test_a_stove_has_worktop_at_both_sides() -> None:
+    assert ruler.stoves_with_worktop(scene(*row("counter", "stove", "counter"))) == (1, 1)
+    assert ruler.stoves_with_worktop(scene(*row("counter", "stove", "sink"))) == (0, 1)
+    assert ruler.stoves_with_worktop(scene(*row("counter", "stove", "counter", counter=0.28))) == (0, 1)
+    stove, counter, other = row("stove", "counter"), body("counter", (0.0, 0.3), (0.9, DEPTH)), row("counter", start=0.34)
+    assert ruler.stoves_with_worktop(scene(*stove, counter)) == (0, 1)
+    assert ruler.stoves_with_worktop(scene(*stove, *other)) == (0, 1)
+
+
+def test_a_stove_stands_apart_from_windows_and_refrigerators() -> None:
+    run = row("stove", "counter", "refrigerator", counter=0.3)
+    assert ruler.stoves_at_refrigerators(scene(*run)) == (0, 1)
+    assert ruler.stoves_at_refrigerators(scene(run[0], body("refrigerator", (1.8, 0.9), (0.6, 0.6), 270))) == (1, 1)
+    assert ruler.stoves_at_refrigerators(scene(run[0], body("refrigerator", (1.85, 0.9), (0.6, 0.6), 270))) == (0, 1)
+    over, beside = (Opening("w", "window", "north", at, 1.0, 1.2, 0.9) for at in (2.05, 2.11))
+    assert ruler.stoves_under_windows(scene(run[0], openings=(over,))) == (1, 1)
+    assert ruler.stoves_under_windows(scene(run[0], openings=(beside,))) == (0, 1)
+
+
+def test_tall_pieces_stand_at_the_end_of_a_worktop() -> None:
+    assert ruler.worktops_parted(scene(*row("refrigerator", "counter", "sink", "counter", "dishwasher"))) == (0, 2)
+    assert ruler.worktops_parted(scene(*row("counter", "refrigerator", "sink", "dishwasher", "counter"))) == (2, 2)
+    assert ruler.worktops_parted(scene(*row("pantry", "refrigerator", "counter"))) == (0, 2)
+
+
+def test_worktop_round_the_corner_is_hidden() -> None:
+    corner, beyond = body("counter", (0.08, 0.08), (1.8, DEPTH)), body("sink", (0.08, 0.68), (0.8, DEPTH), 90)
+    assert ruler.worktop(floor_of(scene(corner).rooms[0])) == pytest.approx(1.8)
+    assert ruler.worktop(floor_of(scene(corner, beyond).rooms[0])) == pytest.approx(1.2)
+    assert ruler.long_worktops(scene(corner, *row("counter", start=2.5))) == (1, 1)
+    assert ruler.long_worktops(scene(corner, beyond, *row("counter", start=2.5))) == (0, 1)
+
+
+def test_roomy_kitchens_have_an_island_or_a_table() -> None:
+    assert ruler.roomy_kitchens_used(scene(body("kitchen_island", (2, 2), (1.2, 0.7)), size=(5.0, 3.0))) == (1, 1)
+    assert ruler.roomy_kitchens_used(scene(size=(5.0, 3.0))) == (0, 1)
+    assert ruler.roomy_kitchens_used(scene(size=(4.9, 3.0))) == (0, 0)
+
+
+def test_nothing_is_put_down_before_a_toilet() -> None:
+    toilet = body("toilet", (2.0, 0.08), (0.4, 0.66))
+    near, far = (body("plant", (2.3, z), (0.4, 0.4)) for z in (1.26, 1.28))
+    assert ruler.put_down_in_the_way(scene(toilet, near)) == (1, 1)
+    assert ruler.put_down_in_the_way(scene(toilet, far)) == (0, 1)
+    assert ruler.put_down_in_the_way(scene(near)) == (0, 0)
+
+
+@pytest.mark.parametrize(
+    ("types", "twice", "dining"),
+    [
+        (("bedroom_master", "living_room", "living_room", "dining_room"), 0, 1),
+        (("bedroom_master",) * 2, 1, 0),
+        (("living_room",) * 3, 1, 0),
+    ],
+)
+def test_plain_plans(types: tuple[str, ...], twice: int, dining: int) -> None:
+    rooms = tuple(Room(f"r{k}", k, name, width=3.0, depth=3.0) for k, name in enumerate(types))
+    plain = Scene(seed=0, wall_thickness=0.1, rooms=rooms)
+    assert (ruler.twice(plain), ruler.dining_rooms(plain)) == ((twice, 1), (dining, 1))
+    assert ruler.twice(replace(plain, request={"program": "family"})) == (0, 0)
+
+
+@pytest.mark.parametrize(("depth", "found"), [(5.0, (1, 1)), (5.01, (0, 1))])
+def test_small_bathrooms(depth: float, found: Count) -> None:
+    assert ruler.small_bathrooms(scene(kind="bathroom", size=(2.0, depth))) == found

@@ -1,0 +1,199 @@
+"""What a designer looks at in kitchens, bathrooms and plain plans, from the scene alone; shares no code with what furnishes.
+
+Comes in: a `Scene`. Goes out: for every line of `LINES` how many of its cases hold, and how many there are. Metres. The lengths are of
+
+* the International Residential Code, P2705.1: a toilet's axis is 15 inches (0.38 m) or more from what is at its side, and 21 inches
+  (0.53 m) of floor are free before it;
+* the NKBA Kitchen Planning Guidelines: 5 (working triangle), 6 (separated work centers), 12 (worktop by the dishwasher), 17 (worktop at
+  both sides of the hob, 12 and 15 inches), 18 (no hob under a window that opens);
+* Neufert, Architects' Data, kitchens: a worktop of 0.3 m at least between hob and any tall unit.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+
+from solver.scene import Room, Scene
+from tests.density.living_ruler import Count, Floor, Line, count, floors, strip, windows_behind
+from tests.density.ruler import Box, triangle, works
+
+AXIS = 0.38
+"""From a toilet's axis to what is at its side."""
+LANDING = 0.3
+"""Of worktop at a stove's side; and how far a refrigerator is from it at least."""
+BEFORE = 0.53
+"""Of floor before a toilet and a counter, where nothing is put down."""
+ROW = 0.05
+"""Neighbours in a row are at most so far apart, and their backs as much out of line."""
+WORKTOP = ("counter",)
+WORKED_AT = ("counter", "sink", "stove")
+"""What a worktop is made of, and what belongs between its parts."""
+BREAKS = ("refrigerator", "dishwasher", "pantry")
+"""What belongs at an end of it."""
+LONG = 2.4
+"""Of worktop in a large home's kitchen, m along the fronts."""
+ROOMY = 15.0
+"""Kitchens of this area, m2, have an island or a table."""
+SMALL = 10.0
+"""A bathroom is at most so large, m2."""
+USED = ("toilet", "wardrobe", "counter", "sink", "stove", "refrigerator")
+PUT_DOWN = ("plant", "laundry_basket", "trash_bin", "basket", "potted_plant", "slim_plant", "plant_small")
+
+
+def _rooms(scene: Scene, name: str) -> list[Room]:
+    return [room for room in scene.rooms if room.type == name]
+
+
+def toilets_with_room(scene: Scene) -> Count:
+    """Toilets with no wall and no furniture nearer than AXIS to their axis, at either side, along their depth."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene):
+            for toilet in floor.named("toilet"):
+                aside = AXIS - toilet.piece.width / 2
+                yield all(floor.free(strip(toilet, side, aside), (toilet, *floor.things)) for side in ("left", "right"))
+
+    return count(cases())
+
+
+def _neighbour(box: Box, side: str, others: list[Box]) -> Box | None:
+    """Returns what goes on a row at a side of a piece: turned alike, backs in line, touching."""
+    rect = strip(box, side, ROW)
+    for other in others:
+        if other is not box and other.ahead == box.ahead and other.meets(*rect) and abs(_back(other) - _back(box)) <= ROW:
+            return other
+    return None
+
+
+def _back(box: Box) -> float:
+    dx, dz = box.ahead
+    return (-box.x0 if dx > 0 else box.x1) if dx else (-box.z0 if dz > 0 else box.z1)
+
+
+def stoves_with_worktop(scene: Scene) -> Count:
+    """Stoves with a counter of LANDING or more right beside them, at both sides."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene):
+            tops = [box for box in floor.named(*WORKTOP) if box.piece.width >= LANDING - 1e-3]
+            for stove in floor.named("stove"):
+                yield all(_neighbour(stove, side, tops) is not None for side in ("left", "right"))
+
+    return count(cases())
+
+
+def stoves_under_windows(scene: Scene) -> Count:
+    """Stoves with any of a window behind them."""
+    return count(any(windows_behind(floor.room, stove)) for floor in floors(scene) for stove in floor.named("stove"))
+
+
+def stoves_at_refrigerators(scene: Scene) -> Count:
+    """Stoves with a refrigerator nearer than LANDING."""
+    return count(
+        any(_apart(stove, cold) < LANDING - 1e-3 for cold in floor.named("refrigerator"))
+        for floor in floors(scene)
+        for stove in floor.named("stove")
+    )
+
+
+def _apart(one: Box, two: Box) -> float:
+    dx, dz = max(one.x0, two.x0) - min(one.x1, two.x1), max(one.z0, two.z0) - min(one.z1, two.z1)
+    return float((max(dx, 0.0) ** 2 + max(dz, 0.0) ** 2) ** 0.5)
+
+
+def worktops_parted(scene: Scene) -> Count:
+    """Refrigerators, dishwashers and pantries with a counter, sink or stove right beside them at both sides."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene, "kitchen"):
+            there = floor.named(*WORKED_AT)
+            for box in floor.named(*BREAKS):
+                yield all(_neighbour(box, side, there) is not None for side in ("left", "right"))
+
+    return count(cases())
+
+
+def long_worktops(scene: Scene) -> Count:
+    """Kitchens of LONG or more of counter, measured along the fronts: what stands round the corner hides none of it."""
+    return count(worktop(floor) >= LONG - 1e-3 for floor in floors(scene, "kitchen"))
+
+
+def worktop(floor: Floor) -> float:
+    """Returns the length of a room's counters in all, less what another piece hides of their fronts, m."""
+    length = 0.0
+    for box in floor.named(*WORKTOP):
+        along = 1 if box.ahead[0] else 0
+        x0, z0, x1, z1 = strip(box, "front", 0.1)
+        hidden = [
+            (max(one[0], (x0, z0)[along]), min(one[1], (x1, z1)[along]))
+            for other in floor.pieces
+            if other is not box and other.meets(x0, z0, x1, z1)
+            for one in [((other.x0, other.x1), (other.z0, other.z1))[along]]
+        ]
+        length += max(0.0, box.piece.width - sum(high - low for low, high in hidden))
+    return length
+
+
+def triangles_whole(scene: Scene) -> Count:
+    """Kitchens whose sink, stove and refrigerator stand as the guideline wants (`ruler.works`)."""
+    return count(works(legs) for room in _rooms(scene, "kitchen") if (legs := triangle(room)) is not None)
+
+
+def roomy_kitchens_used(scene: Scene) -> Count:
+    """Kitchens of ROOMY or more with an island or a table."""
+    return count(
+        bool(floor.named("kitchen_island", "dining_table"))
+        for floor in floors(scene, "kitchen")
+        if floor.room.width * floor.room.depth >= ROOMY
+    )
+
+
+def put_down_in_the_way(scene: Scene) -> Count:
+    """Plants, baskets and bins on the floor within BEFORE of the front of a toilet, wardrobe, counter, sink, stove or refrigerator."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene):
+            kept = [strip(box, "front", BEFORE) for box in floor.named(*USED)]
+            for box in (*floor.pieces, *floor.things):
+                if kept and box.piece.name in PUT_DOWN:
+                    yield any(box.meets(*rect) for rect in kept)
+
+    return count(cases())
+
+
+def _plain(scene: Scene, cases: Callable[[Counter[str]], Iterator[bool]]) -> Count:
+    planned = (scene.request or {}).get("program") is not None
+    return (0, 0) if planned else count(cases(Counter(room.type for room in scene.rooms)))
+
+
+def twice(scene: Scene) -> Count:
+    """Plain houses with two master bedrooms or three living rooms."""
+    return _plain(scene, lambda types: iter([types["bedroom_master"] > 1 or types["living_room"] > 2]))
+
+
+def dining_rooms(scene: Scene) -> Count:
+    """Plain houses with a dining room."""
+    return _plain(scene, lambda types: iter([types["dining_room"] > 0]))
+
+
+def small_bathrooms(scene: Scene) -> Count:
+    """Bathrooms of at most SMALL."""
+    return count(room.width * room.depth <= SMALL + 1e-6 for room in _rooms(scene, "bathroom"))
+
+
+LINES = (
+    Line("toilet: 0.38 m free at both sides of its axis", toilets_with_room, {"*": 0.9}),
+    Line("stove: 0.3 m of worktop at both sides", stoves_with_worktop, {"*": 0.85}),
+    Line("stove: under a window", stoves_under_windows, {"*": 0.05}, most=True),
+    Line("stove: refrigerator within 0.3 m", stoves_at_refrigerators, {"*": 0.0}, most=True),
+    Line("refrigerator, dishwasher, pantry: parts the worktop", worktops_parted, {"*": 0.02}, most=True),
+    Line("kitchen: 2.4 m of worktop", long_worktops, {"*": 0.0, "large": 0.5}),
+    Line("kitchen: working triangle", triangles_whole, {"*": 0.85}),
+    Line("kitchen of 15 m2: island or table", roomy_kitchens_used, {"*": 0.8}),
+    Line("plants, baskets, bins: before toilets, wardrobes, counters", put_down_in_the_way, {"*": 0.02}, most=True),
+    Line("plain house: two masters or three living rooms", twice, {"*": 0.0}, most=True),
+    Line("plain house: a dining room", dining_rooms, {"*": 0.98}),
+    Line("bathroom: at most 10 m2", small_bathrooms, {"*": 0.6}),
+)
+"""All lines, in the order of the table."""
