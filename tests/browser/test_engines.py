@@ -1,0 +1,29 @@
+"""The core answers the same in wasmtime, Node and Chromium: every call of two homes and of a drag, by results and by memory."""
+
+from __future__ import annotations
+
+import pytest
+from playwright.sync_api import Browser
+
+from tests.core.engines import in_chromium, in_node, recording_of
+
+
+@pytest.fixture(scope="module")
+def recordings() -> list[bytes]:
+    """What the core was asked; and the same with another number at the end of its last call, which must be noticed."""
+    true = recording_of(range(5, 7), frames=3)
+    return [true, true[:-1] + bytes([true[-1] ^ 1])]
+
+
+def test_node_answers_the_same(recordings: list[bytes]) -> None:
+    same, other = in_node(recordings)
+    assert same["calls"] > 300
+    assert same["differences"] == []
+    assert [one["call"] for one in other["differences"]] == [same["calls"]]
+
+
+def test_chromium_answers_the_same(browser: Browser, recordings: list[bytes]) -> None:
+    same, other = in_chromium(browser, recordings)
+    assert same["calls"] > 300
+    assert same["differences"] == []
+    assert [one["call"] for one in other["differences"]] == [same["calls"]]
