@@ -43,6 +43,10 @@ def faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
     for name, preset in catalogs.presets.items():
         if not any(preset.rooms.values()):
             yield Fault("presets", (name, "rooms"), "the preset has no rooms", "at least one")
+    for name, synonym in catalogs.synonyms.items():
+        kinds = (*catalogs.furniture, *catalogs.decorations)
+        if synonym.says == "kind" and name not in kinds:
+            yield Fault("synonyms", (name,), f"unknown kind {name!r}{near(name, kinds)}", "a key of furniture.yaml or decorations.yaml")
     yield from dressing_faults(catalogs)
     yield from shape_faults(catalogs, shapes)
 

@@ -101,3 +101,13 @@ class KindSpec(Entry):
     friction: Literal["low", "medium", "high"] = "medium"
     moves: Literal["free", "fixed"] | None = None
     labels: Words = ()
+
+
+class Synonym(Entry):
+    """What others call a kind: `known_as`, in small letters. Its key is a kind's where it `says` one.
+
+    It may say `other`, what we have no kind of, or `nothing`, words that tell of no thing what it is.
+    """
+
+    known_as: Words = Field(min_length=1)
+    says: Literal["kind", "other", "nothing"] = "kind"

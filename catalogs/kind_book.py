@@ -11,15 +11,12 @@ from typing import Final
 from catalogs.dressing import DecorationKind
 from catalogs.schema import Catalogs, FurnitureSpec
 from catalogs.shapes import Solid
+from catalogs.synonyms import KindSize, synonyms_of
 
 UPRIGHT: Final = "_upright"
 """Ends the key of a thing that is tipped onto its lower edge and looks different so."""
 SEATED: Final = "_seated"
 """Ends the name of the shape of somebody who sits."""
-
-
-KindSize = tuple[float, float, float]
-"""Width, depth and height, m."""
 
 
 class KindBook:
@@ -60,8 +57,14 @@ class KindBook:
         """
         sized = self._by_name[sort].get(name)
         if not sized:
-            return None
+            return self._understood(sort, name, size, said)
         return said if said in sized else min(sized, key=lambda key: _difference(sized[key], size))
+
+    def _understood(self, sort: str, name: str, size: KindSize, said: str | None) -> str | None:
+        """Returns the key of what others call so."""
+        synonyms = synonyms_of(self._catalogs)
+        meaning = synonyms.said(said) or synonyms.meaning(name, size)
+        return meaning.key if meaning and meaning.sort == sort else None
 
     def spec(self, sort: str, key: str) -> FurnitureSpec | DecorationKind:
         """Returns what the catalogs say of a kind, by a key that `kind_of` returned."""

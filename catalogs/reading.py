@@ -16,6 +16,7 @@ from pydantic import TypeAdapter, ValidationError
 from catalogs.checks import faults
 from catalogs.dressing import DecorationKind, Dressing
 from catalogs.dwellers import Dweller
+from catalogs.entries import Synonym
 from catalogs.faults import CatalogError, Fault
 from catalogs.misfits import misfit
 from catalogs.programmes import Preset
@@ -40,6 +41,7 @@ _SECTIONS: Final[dict[str, TypeAdapter[Any]]] = {
     "presets": TypeAdapter(dict[str, Preset]),
     "people": TypeAdapter(dict[str, Dweller]),
     "materials": TypeAdapter(dict[str, Material]),
+    "synonyms": TypeAdapter(dict[str, Synonym]),
 }
 """What each file of a catalog holds: `<section>.yaml`."""
 _FILES: Final = (*(f"{section}.yaml" for section in _SECTIONS), f"{_ROOMS}/<type>.yaml", f"{_SHAPES}/<any>.yaml")
@@ -47,7 +49,7 @@ _ROOM = TypeAdapter(RoomType)
 _SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, ShapeParts])
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
-    "fingerprint": True, "shapes": True, "materials": True, "styles": {"__all__": {"materials"}},
+    "fingerprint": True, "shapes": True, "materials": True, "synonyms": True, "styles": {"__all__": {"materials"}},
     "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},
 }  # fmt: skip

@@ -29,6 +29,7 @@ from catalogs.entries import (
     Probability,
     RoomTypeNames,
     Side,
+    Synonym,
     Words,
 )  # fmt: skip
 from catalogs.programmes import Home, Preset
@@ -226,6 +227,7 @@ class Catalogs(Entry):
     people: dict[str, Dweller] = Field(default_factory=dict)
     materials: dict[str, Material] = Field(default_factory=dict)
     shapes: dict[str, tuple[Solid, ...]] = Field(default_factory=dict)
+    synonyms: dict[str, Synonym] = Field(default_factory=dict)
     fingerprint: str
 
     def __hash__(self) -> int:

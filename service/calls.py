@@ -36,6 +36,7 @@ from solver.plain import Document
 from solver.requested import PieceRequest
 from solver.scene import MAX_SEED
 from solver.scene_bodies import body_ids, check_ids
+from solver.understanding import understood
 from solver.validator import floors, metrics
 from solver.view import report, view
 
@@ -99,7 +100,8 @@ def place_pieces(document: object, catalogs: Catalogs, engine: str = "osqp") -> 
     best = answer.best
     return write(
         PlaceAnswer(
-            best.scene, best.relations, best.unplaced, answer.alternatives, answer.conflicts, best.issues, answer.timing_ms
+            best.scene, best.relations, best.unplaced, answer.alternatives, answer.conflicts, best.issues, answer.timing_ms,
+            answer.understood_as,
         )
     )  # fmt: skip
 
@@ -136,7 +138,7 @@ def validate_scene(document: object, catalogs: Catalogs) -> Document:
     issues = validate(scene, catalogs)
     is_wanted = body.flagged is not None if body.report is None else body.report
     words = Lines(*report(scene, issues, flagged)) if is_wanted else None
-    return write(ValidateAnswer(tuple(issues), metrics(scene, catalogs), words))
+    return write(ValidateAnswer(tuple(issues), metrics(scene, catalogs), understood(scene, catalogs).understood_as, words))
 
 
 def view_scene(document: object, _: Catalogs | None = None) -> Document:

@@ -143,6 +143,7 @@ class PlaceAnswer(Record):
     conflicts: tuple[Conflict, ...]
     issues: tuple[Issue, ...]
     timing_ms: Mapping[str, float]
+    understood_as: Mapping[str, str]
 
 
 @dataclass(frozen=True)
@@ -159,6 +160,7 @@ class ValidateAnswer(Record):
 
     issues: tuple[Issue, ...]
     metrics: Free
+    understood_as: Mapping[str, str]
     report: Lines | None = field(default=None, metadata={OMITTED: True})
 
 

@@ -16,6 +16,7 @@ from catalogs import Catalogs
 from catalogs.checks import BETWEEN, OPENINGS, TO_SOMETHING
 from catalogs.kind_book import KindBook
 from catalogs.schema import RelationSpec
+from catalogs.synonyms import synonyms_of
 from solver.errors import RequestError
 from solver.fields import MADE_UP, STRICT, WHOLE, Flag, Record
 from solver.relations import RELATIONS
@@ -135,7 +136,7 @@ def _some(known: Sequence[str]) -> str:
 
 
 def _sized(field: str, request: PieceRequest, catalogs: Catalogs) -> PieceRequest:
-    kind = catalogs.furniture.get(request.name)
+    kind = catalogs.furniture.get(kind_of_request(request, catalogs) or "")
     sizes: list[float] = []
     for axis, key in enumerate(("width", "depth", "height")):
         given = getattr(request, key)
@@ -147,6 +148,14 @@ def _sized(field: str, request: PieceRequest, catalogs: Catalogs) -> PieceReques
         sizes.append(round(value * 1000) / 1000)
     width, depth, height = sizes
     return replace(request, relations=tuple(map(_weighed, request.relations)), width=width, depth=depth, height=height)
+
+
+def kind_of_request(request: PieceRequest, catalogs: Catalogs) -> str | None:
+    """Returns the kind of the catalogs that is wanted, perhaps by a foreign name; None where there is none like it."""
+    if request.name in catalogs.furniture:
+        return request.name
+    meaning = synonyms_of(catalogs).meaning(request.name, request.size)
+    return meaning.key if meaning and meaning.sort == "furniture" else None
 
 
 def _range() -> str:
@@ -193,7 +202,7 @@ def kinds_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) -
         return Kind.of(name, catalogs, size, book.kind_of("furniture", name, size, said) if size else None)
 
     standing = {one.id: kind(one.name, (one.width, one.depth, one.height), one.kind) for one in room.furniture}
-    return standing | {one.id: kind(one.name, one.size) for one in requests}
+    return standing | {one.id: kind(kind_of_request(one, catalogs) or one.name, one.size) for one in requests}
 
 
 def _weighed(rule: RelationSpec) -> RelationSpec:
@@ -245,9 +254,13 @@ class Placement(Record):
 
 @dataclass(frozen=True)
 class Answered:
-    """The answer of place: the best placement, the others by rank, why required pieces are missing, stage times in ms."""
+    """The answer of place: the best placement, the others by rank, why required pieces are missing, stage times in ms.
+
+    `understood_as` tells what a piece, by its id, was taken for that is called by no name of the catalogs.
+    """
 
     best: Placement
     alternatives: tuple[Placement, ...]
     conflicts: tuple[Conflict, ...]
     timing_ms: Mapping[str, float]
+    understood_as: Mapping[str, str]

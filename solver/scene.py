@@ -361,6 +361,8 @@ class Fixed(Record):
     conflicts: tuple[Conflict, ...]
     issues: tuple[Issue, ...]
     timing_ms: Mapping[str, float]
+    understood_as: Mapping[str, str] = field(default_factory=dict)
+    """By id, what a piece was taken for that is called by no name of the catalogs."""
 
 
 def robot_width_of(scene: Scene) -> float:

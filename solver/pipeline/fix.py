@@ -29,6 +29,7 @@ from solver.repair import (
 )
 from solver.scene import WALLS, Conflict, Decoration, Dynamic, Fixed, Furniture, Issue, Move, Pose, Room, Scene, robot_width_of
 from solver.scene_bodies import body_ids, check_ids
+from solver.understanding import understood
 from solver.validator import RULES, Checked, check
 
 MOST_ROOM_WORK = 300_000.0
@@ -88,7 +89,8 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         previous={pose.id: pose for pose in previous},
         work=_share(len(scene.rooms)),
     )
-    house = check(scene, known)
+    words = understood(scene, known)
+    house = check(words.scene, known)
     timing.lap("validate")
     house = _all_at_rest(house, house.errors, settings, settings.moved)
     house, repairs = _rooms_repaired(house, settings)
@@ -102,7 +104,8 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     timing.lap("validate_again")
     conflicts += unexplained(house, conflicts, settings)
     removed = _removed(scene, house.scene, conflicts)
-    return Fixed(certified(house.scene), _moves(scene, house.scene), removed, tuple(conflicts), house.issues, timing.ms)
+    answer = certified(words.in_their_words(house.scene))
+    return Fixed(answer, _moves(scene, answer), removed, tuple(conflicts), house.issues, timing.ms, words.understood_as)
 
 
 def _share(rooms: int) -> float:

@@ -64,7 +64,7 @@ def place(  # noqa: PLR0913 - keyword-only options of the public door
     timing.lap("alternatives")
     conflicts = _conflicts(task, best)
     timing.lap("reasons")
-    return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms)
+    return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms, task.understood_as)
 
 
 def _conflicts(task: PlaceTask, placement: Placement) -> tuple[Conflict, ...]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from catalogs import Catalogs
 from solver.certificate import room_certificate
@@ -26,12 +27,14 @@ from solver.requested import (
     Unplaced,
     checked,
     in_order,
+    kind_of_request,
     kinds_of,
     labels_by_name,
     relations_of,
 )
 from solver.scene import Furniture, Room, Scene
 from solver.streams import Stream
+from solver.understanding import Understood, understood
 from solver.validator import RULES, validate
 
 
@@ -51,6 +54,19 @@ class PlaceTask:
     """The kind of every piece that is asked for or stands already, by its label."""
     bare: FinishedRoom
     """The room before anything is placed, to be judged."""
+    words: Understood
+    """What stands in the room, in the catalogs' words."""
+
+    @property
+    def understood_as(self) -> dict[str, str]:
+        """What a piece was taken for that is called by no name of the catalogs, by the id of the body or of the request."""
+        kinds = {one.id: kind_of_request(one, self.catalogs) for one in self.requests if one.name not in self.catalogs.furniture}
+        return {**self.words.understood_as, **{name: kind for name, kind in kinds.items() if kind}}
+
+    @cached_property
+    def names(self) -> Mapping[str, str]:
+        """What the pieces to be placed are called in the scene, by label: as they were asked for, in a kind's size variants its name."""
+        return {label: self.catalogs.name_of(one.name) for one in self.requests for label in one.labels}
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
@@ -71,6 +87,8 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
         RequestError: a field is wrong.
     """
     wall_thickness, robot_width, engine = setting
+    words = understood(Scene(rooms=(room,)), catalogs)
+    room = words.scene.rooms[0]
     ordered = in_order(checked(room, requests, catalogs))
     kinds = kinds_of(room, ordered, catalogs)
     space, there = obstacles(room, space_of(room, wall_thickness, robot_width), catalogs)
@@ -79,7 +97,7 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     by_label = {label: kinds[name] for name, labels in names.items() for label in labels}
     bodies = {one.id: standing(one, space.clear, _heights(by_label[one.id])) for one in room.furniture}
     bare = FinishedRoom(scope_of(room, space), bodies, names)
-    return PlaceTask(room, ordered, catalogs, wall_thickness, robot_width, engine, space, listed, by_label, bare)
+    return PlaceTask(room, ordered, catalogs, wall_thickness, robot_width, engine, space, listed, by_label, bare, words)
 
 
 def _heights(kind: Kind) -> list[float]:
@@ -91,6 +109,7 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
     room = _written(task, arrangement)
     document = {"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}}
     request = {"robot_width": task.robot_width}
+    room = task.words.in_their_words(Scene(rooms=(room,))).rooms[0]
     scene = Scene(request=request, wall_thickness=task.wall_thickness, rooms=(room,), certificate=document)
     stands = {piece.id for piece in task.room.furniture}
     unplaced = tuple(Unplaced(label, reason) for label, reason in arrangement.left_out if label not in stands)
@@ -118,7 +137,7 @@ def _called(task: PlaceTask, piece: Furniture, placed: Placed) -> Furniture:
     if wall is None and task.kinds[placed.label].at_walls and chosen.on is None:
         behind = WALL_BEHIND[placed.rotation]
         wall = behind if placed.footprint.wall_distance(behind, task.space.clear) <= task.space.gap_mm else None
-    return replace(piece, id=placed.label, under=chosen.under, on=chosen.on, wall=wall)
+    return replace(piece, id=placed.label, name=task.names[placed.label], under=chosen.under, on=chosen.on, wall=wall)
 
 
 def lost(task: PlaceTask, arrangement: Arrangement) -> list[tuple[str, float]]:

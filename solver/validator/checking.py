@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 from catalogs import Catalogs, load_catalogs
 from solver.scene import Issue, Room, Scene
+from solver.understanding import understood
 from solver.validator.judging import RuleCase
 from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.rules import CHECKS, homeless, issues_of
@@ -74,8 +75,8 @@ def validate(scene: Scene, catalogs: Catalogs | None = None) -> tuple[Issue, ...
 
 
 def check(scene: Scene, catalogs: Catalogs) -> Checked:
-    """Returns a scene with its issues, all of it checked."""
-    return _checked(scene, kinds_of(catalogs), ())
+    """Returns a scene, in the catalogs' words, with its issues, all of it checked."""
+    return _checked(understood(scene, catalogs).scene, kinds_of(catalogs), ())
 
 
 def _same_shell(one: Scene, other: Scene) -> bool:

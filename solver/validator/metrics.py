@@ -12,6 +12,7 @@ from typing import Any, Final
 from catalogs import Catalogs
 from solver.scene import Scene
 from solver.scene_bodies import counted
+from solver.understanding import understood
 from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.lattice import PER_METRE
 from solver.validator.reaching import LEAST_FLOOR, is_body, missed_sides
@@ -32,7 +33,7 @@ def metrics(scene: Scene, catalogs: Catalogs | None = None) -> dict[str, Any]:
         come to; the same for each room under `rooms`, with `reached`. With catalogs also `use_sides`: how many pieces are
         used from a side, and how many of them can be.
     """
-    world = world_of(scene)
+    world = world_of(scene if catalogs is None else understood(scene, catalogs).scene)
     walked = walks(world)
     measured = {name: room for walk in walked for name, room in _measured(walk)}
     rooms = {room.id: measured[room.id] for room in scene.rooms}

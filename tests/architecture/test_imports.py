@@ -20,6 +20,7 @@ GROUND_FLOOR = {
     "scene",
     "scene_bodies",
     "named_kinds",
+    "understanding",
     "export_formats",
     "body_parts",
     "answers",

@@ -50,7 +50,7 @@ def schema(client: TestClient, name: str) -> Draft202012Validator:
 
 def test_it_answers_a_scene_with_its_relations(client: TestClient) -> None:
     answer = client.post("/place", json={**BODY, "alternatives": 3}).json()
-    assert list(answer) == ["scene", "relations", "unplaced", "alternatives", "conflicts", "issues", "timing_ms"]
+    assert list(answer) == ["scene", "relations", "unplaced", "alternatives", "conflicts", "issues", "timing_ms", "understood_as"]
     assert {piece["id"] for piece in answer["scene"]["rooms"][0]["furniture"]} == {"chair", "desk", "crate_1", "crate_2"}
     assert answer["relations"] == [
         {"piece": "desk", "type": "at_window", "of": None, "held": True},

@@ -80,6 +80,7 @@ export interface Fixed {
   readonly conflicts: readonly Conflict[];
   readonly issues: readonly Issue[];
   readonly timing_ms: Readonly<Record<string, number>>;
+  readonly understood_as: Readonly<Record<string, string>>;
 }
 
 /** The floor of rooms. */
@@ -396,6 +397,7 @@ export interface Use {
 export interface ValidateAnswer {
   readonly issues: readonly Issue[];
   readonly metrics: Readonly<Record<string, unknown>>;
+  readonly understood_as: Readonly<Record<string, string>>;
   readonly report?: Lines | null;
 }
 

@@ -7,7 +7,7 @@ import { marksOf } from "../src/view/mark_words";
 
 const line = (text: string, id: string | null = null): Line => ({ text, id, className: "line" });
 const issue = (rule: string, severity: "error" | "warning" = "error") => ({ rule, severity, ids: [], message: rule });
-const nothing = { scene: {} as never, timing_ms: 0, moves: [], removed: [], conflicts: [], issues: [] };
+const nothing = { scene: {} as never, timing_ms: 0, moves: [], removed: [], conflicts: [], understood_as: {}, issues: [] };
 
 test("a line is what its first characters say", () => {
   expect(kindOf("# Diagnosis")).toBe("head");

@@ -1,0 +1,187 @@
+"""What a foreign name means: the kind of the catalogs that another program, data set or language calls so.
+
+Comes in: catalogs; a name and a size. Goes out: a `Meaning`, or None: a wrong understanding is worse than none, so what is not
+plainly meant has to agree in size. May import: schema.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from difflib import get_close_matches
+from functools import lru_cache
+from math import log
+from typing import Final, Literal, NamedTuple, TypeAlias
+from unicodedata import combining, normalize
+
+from catalogs.schema import Catalogs
+
+KindSize: TypeAlias = tuple[float, float, float]
+"""Width, depth and height, m."""
+NAMED_SO: Final = 3.0
+"""A body that is plainly called like a kind may differ from it by so many times in each of its lengths."""
+PERHAPS: Final = 2.0
+"""The same of one whose name only holds such a word, or is nearly one."""
+SAME: Final = 0.08
+"""Lengths that differ by less, m, are alike: the thickness of a picture says nothing."""
+NEARLY: Final = 0.88
+"""How alike two words must be to be one, misspelled."""
+LEAST_GUESSED: Final = 5
+"""Letters of the shortest word that may be misspelled."""
+LEAST_PART: Final = 3
+"""Letters of the shortest word within words that are written together."""
+BEFORE: Final = frozenset(("with", "for", "without", "and", "mit", "fur", "avec", "pour", "con", "para", "per", "met", "voor", "med"))
+"""Words behind which a name says no longer what the body is: a washbasin with cabinet is a washbasin."""
+_PLURALS: Final = (("ies", "y"), ("lves", "lf"), ("ches", "ch"), ("shes", "sh"), ("xes", "x"), ("sses", "ss"))
+_MANY: Final = 4_096
+
+
+class Meaning(NamedTuple):
+    """What a name means: "furniture", "decoration", or "other" where that is no kind of the catalogs; its key; its scene name."""
+
+    sort: Literal["furniture", "decoration", "other"]
+    key: str
+    name: str
+
+
+class _Wanted(NamedTuple):
+    """A meaning that a word may have, and the size of such things; None where nothing is known of it."""
+
+    meaning: Meaning
+    size: KindSize | None
+
+
+def words_of(name: str) -> tuple[str, ...]:
+    """Returns the words of a name, whatever its way of writing: small letters without accents, in the singular; no numbers.
+
+    Example:
+        >>> words_of("TVStands_03")
+        ('tv', 'stand')
+    """
+    letters = "".join(letter for letter in normalize("NFKD", name.replace("ß", "ss")) if not combining(letter))
+    apart = re.sub(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", letters)
+    return tuple(_singular(word) for word in re.findall(r"[^\W\d_]+", apart.casefold()) if len(word) > 1 or not word.isascii())
+
+
+def _singular(word: str) -> str:
+    for ending, single in _PLURALS:
+        if word.endswith(ending):
+            return word.removesuffix(ending) + single
+    return word[:-1] if len(word) >= LEAST_PART and word.endswith("s") and not word.endswith(("ss", "us", "is")) else word
+
+
+class Synonyms:
+    """The names of others, found by their words.
+
+    Args:
+        catalogs: kinds, and what others call them.
+    """
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        self._catalogs = catalogs
+        self.ours = frozenset(catalogs.kinds_by_name())
+        """What scenes call furniture of the catalogs."""
+        self._by_phrase: dict[str, dict[Meaning, KindSize | None]] = {}
+        for key in (*catalogs.furniture, *catalogs.decorations):
+            self._add(key, self._wanted(key))
+        for key, entry in catalogs.synonyms.items():
+            for phrase in entry.known_as if entry.says != "nothing" else ():
+                self._add(phrase, self._wanted(key))
+        vague = (word for entry in catalogs.synonyms.values() if entry.says == "nothing" for word in entry.known_as)
+        self._vague = frozenset(_joined(words_of(word)) for word in vague) - {""}
+        self._parts = frozenset(self._by_phrase) | self._vague
+        self.meaning = lru_cache(maxsize=_MANY)(self._meaning)
+        """What a foreign name with a size (None: not told) means; None where nobody can tell."""
+
+    def _add(self, phrase: str, wanted: Iterable[_Wanted]) -> None:
+        known = self._by_phrase.setdefault(_joined(words_of(phrase)), {})
+        for one in wanted:
+            known.setdefault(*one)
+
+    def _wanted(self, key: str) -> Iterator[_Wanted]:
+        """Yields what an entry means: a kind of furniture with its size variants, a decoration, or no kind."""
+        furniture, decorations = self._catalogs.furniture, self._catalogs.decorations
+        if key in furniture:
+            name = self._catalogs.name_of(key)
+            variants = [key, *(other for other in furniture if name == key and other != key and self._catalogs.name_of(other) == name)]
+            yield from (_Wanted(Meaning("furniture", other, name), furniture[other].size) for other in variants)
+        elif key in decorations:
+            yield _Wanted(Meaning("decoration", key, key), decorations[key].size)
+        else:
+            yield _Wanted(Meaning("other", key, key), None)
+
+    def said(self, key: str | None) -> Meaning | None:
+        """Returns the meaning that a body of a foreign name tells itself, by the key of its kind; None where it is no kind's."""
+        return next((one.meaning for one in self._wanted(key) if one.size), None) if key else None
+
+    def _meaning(self, name: str, size: KindSize | None = None) -> Meaning | None:
+        words = words_of(name)
+        cut = next((k for k, word in enumerate(words) if word in BEFORE and k), len(words))
+        whole = self._nearest(_joined(words), size, NAMED_SO)
+        return whole or self._within(words[:cut], size) or self._misspelled(_joined(words), size)
+
+    def _within(self, words: Sequence[str], size: KindSize | None) -> Meaning | None:
+        """Returns what a part of a name means: its longest, last words (a round end table), else its first (lit d'enfant)."""
+        words = tuple(part for word in words for part in self._apart(word))
+        count = len(words)
+        spans = [(0, count), *((k, count) for k in range(1, count)), *((0, k) for k in range(count - 1, 0, -1))]
+        spans += [(i, j) for i in range(1, count) for j in range(count - 1, i, -1)]
+        for start, end in spans:
+            phrase = _joined(words[start:end])
+            if phrase in self._by_phrase and phrase not in self._vague:
+                rest = (*words[:start], *words[end:])
+                plain = all(word in self._vague for word in rest)
+                return self._nearest(phrase, size, NAMED_SO if plain else PERHAPS) if plain or size else None
+        return None
+
+    def _apart(self, word: str) -> tuple[str, ...]:
+        """Returns the words that are written together in one, if it is made of known ones: `roundendtable`."""
+        if word in self._parts:
+            return (word,)
+        ways: dict[int, tuple[str, ...]] = {0: ()}
+        for end in range(LEAST_PART, len(word) + 1):
+            for start in sorted(ways):
+                if end - start >= LEAST_PART and word[start:end] in self._parts:
+                    ways.setdefault(end, (*ways[start], word[start:end]))
+        return ways.get(len(word), (word,))
+
+    def _misspelled(self, phrase: str, size: KindSize | None) -> Meaning | None:
+        if len(phrase) < LEAST_GUESSED or size is None:
+            return None
+        return next((found for near in get_close_matches(phrase, sorted(self._by_phrase), 1, NEARLY)
+                     if (found := self._nearest(near, size, PERHAPS))), None)  # fmt: skip
+
+    def _nearest(self, phrase: str, size: KindSize | None, most: float) -> Meaning | None:
+        """Returns the meaning of a phrase that is nearest in size; None where all are too far, or it has none."""
+        known = self._by_phrase.get(phrase, {})
+        if size is None:
+            return next(iter(known), None)
+        measured = [(_difference(size, other, most), meaning) for meaning, other in known.items() if other]
+        agreeing = [one for one in measured if one[0] is not None]
+        if agreeing:
+            return min(agreeing, key=lambda one: one[0] or 0.0)[1]
+        return next((meaning for meaning, other in known.items() if other is None), None)
+
+
+@lru_cache(maxsize=4)
+def synonyms_of(catalogs: Catalogs) -> Synonyms:
+    """Returns the names of others that catalogs tell."""
+    return Synonyms(catalogs)
+
+
+def _joined(words: Iterable[str]) -> str:
+    return "".join(words)
+
+
+def _difference(one: KindSize, other: KindSize, most: float) -> float | None:
+    """Returns how many times two sizes differ, as a sum of logarithms; None where a length does by more than `most`.
+
+    A footprint may be turned: others call a bed's length its width.
+    """
+    found = 0.0
+    for a, b in zip((*sorted(one[:2]), one[2]), (*sorted(other[:2]), other[2]), strict=True):
+        more = abs(log(a / b))
+        if more > log(most) and abs(a - b) > SAME:
+            return None
+        found += more
+    return found

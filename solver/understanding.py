@@ -1,0 +1,73 @@
+"""Scenes in the words of others: furniture gets the catalogs' names while we work at it, and its own back in the answer.
+
+Comes in: a scene, catalogs. Goes out: the scene as the catalogs would name it, and what was understood as what. May import: scene,
+catalogs. Names of the catalogs stay; so does what nobody understands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from catalogs import Catalogs
+from catalogs.synonyms import synonyms_of
+from solver.scene import Furniture, Room, Scene
+
+
+@dataclass(frozen=True)
+class Understood:
+    """A scene in the catalogs' words.
+
+    Args:
+        scene: with names and kinds of the catalogs.
+        understood_as: by id, the kind of every piece that was called otherwise.
+    """
+
+    scene: Scene
+    understood_as: Mapping[str, str]
+    _sent: Mapping[str, Furniture]
+
+    def in_their_words(self, scene: Scene) -> Scene:
+        """Returns a scene with the names and kinds that its pieces were sent with."""
+        if not self._sent:
+            return scene
+        return replace(scene, rooms=tuple(self._named(room) for room in scene.rooms))
+
+    def _named(self, room: Room) -> Room:
+        if not any(piece.id in self._sent for piece in room.furniture):
+            return room
+        pieces = (replace(piece, name=own.name, kind=own.kind) if (own := self._sent.get(piece.id)) else piece for piece in room.furniture)
+        return replace(room, furniture=tuple(pieces))
+
+
+def understood(scene: Scene, catalogs: Catalogs) -> Understood:
+    """Returns a scene in the catalogs' words; the very scene where it is already.
+
+    Args:
+        scene: any; only furniture is looked at.
+        catalogs: kinds, and what others call them.
+    """
+    ours = synonyms_of(catalogs).ours
+    if all(piece.name in ours for room in scene.rooms for piece in room.furniture):
+        return Understood(scene, {}, {})
+    words: dict[str, str] = {}
+    sent: dict[str, Furniture] = {}
+    rooms = tuple(_room(room, catalogs, words, sent) for room in scene.rooms)
+    return Understood(replace(scene, rooms=rooms) if sent else scene, words, sent)
+
+
+def _room(room: Room, catalogs: Catalogs, words: dict[str, str], sent: dict[str, Furniture]) -> Room:
+    """Returns a room in the catalogs' words; notes in `words` what was understood as what, in `sent` what was renamed."""
+    synonyms = synonyms_of(catalogs)
+    pieces: list[Furniture] = []
+    for piece in room.furniture:
+        size = (piece.width, piece.depth, piece.height)
+        meaning = None if piece.name in synonyms.ours else synonyms.said(piece.kind) or synonyms.meaning(piece.name, size)
+        if meaning is not None:
+            words[piece.id] = meaning.key
+        if meaning is not None and meaning.sort == "furniture":
+            sent[piece.id] = piece
+            pieces.append(replace(piece, name=meaning.name, kind=meaning.key))
+        else:
+            pieces.append(piece)
+    return replace(room, furniture=tuple(pieces))
