@@ -82,6 +82,11 @@ def fix(body: contract.FixBody) -> Fixed:  # type: ignore[empty-body]
     """Repairs a scene by moving as little as possible."""
 
 
+@posts.post("/drag")
+def drag(body: contract.DragBody) -> contract.DragAnswer:  # type: ignore[empty-body]
+    """Prepares the room of a piece that is about to be dragged."""
+
+
 @posts.post("/place")
 def place(body: contract.PlaceBody) -> contract.PlaceAnswer:  # type: ignore[empty-body]
     """Places a list of pieces, with their relations, in a room of the caller's own."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+from base64 import b64encode
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from time import perf_counter
@@ -10,6 +11,8 @@ from typing import Final, NamedTuple, TypeAlias, cast
 
 from catalogs import Catalogs
 from service.contract import (
+    DragAnswer,
+    DragBody,
     ExplainBody,
     ExportBody,
     ExportFormat,
@@ -26,7 +29,7 @@ from service.contract import (
     ValidateBody,
     ViewBody,
 )
-from solver import explain, export, fix, generate, place, reroll, validate
+from solver import explain, export, fix, generate, place, prepare_drag, reroll, validate
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, read_request, scene_schema, write, write_scene
 from solver.export_formats import EXPORTERS, Freedom
@@ -76,9 +79,26 @@ def fix_scene(document: object, catalogs: Catalogs) -> Document:
     body = read(FixBody, document)
     fixed = fix(
         body.scene, locked=tuple(dict.fromkeys(body.locked)), moved=tuple(dict.fromkeys(body.moved)), on_conflict=body.on_conflict,
-        previous=body.previous, catalogs=catalogs, clock=perf_counter,
+        previous=body.previous, dragging=body.dragging, catalogs=catalogs, clock=perf_counter,
     )  # fmt: skip
     return write(fixed)
+
+
+def take_in_hand(document: object, catalogs: Catalogs) -> Document:
+    """Prepares the room of a piece that is about to be dragged.
+
+    Args:
+        document: a `DragBody`.
+        catalogs: what the pieces' kinds are.
+
+    Raises:
+        FieldError: a field is wrong.
+    """
+    body = read(DragBody, document)
+    check_ids("id", (body.id,), body_ids(body.scene))
+    check_ids("locked", body.locked, body_ids(body.scene))
+    taken = prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
+    return write(DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies))
 
 
 def place_pieces(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
@@ -250,8 +270,8 @@ def schema_document(_: Catalogs | None = None) -> Document:
 
 
 CALLS: Final[Mapping[str, Call]] = {
-    "generate": generate_house, "fix": fix_scene, "place": place_pieces, "validate": validate_scene, "view": view_scene,
-    "export": export_scene, "explain": explain_place, "floor": floor_of,
+    "generate": generate_house, "fix": fix_scene, "drag": take_in_hand, "place": place_pieces, "validate": validate_scene,
+    "view": view_scene, "export": export_scene, "explain": explain_place, "floor": floor_of,
 }  # fmt: skip
 """The calls that take a body, by the names of their routes."""
 MAY_BE_EMPTY: Final = frozenset({"generate"})

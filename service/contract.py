@@ -31,7 +31,7 @@ class RerollBody(Record):
 
 @dataclass(frozen=True)
 class FixBody(Record):
-    """Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer, while something is dragged."""
+    """Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer; `dragging`: a frame of a drag."""
 
     camel_case: ClassVar[bool] = True
 
@@ -40,6 +40,24 @@ class FixBody(Record):
     moved: Ids = ()
     on_conflict: Annotated[str, OneOf(*ON_CONFLICT)] = ON_CONFLICT[0]
     previous: tuple[Pose, ...] = ()
+    dragging: Flag = False
+
+
+@dataclass(frozen=True)
+class DragBody(Record):
+    """Takes a piece in hand: its room is prepared for frames of a drag."""
+
+    scene: SentScene
+    id: Text
+    locked: Ids = ()
+
+
+@dataclass(frozen=True)
+class DragAnswer(Record):
+    """The room prepared for the core (base64), and all that is in it in the order of a frame; null where /fix has to be asked instead."""
+
+    opening: Text | None
+    bodies: tuple[Text, ...]
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from solver.scene import Request, Scene
 
 if TYPE_CHECKING:
-    from solver.pipeline import explain, export, fix, generate, place, reroll, validate
+    from solver.pipeline import explain, export, fix, generate, place, prepare_drag, reroll, validate
 else:
 
     def __getattr__(name: str) -> object:
@@ -20,4 +20,4 @@ else:
         return getattr(import_module(f"{__name__}.pipeline"), name)
 
 
-__all__ = ["Request", "Scene", "explain", "export", "fix", "generate", "place", "reroll", "validate"]
+__all__ = ["Request", "Scene", "explain", "export", "fix", "generate", "place", "prepare_drag", "reroll", "validate"]

@@ -4,6 +4,7 @@ Comes in: Request, Scene, or a Room and a list of pieces. Goes out: Generated, F
 May import: every stage. Not here: what a stage does inside.
 """
 
+from solver.pipeline.drag_frames import prepare_drag
 from solver.pipeline.explain import explain
 from solver.pipeline.export import export
 from solver.pipeline.fix import fix
@@ -11,4 +12,4 @@ from solver.pipeline.generate import generate, reroll
 from solver.pipeline.place import place
 from solver.validator import validate
 
-__all__ = ["explain", "export", "fix", "generate", "place", "reroll", "validate"]
+__all__ = ["explain", "export", "fix", "generate", "place", "prepare_drag", "reroll", "validate"]

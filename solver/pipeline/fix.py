@@ -15,6 +15,8 @@ from solver.errors import RequestError
 from solver.furnish import space_of
 from solver.furnish.zones import bounds_of, outline_edges
 from solver.pipeline.conflicts import conflicts_of, unexplained
+from solver.pipeline.drag import NO_ANSWER
+from solver.pipeline.drag_frames import frame_of
 from solver.pipeline.repair_room import RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
 from solver.pipeline.timing import Clock, Timing
 from solver.repair import (
@@ -48,6 +50,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     moved: Sequence[str] = (),
     on_conflict: str = "report",
     previous: Sequence[Pose] = (),
+    dragging: bool = False,
     catalogs: Catalogs | None = None,
     clock: Clock | None = None,
 ) -> Fixed:
@@ -60,11 +63,13 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         on_conflict: "report" leaves what cannot stand as sent and names it; "remove" takes the least important out.
         previous: poses of the last answer, while something is dragged: pieces stay near them, at the same sides and walls,
             unless elsewhere is clearly better. Ids that are not in the scene are passed over.
+        dragging: whether this is a frame of a drag: only the room of the one piece in `moved` is answered, quickly, its neighbours
+            near `previous`, and no issues are listed.
         catalogs: whose kinds and room types are known; ours by default.
         clock: a clock in seconds, to fill `timing_ms`.
 
     Raises:
-        RequestError: `on_conflict` is none of the two.
+        RequestError: `on_conflict` is none of the two; `moved` does not name the one piece that is dragged.
         SceneError: an id is not in the scene.
 
     Example:
@@ -79,6 +84,9 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     check_ids("locked", locked, body_ids(scene))
     check_ids("moved", moved, body_ids(scene))
     timing, known = Timing(clock), catalogs or load_catalogs()
+    if dragging and (frame := _dragged(scene, locked, moved, previous, known)) is not None:
+        timing.lap("placement")
+        return replace(frame, timing_ms={**timing.ms, **frame.timing_ms})
     seats = {person.on for person in scene.dynamic if person.on is not None and person.id in locked}
     settings = RepairSettings(
         known,
@@ -106,6 +114,19 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     removed = _removed(scene, house.scene, conflicts)
     answer = certified(words.in_their_words(house.scene))
     return Fixed(answer, _moves(scene, answer), removed, tuple(conflicts), house.issues, timing.ms, words.understood_as)
+
+
+def _dragged(scene: Scene, locked: Sequence[str], moved: Sequence[str], previous: Sequence[Pose], catalogs: Catalogs) -> Fixed | None:
+    """Answers a frame of a drag; None where the piece is none that can be dragged by itself."""
+    if len(moved) != 1:
+        raise RequestError("moved", f"names {len(moved)} bodies", "the one that is dragged")
+    frame = frame_of(scene, moved[0], locked, {pose.id: pose for pose in previous}, catalogs)
+    if frame is None:
+        return None
+    words = f"not found while it is dragged: a place for {moved[0]} and those around it"
+    conflicts = (Conflict((moved[0],), words, ()),) if frame.answer.outcome == NO_ANSWER else ()
+    timing = {"work": float(frame.answer.work)}
+    return Fixed(certified(frame.scene), _moves(scene, frame.scene), (), conflicts, (), timing)
 
 
 def _share(rooms: int) -> float:

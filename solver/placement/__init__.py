@@ -7,10 +7,11 @@ left out. May import: the ground floor. Not here: rules of room types (furnish),
 from solver.placement.arrange import SolvedRoom, arrange, feasible
 from solver.placement.budget import ROOM_WORK, Budget
 from solver.placement.displacement import move_least, moved_back
+from solver.placement.encode import problem_bytes
 from solver.placement.finish import finish, place
 from solver.placement.left_out import minimal_conflict
 
 __all__ = [
     "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "feasible", "finish", "minimal_conflict", "move_least", "moved_back",
-    "place",
+    "place", "problem_bytes",
 ]  # fmt: skip

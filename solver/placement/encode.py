@@ -14,7 +14,7 @@ import numpy as np
 from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
 from solver.placement import layout
 from solver.placement.layout import Engine, Ints, RoomArrays
-from solver.placement.space import Sizes, new_engine
+from solver.placement.space import Sizes, new_engine, request_of
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
@@ -178,6 +178,16 @@ def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encod
     tables, room = lay_out(space, pieces, walk)
     names = tuple(tables.side_names)
     return Encoded(space, tuple(pieces), tuple(tables.candidates), names, walk, new_engine(room, sizes_of(room)))
+
+
+def problem_bytes(space: Space, pieces: Sequence[Piece]) -> bytes:
+    """Returns a room's problem as the core reads it (`RoomRequest`), use sides to be tested, without space to search over ways.
+
+    Raises:
+        ValueError: as `encode`.
+    """
+    _, room = lay_out(space, pieces, "test")
+    return request_of(room, sizes_of(room)._replace(states=1))
 
 
 def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, RoomArrays]:

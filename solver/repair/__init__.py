@@ -9,6 +9,7 @@ from solver.repair.as_sent import as_it_stands, holders, pieces_as_sent
 from solver.repair.bodies import floor_bodies
 from solver.repair.carried import Body, all_bodies, seated_along, squared, without
 from solver.repair.changes import Repair, applied, with_walls_told, written_back
+from solver.repair.in_hand import InHand, in_hand
 from solver.repair.moved_people import Crowd, people_out_of_the_way
 from solver.repair.previous import LastAnswer
 from solver.repair.resting import put_to_rest
@@ -18,6 +19,7 @@ from solver.repair.settings import RepairSettings
 __all__ = [
     "Body",
     "Crowd",
+    "InHand",
     "LastAnswer",
     "Repair",
     "RepairSettings",
@@ -28,6 +30,7 @@ __all__ = [
     "as_it_stands",
     "floor_bodies",
     "holders",
+    "in_hand",
     "people_out_of_the_way",
     "pieces_as_sent",
     "put_to_rest",

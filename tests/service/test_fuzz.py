@@ -15,7 +15,7 @@ from catalogs.schema import RelationWord
 from solver.scene import Furniture, Opening, Request, Room
 from tests.service.problems import problem_of
 
-POSTS = ["/generate", "/fix", "/place", "/validate", "/view", "/explain", "/floor", "/export/json", "/export/yaml"]
+POSTS = ["/generate", "/fix", "/drag", "/place", "/validate", "/view", "/explain", "/floor", "/export/json", "/export/yaml"]
 BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
 RELATED = get_args(RelationWord)
@@ -84,7 +84,10 @@ ASKED = st.fixed_dictionaries(
 IDS = st.lists(st.text(max_size=4), max_size=2) | VALUES
 BODIES: dict[str, st.SearchStrategy[Any]] = {
     "/generate": keys(Request) | st.fixed_dictionaries({"scene": SCENES, "reroll": IDS}),
-    "/fix": st.fixed_dictionaries({"scene": SCENES}, optional={"locked": IDS, "moved": IDS, "on_conflict": VALUES}),
+    "/fix": st.fixed_dictionaries(
+        {"scene": SCENES}, optional={"locked": IDS, "moved": IDS, "on_conflict": VALUES, "dragging": st.booleans()}
+    ),
+    "/drag": st.fixed_dictionaries({"scene": SCENES, "id": st.sampled_from(["bed", "sofa", "bed_1"]) | VALUES}, optional={"locked": IDS}),
     "/place": st.fixed_dictionaries(
         {"room": ROOMS | VALUES, "pieces": st.lists(ASKED | VALUES, max_size=3) | VALUES},
         optional={"alternatives": st.integers(-1, 3) | VALUES, "wall_thickness": st.floats(-0.1, 0.3) | VALUES, "robot_width": SIZES},

@@ -60,7 +60,7 @@ export interface FieldProblem {
   readonly allowed: string;
 }
 
-/** Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer, while something is dragged. */
+/** Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer; `dragging`: a frame of a drag. */
 export interface FixBody {
   /** a scene, as GET /schema describes it */
   readonly scene: Scene;
@@ -70,6 +70,7 @@ export interface FixBody {
   readonly moved?: readonly string[] | null;
   readonly on_conflict?: "report" | "remove" | null;
   readonly previous?: readonly Pose[] | null;
+  readonly dragging?: boolean | null;
 }
 
 /** The answer of fix. */

@@ -65,7 +65,10 @@ EXPORT(prove) i32 door_prove(const Desk* desk, const ProofNodes* nodes, i64 most
   return static_cast<i32>(verdict);
 }
 
-EXPORT(pull_back) i32 door_pull_back(const Desk* desk) { return pull_back(desk->engine); }
+EXPORT(pull_back) i32 door_pull_back(const Desk* desk) {
+  i64 walks = MANY;
+  return pull_back(desk->engine, walks);
+}
 
 EXPORT(search) void door_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) { search(desk->engine, limit, ceiling, walk != 0); }
 

@@ -71,6 +71,7 @@ struct Pull {
   i64 u, v;
   i64 x, z, dx, dz;
   i64 far;
+  i64& walks;  // how many are left
 
   // Puts the body `part` of `far` parts of the way.
   void put(i64 part) const {
@@ -80,9 +81,12 @@ struct Pull {
 
   // Puts it there and tells whether all holds.
   bool may(i64 part) const {
+    if (walks <= 0) return false;
     put(part);
     const Table<i64>& p = engine.grid.positions;
-    return holds(engine.work, p) && walkable(engine.room, engine.work, engine.grid, p) && floor_is_sure(engine.room, engine.grid);
+    if (!holds(engine.work, p)) return false;
+    walks--;
+    return walkable(engine.room, engine.work, engine.grid, p) && floor_is_sure(engine.room, engine.grid);
   }
 };
 
@@ -110,20 +114,20 @@ static i64 farthest(const Pull& own) {
 }
 
 // Brings one body back as far as it goes; tells whether it moved.
-static bool pull(const Engine& engine, i64 u, i64 v, Way way) {
+static bool pull(const Engine& engine, i64 u, i64 v, Way way, i64& walks) {
   const i64 x = engine.grid.positions.at(0, u), z = engine.grid.positions.at(1, v);
   const i64 dx = way == Way::ALONG_Z ? 0 : wished(engine.work, 0, u) - x;
   const i64 dz = way == Way::ALONG_X ? 0 : wished(engine.work, 1, v) - z;
   const i64 far = most(magnitude(dx), magnitude(dz));
   if (far == 0 || (way == Way::STRAIGHT && (dx == 0 || dz == 0))) return false;
-  const Pull own = {engine, u, v, x, z, dx, dz, far};
+  const Pull own = {engine, u, v, x, z, dx, dz, far, walks};
   const i64 good = farthest(own);
   own.put(good);
   return good > 0;
 }
 
 // Brings every body back once; tells whether one moved. What is not wished anywhere stays.
-static bool pull_all(const Engine& engine) {
+static bool pull_all(const Engine& engine, i64& walks) {
   const Work& work = engine.work;
   bool moved = false;
   for (i64 k = 0; k < work.counts->parts; k++) {
@@ -131,17 +135,17 @@ static bool pull_all(const Engine& engine) {
     const i64 u = part.variable[0], v = part.variable[1];
     if (part.stand == 1 || work.anchor_weight.at(0, u) == 0 || work.anchor_weight.at(1, v) == 0) continue;
     const Way ways[] = {Way::STRAIGHT, Way::ALONG_Z, Way::ALONG_X};
-    for (const Way way : ways) moved |= pull(engine, u, v, way);
+    for (const Way way : ways) moved |= pull(engine, u, v, way, walks);
   }
   return moved;
 }
 
-bool pull_back(const Engine& engine) {
+bool pull_back(const Engine& engine, i64& walks) {
   const Work& work = engine.work;
   const Table<i64>& p = engine.grid.positions;
   for (i64 axis = 0; axis < 2; axis++) p.at(axis, p.columns - 1) = 0;
   if (!holds(work, p) || !walkable(engine.room, work, engine.grid, p)) return false;
-  for (i64 round = 0; round < MOST_ROUNDS && pull_all(engine); round++) continue;
+  for (i64 round = 0; round < MOST_ROUNDS && pull_all(engine, walks); round++) continue;
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < work.sizes[axis]; v++) engine.nodes.best.at(axis, v) = static_cast<f64>(p.at(axis, v)) / 1000;
   }

@@ -15,7 +15,7 @@ bool holds(const Work& work, const Table<i64>& positions);
 // Brings the bodies of the assembled problem back towards their wishes; what stands free of another stays so.
 //
 // Integer positions, mm, are in grid.positions; the result is left where a search leaves it. Returns whether all rules and the walk
-// held at those positions; if not, nothing is changed.
-bool pull_back(const Engine& engine);
+// held at those positions; if not, nothing is changed. `walks` is how many walks may be tried, and becomes how many are left.
+bool pull_back(const Engine& engine, i64& walks);
 
 }  // namespace placement

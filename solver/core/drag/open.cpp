@@ -1,0 +1,57 @@
+#include "drag/drag.hpp"
+
+namespace drag {
+
+// Takes rows from bytes; those behind begin at a multiple of 8.
+template <class T> static Span<T> take(u8*& at, const u8* end, i64 count) {
+  const i64 room = (end - at) / static_cast<i64>(sizeof(T));
+  if (count < 0 || count > room) fail(Failure::bad_request);
+  const Span<T> rows{reinterpret_cast<T*>(at), static_cast<i32>(count)};
+  at += count * static_cast<i64>(sizeof(T));
+  return rows;
+}
+
+static bool is_within(i64 number, i64 count) { return number >= 0 && number < count; }
+
+// Ends the call where numbers of pieces and bodies are none.
+static void check(const Drag& drag) {
+  const placement::Room& room = drag.desk->engine.room;
+  bool fits = is_within(drag.held, drag.movers.size) && room.pieces.size == drag.movers.size && drag.rows.size == drag.riders.size;
+  for (const Mover& mover : drag.movers) fits = fits && is_within(mover.body, drag.riders.size) && mover.reach >= 0;
+  for (const Rider& rider : drag.riders) fits = fits && (rider.piece == -1 || is_within(rider.piece, drag.movers.size));
+  for (i64 k = 0; fits && k < room.pieces.size; k++) {
+    const placement::PieceRow& piece = room.pieces[k];
+    fits = piece.candidates[0] >= 0 && piece.candidates[0] < piece.candidates[1] && piece.candidates[1] <= room.candidates.size;
+  }
+  if (!fits) fail(Failure::bad_request);
+}
+
+Drag* open(u8* sent, i64 size) {
+  u8* at = sent;
+  const u8* end = sent + size;
+  const OpeningHead& head = take<OpeningHead>(at, end, 1)[0];
+  if (head.version != VERSION || head.problem < static_cast<i64>(sizeof(placement::RoomRequest))) fail(Failure::bad_request);
+  Drag& drag = *static_cast<Drag*>(arena::zeroed(sizeof(Drag)));
+  const Span<u8> problem = take<u8>(at, end, head.problem);
+  const Span<u8> storey = take<u8>(at, end, head.storey);
+  drag.storey = {storey.data, storey.size};
+  drag.movers = take<Mover>(at, end, head.pieces);
+  drag.riders = take<Rider>(at, end, head.bodies);
+  drag.held = head.held;
+  drag.desk = placement::new_desk(reinterpret_cast<placement::RoomRequest*>(problem.data));
+  const Rows<placement::CandidateRow>& candidates = drag.desk->engine.room.candidates;
+  drag.sent = reserved<placement::CandidateRow>(candidates.size);
+  for (i64 k = 0; k < candidates.size; k++) drag.sent[k] = candidates[k];
+  validate::Reader reader(drag.storey);
+  const validate::Storey read = validate::read_storey(reader);
+  if (read.rooms.size != 1) fail(Failure::bad_request);
+  const Span<validate::Body> bodies = read.rooms[0].room.bodies;
+  // the rows lie one behind the other in what was sent
+  drag.rows = {bodies.size > 0 ? const_cast<validate::BodyRow*>(bodies[0].row) : nullptr, bodies.size};
+  drag.start = reserved<Spot>(bodies.size);
+  for (i64 k = 0; k < bodies.size; k++) drag.start[k] = {drag.rows[k].x, drag.rows[k].z};
+  check(drag);
+  return &drag;
+}
+
+}  // namespace drag

@@ -1,0 +1,126 @@
+"""A room as it is when one of its pieces is taken in hand -> the pieces that may move while it is dragged, and what goes along with each.
+
+Comes in: a RoomProblem whose `moved` is that piece, and its people. Goes out: `InHand`. May import: the ground floor.
+
+While a piece is dragged nothing turns, changes its wall or leaves its table: that waits for the piece to be let go.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from solver.free_places import footprint
+from solver.geometry import ALONG_X, strip
+from solver.pieces import Attach, Candidate, Piece
+from solver.repair.as_sent import WALL_FAR_MM, as_it_stands, pieces_as_sent
+from solver.repair.bodies import tables_of
+from solver.repair.carried import Body, all_bodies, below, parents_of
+from solver.repair.room_problem import RoomProblem
+from solver.scene import Decoration, Dynamic, Furniture
+
+REACH_MM = 140
+"""How far along each axis a neighbour may go between two frames: less than 0.2 m in all."""
+PERSON_REACH_MM = 800
+"""The same of somebody who stands in the way."""
+PERSON_WEIGHT = 0.05
+"""Weight of somebody who stands, against 1 for furniture: people step aside."""
+
+
+@dataclass(frozen=True)
+class InHand:
+    """What may move in a room.
+
+    Args:
+        pieces: of the placement problem, each with its ways; parents before what is attached to them.
+        held: the number of the piece in hand.
+        reaches: how far each piece may go between frames, mm.
+        riders: by id of everything in the room that moves: the number of the piece, standing free, that takes it along.
+    """
+
+    pieces: tuple[Piece, ...]
+    held: int
+    reaches: tuple[int, ...]
+    riders: Mapping[str, int]
+
+
+def in_hand(problem: RoomProblem, label: str, people: Sequence[Dynamic]) -> InHand | None:
+    """Returns what may move while a piece is dragged; None where it cannot move by itself: it is locked, flat, or stands on another.
+
+    Args:
+        problem: the room; its settings name the piece as moved.
+        label: the piece's id.
+        people: of the room.
+    """
+    bodies: dict[str, Body] = {body.id: body for body in all_bodies(problem.room)}
+    tables = tables_of(problem.room.furniture)
+    pieces = []
+    for piece in pieces_as_sent(problem):
+        table = tables.get(piece.label) if piece.label == label else None
+        pieces.append(replace(piece, candidates=_ways(piece, bodies[piece.label], table, problem)))
+    standing = {person.id: person for person in people if person.on is None}
+    pieces += [_person(person, person.id in problem.settings.locked) for person in standing.values()]
+    numbers = {piece.label: k for k, piece in enumerate(pieces)}
+    held = numbers.get(label)
+    if held is None or len(numbers) < len(pieces) or not _is_free(pieces[held]):
+        return None
+    reaches = tuple(PERSON_REACH_MM if piece.label in standing else REACH_MM for piece in pieces)
+    return InHand(tuple(pieces), held, reaches, _riders(problem, pieces, numbers, people))
+
+
+def _ways(piece: Piece, body: Body, table: Body | None, problem: RoomProblem) -> tuple[Candidate, ...]:
+    """Returns the ways of a piece that neither turn it nor take it from its table; in hand, at its table, it may be anywhere under that."""
+    ways = [way for way in piece.candidates if way.rotation == piece.candidates[0].rotation or way.attach is not None]
+    if table is not None and ways[-1].attach is None:
+        ways = [replace(ways[-1], cost=0.0, under=table.id)]
+    elif ways[0].attach is not None:
+        ways = ways[:1]
+    size = ways[0].size_mm if body.rotation % 90 == 0 else as_it_stands(body).size_mm
+    return tuple(replace(_within_strip(way, problem), cost=0.0, size_mm=size) for way in ways)
+
+
+def _within_strip(way: Candidate, problem: RoomProblem) -> Candidate:
+    """Returns a way at an outer wall with the strip before the wall named as where it may be."""
+    if way.wall is None or way.within is not None:
+        return way
+    width, depth = way.extent
+    deep = (depth if way.wall in ALONG_X else width) + WALL_FAR_MM - problem.walls.half_mm
+    clear = problem.walls.clear
+    return replace(way, within=strip(clear, way.wall, clear.along(way.wall), deep))
+
+
+def _person(person: Dynamic, locked: bool) -> Piece:
+    """Returns somebody who stands as a piece of its own."""
+    rect = footprint(person)
+    width, depth, height = rect.width, rect.depth, round(person.height * 1000)
+    weights = (PERSON_WEIGHT, PERSON_WEIGHT)
+    way = Candidate(person.kind, (width, depth, height), 0, anchor_mm=rect.centre, weights=weights, bottom_mm=round(person.y * 1000))
+    return Piece(person.id, True, (replace(way, within=rect) if locked else way,))
+
+
+def _is_free(piece: Piece) -> bool:
+    """Tells whether a piece is bound to no other, and may move."""
+    way = piece.candidates[0]
+    return way.attach is None and not (way.within is not None and (way.within.width, way.within.depth) == way.extent)
+
+
+def _riders(problem: RoomProblem, pieces: Sequence[Piece], numbers: Mapping[str, int], people: Sequence[Dynamic]) -> dict[str, int]:
+    """Returns with which piece everything moves; what hangs at a wall, and what stands on nothing that moves, is left out."""
+    parents = parents_of(problem.room)
+    attached: dict[str, Attach | None] = {piece.label: piece.candidates[0].attach for piece in pieces}
+    found: dict[str, int] = {}
+
+    def goes_with(label: str) -> int | None:
+        for carrier in (label, *below(label, parents)):
+            if carrier in attached:
+                own = attached[carrier]
+                return numbers[carrier] if own is None else goes_with(own.parent)
+        return None
+
+    for body in (*all_bodies(problem.room), *people):
+        hangs = isinstance(body, Decoration) and body.mounted_on_wall is not None
+        seat = body.on if isinstance(body, Dynamic) and body.on is not None else body.id
+        own = None if hangs or (isinstance(body, Furniture) and problem.settings.is_locked(body)) else goes_with(seat)
+        if own is not None:
+            found[body.id] = own
+    return found
