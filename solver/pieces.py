@@ -8,8 +8,9 @@ Cost is one number for everything: quadratic terms are weight x metres squared, 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 from solver.geometry import Rect, turned
 
@@ -193,6 +194,28 @@ class Piece:
     skip_cost: float = 10.0
     with_next: bool = False
     is_floor: bool = False
+
+
+class RowNames(Protocol):
+    """What the numbers stand for in the core's rows about what a room of a type wants."""
+
+    def labels(self, rows: Sequence[tuple[int, int, int]]) -> list[str]:
+        """Returns the labels of wanted pieces, in their order: rows of spec, number and side of floor (NameRow of core/rooms/made.hpp)."""
+
+    def kind(self, number: int) -> tuple[str, Extents]:
+        """Returns the name and size of a kind."""
+
+    def candidate(self, row: bytes, labels: Sequence[str]) -> Candidate:
+        """Returns a candidate from its row."""
+
+
+class WantedRows(NamedTuple):
+    """What the core furnishes and places in one go: a room and its type as bytes, and what the numbers of its answer mean."""
+
+    space: Space
+    type_rows: bytes
+    room_rows: bytes
+    names: RowNames
 
 
 @dataclass(frozen=True)

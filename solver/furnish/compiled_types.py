@@ -12,10 +12,10 @@ from struct import Struct
 from typing import Final, TypeVar, get_args
 
 from catalogs.checks import OPENINGS
-from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType
+from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Run
 from solver.geometry import to_mm
 from solver.relations.relation import distance_mm
-from solver.relations.subject import Kind
+from solver.relations.subject import Kind, SurfaceHeight
 
 Item = TypeVar("Item")
 
@@ -29,8 +29,8 @@ _SORTS: Final = ("door", "window", "exterior", "plain", "short", "long")
 _ROW: Final = {
     name: Struct(layout)
     for name, layout in {
-        "kind": "<3q8i", "level": "<2q", "part": "<6q", "piece": "<10i3d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
-        "sort": "<2id", "side": "<i", "order": "<2i", "word": "<i", "corner": "<i", "triangle": "<i",
+        "kind": "<3q12i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
+        "sort": "<2id", "side": "<i", "comfort": "<2iq", "order": "<2i", "word": "<i", "corner": "<i", "triangle": "<i",
     }.items()
 }  # fmt: skip
 _HEADER: Final = Struct("<16i")
@@ -61,8 +61,8 @@ _known_kinds: dict[tuple[int, ...], tuple[tuple[object, ...], dict[str, Kind]]] 
 """By the catalogs' kinds and shapes: these, and their kinds as relations see them; homes share them where their room types differ."""
 
 
-def compiled_type(room_type: RoomType, catalogs: Catalogs) -> CompiledType:
-    """Returns a room type of the catalogs for the core; the same object for the same room type, kinds and shapes."""
+def compiled_type(room_type: RoomType | None, catalogs: Catalogs) -> CompiledType:
+    """Returns a room type of the catalogs for the core, the same object for the same one and catalogs; None: one that wants nothing."""
     made_from = (room_type, catalogs.furniture, catalogs.shapes)
     key = tuple(map(id, made_from))
     found = _kept.get(key)
@@ -70,8 +70,10 @@ def compiled_type(room_type: RoomType, catalogs: Catalogs) -> CompiledType:
         if len(_kept) >= _MOST_KEPT:
             _kept.pop(next(iter(_kept)), None)
         tables = _Tables(catalogs)
-        specs = tuple(spec for spec in room_type.pieces if not spec.without)
-        found = _kept[key] = CompiledType(tables.compiled(room_type, specs), specs, tuple(tables.kinds.values()), made_from)
+        specs = tuple(spec for spec in (room_type.pieces if room_type else ()) if not spec.without)
+        found = _kept[key] = CompiledType(
+            tables.compiled(room_type.run if room_type else None, specs), specs, tuple(tables.kinds.values()), made_from
+        )
     return found
 
 
@@ -94,20 +96,20 @@ class _Tables:
         self._catalogs, self._known = catalogs, _kinds_of(catalogs)
         self._rows: dict[str, list[bytes]] = {name: [] for name in _ROW}
         self._words: dict[str, int] = {}
+        self._surfaces: dict[str, int] = {}
         self._among: dict[str, int] = {}
 
-    def compiled(self, room_type: RoomType, specs: Sequence[PieceSpec]) -> bytes:
-        """Returns the bytes of a room type with those of its pieces that are wanted."""
+    def compiled(self, run: Run | None, specs: Sequence[PieceSpec]) -> bytes:
+        """Returns the bytes of a room type with its run and those of its pieces that are wanted."""
         for spec in specs:
             self._add_piece(spec)
-        run = room_type.run
         if run is not None:
             self._added("order", run.orders, lambda order: self._added("word", order, lambda name: (self._word(name),)))
             self._added("corner", run.corners, lambda name: (self._word(name),))
             self._added("triangle", run.triangle, lambda name: (self._word(name),))
         for kind in self.kinds.values():
             self._add_kind(kind)
-        header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None, 0)
+        header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None)
         tables = [b"".join(rows) for rows in self._rows.values()]
         return b"".join([header, *(table + bytes(-len(table) % 8) for table in tables)])
 
@@ -129,21 +131,33 @@ class _Tables:
         return [*self.kinds].index(name)
 
     def _add_kind(self, kind: Kind) -> None:
-        sides = sum({1 << SIDES.index(side) for side in kind.use_sides})
-        levels = self._added("level", kind.levels, lambda one: (one.height_mm, -1 if one.clearance_mm is None else one.clearance_mm))
+        sides, spec = sum({1 << SIDES.index(side) for side in kind.use_sides}), self._catalogs.furniture.get(kind.name)
+        levels = self._added("level", kind.levels, self._level)
         parts = self._added("part", kind.parts, lambda part: (*part.rect, part.low, part.high))
-        self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, len(kind.use_sides), sides, 0, *levels, *parts))
+        use, wished = self._sides(kind.use_sides), spec.comfort.items() if spec else ()
+        comforts = self._added("comfort", wished, lambda floor: (SIDES.index(floor[0]), 0, to_mm(floor[1])))
+        used = len(kind.use_sides), sides, kind.need_all
+        self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, *used, *levels, *parts, *use, *comforts))
+
+    def _sides(self, sides: Iterable[str]) -> tuple[int, int]:
+        return self._added("side", sides, lambda side: (SIDES.index(side),))
+
+    def _level(self, one: SurfaceHeight) -> tuple[int, int, int]:
+        name = self._surfaces.setdefault(one.name, len(self._surfaces))
+        return one.height_mm, -1 if one.clearance_mm is None else one.clearance_mm, name
 
     def _add_piece(self, spec: PieceSpec) -> None:
         variants = self._added("variant", spec.variants, lambda one: (self._kind(one.kind), 0, one.cost, one.min_area))
         rules = self._added("rule", spec.rules, self._rule)
         among = -1 if spec.among is None else self._among.setdefault(spec.among, len(self._among))
-        counted = (self._word(spec.piece), spec.required, spec.count, among, spec.per_area is not None, 0)
-        self._added("piece", [spec], lambda _: (*counted, *variants, *rules, spec.per_area or 0.0, spec.min_area, spec.chance))
+        counted = (self._word(spec.piece), spec.required, spec.count, among, spec.per_area is not None, spec.with_next)
+        shares = spec.per_area or 0.0, spec.min_area, spec.chance, spec.skip_cost
+        approach = self._sides(spec.approach)
+        self._added("piece", [spec], lambda _: (*counted, *variants, *rules, *approach, *shares))
 
     def _rule(self, rule: RelationSpec) -> tuple[float, ...]:
         names = self._added("name", rule.of, lambda name: (self._word(name), OPENINGS.index(name) if name in OPENINGS else -1))
-        sides = self._added("side", rule.sides, lambda side: (SIDES.index(side),))
+        sides = self._sides(rule.sides)
         sorts = self._added("sort", rule.walls.items(), lambda sort: (_SORTS.index(sort[0]), 0, sort[1]))
         low, high = map(to_mm, rule.gap or (0.0, 0.0))
         asked = RELATION_WORDS.index(rule.type), rule.required, _ALIGNS.index(rule.align), WALLS_ASKED.index(rule.wall)

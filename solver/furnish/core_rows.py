@@ -10,23 +10,29 @@ from struct import Struct
 from typing import Any, Final, NamedTuple
 
 from solver.furnish.compiled_types import RELATION_WORDS, SIDES, WALLS_ASKED, CompiledType
-from solver.pieces import Attach, Candidate, Link, Piece, Stand, Zone
+from solver.pieces import Attach, Candidate, Extents, Link, Piece, Space, Stand, Zone
 from solver.relations.subject import Scope
 from solver.scene import WALLS
 
 _ROOM: Final = Struct("<Qd5q4i")
 _OPENED: Final = Struct("<2i3q")
-_ZONE: Final = Struct("<5q")
+_ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Q4i")
 _COUNT: Final = Struct("<2i")
-_PIECE: Final = Struct("<6i")
-_CANDIDATE: Final = Struct("<10i8q2d")
+_PIECE: Final = Struct("<6id")
+_CANDIDATE: Final = Struct("<10i8q2d2q")
 _LINK: Final = Struct("<6i5d")
 _OPENING: Final = {"door": 0, "garage_door": 1, "window": 2, "passage": 3}
 _WALL: Final = {wall: i for i, wall in enumerate(WALLS)}
 _WALL_NAMES: Final = (*WALLS, None)
 _SIDE, _SEAT, _SURFACE = 1, 2, 3
 """What a slot is called by."""
+_FLOOR: Final = "floor"
+"""The kind of floor that is better kept free."""
+_PERSON_MM: Final = 1800
+"""Height of the space to be kept free there."""
+_PLACE: Final = Struct("<3q")
+_DOORWAY: Final = Struct("<2i4q")
 
 
 class Answer(NamedTuple):
@@ -53,8 +59,14 @@ def room_rows(scope: Scope, zones: Sequence[Zone], area: float, state: int, coun
     walls = sum(1 << i for i, wall in enumerate(WALLS) if getattr(exterior, wall))
     rows = [_ROOM.pack(state, area, *scope.clear, scope.gap_mm, walls, len(openings), len(zones), counts_only)]
     rows += [_OPENED.pack(_OPENING.get(one.kind, -1), _WALL[one.wall], *one.interval, one.across) for one in openings]
-    rows += [_ZONE.pack(*zone.rect, zone.above_mm) for zone in zones]
+    rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == "outline") for zone in zones]
     return b"".join(rows)
+
+
+def place_rows(space: Space) -> bytes:
+    """Returns what placement is asked of a room, as bytes behind its own: PlaceHeader of solver/core/rooms/asking.hpp, and its doorways."""
+    doorways = (_DOORWAY.pack(_WALL[one.wall], 0, *one.square) for one in space.doorways)
+    return b"".join((_PLACE.pack(space.robot_mm, space.cover_mm2, len(space.doorways)), *doorways))
 
 
 def answer_of(data: bytes) -> Answer:
@@ -68,45 +80,84 @@ def answer_of(data: bytes) -> Answer:
     return Answer(state, *tables)
 
 
+def labels_of(rows: Sequence[tuple[int, int, int]], known: CompiledType) -> list[str]:
+    """Returns the labels of wanted pieces, in their order.
+
+    Args:
+        rows: of each its spec, the number of the copy, and -1; of floor at a side of a piece that piece's place among them, and the side.
+        known: the room's type.
+    """
+    labels: list[str] = []
+    for spec, number, side in rows:
+        labels.append(f"{known.specs[spec].piece}_{number}" if side < 0 else f"floor at the {SIDES[side]} of {labels[number]}")
+    return labels
+
+
 def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
     """Returns the pieces of an answer."""
-    labels = [f"{known.specs[spec].piece}_{number}" for spec, number, *_ in answer.pieces]
-    candidates, links = iter(_candidates(answer, known, labels)), iter(_links(answer, labels))
+    labels = labels_of([(spec, number, side) for spec, number, _, _, _, side, _ in answer.pieces], known)
+    candidates, links = (candidate_of(row, known, labels) for row in answer.candidates), iter(_links(answer, labels))
     pieces = []
-    for label, (spec_at, _, kind_at, ways, bonds, _) in zip(labels, answer.pieces, strict=True):
+    for label, (spec_at, _, kind_at, ways, bonds, side, skip_cost) in zip(labels, answer.pieces, strict=True):
+        own = tuple(next(candidates) for _ in range(ways))
+        if side >= 0:
+            pieces.append(Piece(label, False, own, skip_cost=skip_cost, is_floor=True))
+            continue
         spec, kind = known.specs[spec_at], known.kinds[kind_at]
         pieces.append(
             Piece(
                 label,
                 spec.required,
-                tuple(next(candidates) for _ in range(ways)),
+                own,
                 links=tuple(next(links) for _ in range(bonds)),
                 stands=tuple(Stand(side) for side in spec.approach) or kind.stands,
                 need_all=bool(spec.approach) or kind.need_all,
-                skip_cost=spec.skip_cost,
+                skip_cost=skip_cost,
                 with_next=spec.with_next,
             )
         )
     return tuple(pieces)
 
 
-def _candidates(answer: Answer, known: CompiledType, labels: Sequence[str]) -> list[Candidate]:
-    kinds, found = known.kinds, list[Candidate]()
-    for row in answer.candidates:
-        kind_at, rotation, wall, parent, parent_kind, slot, side, is_under, is_on, _, number, x, z, *spans, bottom, weight, cost = row
-        kind, label, attach = kinds[kind_at], None, None
-        if parent >= 0:
-            label, other = labels[parent], kinds[parent_kind]
-            name = SIDES[side] if slot != _SURFACE else f"on {other.levels[number].name}"
-            attach = Attach(label, other.name, (spans[0], spans[1]), (spans[2], spans[3]), f"{name} {number}" if slot == _SEAT else name)
-        made = object.__new__(Candidate)
-        own = made.__dict__  # a frozen dataclass's own `__init__` takes three times as long, and there are a hundred in a room
-        own["kind"], own["size_mm"], own["rotation"], own["wall"] = kind.name, kind.size, rotation, _WALL_NAMES[wall]
-        own["anchor_mm"], own["weights"], own["within"], own["cost"] = (x, z), (weight, weight), None, cost
-        own["bottom_mm"], own["attach"], own["slack_mm"], own["stance"] = bottom, attach, None, None
-        own["under"], own["on"] = label if is_under else None, label if is_on else None
-        found.append(made)
-    return found
+class TypeNames(NamedTuple):
+    """What the numbers of rows about a room of a type mean: `RowNames`."""
+
+    known: CompiledType
+
+    def labels(self, rows: Sequence[tuple[int, int, int]]) -> list[str]:
+        """Returns the labels of wanted pieces, in their order."""
+        return labels_of(rows, self.known)
+
+    def kind(self, number: int) -> tuple[str, Extents]:
+        """Returns the name and size of a kind."""
+        kind = self.known.kinds[number]
+        return kind.name, kind.size
+
+    def candidate(self, row: bytes, labels: Sequence[str]) -> Candidate:
+        """Returns a candidate from its row."""
+        return candidate_of(_CANDIDATE.unpack(row), self.known, labels)
+
+
+def candidate_of(row: tuple[Any, ...], known: CompiledType, labels: Sequence[str]) -> Candidate:
+    """Returns a candidate from the numbers of its row."""
+    kind_at, rotation, wall, parent, parent_kind, slot, side, is_under, is_on, _, number, x, z, *spans, bottom, weight, cost, wide, deep = (
+        row
+    )
+    label, attach = None, None
+    if parent >= 0:
+        label, other = labels[parent], known.kinds[parent_kind]
+        name = "" if not slot else SIDES[side] if slot != _SURFACE else f"on {other.levels[number].name}"
+        attach = Attach(label, other.name, (spans[0], spans[1]), (spans[2], spans[3]), f"{name} {number}" if slot == _SEAT else name)
+    made = object.__new__(Candidate)
+    own = made.__dict__  # a frozen dataclass's own `__init__` takes three times as long, and there are a hundred in a room
+    own["kind"], own["size_mm"] = (
+        (_FLOOR, (wide, deep, _PERSON_MM)) if kind_at < 0 else (known.kinds[kind_at].name, known.kinds[kind_at].size)
+    )
+    own["rotation"], own["wall"] = rotation, _WALL_NAMES[wall]
+    own["anchor_mm"], own["weights"], own["within"], own["cost"] = (x, z), (weight, weight), None, cost
+    own["bottom_mm"], own["attach"], own["slack_mm"], own["stance"] = bottom, attach, None, None
+    own["under"], own["on"] = label if is_under else None, label if is_on else None
+    return made
 
 
 def _links(answer: Answer, labels: Sequence[str]) -> list[Link]:

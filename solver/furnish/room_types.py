@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from catalogs.schema import Catalogs, PieceSpec
 from solver.core import borrowed
 from solver.furnish.compiled_types import CompiledType, compiled_type
-from solver.furnish.core_rows import Answer, answer_of, pieces_of, room_rows
+from solver.furnish.core_rows import Answer, TypeNames, answer_of, pieces_of, place_rows, room_rows
 from solver.furnish.zones import scope_of
-from solver.pieces import Piece, Space
+from solver.pieces import Piece, Space, WantedRows
 from solver.scene import Room
 from solver.streams import Stream
 
@@ -36,6 +36,20 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     answer = _asked(known, room_rows(scope_of(room, space), space.zones, room.width * room.depth, stream.state))
     stream.state = answer.state
     return pieces_of(answer, known)
+
+
+def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> WantedRows:
+    """Returns what the core needs to furnish a room as `wanted_pieces` does, and to place what that wants.
+
+    Args:
+        room: with its type and openings; a type the catalogs do not know wants nothing.
+        space: the room's `space_of`.
+        catalogs: what there is, and the rules.
+        stream: the room's own; it stays as it is.
+    """
+    known = compiled_type(catalogs.rooms.get(room.type), catalogs)
+    rows = room_rows(scope_of(room, space), space.zones, room.width * room.depth, stream.state)
+    return WantedRows(space, known.data, rows + place_rows(space), TypeNames(known))
 
 
 def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream, wanted: Sequence[Piece]) -> tuple[tuple[str, str], ...]:

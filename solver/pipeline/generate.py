@@ -16,7 +16,7 @@ from solver.certificate import certificate, room_certificate
 from solver.errors import SceneError
 from solver.exchange import checked_request, write_request
 from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
-from solver.furnish import space_of, unwanted_pieces, wanted_pieces, with_comfort
+from solver.furnish import space_of, unwanted_pieces, wanted_pieces, wanted_rows
 from solver.furnished import furnished
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
@@ -26,7 +26,7 @@ from solver.pipeline.decorate import decorated
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.staying import Staying, around, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
-from solver.placement import place
+from solver.placement import place, place_wanted
 from solver.scene import MAX_SEED, ROBOT_WIDTH, Dynamic, Generated, Level, Request, Room, Scene, Size, robot_width_of
 from solver.scene_bodies import check_ids, counted
 from solver.streams import Stream
@@ -140,11 +140,14 @@ def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Piece, ...]]:
 
 def _around(room: Room, setting: _Setting) -> tuple[Staying, Space, tuple[Piece, ...]]:
     """Returns what stays in a room, and what is wanted around that."""
-    space = replace(space_of(room, setting.thickness, setting.robot_width), cover_mm2=_cover_mm2(room, setting))
+    space = _space(room, setting)
     wanted = wanted_pieces(room, space, setting.catalogs, _furnishing(room, setting))
-    wanted = with_comfort(wanted, setting.catalogs)
     staying = setting.staying.get(room.id)
     return around(staying, space, wanted, setting.catalogs) if staying else (Staying(room), space, wanted)
+
+
+def _space(room: Room, setting: _Setting) -> Space:
+    return replace(space_of(room, setting.thickness, setting.robot_width), cover_mm2=_cover_mm2(room, setting))
 
 
 def _cover_mm2(room: Room, setting: _Setting) -> int:
@@ -157,8 +160,17 @@ def _cover_mm2(room: Room, setting: _Setting) -> int:
 
 
 def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:
-    wishes = [_wished(room, setting) for room in rooms]
-    return {room.id: done for room, done in zip(rooms, place(wishes, setting.engine, tidy=True), strict=True)}
+    """Furnishes rooms: by the core in one go, or from pieces, where some stay or another engine is asked."""
+    if _is_in_one_go(setting):
+        rows = [wanted_rows(room, _space(room, setting), setting.catalogs, _furnishing(room, setting)) for room in rooms]
+        made = place_wanted(rows, tidy=True)
+    else:
+        made = place([_wished(room, setting) for room in rooms], setting.engine, tidy=True)
+    return {room.id: done for room, done in zip(rooms, made, strict=True)}
+
+
+def _is_in_one_go(setting: _Setting) -> bool:
+    return not setting.staying and setting.engine == "osqp"
 
 
 def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Arrangement]:

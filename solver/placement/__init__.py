@@ -10,8 +10,9 @@ from solver.placement.displacement import move_least, moved_back
 from solver.placement.encode import problem_bytes
 from solver.placement.finish import finish, place
 from solver.placement.left_out import minimal_conflict
+from solver.placement.whole_rooms import place_wanted
 
 __all__ = [
     "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "feasible", "finish", "minimal_conflict", "move_least", "moved_back",
-    "place", "problem_bytes",
+    "place", "place_wanted", "problem_bytes",
 ]  # fmt: skip

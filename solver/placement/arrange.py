@@ -24,6 +24,9 @@ from solver.placement.walkable import find_walkable
 LIMITS = Limits()
 FIX_LIMITS = Limits(required=600, required_qps=500)
 """A repair tries fewer candidates: the first is nearly always the best, and someone is dragging."""
+CANNOT_STAND = "no way to stand it is free beside the pieces before it"
+NOT_FOUND = "no place was found for it beside the pieces before it"
+NOT_WALKABLE = "no walkable arrangement of the required pieces was found"
 REASONS = {
     NO_WAY: "none of the ways to stand it leaves the room valid and walkable",
     COVERED: "the floor is covered as densely as wished without it",
@@ -147,8 +150,7 @@ def arrange(space: Space, pieces: Sequence[Piece], walk: bool = True, budget: Bu
         if arranged.complete or allowed.spent:
             break
         sure &= arranged.closed
-        why = "no way to stand it is free" if arranged.closed else "no place was found for it"
-        left_out.append((ordered.pop(arranged.deepest), f"{why} beside the pieces before it"))
+        left_out.append((ordered.pop(arranged.deepest), CANNOT_STAND if arranged.closed else NOT_FOUND))
     decisions = arranged.decisions if arranged.complete else core.deepest_decisions()
     if not core.found or not arranged.complete:  # the budget ended before: once more, for this placement alone
         core.evaluate(decisions, LIMITS.required_qps, Budget(), walk)

@@ -14,7 +14,7 @@ import numpy as np
 from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
 from solver.placement import layout
 from solver.placement.layout import Engine, Ints, RoomArrays
-from solver.placement.space import Sizes, new_engine, request_of
+from solver.placement.space import new_engine, request_of
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
@@ -33,8 +33,6 @@ LEAST_FLOOR_MM2 = 255_000
 """The same, and a little for the snap."""
 LINK_COSTS = 5
 """Numbers a link costs by."""
-MOST_STATES = 6500
-"""Prefixes the best-first search may keep."""
 
 
 @dataclass(frozen=True)
@@ -177,17 +175,17 @@ def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encod
     """
     tables, room = lay_out(space, pieces, walk)
     names = tuple(tables.side_names)
-    return Encoded(space, tuple(pieces), tuple(tables.candidates), names, walk, new_engine(room, sizes_of(room)))
+    return Encoded(space, tuple(pieces), tuple(tables.candidates), names, walk, new_engine(room))
 
 
 def problem_bytes(space: Space, pieces: Sequence[Piece]) -> bytes:
-    """Returns a room's problem as the core reads it (`RoomRequest`), use sides to be tested, without space to search over ways.
+    """Returns a room's problem as the core reads it (`RoomRequest`), use sides to be tested.
 
     Raises:
         ValueError: as `encode`.
     """
     _, room = lay_out(space, pieces, "test")
-    return request_of(room, sizes_of(room)._replace(states=1))
+    return request_of(room)
 
 
 def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, RoomArrays]:
@@ -230,26 +228,3 @@ def _space_row(space: Space, walk: str) -> Ints:
     least_floor = 0 if walk == "none" else LEAST_FLOOR_MM2
     row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor]
     return np.array(row, dtype=np.int64)
-
-
-def sizes_of(room: RoomArrays) -> Sizes:
-    """Returns bounds of what the room's problem can need."""
-    stands = most_decisions = 0
-    bits = room.sides[:, layout.STANDS].tolist()
-    for piece in room.pieces.tolist():
-        sides = bits[piece[layout.SIDES_0] : piece[layout.SIDES_1]]
-        stands += max(side.bit_count() for side in sides)
-        most_decisions = max(most_decisions, (piece[layout.CANDIDATE_1] - piece[layout.CANDIDATE_0]) * len(sides))
-    count = len(room.pieces)
-    parts = count + stands
-    return Sizes(
-        pieces=max(count, 1),
-        variables=max(parts, 1),
-        choices=parts * (parts - 1) // 2 + parts * len(room.zones) + 1,
-        rows=4 * count + 2 * stands + (stands + 2) * (stands + len(room.doors) + 2) + 4,
-        pulls=2 * count + stands + 2 * len(room.links) + 1,
-        walls=len(room.zones),
-        doors=len(room.doors),
-        decisions=max(most_decisions, 1),
-        states=MOST_STATES,
-    )

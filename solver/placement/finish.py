@@ -1,4 +1,4 @@
-"""From solved rooms to whole millimetres: one continuous solve for the house, then the core's snap, exact check and tidying.
+"""From solved rooms to whole millimetres: OSQP confirms the optimum of the house, then the core's snap, exact check and tidying.
 
 Comes in: rooms, or what was arranged of them. Goes out: Arrangements in whole millimetres. Not here: which candidates are taken.
 """
@@ -11,7 +11,7 @@ from dataclasses import replace
 from solver.errors import RequestError
 from solver.geometry import WALL_BEHIND
 from solver.pieces import Arrangement, Piece, Placed, Space
-from solver.placement.arrange import LIMITS, SolvedRoom, arrange, solved_room
+from solver.placement.arrange import LIMITS, NOT_WALKABLE, SolvedRoom, arrange, solved_room
 from solver.placement.budget import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
@@ -59,7 +59,7 @@ def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Confirmed]:
         raise RequestError("engine", f"is {engine!r}", "'osqp' or 'reference'")
     from solver.placement.qp import confirmed  # noqa: PLC0415 - OSQP and scipy take 0.4 s to import
 
-    return confirmed(rooms)
+    return [replace(said, positions=room.solution.positions) for room, said in zip(rooms, confirmed(rooms), strict=True)]
 
 
 def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangement:
@@ -77,7 +77,7 @@ def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangem
             wall = behind if parents and rect.wall_distance(behind, room.space.clear) <= NEAR_WALL_MM else None
         placed.append(Placed(chosen.piece.label, candidate, chosen.rotation, wall, rect))
     reasons = tuple((piece.label, f"{why}; {why_left_out(room.space, piece, placed)}") for piece, why in room.left_out)
-    notes = () if walkable else ("no walkable arrangement of the required pieces was found",)
+    notes = () if walkable else (NOT_WALKABLE,)
     cost = round(room.cost + more, 6)
     return Arrangement(room.space.room, tuple(placed), reasons, cost, room.proven, room.solves, notes, room.best, confirmed.residuals)
 

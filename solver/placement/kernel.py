@@ -12,8 +12,8 @@ import numpy as np
 from solver.placement.layout import Engine, Floats, Ints
 from solver.placement.problem import Solution
 
-CONFIRMATION, HOLDING_ROW = 4, 7
-"""Numbers of `struct Confirmation` and of `struct HoldingRow`."""
+HOLDING_ROW = 7
+"""Numbers of `struct HoldingRow`."""
 
 
 def assemble(engine: Engine, decisions: Ints) -> bool:
@@ -121,8 +121,8 @@ def final_problem(engine: Engine, solution: Solution) -> Ints:
     return found
 
 
-def confirm(engine: Engine, solution: Solution, x: Floats, y: Floats) -> tuple[Floats, Ints]:
-    """Judges an answer to a room's final problem; all positions, m, are left in call.finals.
+def confirm(engine: Engine, solution: Solution, x: Floats, y: Floats) -> Ints:
+    """Says what holds at an answer to a room's final problem; all positions, m, are left in call.finals.
 
     Args:
         engine: the work space.
@@ -131,17 +131,16 @@ def confirm(engine: Engine, solution: Solution, x: Floats, y: Floats) -> tuple[F
         y: by row, m^-1.
 
     Returns:
-        By how much it breaks a row, by how much anything is still drawn, and the gap; and what holds, as `struct HoldingRow` says.
+        One row each, as `struct HoldingRow` of solver/core/placement/confirm.hpp says.
     """
     hand_over(engine, solution)
     instance, mark = engine.instance, engine.instance.mark()
     at, multipliers = instance.write(x.tobytes()), instance.write(y.tobytes())
     address = int(instance.call("confirm", engine.desk, at, multipliers))
-    head = instance.read(address, 8 * CONFIRMATION)
-    count = int(np.frombuffer(head, dtype=np.int64)[-1])
-    rows = np.frombuffer(instance.read(address + 8 * CONFIRMATION, 8 * HOLDING_ROW * count), dtype=np.int64)
+    count = int(np.frombuffer(instance.read(address, 8), dtype=np.int64)[0])
+    rows = np.frombuffer(instance.read(address + 8, 8 * HOLDING_ROW * count), dtype=np.int64)
     instance.release(mark)
-    return np.frombuffer(head, dtype=np.float64)[:-1], rows.reshape(-1, HOLDING_ROW)
+    return rows.reshape(-1, HOLDING_ROW)
 
 
 def total_preference(engine: Engine, decisions: Ints) -> float:
@@ -155,9 +154,9 @@ def walkable(engine: Engine) -> bool:
     return bool(engine.instance.call("walkable", engine.desk))
 
 
-def new_proof(engine: Engine, depth: int, variables: int, choices: int) -> int:
-    """Takes space for a proof's open nodes, for so many of them, and for so many variables and choices; returns its address."""
-    return int(engine.instance.call("new_proof", depth, variables, choices))
+def new_proof(engine: Engine, most: int) -> int:
+    """Takes space for a proof's open nodes, for so many at most; returns its address."""
+    return int(engine.instance.call("new_proof", engine.desk, most))
 
 
 def prove(engine: Engine, nodes: int, most: int) -> tuple[int, int]:

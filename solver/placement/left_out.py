@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from solver.geometry import WALL_BEHIND, Rect, gaps_between, strip
-from solver.pieces import Candidate, Piece, Placed, Space
+from solver.pieces import Candidate, Extents, Piece, Placed, Space
 from solver.placement.arrange import feasible
 from solver.placement.budget import Budget
 
-_WALLS = tuple(WALL_BEHIND.values())
+WALLS = tuple(WALL_BEHIND.values())
+"""In the order in which reasons name them."""
 
 
 def free_stretches(space: Space, wall: str, depth: int, height: int, placed: Sequence[Placed]) -> list[tuple[int, int]]:
@@ -34,15 +35,31 @@ def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed]) -> str:
     if not piece.candidates:
         return "the room offers no wall or place of the kind its relations ask for"
     least = _least(piece)
-    width, depth, height = least.size_mm
-    size = f"the smallest, {least.kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"
-    if least.attach is not None:
-        return f"{size} at its place by {least.attach.parent}"
+    _, depth, height = least.size_mm
+    parent = least.attach.parent if least.attach else None
+    longest = {}
     if any(a.wall for a in piece.candidates):
-        longest = {wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0) for wall in _WALLS}
+        longest = {wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0) for wall in WALLS}
+    return room_needed((least.kind, least.size_mm), parent, longest, f"{clear_size(space.clear)} and holds {len(placed)} pieces")
+
+
+def room_needed(least: tuple[str, Extents], parent: str | None, longest: Mapping[str, int], room: str) -> str:
+    """Says how much room the smallest variant of a piece needs and how much there is.
+
+    Args:
+        least: its kind and size.
+        parent: at whose slot it stands.
+        longest: free stretches of wall at its depth and height, mm, if any variant stands at a wall.
+        room: the room's size and what it holds.
+    """
+    kind, (width, depth, _) = least
+    size = f"the smallest, {kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"
+    if parent is not None:
+        return f"{size} at its place by {parent}"
+    if longest:
         lengths = ", ".join(f"{wall} {length / 1000:.2f} m" for wall, length in longest.items())
         return f"{size} and a free way to it; longest free stretches of wall at that depth and height: {lengths}"
-    return f"{size} and a free way to it; the room is {_size(space.clear)} and holds {len(placed)} pieces"
+    return f"{size} and a free way to it; the room is {room}"
 
 
 def minimal_conflict(
@@ -115,5 +132,6 @@ def _with_carried(known: Mapping[str, Piece], members: set[str], label: str) -> 
         gone |= more
 
 
-def _size(rect: Rect) -> str:
+def clear_size(rect: Rect) -> str:
+    """Says how large a room's clear rectangle is."""
     return f"{rect.width / 1000:.2f} x {rect.depth / 1000:.2f} m clear"

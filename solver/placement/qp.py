@@ -9,15 +9,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from itertools import accumulate
+from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
 import osqp
+from numpy.typing import NDArray
 from scipy import sparse
 
+from solver.core import CoreInstance, borrowed
 from solver.pieces import Residuals
 from solver.placement import kernel
-from solver.placement.layout import Engine, Floats, Ints
+from solver.placement.layout import Engine, Floats
 from solver.placement.problem import Confirmed, Problem, Solution
 
 SETTINGS = {
@@ -36,6 +39,9 @@ LEAST_DECADE = -6
 REFUTED = 1e-5
 """A proven optimum that is this far, m, from OSQP's is none."""
 _SOLVED = 1
+_HEAD, _JUDGEMENT = 40, 4
+"""Bytes of `struct HouseProblem` of solver/core/placement/house.hpp, and numbers of `struct Judgement`."""
+Numbers = TypeVar("Numbers", Floats, NDArray[np.int32])
 
 
 class Solved(Protocol):
@@ -58,38 +64,28 @@ class OptimumRefuted(Exception):
     """OSQP finds another optimum than the one that was called proven: a fault of ours.
 
     Args:
-        problem: the room's.
-        solution: what was called its optimum.
+        problem: the room's; where it is not laid out for reading, the numbers of `struct FinalProblem`.
+        solution: what was called its optimum; None where it is among these.
     """
 
-    def __init__(self, problem: Problem, solution: Solution) -> None:
-        super().__init__(f"OSQP finds a cheaper placement than the proven one of {problem}: {solution}")
+    def __init__(self, problem: Problem | bytes, solution: Solution | None = None) -> None:
+        super().__init__(f"OSQP finds a cheaper placement than the proven one of {problem!r}: {solution}")
         self.problem, self.solution = problem, solution
 
 
-class _Matrix(NamedTuple):
-    """Where the entries of each column end, their rows, and the entries."""
+class Judged(NamedTuple):
+    """What OSQP says of a room: how exactly it finds the same optimum, and how far from it, m."""
 
-    ends: Ints
-    rows: Ints
-    entries: Floats
+    residuals: Residuals
+    moved: float
 
 
-class _Block:
-    """A room: minimise 1/2 x'Px + q'x subject to low <= Ax <= high; of P the upper triangle, as OSQP wants it.
+class HouseAnswer(NamedTuple):
+    """OSQP's answer for a house: by column, m, by row, m^-1, and what it says of each room."""
 
-    Args:
-        numbers: as `kernel.final_problem` returns them.
-    """
-
-    def __init__(self, numbers: Ints) -> None:
-        _, self.columns, self.rows, squares, differences = numbers[:5].tolist()
-        sizes = [self.columns] * 2 + [self.rows] * 3
-        sizes += [self.columns, squares, squares, self.columns, differences, differences]
-        parts = np.split(numbers[5:], np.cumsum(sizes)[:-1])
-        self.linear, self.start, self.low, self.high, self.multipliers = (part.view(np.float64) for part in parts[:5])
-        self.squares = _Matrix(parts[5], parts[6], parts[7].view(np.float64))
-        self.differences = _Matrix(parts[8], parts[9], parts[10].view(np.float64))
+    x: Floats
+    y: Floats
+    rooms: list[Judged]
 
 
 def confirmed(rooms: Sequence[Solved]) -> list[Confirmed]:
@@ -102,53 +98,68 @@ def confirmed(rooms: Sequence[Solved]) -> list[Confirmed]:
         What OSQP says of each room. Where it does not report success, the search's own positions, which are optimal already, with
         no residuals.
     """
-    answers = _solved([_Block(kernel.final_problem(room.engine, room.solution)) for room in rooms])
-    if answers is None:
+    problems = [kernel.final_problem(room.engine, room.solution) for room in rooms]
+    with borrowed() as core:
+        answer = solved_house(core, [core.write(problem.tobytes()) for problem in problems])
+    if answer is None:
         return [Confirmed(room.solution.positions) for room in rooms]
-    return [_judged(room, *answer) for room, answer in zip(rooms, answers, strict=True)]
+    found, column, row = list[Confirmed](), 0, 0
+    for room, problem, judged in zip(rooms, problems, answer.rooms, strict=True):
+        if room.solution.proven and judged.moved > REFUTED:
+            raise OptimumRefuted(room.problem, room.solution)
+        columns, rows = problem[1:3].tolist()
+        found.append(_confirmed(room, judged, answer.x[column : column + columns], answer.y[row : row + rows]))
+        column, row = column + columns, row + rows
+    return found
 
 
-def _judged(room: Solved, x: Floats, y: Floats) -> Confirmed:
+def _confirmed(room: Solved, judged: Judged, x: Floats, y: Floats) -> Confirmed:
     engine, own = room.engine, room.solution.positions
-    residuals, holding = kernel.confirm(engine, room.solution, x, y)
+    holding = kernel.confirm(engine, room.solution, x, y)
     found = engine.call.finals[0, : len(own[0])].copy(), engine.call.finals[1, : len(own[1])].copy()
-    if room.solution.proven and max(_moved(p, q) for p, q in zip(found, own, strict=True)) > REFUTED:
-        raise OptimumRefuted(room.problem, room.solution)
-    return Confirmed(found, Residuals(*map(_decade, residuals.tolist())), holding)
+    return Confirmed(found, judged.residuals, holding)
 
 
-def _solved(blocks: Sequence[_Block]) -> list[tuple[Floats, Floats]] | None:
-    """Returns each block's positions and multipliers; None where OSQP does not report success."""
-    columns = np.cumsum([0, *(block.columns for block in blocks)])
-    rows = np.cumsum([0, *(block.rows for block in blocks)])
-    if not columns[-1]:
-        return [(block.start, np.zeros(block.rows)) for block in blocks]
-    P = _joined([block.squares for block in blocks], columns, columns)
-    A = _joined([block.differences for block in blocks], rows, columns)
-    names = ("linear", "low", "high", "start", "multipliers")
-    linear, low, high, start, multipliers = (np.concatenate([getattr(block, name) for block in blocks]) for name in names)
-    solver = osqp.OSQP(algebra="builtin")
-    solver.setup(P, linear, A, low, high, **SETTINGS)
-    solver.warm_start(start, multipliers)
-    result = solver.solve(raise_error=False)
-    if result.info.status_val != _SOLVED:
-        return None
-    return [
-        (result.x[columns[k] : columns[k + 1]], result.y[rows[k] : rows[k + 1]]) for k in range(len(blocks))
-    ]  # fmt: skip
+def solved_house(core: CoreInstance, problems: Sequence[int]) -> HouseAnswer | None:
+    """Solves the final problems of a house's rooms as one.
+
+    Args:
+        core: in whose memory they are.
+        problems: their addresses there.
+
+    Returns:
+        None where OSQP does not report success.
+    """
+    rooms, count = core.write(np.array(problems, dtype=np.int64).tobytes()), len(problems)
+    house = int(core.call("join", rooms, count))
+    size, columns, rows, squares, entries = np.frombuffer(core.read(house, _HEAD), dtype=np.int64).tolist()
+    data = core.read(house, size)
+    values = 2 * columns + 3 * rows + squares + entries
+    floats, indices = np.frombuffer(data, np.float64, values, _HEAD), np.frombuffer(data, np.int32, -1, _HEAD + 8 * values)
+    linear, start, low, high, multipliers, P_entries, A_entries = _split(floats, columns, columns, rows, rows, rows, squares, entries)
+    P_begins, P_rows, A_begins, A_rows = _split(indices, columns + 1, squares, columns + 1, entries)
+    x, y = start, np.zeros(rows)
+    if columns:
+        P = sparse.csc_matrix((P_entries, P_rows, P_begins), shape=(columns, columns))
+        A = sparse.csc_matrix((A_entries, A_rows, A_begins), shape=(rows, columns))
+        solver = osqp.OSQP(algebra="builtin")
+        solver.setup(P, linear, A, low, high, **SETTINGS)
+        solver.warm_start(start, multipliers)
+        result = solver.solve(raise_error=False)
+        if result.info.status_val != _SOLVED:
+            return None
+        x, y = result.x, result.y
+    judged = int(core.call("judge", rooms, count, core.write(x.tobytes()), core.write(y.tobytes())))
+    said = np.frombuffer(core.read(judged, 8 * _JUDGEMENT * count), dtype=np.float64).reshape(-1, _JUDGEMENT).tolist()
+    return HouseAnswer(
+        x, y, [Judged(Residuals(_decade(broken), _decade(drawn), _decade(gap)), moved) for broken, drawn, gap, moved in said]
+    )
 
 
-def _joined(blocks: Sequence[_Matrix], rows: Ints, columns: Ints) -> sparse.csc_matrix:
-    """Returns the block-diagonal matrix of blocks that begin at rows and columns, whose ends come last."""
-    first = np.cumsum([0, *(len(block.entries) for block in blocks)])
-    starts = [0, *np.concatenate([block.ends + before for block, before in zip(blocks, first, strict=False)]).tolist()]
-    at = np.concatenate([block.rows + before for block, before in zip(blocks, rows, strict=False)])
-    entries = np.concatenate([block.entries for block in blocks])
-    return sparse.csc_matrix((entries, at, starts), shape=(rows[-1], columns[-1]))
-
-
-def _moved(p: Floats, q: Floats) -> float:
-    return float(np.abs(p - q).max(initial=0.0))
+def _split(numbers: Numbers, *sizes: int) -> list[Numbers]:
+    """Returns views of parts that lie one behind the other."""
+    ends = list(accumulate(sizes))
+    return [numbers[end - size : end] for end, size in zip(ends, sizes, strict=True)]
 
 
 def _decade(value: float) -> int:

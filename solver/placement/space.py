@@ -27,13 +27,17 @@ class Sizes(NamedTuple):
     states: int
 
 
-def request_of(room: RoomArrays, sizes: Sizes) -> bytes:
+OF_ROOM = Sizes(*[0] * len(Sizes._fields))
+"""Those that follow from the room."""
+
+
+def request_of(room: RoomArrays, sizes: Sizes = OF_ROOM) -> bytes:
     """Returns what the core is sent of a room: `RoomRequest` of solver/core/placement/space.hpp."""
     counts = [len(part) for part in (room.zones, room.doors, room.pieces, room.sides, room.candidates, room.links)]
     return b"".join(array.tobytes() for array in (np.array([*sizes, *counts], dtype=np.int64), *room))
 
 
-def new_engine(room: RoomArrays, sizes: Sizes) -> Engine:
+def new_engine(room: RoomArrays, sizes: Sizes = OF_ROOM) -> Engine:
     """Returns all work space for a room, and the room in it.
 
     Raises:

@@ -15,7 +15,7 @@ from solver.geometry import Rect
 from solver.pieces import Candidate, Piece, Space, Stand
 from solver.placement import kernel, layout
 from solver.placement.budget import Budget
-from solver.placement.encode import FREE_CENTRES_MM2, lay_out, sizes_of
+from solver.placement.encode import FREE_CENTRES_MM2, lay_out
 from solver.placement.layout import IMPOSSIBLE, POSSIBLE, UNKNOWN
 from solver.placement.space import new_engine
 
@@ -86,10 +86,8 @@ class _Proof:
     def __init__(self, space: Space, pieces: Sequence[Piece], most: int) -> None:
         self.pieces, self.left = pieces, most
         self.tables, room = lay_out(space, pieces, "stands")
-        sizes = sizes_of(room)
-        self.engine = new_engine(room, sizes)
-        depth = min(3 * sizes.choices + 32 * sizes.variables + 8, MOST_DEPTH)
-        self.nodes = kernel.new_proof(self.engine, depth, sizes.variables, sizes.choices)
+        self.engine = new_engine(room)
+        self.nodes = kernel.new_proof(self.engine, MOST_DEPTH)
         self.decisions = np.full(len(pieces), layout.ABSENT, dtype=np.int64)
 
     def join(self, piece: int) -> int:

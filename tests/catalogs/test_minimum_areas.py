@@ -114,7 +114,7 @@ def cases(name: str, kind: RoomType) -> list[Case]:
 def complaints(case: Case, catalogs: Catalogs) -> list[str]:
     """Furnishes a room and lists what is wrong, each line with the type, its area and the piece."""
     space = space_of(case.room, WALL_M)
-    wanted = wanted_pieces(case.room, space, catalogs, Stream(0, "furnish", case.name))
+    wanted = [one for one in wanted_pieces(case.room, space, catalogs, Stream(0, "furnish", case.name)) if not one.is_floor]
     (arrangement,) = place([(space, wanted)])
     there = {piece.label for piece in arrangement.placed}
     reasons = dict(arrangement.left_out)

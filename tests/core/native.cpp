@@ -8,6 +8,7 @@
 #include "placement/confirm.hpp"
 #include "placement/fill.hpp"
 #include "placement/grid.hpp"
+#include "placement/house.hpp"
 #include "placement/settle.hpp"
 
 using namespace placement;
@@ -18,22 +19,20 @@ template <class T> static bool read(FILE* from, T* into, i64 count) {
 
 template <class T> static void write(const T* from, i64 count) { fwrite(from, sizeof(T), static_cast<unsigned long>(count), stdout); }
 
-// Hands over what was found, and writes the final problem and what is said of the optimum itself as its answer.
+// Hands over what was found, and writes the final problem, the same as a house's, and what is said of the optimum itself as its answer.
 static void confirm_found(const Desk& desk) {
-  const Nodes& nodes = desk.engine.nodes;
-  for (i32 k = 0; k < nodes.best.rows * nodes.best.columns; k++) desk.owns.data[k] = nodes.best.data[k];
-  for (i64 k = 0; k < nodes.result->forces; k++) {
-    desk.force_rows[k] = nodes.best_forces[k];
-    desk.multipliers[k] = nodes.best_multipliers[k];
-  }
-  *desk.handed.data = {find_taken(desk), nodes.result->forces};
+  hand_over(desk);
   const FinalProblem* problem = final_problem(desk);
   const f64* linear = reinterpret_cast<const f64*>(problem + 1);
   const f64* start = linear + problem->columns;
+  const f64* multipliers = start + problem->columns + 2 * problem->rows;
   write(&problem->size, problem->size);
-  const Confirmation* found = confirm(desk, start, start + problem->columns + 2 * problem->rows);
-  write(&found->broken, 3);
-  write(reinterpret_cast<const HoldingRow*>(found + 1), found->holding);
+  const i64 problems[] = {static_cast<i64>(reinterpret_cast<u64>(problem))};
+  const HouseProblem* house = join({problems, 1});
+  write(reinterpret_cast<const u8*>(house), house->bytes);
+  write(judge({problems, 1}, start, multipliers), 1);
+  const Holding* found = confirm(desk, start, multipliers);
+  write(reinterpret_cast<const HoldingRow*>(found + 1), found->rows);
 }
 
 // Puts what was found on whole millimetres, tidied, and writes what became of it, positions along x and z, and what tidying cost.
@@ -53,7 +52,8 @@ static bool arrange_next(FILE* file) {
   u8* request = static_cast<u8*>(arena::reserve(size));
   Desk* desk;
   if (!read(file, request, size) || !read(file, &limits, 1) || !read(file, &walk, 1)) fail(Failure::bad_request);
-  desk = new_desk(reinterpret_cast<RoomRequest*>(request));
+  const Room room = room_of(reinterpret_cast<RoomRequest*>(request));
+  desk = new_desk(room, sizes_of(room));
   const Engine& engine = desk->engine;
   if (!read(file, engine.tree.budget.data, 1)) fail(Failure::bad_request);
   const RoomReport report = arrange_room(engine, desk->decisions, desk->fates, limits, walk != 0);

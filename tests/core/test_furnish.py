@@ -131,5 +131,7 @@ def test_many_openings_and_many_copies_are_furnished_as_by_the_reference() -> No
     den = type(KNOWN.rooms["bedroom"]).model_validate(asked_for)
     room = Room("r", 0, "den", width=crowded.width + 9, depth=crowded.depth + 9, openings=openings)
     core, reference = both(room, KNOWN.model_copy(update={"rooms": {"den": den}}), 1)
-    assert len(reference[0]) == 1 + 24 * 6
+    assert len(reference[0]) == 1 + 24 * (
+        6 + len(KNOWN.furniture["dining_table"].comfort) + 5 * len(KNOWN.furniture["dining_chair"].comfort)
+    )
     assert core == reference

@@ -10,13 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
+from solver.core import borrowed
 from solver.placement import Budget, kernel
 from solver.placement.arrange import LIMITS
 from solver.placement.core import solution_of
-from solver.placement.encode import lay_out, sizes_of
-from solver.placement.layout import FOUND
-from solver.placement.qp import _Block
+from solver.placement.encode import lay_out
+from solver.placement.layout import FOUND, Floats, Ints
 from solver.placement.space import new_engine, request_of
 from solver.streams import Stream
 from tests.architecture.tree import ROOT
@@ -50,8 +51,7 @@ def room(seed: int) -> Room:
     stream, walk, budget = Stream(seed, "native"), seed % 5 > 0, np.array([Budget().left])
     space = random_space(stream)
     _, arrays = lay_out(space, random_wanted(space, stream, 2 + seed % 11), ("stands", "mixed", "test")[seed % 3])
-    sizes = sizes_of(arrays)
-    engine, request = new_engine(arrays, sizes), request_of(arrays, sizes)
+    engine, request = new_engine(arrays), request_of(arrays)
     engine.tree.budget[:] = budget
     decisions, _, report = kernel.arrange_room(engine, LIMITS.row, walk)
     answer = [decisions, np.array(report), engine.tree.budget, engine.nodes.best_cost]
@@ -59,9 +59,11 @@ def room(seed: int) -> Room:
         answer += [engine.nodes.best[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
         walked, found = kernel.walkable(engine), solution_of(engine)
         assert found is not None
-        final = _Block(kernel.final_problem(engine, found))
-        answer += [np.array([int(walked)]), kernel.final_problem(engine, found)]
-        answer += kernel.confirm(engine, found, final.start, final.multipliers)
+        final = kernel.final_problem(engine, found)
+        columns, rows = final[1:3].tolist()
+        ends = np.cumsum([5, columns, columns, 2 * rows, rows])
+        x, y = (final[start:end].view(np.float64) for start, end in (ends[1:3], ends[3:5]))
+        answer += [np.array([int(walked)]), final, *joined_and_judged(final, x, y), kernel.confirm(engine, found, x, y)]
         settled, added = kernel.settle(engine, [*engine.call.finals[:, :-1].copy()], found, walked, True)
         answer.append(np.array([settled]))
         answer += [engine.grid.positions[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
@@ -69,6 +71,16 @@ def room(seed: int) -> Room:
     head = len(request).to_bytes(8, "little")
     tail = LIMITS.row.tobytes() + int(walk).to_bytes(8, "little") + budget.tobytes()
     return Room(head + request + tail, b"".join(part.tobytes() for part in answer))
+
+
+def joined_and_judged(problem: Ints, x: Floats, y: Floats) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """What the core says of a room's final problem as a house's, and of an answer to it, as bytes."""
+    with borrowed() as core:
+        problems = core.write(np.array([core.write(problem.tobytes())]).tobytes())
+        house = int(core.call("join", problems, 1))
+        size = int.from_bytes(core.read(house, 8), "little")
+        said = int(core.call("judge", problems, 1, core.write(x.tobytes()), core.write(y.tobytes())))
+        return np.frombuffer(core.read(house, size), np.uint8), np.frombuffer(core.read(said, 32), np.uint8)
 
 
 def test_checked_and_as_built_agree_to_the_last_bit(program: Path, tmp_path: Path) -> None:

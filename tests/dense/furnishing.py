@@ -63,7 +63,8 @@ def wishes(name: str, seed: int, tight: bool = False) -> tuple[Room, Space, tupl
     room = dense_room(name, seed, tight)
     cover_mm2 = round(1e6 * room.width * room.depth * cover_wish(name, seed))
     space = replace(space_of(room, WALL_M), cover_mm2=cover_mm2)
-    return room, space, wanted_pieces(room, space, catalogs(), Stream(seed, "furnish", name))
+    wanted = wanted_pieces(room, space, catalogs(), Stream(seed, "furnish", name))
+    return room, space, tuple(piece for piece in wanted if not piece.is_floor)
 
 
 def result(job: tuple[str, int]) -> Result:

@@ -9,7 +9,7 @@ from functools import cache
 import pytest
 
 from catalogs import load_catalogs
-from solver.placement import place
+from solver.placement import place_wanted
 from solver.scene import Furniture, Opening, Room, Scene
 from solver.validator import validate
 from tests.density import ruler
@@ -103,7 +103,7 @@ def slivers_of(name: str) -> int:
 def test_tidying_leaves_a_third_of_the_slivers(monkeypatch: pytest.MonkeyPatch) -> None:
     tidy = {name: slivers_of(name) for name in KINDS}
     pipeline = importlib.import_module("solver.pipeline.generate")
-    monkeypatch.setattr(pipeline, "place", lambda wishes, engine, tidy: place(wishes, engine))
+    monkeypatch.setattr(pipeline, "place_wanted", lambda rooms, tidy: place_wanted(rooms))
     untidy = {name: sum(ruler.slivers(drawn(name, seed))[0] for seed in range(SEEDS)) for name in KINDS}
     assert sum(untidy.values()) > SEEDS
     assert sum(tidy.values()) <= sum(untidy.values()) / 3

@@ -38,7 +38,10 @@ Drag* open(u8* sent, i64 size) {
   drag.movers = take<Mover>(at, end, head.pieces);
   drag.riders = take<Rider>(at, end, head.bodies);
   drag.held = head.held;
-  drag.desk = placement::new_desk(reinterpret_cast<placement::RoomRequest*>(problem.data));
+  const placement::Room asked = placement::room_of(reinterpret_cast<placement::RoomRequest*>(problem.data));
+  placement::Sizes sizes = placement::sizes_of(asked);
+  sizes.states = 1;  // nothing searches over ways to stand
+  drag.desk = placement::new_desk(asked, sizes);
   const Rows<placement::CandidateRow>& candidates = drag.desk->engine.room.candidates;
   drag.sent = reserved<placement::CandidateRow>(candidates.size);
   for (i64 k = 0; k < candidates.size; k++) drag.sent[k] = candidates[k];

@@ -20,8 +20,7 @@ struct CountRow {
 
 }  // namespace
 
-static Scope read_room(u8* data, i64 size, RoomHeader& header) {
-  Reader reader(data, size);
+Scope read_room(Reader& reader, RoomHeader& header) {
   header = reader.take<RoomHeader>(1)[0];
   Scope scope{header.clear, header.gap, header.exterior, reader.take<Opened>(header.openings), reader.take<Zone>(header.zones)};
   for (const Opened& one : scope.openings) {
@@ -42,26 +41,7 @@ static void add_pieces(Furnisher& furnisher, const RoomType& type, const List<Co
   }
 }
 
-static Bytes answer(const Furnisher& furnisher, const List<CountedPiece>& counted, const Stream& stream) {
-  const Span<PieceRow> pieces = furnisher.pieces.all();
-  const Span<Candidate> candidates = furnisher.candidates.all();
-  const Span<Link> links = furnisher.links.all();
-  AnswerHeader header{stream.state(), counted.size(), pieces.size, candidates.size, links.size};
-  List<CountRow> counts;
-  for (const CountedPiece& one : counted) counts.add({one.spec, one.copies});
-  Writer writer(sizeof(header) + bytes_of(counts.all()) + bytes_of(pieces) + bytes_of(candidates) + bytes_of(links));
-  writer.put(Span<AnswerHeader>{&header, 1});
-  writer.put(counts.all());
-  writer.put(pieces);
-  writer.put(candidates);
-  writer.put(links);
-  return writer.written();
-}
-
-Bytes furnish_room(Bytes type_rows, Bytes room_rows) {
-  const RoomType type = read_room_type(type_rows.data, type_rows.size);
-  RoomHeader room;
-  const Scope scope = read_room(room_rows.data, room_rows.size, room);
+Wanted wanted_in(const RoomType& type, const RoomHeader& room, const Scope& scope) {
   WallOccupancy walls(scope);
   Furnisher furnisher(scope, type, walls);
   Stream stream(room.stream);
@@ -70,7 +50,29 @@ Bytes furnish_room(Bytes type_rows, Bytes room_rows) {
     const Span<Candidate> run = type.has_run ? planned_run(scope, walls, type, counted, stream) : Span<Candidate>{};
     add_pieces(furnisher, type, counted, run, stream);
   }
-  return answer(furnisher, counted, stream);
+  return {stream.state(), counted, with_comfort(type, {furnisher.pieces.all(), furnisher.candidates.all(), furnisher.links.all()})};
+}
+
+static Bytes answer(const Wanted& wanted) {
+  const WantedRows& rows = wanted.rows;
+  AnswerHeader header{wanted.stream, wanted.counted.size(), rows.pieces.size, rows.candidates.size, rows.links.size};
+  List<CountRow> counts;
+  for (const CountedPiece& one : wanted.counted) counts.add({one.spec, one.copies});
+  Writer writer(sizeof(header) + bytes_of(counts.all()) + bytes_of(rows.pieces) + bytes_of(rows.candidates) + bytes_of(rows.links));
+  writer.put(Span<AnswerHeader>{&header, 1});
+  writer.put(counts.all());
+  writer.put(rows.pieces);
+  writer.put(rows.candidates);
+  writer.put(rows.links);
+  return writer.written();
+}
+
+Bytes furnish_room(Bytes type_rows, Bytes room_rows) {
+  const RoomType type = read_room_type(type_rows.data, type_rows.size);
+  RoomHeader room;
+  Reader reader(room_rows.data, room_rows.size);
+  const Scope scope = read_room(reader, room);
+  return answer(wanted_in(type, room, scope));
 }
 
 }  // namespace furnish

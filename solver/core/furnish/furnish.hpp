@@ -1,12 +1,26 @@
 // What a room of a type wants: pieces with their candidates and links.
 #pragma once
 
+#include "furnish/comfort.hpp"
+#include "furnish/preferences.hpp"
 #include "plain/tables.hpp"
 
 namespace furnish {
 
-// A room type (room_type.hpp: TypeHeader and its tables) and a room (room.hpp: RoomHeader, openings, zones) -> the rows of what it wants,
-// in the arena: the stream's state and the counts of what follows, then how many of each piece, pieces, candidates, links.
+// What a room wants, and the stream's state at the end.
+struct Wanted {
+  u64 stream;
+  List<CountedPiece> counted;
+  WantedRows rows;
+};
+
+// Reads a room: RoomHeader, openings, zones (room.hpp).
+Scope read_room(Reader& reader, RoomHeader& header);
+
+Wanted wanted_in(const RoomType& type, const RoomHeader& room, const Scope& scope);
+
+// A room type (room_type.hpp: TypeHeader and its tables) and a room -> the rows of what it wants, in the arena: the stream's state and the
+// counts of what follows, then how many of each piece, pieces, candidates, links.
 Bytes furnish_room(Bytes type_rows, Bytes room_rows);
 
 }  // namespace furnish

@@ -115,7 +115,8 @@ void Furnisher::keep(const CountedPiece& counted, i32 number, Span<Candidate> wa
   for (const Effect& effect : effects) links.add_all(effect.links.all());
   candidates.add_all(ways);
   const i32 piece = pieces.size();
-  pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, links.size() - before, 0});
+  pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, links.size() - before, -1,
+              type_.pieces[counted.spec].skip_cost});
   earlier_.by_word[type_.pieces[counted.spec].word].add(piece);
   List<i32> kinds;
   for (const Candidate& way : ways) {

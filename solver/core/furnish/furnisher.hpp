@@ -6,14 +6,15 @@
 
 namespace furnish {
 
-// A piece of the answer; its candidates and links are the next rows of theirs.
+// A piece of the answer; its candidates and links are the next rows of theirs. Floor that is better kept free is one, too.
 struct PieceRow {
-  i32 spec;
-  i32 number;
-  i32 kind;  // the wanted one
+  i32 spec;    // of the piece at whose side floor is
+  i32 number;  // of the copy; of floor: that piece, by its place in the answer
+  i32 kind;    // the wanted one
   i32 candidates;
   i32 links;
-  i32 unused;
+  i32 floor_side;  // -1 for a piece
+  f64 skip_cost;
 };
 
 class Furnisher {

@@ -22,8 +22,7 @@ bool WallOccupancy::is_occupied(const Rect& footprint) const { return meets_any(
 
 bool WallOccupancy::is_before_gate(const Rect& footprint) const { return meets_any(footprint, gates_); }
 
-// What intervals leave free of a whole interval, from its low end up.
-static List<Interval> gaps_between(Interval whole, Span<Interval> blocked) {
+List<Interval> gaps_between(Interval whole, Span<Interval> blocked) {
   stable_sort(blocked, [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   List<Interval> free;
   i64 at = whole.low;

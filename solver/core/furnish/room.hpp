@@ -17,10 +17,11 @@ struct Opened {
   Point centre() const { return runs_along_x(wall) ? Point{middle(), across} : Point{across, middle()}; }
 };
 
-// Bodies that reach above `above` must stay out of it.
+// Bodies that reach above `above` must stay out of it; it may be a part missing from the room.
 struct Zone {
   Rect rect;
   i64 above;
+  i64 is_wall;
 };
 
 // What Python sends; openings and zones follow.
@@ -53,6 +54,9 @@ struct Scope {
     return false;
   }
 };
+
+// What intervals leave free of a whole interval, from its low end up; they are sorted.
+List<Interval> gaps_between(Interval whole, Span<Interval> blocked);
 
 // The walls of the room and what takes them up.
 class WallOccupancy {

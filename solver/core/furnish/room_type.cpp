@@ -25,6 +25,8 @@ static void check_type(const RoomType& type) {
   for (const Kind& kind : type.kinds) {
     type.levels_of(kind);
     type.parts_of(kind);
+    for (Side side : part_of(type.sides, kind.use)) check(is_one(side, Side::back));
+    for (const Comfort& comfort : type.comforts_of(kind)) check(is_one(comfort.side, Side::back));
   }
   for (const Variant& variant : type.variants) type.kind(variant.kind);
   for (const Rule& rule : type.rules) check_rule(rule, type);
@@ -32,6 +34,7 @@ static void check_type(const RoomType& type) {
     check(is_word(piece.word, type) && piece.count >= 0 && piece.count <= MOST_COPIES && piece.variants.count > 0);
     part_of(type.variants, piece.variants);
     type.rules_of(piece);
+    for (Side side : part_of(type.sides, piece.approach)) check(is_one(side, Side::back));
   }
   for (const Range& order : type.orders) part_of(type.words, order);
   for (i32 word : type.words) check(is_word(word, type));
@@ -53,6 +56,7 @@ RoomType read_room_type(u8* data, i64 size) {
   type.names = reader.take<Name>(header.names);
   type.sorts = reader.take<SortCost>(header.sorts);
   type.sides = reader.take<Side>(header.sides);
+  type.comforts = reader.take<Comfort>(header.comforts);
   type.orders = reader.take<Range>(header.orders);
   type.words = reader.take<i32>(header.words);
   type.corners = reader.take<i32>(header.corners);

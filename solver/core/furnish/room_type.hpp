@@ -23,10 +23,18 @@ enum class Align : i32 { none = 0, back = 1, centre = 2, front = 3, any = 4 };
 // How the walls of two pieces should lie.
 enum class Walls : i32 { any = 0, same = 1, opposite = 2, adjacent = 3, other = 4 };
 
-// A surface of a kind: its height, and the free height above it (-1: any), mm.
+// A surface of a kind: its height, and the free height above it (-1: any), mm; its name, of the names of all surfaces.
 struct Level {
   i64 height;
   i64 clearance;
+  i64 name;
+};
+
+// Floor that is better kept free at a side of a kind, mm deep.
+struct Comfort {
+  Side side;
+  i32 unused;
+  i64 depth;
 };
 
 // The box around a part of a kind: seen from above, and from `low` to `high`, mm.
@@ -41,9 +49,11 @@ struct Kind {
   i32 at_walls;
   i32 use_count;
   i32 use_sides;  // bit by Side
-  i32 unused;
+  i32 need_all;   // whether a person must get to all of these
   Range levels;
   Range parts;
+  Range use;      // of `sides`: the same sides in order
+  Range comforts;
 
   Extent size() const { return {width, depth}; }
   bool is_used_from(Side side) const { return use_sides >> static_cast<i32>(side) & 1; }
@@ -95,19 +105,20 @@ struct PieceSpec {
   i32 count;
   i32 among;  // which of the words of `among`, or -1
   i32 has_per_area;
-  i32 unused;
+  i32 with_next;  // it stands only together with the next piece
   Range variants;
   Range rules;
+  Range approach;  // of `sides`: what must be reached in place of its kind's use
   f64 per_area;
   f64 min_area;
   f64 chance;
+  f64 skip_cost;
 };
 
 // The sizes of the tables, in their order.
 struct TypeHeader {
-  i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, orders, words, corners, triangle, all_words;
+  i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, comforts, orders, words, corners, triangle, all_words;
   i32 has_run;
-  i32 unused;
 };
 
 struct RoomType {
@@ -120,6 +131,7 @@ struct RoomType {
   Span<Name> names;
   Span<SortCost> sorts;
   Span<Side> sides;
+  Span<Comfort> comforts;
   Span<Range> orders;   // of a run, each a range of `words`
   Span<i32> words;      // of pieces, as the next two
   Span<i32> corners;
@@ -135,6 +147,7 @@ struct RoomType {
   Span<Name> of(const Rule& rule) const { return part_of(names, rule.of); }
   Span<Level> levels_of(const Kind& kind) const { return part_of(levels, kind.levels); }
   Span<PartBox> parts_of(const Kind& kind) const { return part_of(parts, kind.parts); }
+  Span<Comfort> comforts_of(const Kind& kind) const { return part_of(comforts, kind.comforts); }
 };
 
 RoomType read_room_type(u8* data, i64 size);

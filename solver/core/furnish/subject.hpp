@@ -10,7 +10,7 @@ enum class Slot : i32 { none = 0, side = 1, seat = 2, level = 3 };
 
 // One way for a piece to stand; a row of the answer. Lengths mm, rotation in degrees, -1 for none.
 struct Candidate {
-  i32 kind;
+  i32 kind;  // -1 for floor that is better kept free
   i32 rotation;
   Wall wall;
   i32 parent;  // the piece at whose slot it stands, by its place in the answer
@@ -26,6 +26,7 @@ struct Candidate {
   i64 bottom;
   f64 weight;
   f64 cost;
+  Extent floor;  // how large that floor is
 };
 
 constexpr f64 USUAL_WEIGHT = 1.0;

@@ -1,6 +1,7 @@
 #include "placement/confirm.hpp"
 
 #include "plain/lists.hpp"
+#include "plain/tables.hpp"
 
 namespace placement {
 
@@ -219,23 +220,10 @@ FinalProblem* final_problem(const Desk& desk) {
   return reinterpret_cast<FinalProblem*>(all.begin());
 }
 
-// Judges one axis of an answer, and adds what holds along it.
-static void judge_axis(const Work& work, const FinalAxis& own, const f64* x, const f64* y, Confirmation& found, List<HoldingRow>& holding) {
-  const Span<f64> drawn = reserved<f64>(own.columns);
-  f64 worth = 0.0;
-  for (i32 column = 0; column < own.columns; column++) {
-    f64 squared = 0.0;
-    for (i32 other = 0; other < own.columns; other++) squared += own.squares.at(column, other) * x[other];
-    worth += x[column] * squared + own.linear[column] * x[column];
-    drawn[column] = squared + own.linear[column];
-  }
+// Adds what holds along one axis.
+static void add_holding(const Work& work, const FinalAxis& own, const f64* y, List<HoldingRow>& holding) {
   for (i32 k = 0; k < own.rows.size(); k++) {
     const FinalRow& row = own.rows[k];
-    const f64 at = row.at(x);
-    found.broken = most(found.broken, most(row.low - at, at - row.high));
-    worth += (y[k] <= 0 ? row.low : row.high == INFINITE ? 0.0 : row.high) * y[k];
-    if (row.before != NONE) drawn[row.before] -= y[k];
-    if (row.after != NONE) drawn[row.after] += y[k];
     const bool is_bound = k < own.columns;
     if (y[k] < -ACTIVE) {
       holding.add({row.row, row.choice, is_bound, -y[k]});
@@ -243,26 +231,22 @@ static void judge_axis(const Work& work, const FinalAxis& own, const f64* x, con
       holding.add({{own.axis, row.row.j, ORIGIN, -work.high.at(own.axis, row.row.j)}, NONE, 1, y[k]});
     }
   }
-  for (const f64 pull : drawn) found.drawn = most(found.drawn, absolute(pull));
-  found.gap = most(found.gap, absolute(worth));
 }
 
-Confirmation* confirm(const Desk& desk, const f64* x, const f64* y) {
-  Confirmation found = {};
+Holding* confirm(const Desk& desk, const f64* x, const f64* y) {
   List<HoldingRow> holding;
   for (i64 axis = 0; axis < 2; axis++) {
     const FinalAxis own = lay_axis(desk, axis);
-    judge_axis(desk.engine.work, own, x, y, found, holding);
+    add_holding(desk.engine.work, own, y, holding);
     for (i32 v = 0; v < own.column.size; v++) desk.finals.at(axis, v) = own.column[v] == NONE ? desk.owns.at(axis, v) : x[own.column[v]];
     x += own.columns;
     y += own.rows.size();
   }
-  found.holding = holding.size();
-  u8* answer = static_cast<u8*>(arena::reserve(static_cast<i64>(sizeof(Confirmation) + holding.size() * sizeof(HoldingRow))));
-  *reinterpret_cast<Confirmation*>(answer) = found;
-  HoldingRow* rows = reinterpret_cast<HoldingRow*>(answer + sizeof(Confirmation));
-  for (i32 k = 0; k < holding.size(); k++) rows[k] = holding[k];
-  return reinterpret_cast<Confirmation*>(answer);
+  const i64 count = holding.size();
+  Writer writer(static_cast<i64>(sizeof(Holding)) + bytes_of(holding.all()));
+  writer.put(Span<const i64>{&count, 1});
+  writer.put(holding.all());
+  return reinterpret_cast<Holding*>(writer.written().data);
 }
 
 }  // namespace placement

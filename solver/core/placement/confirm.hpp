@@ -25,15 +25,12 @@ struct HoldingRow {
   f64 per_m;  // what a metre more room would save
 };
 
-// How exactly an answer is the optimum, and what holds: so many HoldingRow follow.
-struct Confirmation {
-  f64 broken;  // by how much it breaks a row, m
-  f64 drawn;  // by how much anything is still drawn, m^-1
-  f64 gap;  // by how much its cost and the dual's value differ
-  i64 holding;
+// What holds at an answer: so many HoldingRow follow.
+struct Holding {
+  i64 rows;
 };
 
-// Judges an answer: `x` by column, m, `y` by row. All positions are left in desk.finals.
-Confirmation* confirm(const Desk& desk, const f64* x, const f64* y);
+// Says what holds at an answer: `x` by column, m, `y` by row. All positions are left in desk.finals.
+Holding* confirm(const Desk& desk, const f64* x, const f64* y);
 
 }  // namespace placement

@@ -3,6 +3,7 @@
 #include "placement/confirm.hpp"
 #include "placement/grid.hpp"
 #include "placement/grow.hpp"
+#include "placement/house.hpp"
 #include "placement/options.hpp"
 #include "placement/prove.hpp"
 #include "placement/pull.hpp"
@@ -18,7 +19,10 @@ template <class T> static T& as(const Span<i64>& numbers) { return *reinterpret_
 
 extern "C" {
 
-EXPORT(new_desk) Desk* door_new_desk(RoomRequest* request) { return new_desk(request); }
+EXPORT(new_desk) Desk* door_new_desk(RoomRequest* request) {
+  const Room room = room_of(request);
+  return new_desk(room, request->sizes.pieces > 0 ? request->sizes : sizes_of(room));
+}
 
 EXPORT(assemble) i32 door_assemble(const Desk* desk) { return assemble(desk->engine.room, desk->engine.work, desk->decisions); }
 
@@ -38,7 +42,12 @@ EXPORT(evaluate) i32 door_evaluate(const Desk* desk, i64 limit, f64 ceiling, i32
 
 EXPORT(final_problem) FinalProblem* door_final_problem(const Desk* desk) { return final_problem(*desk); }
 
-EXPORT(confirm) Confirmation* door_confirm(const Desk* desk, const f64* x, const f64* y) { return confirm(*desk, x, y); }
+EXPORT(confirm) Holding* door_confirm(const Desk* desk, const f64* x, const f64* y) { return confirm(*desk, x, y); }
+
+// `problems`: addresses of final problems, one a room.
+EXPORT(join) HouseProblem* door_join(const i64* problems, i32 count) { return join({problems, count}); }
+
+EXPORT(judge) Judgement* door_judge(const i64* problems, i32 count, const f64* x, const f64* y) { return judge({problems, count}, x, y); }
 
 EXPORT(find_taken) i32 door_find_taken(const Desk* desk) { return static_cast<i32>(find_taken(*desk)); }
 
@@ -47,8 +56,11 @@ EXPORT(open_decisions) i32 door_open_decisions(const Desk* desk, i32 piece) {
   return static_cast<i32>(open_decisions(engine.room, desk->decisions, piece, engine.tree.found, engine.tree.found_cost));
 }
 
-// Takes space for the open nodes of a proof.
-EXPORT(new_proof) ProofNodes* door_new_proof(i32 depth, i32 variables, i32 choices) {
+// Takes space for the open nodes of a proof; `most` are open at a time.
+EXPORT(new_proof) ProofNodes* door_new_proof(const Desk* desk, i64 most) {
+  const Sizes sizes = sizes_of(desk->engine.room);
+  const i32 variables = static_cast<i32>(sizes.variables), choices = static_cast<i32>(sizes.choices);
+  const i32 depth = static_cast<i32>(least(3 * sizes.choices + 32 * sizes.variables + 8, most));
   ProofNodes& nodes = *zeroes<ProofNodes>(1).data;
   nodes.low = {reserved<i64>(depth * 2 * variables).data, depth, 2, variables};
   nodes.high = {reserved<i64>(depth * 2 * variables).data, depth, 2, variables};

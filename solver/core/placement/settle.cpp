@@ -39,6 +39,16 @@ i64 find_taken(const Desk& desk) {
   return count;
 }
 
+void hand_over(const Desk& desk) {
+  const Nodes& nodes = desk.engine.nodes;
+  for (i32 k = 0; k < nodes.best.rows * nodes.best.columns; k++) desk.owns.data[k] = desk.finals.data[k] = nodes.best.data[k];
+  for (i64 k = 0; k < nodes.result->forces; k++) {
+    desk.force_rows[k] = nodes.best_forces[k];
+    desk.multipliers[k] = nodes.best_multipliers[k];
+  }
+  *desk.handed.data = {find_taken(desk), nodes.result->forces};
+}
+
 // Snaps positions to grid.positions and checks them; `walkable` where they are valid, the walk not asked.
 static Settled snap_and_check(const Desk& desk, const Span<DifferenceRow>& taken, const Table<f64>& positions) {
   const Table<i64>& p = desk.engine.grid.positions;

@@ -12,6 +12,9 @@ enum class Settled : i32 { not_walkable = 0, walkable = 1, no_whole_place = 2, n
 // the wider rows. They are left in desk.taken; returns how many.
 i64 find_taken(const Desk& desk);
 
+// Puts what the last search found where `settle`, `final_problem` and `confirm` look for it.
+void hand_over(const Desk& desk);
+
 // Puts the assembled problem on whole millimetres.
 //
 //   desk: positions in desk.finals, of the final solve, and in desk.owns, of the search, m; in desk.taken the rows taken, so many as

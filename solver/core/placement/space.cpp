@@ -7,6 +7,7 @@ constexpr i64 MOST_WIDE = 8192;  // rows that the widenings of one search may as
 constexpr i64 MOST_NODES = 4096;  // open nodes of one search; where there would be more, the search stops as at its limit
 constexpr i64 MOST_PICKS = 200'000;  // children one search may create; as with the nodes
 constexpr i64 MOST_FAMILY = 256;  // children of one node
+constexpr i64 MOST_STATES = 6500;  // prefixes the best-first search may keep
 constexpr i64 MOST_MOVES = 64;
 constexpr i64 MOST_REFUSED = 4096;
 
@@ -40,7 +41,7 @@ struct Cursor {
   template <class T> Span<T> span(i64 count) { return {take<T>(count), static_cast<i32>(count)}; }
 };
 
-static Room room_of(RoomRequest* request) {
+Room room_of(RoomRequest* request) {
   const RoomRequest& sent = *request;
   Cursor from = {reinterpret_cast<u8*>(request + 1)};
   Room room;
@@ -56,6 +57,31 @@ static Room room_of(RoomRequest* request) {
   room.links = from.rows<LinkRow>(sent.links);
   room.link_costs = from.rows<LinkCost>(sent.links);
   return room;
+}
+
+Sizes sizes_of(const Room& room) {
+  i64 stands = 0, decisions = 0;
+  for (i64 piece = 0; piece < room.pieces.size; piece++) {
+    const PieceRow& row = room.pieces[piece];
+    i64 widest = 0;
+    for (i64 side = row.sides[0]; side < row.sides[1]; side++) {
+      widest = most<i64>(widest, __builtin_popcountll(static_cast<u64>(room.sides[side].stands)));
+    }
+    stands += widest;
+    decisions = most(decisions, (row.candidates[1] - row.candidates[0]) * (row.sides[1] - row.sides[0]));
+  }
+  const i64 count = room.pieces.size, walls = room.zones.size, doors = room.doors.size, parts = count + stands;
+  Sizes found;
+  found.pieces = most<i64>(count, 1);
+  found.variables = most<i64>(parts, 1);
+  found.choices = parts * (parts - 1) / 2 + parts * walls + 1;
+  found.rows = 4 * count + 2 * stands + (stands + 2) * (stands + doors + 2) + 4;
+  found.pulls = 2 * count + stands + 2 * room.links.size + 1;
+  found.walls = walls;
+  found.doors = doors;
+  found.decisions = most<i64>(decisions, 1);
+  found.states = MOST_STATES;
+  return found;
 }
 
 static Work new_work(const Sizes& sizes) {
@@ -199,14 +225,13 @@ static void show_all(Desk& desk) {
   for (i32 k = 0; k < SHOWN; k++) desk.shown[k] = shown[k];
 }
 
-Desk* new_desk(RoomRequest* request) {
-  const Sizes& sizes = request->sizes;
+Desk* new_desk(const Room& room, const Sizes& sizes) {
   Desk& desk = *static_cast<Desk*>(arena::zeroed(sizeof(Desk)));
-  desk.engine.room = room_of(request);
+  desk.engine.room = room;
   desk.engine.work = new_work(sizes);
   desk.engine.grid = new_grid(sizes);
-  desk.decisions = new_span<i64>(request->pieces);
-  desk.fates = zeroes<i64>(static_cast<i32>(request->pieces));
+  desk.decisions = new_span<i64>(room.pieces.size);
+  desk.fates = zeroes<i64>(room.pieces.size);
   desk.limits = zeroes<i64>(sizeof(RoomLimits) / 8);
   desk.group = zeroes<i64>(sizeof(Group) / 8);
   desk.report = zeroes<i64>(sizeof(RoomReport) / 8);

@@ -11,7 +11,10 @@ struct Sizes {
   i64 pieces, variables, choices, rows, pulls, walls, doors, decisions, states;
 };
 
-// What the host sends: sizes, how many rows the room's tables have, and then the tables themselves in the order of `Room`.
+// Bounds of what a room's problem can need.
+Sizes sizes_of(const Room& room);
+
+// What the host sends: sizes (all 0: those of the room), how many rows the room's tables have, and then the tables in the order of `Room`.
 struct RoomRequest {
   Sizes sizes;
   i64 zones, doors, pieces, sides, candidates, links;
@@ -32,8 +35,8 @@ struct Handed {
 
 // A room's work space with what calls hand over and bring back.
 //
-// It lies behind the request, and before what only a search needs: the bytes up to `kept` can be copied to another instance, to the same
-// addresses, and are there a desk without a search.
+// It lies behind the room's rows, and before what only a search needs: the bytes up to `kept` can be copied to another instance, to the
+// same addresses, and are there a desk without a search.
 struct Desk {
   Shown shown[SHOWN];
   i32 kept;
@@ -49,7 +52,10 @@ struct Desk {
   Span<f64> added;  // what tidying costs
 };
 
+// Reads a room that was sent, where it lies.
+Room room_of(RoomRequest* request);
+
 // Returns space for a room, and the room in it.
-Desk* new_desk(RoomRequest* request);
+Desk* new_desk(const Room& room, const Sizes& sizes);
 
 }  // namespace placement

@@ -18,6 +18,7 @@ from solver.relations import RELATIONS
 from solver.relations.subject import Kind, Parent, Scope, Subject
 from solver.scene import Room
 from solver.streams import Stream
+from tests.furnish.reference.comfort import with_comfort
 from tests.furnish.reference.drawn import CountedPiece, Preferences, count, drawn_preferences, ordered
 from tests.furnish.reference.effects import Effect, effect_of
 from tests.furnish.reference.occupancy import TakenWalls
@@ -69,7 +70,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
         for number in range(1, one.copies + 1):
             if not furnisher.add(one, number, drawn_preferences(stream), run.get(one.spec.piece)):
                 break
-    return tuple(furnisher.pieces)
+    return with_comfort(furnisher.pieces, catalogs)
 
 
 def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Stream) -> list[CountedPiece]:

@@ -1,4 +1,4 @@
-"""Floor that people like to have free about a piece: beside a toilet, behind a chair, before a kitchen run.
+"""Floor that people like to have free about a piece, in Python: as solver/core/furnish/comfort.cpp, which it judges.
 
 Comes in: a wanted piece. Goes out: wanted pieces that stand for that floor (`Piece.is_floor`): rigid at a side of the
 piece, no bodies, but bodies keep out of them; people, doors and other kept floor do not. Each may be left out for COMFORT_COST:

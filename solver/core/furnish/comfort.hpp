@@ -1,0 +1,19 @@
+// Floor that people like to have free about a piece: beside a toilet, behind a chair, before a kitchen run.
+#pragma once
+
+#include "furnish/furnisher.hpp"
+
+namespace furnish {
+
+// Pieces with their candidates and links.
+struct WantedRows {
+  Span<PieceRow> pieces;
+  Span<Candidate> candidates;
+  Span<Link> links;
+};
+
+// Adds floor to keep free at sides of pieces, as pieces without a body, rigid at theirs: what required pieces, which come first, wish for
+// before the optional pieces, the rest last. Comfort is kept where there is a way and never hard.
+WantedRows with_comfort(const RoomType& type, const WantedRows& wanted);
+
+}  // namespace furnish

@@ -1,0 +1,226 @@
+#include "rooms/asking.hpp"
+
+#include "plain/lists.hpp"
+
+namespace rooms {
+
+using furnish::Candidate;
+using placement::CandidateRow;
+using placement::SidesRow;
+
+constexpr f64 OTHER_SIDE_COST = 0.05;  // what using the second of several allowed sides costs: order, not preference
+constexpr i64 LEAST_FLOOR_MM2 = 255'000;  // the free centres that a room must have for the person, and a little for the snap
+
+Span<Candidate> WantingRoom::ways_of(i32 piece) const {
+  Range ways = {0, 0};
+  for (i32 k = 0; k <= piece; k++) ways = {ways.first + ways.count, wanted.pieces[k].candidates};
+  return part_of(wanted.candidates, ways);
+}
+
+void WantingRoom::size_of(const Candidate& way, i64 (&size)[3]) const {
+  const bool is_floor = way.kind < 0;
+  size[0] = is_floor ? way.floor.x : type.kinds[way.kind].width;
+  size[1] = is_floor ? way.floor.z : type.kinds[way.kind].depth;
+  size[2] = is_floor ? placement::PERSON_MM : type.kinds[way.kind].height;
+}
+
+namespace {
+
+// The room's tables while they are written.
+class Asked {
+ public:
+  Asked(const WantingRoom& room, i64 robot) : room_(room), robot_(robot) {}
+
+  placement::Room all() {
+    add_pieces();
+    group_pieces();
+    placement::Room made;
+    made.space = {space().data, sizeof(placement::SpaceRow) / 8};
+    // A zone is the same row to both stages.
+    static_assert(sizeof(furnish::Zone) == sizeof(placement::Zone));
+    made.zones = {reinterpret_cast<placement::Zone*>(room_.scope.zones.data), room_.scope.zones.size, sizeof(placement::Zone) / 8};
+    made.doors = doors();
+    made.pieces = rows(pieces_);
+    made.skip_costs = skip_costs_.all();
+    made.sides = rows(sides_);
+    made.side_costs = side_costs_.all();
+    made.candidates = rows(candidates_);
+    made.candidate_costs = rows(candidate_costs_);
+    made.links = rows(links_);
+    made.link_costs = rows(link_costs_);
+    return made;
+  }
+
+ private:
+  template <class T> static Rows<T> rows(const List<T>& own) { return {own.begin(), own.size(), sizeof(T) / 8}; }
+
+  Span<placement::SpaceRow> space() const {
+    const Rect& clear = room_.scope.clear;
+    const Span<placement::SpaceRow> found = reserved<placement::SpaceRow>(1);
+    found[0] = {{clear.x0, clear.z0}, {clear.x1, clear.z1}, room_.scope.gap, robot_, room_.header.cover, LEAST_FLOOR_MM2};
+    return found;
+  }
+
+  // Where the person's centre is when it has just come through each door, doubled.
+  Rows<placement::Door> doors() const {
+    const Rect& clear = room_.scope.clear;
+    const Rows<placement::Door> found = reserved_rows<placement::Door>(room_.doorways.size);
+    for (i32 k = 0; k < room_.doorways.size; k++) {
+      const auto& [wall, _, square] = room_.doorways[k];
+      const Interval own = square.along(wall), whole = clear.along(wall);
+      const i64 start = 2 * most(own.low, whole.low), end = 2 * least(own.high, whole.high);
+      i64 low = start + robot_, high = end - robot_;
+      if (low > high) low = high = floor_div(start + end, 4) * 2 + robot_ % 2;
+      const i64 across = 2 * clear.line(wall) + inwards(wall) * robot_;
+      const bool along_x = runs_along_x(wall);
+      found[k] = {{along_x ? low : across, along_x ? across : low}, {along_x ? high : across, along_x ? across : high}};
+    }
+    return found;
+  }
+
+  void add_pieces() {
+    Range ways = {0, 0}, bonds = {0, 0};
+    for (const furnish::PieceRow& piece : room_.wanted.pieces) {
+      ways = {ways.first + ways.count, piece.candidates};
+      bonds = {bonds.first + bonds.count, piece.links};
+      placement::PieceRow own = {};
+      own.candidates[0] = candidates_.size();
+      own.links[0] = links_.size();
+      own.sides[0] = sides_.size();
+      add_candidates(part_of(room_.wanted.candidates, ways));
+      for (const furnish::Link& link : part_of(room_.wanted.links, bonds)) add_link(link);
+      const bool is_floor = piece.floor_side >= 0;
+      if (is_floor) {
+        add_sides({0, 0, 0}, 0.0);
+      } else {
+        add_use(piece);
+      }
+      own.candidates[1] = candidates_.size();
+      own.links[1] = links_.size();
+      own.sides[1] = sides_.size();
+      own.required = !is_floor && room_.type.pieces[piece.spec].required != 0;
+      own.group_end = pieces_.size() + 1;
+      own.empty = is_floor ? placement::EMPTY_FLOOR : 0;
+      pieces_.add(own);
+      skip_costs_.add(piece.skip_cost);
+    }
+  }
+
+  // Adds a piece's candidates; those that differ only in their anchor and cost are of one kin.
+  void add_candidates(Span<Candidate> ways) {
+    List<const Candidate*> kins;
+    for (const Candidate& way : ways) {
+      i32 kin = 0;
+      while (kin < kins.size() && !is_kin(*kins[kin], way)) kin++;
+      if (kin == kins.size()) kins.add(&way);
+      CandidateRow own = {};
+      i64 size[3];
+      room_.size_of(way, size);
+      own.kind = way.kind;
+      own.width = size[0];
+      own.depth = size[1];
+      own.height = size[2];
+      own.turn = floor_mod(way.rotation, 360);
+      own.wall = static_cast<i64>(way.wall);
+      const Rect& clear = room_.scope.clear;
+      own.anchor[0] = way.anchor.x, own.anchor[1] = way.anchor.z;
+      own.low[0] = clear.x0, own.low[1] = clear.z0;
+      own.high[0] = clear.x1, own.high[1] = clear.z1;
+      own.bottom = way.bottom;
+      own.parent = own.parent_kind = own.slot = -1;
+      if (way.parent >= 0) add_place_at(way, own);
+      own.under = way.is_under ? way.parent : -1;
+      own.on = way.is_on ? way.parent : -1;
+      own.slack = -1;
+      own.kin = kin;
+      candidates_.add(own);
+      candidate_costs_.add({{way.weight, way.weight}, way.cost});
+    }
+  }
+
+  void add_place_at(const Candidate& way, CandidateRow& own) const {
+    if (way.parent >= pieces_.size()) fail(Failure::bad_request);
+    own.parent = way.parent;
+    own.parent_kind = way.parent_kind;
+    own.across[0] = way.across.low, own.across[1] = way.across.high;
+    own.along[0] = way.along.low, own.along[1] = way.along.high;
+    own.slot = slot_of(way);
+  }
+
+  // A number for a slot of a parent: two pieces never take the same one; -1 for none.
+  i64 slot_of(const Candidate& way) const {
+    constexpr i64 SORTS = 4, SIDES = 4, MIDDLE = 1LL << 40;
+    const i64 sort = static_cast<i64>(way.slot);
+    if (way.slot == furnish::Slot::none) return -1;
+    if (way.slot == furnish::Slot::level) return SORTS * level_name(way) + sort;
+    const i64 number = way.slot == furnish::Slot::seat ? way.slot_number + MIDDLE : 0;
+    return SORTS * (SIDES * number + static_cast<i64>(way.slot_side)) + sort;
+  }
+
+  i64 level_name(const Candidate& way) const {
+    return room_.type.levels_of(room_.type.kind(way.parent_kind))[way.slot_number].name;
+  }
+
+  bool is_kin(const Candidate& a, const Candidate& b) const {
+    return a.kind == b.kind && a.rotation == b.rotation && a.wall == b.wall && a.parent == b.parent && a.parent_kind == b.parent_kind &&
+           a.across.low == b.across.low && a.across.high == b.across.high && a.along.low == b.along.low && a.along.high == b.along.high &&
+           a.bottom == b.bottom && a.is_under == b.is_under && a.is_on == b.is_on && slot_of(a) == slot_of(b) &&
+           a.floor.x == b.floor.x && a.floor.z == b.floor.z;
+  }
+
+  void add_link(const furnish::Link& link) {
+    constexpr i64 WALLS[] = {placement::ANY_WALLS, placement::SAME, placement::OPPOSITE, placement::ADJACENT, placement::OTHER};
+    links_.add({link.of, link.turn < 0 ? -1 : floor_mod(link.turn, 360), WALLS[static_cast<i32>(link.walls)], link.required});
+    link_costs_.add({link.cost, link.align, link.near, link.apart_m, link.apart_cost});
+  }
+
+  void add_sides(const SidesRow& row, f64 cost) {
+    sides_.add(row);
+    side_costs_.add(cost);
+  }
+
+  // Adds the choices of use sides of a piece: all of them at once, or one of them, the first of them best.
+  void add_use(const furnish::PieceRow& piece) {
+    constexpr i64 BITS[] = {placement::LEFT, placement::RIGHT, placement::FRONT, placement::BACK};
+    const furnish::PieceSpec& spec = room_.type.pieces[piece.spec];
+    const furnish::Kind& kind = room_.type.kind(piece.kind);
+    const bool asked = spec.approach.count > 0;
+    const Span<Side> sides = part_of(room_.type.sides, asked ? spec.approach : kind.use);
+    i64 all = 0;
+    for (Side side : sides) all |= BITS[static_cast<i32>(side)];
+    if (sides.size == 0 || asked || kind.need_all) {
+      add_sides({all, 0, 0}, 0.0);
+      return;
+    }
+    for (i32 k = 0; k < sides.size; k++) add_sides({BITS[static_cast<i32>(sides[k])], 0, 0}, OTHER_SIDE_COST * k);
+  }
+
+  // Joins optional pieces that stand only together with the one after them, if that one can only stand with them.
+  void group_pieces() {
+    for (i32 k = pieces_.size() - 2; k >= 0; k--) {
+      const furnish::PieceRow& piece = room_.wanted.pieces[k];
+      bool carried = piece.floor_side < 0 && room_.type.pieces[piece.spec].with_next && !pieces_[k].required;
+      for (i64 way = pieces_[k + 1].candidates[0]; way < pieces_[k + 1].candidates[1]; way++) {
+        carried = carried && candidates_[way].parent == k;
+      }
+      if (carried) pieces_[k].group_end = pieces_[k + 1].group_end;
+    }
+  }
+
+  const WantingRoom& room_;
+  i64 robot_;
+  List<placement::PieceRow> pieces_;
+  List<f64> skip_costs_;
+  List<SidesRow> sides_;
+  List<f64> side_costs_;
+  List<CandidateRow> candidates_;
+  List<placement::CandidateCost> candidate_costs_;
+  List<placement::LinkRow> links_;
+  List<placement::LinkCost> link_costs_;
+};
+
+}  // namespace
+
+placement::Room asked_room(const WantingRoom& room, i64 robot) { return Asked(room, robot).all(); }
+
+}  // namespace rooms

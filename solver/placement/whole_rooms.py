@@ -1,0 +1,133 @@
+"""Rooms made by the core in one go, from what is wanted to what stands in them; OSQP confirms the optimum of the whole house.
+
+Comes in: `WantedRows`. Goes out: Arrangements in whole millimetres, the same as `place` makes of the same pieces. Not here: what is wanted
+(furnish). The rows are those of solver/core/rooms/made.hpp.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from struct import Struct
+from typing import Final, NamedTuple
+
+from solver.core import CoreInstance, borrowed
+from solver.geometry import Rect
+from solver.pieces import Arrangement, Placed, Residuals, WantedRows
+from solver.placement.arrange import CANNOT_STAND, NOT_FOUND, NOT_WALKABLE, REASONS
+from solver.placement.layout import COVERED, NO_WAY, SPENT
+from solver.placement.left_out import WALLS, clear_size, room_needed
+from solver.scene import WALLS as NUMBERED_WALLS
+
+_MADE: Final = Struct("<11qd")
+_NAME: Final = Struct("<3q")
+_PLACED: Final = Struct("<7q136s")
+_LEFT_OUT: Final = Struct("<9q")
+_WHY: Final = (CANNOT_STAND, NOT_FOUND, REASONS[NO_WAY], REASONS[COVERED], REASONS[SPENT])
+"""By `enum Why`."""
+_WALL_NAMES: Final = (*NUMBERED_WALLS, None)
+
+
+class _Made(NamedTuple):
+    """What the core says of a room: `struct MadeRoom`."""
+
+    names: int
+    placed: int
+    left_out: int
+    problem: int
+    failed: int
+    walkable: int
+    proven: int
+    best: int
+    optimal: int
+    widened: int
+    solves: int
+    cost: float
+
+
+class _Answer(NamedTuple):
+    """A room made: what is said of it, its rows, and where in the core's memory its final problem is."""
+
+    made: _Made
+    rows: bytes
+    problem: int
+
+
+def place_wanted(rooms: Sequence[WantedRows], tidy: bool = False) -> list[Arrangement]:
+    """Makes every room of a house.
+
+    Args:
+        rooms: what each is made of.
+        tidy: whether slivers are closed or opened afterwards (solver/core/placement/tidy.hpp), at a cost of at most 0.2 a room.
+
+    Returns:
+        One arrangement a room, in the same order, exactly valid on the millimetre lattice.
+
+    Raises:
+        AssertionError: the search found nothing, or what breaks a rule, which it never does.
+        OptimumRefuted: OSQP finds another optimum than one that was proven.
+    """
+    with borrowed() as core:
+        types: dict[bytes, int] = {}
+        answers = []
+        for room in rooms:
+            if room.type_rows not in types:
+                types[room.type_rows] = core.write(room.type_rows)
+            answers.append(_made(core, room, types[room.type_rows], tidy))
+        residuals = _residuals(core, answers)
+    return [_arrangement(room, answer, said) for room, answer, said in zip(rooms, answers, residuals, strict=True)]
+
+
+def _made(core: CoreInstance, room: WantedRows, type_at: int, tidy: bool) -> _Answer:
+    sent = core.write(room.room_rows)
+    packed = core.call("make_room", type_at, len(room.type_rows), sent, len(room.room_rows), tidy)
+    address, size = packed & 0xFFFFFFFF, packed >> 32
+    data = core.read(address, size)
+    made = _Made(*_MADE.unpack_from(data))
+    if made.failed:
+        raise AssertionError(f"{room.space.room}: nothing that holds was found")
+    return _Answer(made, data, address + size - 8 * made.problem)
+
+
+def _residuals(core: CoreInstance, answers: Sequence[_Answer]) -> list[Residuals | None]:
+    """Asks OSQP for the optimum of the whole house.
+
+    Raises:
+        OptimumRefuted: it finds another one than one that was proven.
+    """
+    from solver.placement.qp import REFUTED, OptimumRefuted, solved_house  # noqa: PLC0415 - OSQP and scipy take 0.4 s to import
+
+    answer = solved_house(core, [one.problem for one in answers])
+    if answer is None:
+        return [None] * len(answers)
+    for one, judged in zip(answers, answer.rooms, strict=True):
+        if one.made.optimal and judged.moved > REFUTED:
+            raise OptimumRefuted(one.rows[len(one.rows) - 8 * one.made.problem :])
+    return [None if one.made.widened else judged.residuals for one, judged in zip(answers, answer.rooms, strict=True)]
+
+
+def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None) -> Arrangement:
+    made, data = answer.made, answer.rows
+    ends = [_MADE.size]
+    for row, count in ((_NAME, made.names), (_PLACED, made.placed), (_LEFT_OUT, made.left_out)):
+        ends.append(ends[-1] + row.size * count)
+    names, standing, missing = (data[start:end] for start, end in pairwise(ends))
+    labels = room.names.labels(list(_NAME.iter_unpack(names)))
+    placed = tuple(
+        Placed(labels[piece], room.names.candidate(way, labels), rotation, _WALL_NAMES[wall], Rect(x0, z0, x1, z1))
+        for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(standing)
+    )
+    holds = f"{clear_size(room.space.clear)} and holds {len(placed)} pieces"
+    left_out = tuple(_reason(room, row, labels, holds) for row in _LEFT_OUT.iter_unpack(missing))
+    notes = () if made.walkable else (NOT_WALKABLE,)
+    proven, best = bool(made.proven), bool(made.best)
+    return Arrangement(room.space.room, placed, left_out, made.cost, proven, made.solves, notes, best, residuals)
+
+
+def _reason(room: WantedRows, row: Sequence[int], labels: Sequence[str], holds: str) -> tuple[str, str]:
+    """Returns the label of a piece that was left out, and why."""
+    piece, why, parent, kind, at_walls, *free = row
+    by_wall = dict(zip(NUMBERED_WALLS, free, strict=True))
+    longest = {wall: by_wall[wall] for wall in WALLS} if at_walls else {}
+    needed = room_needed(room.names.kind(kind), labels[parent] if parent >= 0 else None, longest, holds)
+    return labels[piece], f"{_WHY[why]}; {needed}"

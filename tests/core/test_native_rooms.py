@@ -1,0 +1,46 @@
+"""Rooms made by the core as it is built, and by a native build that checks every index and traps at undefined behaviour."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from solver.core import CoreFailed, borrowed
+from tests.architecture.tree import ROOT
+from tests.furnish.wanting_rooms import wanting_room
+from tests.sweeps import seeds
+
+SOURCE = Path(__file__).with_name("native_rooms.cpp")
+
+
+def request(seed: int) -> tuple[bytes, bytes]:
+    """Returns a random room that is to be made, as rows."""
+    rows = wanting_room(seed).rows()
+    return rows.type_rows, rows.room_rows
+
+
+def answer(known: bytes, room: bytes) -> bytes:
+    """Returns what the core as it is built says."""
+    with borrowed() as core:
+        packed = core.call("make_room", core.write(known), len(known), core.write(room), len(room), 1)
+        return core.read(packed & 0xFFFFFFFF, packed >> 32)
+
+
+def test_checked_and_as_built_agree_to_the_last_bit(tmp_path: Path) -> None:
+    program = tmp_path / "native"
+    subprocess.run([sys.executable, "scripts/core.py", "check", SOURCE, program], cwd=ROOT, check=True)
+    asked = [request(seed) for seed in seeds(range(600), 6)]
+    (tmp_path / "rooms").write_bytes(b"".join(len(part).to_bytes(8, "little") + part for one in asked for part in one))
+    run = subprocess.run([program, tmp_path / "rooms"], capture_output=True, check=False)
+    assert run.returncode == 0, "a negative status is the signal of a trap: run it in a debugger"
+    assert run.stdout == b"".join(answer(*one) for one in asked)
+
+
+@pytest.mark.parametrize("size", [0, 60, -24, -8])
+def test_bytes_that_are_cut_off_are_refused(size: int) -> None:
+    known, room = request(3)
+    with pytest.raises(CoreFailed, match="the request is none"):
+        answer(known, room[:size])
