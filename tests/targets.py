@@ -1,6 +1,7 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
-    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|engines|sweeps]
+    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|engines|thrown|
+        sweeps]
         [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
@@ -33,6 +34,7 @@ from tests.exports.drawing_targets import drawings, sweet_homes
 from tests.exports.model_targets import glb_homes, usd_homes
 from tests.exports.physics_targets import physics
 from tests.exports.targets import nav2_maps
+from tests.fix_sweep.ruler import thrown_about
 from tests.floorplan.homes import programme_table
 from tests.floorplan.targets import floorplan_table
 from tests.library.targets import imports
@@ -218,6 +220,7 @@ def main() -> int:
             "plans",
             "sh3d",
             "engines",
+            "thrown",
             "sweeps",
         ],
     )
@@ -241,6 +244,7 @@ def main() -> int:
         "plans": lambda: drawings(min(asked.seeds, 100), asked.workers),
         "sh3d": sweet_homes,
         "engines": lambda: engines(min(asked.seeds, 300)),
+        "thrown": lambda: thrown_about(min(asked.seeds, 200), asked.workers),
     }
     if unknown := set(asked.what) - set(measurements):
         parser.error(f"unknown: {', '.join(sorted(unknown))}; choose from {', '.join(measurements)}")

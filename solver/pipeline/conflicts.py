@@ -15,13 +15,19 @@ from solver.pipeline.least_movement import missing_length
 from solver.pipeline.repair_room import RoomRepair
 from solver.pipeline.repairs import RepairGoal, repairs_of, unlocked
 from solver.placement import Budget, minimal_conflict
-from solver.placement.lengths import Shortfall, centimetres, metres, sentence
+from solver.placement.lengths import centimetres, metres, sentence
 from solver.repair import RepairSettings, all_bodies, pieces_as_sent
 from solver.scene import Conflict, Issue
 from solver.validator import Checked
 
 WALKING_SHARE = 4
 """Why pieces are out of reach may cost this part of what telling may: it is said, not repaired."""
+
+NO_WAY = {
+    False: "none of the ways to stand, clear of doors and windows, leaves room for all",
+    True: "wherever they stand, clear of doors and windows, some way is too narrow",
+}
+"""Why pieces cannot stand, or be reached, where no length says it."""
 
 
 def conflicts_of(repair: RoomRepair) -> tuple[Conflict, ...]:
@@ -32,7 +38,7 @@ def conflicts_of(repair: RoomRepair) -> tuple[Conflict, ...]:
     settings = repair.problem.settings
     found = [_of_a_lock(repair, label, problem) for label, problem in repair.misplaced.items()]
     budget = Budget(settings.explaining_work)
-    for label in repair.unplaced:
+    for label in _by_themselves(repair):
         group = [piece for piece in repair.pieces if piece.label == label or piece.label not in repair.unplaced]
         found.append(_conflict(_goal(repair, group, budget), repair.pieces, group, label))
     if repair.unreached:
@@ -42,6 +48,13 @@ def conflicts_of(repair: RoomRepair) -> tuple[Conflict, ...]:
             if not any(label in conflict.ids for conflict in found):
                 found.append(_conflict(goal, pieces, pieces, label))
     return tuple(found)
+
+
+def _by_themselves(repair: RoomRepair) -> list[str]:
+    """Returns who found no place for a reason of its own: what stands only with one that found none goes with that one."""
+    missing = set(repair.unplaced)
+    parents = {piece.label: {way.attach.parent if way.attach else None for way in piece.candidates} for piece in repair.pieces}
+    return [label for label in repair.unplaced if not (parents[label] and parents[label] <= missing)]
 
 
 def _of_a_lock(repair: RoomRepair, label: str, problem: str) -> Conflict:
@@ -69,7 +82,7 @@ def _conflict(goal: RepairGoal, pieces: Sequence[Piece], group: Sequence[Piece],
     members = [piece if goal.walk else replace(piece, stands=()) for piece in pieces if piece.label in ids]
     stay = all(_still(piece) is not None for piece in members)
     short = None if stay else missing_length(space, members, goal.budget, goal.walk, prove=False)
-    why = ("" if goal.walk else _where_they_stay(space, members)) or _length(space, short)
+    why = ("" if goal.walk else _where_they_stay(space, members)) or (sentence(short) if short else NO_WAY[goal.walk])
     what = f"{' and '.join(names[member] for member in ids)} {_cannot(len(ids) == 1, goal.walk)} in {sent.id}"
     return Conflict(ids, f"{what}: {why}", repairs_of(goal, ids, short))
 
@@ -78,13 +91,6 @@ def _cannot(alone: bool, walk: bool) -> str:
     if walk:
         return "can stand but cannot be reached" if alone else "can stand but cannot all be reached"
     return "cannot stand anywhere" if alone else "cannot stand together"
-
-
-def _length(space: Space, short: Shortfall | None) -> str:
-    if short:
-        return sentence(short)
-    floor = f"the {metres(space.clear.width)} x {metres(space.clear.depth)} m of {space.room}"
-    return f"no one length is missing in {floor}, clear of its doors and windows"
 
 
 def _still(piece: Piece) -> Rect | None:

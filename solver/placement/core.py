@@ -99,6 +99,44 @@ class Core:
             return (tree.decisions[tree.counters[DEEPEST]].copy(), False) if complete else (None, closed and not tree.counters[DOUBTED])
         return tree.decisions[tree.counters[BEST]].copy(), closed
 
+    def joined(self, first: int, limits: Limits, budget: Budget) -> Ints | None:
+        """Asks for all pieces from number `first` on, used and walked between, beside those before it, which have one way each.
+
+        Returns:
+            Decisions of the best way found for all to stand, or None.
+        """
+        start, tree = self.blank(), self.engine.tree
+        for piece in range(first):
+            grown = self.with_first(start, piece)
+            if grown is None:
+                return None
+            start = grown
+        tree.budget[0] = budget.left
+        own = (limits.required, limits.required_qps, layout.MANY)
+        found = kernel.best_first(self.engine, start, (first, len(start)), own, True)
+        budget.left = float(tree.budget[0])
+        complete = found or (tree.counters[DEEPEST] >= 0 and self._deepest() == len(start))
+        decisions: Ints = tree.decisions[tree.counters[BEST if found else DEEPEST]]
+        return decisions.copy() if complete else None
+
+    def with_first(self, decisions: Ints, piece: int) -> Ints | None:
+        """Returns decisions with a piece's first way beside them; None where it has none."""
+        found, _ = kernel.open_decisions(self.engine, decisions, piece)
+        if not len(found):
+            return None
+        grown = decisions.copy()
+        grown[piece] = found[0]
+        return grown
+
+    def stands_walkable(self, decisions: Ints) -> bool:
+        """Tells whether decided pieces that have one place each may stand there together, all within reach."""
+        if not self.assemble(decisions):
+            return False
+        work = self.engine.work
+        if work.counts[layout.N_CHOICES]:  # of two with one place each that lie apart nothing is left to choose
+            return False
+        return self.walkable_at([work.low[axis, : work.sizes[axis]].tolist() for axis in (0, 1)])
+
     def _deepest(self) -> int:
         """Returns how many pieces the deepest prefix of the last best-first search holds."""
         tree = self.engine.tree

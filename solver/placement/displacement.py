@@ -19,6 +19,7 @@ from solver.placement.core import Core
 from solver.placement.empty_floor import WHOLE_SHAPES, empty_floor, places_round_a_floor
 from solver.placement.encode import encode
 from solver.placement.layout import ABSENT
+from solver.placement.neighbourhood import Found, freed_search
 from solver.placement.problem import Solution
 from solver.placement.walkable import WalkablePlace, find_walkable
 
@@ -73,7 +74,9 @@ class _Question:
         least = core.solution()
         if least is None or core.walkable_near(least):
             return self._or_cheaper(solved_room(core, decisions, True, least))
-        nearest = self._nearest_walkable(core)
+        freed, nearest = self._by_freeing(), self._nearest_walkable(core)
+        if freed is not None and (nearest is None or freed.cost < nearest.cost):
+            return freed
         if nearest is not None:
             return self._or_cheaper(replace(solved_room(core, decisions, True, nearest), best=False))
         return self._by_proof(solved_room(core, decisions, False, least))
@@ -102,6 +105,10 @@ class _Question:
 
     def _by_proof(self, least: SolvedRoom | None) -> SolvedRoom:
         """Places pieces that were not found walkable with their first candidates, of which `least` is the best otherwise."""
+        if least is None:
+            freed = self._by_freeing()
+            if freed is not None:
+                return freed
         possible, found = find_walkable(self.space, self.pieces, self.budget)
         if possible is False:
             return self._not_walkable(least)
@@ -142,6 +149,27 @@ class _Question:
             return together
         return replace(other, walkable=False)
 
+    def _by_freeing(self) -> SolvedRoom | None:
+        """Returns the least movement found by freeing a few pieces at a time, then all of them in the ways found; None if none."""
+        best: SolvedRoom | None = None
+        for found in freed_search(self.space, self.pieces, self.budget):
+            best = self._nearer(found, best)
+        return best
+
+    def _nearer(self, found: Found, best: SolvedRoom | None) -> SolvedRoom | None:
+        """Returns what was found moved back, alone and with all pieces free in the ways found; or what is better already."""
+        one = [replace(piece, candidates=(way,)) for piece, way in zip(self.pieces, found.ways, strict=True)]
+        best = _cheaper(moved_back(self.space, one, found.places), best)
+        for mode in ("stands", "test"):
+            core = Core(encode(self.space, one, mode))
+            decisions = core.first_decisions()
+            if best is None or decisions is None:
+                continue
+            ceiling = best.cost - core.preference(decisions)
+            if core.evaluate(decisions, QUICK_QPS, self.budget, True, ceiling):
+                best = _cheaper(moved_back(self.space, one, core.bodies()), best)
+        return best
+
     def _near(self, found: Sequence[WalkablePlace]) -> SolvedRoom | None:
         """Returns the placement with least movement near where the pieces were found walkable; None where none is walkable."""
         free = [one.free for one in found]
@@ -151,6 +179,10 @@ class _Question:
             if decisions is not None and core.evaluate(decisions, WALK_QPS, self.budget, True):
                 return _moved_back(solved_room(core, decisions, True), free)
         return moved_back(self.space, free, [one.footprint for one in found])
+
+
+def _cheaper(one: SolvedRoom | None, other: SolvedRoom | None) -> SolvedRoom | None:
+    return one if other is None or (one is not None and one.cost < other.cost) else other
 
 
 def _moved_back(room: SolvedRoom, pieces: Sequence[Piece]) -> SolvedRoom:

@@ -53,7 +53,8 @@ def _side_choices(piece: Piece, walk: str) -> list[tuple[tuple[str, ...], tuple[
         return [((), (0, 0, 0), 0.0)]
     names = tuple(stand.side for stand in piece.stands)
     bits = [SIDES[name] for name in names]
-    if walk == "test" or (walk == "mixed" and len(bits) > 1):
+    still = walk == "loose" and all(way.stays for way in piece.candidates)
+    if walk == "test" or still or (walk in ("mixed", "loose") and len(bits) > 1):
         return [(names, (0, 0, sum(bits)) if piece.need_all else (0, sum(bits), 0), 0.0)]
     if piece.need_all:
         return [(names, (sum(bits), 0, 0), 0.0)]
@@ -168,7 +169,7 @@ def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encod
         space: where the room's furniture may stand.
         pieces: pieces, parents before what is attached to them.
         walk: "stands" gives every use side to be reached a person's square; "test" only asks the walk for them; "mixed"
-            does that where there are several sides; "none" asks for no use sides at all.
+            does that where there are several sides, "loose" also where the piece stays; "none" asks for no use sides at all.
 
     Raises:
         ValueError: a piece comes before the one it is attached to.

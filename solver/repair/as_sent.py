@@ -11,9 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from solver.free_places import footprint
-from solver.geometry import ALONG_X, OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, walls_beside
+from solver.geometry import ALONG_X, INWARDS, OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, walls_beside
 from solver.pieces import Attach, Candidate, Piece, Stand
-from solver.repair.bodies import bounding_size, drawn_out, floor_bodies, size_of, tables_of, too_deep_mm
+from solver.repair.bodies import AT_TABLE_MM, UNTUCKED_MM, bounding_size, drawn_out, floor_bodies, size_of, tables_of, too_deep_mm
 from solver.repair.carried import Body, carriers, root_of, squared
 from solver.repair.room_problem import RoomProblem, Walls
 from solver.repair.settings import RepairSettings
@@ -23,6 +23,10 @@ FREE_COST = 1.0
 """What leaving its table costs a tucked chair."""
 MOVED_WEIGHT = 20.0
 """Weight of a piece the user has just moved against 1 for the others."""
+SEAT_PULL = (0.02, 0.02)
+"""Weights of a chair's wish for the middle of its side of a table: order, not preference."""
+TURN_AT_SIDE = {"front": 180, "back": 0, "left": 90, "right": 270}
+"""How a chair that looks at its table is turned against it, by the table's side."""
 OTHER_WALL_COST = 4.0
 """What standing at another wall than the sent one costs: as much as moving 2 m."""
 OTHER_EDGE_COST = 0.05
@@ -98,8 +102,29 @@ def _candidates(body: Body, floor: _Floor) -> tuple[Candidate, ...]:
     ways = _loose(body, floor.problem)
     if table is None or not isinstance(body, Furniture):
         return ways
+    seats = _seats(body, table, floor.problem.settings)
+    if not footprint(body).overlaps(footprint(table).shrunk(-AT_TABLE_MM)):
+        return (*ways, *seats)
     free = tuple(replace(way, cost=way.cost + FREE_COST) for way in ways)
-    return (replace(_in_frame(drawn_out(body, table), table), under=table.id), *free)
+    return (replace(_in_frame(drawn_out(body, table), table), under=table.id), *free, *seats)
+
+
+def _seats(chair: Furniture, table: Body, settings: RepairSettings) -> tuple[Candidate, ...]:
+    """Returns a chair's places along the sides of its table that people use, looking at it: as it is turned first."""
+    wide, deep, _ = size = bounding_size(chair, footprint(chair))
+    long, broad, _ = bounding_size(table, footprint(table))
+    used = settings.use_sides.get(table.name, ((), False))[0] or tuple(TURN_AT_SIDE)
+    own, found = (squared(chair.rotation) - squared(table.rotation)) % 360, []
+    for side in sorted(used, key=lambda side: TURN_AT_SIDE[side] != own):
+        turn = TURN_AT_SIDE[side]
+        half, out = ((long - wide) // 2, broad) if turn % 180 == 0 else ((broad - wide) // 2, long)
+        if half > 0:
+            near, far = (out + deep) // 2 - max(deep - UNTUCKED_MM, 0), (out + deep) // 2
+            (x0, z0), (x1, z1) = rotate(-half, -near, turn), rotate(half, -far, turn)
+            attach = Attach(table.id, table.name, (min(x0, x1), max(x0, x1)), (min(z0, z1), max(z0, z1)))
+            way = Candidate(chair.name, size, turn, weights=SEAT_PULL, cost=FREE_COST, attach=attach, under=table.id)
+            found.append(way)
+    return tuple(found)
 
 
 def as_it_stands(body: Body) -> Candidate:
@@ -153,17 +178,27 @@ def _loose(body: Body, problem: RoomProblem) -> tuple[Candidate, ...]:
     wall = body.wall if isinstance(body, Furniture) else None
     if wall is None:
         return (sent,)
-    turn = (sent.rotation - ROTATION_AT_WALL[wall]) % 360
-    found = []
+    rect, found = footprint(body), list[Candidate]()
+    away = all(_outside(rect, region) for _, region in _at_wall(sent, wall, problem.walls))
+    turn = 0 if away and body.name in problem.settings.wall_names else (sent.rotation - ROTATION_AT_WALL[wall]) % 360
     for other in (wall, *walls_beside(wall), OPPOSITE[wall]):
         way = replace(sent, rotation=(ROTATION_AT_WALL[other] + turn) % 360, cost=0.0 if other == wall else OTHER_WALL_COST)
         at_wall = _at_wall(way, other, problem.walls)
         if other == wall:
-            rect = footprint(body)
             at_wall.sort(key=lambda stretch: _outside(rect, stretch[1]))
             at_wall[1:] = [(replace(later, cost=OTHER_EDGE_COST), region) for later, region in at_wall[1:]]
-        found += [stretch for stretch, _ in at_wall]
+        drawn = away or other != wall
+        found += [_drawn_to(way, other, region, problem.space.gap_mm) if drawn else way for way, region in at_wall]
     return tuple(found)
+
+
+def _drawn_to(way: Candidate, wall: str, region: Rect, gap_mm: int) -> Candidate:
+    """Returns a way of a piece that was away from a wall: wished at it, what the way there costs counted as a cost of its own."""
+    axis = 1 if wall in ALONG_X else 0
+    anchor = list(way.anchor_mm)
+    anchor[axis] = region.line(wall) + INWARDS[wall] * (gap_mm + way.extent[axis] // 2)
+    far = (anchor[axis] - way.anchor_mm[axis]) / 1000
+    return replace(way, anchor_mm=(anchor[0], anchor[1]), cost=way.cost + way.weights[axis] * far**2)
 
 
 def _at_wall(way: Candidate, wall: str, walls: Walls) -> list[tuple[Candidate, Rect]]:

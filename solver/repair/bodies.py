@@ -14,6 +14,8 @@ from solver.geometry import Rect, turned
 from solver.repair.carried import RESTS_MM, Body, carriers, squared
 from solver.scene import Furniture, Room
 
+AT_TABLE_MM = 300
+"""How far a chair may be from its table and still be that table's."""
 UNTUCKED_MM = 150
 """Depth of a tucked chair that stays outside its table (docs/scene.md, overlap)."""
 

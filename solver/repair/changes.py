@@ -12,15 +12,13 @@ from typing import Any
 from solver.free_places import footprint
 from solver.geometry import WALL_BEHIND, Rect, half_m, wall_turned
 from solver.pieces import Placed
-from solver.repair.bodies import tables_of
+from solver.repair.bodies import AT_TABLE_MM, tables_of
 from solver.repair.carried import Body, all_bodies, changed_from_the_floor_up, parents_of, squared, with_bodies, without
 from solver.repair.room_problem import RoomProblem, Walls
 from solver.scene import Furniture, Room
 
 AT_WALL_MM = 100
 """How far a back may be from a wall's face to be at it."""
-AT_TABLE_MM = 300
-"""How far a chair may be from its table and still be that table's."""
 
 Repair = Mapping[str, Any]
 """One of the changes that /fix offers, as README.md describes them."""

@@ -1,0 +1,174 @@
+"""A walkable placement found by freeing a few pieces at a time: those in conflict, then their neighbours, the others where they are.
+
+Comes in: a space, pieces wished where they were sent. Goes out: of each its candidate and footprint. Large neighbourhood search (Shaw,
+1998): what is freed is searched over all its ways at once, the fewest that could help first; what is found bounds what is sought next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import inf
+
+from solver.geometry import Rect, rotate, turned
+from solver.pieces import Candidate, Piece, Space
+from solver.placement.budget import Budget
+from solver.placement.core import Core, Limits
+from solver.placement.encode import encode
+
+SEARCH = Limits(required=300, required_qps=300)
+"""What one neighbourhood may try."""
+BETTER_WORK = 10000.0
+"""What the search goes on for once something was found, in QPs of a small room."""
+MOST_FREED = 12
+"""Pieces freed at once, at most."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """Where all pieces may stand: of each its candidate and footprint, in the pieces' order, and what the search says it costs."""
+
+    ways: tuple[Candidate, ...]
+    places: tuple[Rect, ...]
+    cost: float
+
+
+def as_wished(space: Space, pieces: Sequence[Piece]) -> Found:
+    """Returns every piece's first candidate where it is wished; what is carried where its carrier is."""
+    found: dict[str, Rect] = {}
+    turns: dict[str, int] = {}
+    for piece in pieces:
+        way = piece.candidates[0]
+        turn, attach = way.rotation, way.attach
+        if attach is not None:
+            turn = (turn + turns[attach.parent]) % 360
+        turns[piece.label], extent = turn, turned(*way.size_mm[:2], turn)
+        found[piece.label] = Rect.around(way.anchor_mm, extent)
+        if attach is not None:
+            parent = found[attach.parent]
+            dx, dz = rotate(sum(attach.across_mm) // 2, sum(attach.along_mm) // 2, turns[attach.parent])
+            x, z = parent.x0 + (parent.width - extent[0]) // 2 + dx, parent.z0 + (parent.depth - extent[1]) // 2 + dz
+            found[piece.label] = Rect(x, z, x + extent[0], z + extent[1])
+    return Found(tuple(piece.candidates[0] for piece in pieces), tuple(found.values()), 0.0)
+
+
+@dataclass(frozen=True)
+class Neighbourhood:
+    """A room whose pieces stand somewhere, some of them in conflict.
+
+    Args:
+        space: the room's.
+        pieces: parents before what is attached to them.
+        base: where they stand.
+    """
+
+    space: Space
+    pieces: tuple[Piece, ...]
+    base: Found
+
+    @cached_property
+    def rects(self) -> dict[str, Rect]:
+        """Where every piece stands."""
+        return {piece.label: place for piece, place in zip(self.pieces, self.base.places, strict=True)}
+
+    @cached_property
+    def ways(self) -> dict[str, Candidate]:
+        """How every piece stands."""
+        return {piece.label: way for piece, way in zip(self.pieces, self.base.ways, strict=True)}
+
+    def neighbourhoods(self) -> Iterator[frozenset[str]]:
+        """Yields which pieces to free, one set after the other: each holds the one before."""
+        freed = set(self.in_the_way)
+        step = 1
+        if freed:
+            yield frozenset(freed)
+        while len(freed) < min(MOST_FREED, len(self._loose)):
+            freed |= set(self._nearest(freed, step))
+            step = min(2 * step, 4)
+            yield frozenset(freed)
+
+    @cached_property
+    def in_the_way(self) -> tuple[str, ...]:
+        """Labels of the loose pieces without which the others can be used as they were sent: with any one more they cannot.
+
+        Those that are held least strongly, share space with others or are small are in the way.
+        """
+        still = [replace(piece, candidates=(self._still(piece),)) for piece in self.pieces]
+        core = Core(encode(self.space, still, "test"))
+        order = sorted(range(len(still)), key=self._steadiness)
+        decisions, found = core.blank(), []
+        for piece in order:
+            trial = core.with_first(decisions, piece)
+            if trial is not None and core.stands_walkable(trial):
+                decisions = trial
+            elif still[piece].label in self._loose:
+                found.append(still[piece].label)
+        return tuple(found)
+
+    def _steadiness(self, number: int) -> tuple[bool, float, int, float, int]:
+        """Sorts what cannot move before what is held strongly, what shares space with few and what is large."""
+        piece, way = self.pieces[number], self.pieces[number].candidates[0]
+        own, loose = self.rects[piece.label], piece.label in self._loose
+        shared = sum(own.overlaps(rect) for label, rect in self.rects.items() if label != piece.label)
+        return loose, -way.weights[0], shared, -way.size_mm[0] * way.size_mm[1], number
+
+    @cached_property
+    def _loose(self) -> frozenset[str]:
+        """Labels of the pieces that may stand elsewhere than as sent, by themselves."""
+        return frozenset(p.label for p in self.pieces if not p.candidates[0].stays and any(way.attach is None for way in p.candidates))
+
+    def _nearest(self, freed: Collection[str], count: int) -> list[str]:
+        """Returns the loose pieces nearest to those that are free; where none is, to the doors."""
+        near = [self.rects[label] for label in freed] or [door.square for door in self.space.doorways] or [self.space.clear]
+        away = {label: min(self.rects[label].distance_to(rect) for rect in near) for label in self._loose if label not in freed}
+        order = {piece.label: k for k, piece in enumerate(self.pieces)}
+        return sorted(away, key=lambda label: (away[label], order[label]))[:count]
+
+    def searched(self, freed: Collection[str], budget: Budget) -> Found | None:
+        """Searches the freed pieces over all their ways, the others where they were sent; None where nothing is found."""
+        moving: set[str] = set()
+        for piece in self.pieces:
+            parents = {way.attach.parent for way in piece.candidates if way.attach is not None}
+            if piece.label in freed or parents & moving:
+                moving.add(piece.label)
+        still = [replace(p, candidates=(self._still(p),)) for p in self.pieces if p.label not in moving]
+        free = [p if p.label in freed else replace(p, candidates=(self.ways[p.label],)) for p in self.pieces if p.label in moving]
+        core = Core(encode(self.space, (*still, *free), "loose"))
+        decisions = core.joined(len(still), SEARCH, budget)
+        if decisions is None or not core.evaluate(decisions, SEARCH.required_qps, budget, True):
+            return None
+        rects, own = core.bodies(), {piece.label: k for k, piece in enumerate(core.encoded.pieces)}
+        cost = core.preference(decisions) + float(core.engine.nodes.best_cost[0])
+        ways = [
+            core.decided(own[p.label], int(decisions[own[p.label]]))[0] if p.label in moving else self.ways[p.label] for p in self.pieces
+        ]
+        return Found(tuple(ways), tuple(rects[own[p.label]] for p in self.pieces), cost)
+
+    def _still(self, piece: Piece) -> Candidate:
+        way = self.ways[piece.label]
+        return way if way.attach is not None else replace(way, within=self.rects[piece.label])
+
+
+def freed_search(space: Space, pieces: Sequence[Piece], budget: Budget, base: Found | None = None) -> Iterator[Found]:
+    """Frees more and more pieces until all can stand and be used; then some more, for what is cheaper.
+
+    Args:
+        space: the room's.
+        pieces: parents before what is attached to them.
+        budget: the work it may cost.
+        base: where they stand; where they are wished if None.
+
+    Yields:
+        What is found.
+    """
+    room = Neighbourhood(space, tuple(pieces), base or as_wished(space, pieces))
+    end = -inf
+    for freed in room.neighbourhoods():
+        found = room.searched(freed, budget)
+        if found is not None:
+            yield found
+            if end < 0:
+                end = budget.left - BETTER_WORK
+        if budget.left < end or budget.spent:
+            return

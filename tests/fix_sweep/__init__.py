@@ -1,0 +1,1 @@
+"""How `/fix` repairs generated homes in which pieces were thrown about."""
