@@ -43,12 +43,26 @@ def faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
     for name, preset in catalogs.presets.items():
         if not any(preset.rooms.values()):
             yield Fault("presets", (name, "rooms"), "the preset has no rooms", "at least one")
+    yield from _habit_faults(catalogs)
     for name, synonym in catalogs.synonyms.items():
         kinds = (*catalogs.furniture, *catalogs.decorations)
         if synonym.says == "kind" and name not in kinds:
             yield Fault("synonyms", (name,), f"unknown kind {name!r}{near(name, kinds)}", "a key of furniture.yaml or decorations.yaml")
     yield from dressing_faults(catalogs)
     yield from shape_faults(catalogs, shapes)
+
+
+def _habit_faults(catalogs: Catalogs) -> Iterator[Fault]:
+    """Checks that habits speak of furniture by the names that scenes call it."""
+    names = {catalogs.name_of(kind) for kind in catalogs.furniture}
+    for name, habit in catalogs.habits.items():
+        if name not in names:
+            yield Fault("habits", (name,), f"unknown piece name {name!r}{near(name, names)}", "a name of furniture.yaml")
+        for i, way in enumerate(habit.ways):
+            for j, rule in enumerate(way):
+                for other in (word for word in rule.of if word not in names):
+                    at = (name, "ways", i, j, "of")
+                    yield Fault("habits", at, f"unknown piece name {other!r}{near(other, names)}", "a name of furniture.yaml")
 
 
 def _vocabulary(catalogs: Catalogs, shapes: Shapes) -> dict[str, Collection[str]]:

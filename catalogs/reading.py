@@ -21,7 +21,7 @@ from catalogs.faults import CatalogError, Fault
 from catalogs.misfits import misfit
 from catalogs.programmes import Preset
 from catalogs.references import near
-from catalogs.schema import Catalogs, FlooringSpec, FurnitureSpec, RoomType
+from catalogs.schema import Catalogs, FlooringSpec, FurnitureSpec, Habit, RoomType
 from catalogs.shapes import Material, ShapeParts
 from catalogs.shapes_checks import shaped
 from catalogs.styles import Style
@@ -41,6 +41,7 @@ _SECTIONS: Final[dict[str, TypeAdapter[Any]]] = {
     "presets": TypeAdapter(dict[str, Preset]),
     "people": TypeAdapter(dict[str, Dweller]),
     "materials": TypeAdapter(dict[str, Material]),
+    "habits": TypeAdapter(dict[str, Habit]),
     "synonyms": TypeAdapter(dict[str, Synonym]),
 }
 """What each file of a catalog holds: `<section>.yaml`."""
@@ -49,7 +50,7 @@ _ROOM = TypeAdapter(RoomType)
 _SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, ShapeParts])
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
-    "fingerprint": True, "shapes": True, "materials": True, "synonyms": True, "styles": {"__all__": {"materials"}},
+    "fingerprint": True, "shapes": True, "materials": True, "synonyms": True, "habits": True, "styles": {"__all__": {"materials"}},
     "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},
 }  # fmt: skip

@@ -89,6 +89,12 @@ class RelationSpec(Entry):
     wall: Literal["same", "opposite", "adjacent", "other"] | None = None
 
 
+class Habit(Entry):
+    """Where a piece usually stands, in lists that say nothing of it: the first of its `ways` whose other pieces are there."""
+
+    ways: tuple[Annotated[tuple[RelationSpec, ...], Field(min_length=1)], ...] = Field(min_length=1)
+
+
 class Variant(Entry):
     """A size variant of a wanted piece: a kind of furniture, what settling for it costs, and the area it needs, m2."""
 
@@ -228,6 +234,7 @@ class Catalogs(Entry):
     materials: dict[str, Material] = Field(default_factory=dict)
     shapes: dict[str, tuple[Solid, ...]] = Field(default_factory=dict)
     synonyms: dict[str, Synonym] = Field(default_factory=dict)
+    habits: dict[str, Habit] = Field(default_factory=dict)
     fingerprint: str
 
     def __hash__(self) -> int:

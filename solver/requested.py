@@ -6,8 +6,9 @@ and the kind of each in its size. May import: catalogs, the ground floor. Not he
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Annotated, Final
 
 from annotated_types import Ge, Le, MaxLen, MinLen
@@ -20,7 +21,7 @@ from catalogs.synonyms import synonyms_of
 from solver.errors import RequestError
 from solver.fields import MADE_UP, STRICT, WHOLE, Flag, Record
 from solver.relations import RELATIONS
-from solver.relations.subject import Kind
+from solver.relations.subject import Kind, as_its_size_says
 from solver.scene import Conflict, Issue, Room, Scene
 
 MOST_PIECES: Final = 64
@@ -162,8 +163,8 @@ def _range() -> str:
     return f"a number from {LEAST_LENGTH:g} to {MOST_LENGTH:g}, m"
 
 
-def in_order(requests: Sequence[PieceRequest]) -> tuple[PieceRequest, ...]:
-    """Returns the requests so that each comes after those it refers to, required ones first, else as given.
+def in_order(requests: Sequence[PieceRequest], goes_to: Mapping[str, Collection[str]] = MappingProxyType({})) -> tuple[PieceRequest, ...]:
+    """Returns the requests so that each comes after those it refers to or `goes_to` (by id), required ones first, else as given.
 
     Where they refer to each other in a circle, places at another piece (`GIVING_PLACE`) go before other relations, and then the
     given order decides.
@@ -172,26 +173,30 @@ def in_order(requests: Sequence[PieceRequest]) -> tuple[PieceRequest, ...]:
     ordered: list[PieceRequest] = []
     while waiting:
         names = {request.id for request in waiting}
-        free = _first_free(waiting, names, GIVING_PLACE + tuple(BETWEEN + TO_SOMETHING)) or _most_wanted(waiting, names)
+        every = (*GIVING_PLACE, *BETWEEN, *TO_SOMETHING)
+        refers = {request.id: _refers(request, every) | {*goes_to.get(request.id, ())} for request in waiting}
+        free = _first_free(waiting, names, refers) or _most_wanted(waiting, names, goes_to)
         ordered.append(free)
         waiting.remove(free)
     return tuple(ordered)
 
 
-def _most_wanted(waiting: Sequence[PieceRequest], names: set[str]) -> PieceRequest:
+def _most_wanted(waiting: Sequence[PieceRequest], names: set[str], goes_to: Mapping[str, Collection[str]]) -> PieceRequest:
     """Returns where to cut a circle: the piece that most others refer to, of those that have no place at a waiting one."""
     refers = [other for request in waiting for other in {name for rule in request.relations for name in rule.of} - {request.id}]
-    free = [request for request in waiting if _first_free([request], names, GIVING_PLACE)] or waiting
+    placed_at = {request.id: _refers(request, GIVING_PLACE) | {*goes_to.get(request.id, ())} for request in waiting}
+    free = [request for request in waiting if _first_free([request], names, placed_at)] or waiting
     return max(free, key=lambda request: refers.count(request.id))
 
 
-def _first_free(waiting: Sequence[PieceRequest], names: set[str], kinds: Sequence[str]) -> PieceRequest | None:
-    """Returns the first request that none of these relations makes wait for another request."""
-    for request in waiting:
-        refers_to = {other for rule in request.relations if rule.type in kinds for other in rule.of}
-        if not (refers_to & names) - {request.id}:
-            return request
-    return None
+def _refers(request: PieceRequest, kinds: Sequence[str]) -> set[str]:
+    """Returns what a request's relations of these types refer to."""
+    return {other for rule in request.relations if rule.type in kinds for other in rule.of}
+
+
+def _first_free(waiting: Sequence[PieceRequest], names: set[str], refers: Mapping[str, set[str]]) -> PieceRequest | None:
+    """Returns the first request that refers to no other of these names."""
+    return next((request for request in waiting if not (refers[request.id] & names) - {request.id}), None)
 
 
 def kinds_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) -> dict[str, Kind]:
@@ -202,7 +207,9 @@ def kinds_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) -
         return Kind.of(name, catalogs, size, book.kind_of("furniture", name, size, said) if size else None)
 
     standing = {one.id: kind(one.name, (one.width, one.depth, one.height), one.kind) for one in room.furniture}
-    return standing | {one.id: kind(kind_of_request(one, catalogs) or one.name, one.size) for one in requests}
+    wanted = {one.id: kind(kind_of_request(one, catalogs) or one.name, one.size) for one in requests}
+    guessed = {one.id: as_its_size_says(wanted[one.id]) for one in requests if not one.relations and not kind_of_request(one, catalogs)}
+    return {**standing, **wanted, **guessed}
 
 
 def _weighed(rule: RelationSpec) -> RelationSpec:

@@ -4,8 +4,20 @@ Comes in: a `scene.Room` with openings, the catalogs, the room's stream, or a li
 `pieces.Piece`. May import: catalogs and the ground floor. Not here: choosing among candidates and exact places (placement).
 """
 
-from solver.furnish.listed_pieces import ListedPieces, listed_pieces
+from solver.furnish.habits import Habits, habits_of
+from solver.furnish.listed_pieces import ListedPieces, Listing, listed_pieces
 from solver.furnish.room_types import unwanted_pieces, wanted_pieces, wanted_rows
 from solver.furnish.zones import scope_of, space_of
 
-__all__ = ["ListedPieces", "listed_pieces", "scope_of", "space_of", "unwanted_pieces", "wanted_pieces", "wanted_rows"]
+__all__ = [
+    "Habits",
+    "ListedPieces",
+    "Listing",
+    "habits_of",
+    "listed_pieces",
+    "scope_of",
+    "space_of",
+    "unwanted_pieces",
+    "wanted_pieces",
+    "wanted_rows",
+]

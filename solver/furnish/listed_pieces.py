@@ -11,9 +11,11 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 from operator import attrgetter
+from typing import NamedTuple
 
 from solver.furnish.attached import UNSURE, attached, between_others
-from solver.furnish.stances import Costed, ListedPiece
+from solver.furnish.habits import Habits
+from solver.furnish.stances import Costed, ListedPiece, within_both
 from solver.furnish.zones import scope_of
 from solver.geometry import ALONG_X, Rect, turned
 from solver.pieces import Candidate, Piece, Placed, Space, Stance
@@ -26,6 +28,8 @@ PULL = 0.03
 """Pull of a piece to where a candidate would like it best, m^-2: order, not preference."""
 FREE_COST = 0.2
 """What standing in the middle of the room costs a piece that may also stand at a wall."""
+ELSEWHERE = 1.0
+"""What standing elsewhere than in its own part of the floor costs a piece."""
 ATTACHED = 400
 """Most candidates of a piece that are attached to another one."""
 EACH = 3
@@ -63,18 +67,30 @@ def _by_cost(*found: Sequence[Candidate]) -> tuple[Candidate, ...]:
     return tuple(sorted((candidate for some in found for candidate in some), key=_cost))
 
 
-def listed_pieces(
-    room: Room, space: Space, requests: Sequence[PieceRequest], kinds: Mapping[str, Kind], standing: Sequence[Piece]
-) -> ListedPieces:
+class Listing(NamedTuple):
+    """What is asked for.
+
+    Args:
+        requests: each after those its relations refer to; a relation to a later one is left to the caller.
+        kinds: of the requests and of what stands already, by id.
+        habits: where those stand best that say nothing of it.
+    """
+
+    requests: Sequence[PieceRequest]
+    kinds: Mapping[str, Kind]
+    habits: Habits
+
+
+def listed_pieces(room: Room, space: Space, listing: Listing, standing: Sequence[Piece]) -> ListedPieces:
     """Returns the pieces of a list, in its order, behind those that stand already.
 
     Args:
         room: with its openings.
         space: the room's `space_of`.
-        requests: each after those its relations refer to; a relation to a later one is left to the caller.
-        kinds: of the requests and of what stands already, by id.
+        listing: what is asked for.
         standing: what stands in the room already, one candidate each, which tells its stance.
     """
+    requests, kinds, habits = listing
     scope = scope_of(room, space)
     pieces = list(standing)
     labels = {one.label: (one.label,) for one in pieces}
@@ -82,20 +98,23 @@ def listed_pieces(
         one.label: (Parent(one.label, kinds[one.label], one.candidates[0].stance),) for one in pieces if one.label in kinds
     }
     reach = {key: rect for one in pieces for key, rect in _reach(one, space.clear).items()}
-    named = {name for request in requests for spec in request.relations for name in spec.of}
+    asked = [spec for request in requests for spec in request.relations]
+    named = {name for spec in (*asked, *(spec for specs in habits.relations.values() for spec in specs)) for name in spec.of}
     unlikely: set[tuple[str, Stance]] = set()
     listed: dict[str, ListedPiece] = {}
     for request in requests:
         kind = kinds[request.id]
         for label in request.labels:
-            subject = Subject(scope, ((kind, 0.0),), request.relations, dict(labels), dict(parents))
-            listed[label] = ListedPiece(subject, space, reach, frozenset(unlikely))
+            relations = request.relations or habits.relations.get(label, ())
+            subject = Subject(scope, ((kind, 0.0),), relations, dict(labels), dict(parents))
+            listed[label] = ListedPiece(subject, space, reach, frozenset(unlikely), habits.cells.get(label))
             piece = _piece(listed[label], label, request.required)
             pieces.append(piece)
-            if request.id in named:
+            if {request.id, label} & named:
                 reach = reach | _reach(piece, space.clear)
                 unlikely |= _unlikely(piece)
             labels[request.id] = (*labels.get(request.id, ()), label)
+            labels[label] = labels.get(label, (label,)) if label == request.id else (label,)
             parents[label] = tuple(Parent(label, kind, stance) for stance in _stances(piece))
     return ListedPieces(tuple(pieces), listed)
 
@@ -155,12 +174,20 @@ def _alone(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]
     """Yields the ways to stand at walls and in the room, attached to nobody."""
     pairs = sum(spec.cost * (UNSURE if RELATIONS[spec.type].by_degree else 1.0) for spec in listed.to_pieces)
     for footing, found in every:
-        for rect, cost in found:
+        for rect, cost in _in_its_cell(listed, footing, found):
             free = FREE_COST if footing.wall is None else 0.0
             yield Candidate(
                 listed.kind.name, listed.kind.size, footing.rotation, footing.wall, _anchor(listed, footing, rect), (PULL, PULL),
                 within=rect, cost=round(cost + pairs + free, 6), stance=footing.stance,
             )  # fmt: skip
+
+
+def _in_its_cell(listed: ListedPiece, footing: Footing, found: Sequence[Costed]) -> Sequence[Costed]:
+    """Returns the rectangles of a piece that stands free; its part of the floor first, if it has one, and the others dearer."""
+    if listed.cell is None or footing.wall is not None:
+        return found
+    own = within_both(footing.reach, listed.cell, footing.extent)
+    return [*([(own, 0.0)] if own else []), *((other, cost + ELSEWHERE) for other, cost in found)]
 
 
 def _anchor(listed: ListedPiece, footing: Footing, rect: Rect) -> tuple[int, int]:

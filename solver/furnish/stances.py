@@ -33,12 +33,14 @@ class ListedPiece:
         space: the room's.
         reach: where the centre of an earlier piece may be, by its label and stance, mm.
         unlikely: stances of earlier pieces that miss a relation which others hold: no places are sought beside them.
+        cell: the part of the floor where it stands best, if it stands free.
     """
 
     subject: Subject
     space: Space
     reach: Mapping[tuple[str, Stance], Rect]
     unlikely: Collection[tuple[str, Stance]]
+    cell: Rect | None = None
 
     @property
     def kind(self) -> Kind:

@@ -12,7 +12,7 @@ from functools import cached_property
 
 from catalogs import Catalogs
 from solver.certificate import room_certificate
-from solver.furnish import ListedPieces, listed_pieces, scope_of, space_of
+from solver.furnish import Habits, ListedPieces, Listing, habits_of, listed_pieces, scope_of, space_of
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND
 from solver.pieces import Arrangement, Piece, Placed, Space
@@ -89,15 +89,28 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     wall_thickness, robot_width, engine = setting
     words = understood(Scene(rooms=(room,)), catalogs)
     room = words.scene.rooms[0]
-    ordered = in_order(checked(room, requests, catalogs))
-    kinds = kinds_of(room, ordered, catalogs)
+    wanted = checked(room, requests, catalogs)
+    kinds = kinds_of(room, wanted, catalogs)
     space, there = obstacles(room, space_of(room, wall_thickness, robot_width), catalogs)
-    listed = listed_pieces(room, space, ordered, kinds, there)
+    habits = habits_of(wanted, kinds, catalogs, space.clear)
+    ordered = in_order(wanted, _goes_to(wanted, habits))
+    listed = listed_pieces(room, space, Listing(ordered, kinds, habits), there)
     names = labels_by_name(room, ordered)
     by_label = {label: kinds[name] for name, labels in names.items() for label in labels}
     bodies = {one.id: standing(one, space.clear, _heights(by_label[one.id])) for one in room.furniture}
     bare = FinishedRoom(scope_of(room, space), bodies, names)
     return PlaceTask(room, ordered, catalogs, wall_thickness, robot_width, engine, space, listed, by_label, bare, words)
+
+
+def _goes_to(requests: Sequence[PieceRequest], habits: Habits) -> Mapping[str, frozenset[str]]:
+    """Returns by id the requests at whose pieces those of another have their place by habit."""
+    of = {label: request.id for request in requests for label in request.labels}
+    return {
+        request.id: frozenset(
+            of[name] for label in request.labels for spec in habits.relations.get(label, ()) for name in spec.of if name in of
+        )
+        for request in requests
+    }
 
 
 def _heights(kind: Kind) -> list[float]:

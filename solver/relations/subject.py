@@ -6,7 +6,7 @@ Lengths in millimetres, room-relative like everything in `solver.pieces`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from catalogs import Catalogs
@@ -17,6 +17,10 @@ from solver.relations.knee_room import PartBox, boxes_of
 from solver.scene import Sides
 
 NO_SIDES = Sides()
+TALL_MM, SHALLOW_MM = 1200, 900
+"""What is as tall as that, and no deeper, is used from one side and stands at a wall."""
+LEAST_USED_MM = (300, 300)
+"""Shorter side and height of the smallest thing that a person has to come to."""
 
 
 @dataclass(frozen=True)
@@ -100,6 +104,18 @@ class Kind:
         use_sides = spec.use.sides if spec.use else ()
         parts = boxes_of(catalogs.shapes.get(shape or name, ()), extents)
         return cls(name, millimetres, spec.stands == "wall", use_sides, bool(spec.use and spec.use.need == "all"), levels, parts)
+
+
+def as_its_size_says(kind: Kind) -> Kind:
+    """Returns what nobody knows, used as things of its size are: from the front what is tall, from any side what a hand reaches over."""
+    if min(kind.size[:2]) < LEAST_USED_MM[0] or kind.size[2] < LEAST_USED_MM[1]:
+        return kind
+    return replace(kind, use_sides=("front",) if is_tall(kind) else ("front", "back", "left", "right"))
+
+
+def is_tall(kind: Kind) -> bool:
+    """Tells whether a piece is as tall as what stands with its back to a wall: a locker, a vending machine."""
+    return kind.size[2] >= TALL_MM and min(kind.size[:2]) <= SHALLOW_MM
 
 
 class Parent(NamedTuple):

@@ -1,0 +1,96 @@
+"""Lists without relations are placed as a person would: all of it, in ways one can walk, seats at tables, nothing heaped."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+
+from catalogs.schema import RelationSpec
+from solver import place
+from solver.requested import Answered
+from solver.scene import Furniture
+from tests.pipeline.place_lists import TASKS, drawn
+from tests.sweeps import seeds
+
+ANSWERS: dict[str, Answered] = {}
+WAY = 0.9
+
+
+def answer(name: str) -> Answered:
+    if name not in ANSWERS:
+        ANSWERS[name] = place(*TASKS[name])
+    return ANSWERS[name]
+
+
+def pieces(name: str, word: str = "") -> list[Furniture]:
+    return [piece for piece in answer(name).best.scene.rooms[0].furniture if word in piece.id]
+
+
+def gap(a: Furniture, b: Furniture) -> float:
+    """The free distance between two footprints, m."""
+    (aw, ad), (bw, bd) = ((p.width, p.depth) if p.rotation % 180 == 0 else (p.depth, p.width) for p in (a, b))
+    return max(abs(a.x - b.x) - (aw + bw) / 2, abs(a.z - b.z) - (ad + bd) / 2)
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_all_of_it_stands_and_can_be_walked_to(name: str) -> None:
+    found = answer(name)
+    assert found.best.unplaced == ()
+    assert [issue for issue in found.best.issues if issue.severity == "error"] == []
+    assert len(pieces(name)) == sum(wish.count for wish in TASKS[name][1])
+    assert found.best.relations == ()
+
+
+@pytest.mark.parametrize("seed", seeds(range(300), 20))
+def test_drawn_lists_stand_whole(seed: int) -> None:
+    room, wanted = drawn(seed)
+    found = place(room, wanted).best
+    assert found.unplaced == ()
+    assert [issue for issue in found.issues if issue.severity == "error"] == []
+
+
+@pytest.mark.parametrize(
+    ("name", "seats", "tables"), [("restaurant", 14, 4), ("canteen", 15, 5), ("bistro", 12, 4), ("bar", 10, 4), ("meeting room", 8, 1)]
+)
+def test_seats_are_dealt_evenly_over_the_tables(name: str, seats: int, tables: int) -> None:
+    chairs = [piece for piece in pieces(name) if "chair" in piece.id or "stool" in piece.id]
+    boards = [piece for piece in pieces(name, "table") if piece not in chairs]
+    nearest = Counter(min(boards, key=lambda board: gap(chair, board)).id for chair in chairs)
+    assert (len(chairs), len(nearest)) == (seats, tables)
+    assert max(nearest.values()) - min(nearest.values()) <= 1
+    assert all(min(gap(chair, board) for board in boards) <= 0.3 for chair in chairs)
+
+
+@pytest.mark.parametrize(
+    ("name", "word"), [("gallery", "s"), ("restaurant", "dining_table"), ("canteen", "table"), ("shop", "clothes_rail")]
+)
+def test_large_free_pieces_keep_ways_between_them(name: str, word: str) -> None:
+    free = [piece for piece in pieces(name, word) if piece.wall is None and min(piece.width, piece.depth) >= 0.6]
+    assert all(gap(a, b) >= WAY for k, a in enumerate(free) for b in free[:k])
+
+
+def test_every_desk_has_its_chair() -> None:
+    for name in ("shared office", "open office", "class room", "two children"):
+        desks = {piece.id for piece in pieces(name, "desk")}
+        under = [piece.under for piece in pieces(name, "chair")]
+        assert sorted(label for label in under if label) == sorted(desks)
+
+
+def test_what_nobody_knows_stands_as_its_size_says() -> None:
+    """What is tall has its back at a wall."""
+    for name, word in (("large waiting room", "vending"), ("open office", "water"), ("meeting room", "whiteboard")):
+        room = TASKS[name][0]
+        for piece in pieces(name, word):
+            back = {0: piece.z, 90: piece.x, 180: room.depth - piece.z, 270: room.width - piece.x}[int(piece.rotation)]
+            assert back == pytest.approx(piece.depth / 2 + 0.03, abs=0.05)
+
+
+def test_what_a_list_does_say_counts_alone() -> None:
+    """A chair that asks for a corner is in one, not at the table."""
+    room, wanted = TASKS["dining room"]
+    asked = tuple(replace(wish, count=1, relations=(RelationSpec(type="in_corner"),)) if "chair" in wish.id else wish for wish in wanted)
+    found = place(room, asked).best
+    assert [one.held for one in found.relations] == [True]
+    assert found.unplaced == ()
