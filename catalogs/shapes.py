@@ -20,6 +20,15 @@ Texture = Literal["wood", "fabric", "metal", "tile", "concrete", "stone", "grass
 LONG: Final = ("cylinder", "cone", "capsule")
 """Forms that have an axis."""
 MOST_PARTS: Final = 16
+"""So many a file may write for one shape."""
+MOST_SOLIDS: Final = 48
+"""So many a shape may be, mirror images, boards of hollow parts and drawers' trays written out."""
+Opens = Literal["left", "right", "up", "down", "lid", "drawer"]
+"""How a front opens: it turns about its left, right, upper or lower edge, as a lid about its back edge, or slides out."""
+QUARTER: Final = 90.0
+"""How far a front turns unless it says otherwise, degrees."""
+DRAWN: Final = 0.8
+"""How much of its tray's depth a drawer comes out unless it says otherwise."""
 Ratio = Annotated[float, Field(ge=0, le=10)]
 
 
@@ -39,12 +48,27 @@ Ends = Annotated[tuple[Share, Share], AfterValidator(_ordered)]
 End = Annotated[float | str, AfterValidator(_within)]
 
 
+class Hollow(Entry):
+    """A box that is boards with free room between them, open to its front or its top.
+
+    `boards` are the heights of the tops of boards inside, `uprights` the middles of upright ones from left to right: shares of the
+    kind's box, as all coordinates are.
+    """
+
+    open: Literal["front", "top"] = "front"
+    boards: tuple[Share, ...] = ()
+    uprights: tuple[Share, ...] = ()
+
+
 class ShapePart(Entry):
     """One part of a shape as a file writes it.
 
     An end of `y` may be the name of one of the kind's surfaces. `axis` is that of a cylinder, cone or capsule; `taper` the
     radius of a cylinder at its axis' far (higher) end by that at its near one, the larger of them filling the box. A cone's
     tip is at the far end. `mirror` adds the part's images in the middle planes of these axes.
+
+    A part that `opens` is a front and has a `name`; parts `with` that name move with it. `range` is how far: degrees, of a drawer the
+    share of its tray's depth. The second image of a front called `door` is `door_2`, and opens the other way.
     """
 
     form: Form
@@ -55,6 +79,23 @@ class ShapePart(Entry):
     taper: Annotated[float, Field(gt=0, le=10)] = 1.0
     material: MaterialName = "body"
     mirror: Literal["x", "z", "xz"] | None = None
+    hollow: Hollow | None = None
+    name: Annotated[str, Field(pattern="^[a-z][a-z_]*$")] | None = None
+    opens: Opens | None = None
+    range: Annotated[float, Field(gt=0, le=180)] | None = None
+    moves_with: Annotated[str, Field(pattern="^[a-z][a-z_]*$")] | None = Field(default=None, alias="with")
+
+    @model_validator(mode="after")
+    def _opens_sensibly(self) -> ShapePart:
+        if (self.name is None) != (self.opens is None):
+            raise ValueError("what opens has a name, and nothing else")
+        if self.range is not None and (self.opens is None or (self.opens == "drawer" and self.range > 1)):
+            raise ValueError("range is of what opens: degrees, of a drawer at most 1")
+        if self.opens and (self.hollow or self.moves_with or "z" in (self.mirror or "")):
+            raise ValueError("what opens is not hollow, moves with nothing else and is not mirrored from front to back")
+        if self.hollow and self.form != "box":
+            raise ValueError("only a box is hollow")
+        return self
 
     @model_validator(mode="after")
     def _sensible(self) -> ShapePart:
@@ -73,7 +114,9 @@ ShapeParts = Annotated[tuple[ShapePart, ...], Field(min_length=1, max_length=MOS
 class Solid(Entry):
     """One solid of a kind's shape: a part with its surfaces' names turned into numbers, every mirror image written out.
 
-    `taper` is the radius at the axis' far end by that at its near one: 1 but for tapered cylinders and cones (0).
+    `taper` is the radius at the axis' far end by that at its near one: 1 but for tapered cylinders and cones (0). `front` names the
+    front it moves with; the panel of one `opens`, by `range`: degrees, of a drawer the share of the body's depth. `board` numbers the
+    hollow part that it is a board of, or a tray in.
     """
 
     form: Form
@@ -83,6 +126,10 @@ class Solid(Entry):
     axis: Axis
     taper: Ratio
     material: str
+    front: str | None = None
+    opens: Opens | None = None
+    range: Annotated[float, Field(ge=0, le=180)] = 0.0
+    board: int | None = None
 
 
 class Material(Entry):
@@ -108,16 +155,6 @@ class MaterialChange(Material):
         return {key: value for key, value in write(self).items() if key in self.model_fields_set}
 
 
-def solids(parts: tuple[ShapePart, ...], surfaces: Mapping[str, float]) -> tuple[Solid, ...]:
-    """Writes a shape out for a kind.
-
-    Args:
-        parts: the shape; every name in it is a surface's, every span lies the right way up.
-        surfaces: the kind's surfaces' heights by name, as shares of its own height.
-    """
-    return tuple(image for part in parts for image in _images(part, heights(part, surfaces)))
-
-
 def heights(part: ShapePart, surfaces: Mapping[str, float]) -> tuple[float, float]:
     """Returns a part's lower and higher end as shares of its kind's height.
 
@@ -128,9 +165,10 @@ def heights(part: ShapePart, surfaces: Mapping[str, float]) -> tuple[float, floa
     return low, high
 
 
-def _images(part: ShapePart, y: tuple[float, float]) -> list[Solid]:
+def images(part: ShapePart, y: tuple[float, float]) -> list[Solid]:
+    """Returns a part and its mirror images, each as one solid; `y` are its ends in height."""
     taper = 0.0 if part.form == "cone" else part.taper
-    made = [Solid(form=part.form, x=part.x, y=y, z=part.z, axis=part.axis, taper=taper, material=part.material)]
+    made = [Solid(form=part.form, x=part.x, y=y, z=part.z, axis=part.axis, taper=taper, material=part.material, opens=part.opens)]
     for axis in part.mirror or "":
         made += [_mirrored(solid, axis) for solid in made]
     return made
@@ -141,4 +179,6 @@ def _mirrored(solid: Solid, axis: str) -> Solid:
     change: dict[str, Any] = {axis: (round(1 - high, 9), round(1 - low, 9))}
     if solid.axis == axis:
         change["taper"] = 1 / solid.taper
+    if axis == "x" and solid.opens in ("left", "right"):
+        change["opens"] = "right" if solid.opens == "left" else "left"
     return solid.model_copy(update=change)

@@ -9,7 +9,8 @@ from typing import Final
 from catalogs.entries import KindSpec, Surface
 from catalogs.faults import Fault
 from catalogs.schema import Catalogs
-from catalogs.shapes import MOST_PARTS, ShapePart, Solid, heights, solids
+from catalogs.shapes import MOST_SOLIDS, ShapePart, Solid, heights
+from catalogs.written_shapes import part_faults, solids
 
 Shapes = Mapping[str, tuple[ShapePart, ...]]
 LEVEL: Final = 0.01
@@ -33,8 +34,8 @@ def shaped(catalogs: Catalogs, shapes: Shapes) -> dict[str, tuple[Solid, ...]]:
     for kind, entry in (catalogs.furniture | catalogs.decorations).items():
         name = shape_of(catalogs, kind, shapes)
         if name in shapes and not any(_fit_faults(name, shapes[name], kind, entry)):
-            made[kind] = solids(shapes[name], _levels(entry))
-            made |= {f"{kind}_{pose}": solids(shapes[posed], {}) for pose in POSES if (posed := f"{name}_{pose}") in shapes}
+            made[kind] = solids(shapes[name], _levels(entry), entry.size)
+            made |= {f"{kind}_{pose}": solids(shapes[posed], {}, entry.size) for pose in POSES if (posed := f"{name}_{pose}") in shapes}
     return made
 
 
@@ -71,12 +72,15 @@ def _fit_faults(name: str, parts: tuple[ShapePart, ...], kind: str, entry: KindS
             continue
         unfit = True
     if not unfit:
-        yield from _whole_faults(name, solids(parts, levels), kind, entry)
+        found = list(part_faults(parts, levels, entry.size))
+        yield from (Fault("shapes", (name, fault.part, fault.key), fault.problem, fault.allowed) for fault in found)
+        if not found:
+            yield from _whole_faults(name, solids(parts, levels, entry.size), kind, entry)
 
 
 def _whole_faults(name: str, made: tuple[Solid, ...], kind: str, entry: KindSpec) -> Iterator[Fault]:
-    if len(made) > MOST_PARTS:
-        yield Fault("shapes", (name,), f"has {len(made)} parts with its mirror images", f"at most {MOST_PARTS}")
+    if len(made) > MOST_SOLIDS:
+        yield Fault("shapes", (name,), f"has {len(made)} parts with its mirror images, boards and trays", f"at most {MOST_SOLIDS}")
     for surface in entry.surfaces:
         if _carried(surface, made, entry.size) < CARRYING:
             problem = f"{kind!r} has a surface {surface.name!r} at {surface.height} m, where hardly any part has its top"

@@ -16,7 +16,7 @@ class BodyPart(NamedTuple):
 
     `size` is width, height and depth, m (x, y, z); `at` its middle relative to the middle of the body's footprint at its underside,
     front towards +z. `taper` is the radius at the axis' higher end by that at its lower one, the larger of them filling the box.
-    `material` is a slot of materials.yaml.
+    `material` is a slot of materials.yaml. `front` names the front of the body that it moves with.
     """
 
     form: Form
@@ -25,6 +25,7 @@ class BodyPart(NamedTuple):
     axis: Axis
     taper: float
     material: str
+    front: str | None = None
 
 
 WHOLE: Final = (BodyPart("rounded", (1.0, 1.0, 1.0), (0.0, 0.5, 0.0), "y", 1.0, "body"),)
@@ -39,12 +40,12 @@ def unit_parts(solids: Sequence[Solid]) -> tuple[BodyPart, ...]:
 def _unit_part(solid: Solid) -> BodyPart:
     (x0, x1), (y0, y1), (z0, z1) = solid.x, solid.y, solid.z
     at = ((x0 + x1) / 2 - 0.5, (y0 + y1) / 2, (z0 + z1) / 2 - 0.5)
-    return BodyPart(solid.form, (x1 - x0, y1 - y0, z1 - z0), at, solid.axis, solid.taper, solid.material)
+    return BodyPart(solid.form, (x1 - x0, y1 - y0, z1 - z0), at, solid.axis, solid.taper, solid.material, solid.front)
 
 
 def sized(parts: Sequence[BodyPart], width: float, depth: float, height: float) -> tuple[BodyPart, ...]:
     """Returns the parts of a unit box in a box with these extents, m."""
     return tuple(
-        BodyPart(form, (size_x * width, size_y * height, size_z * depth), (x * width, y * height, z * depth), axis, taper, material)
-        for form, (size_x, size_y, size_z), (x, y, z), axis, taper, material in parts
+        BodyPart(form, (size_x * width, size_y * height, size_z * depth), (x * width, y * height, z * depth), axis, taper, material, front)
+        for form, (size_x, size_y, size_z), (x, y, z), axis, taper, material, front in parts
     )

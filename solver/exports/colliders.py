@@ -88,7 +88,7 @@ def colliders_of(body: ModelBody, carries: Collection[str]) -> tuple[Collider, .
 
 @lru_cache(maxsize=1 << 12)
 def _solids(parts: tuple[BodyPart, ...]) -> tuple[Collider, ...]:
-    return tuple(map(_solid, parts))
+    return tuple(map(collider_of, parts))
 
 
 def carriers(bodies: Sequence[ModelBody]) -> set[str]:
@@ -107,7 +107,7 @@ def leaf_colliders(leaf: DoorLeaf) -> tuple[Collider, ...]:
     half = leaf.width / 2
     slab = Collider("box", (leaf.width - 2 * CLEARANCE, leaf.thickness, leaf.height), (half, 0.0, leaf.height / 2))
     proud = [part for part in parts_of_hung_leaf(leaf) if part.at[2] and abs(part.at[2]) + part.size[2] / 2 > leaf.thickness / 2 + 1e-6]
-    return slab, *map(_solid, proud)
+    return slab, *map(collider_of, proud)
 
 
 def parts_of_hung_leaf(leaf: DoorLeaf) -> tuple[BodyPart, ...]:
@@ -145,7 +145,8 @@ def shares_of(colliders: tuple[Collider, ...]) -> tuple[tuple[float, float], ...
     return tuple((volume, whole) for volume in volumes)
 
 
-def _solid(part: BodyPart) -> Collider:
+def collider_of(part: BodyPart) -> Collider:
+    """Returns what a part collides as."""
     (w, h, d), at, axis = part.size, z_up(*part.at), AXES[part.axis]
     size = w, d, h
     if part.form == "ball":

@@ -17,6 +17,7 @@ from solver.exports.kind_facts import (
     KindFacts,
     book_of,
     decoration_facts,
+    fronts_of_shape,
     furniture_facts,
     living_facts,
     paints_of_shape,
@@ -106,6 +107,7 @@ class BodyMaker:
             paints=self._paints_of(facts.shape, body.color, room.accent),
             labels=facts.labels,
             uses=_uses(facts, body, x, z) if facts.sides and sort == "furniture" else (),
+            fronts=fronts_of_shape(self._book, facts.shape, size) if sort == "furniture" else (),
         )
 
     def _is_fixed(self, facts: KindFacts, mass: float) -> bool:

@@ -41,7 +41,7 @@ def marks_of(parts: tuple[BodyPart, ...]) -> tuple[PlanMark, ...]:
     kept: list[PlanMark] = []
     covers: list[tuple[float, float, float, float]] = []
     for _, index in reversed(ordered):
-        form, (width, _, depth), (x, _, z), axis, _, _ = parts[index]
+        form, (width, _, depth), (x, _, z), axis, *_ = parts[index]
         if width < SMALLEST and depth < SMALLEST and kept:
             continue
         x0, x1, z0, z1 = x - width / 2 + 1e-6, x + width / 2 - 1e-6, z - depth / 2 + 1e-6, z + depth / 2 - 1e-6

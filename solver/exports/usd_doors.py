@@ -1,6 +1,6 @@
-"""Door leaves as USD has them: a rigid body on a joint that hangs on the house.
+"""Door leaves and fronts as USD has them: rigid bodies on joints, leaves on the house, fronts on their furniture.
 
-Comes in: leaves. Goes out: the text of prims. May import: the model, colliders, usd_text.
+Comes in: leaves, fronts. Goes out: the text of prims. May import: the model, colliders, usd_text.
 """
 
 from __future__ import annotations
@@ -9,8 +9,9 @@ from math import radians
 from typing import Final
 
 from solver.exports.colliders import leaf_colliders, parts_of_hung_leaf, z_up
-from solver.exports.model import DoorLeaf
-from solver.exports.usd_text import guide, part_text, placed, prim, said, triple, turned
+from solver.exports.model import DoorLeaf, ModelBody
+from solver.exports.moving_parts import SLIDE_DAMPING, TURN_DAMPING, MovingPart
+from solver.exports.usd_text import guide, moved_by, part_text, placed, prim, said, triple, turned
 
 DAMPING: Final = 1.5
 """What slows a leaf, N m s/rad; USD counts in degrees."""
@@ -45,3 +46,39 @@ def _joint(leaf: DoorLeaf, name: str) -> str:
         f'uniform token drive:{drive}:physics:type = "force"\n'
     )
     return prim("PhysicsRevoluteJoint" if turns else "PhysicsPrismaticJoint", "hinge", (f"PhysicsDriveAPI:{drive}",), inside)
+
+
+def front_text(front: MovingPart, body: ModelBody, name: str, path: str) -> str:
+    """Returns a front, shut, its origin at its hinge; the joint to its furniture is inside.
+
+    Args:
+        front: the front.
+        body: what it is a front of.
+        name: of its prim, in /House/Fronts.
+        path: the prim of its furniture, which it does not touch.
+    """
+    several = zip(front.parts, front.paints, front.solids, strict=True)
+    parts = "".join(part_text(f"part_{number}", part, paint, solid) for number, (part, paint, solid) in enumerate(several))
+    at = moved_by(z_up(body.x, body.y, body.z), body.turn, front.hinge)
+    inside = (
+        f"rel physics:filteredPairs = <{path}>\nfloat physics:mass = {front.mass:.6g}\n"
+        f'token[] semantics:labels:class = ["{"drawer" if front.slides else "front"}"]\n'
+        f"{placed(at, body.turn)}{parts}{_front_joint(front, f'/House/Fronts/{name}', path)}"
+    )
+    schemas = "PhysicsRigidBodyAPI", "PhysicsMassAPI", "PhysicsFilteredPairsAPI", "SemanticsLabelsAPI:class"
+    return said("Xform", name, schemas, {"id": front.id, "body": body.id, "front": front.name}, inside)
+
+
+def _front_joint(front: MovingPart, own: str, path: str) -> str:
+    """Returns a front's joint to its furniture; shut is 0."""
+    low, high = front.limits
+    drive, damping = ("linear", SLIDE_DAMPING) if front.slides else ("angular", radians(TURN_DAMPING))
+    inside = (
+        f'uniform token physics:axis = "{front.axis.upper()}"\nrel physics:body0 = <{path}>\nrel physics:body1 = <{own}>\n'
+        f"point3f physics:localPos0 = {triple(front.hinge)}\npoint3f physics:localPos1 = (0, 0, 0)\n"
+        f"quatf physics:localRot0 = {_NO_TURN}\nquatf physics:localRot1 = {_NO_TURN}\n"
+        f"float physics:lowerLimit = {low:.6g}\nfloat physics:upperLimit = {high:.6g}\n"
+        f"float drive:{drive}:physics:damping = {damping:.6g}\nfloat drive:{drive}:physics:stiffness = 0\n"
+        f'uniform token drive:{drive}:physics:type = "force"\n'
+    )
+    return prim("PhysicsPrismaticJoint" if front.slides else "PhysicsRevoluteJoint", "hinge", (f"PhysicsDriveAPI:{drive}",), inside)

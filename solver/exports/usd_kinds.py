@@ -11,6 +11,7 @@ from typing import Final
 from solver.body_parts import BodyPart
 from solver.exports.colliders import Collider, colliders_of
 from solver.exports.model import ModelBody, Paint, WallBox
+from solver.exports.moving_parts import still_part
 from solver.exports.usd_text import bound, cube, guide, material_name, part_text, prim, triples
 
 _CORNERS: Final = [(x, y, z) for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)]
@@ -22,13 +23,13 @@ _UNIT: Final = ((1.0, 1.0, 1.0), (0.0, 0.0, 0.0))
 
 
 def body_kind(body: ModelBody, boxed: bool) -> str:
-    """Returns the parts of a body, z up; what they collide as; `boxed`: the whole body as one box, if it collides at all."""
+    """Returns the parts of a body but its fronts, z up; what they collide as; `boxed`: the whole body as one box, if it collides at all."""
     if body.flat:
         return _parts(body.parts, body.paints, None)
-    solids = colliders_of(body, () if boxed else (body.id,))
     if boxed:
-        return _parts(body.parts, body.paints, None) + guide("collider", solids[0])
-    return _parts(body.parts, body.paints, solids)
+        return _parts(body.parts, body.paints, None) + guide("collider", colliders_of(body, ())[0])
+    still = still_part(body, (body.id,))
+    return _parts(still.parts, still.paints, still.solids)
 
 
 @lru_cache(maxsize=2048)

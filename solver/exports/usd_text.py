@@ -58,6 +58,12 @@ def placed(at: Sequence[float], turn: float) -> str:
     )
 
 
+def moved_by(at: Triple, turn: float, by: Triple) -> Triple:
+    """Returns a point that is given in the frame of something at a place, turned about z, degrees."""
+    cosine, sine = cos(radians(turn)), sin(radians(turn))
+    return at[0] + by[0] * cosine - by[1] * sine, at[1] + by[0] * sine + by[1] * cosine, at[2] + by[2]
+
+
 @lru_cache(maxsize=4096)
 def turned(turn: float) -> str:
     """Returns a turn about z, degrees, as a quaternion, w first."""

@@ -32,8 +32,25 @@ class PartBox(NamedTuple):
 
 
 def boxes_of(solids: Sequence[Solid], size: tuple[float, float, float]) -> tuple[PartBox, ...]:
-    """Returns the boxes around the parts of a piece of some width, depth and height, m; rounded outwards."""
-    return tuple(_box(part) for part in sized(unit_parts(solids), *size)) if solids else ()
+    """Returns the boxes around the parts of a piece of some width, depth and height, m; rounded outwards.
+
+    What is hollow counts as whole: nothing reaches under a piece into its drawers.
+    """
+    return tuple(_box(part) for part in sized(unit_parts(_wholes(solids)), *size)) if solids else ()
+
+
+def _wholes(solids: Sequence[Solid]) -> list[Solid]:
+    """Returns solids, those that are boards of one hollow part as the box around them."""
+    found: dict[int | str, list[Solid]] = {}
+    for number, solid in enumerate(solids):
+        found.setdefault(f"alone {number}" if solid.board is None else solid.board, []).append(solid)
+    return [several[0] if len(several) == 1 else _around(several) for several in found.values()]
+
+
+def _around(solids: Sequence[Solid]) -> Solid:
+    ends = {axis: [getattr(solid, axis) for solid in solids] for axis in "xyz"}
+    spans = {axis: (min(low for low, _ in several), max(high for _, high in several)) for axis, several in ends.items()}
+    return solids[0].model_copy(update=spans)
 
 
 def _box(part: BodyPart) -> PartBox:

@@ -105,7 +105,8 @@ def test_every_key_of_a_relation_is_explained() -> None:
 )
 def test_every_key_of_the_catalog_is_explained(heading: str, described: tuple[type[Any], ...]) -> None:
     text = section("catalog.md", heading)
-    assert [key for of in described for key in of.model_fields if not re.search(rf"`(\w+: )?{key}\b|\b{key}:", text)] == []
+    keys = [field.alias or key for of in described for key, field in of.model_fields.items()]
+    assert [key for key in keys if not re.search(rf"`(\w+: )?{key}\b|\b{key}:", text)] == []
 
 
 @pytest.mark.parametrize(

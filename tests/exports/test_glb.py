@@ -78,9 +78,12 @@ def test_shapes_fill_what_their_parts_fill() -> None:
     """What trimesh draws below each node reaches as far as the body's parts do."""
     scene, bodies = scene_of(glb("family")), homes.described("family").bodies
     ends: dict[str, list[Any]] = {}
+    owners = {body.id for body in bodies}
     for node in scene.graph.nodes_geometry:
         at, mesh = scene.graph[node]
-        owner = node if node in nodes("family") else scene.graph.transforms.parents[node]
+        owner = node
+        while owner not in owners and owner in scene.graph.transforms.parents:
+            owner = scene.graph.transforms.parents[owner]
         ends.setdefault(owner, []).append(np.asarray(scene.geometry[mesh].vertices) @ at[:3, :3].T + at[:3, 3])
     for body in bodies:
         points = np.concatenate(ends[body.id]) - (body.x, body.y, body.z)

@@ -23,7 +23,9 @@ def test_every_body_is_a_model_static_or_free(home: str) -> None:
     assert len(set(names)) == len(names)
     assert not any("::" in str(name) or str(name).startswith("__") for name in names)
     for body in model.bodies:
-        assert (models[body.id].findtext("static") == "true") == body.fixed
+        held = models[body.id].find("joint[@name='fixed']") is not None
+        assert (models[body.id].findtext("static") == "true", held) == (body.fixed and not body.fronts, body.fixed and bool(body.fronts))
+        assert len(list(models[body.id].iter("link"))) == 1 + len(body.fronts)
         assert bool(list(models[body.id].iter("collision"))) != body.flat
     for leaf in model.leaves:
         assert [joint.get("type") for joint in models[leaf.id].iter("joint")] == ["revolute" if leaf.motion == "swing" else "prismatic"]

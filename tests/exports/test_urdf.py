@@ -18,8 +18,9 @@ HOMES = [*SCENES, "hostile", "storeys"]
 def test_mujoco_reads_it_with_all_links_and_doors(home: str) -> None:
     model = described(home)
     world = urdf.compiled(written_as(model, ExportSettings("urdf")))
-    assert world.nbody == 2 + len(model.bodies) + len(model.leaves)
-    assert world.njnt == len(model.leaves)
+    fronts = sum(len(body.fronts) for body in model.bodies)
+    assert world.nbody == 2 + len(model.bodies) + len(model.leaves) + fronts
+    assert world.njnt == len(model.leaves) + fronts
     for leaf in model.leaves:
         assert world.body(leaf.id).mass[0] == pytest.approx(leaf.mass, rel=1e-6)
 

@@ -361,6 +361,10 @@ export interface Solid {
   readonly axis: "x" | "y" | "z";
   readonly taper: number;
   readonly material: string;
+  readonly front?: string | null;
+  readonly opens?: "left" | "right" | "up" | "down" | "lid" | "drawer" | null;
+  readonly range?: number;
+  readonly board?: number | null;
 }
 
 /** A surface that carries things. */

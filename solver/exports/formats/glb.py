@@ -16,7 +16,7 @@ from solver.body_parts import BodyPart
 from solver.exports.colliders import FLOOR
 from solver.exports.floor_rectangles import FloorRectangle, rectangles_of
 from solver.exports.formats.glb_book import Geometry, GltfBook, geometry_of
-from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, WallBox
+from solver.exports.model import BodyFront, Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 from solver.exports.paints import PLAIN_CEILING
 from solver.exports.solid_meshes import BoxFace, box_faces, joined, scaled, surface_of
 from solver.exports.writers import ExportSettings, Files
@@ -52,7 +52,7 @@ class _Writer:
     def __init__(self, model: HouseModel) -> None:
         self.book = GltfBook()
         self._model = model
-        self._shapes: dict[tuple[str, tuple[float, ...]], tuple[_Group, ...]] = {}
+        self._shapes: dict[tuple[str, str | None, tuple[float, ...]], tuple[_Group, ...]] = {}
         self._meshes: dict[tuple[object, ...], int] = {}
 
     def nodes(self) -> Iterator[_Node]:
@@ -122,27 +122,45 @@ class _Writer:
         says = f'"id":{name},"sort":"{body.sort}","kind":{kind},"category":{quoted(body.category)},"room":{room},"parent":{parent}'
         extras = f'{{{says},"labels":{_labels(body.labels)},"mass":{body.mass},"fixed":{_flag(body.fixed)}}}'
         size = f"[{max(1e-6, round(body.width, 6))},{max(1e-6, round(body.height, 6))},{max(1e-6, round(body.depth, 6))}]"
-        place = f'"translation":[{body.x},{body.y},{body.z}],"rotation":{_turned(body.turn)},"scale":{size}'
-        return f'{{"name":{name},{place},"mesh":{self._body_mesh(body)},"extras":{extras}}}'
+        place = f'"translation":[{body.x},{body.y},{body.z}],"rotation":{_turned(body.turn)}'
+        if not body.fronts:
+            return f'{{"name":{name},{place},"scale":{size},"mesh":{self._body_mesh(body, None)},"extras":{extras}}}'
+        shape = self.book.node(f'{{"name":{quoted(body.id + "/shape")},"scale":{size},"mesh":{self._body_mesh(body, None)}}}')
+        children = [shape, *(self._front(body, front, size) for front in body.fronts)]
+        return f'{{"name":{name},{place},"children":{children},"extras":{extras}}}'
 
-    def _body_mesh(self, body: ModelBody) -> int:
-        """Returns the mesh of a body's shape in its paints; what has no shape gets one for its own size."""
+    def _front(self, body: ModelBody, front: BodyFront, size: str) -> int:
+        """Adds the node of a front at its hinge, and below it what moves; returns its number."""
+        x, y, z = (round(value, 6) for value in front.hinge)
+        name = f"{body.id}/{front.name}"
+        back = f'"translation":[{-x},{-y},{-z}],"scale":{size}'
+        child = self.book.node(f'{{"name":{quoted(name + "/panel")},{back},"mesh":{self._body_mesh(body, front.name)}}}')
+        axis = [int(one == front.axis) for one in "xyz"]
+        reach = sorted((0.0, round(front.end, 6)))
+        kind, unit = ("prismatic", "m") if front.slides else ("revolute", "degree")
+        joint = f'{{"type":"{kind}","axis":{axis},"range":{reach},"unit":"{unit}"}}'
+        extras = f'{{"id":{quoted(name)},"front":{quoted(front.name)},"joint":{joint}}}'
+        return self.book.node(f'{{"name":{quoted(name)},"translation":[{x},{y},{z}],"children":[{child}],"extras":{extras}}}')
+
+    def _body_mesh(self, body: ModelBody, front: str | None) -> int:
+        """Returns the mesh of a body's shape in its paints, or of one of its fronts; what has no shape gets one for its own size."""
         size = (body.width, body.height, body.depth)
-        shape = body.shape, () if body.shape else size
+        shape = body.shape, front, () if body.shape else size
         key = *shape, id(body.paints)
         if key not in self._meshes:
             if shape not in self._shapes:
-                self._shapes[shape] = _groups(body.parts, size)
+                self._shapes[shape] = _groups(body.parts, size, front)
             painted = [(geometry, body.paints[first]) for first, geometry in self._shapes[shape]]
-            self._meshes[key] = self.book.mesh(body.shape or "block", painted)
+            self._meshes[key] = self.book.mesh(front or body.shape or "block", painted)
         return self._meshes[key]
 
 
 @lru_cache(maxsize=2048)
-def _groups(parts: tuple[BodyPart, ...], size: tuple[float, float, float]) -> tuple[_Group, ...]:
-    """Returns a body's parts by their slots, in a box of size 1; soft edges are right for this size."""
+def _groups(parts: tuple[BodyPart, ...], size: tuple[float, float, float], front: str | None) -> tuple[_Group, ...]:
+    """Returns a body's parts that move with a front, or with none, by their slots, in a unit box; soft edges are right for this size."""
     slots: dict[str, list[int]] = {}
-    for number, part in enumerate(parts):
+    for number in (number for number, part in enumerate(parts) if part.front == front):
+        part = parts[number]
         slots.setdefault(part.material, []).append(number)
     share = [1 / value for value in size]
     return tuple(

@@ -16,7 +16,6 @@ from solver.exports.colliders import (
     Collider,
     box_between,
     carriers,
-    colliders_of,
     floor_boxes,
     leaf_colliders,
     painted_halves,
@@ -24,12 +23,22 @@ from solver.exports.colliders import (
     z_up,
 )
 from solver.exports.model import Cuboid, DoorLeaf, HouseModel, ModelBody
+from solver.exports.moving_parts import (
+    SLIDE_DAMPING,
+    SLIDE_FRICTION,
+    TURN_DAMPING,
+    TURN_FRICTION,
+    UNIT,
+    MovingPart,
+    moving_parts,
+    still_part,
+)
 from solver.exports.mujoco_geoms import MujocoLooks, geom, touching_geoms
 from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_numbers, xml_text
 
-_HEAD: Final = """\
+_HEAD: Final = f"""\
 <compiler angle="degree"/>
 <option timestep="0.004" integrator="implicitfast"><flag sleep="enable"/></option>
 <visual><global offwidth="1920" offheight="1080"/><headlight ambient="0.35 0.35 0.35" diffuse="0.5 0.5 0.5"/></visual>
@@ -40,6 +49,8 @@ _HEAD: Final = """\
 <default class="flat"><geom type="box" group="3" contype="0" conaffinity="0"/></default>
 <default class="leaf"><geom type="box" group="3" contype="2" conaffinity="2"/>\
 <joint limited="true" damping="1.5" frictionloss="0.4" armature="0.05"/></default>
+<default class="turns"><joint limited="true" damping="{TURN_DAMPING:g}" frictionloss="{TURN_FRICTION:g}" armature="0.01"/></default>
+<default class="slides"><joint type="slide" limited="true" damping="{SLIDE_DAMPING:g}" frictionloss="{SLIDE_FRICTION:g}"/></default>
 <default class="use"><site type="cylinder" size="0.1 0.005" group="4" rgba="0.2 0.7 0.3 0.5"/></default>
 </default>"""
 """Bits of contacts: walls and floors meet bodies, bodies meet all, leaves meet bodies and each other, not the walls they hang in."""
@@ -54,7 +65,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     carry = carriers(model.bodies)
     world = [
         *_house(model, looks),
-        *(_body(body, carry, looks, names.take(body.id)) for body in model.bodies),
+        *(_body(body, carry, looks, names) for body in model.bodies),
         *(_leaf(leaf, looks, names.take(leaf.id)) for leaf in model.leaves),
         *_uses(model),
     ]
@@ -69,6 +80,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
         _SUN,
         *world,
         "</worldbody>",
+        *_contacts(model),
         f'<keyframe><key name="home" qpos="{_home(model)}"/></keyframe>',
         "</mujoco>",
     ]
@@ -122,11 +134,37 @@ def _ground(model: HouseModel, height: float) -> Collider:
     return box_between(around)
 
 
-def _body(body: ModelBody, carry: Collection[str], looks: MujocoLooks, name: str) -> str:
-    colliders, classed = colliders_of(body, carry), "flat" if body.flat else "collider"
-    touching = touching_geoms(colliders, body.mass, classed, f' friction="{xml_numbers(body.friction)}"')
+def _body(body: ModelBody, carry: Collection[str], looks: MujocoLooks, names: SafeNames) -> str:
+    still, classed = still_part(body, carry), "flat" if body.flat else "collider"
+    friction = f' friction="{xml_numbers(body.friction)}"'
+    touching = touching_geoms(still.solids, still.mass, classed, friction)
+    name = names.take(body.id)
     joint = "" if body.fixed else f'<freejoint name="{xml_text(name)}"/>'
-    return f"{_opened(name, z_up(body.x, body.y, body.z), body.turn)}{joint}{touching}{looks.parts(body.parts, body.paints)}</body>"
+    fronts = "".join([_front(one, looks, names.take(one.id), friction) for one in moving_parts(body)])
+    opened = _opened(name, z_up(body.x, body.y, body.z), body.turn)
+    return f"{opened}{joint}{touching}{looks.parts(still.parts, still.paints)}{fronts}</body>"
+
+
+def _front(front: MovingPart, looks: MujocoLooks, name: str, friction: str) -> str:
+    """Returns a front on its joint, in its body; zero is shut."""
+    classed = "slides" if front.slides else "turns"
+    limits = f'axis="{UNIT[front.axis]}" range="{xml_numbers(*front.limits)}"'
+    joint = f'<joint name="{xml_text(name)}/{"slide" if front.slides else "hinge"}" class="{classed}" {limits}/>'
+    touching = touching_geoms(front.solids, front.mass, "collider", friction)
+    return f"{_opened(name, front.hinge, 0.0)}{joint}{touching}{looks.parts(front.parts, front.paints)}</body>"
+
+
+def _contacts(model: HouseModel) -> Iterator[str]:
+    """Yields which bodies do not touch: a front and the body that it is a front of."""
+    names = SafeNames()
+    pairs = []
+    for body in model.bodies:
+        own = names.take(body.id)
+        pairs += [(own, names.take(f"{body.id}/{front.name}")) for front in body.fronts]
+    if pairs:
+        yield "<contact>"
+        yield from (f'<exclude body1="{xml_text(one)}" body2="{xml_text(other)}"/>' for one, other in pairs)
+        yield "</contact>"
 
 
 def _opened(name: str, at: tuple[float, float, float], turn: float) -> str:
@@ -157,10 +195,11 @@ def _uses(model: HouseModel) -> Iterator[str]:
 
 
 def _home(model: HouseModel) -> str:
-    """Returns all joints' positions: free bodies where they stand, doors closed; in the order of the bodies."""
+    """Returns all joints' positions: free bodies where they stand, doors and fronts closed; in the order of the bodies."""
     values: list[float] = []
     for body in model.bodies:
         if not body.fixed:
             half = math.radians(body.turn) / 2
             values += (*z_up(body.x, body.y, body.z), math.cos(half), 0.0, 0.0, math.sin(half))
+        values += (0.0 for _ in body.fronts)
     return xml_numbers(*values, *(0.0 for _ in model.leaves))

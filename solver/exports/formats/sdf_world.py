@@ -1,4 +1,4 @@
-"""SDF: a world for Gazebo with a model a body: static, or free where it may move; doors on hinges.
+"""SDF: a world for Gazebo with a model a body: static, or free where it may move; doors and fronts on joints.
 
 Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turns keep their value, about +z, in radians.
 """
@@ -11,9 +11,9 @@ from typing import Final
 
 from solver.exports.colliders import (
     Collider,
+    Triple,
     box_between,
     carriers,
-    colliders_of,
     floor_boxes,
     inertia_of,
     leaf_colliders,
@@ -22,6 +22,17 @@ from solver.exports.colliders import (
     z_up,
 )
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
+from solver.exports.moving_parts import (
+    SLIDE_DAMPING,
+    SLIDE_FRICTION,
+    TURN_DAMPING,
+    TURN_FRICTION,
+    UNIT,
+    MovingPart,
+    StillPart,
+    moving_parts,
+    still_part,
+)
 from solver.exports.origin import words_of
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
@@ -36,6 +47,7 @@ WALLS, LEAVES, BODIES = 1, 2, 3
 _QUARTER: Final = f"{math.pi / 2:.9g}"
 _TURNED: Final = {"x": f"0 {_QUARTER} 0", "y": f"{_QUARTER} 0 0", "z": "0 0 0"}
 _LIGHT: Final = '<light name="sun" type="directional"><cast_shadows>true</cast_shadows><direction>0.3 0.4 -1</direction></light>'
+STATIC: Final = "<static>true</static>"
 _JOINT: Final = "<dynamics><damping>1.5</damping><friction>0.4</friction></dynamics>"
 
 
@@ -62,7 +74,7 @@ class _World:
         yield f'<world name="{xml_text(model.name)}">{_LIGHT}'
         yield f'<model name="{house}"><static>true</static><link name="link">{"".join(_numbered(self._shell(model)))}</link></model>'
         for body in model.bodies:
-            yield self._body(body, colliders_of(body, carry))
+            yield self._body(body, still_part(body, carry))
         yield from map(self._leaf, model.leaves)
         yield "</world></sdf>"
 
@@ -80,12 +92,23 @@ class _World:
                 yield _touching(box, WALLS)
                 yield self._seen(box, floor.paint)
 
-    def _body(self, body: ModelBody, colliders: Sequence[Collider]) -> str:
-        seen = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(body.parts, body.paints, strict=True))
-        touching = () if body.flat else (_touching(solid, BODIES, body.friction) for solid in colliders)
-        link = f'<link name="link">{_inertial(colliders, body.mass)}{"".join(_numbered((*touching, *seen)))}</link>'
-        static = "<static>true</static>" if body.fixed else ""
-        return f"{self._opened(body.id, (body.x, body.y, body.z), body.turn)}{static}{link}</model>"
+    def _body(self, body: ModelBody, still: StillPart) -> str:
+        """Returns a model, static or free; one with fronts that does not move itself hangs on the world: all of a static model is still."""
+        bits = None if body.flat else BODIES
+        links = self._link("link", still, body.friction, bits)
+        names = SafeNames(FORBIDDEN)
+        names.take("link")
+        for front in moving_parts(body):
+            name = names.take(front.name)
+            links += self._link(name, front, body.friction, BODIES, front.hinge) + _front_joint(front, name)
+        fixed = '<joint name="fixed" type="fixed"><parent>world</parent><child>link</child></joint>' if body.fronts else STATIC
+        return f"{self._opened(body.id, (body.x, body.y, body.z), body.turn)}{fixed if body.fixed else ''}{links}</model>"
+
+    def _link(self, name: str, seen: MovingPart | StillPart, friction: float, bits: int | None, at: Triple = (0.0, 0.0, 0.0)) -> str:
+        shown = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(seen.parts, seen.paints, strict=True))
+        touching = () if bits is None else (_touching(solid, bits, friction) for solid in seen.solids)
+        pose = f"<pose>{xml_numbers(*at)} 0 0 0</pose>" if any(at) else ""
+        return f'<link name="{xml_text(name)}">{pose}{_inertial(seen.solids, seen.mass)}{"".join(_numbered((*touching, *shown)))}</link>'
 
     def _leaf(self, leaf: DoorLeaf) -> str:
         solids = leaf_colliders(leaf)
@@ -115,6 +138,18 @@ class _World:
             material = f"<material><ambient>{rgb} 1</ambient><diffuse>{rgb} 1</diffuse>{glow}</material>"
             self._painted[paint] = clear + material
         return "visual", _geometry(form) + self._painted[paint]
+
+
+def _front_joint(front: MovingPart, name: str) -> str:
+    """Returns the joint between a front and its body, in the front's frame; shut is 0."""
+    low, high = front.limits if front.slides else map(math.radians, front.limits)
+    damping, friction = (SLIDE_DAMPING, SLIDE_FRICTION) if front.slides else (TURN_DAMPING, TURN_FRICTION)
+    limit = f"<limit><lower>{low:.9g}</lower><upper>{high:.9g}</upper></limit>"
+    dynamics = f"<dynamics><damping>{damping:g}</damping><friction>{friction:g}</friction></dynamics>"
+    return (
+        f'<joint name="{xml_text(name)}_joint" type="{"prismatic" if front.slides else "revolute"}"><parent>link</parent>'
+        f"<child>{xml_text(name)}</child><axis><xyz>{UNIT[front.axis]}</xyz>{limit}{dynamics}</axis></joint>"
+    )
 
 
 def _touching(solid: Collider, bits: int, friction: float = 0.6) -> tuple[str, str]:

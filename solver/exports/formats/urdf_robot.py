@@ -1,4 +1,4 @@
-"""URDF: the house as one robot: all fixed to the link `house`, but doors, which turn or slide.
+"""URDF: the house as one robot: all fixed to the link `house`, but doors and fronts, which turn or slide.
 
 Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turns keep their value, about +z, in radians.
 """
@@ -14,7 +14,6 @@ from solver.exports.colliders import (
     Triple,
     box_between,
     carriers,
-    colliders_of,
     floor_boxes,
     inertia_of,
     leaf_colliders,
@@ -23,6 +22,17 @@ from solver.exports.colliders import (
     z_up,
 )
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
+from solver.exports.moving_parts import (
+    SLIDE_DAMPING,
+    SLIDE_FRICTION,
+    TURN_DAMPING,
+    TURN_FRICTION,
+    UNIT,
+    MovingPart,
+    StillPart,
+    moving_parts,
+    still_part,
+)
 from solver.exports.origin import words_of
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
@@ -54,7 +64,7 @@ class _Robot:
         """Yields the file's lines."""
         house, carry = self._links.take("house"), carriers(model.bodies)
         links = [f'<link name="{house}">{"".join(self._shell(model))}</link>']
-        links += [self._body(body, house, colliders_of(body, carry)) for body in model.bodies]
+        links += [self._body(body, house, still_part(body, carry)) for body in model.bodies]
         links += [self._leaf(leaf, house) for leaf in model.leaves]
         yield '<?xml version="1.0" encoding="utf-8"?>'
         yield f'<robot name="{xml_text(model.name)}">'
@@ -78,12 +88,28 @@ class _Robot:
             for box in floor_boxes(floor):
                 yield self._touching(box) + self._seen(box, floor.paint)
 
-    def _body(self, body: ModelBody, house: str, colliders: tuple[Collider, ...]) -> str:
+    def _body(self, body: ModelBody, house: str, still: StillPart) -> str:
         link = self._links.take(body.id)
-        seen = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(body.parts, body.paints, strict=True))
-        touching = () if body.flat else (self._touching(self.meshes.touched(solid)) for solid in colliders)
+        touching = () if body.flat else (self._touching(self.meshes.touched(solid)) for solid in still.solids)
+        made = self._link(link, still.solids, still.mass, (*touching, *self._looks(still)))
         fixed = _origin(z_up(body.x, body.y, body.z), body.turn)
-        return self._link(link, colliders, body.mass, (*touching, *seen)) + self._joint(f"{body.id}/fixed", "fixed", (house, link), fixed)
+        fronts = "".join([self._front(front, link) for front in moving_parts(body)])
+        return made + self._joint(f"{body.id}/fixed", "fixed", (house, link), fixed) + fronts
+
+    def _front(self, front: MovingPart, parent: str) -> str:
+        """Returns the link of a front and its joint to its body."""
+        link = self._links.take(front.id)
+        touching = (self._touching(self.meshes.touched(solid)) for solid in front.solids)
+        made = self._link(link, front.solids, front.mass, (*touching, *self._looks(front)))
+        low, high = front.limits if front.slides else map(math.radians, front.limits)
+        damping, friction = (SLIDE_DAMPING, SLIDE_FRICTION) if front.slides else (TURN_DAMPING, TURN_FRICTION)
+        limit = f'<limit lower="{low:.9g}" upper="{high:.9g}" effort="100" velocity="3"/>'
+        dynamics = f'<dynamics damping="{damping:g}" friction="{friction:g}"/>'
+        moving = f'{_origin(front.hinge, 0.0)}<axis xyz="{UNIT[front.axis]}"/>{limit}{dynamics}'
+        return "\n" + made + self._joint(front.joint, "prismatic" if front.slides else "revolute", (parent, link), moving)
+
+    def _looks(self, seen: MovingPart | StillPart) -> Iterator[str]:
+        return (self._seen(self.meshes.shown(part), paint) for part, paint in zip(seen.parts, seen.paints, strict=True))
 
     def _leaf(self, leaf: DoorLeaf, house: str) -> str:
         link, solids = self._links.take(leaf.id), leaf_colliders(leaf)

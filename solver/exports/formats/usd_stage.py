@@ -5,16 +5,17 @@ The frame is USD's for simulators: z up, y north, front towards -y, m, kg, degre
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Final
 
 from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
 from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.formats.usd_packing import packed_stage
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
+from solver.exports.moving_parts import moving_parts, still_part
 from solver.exports.paints import PLAIN_CEILING
 from solver.exports.safe_names import SafeNames
-from solver.exports.usd_doors import door_text
+from solver.exports.usd_doors import door_text, front_text
 from solver.exports.usd_kinds import body_kind, wall_kind
 from solver.exports.usd_text import LOOKS, cube, material_name, material_text, placed, prim, said, stretched, texts
 from solver.exports.writers import ExportSettings, Files
@@ -96,6 +97,7 @@ class _Stage:
         for body in model.bodies:
             bodies.setdefault(_SORTS[body.sort], []).append(self._body(body, paths[body.id].rpartition("/")[2]))
         groups |= {name: "".join(found) for name, found in bodies.items()}
+        groups["Fronts"] = "".join(self._fronts(paths))
         inside = "".join(f'def Xform "{name}" (\nkind = "group"\n)\n{{\n{found}}}\n' for name, found in groups.items())
         looks = prim("Scope", "Looks", (), "".join(self._looks.values()))
         kinds = f'class Scope "Kinds"\n{{\n{"".join(self._kind_texts)}}}\n'
@@ -135,7 +137,7 @@ class _Stage:
         size = body.width, body.depth, body.height
         words = {"id": body.id, "kind": body.kind, "category": body.category, "room": body.room, "parent": body.parent, "size": size}
         inside = (
-            f"rel material:binding:physics = <{LOOKS}/{friction}>\nfloat physics:mass = {body.mass:.6g}\n"
+            f"rel material:binding:physics = <{LOOKS}/{friction}>\nfloat physics:mass = {still_part(body, self._carriers).mass:.6g}\n"
             f"token[] semantics:labels:class = {texts(body.labels)}\n{placed(z_up(body.x, body.y, body.z), body.turn)}"
             f'def Xform "shape" (\ninstanceable = true\nreferences = </House/Kinds/{kind}>\n)\n{{\n}}\n'
         )
@@ -177,6 +179,13 @@ class _Stage:
         for leaf in self._model.leaves:
             self._paint(leaf.paints)
             yield door_text(leaf, prim_name(leaf.id, names))
+
+    def _fronts(self, paths: Mapping[str, str]) -> Iterator[str]:
+        names = SafeNames(r"[^A-Za-z0-9_]")
+        for body in self._model.bodies:
+            for front in moving_parts(body):
+                self._paint(front.paints)
+                yield front_text(front, body, prim_name(front.id, names), paths[body.id])
 
 
 def _friction(name: str, friction: float) -> str:

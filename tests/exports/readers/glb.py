@@ -29,7 +29,7 @@ def scene_of(content: bytes) -> trimesh.Scene:
 
 
 def read(files: Mapping[str, bytes]) -> dict[str, Seen]:
-    """The bodies of a house, by their ids; a node's scale is its body's size."""
+    """The bodies of a house, by their ids; the scale of its node, or of the shape below it, is a body's size."""
     (content,) = files.values()
     nodes = document(content)["nodes"]
     graph = scene_of(content).graph
@@ -38,7 +38,8 @@ def read(files: Mapping[str, bytes]) -> dict[str, Seen]:
         for number in group.get("children", ()) if group["name"] in BODIES else ():
             node = nodes[number]
             at = np.asarray(graph.get(node["name"])[0])
-            width, height, depth = np.linalg.norm(at[:3, :3], axis=0)
+            shown = next((nodes[child]["name"] for child in node.get("children", ()) if "mesh" in nodes[child]), node["name"])
+            width, height, depth = np.linalg.norm(np.asarray(graph.get(shown)[0])[:3, :3], axis=0)
             turn = math.degrees(math.atan2(at[0, 2], at[2, 2]))
             x, y, z = at[:3, 3].tolist()
             found[node["extras"]["id"]] = Seen(x, y, z, turn % 360, width, depth, height, node["extras"]["mass"])

@@ -12,14 +12,18 @@ from tests.exports.readers import Seen
 
 
 def seen(world: Any, state: Any, body: int, group: int) -> Seen:
-    """Returns a body with the extents of its geoms of a group."""
+    """Returns a body with the extents of its geoms of a group, and of its fronts', shut."""
     turn = math.degrees(math.atan2(state.xmat[body][3], state.xmat[body][0]))
-    first = int(world.body_geomadr[body])
-    geoms = [one for one in range(first, first + int(world.body_geomnum[body])) if world.geom_group[one] == group]
-    corners = np.array([_span(world, one) for one in geoms])
+    fronts = [one for one in range(body + 1, world.nbody) if world.body_parentid[one] == body and body > 0]
+    corners = np.array([
+        np.array(_span(world, geom)) + (world.body_pos[one] if one != body else 0.0)
+        for one in (body, *fronts)
+        for geom in range(world.body_geomadr[one], world.body_geomadr[one] + world.body_geomnum[one])
+        if world.geom_group[geom] == group
+    ])  # fmt: skip
     width, depth, height = (float(extent) for extent in corners[:, 1].max(axis=0) - corners[:, 0].min(axis=0))
     x, y, z = (float(value) for value in state.xpos[body])
-    return Seen(x, z, -y, turn % 360, width, depth, height, float(world.body_mass[body]))
+    return Seen(x, z, -y, turn % 360, width, depth, height, float(world.body_subtreemass[body]))
 
 
 def _span(world: Any, geom: int) -> tuple[Any, Any]:

@@ -16,20 +16,26 @@ ID = "{compose-scene}id"
 def read(files: Mapping[str, bytes]) -> dict[str, Seen]:
     (text,) = (content for name, content in files.items() if name.endswith(".sdf"))
     models = ElementTree.fromstring(text).iter("model")
-    return {model.findtext(ID, ""): _seen(model) for model in models if model.find(ID) is not None and model.find("joint") is None}
+    return {model.findtext(ID, ""): _seen(model) for model in models if model.find(ID) is not None and not is_leaf(model)}
+
+
+def is_leaf(model: ElementTree.Element) -> bool:
+    """Tells whether a model is a door: its joint hangs on the world and moves."""
+    return any(joint.findtext("parent") == "world" and joint.get("type") != "fixed" for joint in model.iter("joint"))
 
 
 def _seen(model: ElementTree.Element) -> Seen:
     x, y, z, _, _, turn = _values(model, "pose")
-    spans = [_span(visual) for visual in model.iter("visual")]
+    spans = [_span(visual, link) for link in model.iter("link") for visual in link.iter("visual")]
     low, high = np.min([one for one, _ in spans], axis=0), np.max([one for _, one in spans], axis=0)
-    (mass,) = _values(model, "link/inertial/mass")
+    mass = sum(float(link.findtext("inertial/mass", "")) for link in model.iter("link"))
     width, depth, height = (float(extent) for extent in high - low)
     return Seen(x, z, -y, math.degrees(turn) % 360, width, depth, height, mass)
 
 
-def _span(visual: ElementTree.Element) -> tuple[list[float], list[float]]:
+def _span(visual: ElementTree.Element, link: ElementTree.Element) -> tuple[list[float], list[float]]:
     x, y, z, roll, pitch, _ = _values(visual, "pose")
+    x, y, z = (at + own for at, own in zip((x, y, z), _values(link, "pose") or [0.0] * 3, strict=False))
     geometry = visual.find("geometry")
     assert geometry is not None
     if geometry.find("cylinder") is not None:

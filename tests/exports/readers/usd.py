@@ -44,6 +44,10 @@ def read_stage(stage: Usd.Stage) -> dict[str, Seen]:
     assert (UsdGeom.GetStageUpAxis(stage), UsdGeom.GetStageMetersPerUnit(stage)) == ("Z", 1.0)
     cache = UsdGeom.XformCache()
     found: dict[str, Seen] = {}
+    of_fronts: dict[str, float] = {}
+    for prim in stage.GetDefaultPrim().GetChild("Fronts").GetChildren():
+        body = prim.GetCustomDataByKey("body")
+        of_fronts[body] = of_fronts.get(body, 0.0) + UsdPhysics.MassAPI(prim).GetMassAttr().Get()
     for sort in SORTS:
         for prim in stage.GetDefaultPrim().GetChild(sort).GetChildren():
             at = cache.GetLocalToWorldTransform(prim)
@@ -51,6 +55,7 @@ def read_stage(stage: Usd.Stage) -> dict[str, Seen]:
             across = at.TransformDir((1, 0, 0))
             width, depth, height = prim.GetCustomDataByKey("size")
             mass = UsdPhysics.MassAPI(prim).GetMassAttr().Get() * UsdPhysics.GetStageKilogramsPerUnit(stage)
+            mass += of_fronts.get(prim.GetCustomDataByKey("id"), 0.0)
             turn = math.degrees(math.atan2(across[1], across[0])) % 360
             found[prim.GetCustomDataByKey("id")] = Seen(x, up, -north, turn, width, depth, height, mass)
     return found

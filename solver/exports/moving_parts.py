@@ -1,0 +1,114 @@
+"""The fronts of a body as simulators have them: links of their own on joints; and what of the body stays.
+
+Comes in: `ModelBody`s. Goes out: `MovingPart`s, parts with their paints. May import: the model, colliders.
+
+z is up, as in colliders: a hinge's frame is that of its body, moved to the hinge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from functools import lru_cache
+from typing import Final, Literal, NamedTuple
+
+from catalogs.shapes import Axis
+from solver.body_parts import BodyPart
+from solver.exports.colliders import Collider, Triple, collider_of, colliders_of, shares_of, z_up
+from solver.exports.model import BodyFront, ModelBody, Paint
+
+Z_UP: Final[dict[Axis, tuple[Axis, Literal[1, -1]]]] = {"x": ("x", 1), "y": ("z", 1), "z": ("y", -1)}
+"""What an axis is called where z is up, and whether it points the other way there."""
+UNIT: Final[dict[Axis, str]] = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
+TURN_DAMPING: Final = 0.5
+"""What slows a front that turns, N m s/rad: a cupboard's hinge with a damper."""
+TURN_FRICTION: Final = 0.2
+"""What holds it where it is, N m."""
+SLIDE_DAMPING: Final = 8.0
+"""What slows a drawer, N s/m: runners with rollers."""
+SLIDE_FRICTION: Final = 2.0
+"""What holds it where it is, N."""
+
+
+class MovingPart(NamedTuple):
+    """A front as a link.
+
+    Its body's id and its own name; where its hinge is in its body, its axis and limits (degrees or m), shut at 0; its mass, kg; its
+    solids, and its parts with their paints, from the hinge (parts in the scene's frame).
+    """
+
+    body: str
+    name: str
+    slides: bool
+    hinge: Triple
+    axis: Axis
+    limits: tuple[float, float]
+    mass: float
+    solids: tuple[Collider, ...]
+    parts: tuple[BodyPart, ...]
+    paints: tuple[Paint, ...]
+
+    @property
+    def id(self) -> str:
+        """Its name in the house."""
+        return f"{self.body}/{self.name}"
+
+    @property
+    def joint(self) -> str:
+        """The name of its joint."""
+        return f"{self.id}/{'slide' if self.slides else 'hinge'}"
+
+
+class StillPart(NamedTuple):
+    """What of a body does not move against it: its mass, kg, its solids, its parts and paints."""
+
+    mass: float
+    solids: tuple[Collider, ...]
+    parts: tuple[BodyPart, ...]
+    paints: tuple[Paint, ...]
+
+
+def still_part(body: ModelBody, carries: Collection[str]) -> StillPart:
+    """Returns what of a body is not a front; `carries` are the ids of all that carry something."""
+    if not body.fronts:
+        return StillPart(body.mass, colliders_of(body, carries), body.parts, body.paints)
+    parts, paints, solids = _still(body.parts, body.paints)
+    return StillPart(body.mass - sum(_shares(body.parts, body.fronts)) * body.mass, solids, parts, paints)
+
+
+def moving_parts(body: ModelBody) -> list[MovingPart]:
+    """Returns the fronts of a body."""
+    found = []
+    for front, share in zip(body.fronts, _shares(body.parts, body.fronts), strict=True):
+        axis, side = Z_UP[front.axis]
+        low, high = sorted((0.0, side * front.end))
+        parts, paints, solids = _moving(body.parts, body.paints, front)
+        mass = share * body.mass
+        found.append(MovingPart(body.id, front.name, front.slides, z_up(*front.hinge), axis, (low, high), mass, solids, parts, paints))
+    return found
+
+
+@lru_cache(maxsize=1 << 12)
+def _still(parts: tuple[BodyPart, ...], paints: tuple[Paint, ...]) -> tuple[tuple[BodyPart, ...], tuple[Paint, ...], tuple[Collider, ...]]:
+    kept = [number for number, part in enumerate(parts) if part.front is None]
+    staying = tuple(parts[number] for number in kept)
+    return staying, tuple(paints[number] for number in kept), tuple(map(collider_of, staying))
+
+
+@lru_cache(maxsize=1 << 12)
+def _moving(
+    parts: tuple[BodyPart, ...], paints: tuple[Paint, ...], front: BodyFront
+) -> tuple[tuple[BodyPart, ...], tuple[Paint, ...], tuple[Collider, ...]]:
+    moved = tuple(_from(parts[number], front) for number in front.parts)
+    return moved, tuple(paints[number] for number in front.parts), tuple(map(collider_of, moved))
+
+
+def _from(part: BodyPart, front: BodyFront) -> BodyPart:
+    x, y, z = (at - hinge for at, hinge in zip(part.at, front.hinge, strict=True))
+    return part._replace(at=(x, y, z))
+
+
+@lru_cache(maxsize=1 << 12)
+def _shares(parts: tuple[BodyPart, ...], fronts: tuple[BodyFront, ...]) -> tuple[float, ...]:
+    """Returns which part of its body each front weighs: that of its solids' volume."""
+    volumes = shares_of(tuple(map(collider_of, parts)))
+    return tuple(sum(volumes[number][0] / volumes[number][1] for number in front.parts) for front in fronts)
