@@ -12,13 +12,15 @@ from typing import TYPE_CHECKING
 from catalogs.faults import CatalogError
 
 if TYPE_CHECKING:
+    from catalogs.assets.asset_folder import add_assets
     from catalogs.reading import load_catalogs
     from catalogs.schema import Catalogs
 else:
 
     def __getattr__(name: str) -> object:
         """Imports what reads the files when it is first named: the errors cost none of it."""
-        return getattr(import_module(f"{__name__}.reading"), name)
+        module = "assets.asset_folder" if name == "add_assets" else "reading"
+        return getattr(import_module(f"{__name__}.{module}"), name)
 
 
-__all__ = ["CatalogError", "Catalogs", "load_catalogs"]
+__all__ = ["CatalogError", "Catalogs", "add_assets", "load_catalogs"]

@@ -50,7 +50,8 @@ _ROOM = TypeAdapter(RoomType)
 _SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, ShapeParts])
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
-    "fingerprint": True, "shapes": True, "materials": True, "synonyms": True, "habits": True, "styles": {"__all__": {"materials"}},
+    "fingerprint": True, "assets": True, "shapes": True, "materials": True, "synonyms": True, "habits": True,
+    "styles": {"__all__": {"materials"}},
     "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},
 }  # fmt: skip
@@ -92,8 +93,8 @@ def _layer(directory: Path) -> _Layer:
     shape_files = sorted((directory / _SHAPES).glob("*.yaml"))
     if not room_files and not shape_files and not any(path.exists() for path in paths.values()):
         raise CatalogError(str(directory), "", 1, "holds no catalog", ", ".join(_FILES))
-    entries = {section: _read(path, _SECTIONS[section]) if path.exists() else {} for section, path in paths.items()}
-    entries[_ROOMS] = {name: _read(path, _ROOM) for name, path in room_files.items()}
+    entries = {section: read_entries(path, _SECTIONS[section]) if path.exists() else {} for section, path in paths.items()}
+    entries[_ROOMS] = {name: read_entries(path, _ROOM) for name, path in room_files.items()}
     files = {(section, name): paths[section] for section in paths for name in entries[section]}
     files |= {(_ROOMS, name): path for name, path in room_files.items()}
     entries[_SHAPES], shapes_in = _shapes(shape_files)
@@ -118,10 +119,10 @@ def _shapes(paths: list[Path]) -> tuple[dict[str, Any], dict[tuple[str, str], Pa
     shapes: dict[str, Any] = {}
     files: dict[tuple[str, str], Path] = {}
     for path in paths:
-        read = _read(path, _SHAPE_FILE)
+        read = read_entries(path, _SHAPE_FILE)
         for name in read:
             if name in shapes:
-                raise _located(path, Fault(_SHAPES, (name,), f"the shape is in {files[_SHAPES, name].name} too"))
+                raise located(path, Fault(_SHAPES, (name,), f"the shape is in {files[_SHAPES, name].name} too"))
             files[_SHAPES, name] = path
         shapes |= read
     return shapes, files
@@ -145,7 +146,7 @@ def _checked(layer: _Layer, over_ours: bool = False) -> Catalogs:
         is_row_of_ours = file.parent == HERE and fault.file == "dressing" and len(fault.at) > ROW_KEY
         is_shape_of_ours = file.parent == HERE / _SHAPES
         if not (over_ours and (is_row_of_ours or is_shape_of_ours)):
-            raise _located(file, fault)
+            raise located(file, fault)
     return catalogs.model_copy(update={"fingerprint": fingerprint(catalogs), "shapes": shaped(catalogs, shapes)})
 
 
@@ -155,7 +156,12 @@ def fingerprint(catalogs: Catalogs) -> str:
     return blake2b(json.dumps(content, sort_keys=True).encode(), digest_size=6).hexdigest()
 
 
-def _read(path: Path, adapter: TypeAdapter[Any]) -> Any:
+def read_entries(path: Path, adapter: TypeAdapter[Any]) -> Any:
+    """Reads a file of entries by name.
+
+    Raises:
+        CatalogError: it cannot be read, is no YAML, or an entry is none.
+    """
     try:
         return adapter.validate_python(read_yaml(path.read_bytes()))
     except OSError as error:
@@ -164,7 +170,7 @@ def _read(path: Path, adapter: TypeAdapter[Any]) -> Any:
         key = _key_above(path, fault.line) if fault.line else ""
         raise CatalogError(str(path), key, fault.line or 1, f"is not YAML: {fault}") from fault
     except ValidationError as error:
-        raise _located(path, misfit(error, adapter.json_schema())) from error
+        raise located(path, misfit(error, adapter.json_schema())) from error
 
 
 def _key_above(path: Path, line: int) -> str:
@@ -174,7 +180,7 @@ def _key_above(path: Path, line: int) -> str:
     return keys[-1] if keys else ""
 
 
-def _located(path: Path, fault: Fault) -> CatalogError:
+def located(path: Path, fault: Fault) -> CatalogError:
     """Finds the line of a fault's key by reading the file once more, with marks."""
     node = yaml.compose(path.read_bytes(), LOADER)
     line = node.start_mark.line if node else 0

@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from catalogs.assets.asset_entry import Asset
 from catalogs.dressing import DecorationKind, Dressing
 from catalogs.dwellers import Dweller
 from catalogs.entries import (
@@ -220,7 +221,7 @@ class FlooringSpec(Entry):
 class Catalogs(Entry):
     """Everything the project knows, by name; `fingerprint` identifies the exact data that homes follow from (hex, 12 digits).
 
-    `shapes` are written out for every kind of furniture and decoration that has one.
+    `shapes` are written out for every kind of furniture and decoration that has one. `assets` are the user's own, by name.
     """
 
     furniture: dict[str, FurnitureSpec]
@@ -235,6 +236,7 @@ class Catalogs(Entry):
     shapes: dict[str, tuple[Solid, ...]] = Field(default_factory=dict)
     synonyms: dict[str, Synonym] = Field(default_factory=dict)
     habits: dict[str, Habit] = Field(default_factory=dict)
+    assets: dict[str, Asset] = Field(default_factory=dict)
     fingerprint: str
 
     def __hash__(self) -> int:

@@ -1,6 +1,6 @@
 """The public names that stand on the catalogs: imported when the first of them is named."""
 
-from catalogs import CatalogError, Catalogs, load_catalogs
+from catalogs import CatalogError, Catalogs, add_assets, load_catalogs
 from catalogs.schema import RelationSpec
 from solver.explained import Explained, Hold
 from solver.export_formats import EXPORTERS
@@ -22,6 +22,7 @@ __all__ = [
     "Placement",
     "RelationSpec",
     "Unplaced",
+    "add_assets",
     "explain",
     "export",
     "fix",

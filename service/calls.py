@@ -34,6 +34,7 @@ from solver.errors import FieldError
 from solver.exchange import FORMATS, read, read_request, scene_schema, write, write_scene
 from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import Files, is_available, packed
+from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
 from solver.plain import Document
 from solver.requested import PieceRequest
@@ -211,7 +212,7 @@ def export_scene(document: object, catalogs: Catalogs) -> Document:
     Raises:
         FieldError: a field is wrong.
     """
-    return write_scene(with_kinds(_sent(document).scene, catalogs))
+    return write_scene(with_assets(with_kinds(_sent(document).scene, catalogs), catalogs))
 
 
 class ExportedFile(NamedTuple):

@@ -80,6 +80,9 @@ def _add_output(command: ArgumentParser, what: str, formats: tuple[str, ...] = (
 
 def _add_catalog(command: ArgumentParser) -> None:
     command.add_argument("--catalog", metavar="DIR", help="a folder of your own catalog files, laid over ours (catalogs/example)")
+    command.add_argument("--assets", metavar="DIR", help="a folder of your own .glb files with an assets.yaml, which bodies are shown as")
+    words = "assets of these licences are used: those that allow commercial use (commercial), or any"
+    command.add_argument("--license", choices=("commercial", "any"), default="commercial", help=words)
 
 
 def _add_engine(command: ArgumentParser) -> None:
@@ -188,6 +191,15 @@ def _add_tellers(commands: Commands) -> None:
     _add_output(_command(commands, "schema", "Write the JSON Schema of a scene."), "it")
 
 
+def _add_assets(commands: Commands) -> None:
+    words = "Check a folder of your own .glb files; writes its assets.yaml, what is not said measured or guessed, and marked so."
+    command = _command(commands, "assets", words)
+    command.add_argument("task", choices=("check",), help="check: measure every file, refuse what cannot be used")
+    command.add_argument("folder", metavar="DIR", help="holds .glb files, and an assets.yaml if there is one already")
+    command.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write assets.yaml (standard output)")
+    command.add_argument("--catalog", metavar="DIR", help="a folder of your own catalog files, laid over ours (catalogs/example)")
+
+
 def _add_stats(commands: Commands) -> None:
     words = "Make many houses and say what they are like; --seed is the first one's (0), and they are decorated if nothing else is said."
     command = _command(commands, "stats", words)
@@ -204,7 +216,7 @@ def parser() -> ArgumentParser:
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_generate, _add_fix, _add_place, _add_readers, _add_serve, _add_tellers, _add_stats):
+    for add in (_add_generate, _add_fix, _add_place, _add_readers, _add_serve, _add_tellers, _add_assets, _add_stats):
         add(commands)
     return whole
 

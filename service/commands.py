@@ -185,6 +185,20 @@ def _schema(options: Namespace) -> int:
     return CLEAN
 
 
+def _assets(options: Namespace) -> int:
+    """Checks a folder of assets: says on standard error what is refused and what was guessed."""
+    from catalogs.assets.asset_check import checked_folder
+
+    found = checked_folder(Path(options.folder), _catalogs(options))
+    _put(found.text.encode(), options.output)
+    for words in found.notes:
+        _say(words)
+    for file, reason in found.refused.items():
+        _say(f"refused {file}: {reason}")
+    _say(f"{len(found.entries)} assets, {len(found.refused)} refused, {found.guessed} with something guessed")
+    return ERRORS_FOUND if found.refused else CLEAN
+
+
 def _serve(options: Namespace) -> int:
     from service.server import serve
 
@@ -195,6 +209,7 @@ def _serve(options: Namespace) -> int:
 COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
     "generate": _generate, "fix": _fix, "place": _place, "validate": _validate, "view": _view, "explain": _explain, "export": _export,
     "serve": _serve, "catalog": _catalog, "schema": _schema, "stats": _stats,
+    "assets": _assets,
 }  # fmt: skip
 
 
@@ -203,14 +218,15 @@ def _say(words: str) -> None:
 
 
 def _catalogs(options: Namespace) -> Catalogs:
-    """Reads our catalogs, or a folder of the user's own laid over them.
+    """Reads our catalogs, or a folder of the user's own laid over them, and the user's assets.
 
     Raises:
-        CatalogError: there is a mistake in the folder; names its file, line and key.
+        CatalogError: there is a mistake in a folder; names its file, line and key.
     """
-    from catalogs import load_catalogs
+    from catalogs import add_assets, load_catalogs
 
-    return load_catalogs(getattr(options, "catalog", None) or None)
+    catalogs, assets = load_catalogs(getattr(options, "catalog", None) or None), getattr(options, "assets", None)
+    return catalogs if assets is None else add_assets(catalogs, assets, options.license)
 
 
 def _read(name: str) -> object:

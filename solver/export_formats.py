@@ -13,12 +13,16 @@ FREEDOMS: Final = get_args(Freedom)
 
 
 class Exporter(NamedTuple):
-    """A format: what it is for, the module that writes it, its files' media type; which extra of compose-homes brings its library."""
+    """A format: what it is for, the module that writes it, its files' media type; which extra of compose-homes brings its library.
+
+    `shows_assets`: it shows a user's own assets; other formats show the shapes of kinds.
+    """
 
     words: str
     module: str
     media_type: str
     needs: tuple[str, str] | None = None
+    shows_assets: bool = False
 
 
 EXPORTERS: Final[dict[str, Exporter]] = {
@@ -29,7 +33,9 @@ EXPORTERS: Final[dict[str, Exporter]] = {
     "procthor": Exporter("the house JSON of ProcTHOR and AI2-THOR", "procthor_house", "application/json"),
     "habitat": Exporter("a scene dataset for AI Habitat, with a GLB for each thing", "habitat_scene", "application/zip"),
     "svg": Exporter("floor plan to scale, as an architect draws it", "plan_svg", "image/svg+xml"),
-    "glb": Exporter("glTF: Blender, game engines, viewers, the web; the scene inside, so that it reads back", "glb", "model/gltf-binary"),
+    "glb": Exporter(
+        "glTF: Blender, game engines, viewers, the web; the scene inside, so that it reads back", "glb", "model/gltf-binary", None, True
+    ),
     "usd": Exporter(
         "USD as text: Isaac Sim, Omniverse, Blender; colliders, masses, doors on joints, labels", "usd_stage", "model/vnd.usda"
     ),

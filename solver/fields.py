@@ -58,6 +58,17 @@ class OneOf:
         return _core().core_schema.literal_schema(list(self.words))
 
 
+class Matching:
+    """A text that a regular expression matches."""
+
+    def __init__(self, pattern: str) -> None:
+        self.pattern = pattern
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        """Tells pydantic."""
+        return {**handler(source), "pattern": self.pattern}
+
+
 class Says:
     """What a key is about, in words: for its JSON Schema and for refusals."""
 

@@ -1,7 +1,7 @@
 """Every type of the scene document and of the request, with its units.
 
 Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by key, in its order.
-May import: errors, fields. Not here: reading and writing (exchange), rules (validate).
+May import: errors, fields, what an asset may be called. Not here: reading and writing (exchange), rules (validate).
 
 Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen
 from above, 0 facing south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner;
@@ -18,6 +18,7 @@ from typing import Annotated, Any, ClassVar, Final
 
 from annotated_types import Ge, Le, MinLen
 
+from catalogs.assets import ASSET_NAME
 from solver.answers import OfferedRepair, Removal
 from solver.fields import (
     MAX_WHOLE,
@@ -31,6 +32,7 @@ from solver.fields import (
     Identity,
     Index,
     Like,
+    Matching,
     Name,
     Number,
     OneOf,
@@ -62,6 +64,7 @@ ADJACENCY: Final = (
 )
 
 WallName = Annotated[str, OneOf(*WALLS)]
+OwnAsset = Annotated[str, STRICT, Matching(ASSET_NAME), Says("the name of an own asset: letters, digits and _ . -, never a path")]
 RequiredNumber = Annotated[Number, REQUIRED]
 RequiredMetres = Annotated[PositiveMetres, REQUIRED]
 Seed = Annotated[int, Ge(0), Le(MAX_SEED), WHOLE]
@@ -192,7 +195,8 @@ class Furniture(Record):
     """A piece of furniture: full unrotated extents, m; `width` is across its front, `depth` front to back.
 
     `wall` is the wall it must stand at; `under` the table a chair is tucked under, `on` the piece it stands on (ids). `kind` is the
-    catalogs' key of what it is; without it, of the kinds called `name` the one nearest in size.
+    catalogs' key of what it is; without it, of the kinds called `name` the one nearest in size. `asset` is the name of the own asset
+    that it is shown as.
     """
 
     id: Identity
@@ -211,12 +215,13 @@ class Furniture(Record):
     on: Text | None = None
     locked: Flag = False
     kind: Text | None = field(default=None, metadata={OMITTED: True})
+    asset: OwnAsset | None = field(default=None, metadata={OMITTED: True})
     extra: Mapping[str, object] = _extra()
 
 
 @dataclass(frozen=True)
 class Decoration(Record):
-    """A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any; `kind` as for furniture."""
+    """A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any; `kind` and `asset` as for furniture."""
 
     id: Identity
     name: Text
@@ -231,6 +236,7 @@ class Decoration(Record):
     height: RequiredMetres = 0.0
     color: Text | None = None
     kind: Text | None = field(default=None, metadata={OMITTED: True})
+    asset: OwnAsset | None = field(default=None, metadata={OMITTED: True})
     extra: Mapping[str, object] = _extra()
 
 

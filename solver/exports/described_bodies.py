@@ -7,9 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from math import prod
 from typing import Final
 
 from catalogs import Catalogs
+from catalogs.assets.asset_entry import Asset
 from catalogs.entries import Side
 from solver.body_parts import BodyPart
 from solver.export_formats import Freedom
@@ -56,6 +58,9 @@ class BodyMaker:
         self._painted: dict[tuple[str, str | None, str | None], tuple[Paint, ...]] = {}
         self._alike: dict[tuple[Paint, ...], tuple[Paint, ...]] = {}
         """Each paints that were met as one object, so that equal ones are told by who they are."""
+        self._known_assets = catalogs.assets
+        self.assets: dict[str, Asset] = {}
+        """The own assets that were met."""
         self.unit_shapes: dict[str, tuple[BodyPart, ...]] = {}
         """The parts of each shape that was met, as shares of a body's box."""
 
@@ -79,7 +84,9 @@ class BodyMaker:
         carrier = body.parent if isinstance(body, Decoration) else body.on
         width, depth, height = size = body.width, body.depth, body.height
         sits = sort == "dynamic" and carrier is not None and facts.key
-        mass = max(LEAST_MASS, round(facts.mass * (1.0 if sits else width * depth * height / facts.volume), 4))
+        asset = None if isinstance(body, Dynamic) else self._known_assets.get(body.asset or "")
+        weighs, volume = (asset.mass, prod(asset.size)) if asset and asset.mass else (facts.mass, facts.volume)
+        mass = max(LEAST_MASS, round(weighs * (1.0 if sits else width * depth * height / volume), 4))
         flat = sort == "decoration" and not carrier and not hung and body.y + height <= FLAT
         x, z = round(room.x + body.x, 6), round(room.z + body.z, 6)
         return ModelBody(
@@ -108,7 +115,15 @@ class BodyMaker:
             labels=facts.labels,
             uses=_uses(facts, body, x, z) if facts.sides and sort == "furniture" else (),
             fronts=fronts_of_shape(self._book, facts.shape, size) if sort == "furniture" else (),
+            asset=self._shown_as(body, asset),
         )
+
+    def _shown_as(self, body: BodyOfScene, asset: Asset | None) -> str | None:
+        """Returns the name of the asset that a body is shown as, and keeps the asset."""
+        if asset is None or isinstance(body, Dynamic) or body.asset is None:
+            return None
+        self.assets[body.asset] = asset
+        return body.asset
 
     def _is_fixed(self, facts: KindFacts, mass: float) -> bool:
         if self._free == "none" or facts.moves == "fixed":

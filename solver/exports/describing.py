@@ -56,6 +56,7 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         warnings=tuple(warnings),
         kinds=kinds,
         categories=categories,
+        assets={name: maker.assets[name] for name in sorted(maker.assets)},
     )
 
 

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
+from catalogs.assets.asset_entry import Asset
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
 from solver.scene import Scene
@@ -75,7 +76,8 @@ class ModelBody(NamedTuple):
     coefficient. `kind` is the catalogs' key (None: they do not know it), `shape` the key under which bodies of one look share their
     parts in `HouseModel.shapes`. `parent` is the id of what carries it. `hung`: it hangs on a wall; `fixed`: it never moves in a
     simulator; `flat`: a rug or mat, which others stand through. `parts` and `paints` go together. `uses` are the points on the
-    floor (x, z, turn) from which it is used, facing it. `fronts` is what opens.
+    floor (x, z, turn) from which it is used, facing it. `fronts` is what opens. `asset` is the name, in `HouseModel.assets`, of what it is
+    shown as; it collides as its parts all the same.
     """
 
     id: str
@@ -103,6 +105,7 @@ class ModelBody(NamedTuple):
     labels: tuple[str, ...] = ()
     uses: tuple[tuple[float, float, float], ...] = ()
     fronts: tuple[BodyFront, ...] = ()
+    asset: str | None = None
 
 
 class PanelHole(NamedTuple):
@@ -238,3 +241,5 @@ class HouseModel:
     """Every kind of furniture that the catalogs know, in order: what training counts as classes, the same for all houses."""
     categories: tuple[str, ...] = ()
     """Every category that the catalogs know, in order."""
+    assets: Mapping[str, Asset] = field(default_factory=dict)
+    """The own assets that bodies are shown as, by name."""

@@ -8,14 +8,16 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Final
 
+from solver.body_parts import BodyPart
 from solver.errors import RequestError
 from solver.export_formats import EXPORTERS
-from solver.exports.model import HouseModel
+from solver.exports.asset_files import CREDITS, credits_of
+from solver.exports.model import HouseModel, ModelBody
 
 Files = dict[str, bytes]
 """Contents by file name; folders with slashes."""
@@ -43,8 +45,29 @@ def written_as(model: HouseModel, settings: ExportSettings) -> Files:
     if exporter.needs and not is_available(settings.format):
         problem = f"{settings.format} needs {exporter.needs[0]}, which is not installed"
         raise RequestError("format", problem, f"another format; or pip install 'compose-homes[{exporter.needs[1]}]'")
-    files: Files = import_module(f"solver.exports.formats.{exporter.module}").write(model, settings)
-    return files
+    shown = _shut(model) if exporter.shows_assets else without_assets(model)
+    files: Files = import_module(f"solver.exports.formats.{exporter.module}").write(shown, settings)
+    return {**files, CREDITS: credits_of(shown.assets)} if shown.assets else files
+
+
+def without_assets(model: HouseModel) -> HouseModel:
+    """Returns a house whose bodies are shown as their kinds' shapes."""
+    if not model.assets:
+        return model
+    return replace(model, bodies=tuple(body._replace(asset=None) for body in model.bodies), assets={})
+
+
+def _shut(model: HouseModel) -> HouseModel:
+    """Returns a house in which bodies that are shown as assets have no fronts: nobody knows what of an asset opens."""
+    solid: dict[int, tuple[BodyPart, ...]] = {}
+
+    def shut(body: ModelBody) -> ModelBody:
+        if not (body.asset and body.fronts):
+            return body
+        parts = solid.setdefault(id(body.parts), tuple(part._replace(front=None) for part in body.parts))
+        return body._replace(fronts=(), parts=parts)
+
+    return replace(model, bodies=tuple(map(shut, model.bodies))) if model.assets else model
 
 
 def is_available(format: str) -> bool:

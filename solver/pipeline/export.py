@@ -12,6 +12,7 @@ from solver.errors import SceneError
 from solver.exchange import FORMATS, write_scene
 from solver.export_formats import Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
+from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
 from solver.scene import Issue, Scene
 from solver.validator import validate
@@ -46,8 +47,10 @@ def export(scene: Scene, format: str, *, free: Freedom = "light", strict: bool =
     errors = [issue for issue in validate(scene, known) if issue.severity == "error"]
     if errors and strict:
         raise SceneError("scene", f"has {len(errors)} errors: {errors[0].message}", "a scene without errors, or without strict")
-    model = describe(with_kinds(scene, known), known, free, _told(errors))
-    return written_as(model, ExportSettings(format, lambda: FORMATS["json"].dump(write_scene(scene)).rstrip()))
+    shown = with_assets(with_kinds(scene, known), known)
+    model = describe(shown, known, free, _told(errors))
+    kept = shown if model.assets else scene
+    return written_as(model, ExportSettings(format, lambda: FORMATS["json"].dump(write_scene(kept)).rstrip()))
 
 
 def _told(errors: list[Issue]) -> list[str]:

@@ -14,6 +14,7 @@ from solver.certificate import certified
 from solver.errors import RequestError
 from solver.furnish import space_of
 from solver.furnish.zones import bounds_of, outline_edges
+from solver.named_assets import with_assets
 from solver.pipeline.conflicts import conflicts_of, unexplained
 from solver.pipeline.drag import NO_ANSWER
 from solver.pipeline.drag_frames import frame_of
@@ -112,7 +113,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     timing.lap("validate_again")
     conflicts += unexplained(house, conflicts, settings)
     removed = _removed(scene, house.scene, conflicts)
-    answer = certified(words.in_their_words(house.scene))
+    answer = certified(words.in_their_words(with_assets(house.scene, known)))
     return Fixed(answer, _moves(scene, answer), removed, tuple(conflicts), house.issues, timing.ms, words.understood_as)
 
 

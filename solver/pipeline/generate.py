@@ -20,6 +20,7 @@ from solver.furnish import space_of, unwanted_pieces, wanted_pieces, wanted_rows
 from solver.furnished import furnished
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
+from solver.named_assets import with_assets
 from solver.people import Household, peopled
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.decorate import decorated
@@ -102,7 +103,7 @@ def generate(
     timing.lap("people")
     issues = validate(scene, known)
     timing.lap("validate")
-    return Generated(scene, issues, timing.ms)
+    return Generated(with_assets(scene, known), issues, timing.ms)
 
 
 def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
@@ -315,7 +316,7 @@ def reroll(
         before = {(issue.rule, issue.ids) for issue in validate(scene, known)}
         _refuse(rooms, stays, {issue.room for issue in issues if issue.severity == "error" and (issue.rule, issue.ids) not in before})
     timing.lap("validate")
-    return Generated(new, issues, timing.ms)
+    return Generated(with_assets(new, known), issues, timing.ms)
 
 
 def _setting_of(scene: Scene, known: Catalogs, seed: int, staying: Mapping[str, Staying] | None = None) -> _Setting:

@@ -15,6 +15,7 @@ from solver.certificate import room_certificate
 from solver.furnish import Habits, ListedPieces, Listing, habits_of, listed_pieces, scope_of, space_of
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND
+from solver.named_assets import with_assets
 from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.pipeline.obstacles import obstacles
 from solver.relations.held import FinishedRoom, at_wall, held, standing
@@ -132,7 +133,7 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
     for label, spec in relations_of(task.requests):
         holds, of = held(seen, label, spec)
         relations.append(Held(label, spec.type, of, holds))
-    return Placement(scene, tuple(relations), unplaced, arrangement.cost, validate(scene, task.catalogs))
+    return Placement(with_assets(scene, task.catalogs), tuple(relations), unplaced, arrangement.cost, validate(scene, task.catalogs))
 
 
 def _written(task: PlaceTask, arrangement: Arrangement) -> Room:

@@ -21,6 +21,7 @@ GROUND_FLOOR = {
     "scene_bodies",
     "named_kinds",
     "understanding",
+    "named_assets",
     "export_formats",
     "body_parts",
     "answers",

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 import compose_homes
-from catalogs import load_catalogs
+from catalogs import add_assets, load_catalogs
 from compose_homes import ComposeError, Request, RequestError, Room, Scene, SceneError, SyntaxFault, dump, fix, generate, load, validate
 from solver import validator
 
 PUBLIC = {name: getattr(compose_homes, name) for name in compose_homes.__all__}
-FUNCTIONS = [member for member in PUBLIC.values() if isfunction(member) and member is not load_catalogs]
+FUNCTIONS = [member for member in PUBLIC.values() if isfunction(member) and member not in (add_assets, load_catalogs)]
 
 
 @pytest.fixture(scope="module")

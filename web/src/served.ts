@@ -7,7 +7,7 @@ export interface Conflict {
   readonly repairs: readonly (Freed | Unlocked | Turned | Shrunk | LeftOut)[];
 }
 
-/** A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any; `kind` as for furniture. */
+/** A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any; `kind` and `asset` as for furniture. */
 export interface Decoration {
   /** made up where it is absent, alike each time */
   readonly id: string;
@@ -23,6 +23,7 @@ export interface Decoration {
   readonly height: number;
   readonly color: string | null;
   readonly kind?: string | null;
+  readonly asset?: string | null;
 }
 
 /** A person or a pet; `room` is the room's id, the pose relative to that room; `on` the seat one sits on (its id). */
@@ -124,6 +125,7 @@ export interface Furniture {
   readonly on: string | null;
   readonly locked: boolean;
   readonly kind?: string | null;
+  readonly asset?: string | null;
 }
 
 /** One kind of furniture. `stands: wall` means that its back is 3 cm from a wall's face. */

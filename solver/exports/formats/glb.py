@@ -13,9 +13,11 @@ from typing import Final, NamedTuple
 
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
+from solver.exports.asset_files import fit_of
 from solver.exports.colliders import FLOOR
 from solver.exports.floor_rectangles import FloorRectangle, rectangles_of
 from solver.exports.formats.glb_book import Geometry, GltfBook, geometry_of
+from solver.exports.glb_merging import AssetNodes
 from solver.exports.model import BodyFront, Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 from solver.exports.paints import PLAIN_CEILING
 from solver.exports.solid_meshes import BoxFace, box_faces, joined, scaled, surface_of
@@ -54,6 +56,7 @@ class _Writer:
         self._model = model
         self._shapes: dict[tuple[str, str | None, tuple[float, ...]], tuple[_Group, ...]] = {}
         self._meshes: dict[tuple[object, ...], int] = {}
+        self._assets = AssetNodes(self.book, model.assets)
 
     def nodes(self) -> Iterator[_Node]:
         """Yields every node of the house but the groups."""
@@ -121,6 +124,10 @@ class _Writer:
         name, kind, parent, room = quoted(body.id), _text(body.kind), _text(body.parent), _text(body.room)
         says = f'"id":{name},"sort":"{body.sort}","kind":{kind},"category":{quoted(body.category)},"room":{room},"parent":{parent}'
         extras = f'{{{says},"labels":{_labels(body.labels)},"mass":{body.mass},"fixed":{_flag(body.fixed)}}}'
+        if body.asset:
+            fit = fit_of(self._model.assets[body.asset], (body.width, body.depth, body.height))
+            place = f'"translation":[{body.x},{body.y},{body.z}],"rotation":{_turned(body.turn)}'
+            return f'{{"name":{name},{place},"children":[{self._assets.below(body.asset, fit)}],"extras":{extras}}}'
         size = f"[{max(1e-6, round(body.width, 6))},{max(1e-6, round(body.height, 6))},{max(1e-6, round(body.depth, 6))}]"
         place = f'"translation":[{body.x},{body.y},{body.z}],"rotation":{_turned(body.turn)}'
         if not body.fronts:

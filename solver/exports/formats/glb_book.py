@@ -52,19 +52,44 @@ class GltfBook:
         self._lengths = [0, 0, 0]
         self._accessors: list[str] = []
         self._placed: dict[int, tuple[Geometry, int]] = {}
-        self._materials: dict[Paint, int] = {}
+        self._materials: dict[Paint | str, int] = {}
         self._meshes: list[str] = []
         self._nodes: list[str] = []
+        self._foreign: list[tuple[bytes, str]] = []
+        """Views of other files: their bytes, and what is said of them after their place."""
+        self.textures: list[str] = []
+        self.images: list[str] = []
+        self.samplers: list[str] = []
+        self.extensions: set[str] = set()
 
     def mesh(self, name: str, painted: PaintedGeometry) -> int:
         """Adds a mesh and returns its number; geometry that was met before is not written again."""
         primitives = []
         for geometry, paint in painted:
             first = self._place(geometry)
-            material = self._materials.setdefault(paint, len(self._materials))
+            material = self.material(paint)
             attributes = f'"attributes":{{"POSITION":{first},"NORMAL":{first + 1}}}'
             primitives.append(f'{{{attributes},"indices":{first + 2},"material":{material}}}')
         self._meshes.append(f'{{"name":{quoted(name)},"primitives":[{",".join(primitives)}]}}')
+        return len(self._meshes) - 1
+
+    def view(self, content: bytes, says: str) -> int:
+        """Adds a view of its own and returns its number; `says` are further members, each after a comma."""
+        self._foreign.append((content, says))
+        return len(_VIEWS) + len(self._foreign) - 1
+
+    def accessor(self, text: str) -> int:
+        """Adds an accessor, a JSON object's text, and returns its number."""
+        self._accessors.append(text)
+        return len(self._accessors) - 1
+
+    def material(self, look: Paint | str) -> int:
+        """Adds a material, a paint or a JSON object's text, and returns its number; equal ones are one."""
+        return self._materials.setdefault(look, len(self._materials))
+
+    def mesh_of(self, text: str) -> int:
+        """Adds a mesh, a JSON object's text, and returns its number."""
+        self._meshes.append(text)
         return len(self._meshes) - 1
 
     def node(self, text: str) -> int:
@@ -93,28 +118,44 @@ class GltfBook:
             warnings: what is wrong with the house.
             scene: the scene's document, JSON.
         """
-        lengths, starts = self._lengths, (0, self._lengths[0], self._lengths[0] + self._lengths[1])
-        views = [
-            f'{{"buffer":0,"byteOffset":{start},"byteLength":{length},{kind}}}'
-            for start, length, kind in zip(starts, lengths, _VIEWS, strict=True)
-        ]
+        views, content = self._views()
         told = ",".join(map(quoted, warnings))
         under = "" if root is None else f'"nodes":[{root}],'
         lists = {
             "nodes": self._nodes,
             "meshes": self._meshes,
-            "materials": [*map(_material, self._materials)],
+            "materials": [look if isinstance(look, str) else _material(look) for look in self._materials],
             "accessors": self._accessors,
+            "textures": self.textures,
+            "images": self.images,
+            "samplers": self.samplers,
+            "extensionsUsed": [*map(quoted, sorted(self.extensions))],
         }
         parts = {
             "asset": f'{{"version":"2.0","generator":"Compose {VERSION}","extras":{{"warnings":[{told}]}}}}',
             "scene": "0",
             "scenes": f'[{{"name":"house",{under}"extras":{{"scene":{scene}}}}}]',
             **{key: _listed(items) for key, items in lists.items() if items},
-            **({"bufferViews": _listed(views), "buffers": f'[{{"byteLength":{sum(lengths)}}}]'} if self._accessors else {}),
+            **({"bufferViews": _listed(views), "buffers": f'[{{"byteLength":{sum(map(len, content))}}}]'} if self._accessors else {}),
         }
         text = "{" + ",".join(f'"{key}":{value}' for key, value in parts.items()) + "}"
-        return _packed(text.encode(), [part for contents in self._content for part in contents])
+        return _packed(text.encode(), content)
+
+    def _views(self) -> tuple[list[str], list[bytes]]:
+        """Returns what the document says of its views, and the bytes of all of them one after another."""
+        lengths, starts = self._lengths, (0, self._lengths[0], self._lengths[0] + self._lengths[1])
+        views = [
+            f'{{"buffer":0,"byteOffset":{start},"byteLength":{length},{kind}}}'
+            for start, length, kind in zip(starts, lengths, _VIEWS, strict=True)
+        ]
+        content, end = [part for contents in self._content for part in contents], sum(lengths)
+        for part, says in self._foreign:
+            content.append(bytes(-end % 4))
+            end += -end % 4
+            views.append(f'{{"buffer":0,"byteOffset":{end},"byteLength":{len(part)}{says}}}')
+            content.append(part)
+            end += len(part)
+        return views, content
 
 
 def _listed(items: Iterable[str]) -> str:

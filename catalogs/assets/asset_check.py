@@ -1,0 +1,149 @@
+"""A folder of .glb files -> its `assets.yaml`: what is not said is measured, or guessed and marked as guessed; what is refused, and why.
+
+Comes in: a folder, catalogs. Goes out: `CheckedFolder`. Guessed are kinds (by words of the file's path and, among those, by size), the
+unit, the front (glTF's +z) and the licence (unsaid). Units are never guessed where several fit, or none.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Final, NamedTuple
+
+import yaml
+
+from catalogs.assets import ASSET_NAME
+from catalogs.assets.asset_entry import UNSAID, Asset, AssetEntry
+from catalogs.assets.asset_folder import ASSET_FILE, entries_of
+from catalogs.assets.asset_measures import KindTable, fitting_units, kind_table, measured, turned_extents
+from catalogs.assets.glb_bounds import bounds_of
+from catalogs.assets.glb_file import GlbFault, read_glb
+from catalogs.schema import Catalogs
+
+MOST_FILES: Final = 20_000
+"""Most files that a folder is searched for, in it and below. Our choice."""
+LEVEL: Final = 0.02
+"""A surface of an asset is one of its kind's if it is so near, m, once the asset is as high as the kind."""
+_WORD: Final = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
+_ORDER: Final = ("file", "kinds", "front", "size", "surfaces", "mass", "license", "source", "author", "guessed")
+
+
+class CheckedFolder(NamedTuple):
+    """What was found: the entries, as YAML too; why files are refused; what else is to be said; how many entries are guessed in part."""
+
+    entries: dict[str, AssetEntry]
+    text: str
+    refused: dict[str, str]
+    notes: list[str]
+
+    @property
+    def guessed(self) -> int:
+        """How many entries have something that nobody said."""
+        return sum(bool(entry.guessed) for entry in self.entries.values())
+
+
+def checked_folder(folder: Path, catalogs: Catalogs) -> CheckedFolder:
+    """Checks a folder of assets.
+
+    Args:
+        folder: holds .glb files, in it or below; what its `assets.yaml` says, if there is one, stays.
+        catalogs: whose kinds assets may stand for.
+
+    Raises:
+        CatalogError: its `assets.yaml` cannot be read.
+    """
+    kinds = kind_table(catalogs.furniture, catalogs.decorations)
+    said = entries_of(folder / ASSET_FILE) if (folder / ASSET_FILE).is_file() else {}
+    known = {entry.file for entry in said.values()}
+    wanted: dict[str, AssetEntry | str] = dict(said)
+    for file in _files(folder):
+        if file not in known:
+            wanted[_name(file, wanted)] = file
+    entries, refused, notes = {}, {}, []
+    for name, entry in sorted(wanted.items()):
+        file = entry if isinstance(entry, str) else entry.file
+        try:
+            asset_entry = _guessed(folder, entry, kinds, catalogs) if isinstance(entry, str) else entry
+            unknown = [word for word in asset_entry.kinds if not kinds.keys_of((word,))]
+            if unknown:
+                raise GlbFault(f"stands for {', '.join(unknown)}, which no catalog knows")
+            asset = measured(folder, asset_entry, kinds)
+        except (GlbFault, ValueError) as fault:
+            refused[file] = str(fault)
+            continue
+        entries[name] = asset_entry.model_copy(update={"size": asset.size, "guessed": asset.guessed})
+        notes += [f"{name}: {words}" for words in _remarks(asset, kinds)]
+    return CheckedFolder(entries, _text(entries), refused, notes)
+
+
+def _files(folder: Path) -> list[str]:
+    """Returns the .glb files in a folder and below, by their paths from it."""
+    found = []
+    for path in folder.rglob("*"):
+        if path.suffix.lower() == ".glb":
+            found.append(path.relative_to(folder).as_posix())
+        if len(found) > MOST_FILES:
+            raise OSError(f"{folder} holds more than {MOST_FILES} .glb files")
+    return sorted(found)
+
+
+def _name(file: str, taken: Iterable[str]) -> str:
+    """Returns a name for an asset that no other has: its file's, without what names may not hold."""
+    stem = re.sub(r"[^A-Za-z0-9_.-]+", "_", file.rpartition(".")[0].rpartition("/")[2])[:90].lstrip("_.-") or "asset"
+    names = set(taken)
+    name = next(name for number in range(1, len(names) + 2) if (name := stem if number == 1 else f"{stem}_{number}") not in names)
+    assert re.match(ASSET_NAME, name)
+    return name
+
+
+def _guessed(folder: Path, file: str, kinds: KindTable, catalogs: Catalogs) -> AssetEntry:
+    """Returns the entry of a file of which nothing is said.
+
+    Raises:
+        GlbFault: it is refused, or no kind can be guessed.
+    """
+    entry = AssetEntry(file=file, kinds=("?",), guessed=("kinds", "front", "license"))
+    extents = turned_extents(bounds_of(read_glb(folder / file)), entry.front)
+    words = words_of(file.rpartition(".")[0])
+    best: dict[str, int] = {}
+    for key, spec in kinds.specs.items():
+        names = (key, getattr(spec, "name", None) or key, *spec.labels)
+        fit = max((len(parts) for name in names if (parts := words_of(name)) and parts <= words), default=0)
+        if fit:
+            best[key] = fit
+    most = max(best.values(), default=0)
+    named = [key for key, fit in best.items() if fit == most]
+    if not named:
+        raise GlbFault("has a name that is none of a kind's; say its `kinds`")
+    fitting = [key for key in named if fitting_units(extents, [kinds.specs[key].size])]
+    return entry.model_copy(update={"kinds": tuple(dict.fromkeys(catalogs.name_of(key) for key in fitting or named)), "license": UNSAID})
+
+
+def words_of(name: str) -> frozenset[str]:
+    """Returns the words of a name, of whatever case and with whatever between them, without plurals' s."""
+    return frozenset(word.lower().removesuffix("s") if len(word) > 3 else word.lower() for word in _WORD.findall(name))
+
+
+def _remarks(asset: Asset, kinds: KindTable) -> list[str]:
+    """Says what is guessed of an asset, and on which of its kinds nothing can lie."""
+    found = [f"guessed {', '.join(asset.guessed)}: {', '.join(asset.kinds)}, front {asset.front}"] if asset.guessed else []
+    bare = []
+    for key in kinds.keys_of(asset.kinds):
+        spec = kinds.specs[key]
+        surfaces = [height * spec.size[2] / asset.size[2] for height in asset.surfaces or (asset.size[2],)]
+        if any(all(abs(surface.height - height) > LEVEL for height in surfaces) for surface in spec.surfaces):
+            bare.append(key)
+    if bare:
+        found.append(f"not for a {' or '.join(bare)} that carries something: its `surfaces` are not theirs")
+    return found
+
+
+def _text(entries: Mapping[str, AssetEntry]) -> str:
+    """Returns entries as YAML; keys that hold their defaults are left out, but not the front and the licence."""
+    lines = ["# Written by `compose assets check`. `guessed` names what nobody has said: look at it, then take it out.\n"]
+    for name, entry in entries.items():
+        said: dict[str, Any] = entry.model_dump(mode="json", exclude_defaults=True) | {"front": entry.front, "license": entry.license}
+        ordered = {key: said[key] for key in _ORDER if key in said}
+        lines.append(yaml.safe_dump({name: ordered}, default_flow_style=None, sort_keys=False, allow_unicode=True, width=140))
+    return "".join(lines)
