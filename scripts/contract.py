@@ -13,7 +13,7 @@ from service.app import create_app
 
 FILE = Path(__file__).parent.parent / "web" / "src" / "served.ts"
 PAGE = (
-    *("Generated", "Fixed", "FixBody", "ValidateAnswer", "Explained", "Lines", "FloorAnswer", "ProblemDocument", "Request"),
+    *("Generated", "Fixed", "FixBody", "DragAnswer", "ValidateAnswer", "Explained", "Lines", "FloorAnswer", "ProblemDocument", "Request"),
     *("FurnitureSpec", "Solid", "Material", "WallPaint", "Preset"),
 )
 """What the page takes and sends; what these refer to comes with them."""

@@ -16,6 +16,8 @@ PAGE_POLICY: Final = (
     "worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
 """What the page may load: its own files, nothing inline, nothing from elsewhere."""
+WORKER_POLICY: Final = PAGE_POLICY.replace("script-src 'self'", "script-src 'self' 'wasm-unsafe-eval'")
+"""What the page's worker may load besides: the core, which is compiled there and nowhere else."""
 HEADERS: Final = {
     "Content-Security-Policy": PAGE_POLICY,
     "Cross-Origin-Opener-Policy": "same-origin",

@@ -9,7 +9,12 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, PlainTextResponse, Response
 from starlette.staticfiles import StaticFiles
 
+from service.guard import WORKER_POLICY
+from solver.core import WASM
+
 STATIC: Final = Path(__file__).parent / "static"
+WORKER: Final = "core_worker-"
+"""How the name of the worker's file begins."""
 NOT_BUILT: Final = "The page is not built here (`make run` builds it). The calls answer all the same; they are described at /docs.\n"
 
 
@@ -19,6 +24,13 @@ async def index(_: Request) -> Response:
     if not built.is_file():
         return PlainTextResponse(NOT_BUILT, 503)
     return FileResponse(built, headers={"Cache-Control": "no-cache"})
+
+
+async def core(_: Request) -> Response:
+    """Serves the core, which the page runs as well; it is asked every time whether it is still the same."""
+    if not WASM.is_file():
+        return PlainTextResponse("The core is not built here: `make core` builds it.\n", 503)
+    return FileResponse(WASM, media_type="application/wasm", headers={"Cache-Control": "no-cache"})
 
 
 class Assets(StaticFiles):
@@ -31,7 +43,9 @@ class Assets(StaticFiles):
         """Lets a missing folder be: its files are then simply not found."""
 
     def file_response(self, *args: Any, **kwargs: Any) -> Response:
-        """Adds how long the file may be kept."""
+        """Adds how long the file may be kept, and what the worker may do."""
         response = super().file_response(*args, **kwargs)
         response.headers["Cache-Control"] = "public, max-age=31536000, immutable"
+        if Path(args[0]).name.startswith(WORKER):
+            response.headers["Content-Security-Policy"] = WORKER_POLICY
         return response

@@ -20,6 +20,7 @@ from solver.free_places import footprint
 from solver.pipeline.drag import NO_ANSWER, Dragging, FrameAnswer, alone, opening_of, riders_of
 from solver.repair import all_bodies
 from solver.scene import Decoration, Dynamic, Furniture, Pose, Room, Scene
+from solver.understanding import understood
 
 MOST_KEPT: Final = 4
 """Drags that are kept prepared: one a person who drags, of a few."""
@@ -54,6 +55,7 @@ def prepare_drag(scene: Scene, label: str, *, locked: Sequence[str] = (), catalo
         locked: ids that stay, besides pieces that say so themselves.
         catalogs: whose kinds are known.
     """
+    scene = understood(scene, catalogs).scene
     room = _room_of(scene, label)
     if room is None:
         return PreparedDrag(None, ())

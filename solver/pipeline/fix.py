@@ -121,13 +121,15 @@ def _dragged(scene: Scene, locked: Sequence[str], moved: Sequence[str], previous
     """Answers a frame of a drag; None where the piece is none that can be dragged by itself."""
     if len(moved) != 1:
         raise RequestError("moved", f"names {len(moved)} bodies", "the one that is dragged")
-    frame = frame_of(scene, moved[0], locked, {pose.id: pose for pose in previous}, catalogs)
+    words = understood(scene, catalogs)
+    frame = frame_of(words.scene, moved[0], locked, {pose.id: pose for pose in previous}, catalogs)
     if frame is None:
         return None
-    words = f"not found while it is dragged: a place for {moved[0]} and those around it"
-    conflicts = (Conflict((moved[0],), words, ()),) if frame.answer.outcome == NO_ANSWER else ()
+    message = f"not found while it is dragged: a place for {moved[0]} and those around it"
+    conflicts = (Conflict((moved[0],), message, ()),) if frame.answer.outcome == NO_ANSWER else ()
     timing = {"work": float(frame.answer.work)}
-    return Fixed(certified(frame.scene), _moves(scene, frame.scene), (), conflicts, (), timing)
+    answer = certified(words.in_their_words(frame.scene))
+    return Fixed(answer, _moves(scene, answer), (), conflicts, (), timing, words.understood_as)
 
 
 def _share(rooms: int) -> float:

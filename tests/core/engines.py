@@ -23,9 +23,11 @@ from tqdm import tqdm
 
 from solver import Request, fix, generate
 from solver.core.host import WASM
+from solver.pipeline.drag import alone
 from solver.scene import Scene
 from tests.chromium import FLAGS, executable
 from tests.core.recording import recorded
+from tests.pipeline.drags import dragged as answered
 
 ROOT = Path(__file__).resolve().parents[2]
 SETS: Sequence[dict[str, Any]] = ({}, {"program": "family", "decorate": True}, {"program": "large", "decorate": True})
@@ -52,6 +54,15 @@ def dragged(scene: Scene, frames: int) -> None:
         fix(replace(scene, rooms=rooms), moved=(piece.id,))
 
 
+def frames_of_drags(scene: Scene, frames: int) -> None:
+    """Answers so many frames of a drag in every room of a home, as the page asks them."""
+    for room in scene.rooms:
+        own = alone(scene, room)
+        largest = max((piece for piece in room.furniture if piece.on is None), key=lambda piece: piece.width * piece.depth, default=None)
+        if largest is not None:
+            answered(own, largest.id, frames)
+
+
 def recording_of(seeds: range, frames: int) -> bytes:
     """Makes a home a seed, of the sets in turn, with so many frames of dragging in the first, and returns what the core was asked."""
     with recorded() as recorder:
@@ -59,6 +70,7 @@ def recording_of(seeds: range, frames: int) -> bytes:
             scene = generate(Request(seed=seed, **SETS[seed % len(SETS)])).scene
             if seed == seeds.start:
                 dragged(scene, frames)
+                frames_of_drags(scene, frames)
     return recorder.content
 
 

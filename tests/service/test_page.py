@@ -13,6 +13,7 @@ from starlette.testclient import TestClient
 
 from service import page
 from service.app import create_app
+from solver.core import WASM
 
 HTML = '<!doctype html><html><head><script type="module" src="./assets/index-1a2b.js"></script></head><body>ours</body></html>'
 
@@ -86,6 +87,19 @@ def test_the_page_may_run_its_own_scripts_only(built: TestClient) -> None:
     policy = built.get("/").headers["content-security-policy"]
     assert "script-src 'self';" in policy
     assert "connect-src 'self';" in policy
+
+
+def test_the_worker_alone_may_compile_the_core(built: TestClient) -> None:
+    (page.STATIC / "assets" / f"{page.WORKER}1a2b.js").write_text("postMessage('core')")
+    assert "script-src 'self' 'wasm-unsafe-eval';" in built.get(f"/assets/{page.WORKER}1a2b.js").headers["content-security-policy"]
+    assert "wasm" not in built.get("/assets/index-1a2b.js").headers["content-security-policy"]
+
+
+def test_the_core_is_served_as_it_is_run_here(built: TestClient) -> None:
+    answer = built.get("/core.wasm")
+    assert (answer.status_code, answer.headers["content-type"]) == (200, "application/wasm")
+    assert answer.content == WASM.read_bytes()
+    assert answer.headers["cache-control"] == "no-cache"
 
 
 def test_the_description_needs_no_script_and_nothing_from_elsewhere(client: TestClient) -> None:

@@ -1,7 +1,7 @@
 /** What the page takes and sends: the service's own types (served.ts), and where the page knows more than they say. */
 import type * as Served from "./served";
 
-export type { Conflict, Explained, FieldProblem, FloorAnswer, Hold, Level, RoomFloor, Sides } from "./served";
+export type { Conflict, DragAnswer, Explained, FieldProblem, FloorAnswer, Hold, Level, RoomFloor, Sides } from "./served";
 export type { Lines as ViewAnswer, Material as CatalogMaterial } from "./served";
 
 /** A document of which some keys are never null: the service makes it so, or `drawable` has completed it. */

@@ -26,6 +26,12 @@ export interface Decoration {
   readonly asset?: string | null;
 }
 
+/** The room prepared for the core (base64), and all that is in it in the order of a frame; null where /fix has to be asked instead. */
+export interface DragAnswer {
+  readonly opening: string | null;
+  readonly bodies: readonly string[];
+}
+
 /** A person or a pet; `room` is the room's id, the pose relative to that room; `on` the seat one sits on (its id). */
 export interface Dynamic {
   /** made up where it is absent, alike each time */

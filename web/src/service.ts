@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { Catalog, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
+import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 
 /** What is known of a refusal beside its words. */
 interface Refusal {
@@ -179,6 +179,16 @@ export async function readFile({ name, content, format }: GivenFile, signal: Abo
 
 export function fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer> {
   return post("fix", request, signal);
+}
+
+/** Prepares the room of a piece that is taken in hand. */
+export function drag(scene: Scene, id: string, signal: AbortSignal): Promise<DragAnswer> {
+  return post("drag", { scene, id }, signal);
+}
+
+/** Where the service keeps the core that the page runs as well. */
+export function coreUrl(): string {
+  return new URL("core.wasm", document.baseURI).href;
 }
 
 /** The floor of rooms, all where none are named, as the rules see it. */

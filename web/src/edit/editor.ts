@@ -1,10 +1,14 @@
 /** Edits of the home: each is wished for, judged by the service, and shown as one step that can be undone. */
 import type { Conflict, FixAnswer, FixRequest, Pose, Repair, Room, Scene } from "../contract";
 import type { Home, Shown } from "../state/home";
+import { answerOf, drawn, samePlaces, type Frames, type TakeInHand } from "./frames";
 import { Live } from "./live";
 import { added, alone, locked, moved, posesOf, repaired, withRoom, without, type FurnitureKind, type Wish } from "./scene_edits";
 
 export type Fix = (request: FixRequest, signal: AbortSignal) => Promise<FixAnswer>;
+
+/** How often the same wish is asked again while something is still on its way there. */
+const MOST_ROUNDS = 40;
 
 /** What a scene could not become, why, and what would help. */
 export interface Refusal {
@@ -35,6 +39,8 @@ interface Held {
   readonly base: Scene;
   wish: Wish;
   previous: readonly Pose[];
+  /** Who answers frames in the page, once it is ready. */
+  frames: Frames | null;
 }
 
 interface Question {
@@ -42,6 +48,8 @@ interface Question {
   readonly request: FixRequest;
   /** The last of a drag, for the whole house. */
   readonly last: boolean;
+  /** How often it was asked before. */
+  readonly round: number;
 }
 
 interface Draft {
@@ -92,9 +100,9 @@ export class Editor {
   /** What is wished for a piece and has not begun: more of the same is added up. */
   #shifted: Shift | null = null;
 
-  constructor(readonly home: Home, readonly fix: Fix, readonly words: EditorWords) {
+  constructor(readonly home: Home, readonly fix: Fix, readonly words: EditorWords, readonly takeInHand: TakeInHand = () => Promise.resolve(null)) {
     this.#live = new Live({
-      ask: ({ request }, signal) => fix(request, signal),
+      ask: (question, signal) => this.#ask(question, signal),
       answered: (answer, question) => this.#answered(answer, question),
       failed: (reason) => this.#lost(reason),
     });
@@ -120,8 +128,11 @@ export class Editor {
     if (!found || !before || this.busy || found.piece.locked) return false;
     const { room, piece } = found;
     const wish = { x: piece.x, z: piece.z, rotation: piece.rotation ?? 0 };
-    this.#held = { id, room, base: alone(before.scene, room.id), wish, previous: posesOf(before.scene, room.id) };
+    const held: Held = { id, room, base: alone(before.scene, room.id), wish, previous: posesOf(before.scene, room.id), frames: null };
+    this.#held = held;
     this.#dropped = false;
+    const inHand = moved(held.base, id, wish);
+    this.takeInHand(inHand, id).then((frames) => { held.frames = frames; }, () => undefined); // the service is asked instead
     this.words.refused(null);
     return true;
   }
@@ -137,7 +148,19 @@ export class Editor {
     held.wish = { ...held.wish, x: within(at.x - room.x, across, room.width), z: within(at.z - room.z, along, room.depth) };
     const scene = moved(held.base, held.id, held.wish);
     this.words.lifted(held.id, scene);
-    this.#live.want({ held, last: false, request: this.#wishFor(held, scene) });
+    this.#live.want({ held, last: false, round: 0, request: this.#wishFor(held, scene) });
+  }
+
+  /** Asks the core in the page for a frame, the service where there is none, and for what a piece let go becomes. */
+  async #ask({ held, request, last, round }: Question, signal: AbortSignal): Promise<FixAnswer> {
+    if (last) return this.fix(request, signal);
+    if (round > 0) await drawn();
+    try {
+      if (held.frames) return answerOf(await held.frames.frame(request.scene), held.id, request.scene);
+    } catch {
+      held.frames = null; // it failed: the service goes on
+    }
+    return this.fix({ ...request, dragging: true }, signal);
   }
 
   #wishFor(held: Held, scene: Scene): FixRequest {
@@ -150,7 +173,7 @@ export class Editor {
     if (!held || !before) return;
     this.#dropped = true;
     void this.#enqueue(() => (this.#held ? new Promise((landed) => { this.#landed = landed; }) : Promise.resolve()));
-    this.#live.want({ held, last: true, request: this.#wishFor(held, moved(before.scene, held.id, held.wish)) });
+    this.#live.want({ held, last: true, round: 0, request: this.#wishFor(held, moved(before.scene, held.id, held.wish)) });
   }
 
   /** Puts the held piece back. */
@@ -183,7 +206,8 @@ export class Editor {
     this.words.settled();
   }
 
-  #answered(answer: FixAnswer, { held, request, last }: Question): void {
+  #answered(answer: FixAnswer, question: Question): void {
+    const { held, request, last } = question;
     const before = this.home.settled;
     if (held !== this.#held || !before) return;
     const conflicts = conflictsIn(answer, held.room.id, before);
@@ -193,9 +217,12 @@ export class Editor {
       if (conflicts.length > 0) this.#goBack();
       else this.#settle(answer);
     } else if (conflicts.length === 0) {
-      held.previous = posesOf(answer.scene, held.room.id);
+      const poses = posesOf(answer.scene, held.room.id);
+      const goesOn = held.frames !== null && question.round < MOST_ROUNDS && !samePlaces(held.previous, poses);
+      held.previous = poses;
       this.words.answered(held.id, answer.scene);
       this.home.show({ ...before, scene: withRoom(before.scene, answer.scene) }, "live");
+      if (goesOn && !this.#live.waits && !this.#dropped) this.#live.want({ ...question, round: question.round + 1 });
     }
   }
 

@@ -20,6 +20,11 @@ export class Live<Question, Answer> {
     return this.#inFlight;
   }
 
+  /** Whether a newer question waits. */
+  get waits(): boolean {
+    return this.#waiting !== null;
+  }
+
   /** Wants an answer to this; replaces what still waits. */
   want(question: Question): void {
     this.#waiting = question;

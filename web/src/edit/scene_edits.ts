@@ -183,9 +183,10 @@ export function withRoom(scene: Scene, answer: Scene): Scene {
   };
 }
 
-/** Where all that stands on a room's floor, or on what stands there, is. */
+/** Where all that stands on a room's floor, or on what stands there, is; and who stands there. */
 export function posesOf(scene: Scene, roomId: string): Pose[] {
   const room = scene.rooms.find((one) => one.id === roomId);
   const loose = (room?.decorations ?? []).filter((thing) => !thing.parent && !thing.mounted_on_wall);
-  return [...(room?.furniture ?? []), ...loose].map(({ id, x, z, rotation }) => ({ id, x, z, rotation }));
+  const standing = (scene.dynamic ?? []).filter((body) => body.room === roomId && !body.on);
+  return [...(room?.furniture ?? []), ...loose, ...standing].map(({ id, x, z, rotation }) => ({ id, x, z, rotation: rotation ?? 0 }));
 }

@@ -1,8 +1,10 @@
 /** Editing wired to the canvas, the keys and the panels. */
 import type { Scene } from "../contract";
+import { CoreThread } from "../core/core_thread";
+import { LocalDrag } from "../core/local_drag";
 import { bodiesOf, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
-import { catalog, explain, fix, floor } from "../service";
+import { catalog, coreUrl, drag, explain, fix, floor } from "../service";
 import type { Stage } from "../stage";
 import type { Home, Showing } from "../state/home";
 import { ConflictPanel } from "./conflict_panel";
@@ -18,6 +20,7 @@ import { WhyPanel } from "./why_panel";
 /** How far an arrow key moves a piece, and with Shift [m]. */
 const STEP = 0.05;
 const SMALL_STEP = 0.01;
+const NEVER = new AbortController().signal;
 const QUARTER = Math.PI / 2;
 /** The keys that act again while they are held. */
 const REPEATED: ReadonlySet<string> = new Set(["arrowup", "arrowleft", "arrowdown", "arrowright", "q", "e", "z", "y"]);
@@ -46,6 +49,7 @@ export class Workbench {
   #sliding = false;
   #refused: Refusal | null = null;
   #filled = false;
+  #core: CoreThread | null = null;
   /** Who goes along with the piece in hand, as far as the service leaves them to it. */
   #along: ReadonlySet<string> = new Set();
 
@@ -57,7 +61,7 @@ export class Workbench {
       lifted: (id, scene) => this.#carry(id, scene),
       answered: (id, scene) => this.#frameGoal(id, scene),
       settled: () => this.#settled(),
-    });
+    }, (scene, id) => this.#frames(scene, id));
     this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason));
     this.#why = new WhyPanel(within("why"), explain, (reason) => words.failed(reason));
     this.#why.onChoose = (id) => home.select(id);
@@ -82,6 +86,12 @@ export class Workbench {
       drop: () => this.editor.drop(),
       cancel: () => this.editor.cancel(),
     });
+  }
+
+  /** Who answers the frames of a drag in the page; null where the service has to. */
+  async #frames(scene: Scene, id: string): Promise<LocalDrag | null> {
+    this.#core ??= new CoreThread(coreUrl());
+    return LocalDrag.of(this.#core, await drag(scene, id, NEVER), scene, id);
   }
 
   /** Takes a piece in hand, and shows the floor it may go to: as if it were not there. */

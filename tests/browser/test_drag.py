@@ -1,0 +1,84 @@
+"""A drag in the page: frames are answered by the core in its worker, the service is asked when the piece is let go."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, drawn, poses
+from tests.browser.visit import Visit
+
+ANSWERED = "performance.getEntriesByName('frame answered').length"
+PATIENCE = 40
+"""How often the pointer goes to and fro until the worker answers."""
+
+
+def place(bench: Bench, label: str) -> tuple[float, float]:
+    """Where a piece is drawn, m."""
+    x, z, _ = bench.page.evaluate("id => compose.places[id]", label)
+    return x, z
+
+
+def take(bench: Bench, label: str) -> tuple[int, int]:
+    """Takes a piece in hand and waits until the worker answers its frames; returns where it was on the screen."""
+    x, z = bench.at(label)
+    bench.page.mouse.move(x, z)
+    bench.page.mouse.down()
+    for k in range(PATIENCE):
+        bench.page.mouse.move(x + 20 * (k % 2) + 10, z)
+        if bench.page.evaluate(ANSWERED):
+            return x, z
+        bench.page.wait_for_timeout(50)
+    raise AssertionError("the worker never answered")
+
+
+def settled(bench: Bench) -> None:
+    """Waits until no more frames are answered."""
+    before = -1
+    while before != bench.page.evaluate(ANSWERED):
+        before = bench.page.evaluate(ANSWERED)
+        bench.page.wait_for_timeout(400)
+
+
+def test_frames_are_answered_without_the_network(moving: Visit) -> None:
+    bench = Bench(moving, den(crate(ONE, 1, 1), crate(OTHER, 2.8, 1.8)))
+    prepared: list[str] = []
+    bench.page.on("request", lambda request: prepared.append(request.url) if request.url.endswith("/drag") else None)
+    to = bench.at(OTHER)
+    take(bench, ONE)
+    asked = bench.fixes
+    bench.page.mouse.move(*to, steps=10)
+    settled(bench)
+    assert place(bench, OTHER) != pytest.approx((2.8, 1.8), abs=0.1)
+    assert poses(bench.scene()) == poses(bench.before), "nothing is settled yet"
+    assert (bench.fixes, len(prepared)) == (asked, 1)
+    bench.page.mouse.up()
+    bench.rest()
+    assert bench.fixes == asked + 1
+    assert poses(bench.scene()) == poses(bench.last_answer()["scene"]) == drawn(bench)
+    assert bench.errors() == []
+
+
+def test_where_the_core_cannot_be_had_the_service_answers_frames(moving: Visit) -> None:
+    moving.page.route("**/core.wasm", lambda route: route.fulfill(status=404))
+    bench = Bench(moving, den(crate(ONE, 1, 1), crate(OTHER, 2.8, 1.8)))
+    bench.drag(ONE, bench.at(OTHER), steps=25)
+    bench.page.mouse.up()
+    bench.rest()
+    assert bench.fixes >= 2
+    assert bench.page.evaluate(ANSWERED) == 0
+    assert poses(bench.scene()) == poses(bench.last_answer()["scene"]) == drawn(bench)
+    assert bench.errors() == []
+    moving.console.clear()  # the browser says that the file is not there
+
+
+def test_neighbours_go_on_giving_way_while_the_pointer_rests(moving: Visit) -> None:
+    bench = Bench(moving, den(crate(ONE, 0.6, 1.5, 1.0), crate(OTHER, 1.9, 1.5, 1.0), width=6))
+    x, z = bench.at(OTHER)
+    take(bench, ONE)
+    bench.page.mouse.move(x - 30, z)  # at once: farther than a neighbour goes in one frame
+    settled(bench)
+    assert place(bench, OTHER)[0] > 1.9 + 0.2
+    bench.page.keyboard.press("Escape")
+    bench.page.mouse.up()
+    bench.rest()
+    assert poses(bench.scene()) == poses(bench.before) == drawn(bench)
