@@ -119,7 +119,9 @@ def _run_faults(file: str, room: RoomType, names: list[str]) -> Iterator[Fault]:
     """Checks that a run speaks of pieces of its room type."""
     if room.run is None:
         return
-    for key, words in (*((("orders", i), order) for i, order in enumerate(room.run.orders)), (("corners",), room.run.corners)):
+    run = room.run
+    lists = (("worktop",), run.worktop), (("landing",), run.landing), (("ends",), run.ends)
+    for key, words in (*((("orders", i), order) for i, order in enumerate(run.orders)), *lists):
         for name in words:
             if name not in names:
                 yield Fault(file, ("run", *key), f"unknown piece {name!r}{near(name, names)}", ", ".join(names))

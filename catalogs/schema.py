@@ -179,14 +179,17 @@ class Plan(Entry):
 
 
 class Run(Entry):
-    """Pieces that stand in one run, along a wall or round a corner, planned as a whole.
+    """Pieces that stand in one run, along a wall, round a corner or at two opposite walls, planned as a whole.
 
-    `orders` are the orders they may stand in, either way round; optional ones may be missing. `corners` are the pieces
-    that may stand in a corner with the run going on round it. `triangle` names the three a cook walks between.
+    `orders` are the orders they may stand in, either way round; optional ones may be missing. `worktop` are pieces with a
+    top to work on: the run may go round a corner at one that is wide enough. `landing` are those that want worktop right
+    beside them at both sides, `ends` those that belong at an end of the run, `triangle` the three a cook walks between.
     """
 
     orders: tuple[Words, ...] = Field(min_length=1)
-    corners: Words = ()
+    worktop: Words = ()
+    landing: Words = ()
+    ends: Words = ()
     triangle: Words = ()
 
 

@@ -30,10 +30,11 @@ _ROW: Final = {
     name: Struct(layout)
     for name, layout in {
         "kind": "<3q12i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
-        "sort": "<2id", "side": "<i", "comfort": "<2iq", "order": "<2i", "word": "<i", "corner": "<i", "triangle": "<i",
+        "sort": "<2id", "side": "<i", "comfort": "<2iq", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
+        "end": "<i", "triangle": "<i",
     }.items()
 }  # fmt: skip
-_HEADER: Final = Struct("<16i")
+_HEADER: Final = Struct("<18i")
 _MOST_KEPT: Final = 128
 """Room types of the homes made last: a home changes those that must hold what it has no room for."""
 _MOST_CATALOGS: Final = 16
@@ -105,8 +106,8 @@ class _Tables:
             self._add_piece(spec)
         if run is not None:
             self._added("order", run.orders, lambda order: self._added("word", order, lambda name: (self._word(name),)))
-            self._added("corner", run.corners, lambda name: (self._word(name),))
-            self._added("triangle", run.triangle, lambda name: (self._word(name),))
+            for table, names in (("worktop", run.worktop), ("landing", run.landing), ("end", run.ends), ("triangle", run.triangle)):
+                self._added(table, names, lambda name: (self._word(name),))
         for kind in self.kinds.values():
             self._add_kind(kind)
         header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None)

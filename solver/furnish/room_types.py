@@ -75,7 +75,7 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
         spec = known.specs[at]
         if any(f"{spec.piece}_{number}" not in labels for number in range(1, copies + 1)):
             needs = ", ".join(" ".join((rule.type, *rule.of)) for rule in spec.rules if rule.required)
-            found.append((spec.piece, f"no place of the kind its relations ask for: {needs}"))
+            found.append((spec.piece, f"no place of the kind its relations ask for: {needs}" if needs else "its run has no room for it"))
         elif copies < spec.count:
             found.append((spec.piece, _why_fewer(spec, area, copies)))
     return tuple(found)

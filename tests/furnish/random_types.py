@@ -23,7 +23,8 @@ def random_type(rng: Random, catalogs: Catalogs, words: Sequence[str] = WORDS) -
     asked: dict[str, Any] = {"area": {"min": (4, 4), "typical": 12, "max": 60}, "flooring": "wood", "accent": "#808080", "pieces": pieces}
     if rng.random() < 0.3:
         orders = [rng.sample(names, rng.randint(1, len(names))) for _ in range(rng.randint(1, 3))]
-        asked["run"] = {"orders": orders, "corners": rng.sample(names, len(names) // 2), "triangle": rng.sample(names, min(3, len(names)))}
+        some = {key: rng.sample(names, len(names) // 2) for key in ("worktop", "landing", "ends")}
+        asked["run"] = {"orders": orders, **some, "triangle": rng.sample(names, min(3, len(names)))}
     return RoomType.model_validate(asked)
 
 

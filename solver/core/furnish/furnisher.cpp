@@ -16,7 +16,7 @@ constexpr f64 TAKEN_COST = 1.5;
 constexpr f64 WALL_COST = 1.5;
 constexpr i64 AHEAD_MM = 1000;
 // What standing elsewhere than a run plans costs.
-constexpr f64 OFF_PLAN_COST = 3.0;
+constexpr f64 OFF_PLAN_COST = 8.0;
 // Pull towards an anchor that no rule asks to be firm, m^-2.
 constexpr f64 DRAW = 0.05;
 

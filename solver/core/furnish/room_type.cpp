@@ -38,7 +38,9 @@ static void check_type(const RoomType& type) {
   }
   for (const Range& order : type.orders) part_of(type.words, order);
   for (i32 word : type.words) check(is_word(word, type));
-  for (i32 word : type.corners) check(is_word(word, type));
+  for (i32 word : type.worktop) check(is_word(word, type));
+  for (i32 word : type.landing) check(is_word(word, type));
+  for (i32 word : type.ends) check(is_word(word, type));
   for (i32 word : type.triangle) check(is_word(word, type));
   check(!type.has_run || type.orders.size > 0);
 }
@@ -59,7 +61,9 @@ RoomType read_room_type(u8* data, i64 size) {
   type.comforts = reader.take<Comfort>(header.comforts);
   type.orders = reader.take<Range>(header.orders);
   type.words = reader.take<i32>(header.words);
-  type.corners = reader.take<i32>(header.corners);
+  type.worktop = reader.take<i32>(header.worktop);
+  type.landing = reader.take<i32>(header.landing);
+  type.ends = reader.take<i32>(header.ends);
   type.triangle = reader.take<i32>(header.triangle);
   type.all_words = header.all_words;
   type.has_run = header.has_run != 0;

@@ -117,7 +117,7 @@ struct PieceSpec {
 
 // The sizes of the tables, in their order.
 struct TypeHeader {
-  i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, comforts, orders, words, corners, triangle, all_words;
+  i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, comforts, orders, words, worktop, landing, ends, triangle, all_words;
   i32 has_run;
 };
 
@@ -133,8 +133,10 @@ struct RoomType {
   Span<Side> sides;
   Span<Comfort> comforts;
   Span<Range> orders;   // of a run, each a range of `words`
-  Span<i32> words;      // of pieces, as the next two
-  Span<i32> corners;
+  Span<i32> words;      // of pieces, as the next four
+  Span<i32> worktop;
+  Span<i32> landing;
+  Span<i32> ends;
   Span<i32> triangle;
   i32 all_words;  // how many words are told apart
   bool has_run;
@@ -149,6 +151,13 @@ struct RoomType {
   Span<PartBox> parts_of(const Kind& kind) const { return part_of(parts, kind.parts); }
   Span<Comfort> comforts_of(const Kind& kind) const { return part_of(comforts, kind.comforts); }
 };
+
+inline bool has_word(Span<i32> words, i32 word) {
+  for (i32 one : words) {
+    if (one == word) return true;
+  }
+  return false;
+}
 
 RoomType read_room_type(u8* data, i64 size);
 

@@ -2,21 +2,30 @@
 
 namespace furnish {
 
-// Runs drawn for a room; the best of those that fit is taken (measured: more find no better triangles).
-constexpr i32 DRAWS = 300;
+// Runs drawn for a room; the best of those that fit is taken (measured: more find hardly better ones).
+constexpr i32 DRAWS = 6000;
 // Least and greatest leg of a working triangle, m (NKBA Kitchen Planning Guidelines, guideline 5: work triangle: no leg shorter than 4 feet
 // or longer than 9 feet), and of the sum of its legs (at most 26 feet; 4 m is what three shortest legs come to).
 constexpr f64 SHORTEST_LEG = 1.2, LONGEST_LEG = 2.7, LEAST_PERIMETER = 4.0, MOST_PERIMETER = 7.9;
-// What a metre beyond these costs.
-constexpr f64 LEG_COST = 8.0, PERIMETER_COST = 8.0;
-// What a run without a piece that it could hold costs, how often one is drawn without it, and how often a run goes round a corner it could.
-constexpr f64 MISSED_COST = 0.7, MISSED_CHANCE = 0.3, CORNER_CHANCE = 0.7;
+// What a triangle costs that is not within these, and what a metre beyond them.
+constexpr f64 BROKEN_COST = 3.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
+// What a run without a piece that it could hold costs, and how often one is drawn without it.
+constexpr f64 MISSED_COST = 1.5, MISSED_CHANCE = 0.3;
+// How often a run goes round a corner it could, and how often another one goes on at the opposite wall.
+constexpr f64 CORNER_CHANCE = 0.6, OPPOSITE_CHANCE = 0.5;
+// What a side without worktop costs where it is wanted (guideline 17: landing area at the cooking surface), and what belongs at an end
+// within the worktop.
+constexpr f64 LANDING_COST = 6.0, END_COST = 4.0;
+// Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs.
+constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 1.0;
 // Most that a run costs by the seed alone.
 constexpr f64 PREFERENCE = 0.5;
 // Pull of a piece to its place in the run, m^-2.
 constexpr f64 FIRM = 20.0;
 // Least width of a piece in a corner: what stands round the corner covers 0.6 m of its front, a person takes half of 0.6 m.
 constexpr i64 CORNER_MM = 900 + 50;
+// Least floor between two opposite rows (guideline 6: work aisle of 42 inches for one cook).
+constexpr i64 AISLE_MM = 1067;
 
 namespace {
 
@@ -34,12 +43,16 @@ struct Leg {
   List<Item> items;
 };
 
-// A run as it is drawn: its items by word, each with its place.
+enum class Form : i32 { straight, corner, opposite };
+
+// A run as it is drawn: its items by word, how they are laid, and where in a wall's clear stretches its legs begin.
 struct Drawn {
   List<Item> items;
+  Form form;
   Wall wall;
-  bool high;
-  i32 corner;  // how many items stand along the first wall
+  bool high[2];    // from which end of its wall each leg is laid
+  f64 stretch[2];  // of a leg that begins in no corner
+  i32 first;       // how many items stand along the first wall
   f64 cost;
 };
 
@@ -53,9 +66,16 @@ class RunPlanner {
   void draw_items(Stream& stream, Drawn& drawn) const;
   List<Leg> legs_of(const Drawn& drawn) const;
   Leg leg(Wall wall, Span<Item> items, i64 corner, bool high) const;
+  Leg leg_in_stretch(Wall wall, Span<Item> items, f64 stretch, bool high) const;
+  bool has_aisle(const List<Leg>& legs) const;
   bool place(const List<Leg>& legs, Span<Candidate> places) const;
   bool holds(Wall wall, i32 kind, i64 start) const;
+  void add_effects(i32 word);
+  Subject subject(i32 word);
   void look_up(i32 kind);
+  f64 room_cost(const Drawn& drawn, Span<Candidate> places);
+  f64 row_cost(const Drawn& drawn) const;
+  f64 worktop_cost(const Drawn& drawn) const;
   f64 triangle_cost(Span<Candidate> places) const;
   void clear(Span<Candidate> places) const;
   bool may_be_in_corner(const Item& item) const;
@@ -67,11 +87,17 @@ class RunPlanner {
   Span<const CountedPiece*> there_;       // by word
   Span<Candidate> places_, best_;         // by word
   Span<List<Interval>> free_;             // stretches by kind and wall, of the kinds that a run may hold
+  Earlier nothing_;
+  KneeRoom knee_room_;
+  Span<List<Effect>> effects_;            // what its rules ask of the room, by word
 };
 
 RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted)
-    : scope_(scope), walls_(walls), type_(type) {
+    : scope_(scope), walls_(walls), type_(type), knee_room_(type) {
   there_ = zeroes<const CountedPiece*>(type.all_words);
+  effects_ = zeroes<List<Effect>>(type.all_words);
+  const Span<bool> known = zeroes<bool>(type.all_words);
+  nothing_.by_word = zeroes<List<i32>>(type.all_words);
   for (const CountedPiece& piece : counted) {
     if (piece.copies > 0) there_[type.pieces[piece.spec].word] = &piece;
   }
@@ -79,9 +105,30 @@ RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const Roo
   best_ = reserved<Candidate>(type.all_words);
   free_ = zeroes<List<Interval>>(4 * type.kinds.size);
   for (i32 word : type.words) {
-    if (there_[word] == nullptr) continue;
+    if (there_[word] == nullptr || known[word]) continue;
+    known[word] = true;
+    add_effects(word);
     for (const Variant& variant : there_[word]->variants) look_up(variant.kind);
   }
+}
+
+// Keeps what the rules of a piece ask of the room alone.
+void RunPlanner::add_effects(i32 word) {
+  const Subject piece = subject(word);
+  for (const Rule& rule : piece.rules) {
+    Effect effect;
+    effect.relation = &relation_of(rule.word);
+    effect.rule = &rule;
+    effect.relation->effect(piece, rule, effect);
+    if (effect.has_cost) effects_[word].add(effect);
+  }
+}
+
+// A piece that stands before all others.
+Subject RunPlanner::subject(i32 word) {
+  const CountedPiece& counted = *there_[word];
+  const PieceSpec& spec = type_.pieces[counted.spec];
+  return {scope_, type_, spec, counted.variants, type_.rules_of(spec), nothing_, knee_room_};
 }
 
 // Finds where a kind may stand along the walls; it is asked many times.
@@ -105,10 +152,7 @@ bool RunPlanner::holds(Wall wall, i32 kind, i64 start) const {
 }
 
 bool RunPlanner::may_be_in_corner(const Item& item) const {
-  for (i32 word : type_.corners) {
-    if (word == item.word) return type_.kinds[item.kind].width >= CORNER_MM;
-  }
-  return false;
+  return has_word(type_.worktop, item.word) && type_.kinds[item.kind].width >= CORNER_MM;
 }
 
 i64 RunPlanner::length_of(Span<Item> items) const {
@@ -136,18 +180,28 @@ void RunPlanner::draw_items(Stream& stream, Drawn& drawn) const {
   }
 }
 
-// Draws a run, at a wall or round a corner.
+// Draws a run: at a wall, round a corner, or with its second part at the opposite wall. Always draws as many numbers.
 Drawn RunPlanner::draw(Stream& stream) const {
   Drawn drawn{};
   draw_items(stream, drawn);
   drawn.wall = WALLS[stream.below(4)];
-  drawn.high = stream.chance(0.5);
+  for (bool& high : drawn.high) high = stream.chance(0.5);
+  for (f64& stretch : drawn.stretch) stretch = stream.unit();
+  const bool round = stream.chance(CORNER_CHANCE), across = stream.chance(OPPOSITE_CHANCE);
+  const f64 cut = stream.unit();
+  const i32 size = drawn.items.size();
   List<i32> corners;
-  for (i32 i = 0; i + 1 < drawn.items.size(); i++) {
+  for (i32 i = 0; i + 1 < size; i++) {
     if (may_be_in_corner(drawn.items[i])) corners.add(i);
   }
-  const bool round = corners.size() > 0 && stream.chance(CORNER_CHANCE);
-  drawn.corner = round ? stream.pick(corners.all()) + 1 : drawn.items.size();
+  drawn.first = size;
+  if (round && corners.size() > 0) {
+    drawn.form = Form::corner;
+    drawn.first = corners[static_cast<i32>(whole(cut * corners.size()))] + 1;
+  } else if (across && size > 1) {
+    drawn.form = Form::opposite;
+    drawn.first = 1 + static_cast<i32>(whole(cut * (size - 1)));
+  }
   return drawn;
 }
 
@@ -159,25 +213,53 @@ Leg RunPlanner::leg(Wall wall, Span<Item> items, i64 corner, bool from_high) con
   return made;
 }
 
+// Lays items along a wall, in the order from its low end, at the low or high end of one of the stretches that hold the piece there.
+Leg RunPlanner::leg_in_stretch(Wall wall, Span<Item> items, f64 stretch, bool from_high) const {
+  const Item& end = items[from_high ? items.size - 1 : 0];
+  const List<Interval>& stretches = free_[4 * end.kind + static_cast<i32>(wall)];
+  if (stretches.size() == 0) return leg(wall, items, scope_.gap, from_high);
+  const Interval free = stretches[static_cast<i32>(whole(stretch * stretches.size()))], ends = scope_.clear.along(wall);
+  const i64 beyond = from_high ? ends.high - free.high : free.low - ends.low;
+  return leg(wall, items, beyond == 0 ? scope_.gap : beyond, from_high);
+}
+
 static Span<Item> reversed(Span<Item> items) {
   List<Item> made;
   for (i32 i = items.size - 1; i >= 0; i--) made.add(items[i]);
   return made.all();
 }
 
-// Lays the first half along a wall into its low or high corner, the second half from there along the next wall. The first half's last item
-// is the one in the corner.
+// Lays the first part along a wall, round a corner with its last item in there; the second from there along the next wall, or at the
+// opposite one.
 List<Leg> RunPlanner::legs_of(const Drawn& drawn) const {
   const Span<Item> all = drawn.items.all();
-  const Span<Item> first{all.data, drawn.corner}, second{all.data + drawn.corner, all.size - drawn.corner};
+  const Span<Item> first{all.data, drawn.first}, second{all.data + drawn.first, all.size - drawn.first};
+  const bool high = drawn.high[0];
+  const Span<Item> low_first = high ? first : reversed(first);
   List<Leg> legs;
-  legs.add(leg(drawn.wall, drawn.high ? first : reversed(first), scope_.gap, drawn.high));
-  if (second.size == 0) return legs;
+  if (drawn.form != Form::corner) {
+    legs.add(leg_in_stretch(drawn.wall, low_first, drawn.stretch[0], high));
+    if (second.size == 0) return legs;
+    legs.add(leg_in_stretch(opposite(drawn.wall), drawn.high[1] ? second : reversed(second), drawn.stretch[1], drawn.high[1]));
+    return legs;
+  }
+  legs.add(leg(drawn.wall, low_first, scope_.gap, high));
   const Wall low_end = runs_along_x(drawn.wall) ? Wall::west : Wall::north, high_end = runs_along_x(drawn.wall) ? Wall::east : Wall::south;
   const i64 beyond = scope_.gap + type_.kinds[first[first.size - 1].kind].depth;
   const bool from_low = drawn.wall == Wall::north || drawn.wall == Wall::west;
-  legs.add(leg(drawn.high ? high_end : low_end, from_low ? second : reversed(second), beyond, !from_low));
+  legs.add(leg(high ? high_end : low_end, from_low ? second : reversed(second), beyond, !from_low));
   return legs;
+}
+
+// Tells whether a cook has room between two opposite rows.
+bool RunPlanner::has_aisle(const List<Leg>& legs) const {
+  i64 across = runs_along_x(legs[0].wall) ? scope_.clear.depth() : scope_.clear.width();
+  for (const Leg& leg : legs) {
+    i64 deepest = 0;
+    for (const Item& item : leg.items) deepest = most(deepest, type_.kinds[item.kind].depth);
+    across -= scope_.gap + deepest;
+  }
+  return across >= AISLE_MM;
 }
 
 // Fills in the places of a run's pieces; false where one of them is in the way of an opening or does not fit.
@@ -194,6 +276,44 @@ bool RunPlanner::place(const List<Leg>& legs, Span<Candidate> places) const {
     }
   }
   return true;
+}
+
+// What a run costs by what the rules of its pieces ask of the room: windows and doors.
+f64 RunPlanner::room_cost(const Drawn& drawn, Span<Candidate> places) {
+  f64 sum = 0.0;
+  for (const Item& item : drawn.items) {
+    const Subject piece = subject(item.word);
+    for (const Effect& effect : effects_[item.word]) sum += effect.relation->cost(piece, effect, places[item.word]);
+  }
+  return sum;
+}
+
+// What a run costs by what stands beside what.
+f64 RunPlanner::row_cost(const Drawn& drawn) const {
+  const List<Item>& items = drawn.items;
+  const i32 last = items.size() - 1;
+  f64 sum = 0.0;
+  for (i32 i = 0; i <= last; i++) {
+    const bool landing = has_word(type_.landing, items[i].word), end = has_word(type_.ends, items[i].word);
+    i32 within = 0;
+    for (i32 other = i - 1; other <= i + 1; other += 2) {
+      const bool there = other >= 0 && other <= last, turns = there && most(i, other) == drawn.first;
+      if (landing && (!there || turns || !has_word(type_.worktop, items[other].word))) sum += LANDING_COST;
+      within += there && !(turns && drawn.form == Form::opposite) && !has_word(type_.ends, items[other].word);
+    }
+    if (end && within == 2) sum += END_COST;
+  }
+  return sum;
+}
+
+// What a run costs by the worktop it lacks; what is hidden round a corner is none.
+f64 RunPlanner::worktop_cost(const Drawn& drawn) const {
+  i64 length = 0;
+  for (const Item& item : drawn.items) {
+    if (has_word(type_.worktop, item.word)) length += type_.kinds[item.kind].width;
+  }
+  if (drawn.form == Form::corner) length -= type_.kinds[drawn.items[drawn.first].kind].depth;
+  return type_.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(length) / 1000.0, 0.0) : 0.0;
 }
 
 // What a run costs by its working triangle, measured between the middles of the fronts.
@@ -215,7 +335,8 @@ f64 RunPlanner::triangle_cost(Span<Candidate> places) const {
     }
   }
   const f64 off = most(most(LEAST_PERIMETER - around, around - MOST_PERIMETER), 0.0);
-  return LEG_COST * beyond + PERIMETER_COST * off;
+  const f64 cost = LEG_COST * beyond + PERIMETER_COST * off;
+  return cost > 0.0 ? BROKEN_COST + cost : 0.0;
 }
 
 Span<Candidate> RunPlanner::best(Stream& stream) {
@@ -224,13 +345,17 @@ Span<Candidate> RunPlanner::best(Stream& stream) {
   for (i32 i = 0; i < DRAWS; i++) {
     arena::Scope scope;
     const Drawn drawn = draw(stream);
-    if (!place(legs_of(drawn), places_)) continue;
-    const f64 cost = drawn.cost + triangle_cost(places_);
+    if (drawn.items.size() == 0) continue;
+    const f64 by_items = drawn.cost + row_cost(drawn) + worktop_cost(drawn);
+    if (by_items >= lowest) continue;
+    const List<Leg> legs = legs_of(drawn);
+    if ((drawn.form == Form::opposite && !has_aisle(legs)) || !place(legs, places_)) continue;
+    const f64 cost = by_items + triangle_cost(places_) + room_cost(drawn, places_);
     if (cost >= lowest) continue;
     lowest = cost;
     swap(best_, places_);
   }
-  return best_;
+  return lowest < INFINITE ? best_ : Span<Candidate>{};
 }
 
 }  // namespace

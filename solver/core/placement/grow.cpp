@@ -157,7 +157,7 @@ bool best_first(
       if (counters.diving || limits.lapses < MANY) {
         counters.closed = 0;
         counters.best = counters.incumbent;
-        return counters.incumbent >= 0;
+        return counters.incumbent >= 0 && tree.costs[counters.incumbent] < start_cost.ceiling;
       }
       dive(tree);
       limit *= 2;

@@ -1,47 +1,56 @@
-"""A run of pieces along one wall or round a corner, planned as a whole: counter, sink, stove, refrigerator.
+"""A run of pieces along one wall, round a corner or at two opposite walls, planned as a whole: counter, sink, stove, refrigerator.
 
 Comes in: a room and the run of its type. Goes out: where each piece of the run is meant to stand. Pieces that are put one by one
 end at each other's wrong side; so whole runs are drawn by seed, and the best of those that fit is taken: nearest to a working
-triangle, with what is wanted in it. Placement has the last word: a planned place is the cheapest way to stand, not the only one.
+triangle, with worktop where it is wanted, and with what is wanted in it. Placement has the last word: a planned place is the cheapest
+way to stand, not the only one.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
 from catalogs.schema import Run
-from solver.geometry import FACING, walls_beside
+from solver.geometry import FACING, OPPOSITE, walls_beside
 from solver.pieces import Candidate
-from solver.relations.subject import Kind, Scope
+from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
 from solver.streams import Stream
 from tests.furnish.reference.drawn import CountedPiece
+from tests.furnish.reference.effects import effect_of
 from tests.furnish.reference.occupancy import TakenWalls
 from tests.furnish.reference.own_places import at_wall
 
-DRAWS = 300
-"""Runs drawn for a room; the best of those that fit is taken (measured: more find no better triangles)."""
+DRAWS = 6000
+"""Runs drawn for a room; the best of those that fit is taken (measured: more find hardly better ones)."""
 LEG = (1.2, 2.7)
 """Least and greatest leg of a working triangle, m (NKBA Kitchen Planning Guidelines, guideline 5: work triangle: no leg shorter
 than 4 feet or longer than 9 feet)."""
 PERIMETER = (4.0, 7.9)
 """Least and greatest sum of its legs, m (the same guideline: at most 26 feet; 4 m is what three shortest legs come to)."""
-LEG_COST, PERIMETER_COST = 8.0, 8.0
-"""What a metre beyond these costs."""
-MISSED_COST = 0.7
+BROKEN_COST, LEG_COST, PERIMETER_COST = 3.0, 8.0, 8.0
+"""What a triangle costs that is not within these, and what a metre beyond them."""
+MISSED_COST = 1.5
 """What a run without a piece that it could hold costs."""
+CORNER_CHANCE, OPPOSITE_CHANCE = 0.6, 0.5
+"""How often a run goes round a corner it could, and how often another one goes on at the opposite wall."""
+LANDING_COST, END_COST = 6.0, 4.0
+"""What a side without worktop costs where it is wanted, and what belongs at an end within the worktop."""
+WORKTOP, WORKTOP_COST = 4.0, 1.0
+"""Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs."""
 PREFERENCE = 0.5
 """Most that a run costs by the seed alone."""
 FIRM = 20.0
 """Pull of a piece to its place in the run, m^-2."""
-OFF_PLAN_COST = 3.0
+OFF_PLAN_COST = 8.0
 """What standing elsewhere than planned costs."""
-
 CORNER_MM = 900 + 50
 """Least width of a piece in a corner: what stands round the corner covers 0.6 m of its front, a person takes half of 0.6 m."""
+AISLE_MM = 1067
+"""Least floor between two opposite rows (guideline 6: work aisle of 42 inches for one cook)."""
 
 Item = tuple[str, Kind, float]
 """A piece of a run: its name, kind, and what that variant costs."""
@@ -56,20 +65,145 @@ class Leg:
     start: int
 
 
-class _Walls:
-    """Where bodies of a depth and height may stand along the walls; asked many times, looked up once."""
+@dataclass(frozen=True)
+class Drawn:
+    """A run as it is drawn: its items, how they are laid, and where in a wall's clear stretches its legs begin."""
 
-    def __init__(self, scope: Scope, walls: TakenWalls) -> None:
-        self.scope, self._walls = scope, walls
+    items: tuple[Item, ...]
+    form: str
+    wall: str
+    high: tuple[bool, bool]
+    stretch: tuple[float, float]
+    first: int
+    cost: float
+
+
+class _Planner:
+    """Plans the run of one room; what is asked many times is looked up once."""
+
+    def __init__(self, scope: Scope, walls: TakenWalls, run: Run, pieces: Mapping[str, CountedPiece]) -> None:
+        self.scope, self.run, self.pieces = scope, run, pieces
+        self._walls = walls
         self._free: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
+        names = {name for order in run.orders for name in order if name in pieces}
+        self._costs = {name: self._asked(pieces[name]) for name in names}
 
-    def holds(self, wall: str, kind: Kind, start: int) -> bool:
-        """Tells whether a piece may stand at a wall from a coordinate on."""
-        width, depth, height = kind.size
+    def _asked(self, piece: CountedPiece) -> list[Callable[[Candidate], float]]:
+        """Returns what the rules of a piece make places cost by the room alone."""
+        subject = Subject(self.scope, piece.variants, piece.spec.rules, {}, {})
+        effects = (effect_of(subject, rule) for rule in piece.spec.rules)
+        return [effect.cost_of for effect in effects if effect.cost_of]
+
+    def free(self, wall: str, kind: Kind) -> list[tuple[int, int]]:
+        """Returns the clear stretches of a wall for a kind."""
+        _, depth, height = kind.size
         key = (wall, depth, height)
         if key not in self._free:
             self._free[key] = self._walls.stretches(wall, depth, height, occupied=False)
-        return any(a <= start and start + width <= b for a, b in self._free[key])
+        return self._free[key]
+
+    def drawn(self, stream: Stream) -> Drawn:
+        """Draws a run: an order, which way round, what it holds in which variants, and how it is laid."""
+        order, mirrored = stream.pick(self.run.orders), stream.chance(0.5)
+        cost = stream.uniform(0.0, PREFERENCE)
+        items: list[Item] = []
+        for name in order[::-1] if mirrored else order:
+            piece = self.pieces.get(name)
+            if piece is None:
+                continue
+            if not piece.spec.required and stream.chance(0.3):
+                cost += MISSED_COST
+                continue
+            kind, more = stream.pick(piece.variants)
+            items.append((name, kind, more))
+            cost += more
+        wall, high = stream.pick(WALLS), (stream.chance(0.5), stream.chance(0.5))
+        stretch = (stream.unit(), stream.unit())
+        round_, across, cut = stream.chance(CORNER_CHANCE), stream.chance(OPPOSITE_CHANCE), stream.unit()
+        corners = [i for i, (name, kind, _) in enumerate(items[:-1]) if name in self.run.worktop and kind.size[0] >= CORNER_MM]
+        form, first = "straight", len(items)
+        if round_ and corners:
+            form, first = "corner", corners[int(cut * len(corners))] + 1
+        elif across and len(items) > 1:
+            form, first = "opposite", 1 + int(cut * (len(items) - 1))
+        return Drawn(tuple(items), form, wall, high, stretch, first, cost)
+
+    def legs(self, drawn: Drawn) -> list[Leg]:
+        """Lays the first part along a wall, the second from its corner along the next wall, or at the opposite one."""
+        first, second = drawn.items[: drawn.first], drawn.items[drawn.first :]
+        wall, high = drawn.wall, drawn.high[0]
+        low_first = first if high else first[::-1]
+        if drawn.form != "corner":
+            legs = [self._in_stretch(wall, low_first, drawn.stretch[0], high)]
+            if second:
+                at = drawn.high[1]
+                legs.append(self._in_stretch(OPPOSITE[wall], second if at else second[::-1], drawn.stretch[1], at))
+            return legs
+        turn, low = walls_beside(wall)[high], wall in ("north", "west")
+        beyond = self.scope.gap_mm + first[-1][1].size[1]
+        return [self._leg(wall, low_first, self.scope.gap_mm, high), self._leg(turn, second if low else second[::-1], beyond, not low)]
+
+    def _leg(self, wall: str, items: tuple[Item, ...], beyond: int, high: bool) -> Leg:
+        """Lays items from a wall's low end up, `beyond` mm from its low or high end."""
+        low, end = self.scope.clear.along(wall)
+        return Leg(wall, items, end - beyond - sum(kind.size[0] for _, kind, _ in items) if high else low + beyond)
+
+    def _in_stretch(self, wall: str, items: tuple[Item, ...], share: float, high: bool) -> Leg:
+        """Lays items at the low or high end of one of the stretches that hold the piece there."""
+        free = self.free(wall, items[-1 if high else 0][1])
+        if not free:
+            return self._leg(wall, items, self.scope.gap_mm, high)
+        (start, stop), (low, end) = free[int(share * len(free))], self.scope.clear.along(wall)
+        return self._leg(wall, items, (end - stop if high else start - low) or self.scope.gap_mm, high)
+
+    def has_aisle(self, legs: Sequence[Leg]) -> bool:
+        """Tells whether a cook has room between two opposite rows."""
+        clear = self.scope.clear
+        across = clear.depth if legs[0].wall in ("north", "south") else clear.width
+        return across - sum(self.scope.gap_mm + max(kind.size[1] for _, kind, _ in leg.items) for leg in legs) >= AISLE_MM
+
+    def places(self, legs: Sequence[Leg]) -> dict[str, Candidate] | None:
+        """Returns the places of a run's pieces; None where one of them is in the way of an opening or does not fit."""
+        found: dict[str, Candidate] = {}
+        for leg in legs:
+            at = leg.start
+            for name, kind, cost in leg.items:
+                if not any(a <= at and at + kind.size[0] <= b for a, b in self.free(leg.wall, kind)):
+                    return None
+                place = at_wall(self.scope, kind, leg.wall, at + kind.size[0] // 2, cost)
+                found[name] = replace(place, weights=(FIRM, FIRM))
+                at += kind.size[0]
+        return found
+
+    def row_cost(self, drawn: Drawn) -> float:
+        """Returns what a run costs by what stands beside what."""
+        names, run, cost = [name for name, _, _ in drawn.items], self.run, 0.0
+        for i, name in enumerate(names):
+            within = 0
+            for other in (i - 1, i + 1):
+                there = 0 <= other < len(names)
+                turns = there and max(i, other) == drawn.first
+                if name in run.landing and not (there and not turns and names[other] in run.worktop):
+                    cost += LANDING_COST
+                if there and not (turns and drawn.form == "opposite") and names[other] not in run.ends:
+                    within += 1
+            if name in run.ends and within == 2:
+                cost += END_COST
+        return cost
+
+    def worktop_cost(self, drawn: Drawn) -> float:
+        """Returns what a run costs by the worktop it lacks; what is hidden round a corner is none."""
+        length = sum(kind.size[0] for name, kind, _ in drawn.items if name in self.run.worktop)
+        hidden = drawn.items[drawn.first][1].size[1] if drawn.form == "corner" else 0
+        return WORKTOP_COST * max(WORKTOP - (length - hidden) / 1000.0, 0.0) if self.run.worktop else 0.0
+
+    def room_cost(self, drawn: Drawn, places: Mapping[str, Candidate]) -> float:
+        """Returns what a run costs by what the rules of its pieces ask of the room."""
+        cost = 0.0
+        for name, _, _ in drawn.items:
+            for asked in self._costs[name]:
+                cost += asked(places[name])
+        return cost
 
 
 def planned_run(scope: Scope, free: TakenWalls, run: Run, pieces: Mapping[str, CountedPiece], stream: Stream) -> dict[str, Candidate]:
@@ -82,73 +216,23 @@ def planned_run(scope: Scope, free: TakenWalls, run: Run, pieces: Mapping[str, C
         pieces: the pieces that are wanted, by name.
         stream: the room's own.
     """
-    best, least, walls = dict[str, Candidate](), math.inf, _Walls(scope, free)
+    best, least, planner = dict[str, Candidate](), math.inf, _Planner(scope, free, run, pieces)
     for _ in range(DRAWS):
-        legs, cost = _drawn(walls, run, pieces, stream)
-        places = _places(walls, legs)
+        drawn = planner.drawn(stream)
+        if not drawn.items:
+            continue
+        cost = drawn.cost + planner.row_cost(drawn) + planner.worktop_cost(drawn)
+        if cost >= least:
+            continue
+        legs = planner.legs(drawn)
+        places = None if drawn.form == "opposite" and not planner.has_aisle(legs) else planner.places(legs)
         if places is None:
             continue
         cost += _triangle_cost(run.triangle, places)
+        cost += planner.room_cost(drawn, places)
         if cost < least:
             best, least = places, cost
     return best
-
-
-def _drawn(walls: _Walls, run: Run, pieces: Mapping[str, CountedPiece], stream: Stream) -> tuple[list[Leg], float]:
-    """Draws a run: an order, which way round, what it holds in which variants, at a wall or round a corner; and what it costs."""
-    order, mirrored = stream.pick(run.orders), stream.chance(0.5)
-    cost = stream.uniform(0.0, PREFERENCE)
-    items: list[Item] = []
-    for name in order[::-1] if mirrored else order:
-        piece = pieces.get(name)
-        if piece is None:
-            continue
-        if not piece.spec.required and stream.chance(0.3):
-            cost += MISSED_COST
-            continue
-        kind, more = stream.pick(piece.variants)
-        items.append((name, kind, more))
-        cost += more
-    wall, high = stream.pick(WALLS), stream.chance(0.5)
-    corners = [i for i, (name, kind, _) in enumerate(items[:-1]) if name in run.corners and kind.size[0] >= CORNER_MM]
-    at = stream.pick(corners) + 1 if corners and stream.chance(0.7) else len(items)
-    return _legs(walls, wall, high, (items[:at], items[at:])), cost
-
-
-def _legs(walls: _Walls, wall: str, high: bool, halves: tuple[list[Item], list[Item]]) -> list[Leg]:
-    """Lays the first half along a wall into its low or high corner, the second half from there along the next wall.
-
-    The first half's last item is the one in the corner.
-    """
-    clear, gap = walls.scope.clear, walls.scope.gap_mm
-    first, second = halves
-    low, end = clear.along(wall)
-    length = sum(kind.size[0] for _, kind, _ in first)
-    legs = [Leg(wall, tuple(first), end - gap - length) if high else Leg(wall, tuple(reversed(first)), low + gap)]
-    if second:
-        turn = walls_beside(wall)[high]
-        beyond = gap + first[-1][1].size[1]
-        low, end = clear.along(turn)
-        if wall in ("north", "west"):
-            legs.append(Leg(turn, tuple(second), low + beyond))
-        else:
-            length = sum(kind.size[0] for _, kind, _ in second)
-            legs.append(Leg(turn, tuple(reversed(second)), end - beyond - length))
-    return legs
-
-
-def _places(walls: _Walls, legs: Sequence[Leg]) -> dict[str, Candidate] | None:
-    """Returns the places of a run's pieces; None where one of them is in the way of an opening or does not fit."""
-    found: dict[str, Candidate] = {}
-    for leg in legs:
-        at = leg.start
-        for name, kind, cost in leg.items:
-            if not walls.holds(leg.wall, kind, at):
-                return None
-            place = at_wall(walls.scope, kind, leg.wall, at + kind.size[0] // 2, cost)
-            found[name] = replace(place, weights=(FIRM, FIRM))
-            at += kind.size[0]
-    return found
 
 
 def _triangle_cost(names: Sequence[str], places: Mapping[str, Candidate]) -> float:
@@ -157,7 +241,8 @@ def _triangle_cost(names: Sequence[str], places: Mapping[str, Candidate]) -> flo
     legs = [math.dist(one, two) / 1000 for one, two in combinations(fronts, 2)]
     beyond = sum(max(LEG[0] - leg, leg - LEG[1], 0.0) for leg in legs)
     around = max(PERIMETER[0] - sum(legs), sum(legs) - PERIMETER[1], 0.0)
-    return LEG_COST * beyond + PERIMETER_COST * around
+    cost = LEG_COST * beyond + PERIMETER_COST * around
+    return BROKEN_COST + cost if cost > 0.0 else 0.0
 
 
 def _front(place: Candidate) -> tuple[float, float]:

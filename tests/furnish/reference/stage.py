@@ -66,7 +66,10 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     counted = _counted(room_type, catalogs, room.width * room.depth, stream)
     there = {one.spec.piece: one for one in counted if one.copies}
     run = planned_run(scope, furnisher.walls, room_type.run, there, stream) if room_type.run else {}
+    in_run = {name for order in room_type.run.orders for name in order} if room_type.run and run else set()
     for one in counted:
+        if one.spec.piece in in_run and one.spec.piece not in run and not one.spec.required:
+            continue
         for number in range(1, one.copies + 1):
             if not furnisher.add(one, number, drawn_preferences(stream), run.get(one.spec.piece)):
                 break
