@@ -17,7 +17,7 @@ from tests.core.test_native_dress import answer, request
 from tests.decorations.random_rooms import furnished, random_dressing, random_settings
 
 KNOWN = load_catalogs()
-GOLDEN = "2b6ee3ebf40346f172ab2415e76af4ac92d4a750558bb1217809e207286ce98b"
+GOLDEN = "2263bb338beea5cf20bc20282b913856d6150c71cf7d1ff342abadc929f5af28"
 """Of 300 random rooms, half of them with random dressings, recorded from the Python stage."""
 
 
