@@ -117,8 +117,8 @@ struct PieceSpec {
 
 // The sizes of the tables, in their order.
 struct TypeHeader {
-  i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, comforts, orders, words, worktop, landing, ends, triangle, all_words;
-  i32 has_run;
+  i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, comforts;
+  i32 orders, words, worktop, landing, ends, triangle, all_words, has_run;
 };
 
 struct RoomType {
