@@ -5,9 +5,12 @@ Comes in: a Room and its Arrangement. Goes out: the Room with its furniture. May
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import NamedTuple
 
 from catalogs import Catalogs
+from catalogs.schema import FurnitureSpec
 from catalogs.styles import Style
 from solver.geometry import half_m, to_m
 from solver.pieces import Arrangement, Placed
@@ -16,6 +19,18 @@ from solver.streams import Stream
 
 PLAIN_COLOUR = "#9a9a9a"
 """Of what the catalogs do not know."""
+
+
+class _NamedKind(NamedTuple):
+    """What the catalogs know of a kind: its name, and what they say of it."""
+
+    name: str
+    spec: FurnitureSpec | None
+
+    @property
+    def category(self) -> str:
+        """What sort of thing it is."""
+        return self.spec.category if self.spec else "misc"
 
 
 def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: Stream, style: Style | None = None) -> Room:
@@ -27,8 +42,9 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
     """
     ids = ids_of(room, arrangement, catalogs)
     kinds = sorted({placed.chosen.kind for placed in arrangement.placed})
-    colours = _colours({kind: _palette(kind, catalogs, style) for kind in kinds}, catalogs, stream)
-    pieces = tuple(_piece(placed, ids, colours, catalogs) for placed in arrangement.placed)
+    known = {kind: _NamedKind(catalogs.name_of(kind), catalogs.furniture.get(kind)) for kind in kinds}
+    colours = _colours(known, style, stream)
+    pieces = tuple(_piece(placed, ids, colours, known[placed.chosen.kind]) for placed in arrangement.placed)
     return replace(room, furniture=pieces)
 
 
@@ -43,16 +59,11 @@ def ids_of(room: Room, arrangement: Arrangement, catalogs: Catalogs) -> dict[str
     return ids
 
 
-def _palette(kind: str, catalogs: Catalogs, style: Style | None) -> tuple[str, ...]:
-    """Returns the colours a style has for a kind; none where it leaves the kind as it is."""
-    return style.colours(kind, catalogs.name_of(kind), _category(kind, catalogs)) if style else ()
-
-
-def _colours(palettes: dict[str, tuple[str, ...]], catalogs: Catalogs, stream: Stream) -> dict[str, str]:
+def _colours(kinds: Mapping[str, _NamedKind], style: Style | None, stream: Stream) -> dict[str, str]:
     colours: dict[str, str] = {}
     matching: dict[tuple[str, ...], str] = {}
-    for kind, palette in palettes.items():
-        spec = catalogs.furniture.get(kind)
+    for kind, known in kinds.items():
+        palette, spec = style.colours(kind, known.name, known.category) if style else (), known.spec
         if palette in matching:
             colours[kind] = matching[palette]
         else:
@@ -62,13 +73,13 @@ def _colours(palettes: dict[str, tuple[str, ...]], catalogs: Catalogs, stream: S
     return colours
 
 
-def _piece(placed: Placed, ids: dict[str, str], colours: dict[str, str], catalogs: Catalogs) -> Furniture:
+def _piece(placed: Placed, ids: dict[str, str], colours: dict[str, str], known: _NamedKind) -> Furniture:
     chosen, rect = placed.chosen, placed.footprint
     width, depth, height = chosen.size_mm
     return Furniture(
         id=ids[placed.label],
-        name=catalogs.name_of(chosen.kind),
-        category=_category(chosen.kind, catalogs),
+        name=known.name,
+        category=known.category,
         x=half_m(rect.x0 + rect.x1),
         y=to_m(chosen.bottom_mm),
         z=half_m(rect.z0 + rect.z1),
@@ -80,10 +91,5 @@ def _piece(placed: Placed, ids: dict[str, str], colours: dict[str, str], catalog
         wall=placed.wall,
         under=ids.get(chosen.under or ""),
         on=ids.get(chosen.on or ""),
-        kind=chosen.kind if chosen.kind in catalogs.furniture else None,
+        kind=chosen.kind if known.spec else None,
     )
-
-
-def _category(kind: str, catalogs: Catalogs) -> str:
-    spec = catalogs.furniture.get(kind)
-    return spec.category if spec else "misc"

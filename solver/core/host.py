@@ -277,11 +277,14 @@ def _lay_idle(instance: CoreInstance) -> None:
 
 
 @contextmanager
-def borrowed() -> Iterator[CoreInstance]:
+def borrowed(roomy: bool = False) -> Iterator[CoreInstance]:
     """Lends an instance for a block. What the block took of its memory is given back at its end.
 
     After an exception the instance is thrown away. No view of its memory may outlive the block.
+
+    Args:
+        roomy: whether more than a megabyte will be asked of it.
     """
-    instance = taken()
+    instance = taken(roomy)
     yield instance
     _lay_idle(instance)

@@ -112,7 +112,7 @@ def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict
     lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
     for room_id in lacking[:SHIFTED_ROOMS]:
         plan = _shift_doors(plan, room_id, arrangements, setting)
-    return plan, _explained(plan.rooms, arrangements, setting)
+    return plan, _explained(plan.rooms, arrangements, setting) if lacking else arrangements
 
 
 def generator(catalogs: Catalogs) -> dict[str, Any]:
@@ -183,8 +183,8 @@ def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], s
 def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
     """Returns how many of the room type's requirements the arrangement does not meet."""
     room_type = setting.catalogs.rooms.get(room.type)
-    names = [setting.catalogs.name_of(placed.chosen.kind) for placed in arrangement.placed]
     requires = room_type.requires if room_type else ()
+    names = [setting.catalogs.name_of(placed.chosen.kind) for placed in arrangement.placed] if requires else []
     return sum(not any(names.count(name) >= number for name, number in either.items()) for either in requires)
 
 

@@ -67,7 +67,7 @@ def place_wanted(rooms: Sequence[WantedRows], tidy: bool = False) -> list[Arrang
         AssertionError: the search found nothing, or what breaks a rule, which it never does.
         OptimumRefuted: OSQP finds another optimum than one that was proven.
     """
-    with borrowed() as core:
+    with borrowed(roomy=True) as core:
         types: dict[bytes, int] = {}
         answers = []
         for room in rooms:

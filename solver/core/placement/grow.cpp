@@ -116,12 +116,13 @@ static bool try_entry(const Engine& engine, i64 entry, const Group& group, const
 // Empties the tree but for what counts over a whole room.
 static void begin(const Tree& tree) {
   const i64 solved = tree.counters->solved_qps, moves = tree.counters->moves_left;
+  const bool untouched = tree.counters->refused == 0;
   *tree.counters.data = {};
   tree.counters->solved_qps = solved;
   tree.counters->moves_left = moves;
   tree.counters->closed = 1;
   tree.counters->best = tree.counters->deepest = tree.counters->incumbent = -1;
-  for (i64& number : tree.refused) number = 0;
+  for (i32 k = 0; k < tree.refused.size && !untouched; k++) tree.refused[k] = 0;
 }
 
 bool best_first(

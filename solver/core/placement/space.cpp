@@ -187,7 +187,7 @@ static Tree new_tree(const Sizes& sizes) {
   tree.depths = new_span<i64>(n);
   tree.heap = reserved_rows<HeapEntry>(heap);
   tree.heap_cost = new_span<f64>(heap);
-  tree.refused = new_span<i64>(MOST_REFUSED);
+  tree.refused = zeroes<i64>(MOST_REFUSED);
   tree.found = new_span<i64>(sizes.decisions);
   tree.found_cost = new_span<f64>(sizes.decisions);
   tree.trial = new_span<i64>(p);
