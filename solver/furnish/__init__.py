@@ -4,6 +4,7 @@ Comes in: a `scene.Room` with openings, the catalogs, the room's stream, or a li
 `pieces.Piece`. May import: catalogs and the ground floor. Not here: choosing among candidates and exact places (placement).
 """
 
+from solver.furnish.attached import tucks
 from solver.furnish.habits import Habits, habits_of
 from solver.furnish.listed_pieces import ListedPieces, Listing, listed_pieces
 from solver.furnish.room_types import unwanted_pieces, wanted_pieces, wanted_rows
@@ -17,6 +18,7 @@ __all__ = [
     "listed_pieces",
     "scope_of",
     "space_of",
+    "tucks",
     "unwanted_pieces",
     "wanted_pieces",
     "wanted_rows",

@@ -111,7 +111,7 @@ class _Frames:
             found = _boxes(self.listed, [*zip(self._specs, suits, strict=True)], parent.kind, turn)
             self._known[turn, suits] = found
             for spec in self._specs:
-                if _tucks(spec):
+                if tucks(spec):
                     held = _held_boxes(_fit(self.listed, spec, parent.kind, turn))
                     self._tucked |= {(turn, box) for box, _ in found if any(within_both(box, other, POINT) == box for other in held)}
         return self._known[turn, suits]
@@ -151,7 +151,7 @@ def _in_room(box: Rect, rotation: int, centre: Rect) -> Rect:
 
 def _fit(listed: ListedPiece, spec: RelationSpec, other: Kind, turn: int) -> Fit:
     own = listed.kind
-    blocked = tuple(taken(other.parts, own.parts, turn)) if _tucks(spec) else ()
+    blocked = tuple(taken(other.parts, own.parts, turn)) if tucks(spec) else ()
     return Fit(spec, other.size[:2], turned(*own.size[:2], turn), turn, blocked=blocked)
 
 
@@ -168,9 +168,11 @@ def _cheapest(
     places: list[_Beside] = []
     for least, _, footing, boxes, found in likely:
         if least >= dearest or (len(places) >= PLACES_EACH and least >= places[PLACES_EACH - 1].cost):
+            frames.listed.dropped.append(least)
             break
         places += [place for place in _in_both(frames, footing, parent, (boxes, found)) if place.cost < dearest]
         places.sort(key=lambda place: round(place.cost, 9))
+    frames.listed.dropped.extend(place.cost for place in places[PLACES_EACH : PLACES_EACH + 1])
     return places[:PLACES_EACH]
 
 
@@ -181,7 +183,10 @@ def _in_both(frames: _Frames, footing: Footing, parent: Parent, at: tuple[Sequen
     half_x, half_z = footing.extent[0] // 2, footing.extent[1] // 2
     places: list[_Beside] = []
     for cost, i, j in pairs:
-        if len(places) == PLACES or cost == inf:
+        if cost == inf:
+            break
+        if len(places) == PLACES:
+            frames.listed.dropped.append(cost)
             break
         (x0, z0, x1, z1), (low_x, low_z, high_x, high_z) = found[j][0], frames.centres(boxes[i][0], parent)
         if low_x <= x1 - half_x and x0 + half_x <= high_x and low_z <= z1 - half_z and z0 + half_z <= high_z:
@@ -202,8 +207,8 @@ def between_others(listed: ListedPiece, placed: Mapping[str, Placed]) -> list[Ca
         for spec in listed.to_pieces:
             held = _held_at(listed, spec, footing, placed)
             both = [(cut, cost) for rect, cost in places for _, other in held if (cut := within_both(rect, other, footing.extent))]
-            places = cheapest([*both, *((rect, cost + missed(spec)) for rect, cost in places)], PLACES_KEPT)
-            tucked += held if _tucks(spec) else []
+            places = cheapest([*both, *((rect, cost + missed(spec)) for rect, cost in places)], PLACES_KEPT, [])
+            tucked += held if tucks(spec) else []
         for rect, cost in places[:PLACES]:
             found.append((cost, footing, rect, next((attach for attach, other in tucked if other.contains(rect)), None)))
     found.sort(key=lambda entry: entry[0])
@@ -241,7 +246,8 @@ def _held_at(listed: ListedPiece, spec: RelationSpec, footing: Footing, placed: 
     return found
 
 
-def _tucks(spec: RelationSpec) -> bool:
+def tucks(spec: RelationSpec) -> bool:
+    """Tells whether a relation lets a piece reach under another one, as far as their parts do not cross."""
     return spec.type == "under" or (spec.gap is not None and spec.gap[0] < 0)
 
 
@@ -265,7 +271,7 @@ def _boxes(listed: ListedPiece, specs: Sequence[tuple[RelationSpec, bool]], othe
         priced = [(box, _sliding(spec, box)) for box in boxes]
         held = [(both, cost + more) for box, cost in found for other_box, more in priced if (both := within_both(box, other_box, POINT))]
         without = missed(spec)
-        found = cheapest([*held, *((box, cost + without) for box, cost in found)], BOXES_KEPT)
+        found = cheapest([*held, *((box, cost + without) for box, cost in found)], BOXES_KEPT, listed.dropped)
     return [(box, cost) for box, cost in found if box != ANY_PLACE]
 
 

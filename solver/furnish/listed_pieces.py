@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import inf
 from operator import attrgetter
 from typing import NamedTuple
@@ -46,6 +47,14 @@ class ListedPieces:
 
     pieces: tuple[Piece, ...]
     listed: Mapping[str, ListedPiece]
+
+    @cached_property
+    def sure_cost(self) -> float:
+        """What a placement costs at least that takes a candidate which a limit kept out; one that costs no more is the best of all."""
+        least = {piece.label: min(map(_cost, piece.candidates), default=0.0) for piece in self.pieces}
+        more = [min(one.dropped) - least[label] for label, one in self.listed.items() if one.dropped]
+        more += [DEAR for one in self.listed.values() if one.unlikely]
+        return sum(least.values()) + max(0.0, min(more, default=inf))
 
     def between(self, placed: Sequence[Placed], labels: Container[str]) -> tuple[Piece, ...]:
         """Returns the pieces, the named ones with further candidates: where all their relations hold with the rest as it stands.
@@ -157,16 +166,19 @@ def _piece(listed: ListedPiece, label: str, required: bool) -> Piece:
 
 def _candidates(listed: ListedPiece) -> tuple[Candidate, ...]:
     """Returns all candidates, cheapest first; none where the piece is too large, or hard relations rule all of them out."""
-    every = [(footing, _some(found)) for footing, found in listed.places]
+    every = [(footing, _some(found, listed.dropped)) for footing, found in listed.places]
     hard = any(spec.required for spec in listed.to_pieces)
     alone = [] if hard else list(_alone(listed, every))
     dearest = min(map(_cost, alone), default=inf) + sum(spec.cost for spec in listed.to_pieces)
     bound = sorted(attached(listed, every, dearest), key=_cost)
+    listed.dropped.extend(candidate.cost for candidate in bound[ATTACHED : ATTACHED + 1])
+    listed.dropped.extend([dearest] if listed.to_pieces and alone else [])
     return _by_cost(alone, bound[:ATTACHED])
 
 
-def _some(found: Sequence[Costed]) -> list[Costed]:
+def _some(found: Sequence[Costed], dropped: list[float]) -> list[Costed]:
     """Returns the few that cost least, and the dearest: where nothing is held, a piece can still stand."""
+    dropped.extend(cost for _, cost in found[EACH:-1][:1])
     return [*found[:EACH], *found[EACH:][-1:]]
 
 

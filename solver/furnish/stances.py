@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf
 from typing import TypeAlias
@@ -34,6 +34,7 @@ class ListedPiece:
         reach: where the centre of an earlier piece may be, by its label and stance, mm.
         unlikely: stances of earlier pieces that miss a relation which others hold: no places are sought beside them.
         cell: the part of the floor where it stands best, if it stands free.
+        dropped: filled while its candidates are made: what those cost at least that a limit kept out.
     """
 
     subject: Subject
@@ -41,6 +42,7 @@ class ListedPiece:
     reach: Mapping[tuple[str, Stance], Rect]
     unlikely: Collection[tuple[str, Stance]]
     cell: Rect | None = None
+    dropped: list[float] = field(default_factory=list, compare=False)
 
     @property
     def kind(self) -> Kind:
@@ -99,21 +101,27 @@ def _places(listed: ListedPiece, footing: Footing) -> list[Costed]:
         regions = RELATIONS[spec.type].regions(listed.subject.scope, spec, footing)
         held = [(both, cost) for rect, cost in found for region in regions if (both := within_both(rect, region, footing.extent))]
         without = missed(spec)
-        found = cheapest([*held, *((rect, cost + without) for rect, cost in found)], PLACES_KEPT)
+        found = cheapest([*held, *((rect, cost + without) for rect, cost in found)], PLACES_KEPT, listed.dropped)
     return found
 
 
-def cheapest(found: Sequence[Costed], most: int) -> list[Costed]:
-    """Sorts by cost, the largest first, and drops what lies within a rectangle that costs no more."""
+def cheapest(found: Sequence[Costed], most: int, dropped: list[float]) -> list[Costed]:
+    """Sorts by cost, the largest first, and drops what lies within a rectangle that costs no more.
+
+    Where there are more than `most`, the cost of the first one left out is added to `dropped`.
+    """
     best: list[Costed] = []
     for rect, cost in sorted(found, key=_by_cost_then_size):
-        if len(best) == most or cost == inf:
+        if cost == inf:
             break
         x0, z0, x1, z1 = rect
         for (a0, b0, a1, b1), _ in best:
             if a0 <= x0 and b0 <= z0 and x1 <= a1 and z1 <= b1:
                 break
         else:
+            if len(best) == most:
+                dropped.append(cost)
+                break
             best.append((rect, cost))
     return best
 

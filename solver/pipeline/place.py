@@ -55,9 +55,15 @@ def place(  # noqa: PLR0913 - keyword-only options of the public door
     if not 1 <= alternatives <= MOST_ALTERNATIVES:
         raise RequestError("alternatives", f"is {alternatives}", f"a whole number from 1 to {MOST_ALTERNATIVES}")
     timing = Timing(clock)
-    task = task_of(room, pieces, catalogs or load_catalogs(), (wall_thickness, robot_width, engine))
+    known, setting = catalogs or load_catalogs(), (wall_thickness, robot_width, engine)
+    task = task_of(room, pieces, known, setting)
     timing.lap("furnish")
     found = best_placement(task, task.pieces)
+    if found.arrangement.left_out:  # not all can stand: now it counts what matters most
+        listed = task_of(room, pieces, known, setting, as_sent=True)
+        other = best_placement(listed, listed.pieces)
+        if other.score[0] <= found.score[0]:
+            task, found = listed, other
     best = settled(task, found)
     timing.lap("placement")
     others = other_placements(task, found, alternatives - 1)
@@ -80,9 +86,9 @@ def _conflicts(task: PlaceTask, placement: Placement) -> tuple[Conflict, ...]:
 
 
 def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:
-    members = minimal_conflict(task.space, pieces, missing.label, budget)
+    members = minimal_conflict(task.framed.space, pieces, missing.label, budget)
     if members is None:
-        if feasible(task.space, pieces, budget):
+        if feasible(task.framed.space, pieces, budget):
             return Conflict(
                 (missing.label,), f"{_sized(task, missing)} can stand with the others, but not where it and they can be reached"
             )
@@ -94,7 +100,7 @@ def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: 
     removals = tuple(
         {"action": "leave_out", "id": member}
         for member in members
-        if feasible(task.space, [piece for piece in pieces if piece.label != member], budget)
+        if feasible(task.framed.space, [piece for piece in pieces if piece.label != member], budget)
     )
     return Conflict(members, f"{' and '.join(_sized(task, by_label[member]) for member in members)} {how} {floor}", removals)
 

@@ -6,17 +6,21 @@ here: which arrangement (rounds, place).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 from catalogs import Catalogs
+from catalogs.schema import RelationSpec
 from solver.certificate import room_certificate
-from solver.furnish import Habits, ListedPieces, Listing, habits_of, listed_pieces, scope_of, space_of
+from solver.furnish import Habits, ListedPieces, Listing, habits_of, listed_pieces, scope_of, space_of, tucks
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND
 from solver.named_assets import with_assets
 from solver.pieces import Arrangement, Piece, Placed, Space
+from solver.pipeline.frames import SearchFrame, frame_of
+from solver.pipeline.list_order import by_content
 from solver.pipeline.obstacles import obstacles
 from solver.relations.held import FinishedRoom, at_wall, held, standing
 from solver.relations.relation import Standing
@@ -39,6 +43,13 @@ from solver.understanding import Understood, understood
 from solver.validator import RULES, validate
 
 
+class Framed(NamedTuple):
+    """The room in the frame of its search: where pieces may stand, and the room before anything is placed."""
+
+    space: Space
+    bare: FinishedRoom
+
+
 @dataclass(frozen=True)
 class PlaceTask:
     """What every placement of one request shares."""
@@ -50,11 +61,15 @@ class PlaceTask:
     robot_width: float
     engine: str
     space: Space
+    """Of the room as it was sent."""
+    bare: FinishedRoom
+    """The room as it was sent, before anything is placed, to be judged."""
+    frame: SearchFrame
+    framed: Framed
     listed: ListedPieces
+    """The pieces to be placed, in the frame."""
     kinds: Mapping[str, Kind]
     """The kind of every piece that is asked for or stands already, by its label."""
-    bare: FinishedRoom
-    """The room before anything is placed, to be judged."""
     words: Understood
     """What stands in the room, in the catalogs' words."""
 
@@ -75,7 +90,9 @@ class PlaceTask:
         return self.listed.pieces
 
 
-def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: tuple[float, float, str]) -> PlaceTask:
+def task_of(
+    room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: tuple[float, float, str], as_sent: bool = False
+) -> PlaceTask:
     """Checks a request and says what it means.
 
     Args:
@@ -83,6 +100,7 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
         requests: what is wanted.
         catalogs: whose kinds are known.
         setting: wall thickness, m; the square that must be able to walk, m; the engine of the final solve.
+        as_sent: the pieces are placed in the order of the list, the most important first; else in one that does not depend on it.
 
     Raises:
         RequestError: a field is wrong.
@@ -90,17 +108,37 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     wall_thickness, robot_width, engine = setting
     words = understood(Scene(rooms=(room,)), catalogs)
     room = words.scene.rooms[0]
-    wanted = checked(room, requests, catalogs)
-    kinds = kinds_of(room, wanted, catalogs)
-    space, there = obstacles(room, space_of(room, wall_thickness, robot_width), catalogs)
-    habits = habits_of(wanted, kinds, catalogs, space.clear)
-    ordered = in_order(wanted, _goes_to(wanted, habits))
-    listed = listed_pieces(room, space, Listing(ordered, kinds, habits), there)
-    names = labels_by_name(room, ordered)
+    sent = checked(room, requests, catalogs)
+    kinds = kinds_of(room, sent, catalogs)
+    wanted = sent if as_sent else by_content(sent, kinds)
+    names = labels_by_name(room, wanted)
     by_label = {label: kinds[name] for name, labels in names.items() for label in labels}
-    bodies = {one.id: standing(one, space.clear, _heights(by_label[one.id])) for one in room.furniture}
-    bare = FinishedRoom(scope_of(room, space), bodies, names)
-    return PlaceTask(room, ordered, catalogs, wall_thickness, robot_width, engine, space, listed, by_label, bare, words)
+    own = space_of(room, wall_thickness, robot_width)
+    relations = [*_every_relation(wanted, habits_of(wanted, kinds, catalogs, own.clear))]
+    tucked = [by_label[one] for label, spec in relations if tucks(spec) for name in (label, *spec.of) for one in names.get(name, (name,))]
+    frame = frame_of(room, kinds.values(), tucked, (spec for _, spec in relations))
+    inside = frame.room(room)
+    space, there = obstacles(inside, space_of(inside, wall_thickness, robot_width), catalogs)
+    habits = habits_of(wanted, kinds, catalogs, space.clear)
+    goes_to = _goes_to(wanted, habits)
+    ordered = in_order(wanted, goes_to)
+    listed = listed_pieces(inside, space, Listing(ordered, kinds, habits), there)
+    framed = Framed(space, _bare(inside, space, by_label, names))
+    bare = _bare(room, own, by_label, names)
+    return PlaceTask(
+        room, in_order(sent, goes_to), catalogs, wall_thickness, robot_width, engine, own, bare, frame, framed, listed, by_label, words
+    )  # fmt: skip
+
+
+def _bare(room: Room, space: Space, kinds: Mapping[str, Kind], names: Mapping[str, tuple[str, ...]]) -> FinishedRoom:
+    bodies = {one.id: standing(one, space.clear, _heights(kinds[one.id])) for one in room.furniture}
+    return FinishedRoom(scope_of(room, space), bodies, names)
+
+
+def _every_relation(requests: Sequence[PieceRequest], habits: Habits) -> Iterator[tuple[str, RelationSpec]]:
+    """Yields (label, relation) of what is asked for and what is usual."""
+    yield from relations_of(requests)
+    yield from ((label, spec) for label, specs in habits.relations.items() for spec in specs)
 
 
 def _goes_to(requests: Sequence[PieceRequest], habits: Habits) -> Mapping[str, frozenset[str]]:
@@ -119,7 +157,8 @@ def _heights(kind: Kind) -> list[float]:
 
 
 def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
-    """Writes an arrangement down and judges it."""
+    """Writes an arrangement of the frame down, as the room was sent, and judges it."""
+    arrangement = task.frame.back(arrangement)
     room = _written(task, arrangement)
     document = {"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}}
     request = {"robot_width": task.robot_width}
@@ -157,11 +196,12 @@ def _called(task: PlaceTask, piece: Furniture, placed: Placed) -> Furniture:
 def lost(task: PlaceTask, arrangement: Arrangement) -> list[tuple[str, float]]:
     """Judges an arrangement that is not written down: returns (piece, what it is worth) of every relation that is not held."""
     bodies = {one.label: _standing(task, one) for one in arrangement.placed}
-    seen = replace(task.bare, bodies={**task.bare.bodies, **bodies})
+    bare = task.framed.bare
+    seen = replace(bare, bodies={**bare.bodies, **bodies})
     return [(label, spec.cost) for label, spec in relations_of(task.requests) if not held(seen, label, spec)[0]]
 
 
 def _standing(task: PlaceTask, one: Placed) -> Standing:
     kind, bottom = task.kinds.get(one.label), one.chosen.bottom_mm
     levels = tuple(bottom + level.height_mm for level in kind.levels) if kind else ()
-    return at_wall(Standing(one.label, one.footprint, one.rotation, bottom, None, one.chosen.on, levels), task.space.clear)
+    return at_wall(Standing(one.label, one.footprint, one.rotation, bottom, None, one.chosen.on, levels), task.framed.space.clear)

@@ -37,13 +37,15 @@ class Round:
     """An arrangement as it was drafted, and its rank, less being better.
 
     The rank: required pieces that are missing, whether it cannot be walked, the cost of relations that are not held, the
-    solver's cost. `lost` pairs a piece with the worth of a relation of it that is not held.
+    solver's cost. `lost` pairs a piece with the worth of a relation of it that is not held. `whole`: all candidates were there to
+    choose from, or those that were not could only have cost more.
     """
 
     draft: SolvedRoom
     arrangement: Arrangement
     lost: Sequence[tuple[str, float]]
     score: Score
+    whole: bool
 
     @property
     def perfect(self) -> bool:
@@ -83,8 +85,9 @@ def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
 
 def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits) -> Round:
     """Decides all pieces together, the least free ones first."""
-    rank = {piece.label: -_freedom(task.space, piece) for piece in wanted}
-    return _judged(task, arrange(task.space, _ordered(wanted, rank), limits=limits))
+    rank = {piece.label: -_freedom(task.framed.space, piece) for piece in wanted}
+    found = _judged(task, arrange(task.framed.space, _ordered(wanted, rank), limits=limits))
+    return replace(found, whole=wanted is task.pieces and found.draft.cost <= task.listed.sure_cost)
 
 
 def _freedom(space: Space, piece: Piece) -> float:
@@ -102,7 +105,7 @@ def _freedom(space: Space, piece: Piece) -> float:
 
 def _mended(task: PlaceTask, wanted: Sequence[Piece], found: Round) -> Round:
     """Takes pieces that are missing or miss a relation out and puts them in again between the others, which may slide."""
-    return _judged(task, arrange(task.space, _reopened(task, wanted, found, set(_to_be_tried_again(found))), limits=MENDING))
+    return _judged(task, arrange(task.framed.space, _reopened(task, wanted, found, set(_to_be_tried_again(found))), limits=MENDING))
 
 
 def _reopened(task: PlaceTask, wanted: Sequence[Piece], found: Round, loose: set[str]) -> list[Piece]:
@@ -136,7 +139,7 @@ def _judged(task: PlaceTask, draft: SolvedRoom) -> Round:
     missing = sum(label in required for label, _ in arrangement.left_out)
     missed = lost(task, arrangement)
     score = (missing, len(arrangement.notes), round(sum(cost for _, cost in missed), 6), arrangement.cost)
-    return Round(draft, arrangement, missed, score)
+    return Round(draft, arrangement, missed, score, False)
 
 
 def _to_be_tried_again(found: Round) -> list[str]:
@@ -146,7 +149,8 @@ def _to_be_tried_again(found: Round) -> list[str]:
 
 def settled(task: PlaceTask, found: Round) -> Placement:
     """Returns the placement of an arrangement after the final solve."""
-    placement = finished(task, finish([found.draft], task.engine)[0])
+    arrangement = finish([found.draft], task.engine)[0]
+    placement = finished(task, replace(arrangement, best=arrangement.best and found.whole))
     worth = [rule.cost for _, rule in relations_of(task.requests)]
     missed = round(sum(cost for relation, cost in zip(placement.relations, worth, strict=True) if not relation.held), 6)
     return replace(placement, cost=missed)
