@@ -14,7 +14,7 @@ from service.app import create_app
 FILE = Path(__file__).parent.parent / "web" / "src" / "served.ts"
 PAGE = (
     *("Generated", "Fixed", "FixBody", "DragAnswer", "ValidateAnswer", "Explained", "Lines", "FloorAnswer", "ProblemDocument", "Request"),
-    *("FurnitureSpec", "Solid", "Material", "WallPaint", "Preset"),
+    *("FurnitureSpec", "Solid", "Material", "WallPaint", "Preset", "Asset"),
 )
 """What the page takes and sends; what these refer to comes with them."""
 HEAD = "/** What the service takes and answers; `python -m scripts.contract` writes it. Lengths in metres, angles in degrees. */\n"

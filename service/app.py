@@ -182,6 +182,7 @@ def create_app(catalogs: Catalogs | None = None) -> ComposeApp:
     app.include_router(gets)
     app.add_route("/", page.index, include_in_schema=False)
     app.add_route("/core.wasm", page.core, include_in_schema=False)
+    app.add_route("/asset/{name}", page.asset, include_in_schema=False)
     app.add_route("/docs", docs, include_in_schema=False)
     app.mount("/assets", page.Assets())
     app.add_middleware(Guard)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, Final
 
+from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import FileResponse, PlainTextResponse, Response
 from starlette.staticfiles import StaticFiles
@@ -31,6 +32,14 @@ async def core(_: Request) -> Response:
     if not WASM.is_file():
         return PlainTextResponse("The core is not built here: `make core` builds it.\n", 503)
     return FileResponse(WASM, media_type="application/wasm", headers={"Cache-Control": "no-cache"})
+
+
+async def asset(request: Request) -> Response:
+    """Serves the file of one of the user's own assets, by its name."""
+    found = request.app.catalogs.assets.get(request.path_params["name"])
+    if found is None or not Path(found.path).is_file():
+        raise HTTPException(404)
+    return FileResponse(found.path, media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})
 
 
 class Assets(StaticFiles):

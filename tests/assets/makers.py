@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import yaml
 
 from catalogs import load_catalogs
@@ -108,6 +109,36 @@ def textured(content: bytes, side: int = 2) -> bytes:
     document["samplers"], document["textures"] = [{"wrapS": 10497}], [{"source": 0, "sampler": 0}]
     document["materials"][primitive["material"]]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
     binary += bytes(-len(binary) % 4)
+    document["buffers"] = [{"byteLength": len(binary)}]
+    return joined(document, binary)
+
+
+def dense(content: bytes, side: int) -> bytes:
+    """A .glb with one more part: a hilly sheet of side x side points within its box."""
+    document, binary = parts(content)
+    ends = document["accessors"][document["meshes"][0]["primitives"][0]["attributes"]["POSITION"]]
+    low, high = np.array(ends["min"]), np.array(ends["max"])
+    u, v = (grid.reshape(-1) for grid in np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side)))
+    points = (low + (high - low) * np.stack([u, 0.5 + 0.4 * np.sin(20 * u) * np.cos(20 * v), v], axis=1)).astype("<f4")
+    corner = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).reshape(-1)
+    triangles = np.stack([corner, corner + side, corner + 1, corner + 1, corner + side, corner + side + 1], axis=1).astype("<u4")
+    normals = np.tile(np.array([0, 1, 0], "<f4"), (len(points), 1))
+    says = {"POSITION": (points, 34962), "NORMAL": (normals, 34962), "indices": (triangles, 34963)}
+    numbers = {}
+    for name, (values, target) in says.items():
+        binary += bytes(-len(binary) % 4)
+        document["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": values.nbytes, "target": target})
+        binary += values.tobytes()
+        kind = (
+            {"componentType": 5125, "count": values.size, "type": "SCALAR"}
+            if name == "indices"
+            else {"componentType": 5126, "count": len(values), "type": "VEC3"}
+        )
+        more = {"min": points.min(0).tolist(), "max": points.max(0).tolist()} if name == "POSITION" else {}
+        document["accessors"].append({"bufferView": len(document["bufferViews"]) - 1, **kind, **more})
+        numbers[name] = len(document["accessors"]) - 1
+    indices = numbers.pop("indices")
+    document["meshes"][0]["primitives"].append({"attributes": numbers, "indices": indices, "material": 0})
     document["buffers"] = [{"byteLength": len(binary)}]
     return joined(document, binary)
 

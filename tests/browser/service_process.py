@@ -24,18 +24,19 @@ class ServiceProcess:
 
 
 @contextmanager
-def running(port: int = 0) -> Iterator[ServiceProcess]:
+def running(port: int = 0, *more: str) -> Iterator[ServiceProcess]:
     """Run the service until the block ends.
 
     Args:
         port: the port to listen at; 0 for a free one.
+        more: further words of the command.
 
     Raises:
         RuntimeError: it ended instead of saying where it answers.
     """
     if not PAGE.exists():
         subprocess.run([sys.executable, str(ROOT / "scripts" / "page.py"), "build"], check=True)
-    command = [sys.executable, "-m", "service", "serve", "--port", str(port)]
+    command = [sys.executable, "-m", "service", "serve", "--port", str(port), *more]
     with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
         try:
             yield ServiceProcess(process, _said_address(process))

@@ -86,7 +86,7 @@ def test_every_answer_carries_the_security_headers(built: TestClient, path: str)
 def test_the_page_may_run_its_own_scripts_only(built: TestClient) -> None:
     policy = built.get("/").headers["content-security-policy"]
     assert "script-src 'self';" in policy
-    assert "connect-src 'self';" in policy
+    assert "connect-src 'self' blob:;" in policy
 
 
 def test_the_worker_alone_may_compile_the_core(built: TestClient) -> None:

@@ -66,11 +66,14 @@ type Named<Thing> = Readonly<Record<string, Thing>>;
 export type CatalogPart = Open<Served.Solid, "axis" | "taper">;
 export type CatalogKind = Partial<Pick<Served.FurnitureSpec, "name" | "category" | "color">> & Pick<Served.FurnitureSpec, "size">;
 
+export type CatalogAsset = Pick<Served.Asset, "kinds" | "front" | "size" | "low" | "high" | "bytes" | "triangles" | "license">;
+
 /** What the page reads of the catalog. */
 export interface Catalog {
   readonly furniture: Named<CatalogKind>;
   readonly decorations: Named<CatalogKind>;
   readonly shapes?: Named<readonly CatalogPart[]>;
+  readonly assets?: Named<CatalogAsset>;
   readonly materials?: Named<Served.Material>;
   readonly styles?: Named<{ readonly materials?: Named<Partial<Served.Material>>; readonly walls?: Named<readonly Pick<Served.WallPaint, "type">[]> }>;
   readonly rooms?: Named<{ readonly accent: string; readonly home?: { readonly word?: string | null } | null }>;

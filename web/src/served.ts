@@ -1,5 +1,22 @@
 /** What the service takes and answers; `python -m scripts.contract` writes it. Lengths in metres, angles in degrees. */
 
+/** An asset that was measured. */
+export interface Asset {
+  readonly kinds: readonly string[];
+  readonly front: "+z" | "-z" | "+x" | "-x";
+  readonly size: readonly [number, number, number];
+  readonly low: readonly [number, number, number];
+  readonly high: readonly [number, number, number];
+  readonly surfaces: readonly number[];
+  readonly mass: number | null;
+  readonly license: string;
+  readonly source: string;
+  readonly author: string;
+  readonly guessed: readonly string[];
+  readonly bytes: number;
+  readonly triangles: number;
+}
+
 /** Bodies that cannot stand together, why, and what would help. */
 export interface Conflict {
   readonly ids: readonly string[];

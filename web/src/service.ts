@@ -111,6 +111,11 @@ export async function catalog(signal: AbortSignal): Promise<Catalog> {
   return (known ??= await ask<Catalog>("catalog", { headers: { Accept: "application/json" }, signal }));
 }
 
+/** A file of the user's own assets. */
+export function assetFile(name: string): Promise<ArrayBuffer> {
+  return askFor((response) => response.arrayBuffer(), `asset/${encodeURIComponent(name)}`, { headers: { Accept: "model/gltf-binary" } });
+}
+
 export function generate(request: HouseRequest, signal: AbortSignal): Promise<GenerateAnswer> {
   return post("generate", request, signal);
 }

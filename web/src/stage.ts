@@ -1,10 +1,13 @@
 /** The canvas and what happens on it: the house shown, looked at, pointed at and clicked. */
 import { Vector3 } from "three";
 import type { Catalog, Issue, Scene } from "./contract";
+import { AssetLibrary } from "./house/asset_library";
 import { drawable } from "./house/drawable";
 import { House, type Hit } from "./house/house";
 import { rehearse, rehearseKinds } from "./house/rehearsal";
 import { ShapeBook } from "./house/shapes";
+import { showAssetCount } from "./panel/asset_count";
+import { assetFile } from "./service";
 import { timed } from "./timing";
 import type { PresetName } from "./view/cameras";
 import { doorInView } from "./view/door_in_view";
@@ -32,6 +35,7 @@ export class Stage {
   readonly #looking: Looking;
   #house: House | null = null;
   #book = new ShapeBook(null);
+  #library: AssetLibrary | null = null;
   #selected: string | null = null;
 
   constructor(readonly host: HTMLElement) {
@@ -69,11 +73,15 @@ export class Stage {
   #build(scene: Scene): House {
     return timed("house built", () => {
       this.#house?.dispose();
-      const house = (this.#house = new House(scene, this.#book));
+      const house = (this.#house = new House(scene, this.#book, this.#shownAssets));
       this.#viewport.add(house.root, house.bounds, house.outline);
       house.cutAt(this.#looking.height);
       return house;
     });
+  }
+
+  get #shownAssets() {
+    return this.#library && { library: this.#library, onArrival: () => this.#viewport.castShadows() };
   }
 
   /** From the first frame until there is a house, makes what that will need. */
@@ -85,6 +93,8 @@ export class Stage {
   /** Learns how kinds look; what is shown from now on is drawn so. */
   dress(catalog: Catalog): void {
     this.#book = new ShapeBook(catalog);
+    this.#library = new AssetLibrary(catalog.assets ?? {}, assetFile);
+    this.#library.onCount = (count) => showAssetCount(within("assets_shown"), count);
     if (!this.#house) rehearseKinds(catalog);
   }
 
@@ -202,6 +212,7 @@ export class Stage {
       bodies: this.#house?.bodies.map((body) => body.id) ?? [],
       marks: this.#house?.marks ?? {},
       floorZones: this.floorZones,
+      assets: this.#library?.count ?? null,
     };
   }
 

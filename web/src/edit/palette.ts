@@ -15,6 +15,19 @@ const NONE = "No such kind.";
 /** What lives in a house is no piece of furniture. */
 const LIVING = "dynamic";
 
+/** The user's own assets that stand for furniture: pieces of the asset's size, of the kind that is nearest to it in size. */
+export function ownKindsOf({ furniture, assets = {} }: Catalog): { readonly key: string; readonly kind: FurnitureKind }[] {
+  return Object.entries(assets).flatMap(([asset, { kinds, size }]) => {
+    const known = Object.entries(furniture).filter(([key, { name }]) => kinds.includes(key) || kinds.includes(name ?? key));
+    const off = (other: readonly number[]): number => size.reduce((sum, extent, i) => sum + Math.abs(extent - (other[i] ?? 0)), 0);
+    const [nearest] = known.sort(([, a], [, b]) => off(a.size) - off(b.size));
+    if (!nearest) return [];
+    const [key, { name, category, color }] = nearest;
+    const [width, depth, height] = size.map((extent) => Math.round(extent * 1000) / 1000) as [number, number, number];
+    return [{ key: asset, kind: { key, name: name ?? key, category: category ?? "", size: [width, depth, height], color: color ?? null, asset } }];
+  });
+}
+
 /** The catalog's kinds of furniture as pieces of a scene call them. */
 export function kindsOf(catalog: Catalog): { readonly key: string; readonly kind: FurnitureKind }[] {
   const furniture = Object.entries(catalog.furniture).filter(([, { category }]) => category !== LIVING);
@@ -71,7 +84,7 @@ export class Palette {
 
   #fill(catalog: Catalog): void {
     this.#nothing.textContent = NONE;
-    this.#entries = kindsOf(catalog).map(({ key, kind }) => this.#entry(key, kind));
+    this.#entries = [...ownKindsOf(catalog), ...kindsOf(catalog)].map(({ key, kind }) => this.#entry(key, kind));
     this.#list.replaceChildren(...this.#entries.map(({ button }) => {
       const item = document.createElement("li");
       item.append(button);
@@ -104,7 +117,7 @@ export class Palette {
     size.textContent = `${kind.size.map((metres) => metres.toFixed(2)).join(" × ")} m`;
     button.append(words(key), " ", size);
     button.addEventListener("click", () => this.onChoose(kind));
-    return { kind, button, text: `${words(key)} ${kind.category}`.toLowerCase() };
+    return { kind, button, text: `${words(key)} ${words(kind.name)} ${kind.category}`.toLowerCase() };
   }
 
   #filter(): void {

@@ -14,6 +14,8 @@ export interface FurnitureKind {
   readonly category: string;
   readonly size: readonly [number, number, number];
   readonly color: string | null;
+  /** The own asset that it is shown as. */
+  readonly asset?: string;
 }
 
 /** Offsets that differ by no more are the same [m]: a centre may end in half a millimetre. */
@@ -139,7 +141,7 @@ export function added(scene: Scene, roomId: string, kind: FurnitureKind): { read
   const [width, depth, height] = kind.size;
   const piece: Furniture = {
     id, name: kind.name, kind: kind.key, category: kind.category, x: centre(room.width / 2, width), y: 0, z: centre(room.depth / 2, depth),
-    rotation: 0, width, depth, height, color: kind.color, wall: null, under: null, on: null, locked: false,
+    rotation: 0, width, depth, height, color: kind.color, wall: null, under: null, on: null, locked: false, ...(kind.asset ? { asset: kind.asset } : {}),
   };
   return { id, scene: mapRoom(scene, roomId, (old) => ({ ...old, furniture: [...old.furniture, piece] })) };
 }

@@ -1,6 +1,8 @@
 /** Draws all bodies of a house in few batches, moves them, and tells which body a ray meets. */
 import { Matrix4, Quaternion, Vector3, type Group } from "three";
 import type { PlacedBody } from "./frame";
+import type { AssetLibrary } from "./asset_library";
+import { AssetMeshes } from "./asset_meshes";
 import { HitGroup } from "./hit_group";
 import { PartBatches } from "./part_batches";
 import type { Part } from "./parts";
@@ -17,6 +19,12 @@ export function bodyMatrix(body: PlacedBody): Matrix4 {
 /** Where a body is put: its footprint's centre and underside [m], its turn about +y [rad]; what is not said stays. */
 export type BodyPose = Partial<Pick<PlacedBody, "x" | "y" | "z" | "turn">>;
 
+/** The own assets that bodies are shown as, and who is told when one has come. */
+export interface ShownAssets {
+  readonly library: AssetLibrary;
+  readonly onArrival: () => void;
+}
+
 /** The drawn bodies of a house. */
 export class BodyMeshes {
   readonly root: Group;
@@ -25,16 +33,27 @@ export class BodyMeshes {
   readonly #bodies: PlacedBody[];
   readonly #parts: readonly (readonly Part[])[];
   readonly #drawn: PartBatches;
+  readonly #assets: AssetMeshes | null;
   readonly #numbers: ReadonlyMap<string, number>;
   #cut = Number.POSITIVE_INFINITY;
 
-  constructor(bodies: readonly PlacedBody[], book: ShapeBook = new ShapeBook(null), style: string | null = null) {
+  constructor(bodies: readonly PlacedBody[], book: ShapeBook = new ShapeBook(null), style: string | null = null, assets: ShownAssets | null = null) {
     this.#bodies = [...bodies];
     this.#numbers = new Map(bodies.map((body, i) => [body.id, i]));
     this.#parts = bodies.map((body) => book.partsOf(body, style));
     this.#drawn = new PartBatches(bodies, this.#parts);
     this.batches = this.#drawn.meshes.length;
     this.root = new HitGroup(this.#drawn, this.#bodies, (number) => this.#partsShown(number));
+    this.#assets = assets && new AssetMeshes(bodies, assets.library, (numbers) => {
+      for (const number of numbers) this.#write(number);
+      assets.onArrival();
+    });
+    if (this.#assets) this.root.add(this.#assets.root);
+  }
+
+  /** Assets that come from now on are not shown. */
+  dispose(): void {
+    this.#assets?.dispose();
   }
 
   /** Hides what hangs on walls where they are cut below its middle: nothing hangs in the air. */
@@ -58,7 +77,10 @@ export class BodyMeshes {
 
   #write(number: number): void {
     const body = this.#bodies[number];
-    if (body) this.#drawn.place(number, body, this.#hidden(body) ? [] : this.#parts[number]);
+    if (!body) return;
+    const [hidden, isAsset] = [this.#hidden(body), this.#assets?.shows(number) ?? false];
+    this.#drawn.place(number, body, hidden || isAsset ? [] : this.#parts[number]);
+    this.#assets?.place(number, hidden ? null : body);
   }
 
   #hidden(body: PlacedBody): boolean {

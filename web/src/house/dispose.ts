@@ -6,7 +6,7 @@ export function disposeOf(root: Object3D): void {
   root.traverse((node) => {
     if (!(node instanceof Mesh)) return;
     if (node instanceof BatchedMesh || node instanceof InstancedMesh) node.dispose();
-    node.geometry.dispose();
+    if (!node.geometry.userData.kept) node.geometry.dispose();
     for (const material of [node.material].flat()) if (!material.userData.kept) material.dispose();
   });
   root.removeFromParent();

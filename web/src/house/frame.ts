@@ -14,6 +14,8 @@ export interface PlacedBody {
   readonly kind: BodyKind;
   /** The catalog's key of its shape; none where the scene names no kind. */
   readonly shape?: string | null;
+  /** The name of the own asset that it is shown as. */
+  readonly asset?: string | null;
   readonly x: number;
   readonly y: number;
   readonly z: number;
@@ -55,14 +57,16 @@ export function styleOf(scene: Scene): string | null {
 interface Called {
   readonly name: string;
   readonly shape: string | null | undefined;
+  readonly asset?: string | null | undefined;
 }
 
-function place(body: Body, { name, shape }: Called, kind: BodyKind, room: Room, elevation: number): PlacedBody {
+function place(body: Body, { name, shape, asset }: Called, kind: BodyKind, room: Room, elevation: number): PlacedBody {
   return {
     id: body.id,
     name,
     kind,
     shape: shape ?? null,
+    asset: asset ?? null,
     x: room.x + body.x,
     y: elevation + (body.y ?? 0),
     z: room.z + body.z,
@@ -77,7 +81,7 @@ function place(body: Body, { name, shape }: Called, kind: BodyKind, room: Room, 
 
 /** A decoration in the house; what hangs on a wall, or lies on what does, knows at which height. */
 function placeDecoration(piece: Decoration, others: ReadonlyMap<string, Decoration>, room: Room, elevation: number): PlacedBody {
-  const body = place(piece, { name: piece.name, shape: piece.kind }, "decoration", room, elevation);
+  const body = place(piece, { name: piece.name, shape: piece.kind, asset: piece.asset }, "decoration", room, elevation);
   let carrier: Decoration | undefined = piece;
   for (let step = 0; carrier && !carrier.mounted_on_wall && step < room.decorations.length; step += 1) {
     carrier = others.get(carrier.parent ?? "");
@@ -96,7 +100,7 @@ export function bodiesOf(scene: Scene): PlacedBody[] {
   const elevation = (room: Room): number => storeys.get(room.level)?.elevation ?? 0;
   const rooms = new Map(scene.rooms.map((room) => [room.id, room]));
   const standing = scene.rooms.flatMap((room) => [
-    ...room.furniture.map((piece) => place(piece, { name: piece.name, shape: piece.kind }, "furniture", room, elevation(room))),
+    ...room.furniture.map((piece) => place(piece, { name: piece.name, shape: piece.kind, asset: piece.asset }, "furniture", room, elevation(room))),
     ...placeDecorations(room, elevation(room)),
   ]);
   const living = (scene.dynamic ?? []).flatMap((body: Dynamic) => {

@@ -1,7 +1,7 @@
 /** A scene as it is drawn: floors, walls, doors, bodies, and what is marked on them. */
 import { Box3, Group, Mesh, MeshStandardMaterial, BoxGeometry, Vector3, type Intersection, type Raycaster } from "three";
 import type { Room, Scene } from "../contract";
-import { BodyMeshes, type BodyPose } from "./body_meshes";
+import { BodyMeshes, type BodyPose, type ShownAssets } from "./body_meshes";
 import { disposeOf } from "./dispose";
 import { inwardOf } from "./entrance";
 import { leavesOf } from "./door_leaves";
@@ -65,7 +65,7 @@ export class House {
   #bodies: readonly PlacedBody[];
   #wallMeshes: Group | null = null;
 
-  constructor(readonly scene: Scene, book: ShapeBook = new ShapeBook(null)) {
+  constructor(readonly scene: Scene, book: ShapeBook = new ShapeBook(null), assets: ShownAssets | null = null) {
     const storeys = (this.#storeys = storeysOf(scene));
     const plan: WallPlan = (this.#plan = {
       runs: runsOf(scene.rooms),
@@ -76,7 +76,7 @@ export class House {
     });
     this.bounds = boundsOf(scene, 1);
     this.#bodies = bodiesOf(scene);
-    this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene));
+    this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene), assets);
     this.#walls = new Walls(plan);
     this.doors = new Doors(leavesOf(plan), book.doorPaints(styleOf(scene)));
     if (scene.rooms.length > 0) this.root.add(slab(this.bounds));
@@ -213,6 +213,7 @@ export class House {
   }
 
   dispose(): void {
+    this.#bodyMeshes.dispose();
     disposeOf(this.root);
     this.#marked.clear();
   }
