@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final, NamedTuple
 
-from catalogs.kind_book import KindSize
 from catalogs.shapes import DRAWN, QUARTER, Axis, Hollow, ShapePart, Solid, heights, images
+from catalogs.synonyms import KindSize
 
 BOARD: Final = 0.018
 """How thick a carcass' boards are, m."""
