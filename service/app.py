@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
+from dataclasses import replace
 from typing import Annotated, Any, Final
 
 from fastapi import FastAPI, Path, Request
@@ -22,7 +23,7 @@ from service.guard import Guard
 from service.openapi import completed, refusals
 from service.refusals import NoSuchFormat
 from service.wire import body_of, format_sent, format_wanted, written
-from service.work import Failure, Job, do_alone, packed, warm
+from service.work import Failure, Job, UnknownCatalogs, do_alone, mark_of, packed, warm
 from service.workers import Workers
 from solver.explained import Explained
 from solver.scene import Fixed, Generated, Scene
@@ -43,10 +44,12 @@ class WorkerRoute(APIRoute):
             if format not in (None, *calls.EXPORT_FORMATS):
                 raise NoSuchFormat("format", f"unknown format {format!r:.60}", ", ".join(calls.EXPORT_FORMATS))
             app: ComposeApp = request.app
-            job = Job(self.name, await body_of(request), format_sent(request), format or format_wanted(request), app.packed_catalogs)
+            job = Job(self.name, await body_of(request), format_sent(request), format or format_wanted(request), app.mark)
             done = await app.workers.run(do_alone, job)
-            if isinstance(done, Failure):
-                raise RuntimeError(f"/{self.name} failed in its worker:\n{done.trace}")
+            if isinstance(done, UnknownCatalogs):  # a process that was started since
+                done = await app.workers.run(do_alone, replace(job, catalogs=app.packed_catalogs))
+            if not isinstance(done, Response):
+                raise RuntimeError(f"/{self.name} failed in its worker:\n{done.trace if isinstance(done, Failure) else done}")
             return done
 
         return answer
@@ -151,6 +154,7 @@ class ComposeApp(FastAPI):
         )  # fmt: skip
         self.catalogs = catalogs
         self.packed_catalogs = packed(catalogs)
+        self.mark = mark_of(self.packed_catalogs)
         self.workers = Workers()
 
     def openapi(self) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from starlette.responses import Response
 
 from service.calls import ExportedFile
 from service.refusals import TooLarge, TooSlow, WrongMediaType
-from solver.exchange import FORMATS, GLB, dump_text
+from solver.exchange import FORMATS, GLB, dump_plain
 from solver.plain import Document
 
 BODY_LIMIT: Final = 8 * 1024 * 1024
@@ -113,7 +113,7 @@ def _too_large() -> TooLarge:
 
 def written(document: Document, format: str) -> Response:
     """Writes a document as a response in that format."""
-    return Response(dump_text(document, format), media_type=FORMATS[format].media_type, headers={"Vary": "Accept"})
+    return Response(dump_plain(document, format), media_type=FORMATS[format].media_type, headers={"Vary": "Accept"})
 
 
 def attached(file: ExportedFile) -> Response:

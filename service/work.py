@@ -7,6 +7,7 @@ import pickle
 import sys
 from dataclasses import dataclass
 from functools import lru_cache
+from hashlib import sha256
 from traceback import format_exc
 from typing import Final, cast
 
@@ -36,14 +37,19 @@ class Job:
         body: the request's body.
         sent: the body's format.
         wanted: the answer's format.
-        catalogs: the catalogs, packed by `packed`.
+        catalogs: the catalogs, packed by `packed`; or their mark (`mark_of`), where the process may know them.
     """
 
     call: str
     body: bytes
     sent: str
     wanted: str
-    catalogs: bytes
+    catalogs: bytes | str
+
+
+@dataclass(frozen=True)
+class UnknownCatalogs:
+    """The process does not know the catalogs of that mark: the job has to be sent again with them."""
 
 
 @dataclass(frozen=True)
@@ -58,21 +64,36 @@ def packed(catalogs: Catalogs) -> bytes:
     return pickle.dumps(catalogs, pickle.HIGHEST_PROTOCOL)
 
 
+_known: Final[dict[str, Catalogs]] = {}
+"""The last catalogs that were sent to this process, by their mark."""
+
+
+def mark_of(catalogs: bytes) -> str:
+    """Returns a mark of packed catalogs: it is sent in their place, as they are large beside a request."""
+    return sha256(catalogs).hexdigest()
+
+
 @lru_cache(maxsize=1)
 def unpacked(catalogs: bytes) -> Catalogs:
     """Unpacks catalogs; those of the last call are kept."""
-    return cast(Catalogs, pickle.loads(catalogs))
+    found = cast(Catalogs, pickle.loads(catalogs))
+    _known.clear()
+    _known[mark_of(catalogs)] = found
+    return found
 
 
-def do(job: Job) -> Response | Failure:
+def do(job: Job) -> Response | Failure | UnknownCatalogs:
     """Makes a call; what is wrong with the request becomes a problem document."""
+    if isinstance(job.catalogs, str) and job.catalogs not in _known:
+        return UnknownCatalogs()
+    catalogs = _known[job.catalogs] if isinstance(job.catalogs, str) else unpacked(job.catalogs)
     try:
         document = load_text(job.body, job.sent) if job.body.strip() or job.call not in calls.MAY_BE_EMPTY else {}
         if job.sent == GLB:
             document = {"scene": document}
         if job.call == "export" and job.wanted not in FORMATS:
-            return attached(calls.export_one(document, unpacked(job.catalogs), job.wanted))
-        return written(calls.CALLS[job.call](document, unpacked(job.catalogs)), job.wanted)
+            return attached(calls.export_one(document, catalogs, job.wanted))
+        return written(calls.CALLS[job.call](document, catalogs), job.wanted)
     except ComposeError as error:
         return problems.of_error(None, error)
     except MemoryError:
@@ -81,7 +102,7 @@ def do(job: Job) -> Response | Failure:
         return Failure(format_exc())
 
 
-def do_alone(job: Job) -> Response | Failure:
+def do_alone(job: Job) -> Response | Failure | UnknownCatalogs:
     """Makes a call in a process that does nothing else, with bounded memory."""
     if sys.platform != "win32":
         _, most = resource.getrlimit(resource.RLIMIT_DATA)

@@ -82,7 +82,12 @@ def dump_text(document: object, format: str) -> bytes:
         checked = plain(document)
     except Wrong as wrong:
         raise FieldError(path(wrong.way) or "document", wrong.problem, wrong.allowed) from None
-    return FORMATS[format].dump(checked).encode()
+    return dump_plain(checked, format)
+
+
+def dump_plain(document: object, format: str) -> bytes:
+    """Writes a document of plain values, as `write` returns them, in the same way; nothing is looked at again."""
+    return FORMATS[format].dump(document).encode()
 
 
 def _decoded(text: bytes | str) -> str:

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import math
 import os
+import socket
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import anyio
 import pytest
+from starlette.responses import Response
 from starlette.testclient import TestClient
 
 from catalogs import load_catalogs
-from service import calls, workers
+from service import calls, work, workers
 from service.refusals import Busy, TooMuch
-from service.work import Failure, Job, do, packed
+from service.server import listening
+from service.work import Failure, Job, UnknownCatalogs, do, mark_of, packed
 from service.workers import RUNNING, Workers
 from tests.service import apart, heavy
 from tests.service.problems import entry_of, problem_of
@@ -158,6 +162,27 @@ def job(body: bytes) -> Job:
     return Job("view", body, "json", "json", packed(load_catalogs()))
 
 
+def test_catalogs_are_sent_by_their_mark_to_a_process_that_knows_them() -> None:
+    ours = packed(load_catalogs())
+    marked = replace(job(b'{"scene": {"rooms": []}}'), catalogs=mark_of(ours))
+    assert isinstance(do(replace(marked, catalogs="0" * 64)), UnknownCatalogs)
+    work.unpacked.cache_clear()
+    assert isinstance(do(job(b"{}")), Response)
+    assert isinstance(do(marked), Response)
+
+
+def test_a_process_that_does_not_know_the_catalogs_is_sent_them(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(client.app, "mark", "0" * 64)
+    assert client.post("/view", json={"scene": {"rooms": []}}).status_code == 200
+
+
+def test_what_is_written_is_sent_at_once() -> None:
+    with listening("127.0.0.1", 0) as listener, socket.create_connection(listener.getsockname()):
+        accepted, _ = listener.accept()
+        with accepted:
+            assert accepted.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY) != 0
+
+
 def test_a_fault_of_ours_is_told_from_a_fault_of_the_request(monkeypatch: pytest.MonkeyPatch) -> None:
     def breaks(*_: object) -> dict[str, object]:
         raise ZeroDivisionError("ours")
@@ -166,7 +191,7 @@ def test_a_fault_of_ours_is_told_from_a_fault_of_the_request(monkeypatch: pytest
         raise MemoryError
 
     refused = do(job(b"[]"))
-    assert not isinstance(refused, Failure)
+    assert isinstance(refused, Response)
     assert refused.status_code == 422
     monkeypatch.setattr(calls, "CALLS", {"view": breaks})
     failed = do(job(b"{}"))
@@ -174,6 +199,6 @@ def test_a_fault_of_ours_is_told_from_a_fault_of_the_request(monkeypatch: pytest
     assert "ZeroDivisionError: ours" in failed.trace
     monkeypatch.setattr(calls, "CALLS", {"view": swells})
     refused = do(job(b"{}"))
-    assert not isinstance(refused, Failure)
+    assert isinstance(refused, Response)
     assert refused.status_code == 422
     assert b"2 GB" in bytes(refused.body)
