@@ -67,7 +67,7 @@ def attached(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed
         if any(spec.type == "on" for spec in mine):
             yield from _resting_on(listed, mine, label)
             continue
-        frames = _Frames(listed, mine)
+        frames = _Frames(listed, mine, others)
         hard = any(spec.required for spec in mine)
         for parent in subject.standing[label]:
             if hard or (label, parent.stance) not in listed.unlikely:
@@ -90,10 +90,11 @@ class _Frames:
     Args:
         listed: the piece.
         specs: those to the one other piece.
+        others: what its relations to other pieces cost here.
     """
 
-    def __init__(self, listed: ListedPiece, specs: Sequence[RelationSpec]) -> None:
-        self.listed, self._specs = listed, specs
+    def __init__(self, listed: ListedPiece, specs: Sequence[RelationSpec], others: float) -> None:
+        self.listed, self._specs, self._others = listed, specs, others
         pull = FIRM if any(RELATIONS[spec.type].gives_place for spec in specs) else LOOSE
         self._pulls = (pull, pull)
         clear = listed.space.clear
@@ -101,6 +102,10 @@ class _Frames:
         self._tucked: set[tuple[int, Rect]] = set()
         self._centres: dict[tuple[Rect, Stance], Rect] = {}
         self._known: dict[tuple[int, tuple[bool, ...]], list[Costed]] = {}
+
+    def dropped(self, cost: float) -> None:
+        """Notes that a limit kept out a place that costs so much without the others."""
+        self.listed.dropped.append(cost + self._others)
 
     def boxes(self, parent: Parent, footing: Footing) -> list[Costed]:
         """Returns boxes that each hold at least one relation, cheapest first."""
@@ -168,11 +173,12 @@ def _cheapest(
     places: list[_Beside] = []
     for least, _, footing, boxes, found in likely:
         if least >= dearest or (len(places) >= PLACES_EACH and least >= places[PLACES_EACH - 1].cost):
-            frames.listed.dropped.append(least)
+            frames.dropped(least)
             break
         places += [place for place in _in_both(frames, footing, parent, (boxes, found)) if place.cost < dearest]
         places.sort(key=lambda place: round(place.cost, 9))
-    frames.listed.dropped.extend(place.cost for place in places[PLACES_EACH : PLACES_EACH + 1])
+    for place in places[PLACES_EACH : PLACES_EACH + 1]:
+        frames.dropped(place.cost)
     return places[:PLACES_EACH]
 
 
@@ -186,7 +192,7 @@ def _in_both(frames: _Frames, footing: Footing, parent: Parent, at: tuple[Sequen
         if cost == inf:
             break
         if len(places) == PLACES:
-            frames.listed.dropped.append(cost)
+            frames.dropped(cost)
             break
         (x0, z0, x1, z1), (low_x, low_z, high_x, high_z) = found[j][0], frames.centres(boxes[i][0], parent)
         if low_x <= x1 - half_x and x0 + half_x <= high_x and low_z <= z1 - half_z and z0 + half_z <= high_z:
