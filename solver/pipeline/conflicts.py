@@ -16,9 +16,8 @@ from solver.pipeline.repair_room import RoomRepair
 from solver.pipeline.repairs import RepairGoal, repairs_of, unlocked
 from solver.placement import Budget, minimal_conflict
 from solver.placement.lengths import centimetres, metres, sentence
-from solver.repair import RepairSettings, all_bodies, pieces_as_sent
-from solver.scene import Conflict, Issue
-from solver.validator import Checked
+from solver.repair import all_bodies, pieces_as_sent
+from solver.scene import Conflict
 
 WALKING_SHARE = 4
 """Why pieces are out of reach may cost this part of what telling may: it is said, not repaired."""
@@ -76,9 +75,13 @@ def _conflict(goal: RepairGoal, pieces: Sequence[Piece], group: Sequence[Piece],
     sent, space = goal.problems[-1].room, goal.problems[0].space
     names = {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(sent)}
     ids = minimal_conflict(space, group, label, goal.budget, goal.walk)
+    if ids is None and not goal.walk and goal.problems[0].settings.walk:
+        return _conflict(replace(goal, walk=True), pieces, group, label)
     if ids is None:
         missing = f"a way to {names[label]}, which can stand," if goal.walk else f"a place for {names[label]}"
-        return Conflict((label,), f"not found: the search for {missing} in {sent.id} ended at its limit")
+        words = f"not found: the search for {missing} in {sent.id} ended at its limit"
+        anew = replace(goal, budget=Budget(goal.problems[0].settings.explaining_work))
+        return Conflict((label,), words, repairs_of(anew, (label,), None))
     members = [piece if goal.walk else replace(piece, stands=()) for piece in pieces if piece.label in ids]
     stay = all(_still(piece) is not None for piece in members)
     short = None if stay else missing_length(space, members, goal.budget, goal.walk, prove=False)
@@ -114,25 +117,3 @@ def _where_they_stay(space: Space, members: Sequence[Piece]) -> str:
 
 def _in_words(cause: str) -> str:
     return "outside the outline" if cause == "outline" else f"in the floor before {cause}"
-
-
-def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairSettings) -> tuple[Conflict, ...]:
-    """Names every error that is left and that no conflict explains; one of a whole room any conflict in that room explains."""
-    named = {member for conflict in conflicts for member in conflict.ids}
-    bodies = {room.id: all_bodies(room) for room in house.scene.rooms}
-    contested = {name for name, here in bodies.items() if any(body.id in named for body in here)}
-    locked = settings.locked.union(body.id for here in bodies.values() for body in here if settings.is_locked(body))
-    left = [issue for issue in house.errors if not named & set(issue.ids)]
-    told = [issue for issue in left if issue.ids or issue.room not in contested]
-    return tuple(Conflict(issue.ids, _left(issue, locked, issue.room in contested)) for issue in told)
-
-
-def _left(issue: Issue, locked: frozenset[str], contested: bool) -> str:
-    """Says why an error is left; ways are only kept free where everything can be kept, so not in a contested room."""
-    if issue.ids and locked.issuperset(issue.ids):
-        return f"locked where it cannot stand: {issue.message}"
-    if issue.rule == "unreachable" and contested:
-        return f"out of reach as long as the room's other conflicts last: {issue.message}"
-    if issue.rule == "unreachable" and issue.ids:
-        return f"not found: it can stand, but no way was found to reach it: {issue.message}"
-    return f"not found: no repair for this: {issue.message}"

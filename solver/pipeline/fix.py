@@ -15,9 +15,10 @@ from solver.errors import RequestError
 from solver.furnish import space_of
 from solver.furnish.zones import bounds_of, outline_edges
 from solver.named_assets import with_assets
-from solver.pipeline.conflicts import conflicts_of, unexplained
+from solver.pipeline.conflicts import conflicts_of
 from solver.pipeline.drag import NO_ANSWER
 from solver.pipeline.drag_frames import frame_of
+from solver.pipeline.left_over import cleaned, unexplained
 from solver.pipeline.repair_room import RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
 from solver.pipeline.timing import Clock, Timing
 from solver.repair import (
@@ -111,7 +112,11 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     floating = [issue for issue in house.errors if issue.rule == "floating"]
     house = _all_at_rest(house, floating, settings, set(body_ids(house.scene)).difference(*(issue.ids for issue in floating)))
     timing.lap("validate_again")
-    conflicts += unexplained(house, conflicts, settings)
+    if settings.remove:
+        house, reasons = cleaned(house, settings)
+        conflicts += reasons
+    more = unexplained(house, conflicts, settings)
+    conflicts = [*(one for one in more if not one.ids), *conflicts, *(one for one in more if one.ids)]
     removed = _removed(scene, house.scene, conflicts)
     answer = certified(words.in_their_words(with_assets(house.scene, known)))
     return Fixed(answer, _moves(scene, answer), removed, tuple(conflicts), house.issues, timing.ms, words.understood_as)
@@ -201,7 +206,7 @@ def _people_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked,
         if here and room.id in wrong:
             crowd = people_out_of_the_way(_problem(scene, room, house.errors, settings), here, room.id in closed)
             people |= {person.id: person for person in crowd.people}
-            words = {label: f"{label} finds no free place in {room.id}" for label in crowd.stuck}
+            words = {label: f"{label} finds no free place in {room.id} that is in nobody's way" for label in crowd.stuck}
             conflicts += [Conflict((label,), why, ({"action": "leave_out", "id": label},)) for label, why in words.items()]
     gone = {label for conflict in conflicts for label in conflict.ids if settings.remove}
     return house.after(replace(scene, dynamic=tuple(person for person in people.values() if person.id not in gone))), conflicts

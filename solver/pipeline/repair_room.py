@@ -10,7 +10,9 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from solver.pieces import Arrangement, Piece
+from solver.pipeline.fewest import is_whole, without_fewest
 from solver.pipeline.least_movement import least_moved_from_last
+from solver.placement import walkable_when_empty
 from solver.repair import RoomProblem, holders, pieces_as_sent, without, written_back
 from solver.scene import Issue, Room
 
@@ -82,10 +84,8 @@ def until_nothing_changes(repair: RoomRepair) -> RoomRepair:
 
 def unreached_in(repair: RoomRepair, errors: Sequence[Issue]) -> tuple[str, ...]:
     """Returns which pieces of a repaired room stand but cannot all be used, by what the validator says of it."""
-    labels = [piece.label for piece in pieces_as_sent(replace(repair.problem, room=repair.room))]
-    blocked = [issue for issue in errors if issue.rule == "unreachable"]
-    stuck = tuple(label for issue in blocked for label in issue.ids if label in labels)
-    return stuck or tuple(labels[-1:] if blocked else ())  # where nobody can walk at all, whoever comes last closes the room
+    labels = {piece.label for piece in pieces_as_sent(replace(repair.problem, room=repair.room))}
+    return tuple(label for issue in errors if issue.rule == "unreachable" for label in issue.ids if label in labels)
 
 
 def _misplaced(problem: RoomProblem) -> dict[str, str]:
@@ -106,6 +106,8 @@ def _placed(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Sequence[
         gone = [piece for piece in pieces if piece.label in misplaced or _stands_only_with(piece, misplaced)]
         pieces = tuple(piece for piece in pieces if piece not in gone)
         arrangement = least_moved_from_last(problem, pieces)
+    if problem.settings.walk and not is_whole(arrangement) and walkable_when_empty(problem.space):
+        arrangement = without_fewest(problem.space, pieces, problem.settings.work) or arrangement
     return pieces, arrangement
 
 

@@ -4,15 +4,16 @@ Comes in: rooms as (Space, pieces). Goes out: Arrangements on the millimetre lat
 left out. May import: the ground floor. Not here: rules of room types (furnish), the rules (validator).
 """
 
-from solver.placement.arrange import SolvedRoom, arrange, feasible
+from solver.placement.arrange import SolvedRoom, arrange, feasible, walkable_when_empty
 from solver.placement.budget import ROOM_WORK, Budget
 from solver.placement.displacement import move_least, moved_back
 from solver.placement.encode import problem_bytes
 from solver.placement.finish import finish, place
 from solver.placement.left_out import minimal_conflict
+from solver.placement.neighbourhood import in_the_way
 from solver.placement.whole_rooms import place_wanted
 
 __all__ = [
-    "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "feasible", "finish", "minimal_conflict", "move_least", "moved_back",
-    "place", "place_wanted", "problem_bytes",
+    "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "feasible", "finish", "in_the_way", "minimal_conflict", "move_least", "moved_back",
+    "place", "place_wanted", "problem_bytes", "walkable_when_empty",
 ]  # fmt: skip

@@ -18,6 +18,7 @@ from solver.placement.core import Arranged, Core, Limits, rounded
 from solver.placement.empty_floor import empty_floor
 from solver.placement.encode import encode
 from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Engine, Ints
+from solver.placement.neighbourhood import freed_search
 from solver.placement.problem import Problem, Solution
 from solver.placement.walkable import find_walkable
 
@@ -27,6 +28,8 @@ FIX_LIMITS = Limits(required=600, required_qps=500)
 CANNOT_STAND = "no way to stand it is free beside the pieces before it"
 NOT_FOUND = "no place was found for it beside the pieces before it"
 NOT_WALKABLE = "no walkable arrangement of the required pieces was found"
+FREEING_WORK = 4000.0
+"""What freeing a few pieces may cost a question whether they can stand, in QPs of a small room."""
 REASONS = {
     NO_WAY: "none of the ways to stand it leaves the room valid and walkable",
     COVERED: "the floor is covered as densely as wished without it",
@@ -182,6 +185,15 @@ def walkable_when_empty(space: Space) -> bool:
     return core.evaluate(core.blank(), 10, Budget(), True)
 
 
+def _found_by_freeing(space: Space, pieces: Sequence[Piece], budget: Budget) -> bool:
+    """Tells whether pieces can be used with few of them freed, for little work."""
+    rest = max(budget.left - FREEING_WORK, 0.0)
+    budget.left -= rest
+    found = next(freed_search(space, pieces, budget), None)
+    budget.left += rest
+    return found is not None
+
+
 def feasible(space: Space, pieces: Sequence[Piece], budget: Budget | None = None, walk: bool = False, prove: bool = True) -> bool | None:
     """Tells whether the pieces can all stand together; None where a limit was hit first.
 
@@ -195,6 +207,8 @@ def feasible(space: Space, pieces: Sequence[Piece], budget: Budget | None = None
     """
     allowed = budget or Budget()
     if walk and pieces:
+        if _found_by_freeing(space, pieces, allowed):
+            return True
         known, _ = find_walkable(space, pieces, allowed, prove)
         if known is not None:
             return known

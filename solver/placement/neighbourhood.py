@@ -35,11 +35,13 @@ class Found:
 
 
 def as_wished(space: Space, pieces: Sequence[Piece]) -> Found:
-    """Returns every piece's first candidate where it is wished; what is carried where its carrier is."""
+    """Returns every piece's first candidate, of those whose parent is there, where it is wished; what is carried where its carrier is."""
     found: dict[str, Rect] = {}
     turns: dict[str, int] = {}
+    ways = []
     for piece in pieces:
-        way = piece.candidates[0]
+        way = next(way for way in piece.candidates if way.attach is None or way.attach.parent in found)
+        ways.append(way)
         turn, attach = way.rotation, way.attach
         if attach is not None:
             turn = (turn + turns[attach.parent]) % 360
@@ -50,7 +52,7 @@ def as_wished(space: Space, pieces: Sequence[Piece]) -> Found:
             dx, dz = rotate(sum(attach.across_mm) // 2, sum(attach.along_mm) // 2, turns[attach.parent])
             x, z = parent.x0 + (parent.width - extent[0]) // 2 + dx, parent.z0 + (parent.depth - extent[1]) // 2 + dz
             found[piece.label] = Rect(x, z, x + extent[0], z + extent[1])
-    return Found(tuple(piece.candidates[0] for piece in pieces), tuple(found.values()), 0.0)
+    return Found(tuple(ways), tuple(found.values()), 0.0)
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ class Neighbourhood:
 
     def neighbourhoods(self) -> Iterator[frozenset[str]]:
         """Yields which pieces to free, one set after the other: each holds the one before."""
-        freed = set(self.in_the_way)
+        freed = {label for label in map(self._root, self.in_the_way) if label in self._loose}
         step = 1
         if freed:
             yield frozenset(freed)
@@ -90,7 +92,7 @@ class Neighbourhood:
 
     @cached_property
     def in_the_way(self) -> tuple[str, ...]:
-        """Labels of the loose pieces without which the others can be used as they were sent: with any one more they cannot.
+        """Labels of the pieces without which the others can be used as they were sent: with any one more they cannot.
 
         Those that are held least strongly, share space with others or are small are in the way.
         """
@@ -99,16 +101,18 @@ class Neighbourhood:
         order = sorted(range(len(still)), key=self._steadiness)
         decisions, found = core.blank(), []
         for piece in order:
-            trial = core.with_first(decisions, piece)
+            way, rect = self.base.ways[piece], self.base.places[piece]
+            inside = way.attach is not None or (way.within or self.space.clear).contains(rect)
+            trial = core.with_first(decisions, piece) if inside else None
             if trial is not None and core.stands_walkable(trial):
                 decisions = trial
-            elif still[piece].label in self._loose:
+            elif not self.pieces[piece].candidates[0].stays:
                 found.append(still[piece].label)
         return tuple(found)
 
     def _steadiness(self, number: int) -> tuple[bool, float, int, float, int]:
         """Sorts what cannot move before what is held strongly, what shares space with few and what is large."""
-        piece, way = self.pieces[number], self.pieces[number].candidates[0]
+        piece, way = self.pieces[number], self.base.ways[number]
         own, loose = self.rects[piece.label], piece.label in self._loose
         shared = sum(own.overlaps(rect) for label, rect in self.rects.items() if label != piece.label)
         return loose, -way.weights[0], shared, -way.size_mm[0] * way.size_mm[1], number
@@ -117,6 +121,12 @@ class Neighbourhood:
     def _loose(self) -> frozenset[str]:
         """Labels of the pieces that may stand elsewhere than as sent, by themselves."""
         return frozenset(p.label for p in self.pieces if not p.candidates[0].stays and any(way.attach is None for way in p.candidates))
+
+    def _root(self, label: str) -> str:
+        """Returns what carries a piece in the end."""
+        while (attach := self.ways[label].attach) is not None:
+            label = attach.parent
+        return label
 
     def _nearest(self, freed: Collection[str], count: int) -> list[str]:
         """Returns the loose pieces nearest to those that are free; where none is, to the doors."""
@@ -133,17 +143,17 @@ class Neighbourhood:
             if piece.label in freed or parents & moving:
                 moving.add(piece.label)
         still = [replace(p, candidates=(self._still(p),)) for p in self.pieces if p.label not in moving]
-        free = [p if p.label in freed else replace(p, candidates=(self.ways[p.label],)) for p in self.pieces if p.label in moving]
+        bound = {p.label for p in self.pieces if p.label in self._loose and p.label not in freed}
+        free = [replace(p, candidates=(self.ways[p.label],)) if p.label in bound else p for p in self.pieces if p.label in moving]
         core = Core(encode(self.space, (*still, *free), "loose"))
         decisions = core.joined(len(still), SEARCH, budget)
         if decisions is None or not core.evaluate(decisions, SEARCH.required_qps, budget, True):
             return None
         rects, own = core.bodies(), {piece.label: k for k, piece in enumerate(core.encoded.pieces)}
         cost = core.preference(decisions) + float(core.engine.nodes.best_cost[0])
-        ways = [
-            core.decided(own[p.label], int(decisions[own[p.label]]))[0] if p.label in moving else self.ways[p.label] for p in self.pieces
-        ]
-        return Found(tuple(ways), tuple(rects[own[p.label]] for p in self.pieces), cost)
+        taken = {label: core.decided(own[label], int(decisions[own[label]]))[0] for label in moving}
+        ways = tuple(taken.get(p.label, self.ways[p.label]) for p in self.pieces)
+        return Found(ways, tuple(rects[own[p.label]] for p in self.pieces), cost)
 
     def _still(self, piece: Piece) -> Candidate:
         way = self.ways[piece.label]
@@ -172,3 +182,8 @@ def freed_search(space: Space, pieces: Sequence[Piece], budget: Budget, base: Fo
                 end = budget.left - BETTER_WORK
         if budget.left < end or budget.spent:
             return
+
+
+def in_the_way(space: Space, pieces: Sequence[Piece]) -> tuple[str, ...]:
+    """Returns pieces without which the others can be used where they are wished; with any one more they cannot."""
+    return Neighbourhood(space, tuple(pieces), as_wished(space, pieces)).in_the_way

@@ -29,6 +29,8 @@ TURN_AT_SIDE = {"front": 180, "back": 0, "left": 90, "right": 270}
 """How a chair that looks at its table is turned against it, by the table's side."""
 OTHER_WALL_COST = 4.0
 """What standing at another wall than the sent one costs: as much as moving 2 m."""
+TURN_COST = 1.0
+"""What it costs that a piece whose back was not at its wall is turned so, or one on another as that one is."""
 OTHER_EDGE_COST = 0.05
 """What standing at another stretch of the sent wall costs, where an outline has several."""
 WALL_FAR_MM = 200
@@ -88,9 +90,16 @@ def _pieces_on_others(room: Room, floor: Mapping[str, Body], settings: RepairSet
     for piece in room.furniture:
         root = floor.get(root_of(piece.id, parents))
         if piece.id in parents and root is not None:
-            way = replace(_in_frame(_brought_back(piece, root), root), on=parents[piece.id], bottom_mm=round(piece.y * 1000))
-            pieces.append(_piece(piece, (way,), settings))
+            pieces.append(_piece(piece, _ways_upon(piece, root, parents[piece.id]), settings))
     return pieces
+
+
+def _ways_upon(piece: Furniture, root: Body, carrier: str) -> tuple[Candidate, ...]:
+    """Returns how a piece stands on another: as sent, or turned as what carries it in the end."""
+    turned = [replace(piece, rotation=root.rotation)] if squared(piece.rotation - root.rotation) else []
+    ways = [_in_frame(_brought_back(one, root), root) for one in (piece, *turned)]
+    bottom = round(piece.y * 1000)
+    return tuple(replace(way, on=carrier, bottom_mm=bottom, cost=TURN_COST if k else 0.0) for k, way in enumerate(ways))
 
 
 def _candidates(body: Body, floor: _Floor) -> tuple[Candidate, ...]:
@@ -187,6 +196,9 @@ def _loose(body: Body, problem: RoomProblem) -> tuple[Candidate, ...]:
         if other == wall:
             at_wall.sort(key=lambda stretch: _outside(rect, stretch[1]))
             at_wall[1:] = [(replace(later, cost=OTHER_EDGE_COST), region) for later, region in at_wall[1:]]
+            if turn and body.name in problem.settings.wall_names:
+                back = replace(way, rotation=ROTATION_AT_WALL[wall], cost=TURN_COST)
+                at_wall += _at_wall(back, wall, problem.walls)
         drawn = away or other != wall
         found += [_drawn_to(way, other, region, problem.space.gap_mm) if drawn else way for way, region in at_wall]
     return tuple(found)

@@ -79,30 +79,37 @@ def _placed(floor: FreeFloor, people: Sequence[Dynamic], moving: Collection[str]
     placed: list[Dynamic] = []
     stuck: list[str] = []
     for person in people:
-        found = _moved(standing(person), floor, walk) if person.id in moving else person
-        if found is None:
+        found, free = _moved(standing(person), floor, walk) if person.id in moving else (person, True)
+        if not free:
             stuck.append(person.id)
-        elif found is not person:
+        if found is not None and found is not person:
             floor.add(block_of(found))
         placed.append(found or person)
     return Crowd(tuple(placed), tuple(stuck))
 
 
-def _moved(person: Dynamic, floor: FreeFloor, walk: bool) -> Dynamic | None:
-    """Returns a person at the nearest free place, turned as before, or None where there is none.
+def _moved(person: Dynamic, floor: FreeFloor, walk: bool) -> tuple[Dynamic | None, bool]:
+    """Returns a person at the nearest free place, or None where there is none; and whether there it is in nobody's way.
 
-    With `walk` it is the nearest of the likely places that leaves everything within reach, if there is one.
+    With `walk` it is the nearest of the likely places that leaves everything within reach, turned as before or else by a quarter, if
+    there is one.
     """
-    own = block_of(person)
-    found = floor.nearest(own)
-    if found is None:
-        return None
-    if walk and floor.connects():
+    nearest = floor.nearest(block_of(person))
+    if not walk or not floor.connects():
+        return (None if nearest is None else _put(person, nearest)), nearest is not None
+    for turn in (0, 90):
+        turned = replace(person, rotation=(person.rotation + turn) % 360)
+        own = block_of(turned)
         taken = floor.obstacles(own)
         outermost = [rect for rect in taken if not any(other != rect and other.contains(rect) for other in taken)]
-        places = islice(_spread(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm)), MOST_PLACES)
-        found = next((place for place in places if floor.connects([place], [Goal.beside(place)])), found)
-    return replace(person, x=half_m(found.x0 + found.x1), z=half_m(found.z0 + found.z1))
+        for place in islice(_spread(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm)), MOST_PLACES):
+            if floor.connects([place], [Goal.beside(place)]):
+                return _put(turned, place), True
+    return (None if nearest is None else _put(person, nearest)), False
+
+
+def _put(person: Dynamic, place: Rect) -> Dynamic:
+    return replace(person, x=half_m(place.x0 + place.x1), z=half_m(place.z0 + place.z1))
 
 
 def _spread(places: Iterable[Rect]) -> Iterator[Rect]:

@@ -35,3 +35,15 @@ def test_the_judge_sees_what_was_thrown() -> None:
         seen += bool(faults(case.scene, after, uses))
         assert faults(case.home, replace(before, furniture=before.furniture * 2), uses)
     assert seen >= len(SEEDS) // 2
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_what_is_turned_too_is_explained_with_what_helps_and_removed_where_asked(way: str) -> None:
+    presets, total, removed = list(PRESETS), Tally(), Tally()
+    for seed in SEEDS:
+        job = (way, presets[seed % len(presets)], seed, True)
+        total.add(measured("report", job))
+        removed.add(measured("remove", job))
+    assert (total.hopeless, total.wrong, removed.wrong) == (0, 0, 0), total.lines
+    assert removed.clean == removed.homes, removed.lines
+    assert total.clean >= total.homes - 2

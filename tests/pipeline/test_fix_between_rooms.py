@@ -34,8 +34,8 @@ def test_a_piece_that_shuts_the_way_to_another_room_gives_way() -> None:
 
 @pytest.mark.parametrize("kind", ["person", "dog"])
 def test_somebody_who_shuts_the_way_to_another_room_steps_aside(kind: str) -> None:
-    chests = (body("chest_1", 3.0, 0.5, (0.6, 0.95, 0.8)), body("chest_2", 4.6, 1.5, (0.6, 0.9, 0.8)))
-    sent = house(*chests, people=(Dynamic("one", kind, "room_0", 3.0, 0.0, 1.4, 0, 0.5, 0.5, 0.9),))
+    crates = (body("crate_1", 3.0, 0.5, (0.6, 0.95, 0.8)), body("crate_2", 4.6, 1.5, (0.6, 0.9, 0.8)))
+    sent = house(*crates, people=(Dynamic("one", kind, "room_0", 3.0, 0.0, 1.4, 0, 0.5, 0.5, 0.9),))
     assert [message for message in errors(sent) if "back_1" in message]
     fixed = fix(sent)
     assert errors(fixed.scene) == []

@@ -119,7 +119,7 @@ def test_what_lies_on_a_piece_goes_with_it_though_it_names_no_parent(parent: str
 @pytest.mark.parametrize("rotation", [0, 90])
 def test_a_piece_that_stands_on_a_turned_one_goes_with_it(rotation: int) -> None:
     along = (1.6, 0.6) if rotation == 0 else (0.6, 1.6)
-    table = Furniture("r/rack_1", "rack", "table", x=2.0, z=4.8, width=along[0], depth=along[1], height=0.75, rotation=rotation)
+    table = Furniture("r/slab_1", "slab", "table", x=2.0, z=4.8, width=along[0], depth=along[1], height=0.75, rotation=rotation)
     case = Furniture("r/case_1", "case", "storage", x=2.6, y=0.75, z=4.7, width=0.2, depth=0.2, height=0.4)
     fixed = fix(Scene(rooms=(Room("r", width=4.0, depth=5.0, furniture=(table, case)),)))
     assert [(piece.x, piece.y, piece.z) for piece in fixed.scene.rooms[0].furniture] == [(2.0, 0.0, 4.7), (2.6, 0.75, 4.6)]

@@ -1,0 +1,135 @@
+"""What is still broken once all rooms were repaired: named, with what helps; or taken out, the least important first.
+
+Comes in: a checked house, the conflicts found so far. Goes out: Conflicts; the house without what broke rules. May import: every stage.
+Each way out is tried: the validator judges the house without the body.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from solver.repair import Repair, RepairSettings, all_bodies, seated_along, without
+from solver.scene import Conflict, Issue, Room, Scene
+from solver.validator import Checked
+
+WAYS_IN = ("door", "passage", "garage_door")
+"""Openings that lead into a room."""
+
+
+def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairSettings) -> tuple[Conflict, ...]:
+    """Names every error that is left and that no conflict explains.
+
+    A room that no door leads into is said to be that. Of another that nobody can come to nothing is said where a conflict explains it:
+    in the room, or elsewhere in the house.
+    """
+    left = _LeftOver(house, conflicts, settings)
+    return tuple(conflict for issue in house.errors if (conflict := left.named(issue)) is not None)
+
+
+@dataclass(frozen=True)
+class _LeftOver:
+    house: Checked
+    conflicts: Sequence[Conflict]
+    settings: RepairSettings
+
+    def named(self, issue: Issue) -> Conflict | None:
+        """Returns an issue's conflict; None where another one explains it."""
+        here = self._by_room.get(issue.room or "", ())
+        if not issue.ids and _has_no_way_in(self.house.scene, issue.room):
+            return Conflict((), f"{issue.room} has no way in: no door or passage leads into it")
+        if not issue.ids and (here or self.conflicts):
+            return None
+        if issue.ids and any(set(issue.ids) & set(conflict.ids) for conflict in self.conflicts):
+            return None
+        if issue.rule == "unreachable" and here:
+            words = f"out of reach as long as the room's other conflicts last: {issue.message}"
+            return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else _leaving(self.house, issue))
+        return Conflict(issue.ids, self._why(issue), _leaving(self.house, issue))
+
+    def _why(self, issue: Issue) -> str:
+        if issue.ids and self._locked.issuperset(issue.ids):
+            return f"locked where it cannot stand: {issue.message}"
+        if issue.rule == "unreachable" and issue.ids:
+            return f"not found: it can stand, but no way was found to reach it: {issue.message}"
+        return f"not found: no repair for this: {issue.message}"
+
+    @cached_property
+    def _locked(self) -> frozenset[str]:
+        bodies = (body for room in self.house.scene.rooms for body in all_bodies(room))
+        return self.settings.locked.union(body.id for body in bodies if self.settings.is_locked(body))
+
+    @cached_property
+    def _by_room(self) -> Mapping[str, Sequence[Conflict]]:
+        """The conflicts by the id of the room that a member is in."""
+        found: dict[str, list[Conflict]] = {}
+        for room in self.house.scene.rooms:
+            inside = _ids_in(self.house.scene, room)
+            found[room.id] = [conflict for conflict in self.conflicts if inside.intersection(conflict.ids)]
+        return found
+
+
+def _ids_in(scene: Scene, room: Room) -> set[str]:
+    people = {person.id for person in scene.dynamic if person.room == room.id or (person.room is None and len(scene.rooms) == 1)}
+    return people.union(body.id for body in all_bodies(room))
+
+
+def _has_no_way_in(scene: Scene, name: str | None) -> bool:
+    """Tells whether no opening of a room, or of another into it, lets anybody in."""
+    leading = {label for room in scene.rooms for one in room.openings if one.kind in WAYS_IN for label in (room.id, one.connects_to)}
+    return name is not None and len(scene.rooms) > 1 and name not in leading
+
+
+def _leaving(house: Checked, issue: Issue) -> tuple[Repair, ...]:
+    """Returns which of an issue's bodies ends it by being left out."""
+    helps = (label for label in issue.ids if not _is_left(_house_without(house, label), issue))
+    return tuple({"action": "leave_out", "id": label} for label in helps)
+
+
+def _is_left(house: Checked, issue: Issue) -> bool:
+    return any((other.rule, other.ids) == (issue.rule, issue.ids) for other in house.errors)
+
+
+def _house_without(house: Checked, label: str) -> Checked:
+    """Returns the house without a body and all that it carries; who sat on it stands up."""
+    scene = house.scene
+    after = tuple(without(room, (label,)) if label in _ids_in(scene, room) else room for room in scene.rooms)
+    people = tuple(person for person in scene.dynamic if person.id != label)
+    return house.after(replace(scene, rooms=after, dynamic=seated_along(people, scene.rooms, after)))
+
+
+def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Conflict]]:
+    """Takes bodies out, one at a time and the least important first, as long as that leaves less broken.
+
+    Returns:
+        The house, and for each body that is gone the rule that it broke.
+    """
+    reasons: list[Conflict] = []
+    while house.errors:
+        better = next(_lighter(house, settings), None)
+        if better is None:
+            break
+        issue, label, house = better
+        reasons.append(Conflict((label,), issue.message, ({"action": "leave_out", "id": label},)))
+    return house, reasons
+
+
+def _lighter(house: Checked, settings: RepairSettings) -> Iterator[tuple[Issue, str, Checked]]:
+    """Yields houses with less broken, each with an issue that is gone and the body left out for it."""
+    order = {label: k for k, label in enumerate(_by_importance(house.scene, settings))}
+    named = [(issue, label) for issue in house.errors for label in issue.ids]
+    if not named:
+        named = [(issue, label) for issue in house.errors for label in order]
+    for issue, label in sorted(named, key=lambda pair: order.get(pair[1], len(order))):
+        trial = _house_without(house, label)
+        if len(trial.errors) < len(house.errors):
+            yield issue, label, trial
+
+
+def _by_importance(scene: Scene, settings: RepairSettings) -> list[str]:
+    """Returns the ids of all bodies, the least important first: people, then loose before locked, wished before required, small ones."""
+    people = [person.id for person in scene.dynamic if person.id not in settings.locked]
+    bodies = [body for room in scene.rooms for body in all_bodies(room)]
+    bodies.sort(key=lambda body: (settings.is_locked(body), body.name in settings.required_names, body.width * body.depth))
+    return [*people, *(body.id for body in bodies)]

@@ -1,0 +1,66 @@
+"""What fix() says of what it cannot repair: the room before its furniture, nothing of rooms that are only shut; `remove`."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from solver import Scene, fix
+from solver.scene import Dynamic, Opening, Room
+from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces
+from tests.sweeps import seeds
+
+FRONT = Opening("front", "door", "west", 1.0, 0.9, connects_to="EXTERIOR", main_entrance=True)
+NEXT = Opening("next", "door", "east", 1.0, 0.9, connects_to="back_1")
+PLANT = replace(body("plant_1", 1.5, 1.0, (0.4, 0.4, 1.1)), id="back_1/plant_1")
+
+
+def house(shut: bool, *openings: Opening) -> Scene:
+    """A hall of 6 x 2 m and a room behind it with a plant, perhaps shut by a locked chest."""
+    chest = body("chest_1", 3.0, 1.0, (0.6, 1.6, 0.8), locked=True)
+    hall = Room("room_0", 0, "room", 0, 0.0, 0.0, 6.0, 2.0, openings=openings, furniture=(chest,) if shut else ())
+    doors = tuple(replace(one, wall="west", connects_to="room_0") for one in openings if one is NEXT)
+    return Scene(rooms=(hall, Room("back_1", 1, "room", 0, 6.0, 0.0, 3.0, 2.0, openings=doors, furniture=(PLANT,))))
+
+
+def test_a_room_without_a_door_is_said_to_be_that_first() -> None:
+    fixed = fix(house(True, FRONT))
+    assert fixed.conflicts[0].message == "back_1 has no way in: no door or passage leads into it"
+    assert not any(PLANT.id in conflict.ids for conflict in fixed.conflicts)
+    assert [conflict.ids for conflict in fix(house(False, FRONT)).conflicts] == [()]
+
+
+def test_nothing_is_said_of_a_room_that_a_conflict_elsewhere_shuts() -> None:
+    fixed = fix(house(True, FRONT, NEXT))
+    assert errors(fixed.scene)
+    assert fixed.conflicts
+    assert not any(PLANT.id in conflict.ids for conflict in fixed.conflicts)
+
+
+def test_with_remove_what_shuts_the_way_goes_and_only_a_missing_door_stays() -> None:
+    fixed = fix(house(True, FRONT, NEXT), on_conflict="remove")
+    assert errors(fixed.scene) == []
+    assert [removal["id"] for removal in fixed.removed] == ["room_0/chest_1"]
+    doorless = fix(house(False, FRONT), on_conflict="remove")
+    assert doorless.removed == ()
+    assert {issue.rule for issue in doorless.issues if issue.severity == "error"} == {"unreachable"}
+
+
+@pytest.mark.parametrize("seed", seeds(range(60), 6))
+def test_with_remove_a_full_room_ends_clean_and_walkable(seed: int) -> None:
+    scene = fuzzed(seed, 5, locks=seed % 2 == 1)
+    fixed = fix(scene, on_conflict="remove")
+    empty = replace(scene, rooms=tuple(replace(room, furniture=()) for room in scene.rooms))
+    assert errors(fixed.scene) == errors(empty)
+    assert {removal["id"] for removal in fixed.removed} == pieces(scene).keys() - pieces(fixed.scene).keys()
+    assert all(removal["reason"] for removal in fixed.removed)
+
+
+def test_who_stands_in_the_way_of_all_is_named_and_may_be_left_out() -> None:
+    hall = replace(house(False, FRONT).rooms[0], width=6.0, depth=0.95)
+    narrow = Scene(rooms=(replace(hall, openings=(replace(FRONT, position=0.475),)),))
+    standing = replace(narrow, dynamic=(Dynamic("one", "person", "room_0", 3.0, 0.0, 0.5, 0, 5.9, 0.9, 1.7),))
+    fixed = fix(standing)
+    assert [conflict.ids for conflict in fixed.conflicts] == [("one",)]
+    assert errors(fix(standing, on_conflict="remove").scene) == []
