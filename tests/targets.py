@@ -1,7 +1,7 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
-    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|engines|thrown|
-        sweeps]
+    python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|engines|drags|
+        thrown|sweeps]
         [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
@@ -38,6 +38,7 @@ from tests.fix_sweep.ruler import thrown_about
 from tests.floorplan.homes import programme_table
 from tests.floorplan.targets import floorplan_table
 from tests.library.targets import imports
+from tests.pipeline.drag_targets import drags
 from tests.pipeline.forced import Case, cases
 
 SETS: Mapping[str, tuple[dict[str, object], int]] = {
@@ -220,6 +221,7 @@ def main() -> int:
             "plans",
             "sh3d",
             "engines",
+            "drags",
             "thrown",
             "sweeps",
         ],
@@ -238,6 +240,7 @@ def main() -> int:
         "homes": lambda: homes(asked.seeds, asked.workers),
         "glb": lambda: glb_homes(min(asked.seeds, 100), asked.workers),
         "usd": lambda: usd_homes(min(asked.seeds, 100), asked.workers),
+        "drags": lambda: drags(min(asked.seeds, 60), asked.workers),
         "nav2": lambda: nav2_maps(min(asked.seeds, 100), asked.workers),
         "physics": lambda: physics(min(asked.seeds, 100), asked.workers),
         "agree": lambda: formats_agree(min(asked.seeds, 100), asked.workers),
