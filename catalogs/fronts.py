@@ -24,7 +24,8 @@ class UnitFront(NamedTuple):
     """A front in its body's box.
 
     `hinge` is a point of its axis when closed: shares of the box from the middle of its footprint at its underside. Open it is at `end`:
-    degrees, of a drawer the share of the body's depth. `parts` are the numbers of its solids, its panel first.
+    degrees, of a drawer the share of the body's depth. `parts` are the numbers of its solids, its panel first. `must_open`: it is an error
+    where it is blocked.
     """
 
     name: str
@@ -33,6 +34,7 @@ class UnitFront(NamedTuple):
     hinge: tuple[float, float, float]
     end: float
     parts: tuple[int, ...]
+    must_open: bool = False
 
     @property
     def slides(self) -> bool:
@@ -51,7 +53,7 @@ def _front(number: int, panel: Solid, solids: Sequence[Solid]) -> UnitFront:
     assert panel.front is not None
     axis, side = TOWARDS[panel.opens]
     others = (i for i, solid in enumerate(solids) if solid.front == panel.front and i != number)
-    return UnitFront(panel.front, panel.opens, axis, _hinge(panel), side * panel.range, (number, *others))
+    return UnitFront(panel.front, panel.opens, axis, _hinge(panel), side * panel.range, (number, *others), panel.must_open)
 
 
 def _hinge(panel: Solid) -> tuple[float, float, float]:

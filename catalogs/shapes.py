@@ -68,7 +68,8 @@ class ShapePart(Entry):
     tip is at the far end. `mirror` adds the part's images in the middle planes of these axes.
 
     A part that `opens` is a front and has a `name`; parts `with` that name move with it. `range` is how far: degrees, of a drawer the
-    share of its tray's depth. The second image of a front called `door` is `door_2`, and opens the other way.
+    share of its tray's depth. The second image of a front called `door` is `door_2`, and opens the other way. Where one that
+    `must_open` is blocked, that is an error.
     """
 
     form: Form
@@ -83,12 +84,15 @@ class ShapePart(Entry):
     name: Annotated[str, Field(pattern="^[a-z][a-z_]*$")] | None = None
     opens: Opens | None = None
     range: Annotated[float, Field(gt=0, le=180)] | None = None
+    must_open: bool = False
     moves_with: Annotated[str, Field(pattern="^[a-z][a-z_]*$")] | None = Field(default=None, alias="with")
 
     @model_validator(mode="after")
     def _opens_sensibly(self) -> ShapePart:
         if (self.name is None) != (self.opens is None):
             raise ValueError("what opens has a name, and nothing else")
+        if self.must_open and not self.opens:
+            raise ValueError("must_open is of what opens")
         if self.range is not None and (self.opens is None or (self.opens == "drawer" and self.range > 1)):
             raise ValueError("range is of what opens: degrees, of a drawer at most 1")
         if self.opens and (self.hollow or self.moves_with or "z" in (self.mirror or "")):
@@ -129,6 +133,7 @@ class Solid(Entry):
     front: str | None = None
     opens: Opens | None = None
     range: Annotated[float, Field(ge=0, le=180)] = 0.0
+    must_open: bool = False
     board: int | None = None
 
 
@@ -168,7 +173,19 @@ def heights(part: ShapePart, surfaces: Mapping[str, float]) -> tuple[float, floa
 def images(part: ShapePart, y: tuple[float, float]) -> list[Solid]:
     """Returns a part and its mirror images, each as one solid; `y` are its ends in height."""
     taper = 0.0 if part.form == "cone" else part.taper
-    made = [Solid(form=part.form, x=part.x, y=y, z=part.z, axis=part.axis, taper=taper, material=part.material, opens=part.opens)]
+    made = [
+        Solid(
+            form=part.form,
+            x=part.x,
+            y=y,
+            z=part.z,
+            axis=part.axis,
+            taper=taper,
+            material=part.material,
+            opens=part.opens,
+            must_open=part.must_open,
+        )
+    ]
     for axis in part.mirror or "":
         made += [_mirrored(solid, axis) for solid in made]
     return made

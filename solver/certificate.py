@@ -15,7 +15,7 @@ from solver.pieces import Arrangement
 from solver.scene import Room, Scene
 from solver.scene_bodies import counted
 
-OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best", "residuals"})
+OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best", "residuals", "fronts"})
 """What is true of the placement that was made, and of no other."""
 MARK_LENGTH: Final = 12
 

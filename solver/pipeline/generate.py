@@ -24,6 +24,7 @@ from solver.named_assets import with_assets
 from solver.people import Household, peopled
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.decorate import decorated
+from solver.pipeline.opened import with_fronts
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.staying import Staying, around, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
@@ -101,6 +102,7 @@ def generate(
     timing.lap("decorations")
     scene = _peopled(scene, scene.rooms, setting)
     timing.lap("people")
+    scene = with_fronts(scene, known)
     issues = validate(scene, known)
     timing.lap("validate")
     return Generated(with_assets(scene, known), issues, timing.ms)
@@ -311,6 +313,7 @@ def reroll(
     timing.lap("decorations")
     new = _peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic)
     timing.lap("people")
+    new = with_fronts(new, known, done)
     issues = validate(new, known)
     if stays:
         before = {(issue.rule, issue.ids) for issue in validate(scene, known)}

@@ -57,8 +57,9 @@ class RuleCase:
 
 
 class Finding(NamedTuple):
-    """A broken rule before it is an issue: the bodies, by how much (lattice steps), and the words."""
+    """A broken rule before it is an issue: the bodies, by how much (lattice steps), the words; how severe, where not as the rule is."""
 
     ids: tuple[str, ...]
     amount: int
     message: str
+    severity: str | None = None

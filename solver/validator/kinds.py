@@ -12,6 +12,7 @@ from typing import Final, NamedTuple, TypeAlias
 
 from catalogs import Catalogs
 from catalogs.dressing import DecorationKind
+from catalogs.fronts import UnitFront, fronts_of
 from catalogs.kind_book import KindBook
 from catalogs.schema import FurnitureSpec, Use
 from solver.validator.lattice import exact
@@ -50,6 +51,7 @@ class Kinds:
         self.rooms = catalogs.rooms
         self._book = KindBook(catalogs)
         self._rows: dict[KindKey, KindRows] = {}
+        self._fronts: dict[KindKey, tuple[UnitFront, ...]] = {}
         self._named = catalogs.kinds_by_name()
         furniture: list[tuple[str, FurnitureSpec | DecorationKind]] = [(k.name or kind, k) for kind, k in catalogs.furniture.items()]
         self._surfaces: dict[str, dict[tuple[float, ...], list[tuple[float, float]]]] = {}
@@ -67,8 +69,18 @@ class Kinds:
         if known is None:
             if len(self._rows) >= _MOST_KNOWN:
                 self._rows.clear()
+                self._fronts.clear()
             known = self._rows[key] = self._rows_of(key)
         return known
+
+    def fronts(self, key: KindKey) -> tuple[UnitFront, ...]:
+        """Returns the fronts of a piece's kind."""
+        found = self._fronts.get(key)
+        if found is None:
+            sort, name, width, depth, height, said = key
+            shape = self._book.kind_of(sort, name, (width, depth, height), said)
+            found = self._fronts[key] = fronts_of(self._book.solids(shape))
+        return found
 
     def _rows_of(self, key: KindKey) -> KindRows:
         sort, name, width, depth, height, said = key

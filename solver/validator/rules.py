@@ -13,6 +13,7 @@ from solver.validator.crossing import shapes_cross
 from solver.validator.floating import floating
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import metres
+from solver.validator.opening import front_blocked
 from solver.validator.reaching import unreachable
 from solver.validator.requirements import missing_required
 from solver.validator.standing import blocks_door, blocks_window, out_of_bounds, overlap, wall_far
@@ -28,9 +29,21 @@ RULES: Final = {
     "floating": "error",
     "missing_required": "warning",
     "shapes_cross": "warning",
+    "front_blocked": "warning",
 }
 """Every rule and its severity, in the order issues are listed."""
-_FUNCTIONS = (out_of_bounds, overlap, wall_far, blocks_door, blocks_window, unreachable, floating, missing_required, shapes_cross)
+_FUNCTIONS = (
+    out_of_bounds,
+    overlap,
+    wall_far,
+    blocks_door,
+    blocks_window,
+    unreachable,
+    floating,
+    missing_required,
+    shapes_cross,
+    front_blocked,
+)
 CHECKS: Final[dict[str, Callable[[RuleCase], Iterator[Finding]]]] = {check.__name__: check for check in _FUNCTIONS}
 """How every rule is checked in one room: by the function of its name."""
 
@@ -50,4 +63,4 @@ def homeless(scene: Scene) -> Iterator[Issue]:
 
 
 def _issue(rule: str, room: str | None, found: Finding) -> Issue:
-    return Issue(rule, RULES[rule], room, found.ids, metres(found.amount), found.message)
+    return Issue(rule, found.severity or RULES[rule], room, found.ids, metres(found.amount), found.message)

@@ -139,6 +139,20 @@ def _certified(entry: Mapping[str, Any]) -> Iterator[TextLine]:
     for item in left_out if isinstance(left_out, list | tuple) else ():
         if isinstance(item, Mapping):
             yield TextLine(f"{FINE}  left out: {visible(item.get('piece'))}, {visible(item.get('reason'))}")
+    yield from _fronts(entry.get("fronts"))
+
+
+def _fronts(pieces: object) -> Iterator[TextLine]:
+    """Yields how many fronts open wholly, and what the others meet, whatever shape a foreign certificate has."""
+    known = pieces.items() if isinstance(pieces, Mapping) else ()
+    fronts = [(piece, name, how) for piece, several in known if isinstance(several, Mapping) for name, how in several.items()]
+    if fronts:
+        yield TextLine(f"{FINE}  fronts: {len(fronts)}, {sum(how == 1 for _, _, how in fronts)} of them open wholly")
+    for piece, name, how in fronts:
+        share = how.get("opens") if isinstance(how, Mapping) else None
+        if isinstance(share, int | float):
+            met = visible(how.get("meets"))
+            yield TextLine(f"{FINE}    {visible(piece)}'s {visible(name)} opens {share * 100:.0f} %, then it meets {met}")
 
 
 def _opening(opening: Opening) -> str:

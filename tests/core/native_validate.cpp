@@ -7,7 +7,8 @@
 
 using validate::Bytes;
 
-static Bytes (*const ANSWERS[])(Bytes) = {validate::judge_room, validate::walk_storey, validate::free_floors, validate::measure_storey};
+static Bytes (*const ANSWERS[])(Bytes) = {validate::judge_room, validate::walk_storey, validate::free_floors, validate::measure_storey,
+                                         validate::open_fronts};
 
 // Answers the next request of a file; false at its end.
 static bool answer_next(FILE* file) {

@@ -13,6 +13,7 @@ from catalogs import load_catalogs
 from solver.pipeline import generate
 from solver.scene import Decoration, Furniture, Request, Scene
 from solver.validator.kinds import kinds_of
+from solver.validator.opening import front_bytes, fronts_in
 from solver.validator.sent_rooms import ask, room_bytes
 from solver.validator.walk import walks
 from solver.validator.world import world_of
@@ -22,7 +23,7 @@ Thing = TypeVar("Thing", Furniture, Decoration)
 
 KNOWN = load_catalogs()
 SOURCE = Path(__file__).with_name("native_validate.cpp")
-ANSWERS = ("judge_room", "walk_storey", "free_floors", "measure_storey")
+ANSWERS = ("judge_room", "walk_storey", "free_floors", "measure_storey", "open_fronts")
 
 
 def thrown_about(scene: Scene, chance: Random) -> Scene:
@@ -48,7 +49,9 @@ def requests() -> list[tuple[int, bytes]]:
         made = generate(Request(seed=seed, program=preset, decorate=True)).scene
         for scene in (made, thrown_about(made, chance), thrown_about(made, chance)):
             world = world_of(scene)
-            found += [(0, room_bytes(world, place, kinds_of(KNOWN))) for place in world.places]
+            sent = [(place, room_bytes(world, place, kinds_of(KNOWN))) for place in world.places]
+            found += [(0, rows) for _, rows in sent]
+            found += [(4, front_bytes(list(fronts_in(place, kinds_of(KNOWN))), rows)) for place, rows in sent]
             found += [(answer, walk.rows) for walk in walks(world) for answer in (1, 2, 3)]
     return found
 

@@ -82,11 +82,18 @@ def test_issues_come_room_by_room_and_rule_by_rule() -> None:
     ]
     rooms[1] = room(*(piece(2.0, 3.9, id=f"{name}2") for name in "de"), id="one", x=10.0, type="bedroom")
     whole = Solid(form="box", x=(0, 1), y=(0, 1), z=(0, 1), axis="y", taper=1, material="body")
-    known = CATALOGS.model_copy(update={"shapes": {"crate": (whole,)}})
+    lid = Solid(form="box", x=(0, 1), y=(0.9, 1), z=(0.9, 1), axis="y", taper=1, material="body", front="flap", opens="down", range=90)
+    known = CATALOGS.model_copy(update={"shapes": {"crate": (whole, lid)}})
     found = validate(scene(*rooms), known)
     assert found == validate(scene(*rooms), known)
     order = [(issue.room, list(RULES).index(issue.rule)) for issue in found]
     assert order == sorted(order, key=lambda entry: (entry[0] != "two", entry[1]))
     assert {issue.rule for issue in found if issue.room == "two"} == set(RULES)
-    assert {issue.rule for issue in found if issue.room == "one"} == {"out_of_bounds", "overlap", "unreachable", "missing_required"}
+    assert {issue.rule for issue in found if issue.room == "one"} == {
+        "front_blocked",
+        "out_of_bounds",
+        "overlap",
+        "unreachable",
+        "missing_required",
+    }
     assert all(issue.severity == RULES[issue.rule] and issue.message and issue.amount >= 0 for issue in found)

@@ -124,7 +124,7 @@ def test_flagged_pieces_are_marked_and_listed() -> None:
     assert own["den/rug"].startswith("!! ")
     assert own["den/rug"].endswith("[PROBLEMATIC]")
     assert own["den/chest"].startswith(">> ")
-    assert own["den/chest"].endswith("[OVERLAP, PROBLEMATIC]")
+    assert own["den/chest"].endswith("[OVERLAP, FRONT BLOCKED, PROBLEMATIC]")
     assert "PROBLEMATIC" not in own["den/table"]
     start = next(number for number, line in enumerate(lines) if "Flagged as PROBLEMATIC" in line)
     assert [line.split()[1] for line in lines[start + 1 : start + 3]] == ["den/chest", "den/rug"]

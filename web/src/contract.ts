@@ -32,6 +32,9 @@ interface Contents {
 }
 export type Room = Open<Omit<Filled<Served.Room, "flooring" | "accent" | "wall_flags">, keyof Contents>> & Contents;
 
+/** How far fronts open, by piece and front: 1 or how much of their way, and what they meet then. */
+export type FrontsSaid = Named<Named<number | { readonly opens?: number; readonly meets?: string | null }>>;
+
 /** A scene that can be drawn; of its request and its certificate the page reads the style, and what was proven by room. */
 export interface Scene extends Pick<Served.Scene, "wall_thickness" | "levels"> {
   readonly seed: number;
@@ -40,7 +43,7 @@ export interface Scene extends Pick<Served.Scene, "wall_thickness" | "levels"> {
   readonly size: Served.Size;
   readonly rooms: readonly Room[];
   readonly dynamic: readonly Dynamic[];
-  readonly certificate?: { readonly rooms?: Readonly<Record<string, { readonly proven?: boolean }>> } | null;
+  readonly certificate?: { readonly rooms?: Readonly<Record<string, { readonly proven?: boolean; readonly fronts?: FrontsSaid }>> } | null;
 }
 
 type About<Answer> = Omit<Answer, "scene" | "issues" | "timing_ms"> & { readonly scene: Scene };

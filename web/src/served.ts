@@ -389,6 +389,7 @@ export interface Solid {
   readonly front?: string | null;
   readonly opens?: "left" | "right" | "up" | "down" | "lid" | "drawer" | null;
   readonly range?: number;
+  readonly must_open?: boolean;
   readonly board?: number | null;
 }
 

@@ -54,7 +54,8 @@ export class Stage {
     listenToViewKeys({
       hasChosen: () => this.#selected !== null,
       orbit: (step) => this.#viewport.orbit(step),
-      toggleDoor: () => this.#toggleDoor(this.#house ? doorInView(this.#house, this.#viewport, (id) => this.whereIs(id) !== null) : undefined),
+      toggleAll: () => { this.#toggleFronts(null); },
+      toggleDoor: () => this.#selected !== null && this.#toggleFronts(this.#selected) ? undefined : this.#toggleDoor(this.#house ? doorInView(this.#house, this.#viewport, (id) => this.whereIs(id) !== null) : undefined),
     });
   }
 
@@ -149,6 +150,7 @@ export class Stage {
     const floor = this.#house?.floorOf(hit);
     if (floor && this.#looking.goTo(floor[0], floor[2])) return;
     if (hit?.kind === "door") this.#toggleDoor(hit.index);
+    else if (hit?.kind === "body" && hit.front !== undefined && hit.body.id === this.#selected) this.#toggleFronts(hit.body.id, hit.front);
     else this.onSelect(hit?.kind === "body" ? hit.body.id : null);
     if (hit === null || hit.kind === "room") this.onRoom(hit?.room.id ?? null);
   }
@@ -163,6 +165,18 @@ export class Stage {
     });
   }
 
+  /** Opens or shuts fronts, until they meet something. */
+  #toggleFronts(id: string | null, front?: string): boolean {
+    const house = this.#house;
+    if (!house?.toggleFronts(id, front)) return false;
+    this.#viewport.move((seconds) => {
+      const moving = house === this.#house && house.stepFronts(seconds);
+      this.#viewport.castShadows();
+      return moving;
+    });
+    return true;
+  }
+
   #point(hit: Hit | null): void {
     const body = hit?.kind === "body" ? hit.body : null;
     this.#viewport.canvas.classList.toggle("pointing", hit?.kind === "body" || hit?.kind === "door");
@@ -171,7 +185,7 @@ export class Stage {
     this.#viewport.invalidate();
   }
 
-  /** Where in the window a click meets a body, a door or a room's floor [CSS pixels]; null where something stands before it. */
+  /** Where in the window a click meets a body, one of its fronts, a door or a room's floor [CSS pixels]; null where something stands before it. */
   whereIs(id: string): { x: number; y: number } | null {
     const points = this.#house?.pointsOf(id, this.#looking.height) ?? [];
     const { left, top, width, height } = this.host.getBoundingClientRect();
@@ -179,7 +193,7 @@ export class Stage {
       const seen = this.#viewport.project(new Vector3(...point));
       const isOnCanvas = seen && seen.x > 0 && seen.y > 0 && seen.x < width && seen.y < height;
       const at = isOnCanvas && { x: Math.round(seen.x + left), y: Math.round(seen.y + top) };
-      if (at && this.#house?.idOf(this.#hitAt(at.x, at.y)) === id) return at;
+      if (at && this.#house?.isHit(this.#hitAt(at.x, at.y), id)) return at;
     }
     return null;
   }
@@ -208,6 +222,7 @@ export class Stage {
       selected: this.#selected,
       walls: this.#looking.height,
       openDoors: this.#house?.doors.open ?? [],
+      openFronts: this.#house?.openFronts ?? [],
       doors: this.#house?.doors.leaves.map((leaf) => leaf.id) ?? [],
       bodies: this.#house?.bodies.map((body) => body.id) ?? [],
       marks: this.#house?.marks ?? {},

@@ -13,5 +13,6 @@ extern "C" {
 EXPORT(judge_room) i64 door_judge_room(u8* rows, i64 size) { return packed(judge_room({rows, size})); }
 EXPORT(walk_storey) i64 door_walk_storey(u8* rows, i64 size) { return packed(walk_storey({rows, size})); }
 EXPORT(free_floors) i64 door_free_floors(u8* rows, i64 size) { return packed(free_floors({rows, size})); }
+EXPORT(open_fronts) i64 door_open_fronts(u8* rows, i64 size) { return packed(open_fronts({rows, size})); }
 EXPORT(measure_storey) i64 door_measure_storey(u8* rows, i64 size) { return packed(measure_storey({rows, size})); }
 }

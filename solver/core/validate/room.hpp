@@ -159,6 +159,27 @@ class Reader {
 
 Room read_room(Reader& reader);
 
+// A front of a body: a point of its axis (0 the body's x, 1 y) in shares from the middle of its footprint at its underside; how far it
+// opens, degrees, or the share of the body's depth that it slides along z; where the numbers of its parts are, among those sent.
+struct Front {
+  i64 body;
+  f64 x, y, z;
+  f64 end;
+  i64 axis;
+  i64 slides;
+  i64 first, parts;
+};
+
+struct FrontsRow {
+  i64 fronts, parts;
+};
+
+// How far a front opens, millionths of a degree or of a metre, and what it meets then: a body, -1 nothing, -2 a wall.
+struct Opened {
+  i64 travel;
+  i64 meets;
+};
+
 // A broken rule: who, with whom, by how much, and what its words say besides.
 struct Finding {
   i64 rule;

@@ -1,9 +1,12 @@
 /** Draws all bodies of a house in few batches, moves them, and tells which body a ray meets. */
-import { Matrix4, Quaternion, Vector3, type Group } from "three";
+import { Matrix4, Quaternion, Vector3 } from "three";
 import type { PlacedBody } from "./frame";
 import type { AssetLibrary } from "./asset_library";
 import { AssetMeshes } from "./asset_meshes";
 import { HitGroup } from "./hit_group";
+import type { Scene } from "../contract";
+import { movedWith, type Swing } from "./fronts";
+import { OpenFronts } from "./open_fronts";
 import { PartBatches } from "./part_batches";
 import type { Part } from "./parts";
 import { ShapeBook } from "./shapes";
@@ -27,7 +30,7 @@ export interface ShownAssets {
 
 /** The drawn bodies of a house. */
 export class BodyMeshes {
-  readonly root: Group;
+  readonly root: HitGroup;
   /** In how many batches they are drawn: as many draw calls. */
   readonly batches: number;
   readonly #bodies: PlacedBody[];
@@ -35,20 +38,66 @@ export class BodyMeshes {
   readonly #drawn: PartBatches;
   readonly #assets: AssetMeshes | null;
   readonly #numbers: ReadonlyMap<string, number>;
+  readonly #fronts: OpenFronts;
+  /** What lies on each piece, by the piece's number. */
+  readonly #carried = new Map<number, number[]>();
   #cut = Number.POSITIVE_INFINITY;
 
-  constructor(bodies: readonly PlacedBody[], book: ShapeBook = new ShapeBook(null), style: string | null = null, assets: ShownAssets | null = null) {
+  constructor(
+    bodies: readonly PlacedBody[], book: ShapeBook = new ShapeBook(null), style: string | null = null, assets: ShownAssets | null = null,
+    scene: Scene | null = null,
+  ) {
     this.#bodies = [...bodies];
     this.#numbers = new Map(bodies.map((body, i) => [body.id, i]));
     this.#parts = bodies.map((body) => book.partsOf(body, style));
     this.#drawn = new PartBatches(bodies, this.#parts);
     this.batches = this.#drawn.meshes.length;
-    this.root = new HitGroup(this.#drawn, this.#bodies, (number) => this.#partsShown(number));
+    this.#fronts = new OpenFronts(scene?.certificate ?? null, bodies, (body) => book.frontsOf(body));
+    this.root = new HitGroup(this.#drawn, this.#bodies, (number) => this.#partsShown(number), (number) => this.#swingsOf(number));
+    for (const item of scene?.rooms.flatMap((room) => room.decorations) ?? []) {
+      const [own, piece] = [this.#numbers.get(item.id), this.#numbers.get(item.parent ?? "")];
+      if (own !== undefined && piece !== undefined && this.#fronts.has(piece)) this.#carried.set(piece, [...(this.#carried.get(piece) ?? []), own]);
+    }
     this.#assets = assets && new AssetMeshes(bodies, assets.library, (numbers) => {
       for (const number of numbers) this.#write(number);
       assets.onArrival();
     });
     if (this.#assets) this.root.add(this.#assets.root);
+  }
+
+  #swingsOf(number: number): ((front: string | undefined) => Swing | undefined) | undefined {
+    return this.#fronts.has(number) ? (front) => this.#fronts.swingOf(number, front) : undefined;
+  }
+
+  /** Opens or shuts a front of a body; all of the body's where none is named, all of the house where no body is. */
+  toggleFronts(id: string | null, front?: string): boolean {
+    if (id === null) this.#fronts.toggleAll();
+    const number = id === null ? undefined : this.#numbers.get(id);
+    if (id !== null && (number === undefined || !this.#fronts.has(number))) return false;
+    if (number !== undefined && front !== undefined) this.#fronts.toggle(number, front);
+    else if (number !== undefined) this.#fronts.toggleAll([number]);
+    return true;
+  }
+
+  /** Moves fronts by `seconds`; true while one is under way. */
+  stepFronts(seconds: number): boolean {
+    const moved = this.#fronts.step(seconds);
+    for (const number of moved) {
+      this.#write(number);
+      for (const thing of this.#carried.get(number) ?? []) this.#writeCarried(thing, number);
+    }
+    return moved.length > 0;
+  }
+
+  #writeCarried(thing: number, number: number): void {
+    const [body, piece] = [this.#bodies[thing], this.#bodies[number]];
+    if (!body || !piece) return;
+    this.#draw(thing, this.#fronts.carried(body, number, piece, this.#parts[number] ?? []));
+  }
+
+  /** The ids of the fronts that are open or opening. */
+  get openFronts(): string[] {
+    return this.#fronts.open.map(([number, front]) => `${this.#bodies[number]?.id}/${front}`);
   }
 
   /** Assets that come from now on are not shown. */
@@ -77,9 +126,12 @@ export class BodyMeshes {
 
   #write(number: number): void {
     const body = this.#bodies[number];
-    if (!body) return;
+    if (body) this.#draw(number, body);
+  }
+
+  #draw(number: number, body: PlacedBody): void {
     const [hidden, isAsset] = [this.#hidden(body), this.#assets?.shows(number) ?? false];
-    this.#drawn.place(number, body, hidden || isAsset ? [] : this.#parts[number]);
+    this.#drawn.place(number, body, hidden || isAsset ? [] : this.#parts[number], this.#swingsOf(number));
     this.#assets?.place(number, hidden ? null : body);
   }
 
@@ -100,6 +152,20 @@ export class BodyMeshes {
     const place = bodyMatrix(body);
     return [0.5, 0].flatMap((up) => (this.#parts[number] ?? []).map(({ at, size }) =>
       new Vector3(at[0], at[1] + size[1] * up, at[2]).applyMatrix4(place).toArray()));
+  }
+
+  /** Points of a front, `piece/front`, at which it may be seen where it stands now: its panel's middle, then to its sides. */
+  pointsOfFront(id: string): (readonly [number, number, number])[] {
+    const cut = id.lastIndexOf("/");
+    const number = this.#numbers.get(id.slice(0, cut)) ?? -1;
+    const [body, front] = [this.#bodies[number], id.slice(cut + 1)];
+    const panel = this.#parts[number]?.find((part) => part.front === front);
+    if (!body || !panel) return [];
+    const [{ at, size }, swing] = [panel, this.#fronts.swingOf(number, front)];
+    return [0, -0.3, 0.3].flatMap((across) => [0, 0.3, -0.3].flatMap((up) => [0.5, -0.5].map((out) => {
+      const point = [at[0] + size[0] * across, at[1] + size[1] * up, at[2] + size[2] * out] as const;
+      return new Vector3(...(swing ? movedWith(point, swing) : point)).applyMatrix4(bodyMatrix(body)).toArray();
+    })));
   }
 
   /** Whether a body is drawn: what hangs above the cut is not. */

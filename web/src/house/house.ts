@@ -30,7 +30,7 @@ const SLAB_GAP = 0.02;
 
 export type Hit =
   | { readonly kind: "door"; readonly index: number }
-  | { readonly kind: "body"; readonly body: PlacedBody; readonly at: Point }
+  | { readonly kind: "body"; readonly body: PlacedBody; readonly at: Point; readonly front?: string }
   | { readonly kind: "room"; readonly room: Room; readonly at: Point };
 
 function boundsOf(scene: Scene, height: number): Box3 {
@@ -76,7 +76,7 @@ export class House {
     });
     this.bounds = boundsOf(scene, 1);
     this.#bodies = bodiesOf(scene);
-    this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene), assets);
+    this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene), assets, scene);
     this.#walls = new Walls(plan);
     this.doors = new Doors(leavesOf(plan), book.doorPaints(styleOf(scene)));
     if (scene.rooms.length > 0) this.root.add(slab(this.bounds));
@@ -165,13 +165,15 @@ export class House {
     if (floor && floor.distance < (nearest?.distance ?? Number.POSITIVE_INFINITY)) {
       return { kind: "room", room: floor.room, at: ray.ray.at(floor.distance, new Vector3()).toArray() };
     }
-    return nearest ? this.#hitOf(nearest) : null;
+    return nearest ? this.#hitOf(nearest, ray) : null;
   }
 
-  #hitOf(nearest: Intersection): Hit | null {
+  #hitOf(nearest: Intersection, ray: Raycaster): Hit | null {
     if (nearest.object === this.doors.root && nearest.instanceId !== undefined) return { kind: "door", index: nearest.instanceId };
     const body = nearest.object === this.#bodyMeshes.root ? this.#bodyMeshes.bodyAt(nearest.instanceId) : undefined;
-    return body ? { kind: "body", body, at: nearest.point.toArray() } : null;
+    if (!body) return null;
+    const front = this.#bodyMeshes.root.frontAt(ray, nearest.instanceId ?? -1);
+    return { kind: "body", body, at: nearest.point.toArray(), ...(front === undefined ? {} : { front }) };
   }
 
   /** Where one may stand on what was hit: a floor, or what lies flat on it. */
@@ -180,16 +182,38 @@ export class House {
     return hit?.kind === "room" ? hit.at : null;
   }
 
+  /** Opens or shuts a front of a piece, all of a piece's where none is named, all of the house for null; false where there is none. */
+  toggleFronts(id: string | null, front?: string): boolean {
+    return this.#bodyMeshes.toggleFronts(id, front);
+  }
+
+  /** Moves fronts by `seconds`; true while one is under way. */
+  stepFronts(seconds: number): boolean {
+    return this.#bodyMeshes.stepFronts(seconds);
+  }
+
+  /** The fronts that are open or opening, as `piece/front`. */
+  get openFronts(): string[] {
+    return this.#bodyMeshes.openFronts;
+  }
+
   /** The id of what was hit. */
   idOf(hit: Hit | null): string | undefined {
     if (hit?.kind === "door") return this.doors.leaves[hit.index]?.id;
     return hit?.kind === "room" ? hit.room.id : hit?.body.id;
   }
 
-  /** Points in the house at which a body, a door leaf or a room's floor may be seen, with walls cut at a height [m]. */
+  /** Whether a hit is what an id names: a body, a door, a room, or a front as `piece/front`. */
+  isHit(hit: Hit | null, id: string): boolean {
+    return this.idOf(hit) === id || (hit?.kind === "body" && hit.front !== undefined && `${hit.body.id}/${hit.front}` === id);
+  }
+
+  /** Points in the house at which a body, a front, a door leaf or a room's floor may be seen, with walls cut at a height [m]. */
   pointsOf(id: string, cut: number): Point[] {
     const points = this.#bodyMeshes.pointsOf(id);
     if (points.length > 0) return points;
+    const ofFront = this.#bodyMeshes.pointsOfFront(id);
+    if (ofFront.length > 0) return ofFront.map((point): Point => [...point]);
     const room = this.scene.rooms.find((one) => one.id === id);
     return room ? this.#floorPoints(room) : this.#leafPoints(id, cut);
   }

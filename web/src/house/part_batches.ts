@@ -4,6 +4,7 @@ import {
 } from "three";
 import type { PartForm } from "../contract";
 import type { PlacedBody } from "./frame";
+import { movedWith, turnedWith, type Swing } from "./fronts";
 import type { Paint } from "./paints";
 import { solidGeometry, solidOf, type Solid } from "./part_geometry";
 import { partMaterials } from "./part_shader";
@@ -76,8 +77,28 @@ function writeColumn(into: Float32Array, offset: number, x: number, y: number, z
   into[offset + 3] = 0;
 }
 
+/** Which of a body's axes, and which way, the columns of a part's matrix are that lies along an axis. */
+const LAID = { x: [[0, -1, 0], [1, 0, 0], [0, 0, 1]], y: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], z: [[1, 0, 0], [0, 0, 1], [0, -1, 0]] } as const;
+
+/** Writes the place of a part that has moved with a front of its body. */
+function writeSwung(into: Float32Array, offset: number, { axis, at }: Part, body: PlacedBody, swing: Swing): void {
+  const [cos, sin] = [Math.cos(body.turn), Math.sin(body.turn)];
+  LAID[axis].forEach((column, k) => {
+    const [x, y, z] = turnedWith(column, swing);
+    writeColumn(into, offset + 4 * k, x * cos + z * sin, y, z * cos - x * sin);
+  });
+  const [x, y, z] = movedWith(at, swing);
+  writeColumn(into, offset + 12, body.x + x * cos + z * sin, body.y + y, body.z - x * sin + z * cos);
+  into[offset + 15] = 1;
+}
+
 /** Writes the place of a part of a body into the sixteen numbers of its matrix. */
-export function writePlace(into: Float32Array, offset: number, { axis, at }: Part, body: PlacedBody): void {
+export function writePlace(into: Float32Array, offset: number, part: Part, body: PlacedBody, swing?: Swing): void {
+  if (swing) {
+    writeSwung(into, offset, part, body, swing);
+    return;
+  }
+  const { axis, at } = part;
   const [cos, sin] = [Math.cos(body.turn), Math.sin(body.turn)];
   if (axis === "x") {
     writeColumn(into, offset, 0, -1, 0);
@@ -178,10 +199,10 @@ export class PartBatches {
   }
 
   /** Puts a body's parts anew, as large as they now are; of a part that is not there all points coincide. */
-  place(number: number, body: PlacedBody, shown: readonly (Part | null)[] = []): void {
+  place(number: number, body: PlacedBody, shown: readonly (Part | null)[] = [], swingOf?: (front: string | undefined) => Swing | undefined): void {
     this.#each(number, (own, i, { mesh, places, looks: spans }, instance) => {
       const part = shown[i];
-      if (part) writePlace(places, instance * MATRIX, part, body);
+      if (part) writePlace(places, instance * MATRIX, part, body, swingOf?.(part.front));
       else places.fill(0, instance * MATRIX, instance * MATRIX + MATRIX - 1);
       mesh.instanceMatrix.needsUpdate = true;
       if (!part || part === own) return;

@@ -1,5 +1,6 @@
 /** Where a ray meets a body: the nearest of its parts, each by its box. Pure. */
 import type { PlacedBody } from "./frame";
+import { backwards, inFrameOf, movedWith, turnedWith, type Swing } from "./fronts";
 import type { Part } from "./parts";
 
 /** A straight line from a point; the direction has length 1. */
@@ -29,18 +30,37 @@ function enters(line: Straight, at: Part["at"], size: Part["size"]): number | nu
 }
 
 /** The line in a body's own frame. */
-function inFrameOf({ x, y, z, turn }: PlacedBody, { origin, direction }: Straight): Straight {
-  const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
-  const [ox, oz] = [origin[0] - x, origin[2] - z];
-  return {
-    origin: [ox * cos - oz * sin, origin[1] - y, ox * sin + oz * cos],
-    direction: [direction[0] * cos - direction[2] * sin, direction[1], direction[0] * sin + direction[2] * cos],
-  };
+function straightIn(body: PlacedBody, { origin, direction }: Straight): Straight {
+  return { origin: inFrameOf(body, origin), direction: inFrameOf({ ...body, x: 0, y: 0, z: 0 }, direction) };
+}
+
+/** The line as a part sees it that has moved with a front. */
+function before(line: Straight, swing: Swing): Straight {
+  const back = backwards(swing);
+  return { origin: movedWith(line.origin, back), direction: turnedWith(line.direction, back) };
+}
+
+/** Where a line meets a body: how far along [m], and the front that the part met belongs to. */
+export interface Met {
+  readonly distance: number;
+  readonly front: string | undefined;
+}
+
+/** Where a line meets a body whose fronts may stand open; null where it does not. */
+export function meetsOpen(line: Straight, body: PlacedBody, parts: readonly Part[], swingOf: (front: string | undefined) => Swing | undefined): Met | null {
+  const own = straightIn(body, line);
+  let nearest: Met | null = null;
+  for (const { front, at, size } of parts) {
+    const swing = swingOf(front);
+    const distance = enters(swing ? before(own, swing) : own, at, size);
+    if (distance !== null && (nearest === null || distance < nearest.distance)) nearest = { distance, front };
+  }
+  return nearest;
 }
 
 /** How far along a line it meets a body [m], null where it does not. */
 export function meets(line: Straight, body: PlacedBody, parts: readonly Part[]): number | null {
-  const own = inFrameOf(body, line);
+  const own = straightIn(body, line);
   const reach = body.seat ?? 0;
   const [width, height, depth] = [body.width, body.height + reach, body.depth + 2 * reach];
   if (enters(own, [0, body.height / 2 - reach / 2, 0], [width + LEAST, height + 0.02, depth + LEAST]) === null) return null;

@@ -11,6 +11,8 @@ export interface Part {
   /** The radius at the axis' far end to that at its near end; the larger fills the box. */
   readonly taper: number;
   readonly paint: Paint;
+  /** The front of its body that it moves with. */
+  readonly front?: string;
 }
 
 /** A part that stands straight and does not taper. */

@@ -1,6 +1,7 @@
 /** What a body is drawn as: a few parts in its own frame, front at +z, underside at y = 0. Pure. */
 import type { Catalog, CatalogPart } from "../contract";
 import type { PlacedBody } from "./frame";
+import { frontsOf, type Front } from "./fronts";
 import { livingParts, seatedParts } from "./living";
 import { PLAIN_PAINTS, type DoorPaints } from "./door_shapes";
 import { isLight, Paints, plainPaint, shade, type Paint } from "./paints";
@@ -52,6 +53,11 @@ export class ShapeBook {
     return parts.map((solid) => sized(solid, body, paints));
   }
 
+  /** What opens of a body. */
+  frontsOf(body: PlacedBody): readonly Front[] {
+    return frontsOf(this.#solidsOf(body) ?? [], body);
+  }
+
   /** What doors are painted with in a house of this style. */
   doorPaints(style: string | null): DoorPaints {
     if (!this.catalog) return PLAIN_PAINTS;
@@ -74,7 +80,7 @@ export class ShapeBook {
   }
 }
 
-function sized({ form, x, y, z, axis, taper, material }: CatalogPart, body: PlacedBody, paints: Paints): Part {
+function sized({ form, x, y, z, axis, taper, material, front }: CatalogPart, body: PlacedBody, paints: Paints): Part {
   const { width, height, depth } = body;
   return {
     form,
@@ -83,5 +89,6 @@ function sized({ form, x, y, z, axis, taper, material }: CatalogPart, body: Plac
     axis: axis ?? "y",
     taper: taper ?? (form === "cone" ? 0 : 1),
     paint: paints.of(material, body),
+    ...(front ? { front } : {}),
   };
 }

@@ -1,4 +1,4 @@
-/** Keys that do on the house what a drag, the wheel and a click do: turn it, come nearer, open a door. */
+/** Keys that do on the house what a drag, the wheel and a click do: turn it, come nearer, open a door or a cupboard. */
 import { isTyped } from "../panel/typing";
 import type { OrbitStep } from "./orbiting";
 
@@ -6,7 +6,10 @@ export interface ViewActs {
   /** Whether a piece is chosen: arrows move that. */
   hasChosen(): boolean;
   orbit(step: OrbitStep): void;
+  /** The chosen piece's fronts, else the door in view. */
   toggleDoor(): void;
+  /** All fronts of the house. */
+  toggleAll(): void;
 }
 
 const TURN = Math.PI / 18;
@@ -35,7 +38,7 @@ function isOnHouse(target: Element | null): boolean {
 function actOf(event: KeyboardEvent, acts: ViewActs): (() => void) | null {
   const target = event.target instanceof Element ? event.target : null;
   if (event.defaultPrevented || isTyped(event)) return null;
-  if (event.key.toLowerCase() === "t") return event.repeat ? null : () => acts.toggleDoor();
+  if (event.key.toLowerCase() === "t") return event.repeat ? null : () => (event.shiftKey ? acts.toggleAll() : acts.toggleDoor());
   const arrows = event.shiftKey ? SHIFTED : ARROWS;
   const step = ZOOM[event.key] ?? (!acts.hasChosen() && isOnHouse(target) ? arrows[event.key] : undefined);
   return step ? () => acts.orbit(step) : null;

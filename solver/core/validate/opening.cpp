@@ -1,0 +1,211 @@
+// How far the fronts of a room's furniture open before a part of one meets something, and what: by small steps, each judged for itself.
+// Everything is in the frame of the furniture, m, x to its right, y up, z to its front; boxes are told apart along the fifteen axes of two.
+#include "validate/room.hpp"
+
+namespace validate {
+
+constexpr f64 COSINE = 0.99996192306417131, SINE = 0.0087265354983739347;  // of a step of half a degree
+constexpr f64 STEP_DEGREES = 0.5, STEP_METRES = 0.0025;
+constexpr f64 TOUCHING_METRES = 0.00025;  // a front is so much smaller at every side: what touches it does not stop it
+constexpr f64 FLAT_METRES = 0.03;         // what lies on the floor and is no higher is walked on, and opened over
+constexpr f64 WALL_METRES = 3.0;
+constexpr f64 METRE = static_cast<f64>(PER_METRE);
+constexpr i64 NOTHING = -1, WALL = -2;
+
+namespace {
+
+struct Point {
+  f64 x, y, z;
+};
+struct SolidBox {
+  Point at, half;
+  Point along[3];  // where its own axes point
+  i64 body;
+};
+struct Span3 {
+  Point low, high;
+};
+// A piece of furniture's frame in the room.
+struct Frame {
+  f64 x, y, z, cosine, sine;
+  Point turned(f64 east, f64 up, f64 south) const { return {east * cosine - south * sine, up, east * sine + south * cosine}; }
+  Point point(f64 east, f64 up, f64 south) const { return turned(east - x, up - y, south - z); }
+};
+
+}  // namespace
+
+static f64 dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Point cross(const Point& a, const Point& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+static Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+static f64 reach(const SolidBox& box, const Point& axis) {
+  return box.half.x * absolute(dot(box.along[0], axis)) + box.half.y * absolute(dot(box.along[1], axis)) +
+         box.half.z * absolute(dot(box.along[2], axis));
+}
+
+static bool part_along(const SolidBox& a, const SolidBox& b, const Point& way, const Point& axis) {
+  return absolute(dot(way, axis)) > reach(a, axis) + reach(b, axis);
+}
+
+static bool meet_each_other(const SolidBox& a, const SolidBox& b) {
+  const Point way = minus(b.at, a.at);
+  for (i32 i = 0; i < 3; i++) {
+    if (part_along(a, b, way, a.along[i]) || part_along(a, b, way, b.along[i])) return false;
+  }
+  for (i32 i = 0; i < 3; i++) {
+    for (i32 k = 0; k < 3; k++) {
+      const Point axis = cross(a.along[i], b.along[k]);
+      if (dot(axis, axis) > 1e-9 && part_along(a, b, way, axis)) return false;
+    }
+  }
+  return true;
+}
+
+static Span3 span_of(const SolidBox& box) {
+  const Point half{reach(box, {1, 0, 0}), reach(box, {0, 1, 0}), reach(box, {0, 0, 1})};
+  return {minus(box.at, half), {box.at.x + half.x, box.at.y + half.y, box.at.z + half.z}};
+}
+
+static bool share(const Span3& a, const Span3& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y && a.low.z < b.high.z && b.low.z < a.high.z;
+}
+
+// A box of a body, as seen from the furniture; shares of the body's own box.
+static SolidBox box_of(const BodyRow& row, const UnitBox& part, const Frame& frame, i64 body) {
+  const f64 across = ((part.x0 + part.x1) / 2 - 0.5) * row.width, along = ((part.z0 + part.z1) / 2 - 0.5) * row.depth;
+  const Point at = frame.point(row.x + across * row.cosine + along * row.sine, row.y + (part.y0 + part.y1) / 2 * row.height,
+                               row.z + along * row.cosine - across * row.sine);
+  const Point half{(part.x1 - part.x0) / 2 * row.width, (part.y1 - part.y0) / 2 * row.height, (part.z1 - part.z0) / 2 * row.depth};
+  return {at, half, {frame.turned(row.cosine, 0, -row.sine), {0, 1, 0}, frame.turned(row.sine, 0, row.cosine)}, body};
+}
+
+static SolidBox wall_of(const Edge& edge, i64 half_wall, const Frame& frame) {
+  const Rect box = edge.strip(edge.start - half_wall, edge.end + half_wall, half_wall, half_wall);
+  const f64 x0 = static_cast<f64>(box.x0) / METRE, x1 = static_cast<f64>(box.x1) / METRE;
+  const f64 z0 = static_cast<f64>(box.z0) / METRE, z1 = static_cast<f64>(box.z1) / METRE;
+  const Point half{(x1 - x0) / 2, WALL_METRES / 2, (z1 - z0) / 2};
+  const Point at = frame.point((x0 + x1) / 2, WALL_METRES / 2, (z0 + z1) / 2);
+  return {at, half, {frame.turned(1, 0, 0), {0, 1, 0}, frame.turned(0, 0, 1)}, WALL};
+}
+
+static Point moved_point(const Front& front, const Point& hinge, f64 cosine, f64 sine, f64 way, const Point& p) {
+  if (front.slides) return {p.x, p.y, p.z + way};
+  const Point d = minus(p, hinge);
+  if (front.axis == 1) return {hinge.x + d.x * cosine + d.z * sine, p.y, hinge.z + d.z * cosine - d.x * sine};
+  return {p.x, hinge.y + d.y * cosine - d.z * sine, hinge.z + d.y * sine + d.z * cosine};
+}
+
+static SolidBox moved_box(const Front& front, const Point& hinge, f64 cosine, f64 sine, f64 way, const SolidBox& box) {
+  SolidBox now = box;
+  now.at = moved_point(front, hinge, cosine, sine, way, box.at);
+  if (front.slides) return now;
+  for (Point& axis : now.along) axis = moved_point(front, {0, 0, 0}, cosine, sine, 0, axis);
+  return now;
+}
+
+// All that a front comes to at most.
+static Span3 swept(const Front& front, const Point& hinge, const List<SolidBox>& parts, f64 length) {
+  f64 far = 0;
+  Span3 all = span_of(parts[0]);
+  for (const SolidBox& part : parts) {
+    const Span3 one = span_of(part);
+    all.low = {least(all.low.x, one.low.x), least(all.low.y, one.low.y), least(all.low.z, one.low.z)};
+    all.high = {most(all.high.x, one.high.x), most(all.high.y, one.high.y), most(all.high.z, one.high.z)};
+    for (i32 corner = 0; corner < 8; corner++) {
+      const Point at{corner & 1 ? one.high.x : one.low.x, corner & 2 ? one.high.y : one.low.y, corner & 4 ? one.high.z : one.low.z};
+      Point away = minus(at, hinge);
+      (front.axis == 1 ? away.y : away.x) = 0;
+      far = most(far, dot(away, away));
+    }
+  }
+  if (front.slides) {
+    all.high.z += length;
+    return all;
+  }
+  far = __builtin_sqrt(far);
+  all.low.z = least(all.low.z, hinge.z - far), all.high.z = most(all.high.z, hinge.z + far);
+  if (front.axis == 1) all.low.x = least(all.low.x, hinge.x - far), all.high.x = most(all.high.x, hinge.x + far);
+  if (front.axis == 0) all.low.y = least(all.low.y, hinge.y - far), all.high.y = most(all.high.y, hinge.y + far);
+  return all;
+}
+
+// The boxes that reach into some room: of other bodies, and walls. A small thing that carries nothing is its whole box; what lies on the
+// furniture itself is taken off before a lid is lifted.
+static List<SolidBox> obstacles(const Room& room, const List<bool>& carries, i64 own, const Frame& frame, const Span3& within) {
+  constexpr UnitBox whole{0, 1, 0, 1, 0, 1};
+  List<SolidBox> found;
+  const auto take = [&](const SolidBox& box) {
+    if (share(span_of(box), within)) found.add(box);
+  };
+  for (i32 i = 0; i < room.bodies.size; i++) {
+    const BodyRow& row = *room.bodies[i].row;
+    const bool flat = row.sort == Sort::decoration && !room.bodies[i].rests() && row.height <= FLAT_METRES;
+    const bool aside = i == own || row.on == room.bodies[own].row->name || row.sort == Sort::person || flat;
+    if (aside || !share(span_of(box_of(row, whole, frame, i)), within)) continue;
+    const Span<UnitBox> parts = room.parts_of(room.bodies[i]);
+    if (parts.size == 0 || (row.sort == Sort::decoration && !carries[i])) {
+      take(box_of(row, whole, frame, i));
+      continue;
+    }
+    for (const UnitBox& part : parts) take(box_of(row, part, frame, i));
+  }
+  for (const Edge& edge : room.edges) take(wall_of(edge, room.half_wall, frame));
+  return found;
+}
+
+static Opened opened(const Room& room, const List<bool>& carries, const Front& front, Span<i64> numbers) {
+  const BodyRow& row = *room.bodies[front.body].row;
+  const Frame frame{row.x, row.y, row.z, row.cosine, row.sine};
+  const Span<UnitBox> all = room.parts_of(room.bodies[front.body]);
+  const Point hinge{front.x * row.width, front.y * row.height, front.z * row.depth};
+  List<SolidBox> parts;
+  for (i32 i = 0; i < front.parts; i++) {
+    SolidBox box = box_of(row, all[numbers[front.first + i]], frame, front.body);
+    const Point half = minus(box.half, {TOUCHING_METRES, TOUCHING_METRES, TOUCHING_METRES});
+    box.half = {most(half.x, 0.0), most(half.y, 0.0), most(half.z, 0.0)};
+    parts.add(box);
+  }
+  const f64 length = absolute(front.slides ? front.end * row.depth : front.end), step = front.slides ? STEP_METRES : STEP_DEGREES;
+  const List<SolidBox> others = obstacles(room, carries, front.body, frame, swept(front, hinge, parts, length));
+  f64 cosine = 1, sine = 0, way = 0;
+  const f64 by = front.end < 0 ? -SINE : SINE;
+  for (i64 k = 0; k < 2000; k++) {
+    for (const SolidBox& part : parts) {
+      const SolidBox now = moved_box(front, hinge, cosine, sine, front.end < 0 ? -way : way, part);
+      for (const SolidBox& other : others) {
+        if (meet_each_other(now, other)) return {whole(nearest(most(way - step, 0.0) * 1e6)), other.body};
+      }
+    }
+    if (way >= length) break;
+    way = least(way + step, length);
+    const f64 turned = cosine * COSINE - sine * by;
+    sine = sine * COSINE + cosine * by, cosine = turned;
+  }
+  return {whole(nearest(length * 1e6)), NOTHING};
+}
+
+Bytes open_fronts(Bytes rows_sent) {
+  Reader reader(rows_sent);
+  const Room room = read_room(reader);
+  const FrontsRow& sent = reader.take<FrontsRow>(1)[0];
+  const Span<Front> fronts = reader.take<Front>(static_cast<i32>(sent.fronts));
+  const Span<i64> numbers = reader.take<i64>(static_cast<i32>(sent.parts));
+  List<bool> is_carrier, carries;
+  for (i32 i = 0; i < room.names; i++) is_carrier.add(false);
+  for (const Body& body : room.bodies) {
+    if (body.row->on >= 0) is_carrier[body.row->on] = true;
+  }
+  for (const Body& body : room.bodies) carries.add(is_carrier[body.row->name]);
+  const Span<Opened> answer = reserved<Opened>(fronts.size);
+  for (i32 i = 0; i < fronts.size; i++) {
+    const Front& front = fronts[i];
+    const bool fits = front.body >= 0 && front.body < room.bodies.size && front.parts > 0 && front.first >= 0 &&
+                      front.first + front.parts <= sent.parts && absolute(front.end) <= 180;
+    if (!fits) fail(Failure::bad_request);
+    const arena::Scope scope;
+    answer[i] = opened(room, carries, front, numbers);
+  }
+  return {reinterpret_cast<u8*>(answer.data), static_cast<i64>(answer.size) * static_cast<i64>(sizeof(Opened))};
+}
+
+}  // namespace validate

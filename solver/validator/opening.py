@@ -1,0 +1,127 @@
+"""How far the fronts of furniture open before they meet something; and the rule for those that hardly open.
+
+Comes in: a room and the catalogs. Goes out: what the core found (solver/core/validate/opening.cpp), findings. May import: scene, catalogs.
+
+Each front is opened alone, all others shut. People and pets step aside, what lies on a lid is taken off; doors are closed and are walls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from itertools import chain
+from struct import Struct, pack
+from typing import Any, Final, NamedTuple
+
+from catalogs import Catalogs
+from catalogs.fronts import UnitFront
+from catalogs.shapes import Axis
+from solver.scene import Scene
+from solver.validator.judging import Finding, RuleCase
+from solver.validator.kinds import Kinds, kinds_of
+from solver.validator.sent_rooms import ask, room_bytes
+from solver.validator.world import PlacedRoom, world_of
+
+WALL: Final = "wall"
+"""What a front meets that meets a wall."""
+ENOUGH: Final = 0.5
+"""A front that opens less of its way than this is blocked."""
+_FRONT: Final = Struct("<q4d4q")
+_HEAD: Final = Struct("<2q")
+_OPENED: Final = Struct("<2q")
+_AXES: Final[dict[Axis, int]] = {"x": 0, "y": 1, "z": 2}
+_MILLIONTHS: Final = 1_000_000
+
+
+class FrontTravel(NamedTuple):
+    """How far a front opens, of how far it could: degrees, of a drawer m; and what it meets then: an id, `wall`, None for nothing."""
+
+    piece: str
+    front: str
+    slides: bool
+    travel: float
+    range: float
+    meets: str | None
+    must_open: bool = False
+
+    @property
+    def share(self) -> float:
+        """Which part of its way it opens, 0 to 1."""
+        return self.travel / self.range
+
+
+def front_blocked(case: RuleCase) -> Iterator[Finding]:
+    """A front opens less than half of its way; where its kind says that it must open, that is an error."""
+    for one in travels_of(case.room, case.kinds, case.rows):
+        if one.share < ENOUGH:
+            ids = (one.piece,) if one.meets in (None, WALL) else (one.piece, str(one.meets))
+            yield Finding(ids, 0, f"{one.piece}'s {one.front} {_words(one)}", "error" if one.must_open else None)
+
+
+def _words(one: FrontTravel) -> str:
+    if one.slides:
+        how = f"comes out {one.travel * 100:.0f} of {one.range * 100:.0f} cm"
+    else:
+        how = f"opens {one.travel:.0f} of {one.range:.0f} degrees"
+    return f"{how}: then it meets {'a wall' if one.meets == WALL else one.meets}"
+
+
+def travels_of(place: PlacedRoom, kinds: Kinds, rows: bytes) -> list[FrontTravel]:
+    """Returns how far every front of a room opens, in the order of its furniture.
+
+    Args:
+        place: the room.
+        kinds: what the catalogs say.
+        rows: the room as the core reads it.
+    """
+    fronts = list(fronts_in(place, kinds))
+    if not fronts:
+        return []
+    told = _opened(front_bytes(fronts, rows))
+    return [_travel(place, body, front, row) for (body, front), row in zip(fronts, _OPENED.iter_unpack(told), strict=True)]
+
+
+def front_bytes(fronts: Sequence[tuple[int, UnitFront]], rows: bytes) -> bytes:
+    """Returns a room and its fronts as the core reads them; each is told with the number of its body in the room."""
+    numbers = list(chain.from_iterable(front.parts for _, front in fronts))
+    sent, first = [rows, _HEAD.pack(len(fronts), len(numbers))], 0
+    for body, front in fronts:
+        sent.append(_FRONT.pack(body, *front.hinge, front.end, _AXES[front.axis], front.slides, first, len(front.parts)))
+        first += len(front.parts)
+    return b"".join([*sent, pack(f"<{len(numbers)}q", *numbers)])
+
+
+@lru_cache(maxsize=128)
+def _opened(rows: bytes) -> bytes:
+    """Asks the core; a home's certificate and its issues ask for the same."""
+    return ask("open_fronts", rows)
+
+
+def fronts_in(place: PlacedRoom, kinds: Kinds) -> Iterator[tuple[int, UnitFront]]:
+    """Yields the fronts of a room, each with the number of its body there."""
+    for number, piece in enumerate(place.room.furniture):
+        found = kinds.fronts(("furniture", piece.name, piece.width, piece.depth, piece.height, piece.kind))
+        yield from ((number, front) for front in found)
+
+
+def _travel(place: PlacedRoom, body: int, front: UnitFront, row: Sequence[int]) -> FrontTravel:
+    travel, meets = row[0] / _MILLIONTHS, row[1]
+    piece = place.room.furniture[body]
+    reach = round(abs(front.end) * (piece.depth if front.slides else 1.0), 6)
+    met = None if meets == -1 else WALL if meets < 0 else place.bodies[meets].id
+    return FrontTravel(piece.id, front.name, front.slides, reach if met is None else travel, reach, met, front.must_open)
+
+
+def front_travels(scene: Scene, catalogs: Catalogs) -> dict[str, list[FrontTravel]]:
+    """Returns how far every front of a scene opens, by room."""
+    world, kinds = world_of(scene), kinds_of(catalogs)
+    return {place.room.id: travels_of(place, kinds, room_bytes(world, place, kinds)) for place in world.places}
+
+
+def certified_fronts(travels: Sequence[FrontTravel]) -> dict[str, dict[str, Any]]:
+    """Returns what a certificate says of fronts, by piece and front: 1 for one that opens wholly, else the share and what it meets."""
+    said: dict[str, dict[str, Any]] = {}
+    for one in travels:
+        whole = one.meets is None
+        said.setdefault(one.piece, {})[one.front] = 1 if whole else {"opens": round(one.share, 3), "meets": one.meets}
+    return said

@@ -1,0 +1,139 @@
+"""How far fronts open: the last place that is free and the first that is not, against geometry of our own."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from catalogs import load_catalogs
+from solver import Request, generate
+from solver.exports import describe
+from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
+from solver.validator import validate
+from solver.validator.opening import WALL, FrontTravel, front_travels
+from tests.exports.opening import open_all
+
+KNOWN = load_catalogs()
+STEP = 0.5
+"""Fronts are turned by so much at a time, degrees."""
+
+
+def piece(kind: str, x: float, z: float, rotation: float = 0.0, name: str | None = None) -> Furniture:
+    spec = KNOWN.furniture[kind]
+    width, depth, height = spec.size
+    return Furniture(name or kind, spec.name or kind, x=x, z=z, rotation=rotation, width=width, depth=depth, height=height, kind=kind)
+
+
+def block(x: float, z: float, width: float, depth: float, height: float = 2.0) -> Furniture:
+    return Furniture("block", "block", x=x, z=z, width=width, depth=depth, height=height)
+
+
+def room(*furniture: Furniture, decorations: tuple[Decoration, ...] = (), people: tuple[Dynamic, ...] = ()) -> Scene:
+    den = Room("den", 0, "den", width=8.0, depth=6.0, furniture=furniture, decorations=decorations)
+    return Scene(wall_thickness=0.1, rooms=(den,), dynamic=people)
+
+
+def travel(scene: Scene, front: str, name: str | None = None) -> FrontTravel:
+    (found,) = [one for one in front_travels(scene, KNOWN)["den"] if one.front == front and name in (None, one.piece)]
+    return found
+
+
+@pytest.mark.parametrize("rotation", [0, 90, 180, 270, 33])
+def test_a_piece_alone_opens_wholly(rotation: float) -> None:
+    for kind in ("wardrobe", "dresser", "stove", "refrigerator", "toilet", "shoe_cabinet", "counter"):
+        travels = front_travels(room(piece(kind, 4.0, 3.0, rotation)), KNOWN)["den"]
+        assert len(travels) >= 1
+        assert all(one.meets is None and one.travel == one.range for one in travels)
+
+
+@pytest.mark.parametrize("gap", [0.03, 0.1, 0.2, 0.299])
+def test_a_drawer_comes_out_as_far_as_there_is_room(gap: float) -> None:
+    chest = piece("dresser", 4.0, 2.0)
+    depth = chest.depth
+    handle = 0.015 * depth
+    before = block(4.0, 2.0 + depth / 2 + gap + 0.5, 2.0, 1.0)
+    one = travel(room(chest, before), "top_drawer")
+    assert one.meets == "block"
+    assert 0 <= gap + handle - one.travel <= 0.0031
+    assert front_travels(room(chest, block(4.0, 2.0 + depth / 2 + 0.36 + 0.5, 2.0, 1.0)), KNOWN)["den"][0].meets is None
+
+
+@pytest.mark.parametrize("gap", [0.1, 0.2, 0.3])
+def test_a_door_turns_as_far_as_trigonometry_says(gap: float) -> None:
+    """A wall of a block parallel to a refrigerator's front: the far edge of the door's face, or its handle, meets it first."""
+    fridge = piece("refrigerator", 4.0, 2.0)
+    width, depth = fridge.width, fridge.depth
+    one = travel(room(fridge, block(4.0, 2.0 + depth / 2 + gap + 0.5, 3.0, 1.0)), "upper_door")
+    hinge = (0.995 * width, 0.955 * depth)
+    reach = gap + depth - hinge[1]
+    corners = [(0.005 * width, 0.955 * depth), *((x * width, 0.995 * depth) for x in (0.07, 0.1))]
+    away = [(hinge[0] - x, z - hinge[1]) for x, z in corners]
+    free = next(
+        k * STEP for k in range(181)
+        if any(x * math.sin(math.radians((k + 1) * STEP)) + z * math.cos(math.radians((k + 1) * STEP)) > reach for x, z in away)
+    )  # fmt: skip
+    assert one.meets == "block"
+    assert abs(one.travel - free) <= 2 * STEP
+
+
+def test_walls_neighbours_and_small_things_are_told_by_name() -> None:
+    against = piece("wardrobe", 7.95 - 0.9, 2.0)
+    assert travel(room(against), "outer_door_2").meets == WALL
+    crowded = travel(room(piece("stove", 4.0, 2.0), piece("washer", 4.0, 2.75, 180)), "door", "stove")
+    assert (crowded.meets, crowded.share < 0.5) == ("washer", True)
+    toy = Decoration("den/toy", "toy_car", None, x=4.0, z=2.6, width=0.2, depth=0.2, height=0.2)
+    assert travel(room(piece("dresser", 4.0, 2.2)), "low_drawer").meets is None
+    assert travel(room(piece("dresser", 3.7, 2.2), decorations=(replace(toy, height=0.3),)), "low_drawer_2").meets == "den/toy"
+
+
+def test_rugs_people_and_what_lies_on_a_lid_stop_nothing() -> None:
+    chest = piece("toy_chest", 4.0, 2.0)
+    rug = Decoration("den/rug", "rug", None, x=4.0, z=2.6, width=2.0, depth=1.4, height=0.01)
+    bear = Decoration("den/bear", "stuffed_animal", "toy_chest", x=4.0, y=0.48, z=2.0, width=0.2, depth=0.2, height=0.3)
+    person = Dynamic("p", "person", room="den", x=4.0, z=2.6, width=0.5, depth=0.3, height=1.7)
+    scene = room(chest, piece("dresser", 6.0, 2.0), decorations=(rug, bear), people=(replace(person, x=6.0),))
+    assert all(one.meets is None for one in front_travels(scene, KNOWN)["den"])
+
+
+def test_less_than_half_is_a_warning_with_both_names() -> None:
+    stove = piece("stove", 4.0, 2.0)
+    close = room(stove, block(4.0, 2.3 + 0.25 + 0.5, 2.0, 1.0))
+    (found,) = [issue for issue in validate(close, KNOWN) if issue.rule == "front_blocked"]
+    assert (found.severity, found.ids) == ("warning", ("stove", "block"))
+    assert "degrees: then it meets block" in found.message
+    assert travel(close, "door").share < 0.5
+    roomy = room(stove, block(4.0, 2.3 + 0.62 + 0.5, 2.0, 1.0))
+    assert not [issue for issue in validate(roomy, KNOWN) if issue.rule == "front_blocked"]
+
+
+def test_what_must_open_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "shapes").mkdir()
+    (tmp_path / "shapes" / "own.yaml").write_text(
+        "stove:\n  - {form: box, y: [0, top], z: [0, 0.9]}\n"
+        "  - {form: box, y: [0.1, 0.9], z: [0.9, 1], name: door, opens: down, must_open: true}\n"
+    )
+    scene = room(piece("stove", 4.0, 2.0), block(4.0, 2.3 + 0.1 + 0.5, 2.0, 1.0))
+    (found,) = [issue for issue in validate(scene, load_catalogs(tmp_path)) if issue.rule == "front_blocked"]
+    assert found.severity == "error"
+
+
+def test_a_homes_certificate_is_what_mujoco_finds() -> None:
+    scene = generate(Request(seed=12, program="studio", decorate=True)).scene
+    assert list(open_all(scene, describe(scene, KNOWN), KNOWN)) == []
+    document: dict[str, Any] = dict(scene.certificate or {})
+    rooms = document["rooms"].values()
+    pieces = [one for entry in rooms for one in entry.get("fronts", {}).items()]
+    said = [(piece, name) for piece, fronts in pieces for name in fronts]
+    assert said == [(one.piece, one.front) for travels in front_travels(scene, KNOWN).values() for one in travels]
+
+
+def test_a_wrong_certificate_would_be_seen() -> None:
+    scene = room(piece("stove", 4.0, 2.0), block(4.0, 2.3 + 0.25 + 0.5, 2.0, 1.0))
+    model = describe(replace(scene, rooms=(replace(scene.rooms[0], furniture=scene.rooms[0].furniture[:1]),)), KNOWN)
+    moved = replace(scene.rooms[0], furniture=(scene.rooms[0].furniture[0], replace(scene.rooms[0].furniture[1], z=2.9)))
+    assert any("does not meet" in line for line in open_all(scene, model, KNOWN))
+    assert any("the certificate says" in line for line in open_all(scene, describe(replace(scene, rooms=(moved,)), KNOWN), KNOWN))
