@@ -43,6 +43,21 @@ def test_floors_and_outdoors() -> None:
     assert {name for name, room in KNOWN.rooms.items() if room.outdoor} == OUTDOORS
 
 
+ASKED_BY_NONE = {
+    "child": "people are drawn at random; children are put into scenes by hand",
+    "garden_box": "gardens have planters and flower beds; for lists of one's own",
+    "speaker": "a pair belongs to a music room: for catalogs of one's own",
+    "treadmill": "no room type of ours is for sport; for lists of one's own",
+}
+"""Kinds that neither a room type nor the people at home ask for, and why they are there."""
+
+
+def test_every_kind_is_asked_for_by_something() -> None:
+    asked = {variant.kind for room in KNOWN.rooms.values() for piece in room.pieces for variant in piece.variants}
+    asked |= {kind for entry in KNOWN.people.values() for kind in ([entry.kinds] if isinstance(entry.kinds, str) else entry.kinds)}
+    assert set(KNOWN.furniture) - asked == set(ASKED_BY_NONE)
+
+
 def test_every_category_has_furniture() -> None:
     assert {entry.category for entry in KNOWN.furniture.values()} == set(get_args(Category))
 

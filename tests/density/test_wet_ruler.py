@@ -75,9 +75,9 @@ def test_worktop_round_the_corner_is_hidden() -> None:
 
 
 def test_roomy_kitchens_have_an_island_or_a_table() -> None:
-    assert ruler.roomy_kitchens_used(scene(body("kitchen_island", (2, 2), (1.2, 0.7)), size=(5.0, 3.0))) == (1, 1)
-    assert ruler.roomy_kitchens_used(scene(size=(5.0, 3.0))) == (0, 1)
-    assert ruler.roomy_kitchens_used(scene(size=(4.9, 3.0))) == (0, 0)
+    assert ruler.roomy_kitchens_used(scene(body("kitchen_island", (2, 2), (1.2, 0.7)), size=(5.0, 3.3))) == (1, 1)
+    assert ruler.roomy_kitchens_used(scene(size=(5.0, 3.3))) == (0, 1)
+    assert ruler.roomy_kitchens_used(scene(size=(5.0, 3.2))) == (0, 0)
 
 
 def test_nothing_is_put_down_before_a_toilet() -> None:

@@ -33,8 +33,8 @@ BREAKS = ("refrigerator", "dishwasher", "pantry")
 """What belongs at an end of it."""
 LONG = 2.4
 """Of worktop in a large home's kitchen, m along the fronts."""
-ROOMY = 15.0
-"""Kitchens of this area, m2, have an island or a table."""
+ROOMY, BROAD = 15.0, 3.3
+"""Kitchens of this area, m2, and short side have room for an island or a table."""
 SMALL = 10.0
 """A bathroom is at most so large, m2."""
 USED = ("toilet", "wardrobe", "counter", "sink", "stove", "refrigerator")
@@ -141,11 +141,11 @@ def triangles_whole(scene: Scene) -> Count:
 
 
 def roomy_kitchens_used(scene: Scene) -> Count:
-    """Kitchens of ROOMY or more with an island or a table."""
+    """Kitchens of ROOMY and BROAD or more with an island or a table."""
     return count(
         bool(floor.named("kitchen_island", "dining_table"))
         for floor in floors(scene, "kitchen")
-        if floor.room.width * floor.room.depth >= ROOMY
+        if floor.room.width * floor.room.depth >= ROOMY and min(floor.room.width, floor.room.depth) >= BROAD
     )
 
 
@@ -190,7 +190,7 @@ LINES = (
     Line("refrigerator, dishwasher, pantry: parts the worktop", worktops_parted, {"*": 0.02}, most=True),
     Line("kitchen: 2.4 m of worktop", long_worktops, {"*": 0.0, "large": 0.5}),
     Line("kitchen: working triangle", triangles_whole, {"*": 0.85}),
-    Line("kitchen of 15 m2: island or table", roomy_kitchens_used, {"*": 0.8}),
+    Line("kitchen of 15 m2, 3.3 m wide: island or table", roomy_kitchens_used, {"*": 0.8}),
     Line("plants, baskets, bins: before toilets, wardrobes, counters", put_down_in_the_way, {"*": 0.02}, most=True),
     Line("plain house: two masters or three living rooms", twice, {"*": 0.0}, most=True),
     Line("plain house: a dining room", dining_rooms, {"*": 0.98}),

@@ -10,7 +10,7 @@ constexpr f64 SHORTEST_LEG = 1.2, LONGEST_LEG = 2.7, LEAST_PERIMETER = 4.0, MOST
 // What a triangle costs that is not within these, and what a metre beyond them.
 constexpr f64 BROKEN_COST = 3.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
 // What a run without a piece that it could hold costs, and how often one is drawn without it.
-constexpr f64 MISSED_COST = 1.5, MISSED_CHANCE = 0.3;
+constexpr f64 MISSED_COST = 2.5, MISSED_CHANCE = 0.3;
 // How often a run goes round a corner it could, and how often another one goes on at the opposite wall.
 constexpr f64 CORNER_CHANCE = 0.6, OPPOSITE_CHANCE = 0.5;
 // What a side without worktop costs where it is wanted (guideline 17: landing area at the cooking surface), and what belongs at an end

@@ -33,7 +33,7 @@ PERIMETER = (4.0, 7.9)
 """Least and greatest sum of its legs, m (the same guideline: at most 26 feet; 4 m is what three shortest legs come to)."""
 BROKEN_COST, LEG_COST, PERIMETER_COST = 3.0, 8.0, 8.0
 """What a triangle costs that is not within these, and what a metre beyond them."""
-MISSED_COST = 1.5
+MISSED_COST = 2.5
 """What a run without a piece that it could hold costs."""
 CORNER_CHANCE, OPPOSITE_CHANCE = 0.6, 0.5
 """How often a run goes round a corner it could, and how often another one goes on at the opposite wall."""
