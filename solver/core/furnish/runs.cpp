@@ -17,7 +17,7 @@ constexpr f64 CORNER_CHANCE = 0.6, OPPOSITE_CHANCE = 0.5;
 // within the worktop.
 constexpr f64 LANDING_COST = 6.0, END_COST = 4.0;
 // Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs.
-constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 1.0;
+constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 1.3;
 // Most that a run costs by the seed alone.
 constexpr f64 PREFERENCE = 0.5;
 // Pull of a piece to its place in the run, m^-2.

@@ -39,7 +39,7 @@ CORNER_CHANCE, OPPOSITE_CHANCE = 0.6, 0.5
 """How often a run goes round a corner it could, and how often another one goes on at the opposite wall."""
 LANDING_COST, END_COST = 6.0, 4.0
 """What a side without worktop costs where it is wanted, and what belongs at an end within the worktop."""
-WORKTOP, WORKTOP_COST = 4.0, 1.0
+WORKTOP, WORKTOP_COST = 4.0, 1.3
 """Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs."""
 PREFERENCE = 0.5
 """Most that a run costs by the seed alone."""
