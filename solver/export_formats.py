@@ -37,14 +37,14 @@ EXPORTERS: Final[dict[str, Exporter]] = {
         "glTF: Blender, game engines, viewers, the web; the scene inside, so that it reads back", "glb", "model/gltf-binary", None, True
     ),
     "usd": Exporter(
-        "USD as text: Isaac Sim, Omniverse, Blender; colliders, masses, doors on joints, labels", "usd_stage", "model/vnd.usda"
+        "USD as text: Isaac Sim, Omniverse, Blender; colliders, masses, doors on joints, labels", "usd_stage", "model/vnd.usda", None, True
     ),
-    "arena": Exporter("Isaac Lab-Arena: the usd, and an environment's YAML that names its bodies", "arena", "application/zip"),
-    "usdc": Exporter("the same, binary", "usd_stage", "model/vnd.usd", ("pxr", "usd")),
-    "usdz": Exporter("the same, packed as one file: phones, tablets, previews", "usd_stage", "model/vnd.usdz+zip", ("pxr", "usd")),
-    "mjcf": Exporter("MuJoCo: colliders, masses, doors on hinges, light things free to move", "mujoco_xml", "application/xml"),
+    "arena": Exporter("Isaac Lab-Arena: the usd, and an environment's YAML that names its bodies", "arena", "application/zip", None, True),
+    "usdc": Exporter("the same, binary", "usd_stage", "model/vnd.usd", ("pxr", "usd"), True),
+    "usdz": Exporter("the same, packed as one file: phones, tablets, previews", "usd_stage", "model/vnd.usdz+zip", ("pxr", "usd"), True),
+    "mjcf": Exporter("MuJoCo: colliders, masses, doors on hinges, light things free to move", "mujoco_xml", "application/xml", None, True),
     "urdf": Exporter("ROS, Drake, PyBullet: one robot, fixed but for its doors", "urdf_robot", "application/xml"),
-    "sdf": Exporter("Gazebo: a world with a model a body", "sdf_world", "application/xml"),
+    "sdf": Exporter("Gazebo: a world with a model a body", "sdf_world", "application/xml", None, True),
     "dxf": Exporter("floor plan for CAD programmes", "plan_dxf", "image/vnd.dxf", ("ezdxf", "dxf")),
     "ifc": Exporter("building for BIM programmes, IFC4", "building_ifc", "application/x-step", ("ifcopenshell", "ifc")),
     "sh3d": Exporter("home for Sweet Home 3D", "sweet_home", "application/x-sweethome3d"),

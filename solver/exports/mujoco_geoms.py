@@ -12,10 +12,11 @@ from functools import lru_cache
 from typing import Final, NamedTuple
 
 from solver.body_parts import BodyPart
-from solver.exports.colliders import AXES, Collider, shares_of, z_up
-from solver.exports.model import Paint
+from solver.exports.asset_objects import AssetObjects
+from solver.exports.colliders import AXES, Collider, Triple, shares_of, z_up
+from solver.exports.model import ModelBody, Paint
 from solver.exports.paints import channels
-from solver.exports.xml_text import xml_numbers
+from solver.exports.xml_text import xml_numbers, xml_text
 
 _TURNED: Final = {"x": ' euler="0 90 0"', "y": ' euler="90 0 0"', "z": ""}
 """How a form along z turns to lie along an axis, its far end where the scene's axis points."""
@@ -65,7 +66,10 @@ class _ShownPart(NamedTuple):
 class MujocoLooks:
     """What a file's bodies look like; keeps the materials and meshes that they need."""
 
-    def __init__(self) -> None:
+    def __init__(self, objects: AssetObjects) -> None:
+        self._objects = objects
+        self._own: dict[tuple[str, Triple], str] = {}
+        self._pictured: dict[tuple[Paint, str], str] = {}
         self._materials: dict[Paint, str] = {}
         self._meshes: dict[tuple[str, str], str] = {}
         self._shown: dict[tuple[int, int], tuple[str, tuple[BodyPart, ...], tuple[Paint, ...]]] = {}
@@ -80,6 +84,17 @@ class MujocoLooks:
             text = "".join([f"{self._meshed(part)}{self.painted(paint)}/>" for part, paint in several])
             found = self._shown[key] = text, parts, paints
         return found[0]
+
+    def asset(self, body: ModelBody) -> str:
+        """Returns the visual geoms of a body that is shown as an asset."""
+        found = []
+        for path, stretch, paint, picture in self._objects.of(body):
+            mesh = self._own.setdefault((path, stretch), f"asset_{len(self._own)}")
+            look = self.painted(paint)
+            if picture and picture.endswith(".png"):  # the only pictures that MuJoCo reads
+                look = f' material="{self._pictured.setdefault((paint, picture), f"pictured_{len(self._pictured)}")}"'
+            found.append(f'<geom class="visual" type="mesh" mesh="{mesh}"{look}/>')
+        return "".join(found)
 
     def painted(self, paint: Paint) -> str:
         """Returns the attribute that paints a geom."""
@@ -100,6 +115,12 @@ class MujocoLooks:
             rgba = xml_numbers(red / 255, green / 255, blue / 255, paint.opacity)
             shine = xml_numbers(round(1 - paint.roughness, 3))
             yield f'<material name="{name}" rgba="{rgba}" specular="{shine}" shininess="{shine}" emission="{xml_numbers(paint.glow)}"/>'
+        for (paint, picture), name in self._pictured.items():
+            rgb = xml_numbers(*(channel / 255 for channel in channels(paint.color)))
+            yield f'<texture name="{name}" type="2d" file="{xml_text(picture)}"/>'
+            yield f'<material name="{name}" texture="{name}" rgba="{rgb} {xml_numbers(paint.opacity)}"/>'
+        for (path, stretch), name in self._own.items():
+            yield f'<mesh name="{name}" file="{xml_text(path)}" scale="{xml_numbers(*stretch)}" inertia="shell"/>'
         for (scale, ratio), name in self._meshes.items():
             yield f'<mesh name="{name}" builtin="cone" params="{_EDGES} {ratio}" scale="{scale}"/>'
 

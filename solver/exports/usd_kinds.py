@@ -32,6 +32,12 @@ def body_kind(body: ModelBody, boxed: bool) -> str:
     return _parts(still.parts, still.paints, still.solids)
 
 
+def body_guides(body: ModelBody, boxed: bool) -> str:
+    """Returns what a body collides as that is shown as something else."""
+    solids = () if body.flat else colliders_of(body, () if boxed else (body.id,))
+    return "".join(guide(f"collider_{number}", solid) for number, solid in enumerate(solids))
+
+
 @lru_cache(maxsize=2048)
 def _parts(parts: tuple[BodyPart, ...], paints: tuple[Paint, ...], solids: tuple[Collider, ...] | None) -> str:
     collide = solids or (None,) * len(parts)

@@ -11,10 +11,13 @@ from functools import cache
 from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
+from xml.etree import ElementTree
 
+import mujoco
 import numpy as np
 import pytest
 import trimesh
+from pxr import Usd, UsdGeom, UsdPhysics
 
 from catalogs import Catalogs, add_assets, load_catalogs
 from compose_homes import Decoration, Flooring, Furniture, RequestError, Room, Scene, export
@@ -22,6 +25,8 @@ from solver.export_formats import EXPORTERS
 from tests.architecture.tree import ROOT
 from tests.assets.makers import folder, shape, textured, under
 from tests.exports.readers.glb import document, scene_of
+from tests.exports.readers.mujoco_bodies import seen
+from tests.exports.readers.usd import findings
 
 MM = 0.001
 SIZE = (2.0, 0.95, 0.8)
@@ -136,6 +141,115 @@ def test_khronos_validator_finds_nothing(tmp_path: Path) -> None:
     assert run.returncode == 0, run.stdout[-2000:] + run.stderr[-2000:]
     found = [message for judged in json.loads(report.read_text()) for message in judged["issues"]["messages"]]
     assert found == []
+
+
+def plain(format: str) -> dict[str, bytes]:
+    """The same house, shown as our shapes."""
+    scene, _ = house()
+    return export(scene, format)
+
+
+def extents(text: bytes, stretch: list[float]) -> Any:
+    """The least and the greatest point of an OBJ file that is stretched."""
+    points = np.array([line.split()[1:] for line in text.decode().splitlines() if line.startswith("v ")], dtype=float)
+    return np.array([points.min(0), points.max(0)]) * stretch
+
+
+def test_mujoco_shows_assets_in_their_boxes_and_collides_as_before() -> None:
+    names = {name: content for name, content in files("mjcf").items() if name != "CREDITS.txt"}
+    shown = mujoco.MjModel.from_xml_string(names.pop("house_3.xml").decode(), names)
+    ours = mujoco.MjModel.from_xml_string(plain("mjcf")["house_3.xml"].decode())
+    colliding = [
+        [
+            (world.geom_bodyid[geom], *world.geom_size[geom], *world.geom_pos[geom])
+            for geom in range(world.ngeom)
+            if world.geom_group[geom] == 3
+        ]
+        for world in (shown, ours)
+    ]
+    assert np.allclose(colliding[0], colliding[1])
+    states = [mujoco.MjData(world) for world in (shown, ours)]
+    for world, state in zip((shown, ours), states, strict=True):
+        mujoco.mj_forward(world, state)
+    for number in range(5):
+        bodies = [mujoco.mj_name2id(world, mujoco.mjtObj.mjOBJ_BODY, f"sofa/{number}") for world in (shown, ours)]
+        one, other = (seen(world, state, body, 2) for world, state, body in zip((shown, ours), states, bodies, strict=True))
+        assert (one.width, one.depth, one.height) == pytest.approx((other.width, other.depth, other.height), abs=2 * MM)
+        assert (one.x, one.y, one.z, one.turn, one.mass) == pytest.approx((other.x, other.y, other.z, other.turn, other.mass))
+
+
+def test_sdf_shows_assets_in_their_boxes_and_collides_as_before() -> None:
+    written = files("sdf")
+    worlds = [ElementTree.fromstring(one["house_3.sdf"]) for one in (written, plain("sdf"))]
+    models = [{model.get("name"): model for model in world.iter("model")} for world in worlds]
+    for number in range(5):
+        shown, ours = (one[f"sofa/{number}"] for one in models)
+        assert [ElementTree.tostring(one) for one in shown.iter("collision")] == [
+            ElementTree.tostring(one) for one in ours.iter("collision")
+        ]
+        meshes = [mesh for visual in shown.iter("visual") for mesh in visual.iter("mesh")]
+        spans = [
+            extents(written[mesh.findtext("uri", "")], [float(word) for word in mesh.findtext("scale", "").split()]) for mesh in meshes
+        ]
+        low, high = np.min([one for one, _ in spans], axis=0), np.max([one for _, one in spans], axis=0)
+        assert np.allclose([low, high], [(-SIZE[0] / 2, -SIZE[1] / 2, 0), (SIZE[0] / 2, SIZE[1] / 2, SIZE[2])], atol=2 * MM)
+
+
+@pytest.mark.parametrize("format", ["usd", "usdc", "usdz", "arena"])
+def test_usd_refers_to_assets_in_their_boxes(format: str, tmp_path: Path) -> None:
+    """usd-core opens it from where it lies, its validators find nothing, and what is seen of a body fills its box."""
+    for name, content in files(format).items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes(content)
+    (path,) = (path for path in tmp_path.iterdir() if path.suffix.startswith(".usd"))
+    stage = Usd.Stage.Open(str(path))
+    assert (findings(stage), stage.GetCompositionErrors()) == ([], [])
+    seen_alone = UsdGeom.BBoxCache(Usd.TimeCode.Default(), ["default", "render"])
+    bodies = {prim.GetCustomDataByKey("id"): prim for prim in stage.GetPrimAtPath("/House/Furniture").GetChildren()}
+    for number in range(5):
+        span = seen_alone.ComputeUntransformedBound(bodies[f"sofa/{number}"]).ComputeAlignedRange()
+        assert np.allclose(
+            [span.GetMin(), span.GetMax()], [(-SIZE[0] / 2, -SIZE[1] / 2, 0), (SIZE[0] / 2, SIZE[1] / 2, SIZE[2])], atol=2 * MM
+        )
+        solids = [prim for prim in Usd.PrimRange(bodies[f"sofa/{number}"]) if prim.HasAPI(UsdPhysics.CollisionAPI)]
+        assert len(solids) > 3
+        assert all(UsdGeom.Imageable(prim).ComputePurpose() == "guide" for prim in solids)
+
+
+@pytest.mark.parametrize("format", ["mjcf", "sdf"])
+def test_a_front_looks_where_the_kind_s_does(format: str) -> None:
+    """A sofa's back is high: what is above its seat is behind its middle (+y, as the front is -y), whatever its front was in the file."""
+    written = files(format)
+    for number in range(4):
+        texts = [
+            content.decode() for name, content in written.items() if name.startswith(f"assets/sofa_{number}_") and name.endswith(".obj")
+        ]
+        points = np.concatenate(
+            [np.array([line.split()[1:] for line in text.splitlines() if line.startswith("v ")], dtype=float) for text in texts]
+        )
+        high = points[points[:, 2] > 0.9 * points[:, 2].max()]
+        assert high[:, 1].mean() > 0.5 * points[:, 1].max(), number
+
+
+def test_pictures_go_along(tmp_path: Path) -> None:
+    at = folder(tmp_path, {"a.glb": textured(shape("sofa"))}, {"a": {"file": "a.glb", "kinds": ["sofa"], "license": "MIT"}})
+    sofa = Furniture("s", "sofa", x=2, z=2, width=2.2, depth=0.9, height=0.85)
+    scene, known = Scene(rooms=(Room("den", width=5, depth=5, furniture=(sofa,)),)), add_assets(load_catalogs(), at)
+    written = export(scene, "mjcf", catalogs=known)
+    world = mujoco.MjModel.from_xml_string(
+        written["house.xml"].decode(), {name: one for name, one in written.items() if name.startswith("assets/")}
+    )
+    assert world.ntex == 1
+    gazebo = export(scene, "sdf", catalogs=known)
+    pictures = [name for name in gazebo if name.endswith(".png")]
+    assert len(pictures) == 1
+    for name, content in export(scene, "usd", catalogs=known).items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes(content)
+    stage = Usd.Stage.Open(str(tmp_path / "house.usda"))
+    assert findings(stage) == []
+    assert [path.read_bytes() for path in (tmp_path / "assets").glob("*.png")] == [gazebo[pictures[0]]]
+    assert any(f"map_Kd {pictures[0].removeprefix('assets/')}".encode() in one for name, one in gazebo.items() if name.endswith(".mtl"))
 
 
 @pytest.mark.parametrize("format", EXPORTERS)

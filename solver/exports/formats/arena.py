@@ -29,4 +29,5 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
         f"{_HEAD.format(name=model.name)}{told}env_name: {model.name}\n"
         f"background: {{id: {model.name}, registry_name: {model.name}}}\nobjects: []\n{listed}relations: []\n"
     )
-    return {f"{model.name}.usda": stage_text(model, lit=False).encode(), f"{model.name}_arena.yaml": text.encode()}
+    stage, beside = stage_text(model, lit=False)
+    return {f"{model.name}.usda": stage.encode(), f"{model.name}_arena.yaml": text.encode(), **beside}

@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterator
 from functools import lru_cache
 from typing import Final
 
+from solver.exports.asset_objects import AssetObjects
 from solver.exports.colliders import (
     FLOOR,
     Collider,
@@ -61,7 +62,8 @@ _SUN: Final = '<light directional="true" pos="0 0 20" dir="0.3 0.4 -1" diffuse="
 
 def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes `<house>.xml`: names are ids; seed, catalog, labels and warnings stand in `custom`, the start in the key `home`."""
-    looks, names = MujocoLooks(), SafeNames()
+    objects = AssetObjects(model.assets, False)
+    looks, names = MujocoLooks(objects), SafeNames()
     carry = carriers(model.bodies)
     world = [
         *_house(model, looks),
@@ -84,7 +86,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
         f'<keyframe><key name="home" qpos="{_home(model)}"/></keyframe>',
         "</mujoco>",
     ]
-    return {f"{model.name}.xml": "\n".join(lines).encode() + b"\n"}
+    return {f"{model.name}.xml": "\n".join(lines).encode() + b"\n", **objects.files}
 
 
 def _custom(model: HouseModel) -> Iterator[str]:
@@ -142,7 +144,8 @@ def _body(body: ModelBody, carry: Collection[str], looks: MujocoLooks, names: Sa
     joint = "" if body.fixed else f'<freejoint name="{xml_text(name)}"/>'
     fronts = "".join([_front(one, looks, names.take(one.id), friction) for one in moving_parts(body)])
     opened = _opened(name, z_up(body.x, body.y, body.z), body.turn)
-    return f"{opened}{joint}{touching}{looks.parts(still.parts, still.paints)}{fronts}</body>"
+    shown = looks.asset(body) if body.asset else looks.parts(still.parts, still.paints)
+    return f"{opened}{joint}{touching}{shown}{fronts}</body>"
 
 
 def _front(front: MovingPart, looks: MujocoLooks, name: str, friction: str) -> str:

@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Final
 
+from solver.exports.asset_objects import AssetObjects
 from solver.exports.colliders import (
     Collider,
     Triple,
@@ -53,15 +54,15 @@ _JOINT: Final = "<dynamics><damping>1.5</damping><friction>0.4</friction></dynam
 
 def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes `<house>.sdf` and the meshes it names; models are called as the scene's ids, which they keep as `compose:id`."""
-    world = _World()
-    return {f"{model.name}.sdf": "\n".join(world.lines(model)).encode() + b"\n", **world.meshes.files()}
+    world = _World(AssetObjects(model.assets, True))
+    return {f"{model.name}.sdf": "\n".join(world.lines(model)).encode() + b"\n", **world.meshes.files(), **world.objects.files}
 
 
 class _World:
     """One file: its meshes and names."""
 
-    def __init__(self) -> None:
-        self.meshes = UnitMeshes()
+    def __init__(self, objects: AssetObjects) -> None:
+        self.meshes, self.objects = UnitMeshes(), objects
         self._models = SafeNames(FORBIDDEN)
         self._painted: dict[Paint, str] = {}
 
@@ -95,20 +96,29 @@ class _World:
     def _body(self, body: ModelBody, still: StillPart) -> str:
         """Returns a model, static or free; one with fronts that does not move itself hangs on the world: all of a static model is still."""
         bits = None if body.flat else BODIES
-        links = self._link("link", still, body.friction, bits)
+        links = self._link("link", still, body, bits)
         names = SafeNames(FORBIDDEN)
         names.take("link")
         for front in moving_parts(body):
             name = names.take(front.name)
-            links += self._link(name, front, body.friction, BODIES, front.hinge) + _front_joint(front, name)
+            links += self._link(name, front, body, BODIES, front.hinge) + _front_joint(front, name)
         fixed = '<joint name="fixed" type="fixed"><parent>world</parent><child>link</child></joint>' if body.fronts else STATIC
         return f"{self._opened(body.id, (body.x, body.y, body.z), body.turn)}{fixed if body.fixed else ''}{links}</model>"
 
-    def _link(self, name: str, seen: MovingPart | StillPart, friction: float, bits: int | None, at: Triple = (0.0, 0.0, 0.0)) -> str:
-        shown = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(seen.parts, seen.paints, strict=True))
-        touching = () if bits is None else (_touching(solid, bits, friction) for solid in seen.solids)
+    def _link(self, name: str, seen: MovingPart | StillPart, body: ModelBody, bits: int | None, at: Triple = (0.0, 0.0, 0.0)) -> str:
+        parts = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(seen.parts, seen.paints, strict=True))
+        shown = self._own(body) if body.asset else parts
+        touching = () if bits is None else (_touching(solid, bits, body.friction) for solid in seen.solids)
         pose = f"<pose>{xml_numbers(*at)} 0 0 0</pose>" if any(at) else ""
         return f'<link name="{xml_text(name)}">{pose}{_inertial(seen.solids, seen.mass)}{"".join(_numbered((*touching, *shown)))}</link>'
+
+    def _own(self, body: ModelBody) -> list[tuple[str, str]]:
+        """Returns the visuals of a body that is shown as an asset; one with a picture is painted by its own file."""
+        found = []
+        for path, stretch, paint, picture in self.objects.of(body):
+            tag, text = self._seen(StretchedMesh(path, stretch, (0.0, 0.0, 0.0)), paint)
+            found.append((tag, text.removesuffix(self._painted[paint]) if picture else text))
+        return found
 
     def _leaf(self, leaf: DoorLeaf) -> str:
         solids = leaf_colliders(leaf)

@@ -21,10 +21,10 @@ _PADDING: Final = 0x1986
 _ALIGNED: Final = 64
 
 
-def packed_stage(text: str, name: str, format: str) -> Files:
-    """Returns a stage as `<name>.usda`; for "usdc" and "usdz" as binary, by usd-core."""
+def packed_stage(text: str, name: str, format: str, beside: Files) -> Files:
+    """Returns a stage as `<name>.usda` with the files beside it; for "usdc" and "usdz" as binary, by usd-core; a .usdz holds all."""
     if format not in ("usdc", "usdz"):
-        return {f"{name}.usda": text.encode()}
+        return {f"{name}.usda": text.encode(), **beside}
     from pxr import Sdf  # noqa: PLC0415
 
     layer = Sdf.Layer.CreateAnonymous(".usda")
@@ -33,15 +33,17 @@ def packed_stage(text: str, name: str, format: str) -> Files:
         path = Path(folder, f"{name}.usdc")
         layer.Export(str(path))
         content = path.read_bytes()
-    return {path.name: content} if format == "usdc" else {f"{name}.usdz": _zipped(path.name, content)}
+    whole = {path.name: content, **beside}
+    return whole if format == "usdc" else {f"{name}.usdz": _zipped(whole)}
 
 
-def _zipped(name: str, content: bytes) -> bytes:
-    """Returns a .usdz: a ZIP archive whose one file is not compressed and begins at a multiple of 64 bytes; it bears no date."""
-    info = zipfile.ZipInfo(name)
-    padding = -(_LOCAL_HEADER + len(name.encode()) + _EXTRA_HEADER.size) % _ALIGNED
-    info.extra = _EXTRA_HEADER.pack(_PADDING, padding) + bytes(padding)
+def _zipped(files: Files) -> bytes:
+    """Returns a .usdz: a ZIP archive whose files are not compressed and begin at multiples of 64 bytes; they bear no date."""
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
-        packed.writestr(info, content)
+        for name, content in files.items():
+            info = zipfile.ZipInfo(name)
+            padding = -(archive.tell() + _LOCAL_HEADER + len(name.encode()) + _EXTRA_HEADER.size) % _ALIGNED
+            info.extra = _EXTRA_HEADER.pack(_PADDING, padding) + bytes(padding)
+            packed.writestr(info, content)
     return archive.getvalue()

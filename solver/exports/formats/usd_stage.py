@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Final
 
+from solver.exports.asset_layers import AssetLayers
 from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
 from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.formats.usd_packing import packed_stage
@@ -16,7 +17,7 @@ from solver.exports.moving_parts import moving_parts, still_part
 from solver.exports.paints import PLAIN_CEILING
 from solver.exports.safe_names import SafeNames
 from solver.exports.usd_doors import door_text, front_text
-from solver.exports.usd_kinds import body_kind, wall_kind
+from solver.exports.usd_kinds import body_guides, body_kind, wall_kind
 from solver.exports.usd_text import LOOKS, cube, material_name, material_text, placed, prim, said, stretched, texts
 from solver.exports.writers import ExportSettings, Files
 from solver.version import VERSION
@@ -51,12 +52,14 @@ rel physics:filteredGroups = </House/Building>
 
 def write(model: HouseModel, settings: ExportSettings) -> Files:
     """Writes `<house>.usda`, or `.usdc` or `.usdz` where the format says so."""
-    return packed_stage(stage_text(model), model.name, settings.format)
+    text, beside = stage_text(model)
+    return packed_stage(text, model.name, settings.format, beside)
 
 
-def stage_text(model: HouseModel, lit: bool = True) -> str:
-    """Returns a house as a stage, USD's text format; `lit`: under a sky."""
-    return _Stage(model).text(_SKY + _GRAVITY if lit else _GRAVITY)
+def stage_text(model: HouseModel, lit: bool = True) -> tuple[str, Files]:
+    """Returns a house as a stage, USD's text format, and the files beside it that it refers to; `lit`: under a sky."""
+    stage = _Stage(model)
+    return stage.text(_SKY + _GRAVITY if lit else _GRAVITY), stage.layers.files
 
 
 def prim_paths(model: HouseModel) -> dict[str, str]:
@@ -75,6 +78,7 @@ class _Stage:
 
     def __init__(self, model: HouseModel) -> None:
         self._model = model
+        self.layers = AssetLayers(model.assets)
         self._carriers = carriers(model.bodies)
         self._names = SafeNames(r"[^A-Za-z0-9_]")
         self._kinds: dict[tuple[object, ...], str] = {}
@@ -123,11 +127,17 @@ class _Stage:
 
     def _body(self, body: ModelBody, name: str) -> str:
         boxed = body.sort == "decoration" and body.id not in self._carriers
+        if body.asset:
+            return self._made(body, name, self.layers.shape(body) + body_guides(body, boxed))
         key = id(body.parts), id(body.paints), boxed, body.flat
         kind = self._kinds.get(key)
         if kind is None:
             self._paint(body.paints)
             kind = self._kind(key, body.shape or "block", body_kind(body, boxed))
+        return self._made(body, name, f'def Xform "shape" (\ninstanceable = true\nreferences = </House/Kinds/{kind}>\n)\n{{\n}}\n')
+
+    def _made(self, body: ModelBody, name: str, shape: str) -> str:
+        """Returns the prim of a body, of which `shape` is what it looks like and collides as."""
         friction = f"friction_{body.friction * 1000:.0f}"
         if friction not in self._looks:
             self._looks[friction] = _friction(friction, body.friction)
@@ -139,7 +149,7 @@ class _Stage:
         inside = (
             f"rel material:binding:physics = <{LOOKS}/{friction}>\nfloat physics:mass = {still_part(body, self._carriers).mass:.6g}\n"
             f"token[] semantics:labels:class = {texts(body.labels)}\n{placed(z_up(body.x, body.y, body.z), body.turn)}"
-            f'def Xform "shape" (\ninstanceable = true\nreferences = </House/Kinds/{kind}>\n)\n{{\n}}\n'
+            f"{shape}"
         )
         return said("Xform", name, schemas, words, inside)
 

@@ -1,0 +1,88 @@
+"""Own assets as OBJ files, z up, for simulators: one a material, with its picture beside it; stretched by whoever refers to it.
+
+Comes in: bodies that are shown as assets. Goes out: `AssetObject`s, the files. May import: asset_surfaces, colliders.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final, NamedTuple
+
+from catalogs.assets.asset_entry import Asset
+from solver.exports.asset_files import fit_of
+from solver.exports.asset_surfaces import AssetSurface, surfaces_of
+from solver.exports.colliders import Triple
+from solver.exports.model import ModelBody, Paint
+
+FOLDER: Final = "assets"
+LEAST_AREA: Final = 1e-12
+"""A triangle of less area, by the square of the asset's extent, is left out: simulators refuse it."""
+
+
+class AssetObject(NamedTuple):
+    """A file, the factors it is stretched by along x, y and z (z up), its paint; its picture's file, or None."""
+
+    path: str
+    stretch: Triple
+    paint: Paint
+    picture: str | None
+
+
+class AssetObjects:
+    """The OBJ files of one export.
+
+    Args:
+        assets: by name.
+        material_files: whether they name a .mtl file, which holds paint and picture.
+    """
+
+    def __init__(self, assets: Mapping[str, Asset], material_files: bool) -> None:
+        self._assets, self._material_files = assets, material_files
+        self._known: dict[str, list[tuple[str, Paint, str | None]]] = {}
+        self.files: dict[str, bytes] = {}
+
+    def of(self, body: ModelBody) -> list[AssetObject]:
+        """Returns what a body is shown as.
+
+        Raises:
+            RequestError: the asset's file cannot be used any more.
+        """
+        name = body.asset or ""
+        if name not in self._known:
+            self._known[name] = [self._written(f"{name}_{number}", one) for number, one in enumerate(surfaces_of(name, self._assets[name]))]
+        x, y, z = fit_of(self._assets[name], (body.width, body.depth, body.height)).stretch
+        return [AssetObject(path, (x, z, y), paint, picture) for path, paint, picture in self._known[name]]
+
+    def _written(self, name: str, surface: AssetSurface) -> tuple[str, Paint, str | None]:
+        picture = f"{FOLDER}/{name}.{surface.picture.ending}" if surface.picture else None
+        if surface.picture and picture:
+            self.files[picture] = surface.picture.content
+        head = ""
+        if self._material_files:
+            head = f"mtllib {name}.mtl\nusemtl look\n"
+            self.files[f"{FOLDER}/{name}.mtl"] = _material(surface, f"{name}.{surface.picture.ending}" if surface.picture else None)
+        path = f"{FOLDER}/{name}.obj"
+        self.files[path] = head.encode() + object_text(surface)
+        return path, surface.paint, picture
+
+
+def _material(surface: AssetSurface, picture: str | None) -> bytes:
+    rgb = " ".join(f"{int(surface.paint.color[i : i + 2], 16) / 255:.4g}" for i in (1, 3, 5))
+    shown = f"map_Kd {picture}\n" if picture else ""
+    return f"newmtl look\nKa {rgb}\nKd {rgb}\nKs 0 0 0\nd {surface.paint.opacity:.4g}\n{shown}".encode()
+
+
+def object_text(surface: AssetSurface) -> bytes:
+    """Returns a surface as OBJ, z up: (x, y, z) is (x, -z, y) there."""
+    a, b, c = (surface.points[surface.triangles[:, k]] for k in range(3))
+    extent = float((surface.points.max(axis=0) - surface.points.min(axis=0)).max())
+    areas = (((b - a)[:, [1, 2, 0]] * (c - a)[:, [2, 0, 1]] - (b - a)[:, [2, 0, 1]] * (c - a)[:, [1, 2, 0]]) ** 2).sum(axis=1) ** 0.5
+    triangles = surface.triangles[areas > LEAST_AREA * extent**2] + 1
+    lines = [f"v {x:.6g} {0.0 - z:.6g} {y:.6g}" for x, y, z in surface.points.tolist()]
+    lines += [f"vn {x:.4g} {0.0 - z:.4g} {y:.4g}" for x, y, z in surface.normals.tolist()]
+    if surface.places is None:
+        lines += [f"f {i}//{i} {j}//{j} {k}//{k}" for i, j, k in triangles.tolist()]
+    else:
+        lines += [f"vt {u:.6g} {v:.6g}" for u, v in surface.places.tolist()]
+        lines += [f"f {i}/{i}/{i} {j}/{j}/{j} {k}/{k}/{k}" for i, j, k in triangles.tolist()]
+    return "\n".join(lines).encode() + b"\n"
