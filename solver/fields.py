@@ -263,7 +263,7 @@ def _sorter(of: type[Any]) -> Callable[[Any], Any]:
     keeps = EXTRA in of.__dict__["__dataclass_fields__"]
 
     def sort(document: Any) -> Any:
-        if not isinstance(document, Mapping):
+        if document.__class__ is not dict and not isinstance(document, Mapping):
             return document
         known: dict[str, Any] = {}
         unknown: dict[Any, Any] = {}
@@ -275,6 +275,8 @@ def _sorter(of: type[Any]) -> Callable[[Any], Any]:
                 raise located(f"is given twice, as {name} and as {camel(name)}", "one of the two spellings", (name,))
             elif value is not None:
                 known[name] = value
+        if not unknown:
+            return {**known, EXTRA: {}} if keeps else known
         if not all(map(is_text, unknown)):
             wrong = next(key for key in unknown if not is_text(key))
             raise located(f"has the key {wrong!r:.60}", "keys that are texts")
