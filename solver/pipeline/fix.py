@@ -206,7 +206,7 @@ def _people_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked,
         if here and room.id in wrong:
             crowd = people_out_of_the_way(_problem(scene, room, house.errors, settings), here, room.id in closed)
             people |= {person.id: person for person in crowd.people}
-            words = {label: f"{label} finds no free place in {room.id} that is in nobody's way" for label in crowd.stuck}
+            words = {label: f"not found: no free place for {label} in {room.id} is in nobody's way" for label in crowd.stuck}
             conflicts += [Conflict((label,), why, ({"action": "leave_out", "id": label},)) for label, why in words.items()]
     gone = {label for conflict in conflicts for label in conflict.ids if settings.remove}
     return house.after(replace(scene, dynamic=tuple(person for person in people.values() if person.id not in gone))), conflicts

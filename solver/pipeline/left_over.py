@@ -22,7 +22,7 @@ def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairS
     """Names every error that is left and that no conflict explains.
 
     A room that no door leads into is said to be that. Of another that nobody can come to nothing is said where a conflict explains it:
-    in the room, or elsewhere in the house.
+    in the room, or elsewhere in the house; nor of what only somebody without a free place keeps out of reach.
     """
     left = _LeftOver(house, conflicts, settings)
     return tuple(conflict for issue in house.errors if (conflict := left.named(issue)) is not None)
@@ -43,6 +43,8 @@ class _LeftOver:
             return None
         if issue.ids and any(set(issue.ids) & set(conflict.ids) for conflict in self.conflicts):
             return None
+        if issue.rule == "unreachable" and any(self._people.issuperset(conflict.ids) for conflict in here):
+            return None
         if issue.rule == "unreachable" and here:
             words = f"out of reach as long as the room's other conflicts last: {issue.message}"
             return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else _leaving(self.house, issue))
@@ -54,6 +56,10 @@ class _LeftOver:
         if issue.rule == "unreachable" and issue.ids:
             return f"not found: it can stand, but no way was found to reach it: {issue.message}"
         return f"not found: no repair for this: {issue.message}"
+
+    @cached_property
+    def _people(self) -> frozenset[str]:
+        return frozenset(person.id for person in self.house.scene.dynamic)
 
     @cached_property
     def _locked(self) -> frozenset[str]:

@@ -77,7 +77,7 @@ def until_nothing_changes(repair: RoomRepair) -> RoomRepair:
         _, arrangement = _placed(settled, repair.misplaced)
         room = written_back(settled, arrangement.placed)
         if room == settled.room:
-            return replace(repair, room=room)
+            return replace(repair, room=room, unplaced=repair.unplaced if arrangement.left_out else ())
         settled = replace(settled, room=room)
     return replace(repair, room=repair.asked)
 
