@@ -7,9 +7,9 @@ faces south: `front` is south (+z), `back` north, `left` west (-x), `right` east
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from catalogs.assets.asset_entry import Asset
 from catalogs.dressing import DecorationKind, Dressing
@@ -51,6 +51,25 @@ class Use(Entry):
     clearance: Metres = 0.6
 
 
+class Comfort(Entry):
+    """Floor at a side of a piece that is better kept free: `depth` m; at its left and right all but `behind` m from its back on.
+
+    Doing without it costs `cost`, shared by the sides.
+    """
+
+    depth: Metres
+    behind: Annotated[float, Field(ge=0, le=10)] = 0.0
+    cost: Cost = 0.6
+
+
+def _comfort(value: Any) -> Any:
+    """Lets a number stand for floor so deep along the whole side."""
+    return {"depth": value} if isinstance(value, int | float) and not isinstance(value, bool) else value
+
+
+ComfortFloor = Annotated[Comfort, BeforeValidator(_comfort, json_schema_input_type=Metres | Comfort)]
+
+
 class FurnitureSpec(KindSpec):
     """One kind of furniture. `stands: wall` means that its back is 3 cm from a wall's face.
 
@@ -62,7 +81,7 @@ class FurnitureSpec(KindSpec):
     mass: Annotated[float, Field(gt=0, le=5000)]
     stands: Literal["wall", "free"]
     use: Use | None = None
-    comfort: dict[Side, Metres] = Field(default_factory=dict)
+    comfort: dict[Side, ComfortFloor] = Field(default_factory=dict)
     """Floor that is better kept free at a side, m deep: wished, never asked."""
 
 
@@ -112,8 +131,9 @@ class PieceSpec(Entry):
     `chance`. `count` copies are wanted; with `per_area` a seed draws between half and all of one for every so many m2, at
     least one and at most `count`. A required piece is wanted in its whole count and takes no `min_area`, `chance` or `per_area`.
     `approach` are sides that must stay reachable besides the kind's own use: a desk's front, before its chair comes.
-    `with_next`: an optional piece that is left out where the piece after it, which only stands with it, finds no place.
+    `with_next`: an optional piece that is left out where the piece after it, which only stands with it or those before it, finds no place.
     `without`: the piece is wanted only in a home planned without rooms of these types: a bed where there is no bedroom.
+    `unless`: the piece is not wanted in a home that has a room of these types: a dining table beside a dining room.
     `among`: neighbours in the list with the same word matter alike: a seed draws their order.
     """
 
@@ -128,6 +148,7 @@ class PieceSpec(Entry):
     approach: tuple[Side, ...] = ()
     with_next: bool = False
     without: RoomTypeNames = ()
+    unless: RoomTypeNames = ()
     among: str | None = None
     rules: tuple[RelationSpec, ...] = ()
 
@@ -246,9 +267,16 @@ class Catalogs(Entry):
         """Equal catalogs have equal fingerprints, so that what is worked out from them can be kept by them."""
         return hash(self.fingerprint)
 
-    def of_home(self, types: Collection[str]) -> Catalogs:
-        """Returns the catalogs of a planned home: pieces that it needs `without` rooms it does not have are wanted."""
-        return self.model_copy(update={"rooms": {name: self._at_home(room, set(types)) for name, room in self.rooms.items()}})
+    def of_home(self, types: Collection[str], planned: bool = True) -> Catalogs:
+        """Returns the catalogs of a home with rooms of these types.
+
+        Pieces are not wanted `unless` it has no such room; in a planned home those that it needs `without` rooms it does not have are.
+        """
+        there = set(types)
+        rooms = {name: _without_pieces_of(room, there) for name, room in self.rooms.items()}
+        if planned:
+            rooms = {name: self._at_home(room, there) for name, room in rooms.items()}
+        return self.model_copy(update={"rooms": rooms})
 
     def _at_home(self, room: RoomType, types: set[str]) -> RoomType:
         """Returns a room type with what it must hold for rooms that are not there, beside what it covers anyway."""
@@ -274,3 +302,9 @@ class Catalogs(Entry):
     def use_sides(self) -> dict[str, tuple[tuple[Side, ...], bool]]:
         """Returns from which sides pieces are used, and whether all of them are needed, by what scenes call them."""
         return {name: (kind.use.sides, kind.use.need == "all") for name, kind in self.kinds_by_name().items() if kind.use}
+
+
+def _without_pieces_of(room: RoomType, types: Collection[str]) -> RoomType:
+    """Returns a room type without the pieces that belong to rooms of other types; the same object where there are none."""
+    pieces = tuple(piece for piece in room.pieces if not set(piece.unless) & set(types))
+    return room if len(pieces) == len(room.pieces) else room.model_copy(update={"pieces": pieces})

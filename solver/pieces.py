@@ -54,6 +54,8 @@ class Space:
     doorways: tuple[Doorway, ...]
     robot_mm: int = 600
     gap_mm: int = 30
+    ways_mm: int = 0
+    """How wide the ways from door to door shall be where that is wider than who walks."""
     cover_mm2: int = 0
     """Optional pieces are added while less floor than this is covered, mm2; 0: whatever is covered."""
 

@@ -13,8 +13,9 @@ from struct import Struct
 from typing import Final, TypeVar
 
 from catalogs.dressing import ALL, INDOOR, SURFACE, DecorationKind, Dressing, DressingRow, Hangs, Lies, Stands
-from catalogs.entries import Surface
+from catalogs.entries import Side, Surface
 from catalogs.kind_book import UPRIGHT, KindBook
+from catalogs.schema import Comfort
 from catalogs.styles import Leaning
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.geometry import to_mm
@@ -59,6 +60,7 @@ class CompiledDressing:
         surfaces: of furniture, by name and size.
         faced: names of what one comes to from its front alone: to use it, or because its back is at a wall.
         uses: by name of furniture the sides it is used from, and whether all of them are needed.
+        comforts: by kind of furniture the floor at its sides that is better kept free.
         tipped: kinds that look different when they are tipped onto their lower edge.
         book: tells which of the two a thing of some size is.
         made_from: what it was compiled from.
@@ -71,6 +73,7 @@ class CompiledDressing:
     surfaces: Mapping[tuple[str, SizeMm], TableRange]
     faced: frozenset[str]
     uses: Mapping[str, tuple[Sequence[str], bool]]
+    comforts: Mapping[str, Mapping[Side, Comfort]]
     tipped: frozenset[str]
     book: KindBook
     made_from: tuple[object, ...]
@@ -127,7 +130,8 @@ class _DressingTables:
         return CompiledDressing(
             self._data(), tuple(self._kinds), colours, self._words, surfaces,
             frozenset(name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")),
-            known.use_sides(), frozenset(name for name in known.decorations if name + UPRIGHT in known.shapes), KindBook(known), made_from,
+            known.use_sides(), {name: kind.comfort for name, kind in known.furniture.items() if kind.comfort},
+            frozenset(name for name in known.decorations if name + UPRIGHT in known.shapes), KindBook(known), made_from,
         )  # fmt: skip
 
     def _add_entry(self, entry: Dressing) -> None:

@@ -13,17 +13,18 @@ from typing import Final
 from solver.decorations.compiled_dressing import CompiledDressing
 from solver.free_floor import DOORWAY, HEADROOM_MM, WALL_NUMBERS, sides_seen
 from solver.free_places import FLAT_MM, footprint
-from solver.geometry import to_mm, wall_faced
+from solver.geometry import Rect, strip_at, to_mm, wall_faced, wall_turned
 from solver.pieces import Space
 from solver.scene import WALLS, Decoration, Furniture, Opening, Room
 
 OPENING_MM: Final = 80
 """What hangs keeps this far from windows and doors, for their frames. Our choice."""
-_ROOM: Final = Struct("<Q4q2d4q8i")
+_ROOM: Final = Struct("<Q4q2d4q10i")
 _PIECE: Final = Struct("<6q10i")
 _OPENING: Final = Struct("<2i4q")
 _ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Qq")
+_RECT: Final = Struct("<4q")
 _THING: Final = Struct("<6i8q")
 _WALL_NAMES: Final = (*WALLS, None)
 _OUTLINE: Final = "outline"
@@ -42,7 +43,8 @@ def decorated_rows(room: Room, space: Space, known: CompiledDressing, height: fl
     """
     numbers = {piece.id: k for k, piece in enumerate(room.furniture)}
     openings = [_opening(opening) for opening in room.openings if opening.wall is not None]
-    counts = len(room.furniture), len(openings), len(space.zones), len(space.doorways)
+    kept = [rect for piece in room.furniture for rect in _kept_floor(piece, known)]
+    counts = len(room.furniture), len(openings), len(space.zones), len(space.doorways), len(kept), 0
     flags = known.words.get(room.type, -1), room.outdoor, not room.outline, bool(room.accent)
     lines = to_mm(room.width), to_mm(room.depth)
     rows = [_ROOM.pack(state, *space.clear, room.width, room.depth, *lines, to_mm(height), space.robot_mm, *flags, *counts)]
@@ -50,6 +52,7 @@ def decorated_rows(room: Room, space: Space, known: CompiledDressing, height: fl
     rows += openings
     rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == _OUTLINE) for zone in space.zones]
     rows += [DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in space.doorways]
+    rows += [_RECT.pack(*rect) for rect in kept]
     return b"".join(rows)
 
 
@@ -63,6 +66,20 @@ def _piece(piece: Furniture, known: CompiledDressing, numbers: dict[str, int]) -
         piece.height * 1000 > FLAT_MM and piece.y * 1000 < HEADROOM_MM,
         sides_seen(wall_faced(side, piece.rotation) for side in sides), need_all, 0,
     )  # fmt: skip
+
+
+def _kept_floor(piece: Furniture, known: CompiledDressing) -> Iterator[Rect]:
+    """Yields the floor at the sides of a right-angled piece on the floor that is better kept free."""
+    if piece.rotation % 90 or piece.on is not None:
+        return
+    turn, own = round(piece.rotation) % 360, footprint(piece)
+    for side, wish in known.comforts.get(piece.kind or piece.name, {}).items():
+        faced, back = wall_faced(side, turn), wall_faced("back", turn)
+        low, high = own.along(faced)
+        behind = to_mm(wish.behind) if side in ("left", "right") else 0
+        ends = (low + behind, high) if back in ("north", "west") else (low, high - behind)
+        if ends[0] < ends[1]:
+            yield strip_at(wall_turned(faced, 180), own.line(faced), ends, to_mm(wish.depth))
 
 
 def _opening(opening: Opening) -> bytes:

@@ -12,7 +12,7 @@ from struct import Struct
 from typing import Final, TypeVar, get_args
 
 from catalogs.checks import OPENINGS
-from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Run
+from catalogs.schema import Catalogs, Comfort, PieceSpec, RelationSpec, RelationWord, RoomType, Run
 from solver.geometry import to_mm
 from solver.relations.relation import distance_mm
 from solver.relations.subject import Kind, SurfaceHeight
@@ -30,7 +30,7 @@ _ROW: Final = {
     name: Struct(layout)
     for name, layout in {
         "kind": "<3q12i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
-        "sort": "<2id", "side": "<i", "comfort": "<2iq", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
+        "sort": "<2id", "side": "<i", "comfort": "<2i2qd", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
         "end": "<i", "triangle": "<i",
     }.items()
 }  # fmt: skip
@@ -136,9 +136,13 @@ class _Tables:
         levels = self._added("level", kind.levels, self._level)
         parts = self._added("part", kind.parts, lambda part: (*part.rect, part.low, part.high))
         use, wished = self._sides(kind.use_sides), spec.comfort.items() if spec else ()
-        comforts = self._added("comfort", wished, lambda floor: (SIDES.index(floor[0]), 0, to_mm(floor[1])))
+        comforts = self._added("comfort", wished, self._comfort)
         used = len(kind.use_sides), sides, kind.need_all
         self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, *used, *levels, *parts, *use, *comforts))
+
+    def _comfort(self, floor: tuple[str, Comfort]) -> tuple[float, ...]:
+        side, wish = floor
+        return SIDES.index(side), 0, to_mm(wish.depth), to_mm(wish.behind), wish.cost
 
     def _sides(self, sides: Iterable[str]) -> tuple[int, int]:
         return self._added("side", sides, lambda side: (SIDES.index(side),))

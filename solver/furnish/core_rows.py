@@ -10,6 +10,7 @@ from struct import Struct
 from typing import Any, Final, NamedTuple
 
 from solver.furnish.compiled_types import RELATION_WORDS, SIDES, WALLS_ASKED, CompiledType
+from solver.geometry import Rect
 from solver.pieces import Attach, Candidate, Extents, Link, Piece, Space, Stand, Zone
 from solver.relations.subject import Scope
 from solver.scene import WALLS
@@ -19,8 +20,8 @@ _OPENED: Final = Struct("<2i3q")
 _ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Q4i")
 _COUNT: Final = Struct("<2i")
-_PIECE: Final = Struct("<6id")
-_CANDIDATE: Final = Struct("<10i8q2d2q")
+_PIECE: Final = Struct("<8id")
+_CANDIDATE: Final = Struct("<10i12q2d2q")
 _LINK: Final = Struct("<6i5d")
 _OPENING: Final = {"door": 0, "garage_door": 1, "window": 2, "passage": 3}
 _WALL: Final = {wall: i for i, wall in enumerate(WALLS)}
@@ -95,13 +96,13 @@ def labels_of(rows: Sequence[tuple[int, int, int]], known: CompiledType) -> list
 
 def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
     """Returns the pieces of an answer."""
-    labels = labels_of([(spec, number, side) for spec, number, _, _, _, side, _ in answer.pieces], known)
+    labels = labels_of([(spec, number, side) for spec, number, _, _, _, side, *_ in answer.pieces], known)
     candidates, links = (candidate_of(row, known, labels) for row in answer.candidates), iter(_links(answer, labels))
     pieces = []
-    for label, (spec_at, _, kind_at, ways, bonds, side, skip_cost) in zip(labels, answer.pieces, strict=True):
+    for label, (spec_at, _, kind_at, ways, bonds, side, required, _, skip_cost) in zip(labels, answer.pieces, strict=True):
         own = tuple(next(candidates) for _ in range(ways))
         if side >= 0:
-            pieces.append(Piece(label, False, own, skip_cost=skip_cost, is_floor=True))
+            pieces.append(Piece(label, bool(required), own, skip_cost=skip_cost, is_floor=True))
             continue
         spec, kind = known.specs[spec_at], known.kinds[kind_at]
         pieces.append(
@@ -143,7 +144,7 @@ def candidate_of(row: tuple[Any, ...], known: CompiledType, labels: Sequence[str
     kind_at, rotation, wall, parent, parent_kind, slot, side, is_under, is_on, _, number, x, z, *spans, bottom, weight, cost, wide, deep = (
         row
     )
-    label, attach = None, None
+    label, attach, within = None, None, Rect(*spans[4:])
     if parent >= 0:
         label, other = labels[parent], known.kinds[parent_kind]
         name = "" if not slot else SIDES[side] if slot != _SURFACE else f"on {other.levels[number].name}"
@@ -154,7 +155,7 @@ def candidate_of(row: tuple[Any, ...], known: CompiledType, labels: Sequence[str
         (_FLOOR, (wide, deep, _PERSON_MM)) if kind_at < 0 else (known.kinds[kind_at].name, known.kinds[kind_at].size)
     )
     own["rotation"], own["wall"] = rotation, _WALL_NAMES[wall]
-    own["anchor_mm"], own["weights"], own["within"], own["cost"] = (x, z), (weight, weight), None, cost
+    own["anchor_mm"], own["weights"], own["within"], own["cost"] = (x, z), (weight, weight), within if any(within) else None, cost
     own["bottom_mm"], own["attach"], own["slack_mm"], own["stance"] = bottom, attach, None, None
     own["under"], own["on"] = label if is_under else None, label if is_on else None
     return made

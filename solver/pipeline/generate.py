@@ -92,8 +92,7 @@ def generate(
     setting = _Setting(seed, known, engine, robot_width=asked.robot_width, style=known.styles.get(asked.style or ""))
     timing = Timing(clock)
     plan = draw(asked, known)
-    if asked.planned:
-        setting = replace(setting, catalogs=known.of_home([room.type for room in plan.rooms]))
+    setting = replace(setting, catalogs=known.of_home([room.type for room in plan.rooms], asked.planned))
     timing.lap("floorplan")
     plan, arrangements = _furnished_plan(plan, setting)
     scene = _scene(plan, arrangements, asked, setting)
@@ -324,7 +323,7 @@ def reroll(
 
 def _setting_of(scene: Scene, known: Catalogs, seed: int, staying: Mapping[str, Staying] | None = None) -> _Setting:
     """Returns what a furnishing of a scene's rooms shares: that of its house, around what stays in them."""
-    home = known.of_home([room.type for room in scene.rooms]) if _is_planned(scene) else known
+    home = known.of_home([room.type for room in scene.rooms], _is_planned(scene))
     return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known), staying or {})
 
 

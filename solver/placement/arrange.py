@@ -153,7 +153,10 @@ def arrange(space: Space, pieces: Sequence[Piece], walk: bool = True, budget: Bu
         if arranged.complete or allowed.spent:
             break
         sure &= arranged.closed
-        left_out.append((ordered.pop(arranged.deepest), CANNOT_STAND if arranged.closed else NOT_FOUND))
+        gone = ordered.pop(arranged.deepest)
+        if not gone.is_floor:
+            left_out.append((gone, CANNOT_STAND if arranged.closed else NOT_FOUND))
+        ordered = [piece for piece in ordered if not _goes_with(piece, gone)]
     decisions = arranged.decisions if arranged.complete else core.deepest_decisions()
     if not core.found or not arranged.complete:  # the budget ended before: once more, for this placement alone
         core.evaluate(decisions, LIMITS.required_qps, Budget(), walk)
@@ -163,6 +166,12 @@ def arrange(space: Space, pieces: Sequence[Piece], walk: bool = True, budget: Bu
     proven = arranged.complete and arranged.proven and sure
     best = arranged.complete and arranged.closed and len(ordered) == len(pieces)
     return replace(solved_room(core, decisions, walk), left_out=tuple(left_out), solves=solves, proven=proven, best=best)
+
+
+def _goes_with(piece: Piece, gone: Piece) -> bool:
+    """Tells whether a piece is floor that was asked for at a piece which is left out."""
+    attached = (one.attach for one in piece.candidates)
+    return piece.is_floor and piece.required and all(attach is not None and attach.parent == gone.label for attach in attached)
 
 
 def _attempt(space: Space, pieces: Sequence[Piece], walk: bool, limits: Limits, budget: Budget) -> tuple[Core, Arranged]:

@@ -216,16 +216,20 @@ def _zone_row(zone: Zone) -> tuple[int, ...]:
 
 
 def _group(rows: list[list[int]], pieces: Sequence[Piece]) -> None:
-    """Joins optional pieces that stand only together with the one after them, if that one can only stand with them."""
+    """Joins optional pieces that stand only together with the one after them, if that one can only stand with them or those before."""
     for k in range(len(pieces) - 2, -1, -1):
-        own = pieces[k]
-        carried = all(a.attach is not None and a.attach.parent == own.label for a in pieces[k + 1].candidates)
-        if own.with_next and carried and not own.required:
+        own, first = pieces[k], k
+        while first > 0 and pieces[first - 1].with_next:
+            first -= 1
+        there = {piece.label for piece in pieces[first : k + 1]}
+        carried = all(a.attach is not None and a.attach.parent in there for a in pieces[k + 1].candidates)
+        bound = any(link.required and link.of == own.label for link in pieces[k + 1].links)
+        if own.with_next and (carried or bound) and not own.required:
             rows[k][layout.GROUP_END] = rows[k + 1][layout.GROUP_END]
 
 
 def _space_row(space: Space, walk: str) -> Ints:
     clear = space.clear
     least_floor = 0 if walk == "none" else LEAST_FLOOR_MM2
-    row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor]
+    row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm]
     return np.array(row, dtype=np.int64)

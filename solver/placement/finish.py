@@ -11,12 +11,14 @@ from dataclasses import replace
 from solver.errors import RequestError
 from solver.geometry import WALL_BEHIND
 from solver.pieces import Arrangement, Piece, Placed, Space
-from solver.placement.arrange import LIMITS, NOT_WALKABLE, SolvedRoom, arrange, solved_room
+from solver.placement.arrange import LIMITS, NOT_WALKABLE, SolvedRoom, solved_room
 from solver.placement.budget import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
+from solver.placement.layout import WAYS
 from solver.placement.left_out import why_left_out
 from solver.placement.problem import Confirmed
+from solver.placement.wider import arrange_wide
 
 NEAR_WALL_MM = 150
 """A companion whose back is this close to its parent's wall counts as standing at it (the rule wall_far: beyond 0.2 m
@@ -37,7 +39,7 @@ def place(rooms: Sequence[tuple[Space, Sequence[Piece]]], engine: str = "osqp", 
     Returns:
         One arrangement a room, in the same order, exactly valid on the millimetre lattice.
     """
-    return finish([arrange(space, pieces) for space, pieces in rooms], engine, tidy)
+    return finish([arrange_wide(space, pieces) for space, pieces in rooms], engine, tidy)
 
 
 def finish(rooms: Sequence[SolvedRoom], engine: str = "osqp", tidy: bool = False) -> list[Arrangement]:
@@ -67,6 +69,9 @@ def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangem
     if room.walkable and not walkable and (wider := _with_margin(room)) is not None:
         room, confirmed = wider, Confirmed(wider.solution.positions)
         walkable, more = room.core.settle(confirmed.positions, room.solution, True, tidy)
+    if room.walkable and not walkable and room.space.ways_mm:
+        room.core.engine.room.space[WAYS] = 0
+        walkable, more = room.core.settle(confirmed.positions, room.solution, True, tidy)
     everything, placed = room.chosen, list[Placed]()
     for chosen, rect in zip(everything, room.core.footprints([chosen.number for chosen in everything]), strict=True):
         candidate = chosen.candidate
@@ -84,7 +89,8 @@ def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangem
 
 def _with_margin(room: SolvedRoom) -> SolvedRoom | None:
     """Searches a room's placement once more for a person `MARGIN_MM` wider, so that the walk outlasts the snap; None if none."""
-    wider = replace(room.space, robot_mm=room.space.robot_mm + MARGIN_MM)
+    ways = room.space.ways_mm and room.space.ways_mm + MARGIN_MM
+    wider = replace(room.space, robot_mm=room.space.robot_mm + MARGIN_MM, ways_mm=ways)
     core = Core(encode(wider, room.core.encoded.pieces, room.core.encoded.walk))
     if not core.evaluate(room.decisions, LIMITS.final_qps, Budget(), True):
         return None

@@ -17,7 +17,7 @@ from tests.core.test_native_dress import answer, request
 from tests.decorations.random_rooms import furnished, random_dressing, random_settings
 
 KNOWN = load_catalogs()
-GOLDEN = "2263bb338beea5cf20bc20282b913856d6150c71cf7d1ff342abadc929f5af28"
+GOLDEN = "472d7634e74d07cc79ea54e66af7521837e03c28265a2aac9f609911fcbbaa9b"
 """Of 300 random rooms, half of them with random dressings, recorded from the Python stage."""
 
 

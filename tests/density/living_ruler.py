@@ -10,9 +10,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from catalogs import load_catalogs
 from solver.scene import Decoration, Furniture, Opening, Room, Scene
-from solver.validator import validate
 from tests.density.ruler import FACE, Box, boxes
 
 STORES = ("wardrobe", "dresser")
@@ -285,16 +283,6 @@ def joined_at(width: float, things: bool = True) -> Callable[[Scene], Count]:
     return joined
 
 
-def usable_at(width: float) -> Callable[[Scene], Count]:
-    """Returns what tells whether a square so wide comes to every room and every use side, as the validator judges."""
-
-    def usable(scene: Scene) -> Count:
-        wider = replace(scene, request={**(scene.request or {}), "robot_width": width}, dynamic=())
-        return int(not any(issue.rule == "unreachable" for issue in validate(wider, load_catalogs()))), 1
-
-    return usable
-
-
 def doors_joined(floor: Floor, width: float) -> bool:
     """Tells whether a square that has come through any door of a room comes to all others; by whole millimetres."""
     room, half = floor.room, round(500 * width)
@@ -356,6 +344,5 @@ LINES = (
     Line("plants, lamps, baskets: before cupboards, beside beds", things_in_the_way, {"*": 0.02}, most=True),
     *(Line(f"home joined at {width:.2f} m", joined_at(width), {"*": share}) for width, share in JOINED.items()),
     Line("home joined at 0.65 m, without things", joined_at(0.65, False), {"*": 0.98}),
-    *(Line(f"home with every use side reached at {width:.2f} m", usable_at(width), {"*": share}) for width, share in JOINED.items()),
 )
 """All lines, in the order of the table."""

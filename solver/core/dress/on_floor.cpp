@@ -9,6 +9,9 @@ namespace {
 constexpr i64 OFF_WALL_MM = 30;
 // How much floor before a cupboard's doors things that do not lie about leave free. Our choice.
 constexpr i64 FRONT_MM = 300;
+// How much wider than asked the ways through a room are kept where its furniture leaves them so wide, the widest first: 0.8 m is what a
+// person with a tray or a wheelchair takes, 0.7 m a robot with a margin.
+constexpr i64 WIDER_MM[] = {200, 100, 50};
 // Places tried for a thing that stands anywhere. Our choice.
 constexpr i32 TRIES = 3;
 
@@ -32,12 +35,14 @@ class Floor {
   void add_beside(const Stands& row, List<Spot>& spots);
   Spot at_wall(Wall wall, i64 along) const;
   bool stood(const Stands& row, const Choice& choice, const Spot& spot);
+  bool leaves_ways(const Rect& body);
   List<Rect> blocks_at(const Stands& row, const Spot& spot, const Size& size) const;
 
   DecoratedRoom& room_;
   const Rect clear_;
   List<Goal> goals_;
   FreeFloor free_;
+  FreeFloor ways_;
 };
 
 List<Goal> goals_of(Span<Piece> pieces) {
@@ -48,15 +53,33 @@ List<Goal> goals_of(Span<Piece> pieces) {
   return goals;
 }
 
-Floor::Floor(DecoratedRoom& room)
-    : room_(room), clear_(room.room.clear), goals_(goals_of(room.pieces)), free_(clear_, room.room.robot, room.doors, goals_.all()) {
+// The floor that the furniture leaves free for who is so wide.
+static FreeFloor floor_for(const DecoratedRoom& room, i64 robot, Span<Goal> goals) {
+  FreeFloor floor(room.room.clear, robot, room.doors, goals);
   for (const Piece& piece : room.pieces) {
-    if (piece.in_the_way) free_.add(piece.rect);
+    if (piece.in_the_way) floor.add(piece.rect);
   }
   for (const Zone& zone : room.zones) {
-    if (zone.is_outline) free_.add(zone.rect);
+    if (zone.is_outline) floor.add(zone.rect);
   }
+  return floor;
 }
+
+// The floor from door to door for the widest who comes to all of them; where nobody wider does, for who is as wide as asked.
+static FreeFloor widest_ways(const DecoratedRoom& room) {
+  for (const i64 wider : WIDER_MM) {
+    FreeFloor floor = floor_for(room, room.room.robot + wider, {nullptr, 0});
+    if (floor.connects()) return floor;
+  }
+  return floor_for(room, room.room.robot, {nullptr, 0});
+}
+
+Floor::Floor(DecoratedRoom& room)
+    : room_(room),
+      clear_(room.room.clear),
+      goals_(goals_of(room.pieces)),
+      free_(floor_for(room, room.room.robot, goals_.all())),
+      ways_(widest_ways(room)) {}
 
 // Lays a rug in the middle of the room, along its longer side.
 void Floor::spread(const Stands& row, const Choice& choice) {
@@ -138,6 +161,9 @@ List<Rect> Floor::blocks_at(const Stands& row, const Spot& spot, const Size& siz
   for (const DecoratedRoom::Block& block : room_.blocks) {
     if (block.low < size.height) add(block.rect);
   }
+  if (size.height > FLAT_MM) {
+    for (const Rect& rect : room_.kept) add(rect);
+  }
   for (const Piece& piece : room_.pieces) {
     const Point ahead = facing(piece.rotation);
     if (row.where != Where::free && piece.faced) add(piece.rect.swept({ahead.x * FRONT_MM, ahead.z * FRONT_MM}));
@@ -155,6 +181,11 @@ NearestPlace free_place(const Stands& row, const Spot& spot, Extent extent, Span
   return nearest_place(Rect::around(spot.wish, extent).held_in(area), area, blocks, row.reach);
 }
 
+// Tells whether all stays within reach, and the ways between doors as wide as they are, with one more body.
+bool Floor::leaves_ways(const Rect& body) {
+  return room_.doors.size > 0 && ways_.connects_with(body) && free_.connects_with(body);
+}
+
 // Stands a thing near a spot; tells whether it found a place. Where nobody could come in before, no body may stand.
 bool Floor::stood(const Stands& row, const Choice& choice, const Spot& spot) {
   const Kind& kind = room_.known.kind_of(choice);
@@ -165,9 +196,12 @@ bool Floor::stood(const Stands& row, const Choice& choice, const Spot& spot) {
       const i64 rotation = spot.rotation + (angle == 0 ? askew : 0);
       const NearestPlace nearest = free_place(row, spot, room_.bounds_of(size, rotation), blocks.all());
       const bool is_body = size.height > FLAT_MM;
-      if (!nearest.found || (is_body && !(room_.doors.size > 0 && free_.connects_with(nearest.place)))) continue;
+      if (!nearest.found || (is_body && !leaves_ways(nearest.place))) continue;
       room_.add(choice, row.row, nearest.place, 0, size, rotation, NOBODY, Wall::none);
-      if (is_body) free_.add(nearest.place);
+      if (is_body) {
+        free_.add(nearest.place);
+        ways_.add(nearest.place);
+      }
       return true;
     }
   }

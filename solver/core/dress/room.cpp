@@ -18,6 +18,7 @@ DecoratedRoom::DecoratedRoom(const Dressing& dressing, Bytes rows) : known(dress
   openings = reader.take<Opening>(room.openings);
   zones = reader.take<Zone>(room.zones);
   doors = reader.take<Doorway>(room.doors);
+  kept = reader.take<Rect>(room.kept);
   stream = Stream(room.stream);
   for (const Piece& piece : pieces) {
     check(piece.rotation >= 0 && piece.rotation < 360 && piece.rotation % 90 == 0);

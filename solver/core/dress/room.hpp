@@ -22,7 +22,8 @@ struct RoomHeader {
   i32 outdoor;
   i32 plain;  // it has no outline
   i32 has_accent;
-  i32 pieces, openings, zones, doors;
+  i32 pieces, openings, zones, doors, kept;
+  i32 unused;
 };
 
 // A piece of furniture. `faced`: one comes to it from its front alone. `in_the_way`: of who walks. `sides`: it is used from, as in Goal.
@@ -116,6 +117,7 @@ class DecoratedRoom {
   Span<Opening> openings;
   Span<Zone> zones;
   Span<Doorway> doors;
+  Span<Rect> kept;  // floor that furniture would rather have free
   Stream stream;
   List<Carrier> carriers;  // the pieces, then the things
   List<Thing> things;

@@ -13,7 +13,7 @@ struct WantedRows {
 };
 
 // Adds floor to keep free at sides of pieces, as pieces without a body, rigid at theirs: what required pieces, which come first, wish for
-// before the optional pieces, the rest last. Comfort is kept where there is a way and never hard.
+// before the optional pieces, what is worth much right behind its piece, the rest last. Doing without it is always a way.
 WantedRows with_comfort(const RoomType& type, const WantedRows& wanted);
 
 }  // namespace furnish

@@ -97,6 +97,7 @@ List<Candidate> Furnisher::alone(const Subject& subject, Span<Effect> effects, c
     if (!(cost < INFINITE)) continue;
     candidate.cost = rounded_6(cost);
     candidate.weight = pull;
+    for (const Effect& effect : effects) effect.relation->keep(subject, effect, candidate);
     found.add(candidate);
   }
   return best_of_each(subject, found);
@@ -115,8 +116,8 @@ void Furnisher::keep(const CountedPiece& counted, i32 number, Span<Candidate> wa
   for (const Effect& effect : effects) links.add_all(effect.links.all());
   candidates.add_all(ways);
   const i32 piece = pieces.size();
-  pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, links.size() - before, -1,
-              type_.pieces[counted.spec].skip_cost});
+  const PieceSpec& spec = type_.pieces[counted.spec];
+  pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, links.size() - before, -1, spec.required, 0, spec.skip_cost});
   earlier_.by_word[type_.pieces[counted.spec].word].add(piece);
   List<i32> kinds;
   for (const Candidate& way : ways) {

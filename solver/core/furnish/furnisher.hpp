@@ -14,6 +14,8 @@ struct PieceRow {
   i32 candidates;
   i32 links;
   i32 floor_side;  // -1 for a piece
+  i32 required;
+  i32 unused;
   f64 skip_cost;
 };
 

@@ -30,11 +30,13 @@ struct Level {
   i64 name;
 };
 
-// Floor that is better kept free at a side of a kind, mm deep.
+// Floor that is better kept free at a side of a kind, mm deep; at its left or right not so far from its back. What doing without costs.
 struct Comfort {
   Side side;
   i32 unused;
   i64 depth;
+  i64 behind;
+  f64 cost;
 };
 
 // The box around a part of a kind: seen from above, and from `low` to `high`, mm.

@@ -23,6 +23,7 @@ struct Candidate {
   i64 slot_number;  // a seat's shift, or a surface's place among its kind's
   Point anchor;
   Interval across, along;
+  Rect within;  // where its footprint must stay; empty: anywhere
   i64 bottom;
   f64 weight;
   f64 cost;

@@ -49,9 +49,10 @@ static Fate add_group(
   const i64 cover = room.space->cover;
   if (cover > 0 && may_cover(room, row) && covered(room, decisions) >= cover) return COVERED;
   costs.ceiling = costs.all + skip;
-  const SearchLimits own = {limits.optional, limits.optional_qps, limits.optional_lapses};
+  const i64 size = group.last - group.first;
+  const SearchLimits own = {limits.optional * size, limits.optional_qps, limits.optional_lapses * size};
   if (join(engine, decisions, costs, group, own, walk)) return PLACED;
-  if (row.empty != 0 || tree.counters->moves_left <= 0) return NO_WAY;
+  if ((row.empty != 0 && skip < 1.0) || tree.counters->moves_left <= 0) return NO_WAY;
   return join_by_move(engine, decisions, costs, group, limits, walk) ? PLACED : NO_WAY;
 }
 

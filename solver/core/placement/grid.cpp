@@ -23,15 +23,34 @@ static void add_side_target(
   }
 }
 
-// Collects what is to be reached: doors first, then use sides.
+// Where the centre of somebody wider than the person is who has just come through a door.
+static Door entry_of(const SpaceRow& space, Door door, i64 wider) {
+  for (i64 axis = 0; axis < 2; axis++) {
+    const i64 first = 2 * space.low[axis] + space.robot, last = 2 * space.high[axis] - space.robot;
+    if (door.low[axis] == door.high[axis] && (door.low[axis] == first || door.low[axis] == last)) {
+      door.low[axis] += door.low[axis] == first ? wider : -wider;
+      door.high[axis] = door.low[axis];
+    } else if (door.high[axis] - door.low[axis] < 2 * wider) {
+      door.low[axis] = door.high[axis] = floor_div(door.low[axis] + door.high[axis], 4) * 2 + floor_mod(space.robot + wider, 2);
+    } else {
+      door.low[axis] += wider;
+      door.high[axis] -= wider;
+    }
+  }
+  return door;
+}
+
+// Collects what is to be reached: doors first, then use sides, which are no matter for who is wider than the person.
 static void gather_targets(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
   GridState& state = *grid.state.data;
   state.targets = 0;
+  const i64 wider = state.width - room.space->robot;
   for (i64 k = 0; k < room.doors.size; k++) {
-    const Door& door = room.doors[k];
+    const Door door = wider > 0 ? entry_of(*room.space.data, room.doors[k], wider) : room.doors[k];
     grid.targets[state.targets++] = {{door.low[0], door.low[1]}, {door.high[0], door.high[1]}, k};
   }
   state.numbers = room.doors.size;
+  if (wider > 0) return;
   for (i64 piece = 0; piece < room.pieces.size; piece++) {
     if (work.taken_candidate[piece] == ABSENT) continue;
     const SidesRow& sides = room.sides[work.taken_side[piece]];
@@ -50,7 +69,7 @@ static void gather_targets(const Room& room, const Work& work, const WalkGrid& g
 
 // Collects what is blocked wherever the bodies stand between low and high.
 static void gather_blocks(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
-  const i64 grow = room.space->robot - 1;
+  const i64 grow = grid.state->width - 1;
   i64& count = grid.state->blocks;
   count = 0;
   for (i64 k = 0; k < work.counts->parts; k++) {
@@ -197,13 +216,15 @@ static i64 entered_of(const Room& room, const WalkGrid& grid) {
   return best;
 }
 
-// Parts the floor that is free into components and counts what each meets; false where the room is too narrow for a person.
-static bool part_floor(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
+// Parts the floor that is free for who is so wide into components and counts what each meets; false where the room is too narrow.
+static bool part_floor(
+    const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high, i64 width) {
+  grid.state->width = width;
   gather_blocks(room, work, grid, low, high);
   gather_targets(room, work, grid, low, high);
   const SpaceRow& space = *room.space.data;
   GridState& state = *grid.state.data;
-  const i64 grow = space.robot - 1;
+  const i64 grow = width - 1;
   state.entered = state.cuts[0] = state.cuts[1] = 0;
   for (i64 axis = 0; axis < 2; axis++) {
     if (2 * space.low[axis] + grow >= 2 * space.high[axis] - grow) return false;
@@ -216,10 +237,11 @@ static bool part_floor(const Room& room, const Work& work, const WalkGrid& grid,
   return true;
 }
 
-bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
+// Tells whether a person comes to all doors and use sides.
+static bool is_reached(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
   const i64 least_floor = room.space->least_floor;
   GridState& state = *grid.state.data;
-  if (!part_floor(room, work, grid, positions, positions)) {
+  if (!part_floor(room, work, grid, positions, positions, room.space->robot)) {
     return state.numbers <= least<i64>(room.doors.size, 1) && least_floor == 0;
   }
   state.entered = entered_of(room, grid);
@@ -227,8 +249,16 @@ bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Ta
   return grid.reached[state.entered].count == state.numbers && grid.areas[state.entered] >= 4 * least_floor;
 }
 
+bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
+  if (!is_reached(room, work, grid, positions)) return false;
+  if (room.space->ways <= room.space->robot || room.doors.size < 2) return true;
+  if (!part_floor(room, work, grid, positions, positions, room.space->ways)) return false;
+  grid.state->entered = entered_of(room, grid);
+  return grid.state->entered != 0 && grid.reached[grid.state->entered].count == grid.state->numbers;
+}
+
 bool may_be_walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
-  if (!part_floor(room, work, grid, low, high)) return false;
+  if (!part_floor(room, work, grid, low, high, room.space->robot)) return false;
   for (i64 c = 1; c <= grid.state->components; c++) {
     if (grid.reached[c].count == grid.state->numbers && grid.areas[c] >= 4 * room.space->least_floor) return true;
   }

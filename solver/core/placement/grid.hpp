@@ -17,7 +17,7 @@ struct Cells {
 // The number of the first cut of an axis at or above a value.
 i64 first_cell(const WalkGrid& grid, i64 axis, i64 value);
 
-// Tells whether all doors and use sides are joined, with the bodies at integer positions, mm.
+// Tells whether all doors and use sides are joined, and the doors by ways as wide as asked, with the bodies at integer positions, mm.
 // Leaves labels, cuts and the entered component in `grid`.
 bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions);
 

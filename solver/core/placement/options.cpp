@@ -37,6 +37,14 @@ static bool walls_hold(i64 relation, i64 own, i64 other) {
   return relation == OTHER && !same;
 }
 
+// Tells whether one piece, turned so, looks at another: that one's anchor lies before it, no farther aside than ahead.
+static bool looks_at(i64 turn, const CandidateRow& own, const CandidateRow& other) {
+  const i64 dx = other.anchor[0] - own.anchor[0], dz = other.anchor[1] - own.anchor[1];
+  const i64 ahead[] = {dz, dx, -dz, -dx};
+  const i64 quarter = floor_mod(floor_div(turn, 90), 4);
+  return ahead[quarter] > 0 && magnitude(ahead[(quarter + 1) % 4]) <= ahead[quarter];
+}
+
 // What is missing of a distance that is wished between two centres, m.
 static f64 too_near(f64 apart, const CandidateRow& own, const CandidateRow& other) {
   const i64 dx = own.anchor[0] - other.anchor[0];
@@ -56,7 +64,9 @@ f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 cand
     const LinkCost& cost = room.link_costs[k];
     if (decisions[link.of] == ABSENT) continue;
     const CandidateRow& other = room.candidates[candidate_of(decisions[link.of])];
-    const bool turned = link.turn < 0 || floor_mod(turn - rotation_of(room, decisions, link.of) - link.turn, 360) == 0;
+    const bool is_look = link.turn == 180 && link.walls == ANY_WALLS && own.parent < 0 && other.parent < 0;
+    const bool turned = is_look ? looks_at(turn, own, other)
+                                : link.turn < 0 || floor_mod(turn - rotation_of(room, decisions, link.of) - link.turn, 360) == 0;
     if (!turned || !walls_hold(link.walls, own.wall, other.wall)) {
       if (link.required) return RULED_OUT;
       total += cost.cost;

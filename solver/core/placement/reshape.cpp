@@ -116,7 +116,7 @@ NumberedRoom without_walking(const NumberedRoom& from) {
   const i64 count = from.room.pieces.size;
   const Span<SpaceRow> space = reserved<SpaceRow>(1);
   space[0] = *from.room.space.data;
-  space[0].least_floor = 0;
+  space[0].least_floor = space[0].ways = 0;
   found.room.space.data = space.data;
   found.room.pieces = reserved_rows<PieceRow>(count);
   found.room.sides = reserved_rows<SidesRow>(count);

@@ -50,6 +50,16 @@ static void take_deepest(const Desk& desk) {
   for (i64 k = 0; k < desk.decisions.size; k++) desk.decisions[k] = at < 0 ? ABSENT : tree.decisions.at(at, k);
 }
 
+// Leaves out a required piece, and with it the floor that was asked for at it alone.
+static NumberedRoom without_required(const NumberedRoom& from, i64 piece) {
+  NumberedRoom left = without_piece(from, piece);
+  for (i64 k = left.room.pieces.size - 1; k >= 0; k--) {
+    const PieceRow& row = left.room.pieces[k];
+    if (row.empty != 0 && row.required && row.candidates[0] == row.candidates[1]) left = without_piece(left, k);
+  }
+  return left;
+}
+
 WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk) {
   NumberedRoom asked = numbered(room);
   WholeRoom found = {};
@@ -73,7 +83,7 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
     sure = sure && last.report.closed;
     const i64 out = deepest(last.desk->engine.tree);
     found.left_out.add({asked.pieces[out], last.report.closed});
-    asked = without_piece(asked, out);
+    asked = without_required(asked, out);
   }
   const Engine& engine = last.desk->engine;
   found.desk = last.desk;
@@ -94,7 +104,7 @@ bool arrange_again(const Room& room, const WholeRoom& before, i64 limit, WholeRo
   for (const LeftOut& out : before.left_out) {
     i64 at = 0;
     while (asked.pieces[at] != out.piece) at++;
-    asked = without_piece(asked, at);
+    asked = without_required(asked, at);
   }
   if (before.with_floor) asked = with_empty_floor(asked, before.asked.room.space->robot - USUAL_ROBOT_MM);
   found = before;

@@ -39,22 +39,22 @@ static void add_wide(const Work& work, const DifferenceRow& row) {
   if (highest >= row.s) work.wide[work.counts->wide++] = row;
 }
 
-static void between_parts(const Room& room, const Work& work, const Part& a, const Part& b) {
-  const i64 robot = room.space->robot;
+static void between_parts(const Work& work, const WalkGrid& grid, const Part& a, const Part& b) {
+  const i64 width = grid.state->width;
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 u = a.variable[axis], v = b.variable[axis];
     const i64 shift = a.offset[axis] - b.offset[axis];
-    add_wide(work, {axis, u, v, a.extent[axis] + shift + robot});
-    add_wide(work, {axis, v, u, b.extent[axis] - shift + robot});
+    add_wide(work, {axis, u, v, a.extent[axis] + shift + width});
+    add_wide(work, {axis, v, u, b.extent[axis] - shift + width});
   }
 }
 
-static void from_zone(const Room& room, const Work& work, const Part& part, const Zone& zone) {
-  const i64 robot = room.space->robot;
+static void from_zone(const Work& work, const WalkGrid& grid, const Part& part, const Zone& zone) {
+  const i64 width = grid.state->width;
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 v = part.variable[axis], offset = part.offset[axis];
-    add_wide(work, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis] + robot});
-    add_wide(work, {axis, ORIGIN, v, zone.high[axis] - offset + robot});
+    add_wide(work, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis] + width});
+    add_wide(work, {axis, ORIGIN, v, zone.high[axis] - offset + width});
   }
 }
 
@@ -70,10 +70,10 @@ static void from_walls(const Room& room, const Work& work, const WalkGrid& grid,
     strip.low[other] = block.low[other];
     strip.high[other] = block.high[other];
     strip.low[axis] = strip.high[axis] = low;
-    if (block.low[axis] < low && divides(grid, strip)) add_wide(work, {axis, ORIGIN, v, space.low[axis] + space.robot - offset});
+    if (block.low[axis] < low && divides(grid, strip)) add_wide(work, {axis, ORIGIN, v, space.low[axis] + grid.state->width - offset});
     strip.low[axis] = strip.high[axis] = high;
     if (block.high[axis] > high && divides(grid, strip)) {
-      add_wide(work, {axis, v, ORIGIN, part.extent[axis] + offset + space.robot - space.high[axis]});
+      add_wide(work, {axis, v, ORIGIN, part.extent[axis] + offset + grid.state->width - space.high[axis]});
     }
   }
 }
@@ -88,11 +88,11 @@ static void between_blocks(const Room& room, const Work& work, const WalkGrid& g
   }
   if (!divides(grid, both)) return;
   if (a.number >= 0 && b.number >= 0) {
-    between_parts(room, work, work.parts[a.number], work.parts[b.number]);
+    between_parts(work, grid, work.parts[a.number], work.parts[b.number]);
   } else if (a.number >= 0) {
-    from_zone(room, work, work.parts[a.number], room.zones[-1 - b.number]);
+    from_zone(work, grid, work.parts[a.number], room.zones[-1 - b.number]);
   } else if (b.number >= 0) {
-    from_zone(room, work, work.parts[b.number], room.zones[-1 - a.number]);
+    from_zone(work, grid, work.parts[b.number], room.zones[-1 - a.number]);
   }
 }
 

@@ -29,7 +29,7 @@ namespace {
 // The room's tables while they are written.
 class Asked {
  public:
-  Asked(const WantingRoom& room, i64 robot) : room_(room), robot_(robot) {}
+  Asked(const WantingRoom& room, i64 robot, i64 ways) : room_(room), robot_(robot), ways_(ways) {}
 
   placement::Room all() {
     add_pieces();
@@ -57,7 +57,7 @@ class Asked {
   Span<placement::SpaceRow> space() const {
     const Rect& clear = room_.scope.clear;
     const Span<placement::SpaceRow> found = reserved<placement::SpaceRow>(1);
-    found[0] = {{clear.x0, clear.z0}, {clear.x1, clear.z1}, room_.scope.gap, robot_, room_.header.cover, LEAST_FLOOR_MM2};
+    found[0] = {{clear.x0, clear.z0}, {clear.x1, clear.z1}, room_.scope.gap, robot_, room_.header.cover, LEAST_FLOOR_MM2, ways_};
     return found;
   }
 
@@ -98,7 +98,7 @@ class Asked {
       own.candidates[1] = candidates_.size();
       own.links[1] = links_.size();
       own.sides[1] = sides_.size();
-      own.required = !is_floor && room_.type.pieces[piece.spec].required != 0;
+      own.required = piece.required;
       own.group_end = pieces_.size() + 1;
       own.empty = is_floor ? placement::EMPTY_FLOOR : 0;
       pieces_.add(own);
@@ -122,7 +122,7 @@ class Asked {
       own.height = size[2];
       own.turn = floor_mod(way.rotation, 360);
       own.wall = static_cast<i64>(way.wall);
-      const Rect& clear = room_.scope.clear;
+      const Rect& clear = way.within.x0 < way.within.x1 ? way.within : room_.scope.clear;
       own.anchor[0] = way.anchor.x, own.anchor[1] = way.anchor.z;
       own.low[0] = clear.x0, own.low[1] = clear.z0;
       own.high[0] = clear.x1, own.high[1] = clear.z1;
@@ -165,7 +165,8 @@ class Asked {
     return a.kind == b.kind && a.rotation == b.rotation && a.wall == b.wall && a.parent == b.parent && a.parent_kind == b.parent_kind &&
            a.across.low == b.across.low && a.across.high == b.across.high && a.along.low == b.along.low && a.along.high == b.along.high &&
            a.bottom == b.bottom && a.is_under == b.is_under && a.is_on == b.is_on && slot_of(a) == slot_of(b) &&
-           a.floor.x == b.floor.x && a.floor.z == b.floor.z;
+           a.floor.x == b.floor.x && a.floor.z == b.floor.z && a.within.x0 == b.within.x0 && a.within.z0 == b.within.z0 &&
+           a.within.x1 == b.within.x1 && a.within.z1 == b.within.z1;
   }
 
   void add_link(const furnish::Link& link) {
@@ -195,20 +196,30 @@ class Asked {
     for (i32 k = 0; k < sides.size; k++) add_sides({BITS[static_cast<i32>(sides[k])], 0, 0}, OTHER_SIDE_COST * k);
   }
 
-  // Joins optional pieces that stand only together with the one after them, if that one can only stand with them.
+  // Joins optional pieces that stand only together with the one after them, if that one can only stand with them or those before them.
   void group_pieces() {
     for (i32 k = pieces_.size() - 2; k >= 0; k--) {
-      const furnish::PieceRow& piece = room_.wanted.pieces[k];
-      bool carried = piece.floor_side < 0 && room_.type.pieces[piece.spec].with_next && !pieces_[k].required;
+      if (!is_with_next(k) || pieces_[k].required) continue;
+      i32 first = k;
+      while (first > 0 && is_with_next(first - 1)) first--;
+      bool carried = true, bound = false;
       for (i64 way = pieces_[k + 1].candidates[0]; way < pieces_[k + 1].candidates[1]; way++) {
-        carried = carried && candidates_[way].parent == k;
+        carried = carried && candidates_[way].parent >= first && candidates_[way].parent <= k;
       }
-      if (carried) pieces_[k].group_end = pieces_[k + 1].group_end;
+      for (i64 link = pieces_[k + 1].links[0]; link < pieces_[k + 1].links[1]; link++) {
+        bound = bound || (links_[link].required && links_[link].of == k);
+      }
+      if (carried || bound) pieces_[k].group_end = pieces_[k + 1].group_end;
     }
   }
 
+  bool is_with_next(i32 piece) const {
+    const furnish::PieceRow& row = room_.wanted.pieces[piece];
+    return row.floor_side < 0 && room_.type.pieces[row.spec].with_next;
+  }
+
   const WantingRoom& room_;
-  i64 robot_;
+  i64 robot_, ways_;
   List<placement::PieceRow> pieces_;
   List<f64> skip_costs_;
   List<SidesRow> sides_;
@@ -221,6 +232,6 @@ class Asked {
 
 }  // namespace
 
-placement::Room asked_room(const WantingRoom& room, i64 robot) { return Asked(room, robot).all(); }
+placement::Room asked_room(const WantingRoom& room, i64 robot, i64 ways) { return Asked(room, robot, ways).all(); }
 
 }  // namespace rooms

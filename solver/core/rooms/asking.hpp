@@ -34,7 +34,7 @@ struct WantingRoom {
   void size_of(const furnish::Candidate& way, i64 (&size)[3]) const;
 };
 
-// The room for a person of that width, whose use sides must all be reached.
-placement::Room asked_room(const WantingRoom& room, i64 robot);
+// The room for a person of that width, whose use sides must all be reached, with ways between doors of another width.
+placement::Room asked_room(const WantingRoom& room, i64 robot, i64 ways);
 
 }  // namespace rooms

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from catalogs.checks import OPENINGS
 from catalogs.schema import RelationSpec
-from solver.geometry import ALONG_X, OPPOSITE, WALL_BEHIND
+from solver.geometry import ALONG_X, OPPOSITE, WALL_BEHIND, Rect
 from solver.pieces import Candidate, Link
 from solver.relations.relation import distance_mm, missed
 from solver.relations.subject import Opened, Scope, Subject
@@ -19,6 +19,8 @@ NEAR_MM, FAR_MM, FAR_FROM_OPENING_MM, LEAST_MM = 1500, 2000, 1500, 10
 CENTRED_REACH_MM = 1000
 """A piece this far from where it should be centred pays the full cost."""
 LONGER = 1.15
+SHUNNED = 2.0
+ALONG_SHARE = 0.3
 """A wall is long, and those beside it short, from this ratio on: a square room has neither."""
 AT_SIDES = ("beside", "in_front_of", "around", "under")
 """Relations whose slots turn the piece already."""
@@ -157,9 +159,16 @@ def _against_wall(subject: Subject, spec: RelationSpec) -> Effect:
     def cost_of(candidate: Candidate) -> float:
         if candidate.wall is None:
             return missed(spec)
-        return sum(cost for sort, cost in spec.walls.items() if _is(scope, candidate, candidate.wall, sort))
+        return sum(cost * _share(scope, candidate, candidate.wall, sort) for sort, cost in spec.walls.items())
 
     return Effect(cost_of=cost_of, backs=True)
+
+
+def _share(scope: Scope, candidate: Candidate, wall: str, sort: str) -> float:
+    """Returns which share of a sort's cost a candidate pays."""
+    if _is(scope, candidate, wall, sort):
+        return 1.0
+    return ALONG_SHARE if sort == "window" and _along_window(scope, candidate) else 0.0
 
 
 def _is(scope: Scope, candidate: Candidate, wall: str, sort: str) -> bool:
@@ -167,8 +176,7 @@ def _is(scope: Scope, candidate: Candidate, wall: str, sort: str) -> bool:
     here = [opening for opening in scope.openings if opening.wall == wall]
     if sort == "window":
         a, b = candidate.footprint.along(wall)
-        behind = any(one.kind == "window" and one.interval[0] < b and a < one.interval[1] for one in here)
-        return behind or _along_window(scope, candidate)
+        return any(one.kind == "window" and one.interval[0] < b and a < one.interval[1] for one in here)
     own, other = (scope.clear.width, scope.clear.depth) if wall in ALONG_X else (scope.clear.depth, scope.clear.width)
     return {
         "door": any(one.kind != "window" for one in here),
@@ -177,6 +185,24 @@ def _is(scope: Scope, candidate: Candidate, wall: str, sort: str) -> bool:
         "long": own > LONGER * other,
         "short": other > LONGER * own,
     }[sort]
+
+
+def beside_windows(subject: Subject, candidate: Candidate) -> Rect | None:
+    """Returns where a candidate at a wall stays beside its windows, if a rule prices them at SHUNNED or more."""
+    shuns = any(spec.type == "against_wall" and spec.walls.get("window", 0.0) >= SHUNNED for spec in subject.relations)
+    if (
+        candidate.wall is None
+        or not shuns
+        or not (windows := [one for one in subject.scope.opened("window") if one.wall == candidate.wall])
+    ):
+        return None
+    clear, (a, b) = subject.scope.clear, candidate.footprint.along(candidate.wall)
+    if any(low < b and a < high for low, high in (one.interval for one in windows)):
+        return None
+    start, end = clear.along(candidate.wall)
+    low = max([start, *(one.interval[1] for one in windows if one.interval[1] <= a)])
+    high = min([end, *(one.interval[0] for one in windows if b <= one.interval[0])])
+    return Rect(low, clear.z0, high, clear.z1) if candidate.wall in ALONG_X else Rect(clear.x0, low, clear.x1, high)
 
 
 def _along_window(scope: Scope, candidate: Candidate) -> bool:

@@ -4,6 +4,8 @@ namespace furnish {
 
 // A wall is long, and those beside it short, from this ratio on: a square room has neither.
 constexpr f64 LONGER = 1.15;
+// What lying lengthwise under a window costs of what a window right behind does.
+constexpr f64 ALONG_SHARE = 0.3;
 
 void AgainstWall::effect(const Subject&, const Rule&, Effect& effect) const { effect.has_cost = effect.backs = true; }
 
@@ -50,16 +52,46 @@ static bool is_of(Sort sort, const Subject& subject, const Candidate& candidate)
     case Sort::exterior: return scope.exterior >> static_cast<i32>(wall) & 1;
     case Sort::longer: return own > LONGER * other;
     case Sort::shorter: return other > LONGER * own;
-    case Sort::window: return is_before_window(subject, candidate) || is_along_window(subject, candidate);
+    case Sort::window: return is_before_window(subject, candidate);
   }
   return false;
+}
+
+// What dislikes windows so much stays beside them wherever else it is moved.
+static bool shuns_windows(const Subject& subject, const Rule& rule) {
+  constexpr f64 SHUNNED = 2.0;
+  for (const SortCost& sort : part_of(subject.type.sorts, rule.sorts)) {
+    if (sort.sort == Sort::window && sort.cost >= SHUNNED) return true;
+  }
+  return false;
+}
+
+void AgainstWall::keep(const Subject& subject, const Effect& effect, Candidate& candidate) const {
+  if (candidate.wall == Wall::none || !shuns_windows(subject, *effect.rule) || is_before_window(subject, candidate)) return;
+  const Rect& clear = subject.scope.clear;
+  const Interval own = subject.footprint(candidate).along(candidate.wall);
+  Interval kept = clear.along(candidate.wall);
+  bool beside = false;
+  for (const Opened& one : subject.scope.openings) {
+    if (one.kind != Opening::window || one.wall != candidate.wall) continue;
+    beside = true;
+    if (one.stretch.high <= own.low) kept.low = most(kept.low, one.stretch.high);
+    if (own.high <= one.stretch.low) kept.high = least(kept.high, one.stretch.low);
+  }
+  if (!beside) return;
+  const bool along_x = runs_along_x(candidate.wall);
+  candidate.within = along_x ? Rect{kept.low, clear.z0, kept.high, clear.z1} : Rect{clear.x0, kept.low, clear.x1, kept.high};
 }
 
 f64 AgainstWall::cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const {
   if (candidate.wall == Wall::none) return effect.rule->missed();
   f64 sum = 0.0;
   for (const SortCost& sort : part_of(subject.type.sorts, effect.rule->sorts)) {
-    if (is_of(sort.sort, subject, candidate)) sum += sort.cost;
+    if (is_of(sort.sort, subject, candidate)) {
+      sum += sort.cost;
+    } else if (sort.sort == Sort::window && is_along_window(subject, candidate)) {
+      sum += ALONG_SHARE * sort.cost;
+    }
   }
   return sum;
 }

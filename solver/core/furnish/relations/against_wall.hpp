@@ -8,6 +8,7 @@ namespace furnish {
 class AgainstWall : public Relation {
  public:
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override;
+  void keep(const Subject& subject, const Effect& effect, Candidate& candidate) const override;
   f64 cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const override;
 };
 

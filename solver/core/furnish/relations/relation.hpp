@@ -48,6 +48,8 @@ class Relation {
   virtual void effect(const Subject&, const Rule&, Effect&) const {}
   // What a candidate that is no slot costs by it, where the effect has a cost; infinity forbids it.
   virtual f64 cost(const Subject&, const Effect&, const Candidate&) const { return 0.0; }
+  // Where such a candidate must stay so that its cost stays what it is; without a word, anywhere.
+  virtual void keep(const Subject&, const Effect&, Candidate&) const {}
 };
 
 const Relation& relation_of(Word word);
