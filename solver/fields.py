@@ -158,6 +158,8 @@ Number = Annotated[float, STRICT, Ge(-MAX_MAGNITUDE), Le(MAX_MAGNITUDE)]
 """A place, m, or an angle, degrees."""
 PositiveMetres = Annotated[float, STRICT, Gt(0), Le(MAX_LENGTH)]
 """A size, m."""
+OpenShare = Annotated[float, STRICT, Ge(0), Le(1)]
+"""How far something is open: 0 shut, 1 wholly."""
 REQUIRED: Final = _Required()
 Free = Annotated[Mapping[str, object], _Free()]
 TextByIndex = Annotated[Mapping[int, str], _Indexed()]

@@ -36,6 +36,7 @@ from solver.fields import (
     Name,
     Number,
     OneOf,
+    OpenShare,
     PositiveMetres,
     Record,
     Says,
@@ -171,7 +172,8 @@ class Opening(Record):
 
     `position` is the opening's centre along the wall from its west or north end, m. Both rooms of a door list it under
     one id. `hinge` is the end of the opening that carries the leaf; `swing` is `in` for the room whose floor the leaf
-    sweeps. On an outlined room `edge` (from outline point i to the next) replaces `wall`.
+    sweeps. On an outlined room `edge` (from outline point i to the next) replaces `wall`. `open` is how far its leaf stands open, 0 to 1;
+    of the two entries that of the room that draws the leaf counts.
     """
 
     id: Identity
@@ -187,6 +189,7 @@ class Opening(Record):
     main_entrance: Flag = False
     render_panel: Flag = True
     edge: Index | None = field(default=None, metadata={OMITTED: True})
+    open: OpenShare | None = field(default=None, metadata={OMITTED: True})
     extra: Mapping[str, object] = _extra()
 
 

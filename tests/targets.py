@@ -31,6 +31,7 @@ from tests.core.engines import engines
 from tests.decorations.targets import homes
 from tests.exports.agreement_targets import formats_agree
 from tests.exports.drawing_targets import drawings, sweet_homes
+from tests.exports.front_targets import fronts_of_homes
 from tests.exports.model_targets import glb_homes, usd_homes
 from tests.exports.physics_targets import physics
 from tests.exports.targets import nav2_maps
@@ -230,7 +231,7 @@ def main() -> int:
         "usd": lambda: usd_homes(min(asked.seeds, 100), asked.workers),
         "drags": lambda: drags(min(asked.seeds, 60), asked.workers),
         "nav2": lambda: nav2_maps(min(asked.seeds, 100), asked.workers),
-        "physics": lambda: physics(min(asked.seeds, 100), asked.workers),
+        "physics": lambda: physics(min(asked.seeds, 100), asked.workers) & fronts_of_homes(min(asked.seeds, 100), asked.workers),
         "agree": lambda: formats_agree(min(asked.seeds, 100), asked.workers),
         "plans": lambda: drawings(min(asked.seeds, 100), asked.workers),
         "sh3d": sweet_homes,

@@ -53,6 +53,7 @@ def _leaf(opening: PlacedOpening, plan: WallPlan, rooms: Mapping[str, Room], pai
         mass=round(LEAF_DENSITY * width * height, 3),
         parts=tuple(part for part, _ in made),
         paints=tuple(paint for _, paint in made),
+        open=opening.open,
     )
 
 

@@ -180,15 +180,16 @@ class PlacedOpening:
     hinge: Literal["start", "end"]
     towards: Literal[1, -1]
     is_main_entrance: bool
+    open: float = 0.0
     rooms: tuple[str | None, str | None] = (None, None)
 
 
 @dataclass(frozen=True)
 class DoorLeaf:
-    """A leaf that turns about its hinge, or a panel that rolls up; closed.
+    """A leaf that turns about its hinge, or a panel that rolls up.
 
     `hinge` is the lower end of its turning axis, m; closed it points along `closed` (degrees about +y from +x), and opening adds `swing`
-    degrees. Its parts are in its own frame: the middle of its width at the origin, the hinge at -width / 2.
+    degrees; it stands `open` (0 to 1). Its parts are in its own frame: the middle of its width at the origin, the hinge at -width / 2.
     """
 
     id: str
@@ -203,6 +204,12 @@ class DoorLeaf:
     mass: float
     parts: tuple[BodyPart, ...]
     paints: tuple[Paint, ...]
+    open: float = 0.0
+
+    @property
+    def opened(self) -> float:
+        """How far it stands open: degrees, of what rolls up m."""
+        return self.open * (self.swing if self.motion == "swing" else self.height)
 
 
 @dataclass(frozen=True)

@@ -19,16 +19,22 @@ _NO_TURN: Final = "(1, 0, 0, 0)"
 
 
 def door_text(leaf: DoorLeaf, name: str) -> str:
-    """Returns a leaf, closed, its origin at its hinge and its +x along its width; the joint is inside."""
+    """Returns a leaf, as far open as it stands, its origin at its hinge and its +x along its width; the joint is inside."""
     several = zip(parts_of_hung_leaf(leaf), leaf.paints, strict=True)
     parts = "".join(part_text(f"part_{number}", part, paint, None) for number, (part, paint) in enumerate(several))
     solids = "".join(guide(f"collider_{number}", solid) for number, solid in enumerate(leaf_colliders(leaf)))
     inside = (
         f'float physics:mass = {leaf.mass:.6g}\ntoken[] semantics:labels:class = ["door"]\n'
-        f"{placed(z_up(*leaf.hinge), leaf.closed)}{parts}{solids}{_joint(leaf, name)}"
+        f"{_stands(leaf)}{parts}{solids}{_joint(leaf, name)}"
     )
     schemas = "PhysicsRigidBodyAPI", "PhysicsMassAPI", "SemanticsLabelsAPI:class"
     return said("Xform", name, schemas, {"id": leaf.id, "look": leaf.look}, inside)
+
+
+def _stands(leaf: DoorLeaf) -> str:
+    """Returns where a leaf stands: turned open, or lifted."""
+    x, y, z = z_up(*leaf.hinge)
+    return placed((x, y, z), leaf.closed + leaf.opened) if leaf.motion == "swing" else placed((x, y, z + leaf.opened), leaf.closed)
 
 
 def _joint(leaf: DoorLeaf, name: str) -> str:

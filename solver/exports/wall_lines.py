@@ -162,6 +162,7 @@ def _placed(edge: OutlineEdge, origin: float, opening: Opening, finder: RoomFind
         hinge="end" if opening.hinge == "end" else "start",
         towards=outward if opening.swing == "out" else edge.inward,
         is_main_entrance=opening.main_entrance,
+        open=opening.open or 0.0,
         rooms=(greater.id if greater else None, smaller.id if smaller else None),
     )
 

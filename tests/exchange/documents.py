@@ -76,6 +76,7 @@ OPENINGS = record(
     main_entrance=st.booleans(),
     render_panel=st.booleans(),
     edge=st.none() | st.integers(0, 3),
+    open=st.none() | st.floats(0, 1),
 )
 SIDES = st.none() | st.builds(types.Sides, *[st.booleans()] * 4)
 OUTLINE = st.tuples(SIZES, SIZES).filter(lambda size: min(size) > 1e-3).map(lambda size: ((0.0, 0.0), (size[0], 0.0), size, (0.0, size[1])))

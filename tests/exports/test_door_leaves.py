@@ -7,11 +7,15 @@ from dataclasses import replace
 from itertools import product
 
 import pytest
+from pxr import UsdGeom
 
 from catalogs import load_catalogs
-from solver.exports import describe
+from solver.exports import ExportSettings, describe, written_as
 from solver.exports.model import DoorLeaf, PlacedOpening
 from solver.scene import Opening, Room, Scene
+from tests.exports.homes import own
+from tests.exports.physics import mjcf, started
+from tests.exports.readers import glb, usd
 
 SQUARE = 0.9
 """A door keeps as much free before it as it is wide, at most this (docs/scene.md, blocks_door), m."""
@@ -61,3 +65,29 @@ def test_a_handle_that_stands_far_out_is_seen() -> None:
     leaf = model.leaves[0]
     longer = tuple(part._replace(at=(part.at[0], part.at[1], part.at[2] * 1.5)) for part in leaf.parts)
     assert farthest(replace(leaf, parts=longer), model.openings[0])[0] > 0.01
+
+
+def test_a_door_stands_as_far_open_as_the_scene_says() -> None:
+    """In MuJoCo's key, in usd's and glb's poses: the leaf's own x axis, half open."""
+    scene = own()
+    rooms = tuple(replace(room, openings=tuple(replace(one, open=0.5) for one in room.openings)) for room in scene.rooms)
+    model = describe(replace(scene, rooms=rooms), load_catalogs())
+    assert model.leaves
+    _, state = started(mjcf(model))
+    stage = usd.stage_of(written_as(model, ExportSettings("usd")))
+    cache = UsdGeom.XformCache()
+    (content,) = written_as(model, ExportSettings("glb")).values()
+    nodes = {node["name"]: node for node in glb.document(content)["nodes"]}
+    doors = {prim.GetCustomDataByKey("id"): prim for prim in stage.GetDefaultPrim().GetChild("Doors").GetChildren()}
+    for leaf in model.leaves:
+        swings = leaf.motion == "swing"
+        turn = math.radians(leaf.closed + (leaf.swing / 2 if swings else 0.0))
+        lift = 0.0 if swings else leaf.height / 2
+        assert state.body(leaf.id).xmat.reshape(3, 3)[:2, 0] == pytest.approx((math.cos(turn), math.sin(turn)), abs=1e-6)
+        assert state.body(leaf.id).xpos[2] == pytest.approx(leaf.hinge[1] + lift, abs=1e-6)
+        at = cache.GetLocalToWorldTransform(doors[leaf.id])
+        assert list(at.TransformDir((1, 0, 0)))[:2] == pytest.approx((math.cos(turn), math.sin(turn)), abs=1e-6)
+        assert at.ExtractTranslation()[2] == pytest.approx(leaf.hinge[1] + lift, abs=1e-5)
+        node = nodes[leaf.id]
+        assert 2 * math.atan2(node["rotation"][1], node["rotation"][3]) % (2 * math.pi) == pytest.approx(turn % (2 * math.pi), abs=1e-6)
+        assert node["extras"]["joint"]["at"] == pytest.approx(leaf.opened)

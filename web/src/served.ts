@@ -249,6 +249,7 @@ export interface Opening {
   readonly main_entrance: boolean;
   readonly render_panel: boolean;
   readonly edge?: number | null;
+  readonly open?: number | null;
 }
 
 /** Where a body was in the last answer of /fix: its footprint's centre in its room, m, and its rotation, degrees. */

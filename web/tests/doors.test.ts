@@ -27,6 +27,22 @@ function tip(leaf: Leaf, open: number): [number, number] {
   return [2 * body.x - leaf.hinge.x, 2 * body.z - leaf.hinge.z];
 }
 
+describe("a door that the scene has open", () => {
+  for (const open of [0, 0.2, 0.5, 1]) {
+    it(`stands ${open} open, and a toggle shuts it`, () => {
+      const leaf = leafOf({ open, hinge: "start", swing: "in" });
+      const doors = new Doors([leaf]);
+      expect(doors.angleOf(0)).toBeCloseTo(leaf.closedAngle + open * leaf.turn, 9);
+      doors.cutAt(3);
+      expect(doors.angleOf(0)).toBeCloseTo(leaf.closedAngle + open * leaf.turn, 9);
+      expect(doors.open).toEqual(open > 0 ? [leaf.id] : []);
+      doors.toggle(0);
+      while (doors.step(0.1)) continue;
+      expect(doors.angleOf(0)).toBeCloseTo(leaf.closedAngle + (open > 0 ? 0 : 1) * leaf.turn, 9);
+    });
+  }
+});
+
 const HINGES = ["start", "end"] as const;
 const SIDES: readonly Side[] = ["north", "south", "east", "west"];
 

@@ -10,6 +10,7 @@ constexpr f64 TOUCHING_METRES = 0.00025;  // a front is so much smaller at every
 constexpr f64 FLAT_METRES = 0.03;         // what lies on the floor and is no higher is walked on, and opened over
 constexpr f64 WALL_METRES = 3.0;
 constexpr f64 METRE = static_cast<f64>(PER_METRE);
+constexpr i64 PROUD = PER_METRE / 100;  // frames of doors and passages stand so far out of their wall
 constexpr i64 NOTHING = -1, WALL = -2;
 
 namespace {
@@ -79,8 +80,9 @@ static SolidBox box_of(const BodyRow& row, const UnitBox& part, const Frame& fra
   return {at, half, {frame.turned(row.cosine, 0, -row.sine), {0, 1, 0}, frame.turned(row.sine, 0, row.cosine)}, body};
 }
 
-static SolidBox wall_of(const Edge& edge, i64 half_wall, const Frame& frame) {
-  const Rect box = edge.strip(edge.start - half_wall, edge.end + half_wall, half_wall, half_wall);
+static SolidBox wall_of(const Edge& edge, i64 half_wall, i64 proud, const Frame& frame) {
+  const i64 beyond = proud > 0 ? 0 : half_wall;
+  const Rect box = edge.strip(edge.start - beyond, edge.end + beyond, half_wall + proud, half_wall);
   const f64 x0 = static_cast<f64>(box.x0) / METRE, x1 = static_cast<f64>(box.x1) / METRE;
   const f64 z0 = static_cast<f64>(box.z0) / METRE, z1 = static_cast<f64>(box.z1) / METRE;
   const Point half{(x1 - x0) / 2, WALL_METRES / 2, (z1 - z0) / 2};
@@ -149,7 +151,8 @@ static List<SolidBox> obstacles(const Room& room, const List<bool>& carries, i64
     }
     for (const UnitBox& part : parts) take(box_of(row, part, frame, i));
   }
-  for (const Edge& edge : room.edges) take(wall_of(edge, room.half_wall, frame));
+  for (const Edge& edge : room.edges) take(wall_of(edge, room.half_wall, 0, frame));
+  for (const Edge& edge : room.ways) take(wall_of(edge, room.half_wall, PROUD, frame));
   return found;
 }
 

@@ -114,11 +114,16 @@ class _Writer:
         child = self.book.node(f'{{"name":"leaf","translation":[{half},0,0],"mesh":{self._meshes[key]}}}')
         turns = leaf.motion == "swing"
         reach = sorted((0.0, leaf.swing if turns else round(leaf.height, 6)))
-        joint = f'{{"type":"{"revolute" if turns else "prismatic"}","axis":[0,1,0],"range":{reach},"unit":"{"degree" if turns else "m"}"}}'
+        at = f',"at":{round(leaf.opened, 6)}' if leaf.open else ""
+        joint = (
+            f'{{"type":"{"revolute" if turns else "prismatic"}","axis":[0,1,0],"range":{reach},"unit":"{"degree" if turns else "m"}"{at}}}'
+        )
         extras = f'{{"id":{quoted(leaf.id)},"category":"door","mass":{leaf.mass},"joint":{joint}}}'
         x, y, z = (round(value, 6) for value in leaf.hinge)
+        turn, lift = (leaf.opened, 0.0) if turns else (0.0, round(leaf.opened, 6))
         name = quoted(leaf.id)
-        return f'{{"name":{name},"translation":[{x},{y},{z}],"rotation":{_turned(leaf.closed)},"children":[{child}],"extras":{extras}}}'
+        place = f'"translation":[{x},{round(y + lift, 6)},{z}],"rotation":{_turned(leaf.closed + turn)}'
+        return f'{{"name":{name},{place},"children":[{child}],"extras":{extras}}}'
 
     def _body(self, body: ModelBody) -> str:
         name, kind, parent, room = quoted(body.id), _text(body.kind), _text(body.parent), _text(body.room)

@@ -198,11 +198,11 @@ def _uses(model: HouseModel) -> Iterator[str]:
 
 
 def _home(model: HouseModel) -> str:
-    """Returns all joints' positions: free bodies where they stand, doors and fronts closed; in the order of the bodies."""
+    """Returns all joints' positions: free bodies where they stand, doors as open as they are, fronts shut; in the order of the bodies."""
     values: list[float] = []
     for body in model.bodies:
         if not body.fixed:
             half = math.radians(body.turn) / 2
             values += (*z_up(body.x, body.y, body.z), math.cos(half), 0.0, 0.0, math.sin(half))
         values += (0.0 for _ in body.fronts)
-    return xml_numbers(*values, *(0.0 for _ in model.leaves))
+    return xml_numbers(*values, *(math.radians(leaf.opened) if leaf.motion == "swing" else leaf.opened for leaf in model.leaves))

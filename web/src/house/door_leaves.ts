@@ -17,6 +17,8 @@ export interface Leaf {
   readonly closedAngle: number;
   /** What opening adds to the closed angle: a quarter turn either way. */
   readonly turn: number;
+  /** How far it stands open in the scene, 0 to 1. */
+  readonly open?: number;
 }
 
 export const LEAF_THICKNESS = 0.04;
@@ -64,6 +66,7 @@ function leafOf(opening: PlacedOpening, plan: WallPlan): Leaf {
     height: (hasRailing(opening, plan) ? Math.min(opening.head, RAILING_HEIGHT) : opening.head) - GROUND_GAP,
     closedAngle: closed,
     turn: quarterTurn(closed, open),
+    open: opening.open ?? 0,
   };
 }
 

@@ -18,6 +18,12 @@ function eased(share: number): number {
   return share * share * (3 - 2 * share);
 }
 
+/** When a leaf on its way is so far open: what `eased` undoes. */
+function momentOf(open: number): number {
+  if (open <= 0 || open >= 1) return open;
+  return 0.5 - Math.sin(Math.asin(1 - 2 * open) / 3);
+}
+
 /** A leaf as a body: where its middle is, `open` from 0 to 1. */
 export function bodyOfLeaf(leaf: Leaf, open: number): PlacedBody {
   const turn = leaf.closedAngle + (leaf.motion === "swing" ? open * leaf.turn : 0);
@@ -46,9 +52,9 @@ export class Doors {
   #cut = Number.POSITIVE_INFINITY;
 
   constructor(readonly leaves: readonly Leaf[], paints: DoorPaints = PLAIN_PAINTS) {
-    this.#wanted = leaves.map(() => 0);
-    this.#open = leaves.map(() => 0);
-    this.#bodies = leaves.map((leaf) => bodyOfLeaf(leaf, 0));
+    this.#wanted = leaves.map(({ open = 0 }) => momentOf(open));
+    this.#open = [...this.#wanted];
+    this.#bodies = leaves.map((leaf) => bodyOfLeaf(leaf, leaf.open ?? 0));
     this.#parts = leaves.map((leaf) => partsOfLeaf(leaf, paints));
     this.#shown = [...this.#parts];
     this.#drawn = new PartBatches(this.#bodies, this.#parts);
@@ -63,12 +69,12 @@ export class Doors {
 
   /** Opens a closed leaf, closes an open one. */
   toggle(index: number | undefined): void {
-    if (index !== undefined && this.#wanted[index] !== undefined) this.#wanted[index] = 1 - this.#wanted[index];
+    if (index !== undefined && this.#wanted[index] !== undefined) this.#wanted[index] = this.#wanted[index] > 0 ? 0 : 1;
   }
 
   /** The ids of the leaves that are open or opening. */
   get open(): string[] {
-    return this.leaves.filter((_, i) => this.#wanted[i] === 1).map((leaf) => leaf.id);
+    return this.leaves.filter((_, i) => (this.#wanted[i] ?? 0) > 0).map((leaf) => leaf.id);
   }
 
   /** How far a leaf is turned from the direction of +x now [rad]. */

@@ -19,6 +19,8 @@ export interface PlacedOpening {
   /** Towards which side of the line the leaf swings: 1 towards greater coordinates. */
   readonly opensTowards: 1 | -1;
   readonly mainEntrance: boolean;
+  /** How far its leaf stands open in the scene, 0 to 1. */
+  readonly open?: number;
 }
 
 const NEGLIGIBLE = 1e-6;
@@ -62,6 +64,7 @@ function place({ edge, start }: Spot, opening: Opening, id: string): PlacedOpeni
     hinge: opening.hinge ?? "start",
     opensTowards: opening.swing === "out" ? outward : edge.inward,
     mainEntrance: opening.main_entrance === true,
+    open: Math.min(1, Math.max(0, opening.open ?? 0)),
   };
 }
 
