@@ -196,6 +196,7 @@ def _add_assets(commands: Commands) -> None:
     command = _command(commands, "assets", words)
     command.add_argument("task", choices=("check",), help="check: measure every file, refuse what cannot be used")
     command.add_argument("folder", metavar="DIR", help="holds .glb files, and an assets.yaml if there is one already")
+    command.add_argument("--surfaces", action="store_true", help="find where things may lie, too: reads all points of the files")
     command.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write assets.yaml (standard output)")
     command.add_argument("--catalog", metavar="DIR", help="a folder of your own catalog files, laid over ours (catalogs/example)")
 

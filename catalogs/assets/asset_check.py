@@ -7,26 +7,33 @@ unit, the front (glTF's +z) and the licence (unsaid). Units are never guessed wh
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, Final, NamedTuple
 
 import yaml
 
 from catalogs.assets import ASSET_NAME
-from catalogs.assets.asset_entry import UNSAID, Asset, AssetEntry
+from catalogs.assets.asset_entry import UNSAID, Asset, AssetEntry, Front
 from catalogs.assets.asset_folder import ASSET_FILE, entries_of
 from catalogs.assets.asset_measures import KindTable, fitting_units, kind_table, measured, turned_extents
 from catalogs.assets.glb_bounds import bounds_of
 from catalogs.assets.glb_file import GlbFault, read_glb
+from catalogs.faults import ComposeError
 from catalogs.schema import Catalogs
 
+FRONTS: Final[tuple[Front, ...]] = ("+z", "+x")
+"""Fronts that are guessed: glTF's, or the one across it where only that gives a kind's proportions."""
 MOST_FILES: Final = 20_000
 """Most files that a folder is searched for, in it and below. Our choice."""
 LEVEL: Final = 0.02
 """A surface of an asset is one of its kind's if it is so near, m, once the asset is as high as the kind."""
 _WORD: Final = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 _ORDER: Final = ("file", "kinds", "front", "size", "surfaces", "mass", "license", "source", "author", "guessed")
+
+
+LevelFinder = Callable[[str, Asset], tuple[float, ...]]
+"""Returns the heights at which things may lie on an asset, m, by its name; or raises a `ComposeError`."""
 
 
 class CheckedFolder(NamedTuple):
@@ -43,12 +50,13 @@ class CheckedFolder(NamedTuple):
         return sum(bool(entry.guessed) for entry in self.entries.values())
 
 
-def checked_folder(folder: Path, catalogs: Catalogs) -> CheckedFolder:
+def checked_folder(folder: Path, catalogs: Catalogs, levels: LevelFinder | None = None) -> CheckedFolder:
     """Checks a folder of assets.
 
     Args:
         folder: holds .glb files, in it or below; what its `assets.yaml` says, if there is one, stays.
         catalogs: whose kinds assets may stand for.
+        levels: finds the surfaces of an asset whose kinds have some, where nobody says them; without it they stay unsaid.
 
     Raises:
         CatalogError: its `assets.yaml` cannot be read.
@@ -69,7 +77,11 @@ def checked_folder(folder: Path, catalogs: Catalogs) -> CheckedFolder:
             if unknown:
                 raise GlbFault(f"stands for {', '.join(unknown)}, which no catalog knows")
             asset = measured(folder, asset_entry, kinds)
-        except (GlbFault, ValueError) as fault:
+            if levels and not asset.surfaces and any(kinds.specs[key].surfaces for key in kinds.keys_of(asset.kinds)):
+                found = levels(name, asset)
+                guessed = {"surfaces": found, "guessed": (*asset.guessed, "surfaces")} if found else {}
+                asset, asset_entry = asset.model_copy(update=guessed), asset_entry.model_copy(update=guessed)
+        except (GlbFault, ComposeError, ValueError) as fault:
             refused[file] = str(fault)
             continue
         entries[name] = asset_entry.model_copy(update={"size": asset.size, "guessed": asset.guessed})
@@ -104,7 +116,7 @@ def _guessed(folder: Path, file: str, kinds: KindTable, catalogs: Catalogs) -> A
         GlbFault: it is refused, or no kind can be guessed.
     """
     entry = AssetEntry(file=file, kinds=("?",), guessed=("kinds", "front", "license"))
-    extents = turned_extents(bounds_of(read_glb(folder / file)), entry.front)
+    bounds = bounds_of(read_glb(folder / file))
     words = words_of(file.rpartition(".")[0])
     best: dict[str, int] = {}
     for key, spec in kinds.specs.items():
@@ -116,8 +128,10 @@ def _guessed(folder: Path, file: str, kinds: KindTable, catalogs: Catalogs) -> A
     named = [key for key, fit in best.items() if fit == most]
     if not named:
         raise GlbFault("has a name that is none of a kind's; say its `kinds`")
-    fitting = [key for key in named if fitting_units(extents, [kinds.specs[key].size])]
-    return entry.model_copy(update={"kinds": tuple(dict.fromkeys(catalogs.name_of(key) for key in fitting or named)), "license": UNSAID})
+    fits = {front: [key for key in named if fitting_units(turned_extents(bounds, front), [kinds.specs[key].size])] for front in FRONTS}
+    front = next((front for front, keys in fits.items() if keys), entry.front)
+    called = tuple(dict.fromkeys(catalogs.name_of(key) for key in fits[front] or named))
+    return entry.model_copy(update={"kinds": called, "front": front, "license": UNSAID})
 
 
 def words_of(name: str) -> frozenset[str]:

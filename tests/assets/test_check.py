@@ -10,6 +10,7 @@ import yaml
 from catalogs import Catalogs, add_assets, load_catalogs
 from catalogs.assets.asset_check import checked_folder, words_of
 from service.cli import main
+from solver.exports.asset_levels import levels_of
 from tests.assets.makers import folder, shape, under
 
 FILES = {
@@ -79,6 +80,27 @@ def test_every_kind_s_own_file_is_guessed(tmp_path: Path) -> None:
 )
 def test_words_of_names(name: str, words: set[str]) -> None:
     assert words_of(name) == words
+
+
+def test_a_front_that_looks_aside_shows_in_the_proportions(tmp_path: Path) -> None:
+    files = {"sofa.glb": under(shape("sofa"), rotation=[0, 0.5**0.5, 0, 0.5**0.5])}
+    entry = checked_folder(folder(tmp_path, files), load_catalogs()).entries["sofa"]
+    assert (entry.front, entry.size) == ("+x", pytest.approx((2.2, 0.9, 0.85), rel=1e-4))
+
+
+def test_surfaces_are_found_where_those_of_the_kind_are(tmp_path: Path) -> None:
+    """Of our own shapes, turned and in centimetres: each surface of the kind is found, to 2 cm, and a home then lays its things on them."""
+    catalogs = load_catalogs()
+    keys = ["sofa", "loveseat", "armchair", "dining_chair", "bed", "single_bed", "bookshelf", "dining_table", "nightstand", "desk"]
+    files = {f"{key}.glb": under(shape(key), scale=[100] * 3, rotation=[0, 1, 0, 0]) for key in keys}
+    found = checked_folder(folder(tmp_path, files), catalogs, levels_of)
+    assert found.refused == {}
+    for key in keys:
+        asset = found.entries[key]
+        assert "surfaces" in asset.guessed
+        for surface in catalogs.furniture[key].surfaces:
+            assert min(abs(surface.height - height) for height in asset.surfaces) < 0.02, (key, surface, asset.surfaces)
+    assert checked_folder(tmp_path, catalogs).entries["sofa"].surfaces == ()
 
 
 def test_the_command(checked: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,6 +7,7 @@ import os
 import struct
 import tracemalloc
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -137,6 +138,28 @@ def test_is_refused_by_name_with_little_memory(name: str, tmp_path: Path) -> Non
     tracemalloc.stop()
     assert Path(refusal.value.file) == at / "assets.yaml"
     assert most < len(HOSTILE[name]) * 30 + 4 * MEGABYTE
+
+
+def _counted(real: Callable[..., bytes], read: list[int], *words: object) -> bytes:
+    """Reads, and keeps how much that was."""
+    found = real(*words)
+    read.append(len(found))
+    return found
+
+
+def test_only_what_a_file_says_of_itself_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not a byte of its points: those of a file may be anything, and as many as they are."""
+    document, binary = parts(GOOD)
+    paths = [tmp_path / "good.glb", tmp_path / "noise.glb"]
+    paths[0].write_bytes(GOOD)
+    paths[1].write_bytes(joined(document, b"\xff" * len(binary)))
+    read: list[int] = []
+    for name in ("read", "pread"):
+        real = getattr(os, name)
+        monkeypatch.setattr(os, name, partial(_counted, real, read))
+    bounds = [bounds_of(read_glb(path)) for path in paths]
+    assert bounds[0] == bounds[1]
+    assert sum(read) == sum(path.stat().st_size - len(binary) for path in paths)
 
 
 @pytest.mark.parametrize("size", [MOST_BYTES + 1, 2**31 + 4])

@@ -73,7 +73,7 @@ export class BodyMeshes {
   toggleFronts(id: string | null, front?: string): boolean {
     if (id === null) this.#fronts.toggleAll();
     const number = id === null ? undefined : this.#numbers.get(id);
-    if (id !== null && (number === undefined || !this.#fronts.has(number))) return false;
+    if (id !== null && (number === undefined || !this.#fronts.has(number) || this.#assets?.shows(number))) return false;
     if (number !== undefined && front !== undefined) this.#fronts.toggle(number, front);
     else if (number !== undefined) this.#fronts.toggleAll([number]);
     return true;
