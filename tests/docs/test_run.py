@@ -18,6 +18,7 @@ from scripts import debug_room
 from service import calls
 from service.cli import main, parser
 from solver.exchange import read_scene
+from tests.assets.makers import folder, shape
 from tests.docs.markdown import ROOT, Block, blocks, documents, following, rows, section
 
 SHELLS = blocks("sh")
@@ -136,6 +137,7 @@ def test_a_part_of_a_scene_is_of_the_scene_that_the_command_prints(block: Block,
 @pytest.mark.parametrize("block", blocks("python"), ids=name_of)
 def test_every_program_runs(block: Block, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+    folder(tmp_path / "furniture", {"oak.glb": shape("sofa")}, {"oak": {"file": "oak.glb", "kinds": ["sofa"], "license": "MIT"}})
     exec(compile(block.text, block.place, "exec"), {"__name__": "example"})
 
 

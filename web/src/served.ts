@@ -17,6 +17,13 @@ export interface Asset {
   readonly triangles: number;
 }
 
+/** Floor at a side of a piece that is better kept free: `depth` m; at its left and right all but `behind` m from its back on. */
+export interface Comfort {
+  readonly depth: number;
+  readonly behind?: number;
+  readonly cost?: number;
+}
+
 /** Bodies that cannot stand together, why, and what would help. */
 export interface Conflict {
   readonly ids: readonly string[];
@@ -166,7 +173,7 @@ export interface FurnitureSpec {
   readonly mass: number;
   readonly stands: "wall" | "free";
   readonly use?: Use | null;
-  readonly comfort?: Readonly<Record<string, number>>;
+  readonly comfort?: Readonly<Record<string, Comfort>>;
 }
 
 /** The answer of generate: the scene, what the validator says, and stage times in ms. */
