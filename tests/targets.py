@@ -210,11 +210,7 @@ def floorplan(seeds: int) -> bool:
 def main() -> int:
     """Runs the measurements asked for, in the order of the table."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument(
-        "what",
-        nargs="*",
-        default=UNASKED,
-    )
+    parser.add_argument("what", nargs="*", default=UNASKED)
     parser.add_argument("--seeds", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=2)
     asked = parser.parse_args()

@@ -23,7 +23,7 @@ REQUESTS = (
     Request(seed=502, outdoor=True),
     Request(seed=503, width=12, depth=9, decorate=True),
     Request(seed=504, width=9, depth=8, outdoor=True),
-    Request(seed=505, width=26, depth=18, decorate=True, outdoor=True),
+    Request(seed=505, width=34, depth=24, decorate=True, outdoor=True),
 )
 MAJOR = {"living_room", "kitchen", "dining_room", "bedroom_master", "backyard", "patio", "outdoor_deck"}
 WORKTOPS = {"counter", "kitchen_island", "workbench"}
