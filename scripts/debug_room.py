@@ -124,13 +124,14 @@ def _candidates(space: Space, wanted: Sequence[Piece], tried: Piece, arrangement
     verdicts = {True: "stands", False: "cannot stand", None: "not found within the limit"}
     standing = {placed.label: placed for placed in arrangement.placed if placed.label != tried.label}
     chosen = {label: (placed.chosen,) for label, placed in standing.items()}
-    others = [replace(one, required=True, candidates=chosen[one.label], links=()) for one in wanted if one.label in chosen]
-    piece = replace(tried, required=True, links=())
+    chosen[tried.label] = tried.candidates
+    asked = [replace(one, required=True, candidates=chosen[one.label], links=()) for one in wanted if one.label in chosen]
+    piece = next(one for one in asked if one.label == tried.label)
     yield f"\nCANDIDATES of {piece.label}, each with what stands beside it, walking included"
     for way in sorted(piece.candidates, key=lambda one: one.cost):
-        verdict = feasible(space, [*others, replace(piece, candidates=(way,))], walk=True)
+        verdict = feasible(space, [replace(one, candidates=(way,)) if one is piece else one for one in asked], walk=True)
         yield f"  {_candidate(way, standing)}: {verdicts[verdict]}"
-    yield f"  why: {with_lengths(space, [*others, piece], Arrangement(space.room, (), ((piece.label, NO_CHAIN),))).left_out[0][1]}"
+    yield f"  why: {with_lengths(space, asked, Arrangement(space.room, (), ((piece.label, NO_CHAIN),))).left_out[0][1]}"
 
 
 def _asked(wanted: Sequence[Piece], name: str | None) -> list[Piece]:

@@ -34,13 +34,18 @@ class Found:
     cost: float
 
 
-def as_wished(space: Space, pieces: Sequence[Piece]) -> Found:
-    """Returns every piece's first candidate, of those whose parent is there, where it is wished; what is carried where its carrier is."""
+def as_wished(space: Space, pieces: Sequence[Piece]) -> Found | None:
+    """Returns every piece's first candidate, of those whose parent comes before, where it is wished; what is carried where its carrier is.
+
+    None where a piece has no such candidate.
+    """
     found: dict[str, Rect] = {}
     turns: dict[str, int] = {}
     ways = []
     for piece in pieces:
-        way = next(way for way in piece.candidates if way.attach is None or way.attach.parent in found)
+        way = next((way for way in piece.candidates if way.attach is None or way.attach.parent in found), None)
+        if way is None:
+            return None
         ways.append(way)
         turn, attach = way.rotation, way.attach
         if attach is not None:
@@ -172,7 +177,10 @@ def freed_search(space: Space, pieces: Sequence[Piece], budget: Budget, base: Fo
     Yields:
         What is found.
     """
-    room = Neighbourhood(space, tuple(pieces), base or as_wished(space, pieces))
+    begin = base or as_wished(space, pieces)
+    if begin is None:
+        return
+    room = Neighbourhood(space, tuple(pieces), begin)
     end = -inf
     for freed in room.neighbourhoods():
         found = room.searched(freed, budget)
@@ -186,4 +194,5 @@ def freed_search(space: Space, pieces: Sequence[Piece], budget: Budget, base: Fo
 
 def in_the_way(space: Space, pieces: Sequence[Piece]) -> tuple[str, ...]:
     """Returns pieces without which the others can be used where they are wished; with any one more they cannot."""
-    return Neighbourhood(space, tuple(pieces), as_wished(space, pieces)).in_the_way
+    wished = as_wished(space, pieces)
+    return Neighbourhood(space, tuple(pieces), wished).in_the_way if wished else ()

@@ -136,7 +136,7 @@ def test_where_it_was_is_wished_for_nothing_moves() -> None:
     for piece in scene.rooms[0].furniture:
         if opening := opening_of(scene, piece.id, (), load_catalogs()):
             answer = Dragging(opening).frame(piece.x, piece.z, spots_of(scene))
-            assert answer.spots == pytest.approx(spots_of(scene), abs=0.0006)
+            assert answer.spots == pytest.approx(spots_of(scene), abs=0.0011), "by more than the millimetre that rounding may shift"
 
 
 def test_neighbours_are_pushed_and_come_back() -> None:
