@@ -119,6 +119,7 @@ class ExportBody(Record):
     strict: Flag = False
     issues: Any = None
     timing_ms: Any = None
+    understood_as: Any = None
     moves: Any = None
     removed: Any = None
     conflicts: Any = None

@@ -64,7 +64,7 @@ def test_a_house_goes_through_pipes(house: bytes, monkeypatch: pytest.MonkeyPatc
     assert (viewed.returncode, viewed.stderr) == (0, b"")
     assert viewed.stdout.decode().startswith("# Floor plan")
     assert piped("view")[0] == viewed.stdout
-    assert set(json.loads(piped("validate", "--format", "json")[0])) == {"issues", "metrics"}
+    assert set(json.loads(piped("validate", "--format", "json")[0])) == {"issues", "metrics", "understood_as"}
     fixed, words = piped("fix")
     assert fixed == house
     assert b"0 moved" in words

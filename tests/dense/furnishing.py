@@ -42,8 +42,9 @@ class Result:
 
     `cover` is the floor covered by pieces that stand on it, where two overlap (a chair under its table) counted once, over the
     area between the wall lines. `walkable`: from either door the validator comes to everything, and so does a flood of its
-    own to both doors and all use sides. `faults` are the validator's errors besides `unreachable`. `left_out` counts what found
-    no place, not what was one piece too many for the cover wished for. `cpu` counts place() alone, `compiled` the kernel's part of it.
+    own to both doors and all use sides. `faults` are what the validator finds besides `unreachable` and warnings of blocked
+    fronts. `left_out` counts what found no place, not what was one piece too many for the cover wished
+    for. `cpu` counts place() alone, `compiled` the kernel's part of it.
     """
 
     name: str
@@ -83,7 +84,7 @@ def result(job: tuple[str, int]) -> Result:
     placed = {piece.label for piece in arrangement.placed}
     return Result(
         name, seed, covered(arrangement) / (room.width * room.depth),
-        tuple(rule for rule in rules if rule not in ("unreachable", "missing_required")),
+        tuple(rule for rule in rules if rule not in ("unreachable", "missing_required", "front_blocked")),
         "unreachable" not in rules and not unreached(space, wanted, arrangement),
         "missing_required" not in rules and all(piece.label in placed for piece in wanted if piece.required),
         len(refused(space, wanted, arrangement)), len(placed), cpu, compiled,

@@ -164,7 +164,7 @@ def test_furniture_dragged_off_what_carries_it_is_named_and_brought_back(client:
 
 def test_fix_leaves_a_clean_scene_alone(client: TestClient, scene: dict[str, Any]) -> None:
     answer = client.post("/fix", json={"scene": scene}).json()
-    assert set(answer) == {"scene", "moves", "removed", "conflicts", "issues", "timing_ms"}
+    assert set(answer) == {"scene", "moves", "removed", "conflicts", "issues", "timing_ms", "understood_as"}
     assert answer["scene"] == scene
     assert (answer["moves"], answer["removed"], answer["conflicts"]) == ([], [], [])
 
@@ -181,7 +181,7 @@ def broken(scene: dict[str, Any]) -> tuple[dict[str, Any], str]:
 def test_validate_finds_what_was_broken_and_fix_repairs_it(client: TestClient, scene: dict[str, Any]) -> None:
     spoiled, piece = broken(scene)
     found = client.post("/validate", json={"scene": spoiled}).json()
-    assert set(found) == {"issues", "metrics"}
+    assert set(found) == {"issues", "metrics", "understood_as"}
     out = [issue for issue in found["issues"] if issue["rule"] == "out_of_bounds"]
     assert [piece in issue["ids"] for issue in out] == [True]
     assert set(out[0]) == {"rule", "severity", "room", "ids", "amount", "message"}
@@ -203,7 +203,7 @@ def test_fix_honours_locked_and_says_what_is_impossible(client: TestClient, scen
 
 def test_fix_removes_only_when_asked(client: TestClient) -> None:
     bed = {"name": "bed", "x": 1.0, "z": 1.0, "width": 1.6, "depth": 2.0, "height": 0.5}
-    room = {"id": "cell", "width": 2.0, "depth": 2.1, "furniture": [{**bed, "id": "a"}, {**bed, "id": "b"}]}
+    room = {"id": "cell", "width": 2.6, "depth": 3.0, "furniture": [{**bed, "id": "a"}, {**bed, "id": "b"}]}
     report, remove = (client.post("/fix", json={"scene": {"rooms": [room]}, "on_conflict": word}).json() for word in ("report", "remove"))
     assert report["removed"] == []
     assert report["conflicts"]
@@ -235,7 +235,9 @@ def test_the_catalog_tells_what_there_is(client: TestClient) -> None:
     assert {"furniture", "floorings", "rooms", "fingerprint"} <= set(catalog)
     assert "bed" in catalog["furniture"]
     assert "kitchen" in catalog["rooms"]
-    assert set(catalog["shapes"]["bed"][0]) == {"form", "x", "y", "z", "axis", "taper", "material"}
+    assert set(catalog["shapes"]["bed"][0]) == {
+        "form", "x", "y", "z", "axis", "taper", "material", "front", "board", "opens", "range", "must_open",
+    }  # fmt: skip
     assert {part["material"] for parts in catalog["shapes"].values() for part in parts} <= set(catalog["materials"])
     assert all(set(style["materials"]) <= set(catalog["materials"]) for style in catalog["styles"].values())
 

@@ -118,7 +118,7 @@ def house(seed: int) -> House:
 
 
 def test_errors_and_warnings_are_counted_by_rule_and_listed_with_their_seeds() -> None:
-    clean, broken = house(3), house(4)
+    clean, broken = replace(house(3), issues=()), house(4)
     room = broken.rooms[0]
     issues = (
         Issue("missing_required", "warning", None, (), 0.0, "no bed"),

@@ -142,9 +142,9 @@ def test_the_lines_say_which_body_they_speak_of() -> None:
 
 
 def test_only_who_asks_gets_a_report() -> None:
-    assert set(validate_scene({"scene": CLEAN}, CATALOGS)) == {"issues", "metrics"}
-    assert set(validate_scene({"scene": CLEAN, "report": False}, CATALOGS)) == {"issues", "metrics"}
-    assert set(validate_scene({"scene": CLEAN, "flagged": []}, CATALOGS)) == {"issues", "metrics", "report"}
+    assert set(validate_scene({"scene": CLEAN}, CATALOGS)) == {"issues", "metrics", "understood_as"}
+    assert set(validate_scene({"scene": CLEAN, "report": False}, CATALOGS)) == {"issues", "metrics", "understood_as"}
+    assert set(validate_scene({"scene": CLEAN, "flagged": []}, CATALOGS)) == {"issues", "metrics", "understood_as", "report"}
 
 
 def test_what_is_not_there_cannot_be_flagged() -> None:
