@@ -151,7 +151,8 @@ class Link:
     Args:
         relation: the vocabulary's word, for reasons.
         of: the other piece's label.
-        turn: wished rotation minus the other's, degrees; None where any will do.
+        turn: wished rotation minus the other's, degrees; None where any will do. 180 that is not required also holds where the front
+            looks at the other piece's anchor.
         walls: "opposite" | "same" | "other" | "adjacent" | None: the wished relation of the two walls.
         cost: added when `turn` or `walls` does not hold.
         required: the candidates are incompatible when it does not hold.

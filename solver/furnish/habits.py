@@ -125,6 +125,8 @@ def _way(hosts: _Hosts, label: str, kind: Kind, catalogs: Catalogs) -> tuple[Rel
 def _cells(free: Mapping[str, Kind], seated: set[str], clear: Rect, rim: bool) -> dict[str, Rect]:
     """Deals the floor to the pieces that stand free, in equal parts, row by row; large ones keep ways between them."""
     short = min(clear.width, clear.depth)
+    if short <= 0:
+        return {}
     floor = clear.shrunk(RIM_MM) if rim and short >= ROOMY * RIM_MM else clear
     columns = max(1, min(len(free), ceil(sqrt(len(free) * floor.width / floor.depth))))
     rows = ceil(len(free) / columns) if free else 1

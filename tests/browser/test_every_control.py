@@ -220,7 +220,7 @@ def test_the_keys_are_told_on_the_page_as_in_the_documents(visit: Visit) -> None
 
 def tab_to(page: Page, wanted: str) -> None:
     """Press Tab until something has the focus."""
-    for _ in range(40):
+    for _ in range(80):
         if page.evaluate("wanted => document.activeElement.matches(wanted)", wanted):
             return
         page.keyboard.press("Tab")
