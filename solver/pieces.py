@@ -144,6 +144,10 @@ class Candidate:
         return self.within is not None and (self.within.width, self.within.depth) == self.extent
 
 
+LOOKS_AT = 360
+"""The turn of a link by which one piece looks at the other."""
+
+
 @dataclass(frozen=True)
 class Link:
     """A relation between two pieces that is not a slot: a condition on their candidates, and quadratic terms.
@@ -151,8 +155,8 @@ class Link:
     Args:
         relation: the vocabulary's word, for reasons.
         of: the other piece's label.
-        turn: wished rotation minus the other's, degrees; None where any will do. 180 that is not required also holds where the front
-            looks at the other piece's anchor.
+        turn: wished rotation minus the other's, 0, 90, 180 or 270 degrees; `LOOKS_AT`: the other's anchor is wished before its
+            front instead, no farther aside than ahead, or a turn of 180 where either stands at a slot; None where any will do.
         walls: "opposite" | "same" | "other" | "adjacent" | None: the wished relation of the two walls.
         cost: added when `turn` or `walls` does not hold.
         required: the candidates are incompatible when it does not hold.

@@ -157,7 +157,7 @@ class Tables:
         return (*own, *attach, under, on, slack, number)
 
     def _link(self, link: Link) -> None:
-        turn = -1 if link.turn is None else link.turn % 360
+        turn = -1 if link.turn is None else link.turn
         self.links += (self.piece[link.of], turn, _RELATIONS[link.walls], int(link.required))
         self.link_costs += (link.cost, link.align, link.near, link.apart_m, link.apart_cost)
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from solver.pieces import Candidate, Link, Piece
+from solver.pieces import LOOKS_AT, Candidate, Link, Piece
 from tests.furnish.reference.drawn import QUARTER_PREFERENCE, SIDE_PREFERENCE
 from tests.furnish.worlds import KINDS, ask, box_of, den, front_of, gap, piece
 
@@ -191,7 +191,7 @@ def test_opposite_asks_for_the_other_wall_the_turn_and_the_middle() -> None:
 
 def test_facing_a_piece_without_a_slot_there_is_a_turn() -> None:
     wanted = second(piece("couch"), {"type": "facing", "of": "couch", "cost": 3})
-    assert wanted.links == (Link("facing", "couch_1", turn=180, cost=3.0),)
+    assert wanted.links == (Link("facing", "couch_1", turn=LOOKS_AT, cost=3.0),)
 
 
 def test_near_pulls_and_may_ask_for_walls() -> None:

@@ -7,10 +7,11 @@ arrangement. Goes out: what is wrong, in words; empty if nothing.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import combinations
 
 from solver.geometry import Rect
-from solver.pieces import Arrangement, Link, Piece, Placed, Space, Stand
+from solver.pieces import LOOKS_AT, Arrangement, Link, Piece, Placed, Space, Stand
 from tests.oracles.walk import missed, side_towards
 
 AT_WALL_MM = 150
@@ -101,12 +102,25 @@ def _with_parent(placed: Mapping[str, Placed], piece: Placed) -> Iterator[str]:
             yield f"{piece.label} and {other.label} take one slot"
 
 
-def _links(placed: Mapping[str, Placed], asked: Piece, piece: Placed) -> Iterator[str]:
-    for link in asked.links:
+def _looks_at(piece: Placed, other: Placed) -> bool:
+    """Tells whether the other's anchor lies before a piece's front, no farther aside than ahead."""
+    dx, dz = (theirs - own for own, theirs in zip(piece.chosen.anchor_mm, other.chosen.anchor_mm, strict=True))
+    aside, ahead = (x * dx + z * dz for x, z in QUARTERS[piece.rotation])
+    return ahead > 0 and abs(aside) <= ahead
+
+
+def _links(placed: Mapping[str, Placed], wanted: Piece, piece: Placed) -> Iterator[str]:
+    for link in wanted.links:
         other = placed.get(link.of)
         if not link.required or other is None:
             continue
-        if not holds(link, (piece.rotation, piece.chosen.wall), (other.rotation, other.chosen.wall)):
+        asked = link
+        if link.turn == LOOKS_AT:
+            free = piece.chosen.attach is None and other.chosen.attach is None
+            if free and not _looks_at(piece, other):
+                yield f"{piece.label} does not look at {link.of}"
+            asked = replace(link, turn=None if free else 180)
+        if not holds(asked, (piece.rotation, piece.chosen.wall), (other.rotation, other.chosen.wall)):
             yield f"{piece.label} is not {link.relation} {link.of}"
 
 

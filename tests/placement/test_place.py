@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from solver.geometry import Rect
-from solver.pieces import Arrangement, Piece, Space
+from solver.pieces import LOOKS_AT, Arrangement, Candidate, Link, Piece, Space
 from solver.placement import feasible, minimal_conflict, place
 from solver.placement.arrange import arrange
 from solver.placement.core import Limits
@@ -97,3 +97,16 @@ def test_what_a_limit_cut_short_is_not_called_best() -> None:
     assert all(arrange(*each).best for each in rooms[:10] if not arrange(*each).left_out)
     few = Limits(required=1, required_qps=6)
     assert not all(arrange(*each, limits=few).best for each in rooms)
+
+
+LOOKS = [((3400, 1500), 270, True), ((3400, 1500), 180, False), ((2400, 300), 0, True), ((2400, 300), 270, False)]
+
+
+@pytest.mark.parametrize(("at", "turn", "stands"), LOOKS)
+def test_who_must_face_another_looks_at_it_from_wherever_it_stands(at: tuple[int, int], turn: int, stands: bool) -> None:
+    space = Space("room", Rect(0, 0, 4000, 4000), (), ())
+    sofa = Piece("sofa", True, (Candidate("sofa", (1800, 900, 800), 0, None, (1000, 2000)),))
+    links = (Link("facing", "sofa", turn=LOOKS_AT, required=True),)
+    chair = Piece("chair", True, (Candidate("chair", (500, 500, 900), turn, None, at),), links)
+    (made,) = place([(space, [sofa, chair])])
+    assert [one.label for one in made.placed] == (["sofa", "chair"] if stands else ["sofa"])

@@ -42,11 +42,13 @@ inline Candidate free_candidate(i32 kind, f64 cost) {
   return made;
 }
 
+constexpr i32 LOOKS_AT = 360;  // the turn of a link by which one piece looks at the other
+
 // A condition or a pull between two pieces; a row of the answer.
 struct Link {
   Word word;
   i32 of;
-  i32 turn;  // degrees, or -1
+  i32 turn;  // degrees, LOOKS_AT, or -1
   Walls walls;
   i32 required;
   i32 unused;

@@ -64,10 +64,10 @@ f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 cand
     const LinkCost& cost = room.link_costs[k];
     if (decisions[link.of] == ABSENT) continue;
     const CandidateRow& other = room.candidates[candidate_of(decisions[link.of])];
-    // A wish to face another is held by looking at it; who must face it stands turned against it.
-    const bool is_look = link.turn == 180 && !link.required && link.walls == ANY_WALLS && own.parent < 0 && other.parent < 0;
-    const bool turned = is_look ? looks_at(turn, own, other)
-                                : link.turn < 0 || floor_mod(turn - rotation_of(room, decisions, link.of) - link.turn, 360) == 0;
+    const i64 asked = link.turn == LOOKS_AT ? 180 : link.turn;  // what stands at a slot has no anchor to look at
+    const bool turned = link.turn == LOOKS_AT && own.parent < 0 && other.parent < 0
+                            ? looks_at(turn, own, other)
+                            : asked < 0 || floor_mod(turn - rotation_of(room, decisions, link.of) - asked, 360) == 0;
     if (!turned || !walls_hold(link.walls, own.wall, other.wall)) {
       if (link.required) return RULED_OUT;
       total += cost.cost;

@@ -74,7 +74,9 @@ struct CandidateCost {
   f64 cost;
 };
 
-// A relation to a piece before.
+constexpr i64 LOOKS_AT = 360;  // the turn of a link by which one piece looks at the other
+
+// A relation to a piece before; its turn is in degrees, LOOKS_AT, or -1 where any will do.
 struct LinkRow {
   i64 of, turn, walls, required;
 };

@@ -171,7 +171,7 @@ class Asked {
 
   void add_link(const furnish::Link& link) {
     constexpr i64 WALLS[] = {placement::ANY_WALLS, placement::SAME, placement::OPPOSITE, placement::ADJACENT, placement::OTHER};
-    links_.add({link.of, link.turn < 0 ? -1 : floor_mod(link.turn, 360), WALLS[static_cast<i32>(link.walls)], link.required});
+    links_.add({link.of, link.turn, WALLS[static_cast<i32>(link.walls)], link.required});
     link_costs_.add({link.cost, link.align, link.near, link.apart_m, link.apart_cost});
   }
 

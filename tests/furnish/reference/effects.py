@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from catalogs.checks import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, OPPOSITE, WALL_BEHIND, Rect
-from solver.pieces import Candidate, Link
+from solver.pieces import LOOKS_AT, Candidate, Link
 from solver.relations.relation import distance_mm, missed
 from solver.relations.subject import Opened, Scope, Subject
 from solver.scene import WALLS
@@ -119,7 +119,7 @@ def _facing(subject: Subject, spec: RelationSpec) -> Effect:
     link = _link(subject, spec)
     if link is None or any(other.type in AT_SIDES and set(other.of) & set(spec.of) for other in subject.relations):
         return NOTHING
-    return Effect(links=(replace(link, turn=180),))
+    return Effect(links=(replace(link, turn=LOOKS_AT),))
 
 
 def _near(subject: Subject, spec: RelationSpec) -> Effect:

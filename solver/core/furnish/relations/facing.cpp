@@ -26,7 +26,7 @@ void Facing::effect(const Subject& subject, const Rule& rule, Effect& effect) co
   const i32 piece = subject.first(rule);
   if (piece < 0 || slots_turn_it(subject, rule)) return;
   Link& link = effect.links.add(link_to(rule, piece));
-  link.turn = 180;
+  link.turn = LOOKS_AT;
   link.cost = rule.cost;
   link.required = rule.required;
 }
