@@ -16,7 +16,7 @@ from solver.furnished import ids_of
 from solver.geometry import Rect, to_m, to_mm
 from solver.pieces import Arrangement, Candidate
 from solver.pipeline.generate import generator, wanted_in
-from solver.placement import SolvedRoom, arrange_wide, finish
+from solver.placement import SolvedRoom, arrange, finish
 from solver.placement.problem import ORIGIN, Choice, Confirmed, Force, ProblemBox
 from solver.scene import Furniture, Room, Scene
 from solver.scene_bodies import check_ids
@@ -98,7 +98,7 @@ def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | None:
     from solver.placement.qp import confirmed  # noqa: PLC0415 - OSQP and scipy take 0.3 s to import
 
     space, wanted, _ = wanted_in(scene, room, catalogs)
-    solved = arrange_wide(space, wanted)
+    solved = arrange(space, wanted, wide=True)
     (made,) = finish([solved], tidy=True)
     ids = ids_of(room, made, catalogs)
     if not _same(made, ids, room.furniture):

@@ -12,10 +12,9 @@ from solver.placement.finish import finish, place
 from solver.placement.left_out import minimal_conflict
 from solver.placement.neighbourhood import in_the_way
 from solver.placement.whole_rooms import place_wanted
-from solver.placement.wider import arrange_wide
 
 __all__ = [
-    "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "arrange_wide", "feasible", "finish", "in_the_way", "minimal_conflict",
+    "ROOM_WORK", "Budget", "SolvedRoom", "arrange", "feasible", "finish", "in_the_way", "minimal_conflict",
     "move_least", "moved_back",
     "place", "place_wanted", "problem_bytes", "walkable_when_empty",
 ]  # fmt: skip

@@ -13,10 +13,11 @@ from functools import cached_property
 
 from solver.geometry import Rect
 from solver.pieces import Candidate, Piece, Space
+from solver.placement import kernel
 from solver.placement.budget import Budget
-from solver.placement.core import Arranged, Core, Limits, rounded
-from solver.placement.empty_floor import empty_floor
-from solver.placement.encode import encode
+from solver.placement.core import Core, Limits, rounded
+from solver.placement.empty_floor import FLOOR, PULL
+from solver.placement.encode import Encoded, encode, lay_out
 from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Engine, Ints
 from solver.placement.neighbourhood import freed_search
 from solver.placement.problem import Problem, Solution
@@ -98,7 +99,7 @@ class SolvedRoom:
         """The pieces that stand."""
         core, decided = self.core, zip(self.core.encoded.pieces, self.decisions.tolist(), strict=True)
         return tuple(
-            Chosen(k, piece, core.decided(k, decision)[0], core.rotation(k))
+            Chosen(k, piece, core.decided(decision), core.rotation(k))
             for k, (piece, decision) in enumerate(decided)
             if decision != ABSENT and not piece.is_floor
         )
@@ -129,8 +130,16 @@ def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | No
     return SolvedRoom(core, decisions, preference, solution, walkable, solves=solution.solves, proven=solution.proven)
 
 
-def arrange(space: Space, pieces: Sequence[Piece], walk: bool = True, budget: Budget | None = None, limits: Limits = LIMITS) -> SolvedRoom:
-    """Chooses a candidate for every piece that fits.
+def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and for what
+    space: Space,
+    pieces: Sequence[Piece],
+    *,
+    walk: bool = True,
+    budget: Budget | None = None,
+    limits: Limits = LIMITS,
+    wide: bool = False,
+) -> SolvedRoom:
+    """Chooses a candidate for every piece that fits: `arrange_whole` of solver/core/placement/whole.hpp.
 
     Args:
         space: where the room's furniture may stand.
@@ -138,54 +147,36 @@ def arrange(space: Space, pieces: Sequence[Piece], walk: bool = True, budget: Bu
         walk: whether doors and use sides must be joined. Where even the empty room is not walkable, nobody asks.
         budget: the work it may cost.
         limits: how much each step may try.
+        wide: whether ways from door to door are to be wider than who walks, where they cost little furniture: a wish. A try counts only
+            where it is proven, holds all required pieces and most of what stands without it. Each width may cost the budget.
 
     Returns:
         The best arrangement found within the limits.
     """
     allowed = budget or Budget()
     ordered = sorted(pieces, key=lambda piece: not piece.required)
-    walk = walk and walkable_when_empty(space)
-    left_out: list[tuple[Piece, str]] = []
-    solves, sure = 0, True
-    while True:
-        core, arranged = _attempt(space, ordered, walk, limits, allowed)
-        solves += arranged.solves
-        if arranged.complete or allowed.spent:
-            break
-        sure &= arranged.closed
-        gone = ordered.pop(arranged.deepest)
-        if not gone.is_floor:
-            left_out.append((gone, CANNOT_STAND if arranged.closed else NOT_FOUND))
-        ordered = [piece for piece in ordered if not _goes_with(piece, gone)]
-    decisions = arranged.decisions if arranged.complete else core.deepest_decisions()
-    if not core.found or not arranged.complete:  # the budget ended before: once more, for this placement alone
-        core.evaluate(decisions, LIMITS.required_qps, Budget(), walk)
-    for piece, decision, fate in zip(core.encoded.pieces, decisions.tolist(), arranged.fates.tolist(), strict=True):
+    tables, room = lay_out(space, ordered, "stands")
+    whole = kernel.arrange_whole(room, limits.row, allowed.left, walk, wide)
+    if not wide:
+        allowed.left = whole.budget
+    core = Core(_as_arranged(replace(space, ways_mm=whole.ways or space.ways_mm), ordered, tables.candidates, whole))
+    gone = [(ordered[piece], CANNOT_STAND if certain else NOT_FOUND) for piece, certain in whole.left_out]
+    left_out = [(piece, why) for piece, why in gone if not piece.is_floor]
+    decisions, fates = core.engine.call.decisions.copy(), core.engine.call.fates.tolist()
+    for piece, decision, fate in zip(core.encoded.pieces, decisions.tolist(), fates, strict=True):
         if decision == ABSENT and not piece.is_floor:
-            left_out.append((piece, REASONS[fate if arranged.complete else SPENT]))
-    proven = arranged.complete and arranged.proven and sure
-    best = arranged.complete and arranged.closed and len(ordered) == len(pieces)
-    return replace(solved_room(core, decisions, walk), left_out=tuple(left_out), solves=solves, proven=proven, best=best)
+            left_out.append((piece, REASONS[fate if whole.complete else SPENT]))
+    found = solved_room(core, decisions, whole.walk)
+    return replace(found, left_out=tuple(left_out), solves=whole.solves, proven=whole.proven, best=whole.best)
 
 
-def _goes_with(piece: Piece, gone: Piece) -> bool:
-    """Tells whether a piece is floor that was asked for at a piece which is left out."""
-    attached = (one.attach for one in piece.candidates)
-    return piece.is_floor and piece.required and all(attach is not None and attach.parent == gone.label for attach in attached)
-
-
-def _attempt(space: Space, pieces: Sequence[Piece], walk: bool, limits: Limits, budget: Budget) -> tuple[Core, Arranged]:
-    """Arranges the pieces; where walking alone stands against the required ones, once more with empty floor asked for.
-
-    That floor is one way to be walkable among others, so what is found with it is not proven best.
-    """
-    core = Core(encode(space, pieces, "stands" if walk else "none"))
-    arranged = core.arrange(limits, budget, walk)
-    if arranged.complete or arranged.closed or not walk or budget.spent:
-        return core, arranged
-    with_floor = Core(encode(space, (empty_floor(space), *pieces), "stands"))
-    again = with_floor.arrange(limits, budget, walk)
-    return (with_floor, replace(again, closed=False, proven=False)) if again.complete else (core, arranged)
+def _as_arranged(space: Space, pieces: Sequence[Piece], ways: Sequence[Candidate], whole: kernel.ArrangedRoom) -> Encoded:
+    """Returns a room as the core arranged it in the end: without what was left out, with floor to be kept empty where that helped."""
+    shapes = whole.engine.room.candidates[: whole.candidates.count(-1)].tolist()
+    floor = tuple(Candidate(FLOOR, (row[1], row[2], row[3]), 0, None, (row[6], row[7]), PULL) for row in shapes)
+    stand = tuple(pieces[k] if k >= 0 else Piece(FLOOR, True, floor, is_floor=True) for k in whole.pieces)
+    left = [ways[k] for k in whole.candidates if k >= 0]
+    return Encoded(space, stand, (*floor, *left), (), "stands" if whole.walk else "none", whole.engine)
 
 
 def walkable_when_empty(space: Space) -> bool:
@@ -225,7 +216,4 @@ def feasible(space: Space, pieces: Sequence[Piece], budget: Budget | None = None
     decisions, exact = core.stand_together(LIMITS if prove else FIX_LIMITS, allowed, walk)
     if decisions is not None:
         return True
-    if exact or not walk:
-        return False if exact else None
-    with_floor = Core(encode(space, (empty_floor(space), *pieces), "stands"))
-    return True if with_floor.stand_together(FIX_LIMITS, allowed, True)[0] is not None else None
+    return False if exact else None

@@ -50,19 +50,6 @@ class Limits:
         return np.array(astuple(self), dtype=np.int64)
 
 
-@dataclass(frozen=True)
-class Arranged:
-    """A room's decisions: by piece 8 * candidate + choice of sides, or -1; `fates` of the optional pieces (see fill.py)."""
-
-    decisions: Ints
-    fates: Ints
-    complete: bool
-    closed: bool
-    proven: bool
-    solves: int
-    deepest: int
-
-
 class Core:
     """The kernel's work space of one room.
 
@@ -73,14 +60,6 @@ class Core:
     def __init__(self, encoded: Encoded) -> None:
         self.encoded = encoded
         self.engine: Engine = encoded.engine
-
-    def arrange(self, limits: Limits, budget: Budget, walk: bool) -> Arranged:
-        """Arranges required and optional pieces; the final placement stays in the work space."""
-        self.engine.tree.budget[0] = budget.left
-        decisions, fates, report = kernel.arrange_room(self.engine, limits.row, walk)
-        budget.left = float(self.engine.tree.budget[0])
-        complete, closed, proven, solves = report
-        return Arranged(decisions, fates, bool(complete), bool(closed), bool(proven), solves, self._deepest())
 
     def stand_together(self, limits: Limits, budget: Budget, walk: bool) -> tuple[Ints | None, bool]:
         """Asks for all pieces at once, whatever is required.
@@ -143,12 +122,6 @@ class Core:
         at = int(tree.counters[DEEPEST])
         return 0 if at < 0 else int((tree.decisions[at] != layout.ABSENT).sum())
 
-    def deepest_decisions(self) -> Ints:
-        """Returns the decisions of the deepest prefix of the last best-first search."""
-        tree = self.engine.tree
-        at = int(tree.counters[DEEPEST])
-        return self.blank() if at < 0 else tree.decisions[at].copy()
-
     def blank(self) -> Ints:
         """Returns the decisions of an empty room."""
         return np.full(len(self.encoded.pieces), layout.ABSENT, dtype=np.int64)
@@ -167,10 +140,13 @@ class Core:
         """Returns the preference cost of decisions that can stand together."""
         return kernel.total_preference(self.engine, decisions)
 
-    def decided(self, piece: int, decision: int) -> tuple[Candidate, tuple[str, ...]]:
-        """Returns the candidate and the use sides that a decision of a piece means."""
-        first = int(self.engine.room.pieces[piece, layout.SIDES_0])
-        return self.encoded.candidates[decision // 8], self.encoded.side_names[first + decision % 8]
+    def decided(self, decision: int) -> Candidate:
+        """Returns the candidate that a decision means."""
+        return self.encoded.candidates[decision // 8]
+
+    def sides_of(self, piece: int, decision: int) -> tuple[str, ...]:
+        """Returns the use sides that a decision of a piece means, in a room that was laid out as it is."""
+        return self.encoded.side_names[int(self.engine.room.pieces[piece, layout.SIDES_0]) + decision % 8]
 
     def walkable_near(self, solution: Solution) -> bool:
         """Tells whether a solution, rounded to millimetres, is walkable."""

@@ -16,7 +16,7 @@ from solver.pieces import Piece, Space
 from solver.placement.arrange import FIX_LIMITS, SolvedRoom, arrange, solved_room, walkable_when_empty
 from solver.placement.budget import Budget
 from solver.placement.core import Core
-from solver.placement.empty_floor import WHOLE_SHAPES, empty_floor, places_round_a_floor
+from solver.placement.empty_floor import SHAPES_MM, empty_floor, places_round_a_floor
 from solver.placement.encode import encode
 from solver.placement.layout import ABSENT
 from solver.placement.neighbourhood import Found, freed_search
@@ -87,7 +87,7 @@ class _Question:
         Kept free are persons' squares at the use sides, alone and with a piece of floor besides; nothing is sought but what is
         cheaper than all before it.
         """
-        floor, spare = empty_floor(self.space, WHOLE_SHAPES), Budget(min(self.budget.left, FLOOR_WORK))
+        floor, spare = empty_floor(self.space), Budget(min(self.budget.left, FLOOR_WORK))
         modes = ("mixed", "stands") if any(len(piece.stands) > 1 for piece in self.pieces) else ("stands",)
         nearest: Solution | None = None
         for mode in modes:
@@ -95,7 +95,7 @@ class _Question:
             decisions = freed.first_decisions()
             if decisions is None:
                 continue
-            for shape in range(-1, WHOLE_SHAPES):
+            for shape in range(-1, len(SHAPES_MM)):
                 decisions[0] = ABSENT if shape < 0 else 8 * shape
                 ceiling = nearest.cost if nearest else inf
                 if freed.evaluate(decisions, QUICK_QPS, self.budget if shape < 0 else spare, True, ceiling):

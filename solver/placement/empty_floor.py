@@ -18,11 +18,8 @@ from solver.placement.encode import FREE_CENTRES_MM2, encode
 from solver.placement.layout import PERSON_MM
 from solver.placement.walkable import WalkablePlace
 
-SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760), (900, 900), (750, 1200), (1200, 750))
-"""Rectangles of floor. In each of the first five a person of 0.6 m has the 0.25 m2 of free centres that a room must have; the others
-leave room for floor that goes round a corner, whose area the walk measures."""
-WHOLE_SHAPES = 5
-"""How many those are."""
+SHAPES_MM = ((1110, 1110), (900, 1450), (1450, 900), (760, 2200), (2200, 760))
+"""Rectangles of floor in which a person of 0.6 m has the 0.25 m2 of free centres that a room must have."""
 FLOOR = "(floor)"
 """Label and kind of a piece that stands for floor to be kept empty."""
 PULL = (0.02, 0.02)
@@ -35,10 +32,10 @@ Tie = tuple[Candidate, Candidate, tuple[str, ...]]
 """A candidate tied to the floor by a use side, the same without that, and the side."""
 
 
-def empty_floor(space: Space, shapes: int = len(SHAPES_MM)) -> Piece:
-    """Returns a piece that stands for floor kept empty, in one of the first shapes: bodies keep out, people do not."""
+def empty_floor(space: Space) -> Piece:
+    """Returns a piece that stands for floor kept empty, in one of several shapes: bodies keep out, people do not."""
     more = space.robot_mm - 600
-    return _floor(space, [(width + more, depth + more) for width, depth in SHAPES_MM[:shapes]])
+    return _floor(space, [(width + more, depth + more) for width, depth in SHAPES_MM])
 
 
 def _floor(space: Space, shapes: Sequence[tuple[int, int]]) -> Piece:
@@ -92,8 +89,8 @@ def _places_round(space: Space, pieces: Sequence[Piece], shape: tuple[int, int],
     rects = core.bodies()
     found = []
     for k, (piece, own) in enumerate(zip(pieces, ties, strict=True), start=1):
-        candidate, sides = core.decided(k, int(decisions[k]))
-        tie = next((tie for tie in own if tie[0] is candidate), (candidate, candidate, sides))
+        candidate = core.decided(int(decisions[k]))
+        tie = next((tie for tie in own if tie[0] is candidate), (candidate, candidate, core.sides_of(k, int(decisions[k]))))
         found.append(WalkablePlace(piece, tie[1], tie[2], rects[k]))
     return tuple(found)
 

@@ -11,14 +11,13 @@ from dataclasses import replace
 from solver.errors import RequestError
 from solver.geometry import WALL_BEHIND
 from solver.pieces import Arrangement, Piece, Placed, Space
-from solver.placement.arrange import LIMITS, NOT_WALKABLE, SolvedRoom, solved_room
+from solver.placement.arrange import LIMITS, NOT_WALKABLE, SolvedRoom, arrange, solved_room
 from solver.placement.budget import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
 from solver.placement.layout import WAYS
 from solver.placement.left_out import why_left_out
 from solver.placement.problem import Confirmed
-from solver.placement.wider import arrange_wide
 
 NEAR_WALL_MM = 150
 """A companion whose back is this close to its parent's wall counts as standing at it (the rule wall_far: beyond 0.2 m
@@ -39,7 +38,7 @@ def place(rooms: Sequence[tuple[Space, Sequence[Piece]]], engine: str = "osqp", 
     Returns:
         One arrangement a room, in the same order, exactly valid on the millimetre lattice.
     """
-    return finish([arrange_wide(space, pieces) for space, pieces in rooms], engine, tidy)
+    return finish([arrange(space, pieces, wide=True) for space, pieces in rooms], engine, tidy)
 
 
 def finish(rooms: Sequence[SolvedRoom], engine: str = "osqp", tidy: bool = False) -> list[Arrangement]:

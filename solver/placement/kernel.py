@@ -6,14 +6,19 @@ Comes in: an `Engine`, and decisions. Goes out: numbers, and what is left in the
 from __future__ import annotations
 
 from collections.abc import Sequence
+from struct import Struct
+from typing import Final, NamedTuple
 
 import numpy as np
 
-from solver.placement.layout import Engine, Floats, Ints
+from solver.core import taken
+from solver.placement.layout import Engine, Floats, Ints, RoomArrays
 from solver.placement.problem import Solution
+from solver.placement.space import request_of
 
 HOLDING_ROW = 7
 """Numbers of `struct HoldingRow`."""
+_WHOLE: Final = Struct("<7qd3q")
 
 
 def assemble(engine: Engine, decisions: Ints) -> bool:
@@ -22,27 +27,54 @@ def assemble(engine: Engine, decisions: Ints) -> bool:
     return bool(engine.instance.call("assemble", engine.desk))
 
 
-def arrange_room(engine: Engine, limits: Ints, walk: bool) -> tuple[Ints, Ints, list[int]]:
-    """Arranges a whole room; the final placement is left in `work` and `nodes`.
+class ArrangedRoom(NamedTuple):
+    """A room arranged by the core: `struct WholeAnswer` of solver/core/placement/door.cpp."""
+
+    engine: Engine
+    walk: bool
+    complete: bool
+    proven: bool
+    best: bool
+    solves: int
+    ways: int
+    """How wide ways between doors are, where they are wider than asked, mm; else 0."""
+    budget: float
+    """Work that is left."""
+    pieces: list[int]
+    """What the engine's pieces were numbered in the room that was asked for; -1: floor that was added."""
+    candidates: list[int]
+    left_out: list[tuple[int, int]]
+    """Required pieces left out by number, and whether it is certain that they cannot stand."""
+
+
+def arrange_whole(room: RoomArrays, limits: Ints, budget: float, walk: bool, wide: bool) -> ArrangedRoom:
+    """Arranges a whole room; the final placement is left in its engine.
 
     Args:
-        engine: the work space.
+        room: required pieces first.
         limits: the seven numbers of `Limits`.
+        budget: the work it may cost.
         walk: whether doors and use sides must be joined.
+        wide: whether ways from door to door are to be wider than who walks.
 
-    Returns:
-        Decisions; what becomes of each optional piece; and whether all required pieces stand, whether their arrangement is exact,
-        whether the final placement is proven, and QPs.
+    Raises:
+        CoreFull: the core's memory is too small for it.
     """
-    engine.call.limits[:] = limits
-    engine.instance.call("arrange_room", engine.desk, walk)
-    return engine.call.decisions.copy(), engine.call.fates.copy(), engine.call.report.tolist()
+    instance = taken(roomy=True)
+    sent, asked = instance.write(request_of(room)), instance.write(limits.tobytes())
+    address = int(instance.call("arrange_whole", sent, asked, budget, walk, wide))
+    desk, walked, complete, proven, best, solves, ways, left, pieces, ways_there, gone = _WHOLE.unpack(instance.read(address, _WHOLE.size))
+    numbers = np.frombuffer(instance.read(address + _WHOLE.size, 8 * (pieces + ways_there + 2 * gone)), np.int64).tolist()
+    left_out = numbers[pieces + ways_there :]
+    flags = bool(walked), bool(complete), bool(proven), bool(best)
+    pairs = list(zip(left_out[::2], left_out[1::2], strict=True))
+    return ArrangedRoom(Engine(instance, desk), *flags, solves, ways, left, numbers[:pieces], numbers[pieces : pieces + ways_there], pairs)
 
 
 def best_first(engine: Engine, start: Ints, group: Sequence[int], limits: Sequence[int], walk: bool) -> bool:
     """Finds the cheapest way for the pieces group[0] ... group[1] - 1 to join decisions; what it found is left in `tree`."""
     call = engine.call
-    call.decisions[:], call.group[:], call.limits[:3] = start, group, limits
+    call.decisions[:], call.group[:], call.limits[:] = start, group, limits
     return bool(engine.instance.call("best_first", engine.desk, walk))
 
 

@@ -156,7 +156,7 @@ class Neighbourhood:
             return None
         rects, own = core.bodies(), {piece.label: k for k, piece in enumerate(core.encoded.pieces)}
         cost = core.preference(decisions) + float(core.engine.nodes.best_cost[0])
-        taken = {label: core.decided(own[label], int(decisions[own[label]]))[0] for label in moving}
+        taken = {label: core.decided(int(decisions[own[label]])) for label in moving}
         ways = tuple(taken.get(p.label, self.ways[p.label]) for p in self.pieces)
         return Found(ways, tuple(rects[own[p.label]] for p in self.pieces), cost)
 

@@ -1,15 +1,16 @@
 // Arranges rooms natively, with every index checked: `native ROOMS` reads what the host would send and writes what it would read.
 //
-// Of a room: the length of its request (8 bytes), the request, RoomLimits, whether to walk (8 bytes), the budget (a float).
-// Written of it: decisions, RoomReport, the budget left, the cost, positions along x and z, whether they may be walked between;
+// Of a room: the length of its request (8 bytes), the request, RoomLimits, whether to walk, whether with wide ways (8 bytes each), the
+// budget (a float). Written of it: decisions, what is said of WholeRoom, its pieces' numbers, those left out, the cost, positions along x
+// and z, whether they may be walked between;
 // the final problem and what is said of its optimum; and what becomes of that in whole millimetres.
 #include <stdio.h>
 
 #include "placement/confirm.hpp"
-#include "placement/fill.hpp"
 #include "placement/grid.hpp"
 #include "placement/house.hpp"
 #include "placement/settle.hpp"
+#include "placement/whole.hpp"
 
 using namespace placement;
 
@@ -46,20 +47,23 @@ static void settle_found(const Desk& desk, bool walk) {
 // Arranges the next room of a file; false at its end.
 static bool arrange_next(FILE* file) {
   const arena::Scope scope;
-  i64 size, walk;
+  i64 size, walk, wide;
   RoomLimits limits;
+  f64 budget;
   if (!read(file, &size, 1)) return false;
   u8* request = static_cast<u8*>(arena::reserve(size));
-  Desk* desk;
-  if (!read(file, request, size) || !read(file, &limits, 1) || !read(file, &walk, 1)) fail(Failure::bad_request);
+  if (!read(file, request, size) || !read(file, &limits, 1) || !read(file, &walk, 1) || !read(file, &wide, 1) || !read(file, &budget, 1)) {
+    fail(Failure::bad_request);
+  }
   const Room room = room_of(reinterpret_cast<RoomRequest*>(request));
-  desk = new_desk(room, sizes_of(room));
+  const WholeRoom whole = wide != 0 ? arrange_wide(room, limits, budget) : arrange_whole(room, limits, budget, walk != 0);
+  const Desk* desk = whole.desk;
   const Engine& engine = desk->engine;
-  if (!read(file, engine.tree.budget.data, 1)) fail(Failure::bad_request);
-  const RoomReport report = arrange_room(engine, desk->decisions, desk->fates, limits, walk != 0);
   write(desk->decisions.data, desk->decisions.size);
-  write(&report, 1);
-  write(engine.tree.budget.data, 1);
+  const i64 said[] = {whole.walk, whole.complete, whole.proven, whole.best, whole.solves, whole.ways};
+  write(said, 6);
+  write(whole.asked.pieces.data, whole.asked.pieces.size);
+  write(whole.left_out.begin(), whole.left_out.size());
   write(engine.nodes.best_cost.data, 1);
   if (engine.nodes.result->found) {
     for (i64 axis = 0; axis < 2; axis++) write(engine.nodes.best.row(axis).data, engine.work.sizes[axis]);

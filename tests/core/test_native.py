@@ -6,7 +6,7 @@ import subprocess
 import sys
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ from solver.placement.arrange import LIMITS
 from solver.placement.core import solution_of
 from solver.placement.encode import lay_out
 from solver.placement.layout import FOUND, Floats, Ints
-from solver.placement.space import new_engine, request_of
+from solver.placement.space import request_of
 from solver.streams import Stream
 from tests.architecture.tree import ROOT
 from tests.placement.rooms import random_space, random_wanted
@@ -48,13 +48,13 @@ class Room(NamedTuple):
 @cache
 def room(seed: int) -> Room:
     """A random room; every fifth need not be walkable."""
-    stream, walk, budget = Stream(seed, "native"), seed % 5 > 0, np.array([Budget().left])
+    stream, walk, wide = Stream(seed, "native"), seed % 5 > 0, seed % 7 == 0
     space = random_space(stream)
     _, arrays = lay_out(space, random_wanted(space, stream, 2 + seed % 11), ("stands", "mixed", "test")[seed % 3])
-    engine, request = new_engine(arrays), request_of(arrays)
-    engine.tree.budget[:] = budget
-    decisions, _, report = kernel.arrange_room(engine, LIMITS.row, walk)
-    answer = [decisions, np.array(report), engine.tree.budget, engine.nodes.best_cost]
+    whole = kernel.arrange_whole(arrays, LIMITS.row, Budget().left, walk, wide)
+    engine, request = whole.engine, request_of(arrays)
+    said = [whole.walk, whole.complete, whole.proven, whole.best, whole.solves, whole.ways, *whole.pieces, *sum(whole.left_out, ())]
+    answer: list[NDArray[Any]] = [engine.call.decisions.copy(), np.array(said, dtype=np.int64), engine.nodes.best_cost]
     if engine.nodes.result[FOUND]:
         answer += [engine.nodes.best[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
         walked, found = kernel.walkable(engine), solution_of(engine)
@@ -69,7 +69,7 @@ def room(seed: int) -> Room:
         answer += [engine.grid.positions[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
         answer.append(np.array([added]))
     head = len(request).to_bytes(8, "little")
-    tail = LIMITS.row.tobytes() + int(walk).to_bytes(8, "little") + budget.tobytes()
+    tail = LIMITS.row.tobytes() + int(walk).to_bytes(8, "little") + int(wide).to_bytes(8, "little") + np.array([Budget().left]).tobytes()
     return Room(head + request + tail, b"".join(part.tobytes() for part in answer))
 
 

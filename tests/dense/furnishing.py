@@ -15,10 +15,7 @@ from catalogs import Catalogs, load_catalogs
 from solver.furnish import space_of, wanted_pieces
 from solver.furnished import furnished
 from solver.pieces import Arrangement, Piece, Space
-from solver.placement import Budget, place
-from solver.placement.arrange import LIMITS
-from solver.placement.core import Core
-from solver.placement.encode import encode
+from solver.placement import arrange, place
 from solver.scene import Room, Scene
 from solver.streams import Stream
 from solver.validator import validate
@@ -75,9 +72,8 @@ def result(job: tuple[str, int]) -> Result:
     start = time.process_time()
     (arrangement,) = place([(space, wanted)])
     cpu = time.process_time() - start
-    core = Core(encode(space, wanted))
     start = time.process_time()
-    core.arrange(LIMITS, Budget(), True)
+    arrange(space, wanted)
     compiled = time.process_time() - start
     done = furnished(room, arrangement, catalogs(), Stream(seed, "colour", name))
     rules = [issue.rule for door in _doors(done) for issue in validate(_scene(done, door), catalogs())]

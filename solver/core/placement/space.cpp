@@ -232,9 +232,9 @@ Desk* new_desk(const Room& room, const Sizes& sizes) {
   desk.engine.grid = new_grid(sizes);
   desk.decisions = new_span<i64>(room.pieces.size);
   desk.fates = zeroes<i64>(room.pieces.size);
-  desk.limits = zeroes<i64>(sizeof(RoomLimits) / 8);
+  desk.limits = zeroes<i64>(sizeof(SearchLimits) / 8);
   desk.group = zeroes<i64>(sizeof(Group) / 8);
-  desk.report = zeroes<i64>(sizeof(RoomReport) / 8);
+  desk.report = zeroes<i64>(1);
   desk.finals = new_zeroes<f64>(2, sizes.variables + 1);
   desk.owns = new_zeroes<f64>(2, sizes.variables + 1);
   desk.taken = reserved_rows<DifferenceRow>(2 * sizes.choices + SPARE_PATH);

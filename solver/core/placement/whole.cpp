@@ -8,22 +8,24 @@ constexpr i64 USUAL_ROBOT_MM = 600;
 constexpr i64 FEW_QPS = 10;  // of an empty room
 constexpr f64 ENOUGH = 400'000.0;  // work for one placement that is known to be there
 
-// A room on a desk, and what came of it.
-struct Attempt {
-  Desk* desk;
-  NumberedRoom asked;
-  RoomReport report;
+// Wider ways between doors: by how much wider than who walks, the widest first, and the share that must stand with them of what optional
+// pieces are worth without. 0.8, 0.7 and 0.65 m where the person is 0.6 m wide. Our choice.
+struct WayMargin {
+  i64 wider;
+  f64 worth;
 };
+constexpr WayMargin MARGINS[] = {{200, 0.9}, {100, 0.8}, {50, 0.6}};
+constexpr RoomLimits MARGIN_LIMITS = {300, 500, 16, 60, 2, 8, 6000};  // such a try is given up sooner
 
 static Desk* desk_for(const NumberedRoom& asked) { return new_desk(asked.room, sizes_of(asked.room)); }
 
-static Attempt arranged(const NumberedRoom& asked, const RoomLimits& limits, f64& budget, bool walk) {
+static Desk* arranged(const NumberedRoom& asked, const RoomLimits& limits, f64& budget, bool walk, RoomReport& report) {
   Desk* desk = desk_for(asked);
   const Engine& engine = desk->engine;
   engine.tree.budget[0] = budget;
-  const RoomReport report = arrange_room(engine, desk->decisions, desk->fates, limits, walk);
+  report = arrange_room(engine, desk->decisions, desk->fates, limits, walk);
   budget = engine.tree.budget[0];
-  return {desk, asked, report};
+  return desk;
 }
 
 static bool is_walkable_empty(const NumberedRoom& asked) {
@@ -35,19 +37,15 @@ static bool is_walkable_empty(const NumberedRoom& asked) {
   return evaluate(desk->engine, desk->decisions, FEW_QPS, INFINITE, true);
 }
 
-// How many pieces the deepest prefix of the last search holds.
-static i64 deepest(const Tree& tree) {
+// Takes the deepest prefix of the last search for decisions; returns how many pieces it holds.
+static i64 take_deepest(const Tree& tree, const Decisions& decisions) {
   const i64 at = tree.counters->deepest;
   i64 count = 0;
-  for (i64 k = 0; at >= 0 && k < tree.decisions.columns; k++) count += tree.decisions.at(at, k) != ABSENT;
+  for (i64 k = 0; k < tree.decisions.columns && k < decisions.size; k++) {
+    decisions[k] = at < 0 ? ABSENT : tree.decisions.at(at, k);
+    count += decisions[k] != ABSENT;
+  }
   return count;
-}
-
-// Takes the deepest prefix of the last search for decisions.
-static void take_deepest(const Desk& desk) {
-  const Tree& tree = desk.engine.tree;
-  const i64 at = tree.counters->deepest;
-  for (i64 k = 0; k < desk.decisions.size; k++) desk.decisions[k] = at < 0 ? ABSENT : tree.decisions.at(at, k);
 }
 
 // Leaves out a required piece, and with it the floor that was asked for at it alone.
@@ -65,38 +63,93 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
   WholeRoom found = {};
   found.walk = walk && is_walkable_empty(asked);
   if (!found.walk) asked = without_walking(asked);
+  const Span<i64> prefix = reserved<i64>(static_cast<i32>(room.pieces.size));
   bool sure = true;
-  Attempt last;
+  RoomReport report;
   for (;;) {
-    last = arranged(asked, limits, budget, found.walk);
-    found.solves += last.report.solves;
-    if (!last.report.complete && !last.report.closed && found.walk && budget > 0) {
-      const Attempt again = arranged(with_empty_floor(asked, room.space->robot - USUAL_ROBOT_MM), limits, budget, true);
-      if (again.report.complete) {
-        found.solves += again.report.solves - last.report.solves;
+    const arena::Mark mark = arena::mark();  // what was tried in vain is given back
+    found.asked = asked;
+    found.desk = arranged(asked, limits, budget, found.walk, report);
+    found.solves += report.solves;
+    if (report.complete) break;
+    const RoomReport without = report;
+    const i64 out = take_deepest(found.desk->engine.tree, prefix);
+    arena::release(mark);
+    if (!report.closed && found.walk && budget > 0) {
+      found.asked = with_empty_floor(asked, room.space->robot - USUAL_ROBOT_MM);
+      found.desk = arranged(found.asked, limits, budget, true, report);
+      if (report.complete) {
+        found.solves += report.solves - without.solves;
         found.with_floor = true;
-        last = again;
-        last.report.closed = last.report.proven = 0;
+        report.closed = report.proven = 0;
+        break;
       }
+      arena::release(mark);
     }
-    if (last.report.complete || budget <= 0) break;
-    sure = sure && last.report.closed;
-    const i64 out = deepest(last.desk->engine.tree);
-    found.left_out.add({asked.pieces[out], last.report.closed});
+    report = without;
+    if (budget <= 0) {
+      found.asked = asked;
+      found.desk = desk_for(asked);
+      for (i64 k = 0; k < found.desk->decisions.size; k++) found.desk->decisions[k] = prefix[k];
+      break;
+    }
+    sure = sure && report.closed;
+    found.left_out.add({asked.pieces[out], report.closed});
     asked = without_required(asked, out);
   }
-  const Engine& engine = last.desk->engine;
-  found.desk = last.desk;
-  found.asked = last.asked;
-  found.complete = last.report.complete;
-  if (!found.complete) take_deepest(*found.desk);
+  const Engine& engine = found.desk->engine;
+  found.complete = report.complete;
   if (!found.complete || !engine.nodes.result->found) {  // the budget ended before: once more, for this placement alone
     engine.tree.budget[0] = ENOUGH;
     evaluate(engine, found.desk->decisions, limits.required_qps, INFINITE, found.walk);
   }
-  found.proven = found.complete && last.report.proven && sure;
-  found.best = found.complete && last.report.closed && found.left_out.size() == 0;
+  found.proven = found.complete && report.proven && sure;
+  found.best = found.complete && report.closed && found.left_out.size() == 0;
   return found;
+}
+
+// Required pieces that stand, and what the optional ones that do are worth.
+struct Standing {
+  i64 required;
+  f64 worth;
+};
+
+static Standing standing_in(const WholeRoom& whole) {
+  Standing found = {0, 0.0};
+  const Room& room = whole.desk->engine.room;
+  for (i32 k = 0; k < room.pieces.size; k++) {
+    if (whole.desk->decisions[k] == ABSENT || room.pieces[k].empty != 0) continue;
+    if (room.pieces[k].required) {
+      found.required++;
+    } else {
+      found.worth += room.skip_costs[k];
+    }
+  }
+  return found;
+}
+
+WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget) {
+  f64 left = budget;
+  const WholeRoom usual = arrange_whole(room, limits, left, true);
+  if (room.doors.size < 2 || !usual.walk || !usual.desk->engine.nodes.result->found) return usual;
+  const Standing least = standing_in(usual);
+  for (const WayMargin& margin : MARGINS) {
+    const arena::Mark mark = arena::mark();
+    const Span<SpaceRow> space = reserved<SpaceRow>(1);
+    space[0] = *room.space.data;
+    space[0].ways = room.space->robot + margin.wider;
+    Room asked = room;
+    asked.space.data = space.data;
+    left = budget;
+    WholeRoom wide = arrange_whole(asked, MARGIN_LIMITS, left, true);
+    if (wide.walk && wide.desk->engine.nodes.result->found && (wide.proven || !usual.proven)) {
+      const Standing standing = standing_in(wide);
+      wide.ways = space[0].ways;
+      if (standing.required >= least.required && standing.worth >= margin.worth * least.worth) return wide;
+    }
+    arena::release(mark);
+  }
+  return usual;
 }
 
 bool arrange_again(const Room& room, const WholeRoom& before, i64 limit, WholeRoom& found) {

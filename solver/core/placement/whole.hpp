@@ -1,5 +1,5 @@
 // A whole room with all its pieces: arranged, where walking alone stands against the required ones with floor kept empty, and where they
-// cannot all stand with one required piece after the other left out.
+// cannot all stand with one required piece after the other left out. And with ways between its doors as wide as its furniture allows.
 #pragma once
 
 #include "placement/reshape.hpp"
@@ -24,6 +24,7 @@ struct WholeRoom {
   bool proven;  // it is the optimum, and none left out could stand beside those before it
   bool best;  // no other candidates of the required pieces are cheaper
   i64 solves;
+  i64 ways;  // how wide the ways between doors are, where they are wider than asked
 };
 
 // Chooses a candidate for every piece that fits.
@@ -32,6 +33,9 @@ struct WholeRoom {
 //   budget: work it may cost; what is left is written there.
 //   walk: whether doors and use sides must be joined.
 WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk);
+
+// The same, walked in, with the widest ways between its doors that do not cost it its furniture; each width may cost the budget.
+WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget);
 
 // Asks for the same decisions in the same room for another person: `room` is the one first asked for. False where nothing was found.
 bool arrange_again(const Room& room, const WholeRoom& before, i64 limit, WholeRoom& found);

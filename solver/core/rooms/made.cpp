@@ -14,14 +14,6 @@ using placement::Settled;
 using placement::WholeRoom;
 
 constexpr placement::RoomLimits LIMITS = {3000, 2000, 16, 60, 2, 8, 6000};
-// Wider ways between doors: by how much wider than who walks, the widest first, and the share that must stand with them of what optional
-// pieces are worth without. 0.8, 0.7 and 0.65 m where the person is 0.6 m wide. Our choice.
-struct WayMargin {
-  i64 wider;
-  f64 worth;
-};
-constexpr WayMargin MARGINS[] = {{200, 0.9}, {100, 0.8}, {50, 0.6}};
-constexpr placement::RoomLimits MARGIN_LIMITS = {300, 500, 16, 60, 2, 8, 6000};  // such a try is given up sooner
 constexpr f64 ROOM_WORK = 400'000.0;  // what a room may cost, in QPs of a small room
 constexpr i64 MARGIN_MM = 2;  // rounding to millimetres moves each of two bodies by less than one
 constexpr i64 NEAR_WALL_MM = 150;  // a companion whose back is this close to its parent's wall counts as standing at it
@@ -50,7 +42,7 @@ class Making {
   Making(const WantingRoom& room, bool tidy) : room_(room), tidy_(tidy) {}
 
   Bytes answer() {
-    arrange();
+    whole_ = placement::arrange_wide(asked_room(room_, room_.header.robot, 0), LIMITS, ROOM_WORK);
     const placement::FinalProblem* problem = nullptr;
     made_.failed = !desk().engine.nodes.result->found;
     if (!made_.failed) {
@@ -68,52 +60,6 @@ class Making {
   }
 
  private:
-  // Required pieces that stand, and what the optional ones that do are worth.
-  struct Standing {
-    i64 required;
-    f64 worth;
-  };
-
-  static Standing standing_in(const WholeRoom& whole) {
-    Standing found = {0, 0.0};
-    const placement::Room& room = whole.desk->engine.room;
-    for (i32 k = 0; k < room.pieces.size; k++) {
-      if (whole.desk->decisions[k] == placement::ABSENT || room.pieces[k].empty != 0) continue;
-      if (room.pieces[k].required) {
-        found.required++;
-      } else {
-        found.worth += room.skip_costs[k];
-      }
-    }
-    return found;
-  }
-
-  WholeRoom arranged(i64 ways, const placement::RoomLimits& limits) const {
-    f64 budget = ROOM_WORK;
-    return placement::arrange_whole(asked_room(room_, room_.header.robot, ways), limits, budget, true);
-  }
-
-  // Arranges the room with the widest ways between its doors that do not cost it its furniture.
-  void arrange() {
-    whole_ = arranged(0, LIMITS);
-    if (room_.doorways.size < 2 || !whole_.walk || !engine().nodes.result->found) return;
-    const Standing least = standing_in(whole_);
-    for (const WayMargin& margin : MARGINS) {
-      const arena::Mark mark = arena::mark();
-      const i64 ways = room_.header.robot + margin.wider;
-      const WholeRoom wide = arranged(ways, MARGIN_LIMITS);
-      if (wide.walk && wide.desk->engine.nodes.result->found && (wide.proven || !whole_.proven)) {
-        const Standing left = standing_in(wide);
-        if (left.required >= least.required && left.worth >= margin.worth * least.worth) {
-          whole_ = wide;
-          ways_ = ways;
-          return;
-        }
-      }
-      arena::release(mark);
-    }
-  }
-
   const Desk& desk() const { return *whole_.desk; }
   const placement::Engine& engine() const { return whole_.desk->engine; }
 
@@ -122,14 +68,15 @@ class Making {
     const bool walk = whole_.walk || is_walkable_as_found();
     Settled settled = settle_found(walk);
     WholeRoom wider;
+    const i64 ways = whole_.ways ? whole_.ways + MARGIN_MM : 0;
     if (walk && settled == Settled::not_walkable &&
-        arrange_again(asked_room(room_, room_.header.robot + MARGIN_MM, ways_ ? ways_ + MARGIN_MM : 0), whole_, LIMITS.final_qps, wider)) {
+        arrange_again(asked_room(room_, room_.header.robot + MARGIN_MM, ways), whole_, LIMITS.final_qps, wider)) {
       whole_ = wider;
       made_.widened = 1;
       placement::hand_over(desk());
       settled = settle_found(true);
     }
-    if (walk && settled == Settled::not_walkable && ways_ != 0) {  // what is left is not quite so wide
+    if (walk && settled == Settled::not_walkable && whole_.ways != 0) {  // what is left is not quite so wide
       engine().room.space->ways = 0;
       settled = settle_found(true);
     }
@@ -219,7 +166,6 @@ class Making {
 
   const WantingRoom& room_;
   bool tidy_;
-  i64 ways_ = 0;  // how wide those between doors are, where they are wider than asked
   WholeRoom whole_ = {};
   MadeRoom made_ = {};
   List<PlacedRow> placed_;
