@@ -44,12 +44,20 @@ def faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
         if not any(preset.rooms.values()):
             yield Fault("presets", (name, "rooms"), "the preset has no rooms", "at least one")
     yield from _habit_faults(catalogs)
-    for name, synonym in catalogs.synonyms.items():
-        kinds = (*catalogs.furniture, *catalogs.decorations)
-        if synonym.says == "kind" and name not in kinds:
-            yield Fault("synonyms", (name,), f"unknown kind {name!r}{near(name, kinds)}", "a key of furniture.yaml or decorations.yaml")
+    yield from _synonym_faults(catalogs)
     yield from dressing_faults(catalogs)
     yield from shape_faults(catalogs, shapes)
+
+
+def _synonym_faults(catalogs: Catalogs) -> Iterator[Fault]:
+    """Checks that what others call kinds and rooms are kinds and room types."""
+    kinds = (*catalogs.furniture, *catalogs.decorations)
+    for name, synonym in catalogs.synonyms.items():
+        if synonym.says == "kind" and name not in kinds:
+            yield Fault("synonyms", (name,), f"unknown kind {name!r}{near(name, kinds)}", "a key of furniture.yaml or decorations.yaml")
+    for name, synonym in catalogs.room_names.items():
+        if synonym.says == "kind" and name not in catalogs.rooms:
+            yield Fault("room_names", (name,), f"unknown room type {name!r}{near(name, catalogs.rooms)}", "a file of rooms/")
 
 
 def _habit_faults(catalogs: Catalogs) -> Iterator[Fault]:

@@ -104,7 +104,7 @@ class KindSpec(Entry):
 
 
 class Synonym(Entry):
-    """What others call a kind: `known_as`, in small letters. Its key is a kind's where it `says` one.
+    """What others call a kind, or a room of a type: `known_as`, in small letters. Its key is a kind's (a room type's) where it `says` one.
 
     It may say `other`, what we have no kind of, or `nothing`, words that tell of no thing what it is.
     """

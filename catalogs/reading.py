@@ -43,6 +43,7 @@ _SECTIONS: Final[dict[str, TypeAdapter[Any]]] = {
     "materials": TypeAdapter(dict[str, Material]),
     "habits": TypeAdapter(dict[str, Habit]),
     "synonyms": TypeAdapter(dict[str, Synonym]),
+    "room_names": TypeAdapter(dict[str, Synonym]),
 }
 """What each file of a catalog holds: `<section>.yaml`."""
 _FILES: Final = (*(f"{section}.yaml" for section in _SECTIONS), f"{_ROOMS}/<type>.yaml", f"{_SHAPES}/<any>.yaml")
@@ -50,7 +51,7 @@ _ROOM = TypeAdapter(RoomType)
 _SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, ShapeParts])
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
-    "fingerprint": True, "assets": True, "shapes": True, "materials": True, "synonyms": True, "habits": True,
+    "fingerprint": True, "assets": True, "shapes": True, "materials": True, "synonyms": True, "room_names": True, "habits": True,
     "styles": {"__all__": {"materials"}},
     "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},

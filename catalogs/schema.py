@@ -259,6 +259,7 @@ class Catalogs(Entry):
     materials: dict[str, Material] = Field(default_factory=dict)
     shapes: dict[str, tuple[Solid, ...]] = Field(default_factory=dict)
     synonyms: dict[str, Synonym] = Field(default_factory=dict)
+    room_names: dict[str, Synonym] = Field(default_factory=dict)
     habits: dict[str, Habit] = Field(default_factory=dict)
     assets: dict[str, Asset] = Field(default_factory=dict)
     fingerprint: str

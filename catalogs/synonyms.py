@@ -32,6 +32,8 @@ LEAST_PART: Final = 3
 """Letters of the shortest word within words that are written together."""
 BEFORE: Final = frozenset(("with", "for", "without", "and", "mit", "fur", "avec", "pour", "con", "para", "per", "met", "voor", "med"))
 """Words behind which a name says no longer what the body is: a washbasin with cabinet is a washbasin."""
+_LETTERS: Final = str.maketrans({"ß": "ss", "ł": "l", "Ł": "L", "ø": "o", "Ø": "O", "æ": "ae", "Æ": "Ae", "đ": "d", "ı": "i"})
+"""Letters that are no other letter with an accent, and how they are written without."""
 _PLURALS: Final = (("ies", "y"), ("lves", "lf"), ("ches", "ch"), ("shes", "sh"), ("xes", "x"), ("sses", "ss"))
 _MANY: Final = 4_096
 
@@ -58,7 +60,7 @@ def words_of(name: str) -> tuple[str, ...]:
         >>> words_of("TVStands_03")
         ('tv', 'stand')
     """
-    letters = "".join(letter for letter in normalize("NFKD", name.replace("ß", "ss")) if not combining(letter))
+    letters = "".join(letter for letter in normalize("NFKD", name.translate(_LETTERS)) if not combining(letter))
     apart = re.sub(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", letters)
     return tuple(_singular(word) for word in re.findall(r"[^\W\d_]+", apart.casefold()) if len(word) > 1 or not word.isascii())
 

@@ -4,7 +4,8 @@ from catalogs import CatalogError, Catalogs, add_assets, load_catalogs
 from catalogs.schema import RelationSpec
 from solver.explained import Explained, Hold
 from solver.export_formats import EXPORTERS
-from solver.pipeline import explain, export, fix, generate, place, reroll, validate
+from solver.guessed import ChosenEntrance, FurnishedPlan, RoomGuess
+from solver.pipeline import explain, export, fix, furnish, generate, place, reroll, validate
 from solver.requested import Answered, Held, PieceRequest, Placement, Unplaced
 
 EXPORT_FORMATS = {name: exporter.words for name, exporter in EXPORTERS.items()}
@@ -15,17 +16,21 @@ __all__ = [
     "Answered",
     "CatalogError",
     "Catalogs",
+    "ChosenEntrance",
     "Explained",
+    "FurnishedPlan",
     "Held",
     "Hold",
     "PieceRequest",
     "Placement",
     "RelationSpec",
+    "RoomGuess",
     "Unplaced",
     "add_assets",
     "explain",
     "export",
     "fix",
+    "furnish",
     "generate",
     "load_catalogs",
     "place",

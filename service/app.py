@@ -26,6 +26,7 @@ from service.wire import body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, UnknownCatalogs, do_alone, mark_of, packed, warm
 from service.workers import Workers
 from solver.explained import Explained
+from solver.guessed import FurnishedPlan
 from solver.scene import Fixed, Generated, Scene
 from solver.scene import Request as HouseRequest
 from solver.version import VERSION
@@ -78,6 +79,11 @@ gets = APIRouter(route_class=PlainRoute, responses=refusals(405, 500))
 @posts.post("/generate")
 def generate(body: HouseRequest | contract.RerollBody | None = None) -> Generated:  # type: ignore[empty-body]
     """Makes a furnished house, or furnishes some rooms of one anew."""
+
+
+@posts.post("/furnish")
+def furnish(body: contract.FurnishBody) -> FurnishedPlan:  # type: ignore[empty-body]
+    """Furnishes the rooms of somebody's own plan; says what was guessed of it."""
 
 
 @posts.post("/fix")

@@ -20,6 +20,7 @@ from service.contract import (
     FixBody,
     FloorAnswer,
     FloorBody,
+    FurnishBody,
     Health,
     Lines,
     PlaceAnswer,
@@ -36,6 +37,7 @@ from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import Files, is_available, packed
 from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
+from solver.pipeline import furnish
 from solver.plain import Document
 from solver.requested import PieceRequest
 from solver.scene import MAX_SEED
@@ -65,6 +67,25 @@ def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -
     request = read_request(document, "body")
     seeded = request if request.seed is not None else replace(request, seed=draw_seed())
     return write(generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter))
+
+
+def furnish_plan(document: object, catalogs: Catalogs) -> Document:
+    """Furnishes the rooms of somebody's own plan.
+
+    Args:
+        document: a `FurnishBody`.
+        catalogs: the data to furnish from.
+
+    Raises:
+        FieldError: a field is wrong.
+    """
+    body = read(FurnishBody, document)
+    seed = draw_seed() if body.seed is None and body.scene.seed is None else body.seed
+    made = furnish(
+        body.scene, tuple(dict.fromkeys(body.rooms)), keep=body.keep, types=body.types, program=body.program, style=body.style,
+        decorate=body.decorate, seed=seed, catalogs=catalogs, clock=perf_counter,
+    )  # fmt: skip
+    return write(made)
 
 
 def fix_scene(document: object, catalogs: Catalogs) -> Document:
@@ -271,8 +292,8 @@ def schema_document(_: Catalogs | None = None) -> Document:
 
 
 CALLS: Final[Mapping[str, Call]] = {
-    "generate": generate_house, "fix": fix_scene, "drag": take_in_hand, "place": place_pieces, "validate": validate_scene,
-    "view": view_scene, "export": export_scene, "explain": explain_place, "floor": floor_of,
+    "generate": generate_house, "furnish": furnish_plan, "fix": fix_scene, "drag": take_in_hand, "place": place_pieces,
+    "validate": validate_scene, "view": view_scene, "export": export_scene, "explain": explain_place, "floor": floor_of,
 }  # fmt: skip
 """The calls that take a body, by the names of their routes."""
 MAY_BE_EMPTY: Final = frozenset({"generate"})

@@ -24,6 +24,14 @@ def forced(text: str) -> tuple[str, str]:
     return index, room_type
 
 
+def typed(text: str) -> tuple[str, str]:
+    """Reads a room's id and the type it shall have, such as room_3=kitchen."""
+    room, equals, room_type = text.rpartition("=")
+    if not (room and equals and room_type):
+        raise ArgumentTypeError(f"{text!r} is not ROOM=TYPE, such as room_3=kitchen")
+    return room, room_type
+
+
 def program(text: str) -> str | dict[str, int]:
     """Reads a preset's name, or counts such as bedrooms=3,bathrooms=2."""
     if "=" not in text:
@@ -127,6 +135,22 @@ def _add_generate(commands: Commands) -> None:
     _add_catalog(command)
 
 
+def _add_furnish(commands: Commands) -> None:
+    command = _command(commands, "furnish", "Furnish the rooms of a plan of your own; says what was guessed of it.")
+    command.add_argument("scene", nargs="?", default="-", metavar="PLAN", help="a scene, YAML or JSON (standard input)")
+    add = command.add_argument
+    add("--room", dest="rooms", action="append", default=[], metavar="ID", help="a room to furnish (every empty one); may be repeated")
+    add("--keep", choices=("all", "locked", "none"), default="all", help="what stays in them (all)")
+    words = "a room's type, instead of what the plan says or what would be guessed; may be repeated"
+    add("--type", dest="types", action="append", default=[], type=typed, metavar="ROOM=TYPE", help=words)
+    add("--program", type=program, metavar="PRESET|WORD=N,...", help="what rooms the home has, to guess by: family; bedrooms=3")
+    add("--style", metavar="NAME", help="the style of the home")
+    add("--seed", type=int, metavar="N", help="0 ... 2^53-1; the plan's own, else drawn")
+    add("--decorate", action=BooleanOptionalAction, help="decorate surfaces, walls and floors (as the plan says, else off)")
+    _add_output(command, "the scene")
+    _add_catalog(command)
+
+
 def _add_fix(commands: Commands) -> None:
     command = _command(commands, "fix", "Repair a scene by moving as little as possible.")
     _add_scene(command)
@@ -217,7 +241,7 @@ def parser() -> ArgumentParser:
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_generate, _add_fix, _add_place, _add_readers, _add_serve, _add_tellers, _add_assets, _add_stats):
+    for add in (_add_generate, _add_furnish, _add_fix, _add_place, _add_readers, _add_serve, _add_tellers, _add_assets, _add_stats):
         add(commands)
     return whole
 

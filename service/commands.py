@@ -92,6 +92,20 @@ def _answer(options: Namespace, **more: object) -> Document:
     return _checked(options.scene, lambda: CALLS[options.command](body, _catalogs(options)))
 
 
+def _furnish(options: Namespace) -> int:
+    given = {name: getattr(options, name) for name in ("program", "style", "decorate", "seed")}
+    more = {name: value for name, value in given.items() if value is not None}
+    answer = _answer(options, rooms=options.rooms, keep=options.keep, types=dict(options.types), **more)
+    _write(answer["scene"], options)
+    for guess in answer["guesses"]:
+        _say(f"guessed {guess['message']}" + (f"; else {guess['instead']}" if guess["instead"] else ""))
+    if answer["entrance"]:
+        _say(answer["entrance"]["message"])
+    for room, reason in answer["left"].items():
+        _say(f"left {room}: {reason}")
+    return _judged(answer["issues"])
+
+
 def _fix(options: Namespace) -> int:
     answer = _answer(options, locked=options.locked, moved=options.moved, on_conflict=options.on_conflict)
     _write(answer["scene"], options)
@@ -208,8 +222,8 @@ def _serve(options: Namespace) -> int:
 
 
 COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
-    "generate": _generate, "fix": _fix, "place": _place, "validate": _validate, "view": _view, "explain": _explain, "export": _export,
-    "serve": _serve, "catalog": _catalog, "schema": _schema, "stats": _stats,
+    "generate": _generate, "furnish": _furnish, "fix": _fix, "place": _place, "validate": _validate, "view": _view,
+    "explain": _explain, "export": _export, "serve": _serve, "catalog": _catalog, "schema": _schema, "stats": _stats,
     "assets": _assets,
 }  # fmt: skip
 

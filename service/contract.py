@@ -11,9 +11,10 @@ from annotated_types import Ge, Le, MaxLen, MinLen
 from solver.answers import ON_CONFLICT
 from solver.exchange import SentRoom, SentScene
 from solver.export_formats import FREEDOMS
-from solver.fields import OMITTED, WHOLE, Flag, Free, Like, OneOf, Record, Says, Text, Whole
+from solver.fields import OMITTED, WHOLE, Counted, Flag, Free, Like, OneOf, Record, Says, Text, Whole
+from solver.guessed import KEEPS
 from solver.requested import MOST_ALTERNATIVES, MOST_PIECES, Held, PieceRequest, Placement, Unplaced
-from solver.scene import ROBOT_WIDTH, Conflict, Issue, Pose, RobotWidth, Scene, Seed, WallThickness
+from solver.scene import MAX_COUNT, ROBOT_WIDTH, Conflict, Issue, Pose, RobotWidth, Scene, Seed, WallThickness
 
 Ids = Annotated[tuple[Text, ...], Says("ids")]
 
@@ -27,6 +28,22 @@ class RerollBody(Record):
     scene: SentScene
     reroll: Annotated[tuple[Text, ...], MinLen(1), Says("ids of the rooms to furnish anew")]
     seed: Annotated[Seed | None, Says("drawn where there is none")] = None
+
+
+@dataclass(frozen=True)
+class FurnishBody(Record):
+    """Furnishes rooms of a plan: those named, else the empty ones where `keep` is all, else every room."""
+
+    camel_case: ClassVar[bool] = True
+
+    scene: SentScene
+    rooms: Annotated[tuple[Text, ...], Says("ids of the rooms to furnish")] = ()
+    keep: Annotated[str, OneOf(*KEEPS)] = KEEPS[0]
+    types: Annotated[Mapping[Text, Text], Says("room types by room id, instead of what the scene says")] = field(default_factory=dict)
+    program: Annotated[Mapping[str, int] | str | None, Counted(MAX_COUNT), Says("what rooms the home has, to guess by")] = None
+    style: Text | None = None
+    decorate: Annotated[Flag | None, Says("as the scene's request says where there is none")] = None
+    seed: Annotated[Seed | None, Says("the scene's own where there is none, else drawn")] = None
 
 
 @dataclass(frozen=True)

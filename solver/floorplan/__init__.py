@@ -10,5 +10,6 @@ stage. Not here: furniture, wall occupancy, validation.
 
 from solver.floorplan.draw import draw
 from solver.floorplan.plan import FloorPlan, door_positions, with_door_at
+from solver.floorplan.programme.planned_rooms import program_counts, program_of
 
-__all__ = ["FloorPlan", "door_positions", "draw", "with_door_at"]
+__all__ = ["FloorPlan", "door_positions", "draw", "program_counts", "program_of", "with_door_at"]

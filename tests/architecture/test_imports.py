@@ -25,6 +25,7 @@ GROUND_FLOOR = {
     "export_formats",
     "body_parts",
     "answers",
+    "guessed",
     "fields",
     "plain",
     "geometry",

@@ -15,7 +15,7 @@ from catalogs.schema import RelationWord
 from solver.scene import Furniture, Opening, Request, Room
 from tests.service.problems import problem_of
 
-POSTS = ["/generate", "/fix", "/drag", "/place", "/validate", "/view", "/explain", "/floor", "/export/json", "/export/yaml"]
+POSTS = ["/generate", "/furnish", "/fix", "/drag", "/place", "/validate", "/view", "/explain", "/floor", "/export/json", "/export/yaml"]
 BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
 RELATED = get_args(RelationWord)
@@ -84,6 +84,10 @@ ASKED = st.fixed_dictionaries(
 IDS = st.lists(st.text(max_size=4), max_size=2) | VALUES
 BODIES: dict[str, st.SearchStrategy[Any]] = {
     "/generate": keys(Request) | st.fixed_dictionaries({"scene": SCENES, "reroll": IDS}),
+    "/furnish": st.fixed_dictionaries(
+        {"scene": SCENES},
+        optional={"rooms": IDS, "keep": st.sampled_from(["all", "locked", "none"]) | VALUES, "program": VALUES, "types": VALUES},
+    ),
     "/fix": st.fixed_dictionaries(
         {"scene": SCENES}, optional={"locked": IDS, "moved": IDS, "on_conflict": VALUES, "dragging": st.booleans()}
     ),

@@ -6,6 +6,7 @@ catalogs. Not here: where the rooms lie.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import log
@@ -133,6 +134,27 @@ def types_of(counts: Mapping[str, int], catalogs: Catalogs) -> list[str]:
         first = [name for name in names if name not in later]
         types += (first + later * counts[word])[: counts[word]]
     return types
+
+
+def program_counts(program: Mapping[str, int] | str, catalogs: Catalogs) -> dict[str, int]:
+    """Returns how many rooms of each word a programme, or a preset of that name, comes to: garages, not cars.
+
+    Raises:
+        RequestError: as `counts_of`.
+    """
+    types = types_of(counts_of(Request(program=program), catalogs), catalogs)
+    return dict(Counter(_home(catalogs.rooms[name]).word or name for name in types))
+
+
+def program_of(types: Sequence[str], catalogs: Catalogs) -> dict[str, int]:
+    """Returns the programme that counts rooms of these types, those that none can count left out."""
+    counts = Counter[str]()
+    for name in types:
+        home = catalogs.rooms[name].home if name in catalogs.rooms else None
+        if home is not None:
+            word = home.word or name
+            counts[word] += cars_of(catalogs.rooms[name]) if word == GARAGE else 1
+    return dict(sorted(counts.items()))
 
 
 def _garages(cars: int, names: Sequence[str], catalogs: Catalogs) -> list[str]:

@@ -1,0 +1,98 @@
+"""What a plan's name of a room means: the room type that another program or language calls so.
+
+Comes in: catalogs; a name. Goes out: a `RoomMeaning`, or None where nobody can tell. May import: schema.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from difflib import get_close_matches
+from functools import lru_cache
+from typing import Final, NamedTuple
+
+from catalogs.schema import Catalogs
+from catalogs.synonyms import BEFORE, LEAST_GUESSED, NEARLY, words_of
+
+MOST_WORDS: Final = 8
+"""Words of a part of a room's name, and parts of it, that are looked at."""
+JOINING: Final = (*sorted(BEFORE), "et", "e", "y", "i", "en", "og", "och", "z")
+PARTED: Final = re.compile(rf"[/+&,;|()]|\s-\s|\b(?:{'|'.join(JOINING)})\b", re.IGNORECASE)
+"""What parts the names of rooms that are two in one."""
+LEAST_ENDING: Final = 4
+"""Letters of the shortest word that may end another: `studierzimmer` tells nothing, `gartenterrasse` ends in terrace."""
+
+
+class RoomMeaning(NamedTuple):
+    """What a name means: a room type's key, or a key of room_names.yaml that says `other`; and how sure that is.
+
+    `plain` is false where the name only holds such words, or nearly such a word.
+    """
+
+    key: str
+    plain: bool
+
+
+class RoomNames:
+    """The room types by what plans call them.
+
+    Args:
+        catalogs: room types, and what others call them.
+    """
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        self._types = frozenset(catalogs.rooms)
+        self._by_phrase: dict[str, str] = {}
+        for key in catalogs.rooms:
+            self._by_phrase.setdefault(_phrase(words_of(key)), key)
+        for key, entry in catalogs.room_names.items():
+            for phrase in entry.known_as if entry.says != "nothing" else ():
+                self._by_phrase.setdefault(_phrase(words_of(phrase)), key)
+        self._endings = tuple(sorted((word for word in self._by_phrase if _may_end(word)), key=lambda word: (-len(word), word)))
+        self._by_phrase.pop("", None)
+        vague = (word for entry in catalogs.room_names.values() if entry.says == "nothing" for word in entry.known_as)
+        self._vague = frozenset(_phrase(words_of(word)) for word in vague)
+
+    def meaning(self, name: str) -> RoomMeaning | None:
+        """Returns what a name of a room means; None where it tells nothing.
+
+        The whole name counts first, then the first of its parts that tells something (`Living / Dining`): its last words (a
+        master bath), else its first (a chambre d'amis).
+        """
+        whole = self._by_phrase.get(_phrase(words_of(name)))
+        if whole is not None:
+            return RoomMeaning(whole, plain=True)
+        parts = [words_of(part)[:MOST_WORDS] for part in PARTED.split(name)[:MOST_WORDS]]
+        found = next((key for words in parts if (key := self._within(words))), None)
+        told = [word for words in parts for word in words if word not in self._vague]
+        return RoomMeaning(found, plain=len(told) <= 1) if found else self._nearly(told)
+
+    def _within(self, words: Sequence[str]) -> str | None:
+        """Returns what a part of a name means, by its longest last words, else first, else inner ones."""
+        count = len(words)
+        spans = [*((k, count) for k in range(count)), *((0, k) for k in range(count - 1, 0, -1))]
+        spans += [(i, j) for i in range(1, count) for j in range(count - 1, i, -1)]
+        return next((key for i, j in spans if (key := self._by_phrase.get(_phrase(words[i:j])))), None)
+
+    def _nearly(self, told: Sequence[str]) -> RoomMeaning | None:
+        """Returns the meaning of a word that is written together with another, or misspelled."""
+        for word in told:
+            ending = next((end for end in self._endings if word.endswith(end)), None)
+            near = get_close_matches(word, self._endings, 1, NEARLY) if ending is None and len(word) >= LEAST_GUESSED else []
+            if ending or near:
+                return RoomMeaning(self._by_phrase[ending or near[0]], plain=False)
+        return None
+
+
+@lru_cache(maxsize=4)
+def room_names_of(catalogs: Catalogs) -> RoomNames:
+    """Returns the room names that catalogs tell."""
+    return RoomNames(catalogs)
+
+
+def _phrase(words: Sequence[str]) -> str:
+    return "".join(words)
+
+
+def _may_end(phrase: str) -> bool:
+    return len(phrase) >= LEAST_ENDING or not phrase.isascii()

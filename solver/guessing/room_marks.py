@@ -1,0 +1,100 @@
+"""What tells a room's type: its floor, doors and windows, what stands in it.
+
+Comes in: the rooms of a Scene. Goes out: a `RoomMarks` for each. May import: the ground floor, catalogs.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from solver.scene import EXTERIOR, Opening, Room
+
+SMALL_WINDOW: Final = (1.2, 0.6)
+"""A window with so high a sill, m, or of no more area, m2, is one of a bathroom."""
+WAYS: Final = ("door", "passage")
+
+
+@dataclass(frozen=True)
+class RoomMarks:
+    """What can be told of a room without its type.
+
+    Args:
+        area: of its floor between wall lines, m2.
+        short, long: sides of its bounding rectangle, m; `short` is that of its floor spread over the long side, where it has an outline.
+        ways: the rooms it leads to, by their place in the list, and whether an opening without a leaf leads there.
+        front: how its doors lead outside: "main", "door", or "" where none does.
+        large, small: numbers of windows.
+        pieces: what stands there, by the catalogs' names.
+    """
+
+    area: float
+    short: float
+    long: float
+    ways: tuple[tuple[int, bool], ...]
+    front: str
+    large: int
+    small: int
+    garage_door: bool
+    outdoor: bool
+    pieces: frozenset[str]
+
+
+def marks_of(rooms: Sequence[Room]) -> list[RoomMarks]:
+    """Returns what can be told of each room.
+
+    Args:
+        rooms: with furniture under the catalogs' names.
+    """
+    places = {room.id: k for k, room in enumerate(rooms)}
+    ways = _ways(rooms, places)
+    return [_marks(room, ways[k]) for k, room in enumerate(rooms)]
+
+
+def _ways(rooms: Sequence[Room], places: dict[str, int]) -> list[dict[int, bool]]:
+    """Returns where each room leads to: doors that one of two rooms lists lead both ways."""
+    found: list[dict[int, bool]] = [{} for _ in rooms]
+    for here, there, opening in _joined(rooms, places):
+        is_open = opening.kind == "passage"
+        for a, b in ((here, there), (there, here)):
+            found[a][b] = found[a].get(b, False) or is_open
+    return found
+
+
+def _joined(rooms: Sequence[Room], places: dict[str, int]) -> Iterator[tuple[int, int, Opening]]:
+    """Yields pairs of rooms that a door or passage joins, by what it says or by its id in both."""
+    by_id: dict[str, int] = {}
+    for k, room in enumerate(rooms):
+        for opening in room.openings:
+            if opening.kind not in WAYS:
+                continue
+            there = places.get(opening.connects_to or "", by_id.get(opening.id, k))
+            if there != k:
+                yield k, there, opening
+            by_id.setdefault(opening.id, k)
+
+
+def _marks(room: Room, ways: dict[int, bool]) -> RoomMarks:
+    area = _area(room)
+    long = max(room.width, room.depth)
+    windows = Counter(_is_small(opening) for opening in room.openings if opening.kind == "window")
+    doors = [opening for opening in room.openings if opening.kind in WAYS and opening.connects_to == EXTERIOR]
+    front = "main" if any(opening.main_entrance for opening in doors) else "door" if doors else ""
+    return RoomMarks(
+        area, min(room.width, room.depth, area / long), long, tuple(sorted(ways.items())), front, windows[False], windows[True],
+        any(opening.kind == "garage_door" for opening in room.openings), room.outdoor, frozenset(piece.name for piece in room.furniture),
+    )  # fmt: skip
+
+
+def _is_small(window: Opening) -> bool:
+    return window.sill >= SMALL_WINDOW[0] or window.width * window.height <= SMALL_WINDOW[1]
+
+
+def _area(room: Room) -> float:
+    """Returns a room's floor, m2, by the shoelace formula where it has an outline."""
+    if not room.outline:
+        return room.width * room.depth
+    following = (*room.outline[1:], room.outline[0])
+    return abs(sum(x0 * z1 - z0 * x1 for (x0, z0), (x1, z1) in zip(room.outline, following, strict=True))) / 2

@@ -1,0 +1,166 @@
+"""How well types suit the rooms of a plan: one number, lower is better, of one room, of two that a door joins, of the home.
+
+Comes in: what can be told of the rooms, the room types. Goes out: `Suiting`. Areas, sides and what one may walk through are the
+catalog's; the weights are our choice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import log
+from typing import Final
+
+from catalogs import Catalogs
+from catalogs.schema import RoomType
+from solver.guessing.room_marks import RoomMarks
+
+NEVER: Final = 1000.0
+"""A cost that no preference reaches."""
+REQUIRED, LISTED, STRANGE = 0.5, 0.15, 0.01
+"""How likely a piece stands in a room of a type that requires it, lists it, does not know it."""
+BEDROOMS: Final = ("bedroom", "bedroom_master", "kids_bedroom")
+WANTED: Final = {"kitchen": 6.0, "bathroom": 6.0, "living_room": 5.0, "bedroom": 5.0}
+"""Cost of a home of several rooms without the type; any bedroom will do."""
+ONE_MORE: Final = {
+    "kitchen": 6.0, "bathroom": 1.2, "living_room": 3.0, "dining_room": 4.0, "office": 1.5, "laundry": 3.0, "foyer": 3.0, "hallway": 0.7,
+    "bedroom_master": 4.0, "kids_bedroom": 0.6, "bedroom": 0.4,
+}  # fmt: skip
+"""Cost of each more of a type than there are usually."""
+RARE: Final = {"office": 1.2, "laundry": 0.8, "workshop": 4.0, "garage": 1.0, "foyer": 0.3, "kids_bedroom": 0.2}
+"""Cost of the first of a type that many homes do without."""
+HALL_WIDTH: Final = 2.0
+"""From this width on, m, a room one only walks through is ever less likely one."""
+LONG_HALL: Final = 2.5
+"""How many times as long as it is wide a hallway mostly is."""
+PAIRS: Final = {
+    ("laundry", "kitchen"): -0.8, ("laundry", "garage"): -0.8, ("laundry", "garage_2car"): -0.8, ("laundry", "garage_3car"): -0.8,
+    ("laundry", "bedroom_master"): 1.0, ("laundry", "bedroom"): 1.0, ("bathroom", "kitchen"): 0.6, ("bathroom", "dining_room"): 0.6,
+    ("dining_room", "kitchen"): -0.4, ("dining_room", "living_room"): -0.2, ("bedroom_master", "bathroom"): -0.4,
+}  # fmt: skip
+"""Cost of a door between rooms that are seldom, or often, joined."""
+MISCOUNTED: Final = 4.0
+"""Cost of each room more or less than a programme counts."""
+
+
+class Suiting:
+    """Costs of types in the rooms of one plan.
+
+    Args:
+        marks: what can be told of the rooms.
+        catalogs: the room types.
+        program: how many rooms of each type there are, where that is known; bedrooms count as one type.
+    """
+
+    def __init__(self, marks: Sequence[RoomMarks], catalogs: Catalogs, program: Mapping[str, int] | None = None) -> None:
+        self.marks, self.kinds, self._program = marks, catalogs.rooms, program
+        self._pieces = {name: _pieces_of(kind, catalogs) for name, kind in self.kinds.items()}
+        self.types = [[name for name in self.kinds if self.alone(room, name) < NEVER] for room in range(len(marks))]
+        """The types that each room may have."""
+
+    def alone(self, room: int, name: str) -> float:
+        """Returns the cost of a type in a room by its floor, windows, doors to the outside and pieces."""
+        marks, kind = self.marks[room], self.kinds[name]
+        if marks.outdoor != (kind.outdoor or name == "balcony") or (marks.garage_door and not kind.plan.garage_door):
+            return NEVER
+        return _size(marks, kind) + _light(marks, kind) + _front(marks, kind) + self._standing(marks, name)
+
+    def _standing(self, marks: RoomMarks, name: str) -> float:
+        """Returns the cost of what stands in a room, by how likely each piece is in a room of the type."""
+        likely = self._pieces[name]
+        return sum(-log(likely.get(piece, STRANGE)) for piece in sorted(marks.pieces))
+
+    def joined(self, one: str, other: str, is_open: bool) -> float:
+        """Returns the cost of two types with a door, or an opening without a leaf, between them."""
+        return self._led(one, other, is_open) + PAIRS.get((one, other), 0.0) + PAIRS.get((other, one), 0.0)
+
+    def _led(self, one: str, other: str, is_open: bool) -> float:
+        """Returns the cost of leading from one type to another."""
+        a, b = self.kinds[one], self.kinds[other]
+        if a.outdoor or b.outdoor:
+            return 0.0
+        if is_open:
+            return -0.8 if a.plan.passage and b.plan.passage else 3.0
+        leaf = 0.5 if a.plan.passage and b.plan.passage else 0.0
+        through = a.plan.way_through or b.plan.way_through
+        if not through:
+            return leaf + (0.0 if one in b.plan.behind or other in a.plan.behind else 4.0)
+        if any(kind.plan.way_through and not kind.plan.habitable for kind in (a, b)):
+            return leaf - 0.4
+        shown = sum(kind.plan.habitable or kind.plan.wet for kind in (a, b) if not kind.plan.way_through)
+        return leaf + 0.5 * shown
+
+    def in_all(self, types: Sequence[str]) -> float:
+        """Returns the cost of the numbers of rooms of each type."""
+        counts: dict[str, int] = {}
+        for name in types:
+            counts[name] = counts.get(name, 0) + 1
+        if self._program is not None:
+            return self._miscounted(counts, self._program)
+        indoors = sum(not self.kinds[name].outdoor for name in types)
+        cost = 0.0
+        if indoors > 2:
+            bedrooms = sum(counts.get(name, 0) for name in BEDROOMS)
+            there = {**counts, "bedroom": bedrooms}
+            cost += sum(missed for name, missed in WANTED.items() if not there.get(name))
+            cost += 1.0 if bedrooms > 1 and not counts.get("bedroom_master") else 0.0
+            cost += 3.0 if counts.get("kids_bedroom") and bedrooms == counts["kids_bedroom"] else 0.0
+        usual = {"bathroom": 1 + indoors // 6, "bedroom": 1 + indoors // 6, "kids_bedroom": 1}
+        more = sum(each * max(0, counts.get(name, 0) - usual.get(name, 1)) for name, each in ONE_MORE.items())
+        return cost + more + sum(each for name, each in RARE.items() if counts.get(name))
+
+    def _miscounted(self, counts: Mapping[str, int], program: Mapping[str, int]) -> float:
+        there: dict[str, int] = {}
+        for name, number in counts.items():
+            home = self.kinds[name].home
+            word = home.word or name if home else name
+            there[word] = there.get(word, 0) + number
+        words = {*there, *program} - {"hallway"}
+        return MISCOUNTED * sum(abs(there.get(word, 0) - program.get(word, 0)) for word in sorted(words))
+
+
+def _pieces_of(kind: RoomType, catalogs: Catalogs) -> dict[str, float]:
+    """Returns how likely each piece stands in a room of a type, by its name."""
+    listed = {catalogs.name_of(variant.kind): LISTED for piece in kind.pieces for variant in piece.variants}
+    return listed | {name: REQUIRED for line in kind.requires for name in line}
+
+
+def _entry(marks: RoomMarks, kind: RoomType) -> float:
+    """Returns the cost of a foyer that one does not come in by, or of a hallway that is no more than a foyer."""
+    if kind.home is not None:
+        return 0.0 if marks.front else 2.0
+    return 1.0 if marks.long / marks.short < LONG_HALL else 0.0
+
+
+def _size(marks: RoomMarks, kind: RoomType) -> float:
+    least, typical, most = kind.home.area if kind.home else (kind.area.min[0], kind.area.typical, kind.area.max)
+    far = max(0.0, log(least / marks.area), log(marks.area / most))
+    width = kind.home.width if kind.home else kind.short_side
+    thin = max(0.0, log(width / marks.short))
+    long = max(0.0, marks.long / marks.short - max(kind.aspect, kind.home.aspect if kind.home else 0.0))
+    return 1.2 * abs(log(marks.area / typical)) + 6.0 * far + 8.0 * thin + 0.8 * min(long, 4.0)
+
+
+def _light(marks: RoomMarks, kind: RoomType) -> float:
+    if marks.outdoor:
+        return 0.0
+    if kind.plan.habitable:
+        return 0.0 if marks.large else 2.5 if marks.small else 4.0
+    if kind.plan.wet:
+        return 1.5 if marks.large else -0.8 if marks.small else 0.0
+    return (1.0 if kind.plan.way_through else 0.2) * marks.large
+
+
+def _front(marks: RoomMarks, kind: RoomType) -> float:
+    """Returns the cost of the doors to the outside, and of the number of rooms that a room leads to."""
+    leads = len(marks.ways) + bool(marks.front)
+    cost = 0.0
+    if marks.front and not marks.outdoor:
+        outside = 3.0 if kind.plan.entrance is None else 0.4 * kind.plan.entrance
+        cost += outside if marks.front == "main" else 0.4 * outside
+    if kind.plan.garage_door and not marks.garage_door:
+        cost += 5.0
+    if kind.plan.way_through and not kind.plan.habitable:
+        wide = 5.0 * max(0.0, log(marks.short / HALL_WIDTH))
+        return cost + wide + (3.0 if leads < 2 else 0.0) - 0.5 * min(max(leads - 2, 0), 4) + _entry(marks, kind)
+    own = len(marks.ways) if kind.plan.way_through else 1 + bool(kind.plan.habitable)
+    return cost + 1.5 * max(0, len(marks.ways) - own)

@@ -1,0 +1,134 @@
+"""What plans call rooms: words of many languages and ways of writing are understood, and nothing is where nothing is said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from catalogs import CatalogError, load_catalogs
+from catalogs.room_names import room_names_of
+from catalogs.synonyms import words_of
+
+KNOWN = load_catalogs()
+NAMES = room_names_of(KNOWN)
+
+
+@pytest.mark.parametrize(
+    ("type_name", "names"),
+    [
+        (
+            "bathroom",
+            [
+                "Bathroom",
+                "WC 2",
+                "Gäste-WC",
+                "Salle de bain",
+                "Cuarto de baño",
+                "Bagno",
+                "Casa de banho",
+                "Łazienka",
+                "Baderom",
+                "Санузел",
+                "卫生间",
+            ],
+        ),
+        (
+            "kitchen",
+            [
+                "KITCHEN",
+                "Küche",
+                "cuisine",
+                "Cocina",
+                "Cucina",
+                "Cozinha",
+                "Keuken",
+                "kuchnia",
+                "Køkken",
+                "Kök",
+                "кухня",
+                "厨房",
+                "キッチン",
+            ],
+        ),
+        (
+            "bedroom",
+            [
+                "Bedroom #1",
+                "BedRoom_02",
+                "Schlafzimmer",
+                "Chambre Anna",
+                "Dormitorio 2",
+                "Camera da letto",
+                "Quarto",
+                "Slaapkamer",
+                "Sypialnia",
+            ],
+        ),
+        (
+            "living_room",
+            ["Living room", "LivingRoom", "Wohnzimmer", "Séjour", "Salón", "Soggiorno", "Sala de estar", "Woonkamer", "Vardagsrum", "客厅"],
+        ),
+        ("bedroom_master", ["Master Bedroom", "Elternschlafzimmer", "主卧", "camera matrimoniale"]),
+        ("kids_bedroom", ["Kids' room", "Kinderzimmer 1", "Chambre d'enfant", "детская", "Barnrum"]),
+        ("hallway", ["Corridor", "Flur", "Couloir", "Pasillo", "Przedpokój", "коридор", "廊下"]),
+        ("foyer", ["Entrance hall", "Windfang", "Entrée", "прихожая", "玄関"]),
+    ],
+)
+def test_rooms_are_known_by_what_many_languages_call_them(type_name: str, names: list[str]) -> None:
+    found = {name: meaning and meaning.key for name in names for meaning in [NAMES.meaning(name)]}
+    assert found == dict.fromkeys(names, type_name)
+
+
+@pytest.mark.parametrize(
+    ("name", "type_name"),
+    [
+        ("Master bath", "bathroom"),
+        ("Bedroom / Office", "bedroom"),
+        ("Living and dining", "living_room"),
+        ("Esszimmer + Küche", "dining_room"),
+        ("Chambre d'amis", "bedroom"),
+        ("Livng room", "living_room"),
+        ("north bathroom (upper floor)", "bathroom"),
+    ],
+)
+def test_of_several_words_those_count_that_say_what_it_is(name: str, type_name: str) -> None:
+    meaning = NAMES.meaning(name)
+    assert meaning is not None
+    assert meaning.key == type_name
+
+
+@pytest.mark.parametrize("name", ["", "room", "Room 12", "Zimmer 3", "B1", "x", "Raum", "???", "部屋", "flurble"])
+def test_what_tells_nothing_is_not_understood(name: str) -> None:
+    assert NAMES.meaning(name) is None
+
+
+@pytest.mark.parametrize("name", ["Walk-in closet", "Treppenhaus", "Storage", "Keller", "кладовая"])
+def test_rooms_that_we_have_no_type_for_are_none_of_ours(name: str) -> None:
+    meaning = NAMES.meaning(name)
+    assert meaning is not None
+    assert meaning.key not in KNOWN.rooms
+
+
+def test_every_type_is_called_by_its_own_name_and_no_word_stands_for_two() -> None:
+    assert {name: NAMES.meaning(name) and NAMES.meaning(name).key for name in KNOWN.rooms if not name.startswith("garage_")} == {  # type: ignore[union-attr]
+        name: name for name in KNOWN.rooms if not name.startswith("garage_")
+    }
+    meant: dict[str, set[str]] = {}
+    for key, entry in KNOWN.room_names.items():
+        for word in entry.known_as:
+            meant.setdefault("".join(words_of(word)), set()).add(key)
+    assert {word: keys for word, keys in meant.items() if len(keys) > 1 or not word} == {}
+
+
+def test_words_of_ones_own_count(tmp_path: Path) -> None:
+    (tmp_path / "room_names.yaml").write_text("kitchen: {known_as: [flurble]}\n")
+    meaning = room_names_of(load_catalogs(tmp_path)).meaning("Flurble 2")
+    assert meaning is not None
+    assert meaning.key == "kitchen"
+
+
+def test_a_room_type_that_is_none_is_refused_with_its_line(tmp_path: Path) -> None:
+    (tmp_path / "room_names.yaml").write_text("kitchen: {known_as: [flurble]}\nkichen: {known_as: [cook]}\n")
+    with pytest.raises(CatalogError, match=r"room_names\.yaml.*2.*kichen"):
+        load_catalogs(tmp_path)

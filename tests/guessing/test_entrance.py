@@ -1,0 +1,46 @@
+"""The main entrance of a home that says none."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from catalogs import load_catalogs
+from solver.guessing import with_entrance
+from solver.scene import EXTERIOR, Opening, Room, Scene
+
+KNOWN = load_catalogs()
+
+
+def room(name: str, type_name: str, *doors: Opening) -> Room:
+    return Room(name, type=type_name, width=4, depth=3, openings=doors)
+
+
+OUT = Opening("out", wall="south", position=1, connects_to=EXTERIOR)
+
+
+def test_one_comes_in_by_the_hallway_rather_than_by_the_living_room_or_a_bedroom() -> None:
+    rooms = [room(name, name, replace(OUT, id=name)) for name in ("bedroom", "living_room", "hallway", "kitchen")]
+    scene, chosen = with_entrance(Scene(rooms=tuple(rooms)), KNOWN)
+    assert chosen is not None
+    assert (chosen.id, chosen.room) == ("hallway", "hallway")
+    assert [one.id for place in scene.rooms for one in place.openings if one.main_entrance] == ["hallway"]
+
+
+def test_a_main_entrance_that_is_there_stays() -> None:
+    plan = Scene(rooms=(room("a", "bedroom", replace(OUT, main_entrance=True)), room("b", "hallway", replace(OUT, id="b"))))
+    assert with_entrance(plan, KNOWN) == (plan, None)
+
+
+def test_a_door_that_says_nothing_leads_outside_where_no_other_room_lists_it() -> None:
+    silent = replace(OUT, connects_to=None)
+    assert with_entrance(Scene(rooms=(room("a", "hallway", silent), room("b", "bedroom", silent))), KNOWN)[1] is None
+    scene, chosen = with_entrance(Scene(rooms=(room("a", "hallway", silent), room("b", "bedroom"))), KNOWN)
+    assert chosen is not None
+    assert scene.rooms[0].openings == (replace(OUT, main_entrance=True),)
+
+
+def test_without_a_door_to_the_outside_none_is_chosen() -> None:
+    plan = Scene(
+        rooms=(room("a", "hallway", replace(OUT, kind="window")), replace(room("b", "backyard", replace(OUT, id="b")), outdoor=True))
+    )
+    assert with_entrance(plan, KNOWN) == (plan, None)

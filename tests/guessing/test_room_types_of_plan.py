@@ -1,0 +1,76 @@
+"""What rooms of a plan are: by their names, by what stands in them, by their form; held against homes whose types are hidden."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+
+from catalogs import load_catalogs
+from solver.guessing import guessed_types
+from solver.pipeline import generate
+from solver.scene import Furniture, Opening, Request, Room, Scene
+from tests.guessing.plans import as_plan
+from tests.sweeps import seeds
+
+KNOWN = load_catalogs()
+BEDROOMS = {"bedroom_master": "bedroom", "kids_bedroom": "bedroom"}
+REQUESTS = [*({"program": name} for name in KNOWN.presets), {"width": 14, "depth": 11}, {"width": 9, "depth": 8}]
+
+
+def types(scene: Scene, **more: object) -> dict[str, str]:
+    return {guess.room: guess.type for guess in guessed_types(scene, KNOWN, **more)}  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("furnished", [False, True], ids=["by form", "by what stands there"])
+def test_hidden_types_are_found(furnished: bool) -> None:
+    right, count = 0, 0
+    for seed in seeds(range(700, 740), 10):
+        for request in REQUESTS:
+            home = generate(Request(seed=seed, **request)).scene  # type: ignore[arg-type]
+            found = types(as_plan(home, furnished))
+            assert len(found) == len(home.rooms)
+            for k, room in enumerate(home.rooms):
+                right += BEDROOMS.get(room.type, room.type) == BEDROOMS.get(found[f"r{k}"], found[f"r{k}"])
+                count += 1
+    assert right / count >= (0.97 if furnished else 0.85)
+
+
+def test_known_types_stay_and_names_win_over_what_stands_there() -> None:
+    toilet = Furniture("t", "toilet", width=0.4, depth=0.6, height=0.8)
+    rooms = (Room("a", type="office", width=3, depth=3), Room("b", type="Küche 2", width=3, depth=3, furniture=(toilet,)))
+    (guess,) = guessed_types(Scene(rooms=rooms), KNOWN)
+    assert (guess.room, guess.type, guess.by, guess.sent) == ("b", "kitchen", "name", "Küche 2")
+    assert "Küche 2" in guess.message
+
+
+def test_a_name_beside_the_type_counts_too() -> None:
+    room = Room("a", type="room", width=3, depth=3, extra={"name": "Salle de bain"})
+    assert types(Scene(rooms=(room,))) == {"a": "bathroom"}
+
+
+def test_what_we_have_no_type_for_stays() -> None:
+    assert types(Scene(rooms=(Room("a", type="walk-in closet", width=3, depth=3),))) == {}
+
+
+def test_a_garage_is_for_as_many_cars_as_it_is_large() -> None:
+    rooms = [Room(f"g{width}", type="Garage", width=width, depth=6) for width in (3.2, 6, 9.5)]
+    assert list(types(Scene(rooms=tuple(rooms))).values()) == ["garage", "garage_2car", "garage_3car"]
+
+
+def test_a_programme_tells_how_many_there_are() -> None:
+    """Two like rooms off a hallway: both bedrooms where two are counted, one an office where that is."""
+    doors = [Opening(f"d{k}", wall="south", position=1.0, connects_to="hall") for k in range(2)]
+    window = Opening("w", kind="window", wall="north", position=1.7, width=1.4, height=1.4, sill=0.9)
+    rooms = [Room(f"r{k}", type="", width=3.4, depth=3.2, x=3.4 * k, openings=(doors[k], replace(window, id=f"w{k}"))) for k in range(2)]
+    hall = Room("hall", type="hallway", width=6.8, depth=1.4, z=3.2, openings=tuple(replace(door, connects_to=None) for door in doors))
+    plan = Scene(rooms=(*rooms, hall))
+    for program in ({"bedrooms": 2}, {"bedrooms": 1, "office": 1}):
+        found = Counter(BEDROOMS.get(name, name) for name in types(plan, program=program).values())
+        assert found == Counter({"bedroom": program["bedrooms"], "office": program.get("office", 0)}) - Counter()
+
+
+def test_the_same_plan_gives_the_same_guesses() -> None:
+    home = as_plan(generate(Request(seed=5, program="family")).scene)
+    assert guessed_types(home, KNOWN) == guessed_types(home, KNOWN)

@@ -1,0 +1,108 @@
+"""furnish() of somebody's own plan: its empty rooms are furnished and clean, the rest stays, what was guessed is said."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from catalogs import load_catalogs
+from solver.errors import RequestError, SceneError
+from solver.pipeline import furnish, generate, reroll, validate
+from solver.scene import Furniture, Opening, Request, Room, Scene
+from tests.guessing.plans import as_plan
+from tests.sweeps import seeds
+
+KNOWN = load_catalogs()
+DOOR = Opening("door", wall="south", position=3.2, connects_to="EXTERIOR")
+BEDROOM = Room("a", type="Schlafzimmer", width=4.0, depth=3.5, openings=(DOOR,))
+BED = Furniture("mine", "bed", x=1.6, z=1.03, width=1.6, depth=2.0, height=0.9, wall="north")
+
+
+@pytest.mark.parametrize("seed", seeds(range(6), 3))
+def test_an_empty_home_is_furnished_as_a_generated_one_is(seed: int) -> None:
+    home = generate(Request(seed=seed, program="family", style="modern")).scene
+    bare = tuple(replace(room, furniture=(), decorations=()) for room in home.rooms)
+    made = furnish(replace(home, rooms=bare, dynamic=(), certificate=None))
+    assert (made.guesses, made.entrance, made.left) == ((), None, {})
+    assert [room.furniture for room in made.scene.rooms] == [
+        room.furniture for room in reroll(home, [r.id for r in home.rooms]).scene.rooms
+    ]
+    assert [issue.message for issue in made.issues if issue.severity == "error" or issue.rule == "missing_required"] == []
+
+
+@pytest.mark.parametrize("seed", seeds(range(6), 3))
+def test_a_plan_without_types_becomes_a_clean_home(seed: int) -> None:
+    plan = as_plan(generate(Request(seed=seed, program="one_bed")).scene)
+    made = furnish(plan, seed=seed, decorate=True)
+    assert len(made.guesses) == len(plan.rooms)
+    assert [issue.message for issue in made.issues if issue.severity == "error"] == []
+    assert all(room.furniture for room in made.scene.rooms if room.type in ("bedroom", "kitchen", "living_room", "bathroom"))
+    assert any(room.decorations for room in made.scene.rooms)
+    assert made.scene.seed == seed
+    assert validate(made.scene, KNOWN) == made.issues
+    assert furnish(plan, seed=seed, decorate=True) == made
+
+
+def test_rooms_with_furniture_keep_it() -> None:
+    plan = Scene(rooms=(replace(BEDROOM, furniture=(BED,)), replace(BEDROOM, id="b", x=4.0, openings=(replace(DOOR, id="other"),))))
+    made = furnish(plan, seed=1)
+    assert made.scene.rooms[0].furniture == (BED,)
+    assert len(made.scene.rooms[1].furniture) > 3
+
+
+def test_a_named_room_is_furnished_around_what_stands_there() -> None:
+    made = furnish(Scene(rooms=(replace(BEDROOM, furniture=(BED,)),)), ["a"], seed=1)
+    (room,) = made.scene.rooms
+    assert room.furniture[0] == BED
+    assert [piece.name for piece in room.furniture].count("bed") == 1
+    assert {"wardrobe", "nightstand"} <= {piece.name for piece in room.furniture}
+    assert made.left == {}
+
+
+@pytest.mark.parametrize(("keep", "stays"), [("locked", ["mine"]), ("none", [])])
+def test_what_stays_is_said_by_keep(keep: str, stays: list[str]) -> None:
+    shelf = Furniture("shelf", "bookshelf", x=0.5, z=3.3, rotation=180, width=0.8, depth=0.3, height=1.8)
+    plan = Scene(rooms=(replace(BEDROOM, furniture=(replace(BED, locked=True), shelf)),))
+    (room,) = furnish(plan, keep=keep, seed=3).scene.rooms
+    assert [piece.id for piece in room.furniture if piece.id in ("mine", "shelf")] == stays
+    assert [piece.name for piece in room.furniture].count("bed") == 1
+
+
+def test_a_room_that_cannot_be_furnished_around_what_stays_is_left_and_named() -> None:
+    blocking = replace(BED, z=2.4, x=3.0, locked=True, rotation=0, wall=None, height=2.0)
+    plan = Scene(rooms=(replace(BEDROOM, furniture=(blocking, replace(blocking, id="other", x=1.0))), replace(BEDROOM, id="b", x=9.0)))
+    made = furnish(plan, keep="locked", seed=2)
+    assert set(made.left) <= {"a"}
+    if made.left:
+        assert made.scene.rooms[0].furniture == plan.rooms[0].furniture
+    assert made.scene.rooms[1].furniture
+
+
+def test_a_told_type_wins_over_name_and_guess() -> None:
+    made = furnish(Scene(rooms=(BEDROOM,)), types={"a": "office"}, seed=1)
+    assert made.guesses == ()
+    assert "desk" in {piece.name for piece in made.scene.rooms[0].furniture}
+
+
+def test_foreign_names_stay_foreign() -> None:
+    piece = replace(BED, name="Doppelbett")
+    (room,) = furnish(Scene(rooms=(replace(BEDROOM, type="", furniture=(piece,)),)), ["a"], seed=1).scene.rooms
+    assert room.type.startswith("bedroom")
+    assert room.furniture[0] == piece
+
+
+@pytest.mark.parametrize(
+    ("asked", "error", "words"),
+    [
+        ({"rooms": ["x"]}, SceneError, r"rooms\[0\]"),
+        ({"types": {"a": "castle"}}, RequestError, r"types\.a.*castle"),
+        ({"types": {"x": "office"}}, SceneError, r"types\[0\]"),
+        ({"keep": "some"}, RequestError, "keep"),
+        ({"program": "castle"}, RequestError, "castle"),
+        ({"style": "castle"}, RequestError, "castle"),
+    ],
+)
+def test_what_is_wrong_is_refused(asked: dict[str, object], error: type[Exception], words: str) -> None:
+    with pytest.raises(error, match=words):
+        furnish(Scene(rooms=(BEDROOM,)), **asked)  # type: ignore[arg-type]
