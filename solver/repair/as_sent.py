@@ -32,7 +32,7 @@ OTHER_WALL_COST = 4.0
 TURN_COST = 1.0
 """What it costs that a piece whose back was not at its wall is turned so, or one on another as that one is."""
 OTHER_EDGE_COST = 0.05
-"""What standing at another stretch of the sent wall costs, where an outline has several."""
+"""What standing at another stretch of the sent wall costs, where an outline has several; and what being drawn in does, besides the way."""
 WALL_FAR_MM = 200
 """Contract, rule wall_far: a piece whose wall is set stays within this of the wall's line."""
 
@@ -95,11 +95,16 @@ def _pieces_on_others(room: Room, floor: Mapping[str, Body], settings: RepairSet
 
 
 def _ways_upon(piece: Furniture, root: Body, carrier: str) -> tuple[Candidate, ...]:
-    """Returns how a piece stands on another: as sent, or turned as what carries it in the end."""
+    """Returns how a piece stands on another, turned as sent or as that one is: where it was sent, or drawn in where it juts out."""
     turned = [replace(piece, rotation=root.rotation)] if squared(piece.rotation - root.rotation) else []
-    ways = [_in_frame(_brought_back(one, root), root) for one in (piece, *turned)]
+    found: list[tuple[Furniture, float]] = []
+    for one, cost in zip((piece, *turned), (0.0, TURN_COST), strict=False):
+        there, whole = _brought_back(one, root), _drawn_in(one, root)
+        found.append((there, cost))
+        far = math.hypot(whole.x - there.x, whole.z - there.z)
+        found += [(whole, cost + OTHER_EDGE_COST + far**2)] if far else []
     bottom = round(piece.y * 1000)
-    return tuple(replace(way, on=carrier, bottom_mm=bottom, cost=TURN_COST if k else 0.0) for k, way in enumerate(ways))
+    return tuple(replace(_in_frame(one, root), on=carrier, bottom_mm=bottom, cost=cost) for one, cost in found)
 
 
 def _candidates(body: Body, floor: _Floor) -> tuple[Candidate, ...]:
@@ -169,6 +174,13 @@ def _brought_back(piece: Furniture, root: Body) -> Furniture:
         x = _nearest(x, below.x0, below.x1, own.width)
     if not below.z0 <= z * 1000 <= below.z1:
         z = _nearest(z, below.z0, below.z1, own.depth)
+    return replace(piece, x=x, z=z)
+
+
+def _drawn_in(piece: Furniture, root: Body) -> Furniture:
+    """Returns a carried piece moved by the shortest way to where all of it is over what carries it; to the middle where it is larger."""
+    below, own = footprint(root), footprint(piece)
+    x, z = _nearest(piece.x, below.x0, below.x1, own.width), _nearest(piece.z, below.z0, below.z1, own.depth)
     return replace(piece, x=x, z=z)
 
 

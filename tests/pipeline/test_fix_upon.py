@@ -8,7 +8,7 @@ import pytest
 
 from catalogs import load_catalogs
 from solver import Request, Scene, fix, generate, validate
-from solver.scene import Decoration, Furniture
+from solver.scene import Decoration, Furniture, Opening
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
 
 STAND = body("tv_stand_1", 2.0, 0.23, (1.6, 0.4, 0.5), wall="north")
@@ -145,3 +145,18 @@ def test_a_carrier_too_full_for_all_is_answered_at_once_and_in_words() -> None:
     fixed = fix(room_of(BENCH, *cases), moved=[BENCH.id])
     assert floating(fixed.scene) == [] and fixed.conflicts
     assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_one_that_juts_out_into_a_narrow_way_is_drawn_in() -> None:
+    """0.62 m are left before the counters: no more than a person needs, so nothing may jut out by 3 cm."""
+    counter = body("counter_1", 0.3, 1.5, (0.6, 0.6, 0.9), wall="west")
+    facing = [body(f"counter_{2 + k}", 1.52, 0.3 + 0.6 * k, (0.6, 0.6, 0.9), wall="east") for k in range(5)]
+    oven = replace(body("microwave_1", 0.44, 1.45, (0.5, 0.38, 0.3)), rotation=90, y=0.9, on=counter.id)
+    counters = [replace(counter, rotation=90), *(replace(one, rotation=270) for one in facing)]
+    door = Opening("door", "door", "south", 0.91, 0.62, connects_to="EXTERIOR", main_entrance=True)
+    sent = room_of(*counters, oven, width=1.82, depth=4.0, openings=(door,))
+    assert {issue.rule for issue in validate(sent, load_catalogs()) if issue.severity == "error"} == {"unreachable"}
+    fixed = fix(sent)
+    assert one(fixed.scene, oven) == at(oven, 0.41, 1.45)
+    assert [move.id for move in fixed.moves] == [oven.id]
+    assert fixed.conflicts == ()
