@@ -80,7 +80,8 @@ def _footings(listed: ListedPiece) -> Iterator[Footing]:
         for wall in WALLS:
             turn = ROTATION_AT_WALL[wall]
             reach = strip_at(wall, clear.line(wall) + INWARDS[wall] * gap, clear.along(wall), depth)
-            yield Footing(turn, wall, turned(width, depth, turn), reach)
+            if within_both(reach, clear, turned(width, depth, turn)):
+                yield Footing(turn, wall, turned(width, depth, turn), reach)
     if not listed.kind.at_walls:
         turns = (0, 90, 180, 270) if any(relation.turns for relation in relations) else _rotations(listed.kind)
         for turn in turns:

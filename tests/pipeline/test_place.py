@@ -228,3 +228,15 @@ def test_around_means_at_a_side_and_turned_to_it(x: float, z: float, rotation: i
     box = Furniture("box", "box", x=x, z=z, width=0.4, depth=0.4, height=0.5, rotation=rotation)
     room = finished(replace(ROOM, furniture=(table, box)), {"table": ("table",), "box": ("box",)})
     assert held(room, "box", rule("around", "table")) == (holds, "table")
+
+
+@pytest.mark.parametrize(("width", "depth"), [(3.0, 1.5), (1.5, 3.0), (3.0, 0.05), (3.0, 5e-324), (5e-324, 5e-324)])
+@pytest.mark.parametrize("thickness", [0.0, 0.1])
+def test_nothing_is_placed_beyond_the_walls_of_a_room_that_is_too_small(width: float, depth: float, thickness: float) -> None:
+    wanted = [PieceRequest("bed", "bed"), PieceRequest("table", "coffee_table")]
+    answer = place(Room("r", width=width, depth=depth), wanted, wall_thickness=thickness)
+    there = [piece.id for piece in answer.best.scene.rooms[0].furniture]
+    assert there == (["table"] if min(width, depth) > 1 else [])
+    assert {one.id for one in answer.best.unplaced} == {"bed", "table"} - set(there)
+    assert {label for conflict in answer.conflicts for label in conflict.ids} == {"bed", "table"} - set(there)
+    assert {issue.rule for issue in answer.best.issues} <= {"unreachable"}
