@@ -3,6 +3,7 @@ import { anotherSeed, DEFAULTS, queryFromRequest, requestFromQuery } from "./add
 import { Asking } from "./asking";
 import type { HouseRequest, Scene } from "./contract";
 import { drawable } from "./house/drawable";
+import { Drawing } from "./draw/drawing";
 import { Workbench } from "./edit/workbench";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
@@ -16,7 +17,7 @@ import { Progress } from "./panel/progress";
 import { Reading } from "./panel/reading";
 import { RoomPanel } from "./panel/room";
 import { showShown } from "./panel/status";
-import { catalog, generate, isAbort, readFile, report, reroll, ServiceProblem, view, type GivenFile } from "./service";
+import { catalog, furnish, generate, isAbort, readFile, report, reroll, ServiceProblem, view, type GivenFile } from "./service";
 import { listenToSkips } from "./panel/skips";
 import { isTyped } from "./panel/typing";
 import { Stage } from "./stage";
@@ -43,6 +44,7 @@ class Page {
   readonly #stage = new Stage(element("stage"));
   readonly #diagnose = new Diagnose(this.#home);
   readonly #keys = new Keys();
+  readonly #drawing: Drawing;
   readonly #workbench: Workbench;
   #wanted: HouseRequest = requestFromQuery(location.search);
   /** What the house shown was asked for by; null for a file's. */
@@ -72,6 +74,11 @@ class Page {
       busy: (busy) => { element("stage").dataset.editing = String(busy); },
       failed: (reason) => this.#asking.notice.show(reason),
     });
+    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("reading")], (reason) => this.#asking.notice.show(reason));
+    this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
+    this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
+    element("draw_new").addEventListener("click", () => this.#drawing.open(null));
+    element("draw_this").addEventListener("click", () => this.#drawing.open(this.#home.settled?.scene ?? null));
     element("random").addEventListener("click", () => this.#random());
     element("decorate_now").addEventListener("click", () => { if (this.#made) this.#submit({ ...this.#made, decorate: true }); });
     element("reset").addEventListener("click", () => this.#submit(DEFAULTS));
@@ -181,6 +188,18 @@ class Page {
       this.#home.show({ scene, issues, conflicts: [], timing: 0 }, "new");
       await this.#reads;
       document.title = `Compose: ${file.name}`;
+    });
+  }
+
+  /** Shows a home that was drawn, as a step from what was shown before; its empty rooms furnished first, if that is wished. */
+  #showDrawn(drawn: Scene, isToBeFurnished: boolean): void {
+    void this.#asking.run(isToBeFurnished ? "Furnishing the plan" : "Looking at the plan", async (signal) => {
+      const made = isToBeFurnished ? await furnish(drawn, [], signal) : { scene: drawn, timing_ms: 0 };
+      const { issues } = await report(made.scene, [], signal);
+      this.#drawing.close();
+      this.#shows(null);
+      this.#home.show({ scene: made.scene, issues, conflicts: [], timing: made.timing_ms }, "step");
+      await this.#reads;
     });
   }
 

@@ -125,6 +125,11 @@ export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSign
   return post("generate", { scene, reroll: rooms }, signal);
 }
 
+/** Furnishes rooms of a plan, all where none are named; what stands in them is kept. */
+export function furnish(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<GenerateAnswer> {
+  return post("furnish", rooms.length > 0 ? { scene, rooms } : { scene }, signal);
+}
+
 /** Why a piece of furniture stands where it does. */
 export function explain(scene: Scene, id: string, signal: AbortSignal): Promise<Explained> {
   return post("explain", { scene, id }, signal);

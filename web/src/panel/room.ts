@@ -23,7 +23,7 @@ function leadsTo({ connects_to: to, kind }: Opening, names: ReadonlyMap<string, 
 }
 
 /** What to call each room: its type, numbered where there are several of it. */
-export function roomNames(scene: Scene): ReadonlyMap<string, string> {
+export function roomNames(scene: { readonly rooms: readonly Pick<Room, "id" | "type">[] }): ReadonlyMap<string, string> {
   const seen = new Map<string, number>();
   const count = (type: string): number => scene.rooms.filter((room) => room.type === type).length;
   return new Map(scene.rooms.map((room) => {

@@ -1,0 +1,259 @@
+"""A plan drawn on the page, with the pointer and with keys alone: what is sent, what is furnished, what is undone."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from typing import Any
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser.test_accessible import violations
+from tests.browser.visit import SMALL, Document, Visit, sent_by
+
+IN_WINDOW = """([x, z]) => {
+    const sheet = document.querySelector('.sheet');
+    const at = new DOMPoint(x, z).matrixTransform(sheet.getScreenCTM());
+    return [at.x, at.y];
+}"""
+BOXES = """() => [...document.querySelectorAll('[data-room]')].map(one => {
+    const {x, y, width, height} = one.getBBox();
+    return [x, y, x + width, y + height];
+})"""
+DRAW = "Draw a plan"
+
+
+class DrawingBoard:
+    """The open board of a page, and the scenes that it asks the service about; lengths in mm."""
+
+    def __init__(self, visit: Visit) -> None:
+        self.visit, self.page = visit, visit.page
+        self.judged: list[Document] = []
+        self.page.on(
+            "request", lambda request: self.judged.append(sent_by(request)["scene"]) if request.url.endswith("/validate") else None
+        )
+
+    def open(self, name: str = DRAW) -> DrawingBoard:
+        self.page.get_by_role("button", name=name).click()
+        expect(self.page.locator(".sheet")).to_be_visible()
+        return self
+
+    def at(self, x: float, z: float) -> tuple[float, float]:
+        """Where a point of the plan is in the window."""
+        left, top = self.page.evaluate(IN_WINDOW, [x, z])
+        return left, top
+
+    def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        """Draw or drag from one point of the plan to another."""
+        self.page.mouse.move(*self.at(*start))
+        self.page.mouse.down()
+        self.page.mouse.move(*self.at(*end), steps=4)
+        self.page.mouse.up()
+
+    def click(self, x: float, z: float) -> None:
+        self.page.mouse.click(*self.at(x, z))
+
+    def tool(self, name: str) -> None:
+        self.page.locator(f"#drawing [data-tool={name}]").click()
+
+    def rooms(self) -> list[list[float]]:
+        """West, north, east and south of every room drawn."""
+        shown: list[list[float]] = self.page.evaluate(BOXES)
+        return shown
+
+    def openings(self) -> int:
+        return self.page.locator("[data-opening]").count()
+
+    def verdict(self) -> Document:
+        """The scene that the service judged last, once it has found nothing wrong."""
+        self.judge()
+        expect(self.page.get_by_role("heading", name="Nothing is wrong with the plan")).to_be_visible()
+        return self.judged[-1]
+
+    def judge(self) -> None:
+        """Wait until the service has judged the last step."""
+        expect(self.page.locator("#drawing [aria-busy=true]")).to_have_count(0)
+
+    def furnish(self) -> Document:
+        """Furnish what was drawn; returns the answer."""
+        with self.page.expect_response(lambda response: response.url.endswith("/furnish")) as caught:
+            self.page.get_by_role("button", name="Furnish the rooms").click()
+        expect(self.page.locator(".sheet")).to_be_hidden()
+        self.visit.settle()
+        answer: Document = caught.value.json()
+        return answer
+
+
+def flat(color: tuple[int, int, int], width: int, height: int) -> bytes:
+    """A picture of one colour as a PNG file."""
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    rows = (b"\0" + bytes(color) * width) * height
+    head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+
+
+@pytest.fixture
+def board(visit: Visit) -> DrawingBoard:
+    """An empty board over a small house."""
+    visit.open(SMALL.format(4))
+    return DrawingBoard(visit).open()
+
+
+def two_rooms(board: DrawingBoard) -> None:
+    """Draws two rooms of 4 by 3 m side by side, a door between them, one outside, a window each."""
+    board.drag((1000, 1000), (5020, 3990))  # near the grid is on it
+    board.drag((5000, 1010), (9000, 4000))
+    board.page.keyboard.press("d")
+    board.click(5000, 2500)
+    board.click(2000, 4000)
+    board.page.keyboard.press("w")
+    board.click(1000, 2500)
+    board.click(9000, 2500)
+    board.page.keyboard.press("v")
+
+
+def standing(scene: Document) -> dict[str, int]:
+    """How many pieces stand in each room."""
+    return {room["id"]: len(room["furniture"]) for room in scene["rooms"]}
+
+
+def test_a_plan_is_drawn_with_the_pointer_and_furnished(board: DrawingBoard) -> None:
+    two_rooms(board)
+    assert board.rooms() == [[1000, 1000, 5000, 4000], [5000, 1000, 9000, 4000]]
+    drawn = board.verdict()
+    assert [len(room["openings"]) for room in drawn["rooms"]] == [3, 2]
+    assert [one["connects_to"] for one in drawn["rooms"][0]["openings"]] == ["room_2", "EXTERIOR", "EXTERIOR"]
+    board.click(7000, 1800)
+    board.page.get_by_label("Type").select_option("bedroom")
+    answer = board.furnish()
+    assert answer["scene"]["rooms"][1]["type"] == "bedroom"
+    assert min(standing(answer["scene"]).values()) > 0
+    assert [issue for issue in answer["issues"] if issue["severity"] == "error"] == []
+    assert board.page.evaluate("compose.scene")["rooms"][0]["x"] == 0, "a home begins at its north-western corner"
+    board.page.keyboard.press("Control+z")
+    board.visit.settle()
+    assert board.visit.count("rooms") > 2, "the home of before is back"
+    assert board.visit.console == []
+
+
+def test_a_plan_is_drawn_with_keys_alone(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    board = DrawingBoard(visit)
+    page = board.page
+    page.get_by_role("button", name=DRAW).focus()
+    page.keyboard.press("Enter")
+    expect(page.locator(".sheet")).to_be_focused()
+    for key in ("n", "n"):
+        page.keyboard.press(key)
+    west, _, east, _ = board.rooms()[1]
+    assert west == board.rooms()[0][2]
+    for label in ("Add a door to the west wall", "Add a window to the south wall", "Add a door to the north wall"):
+        page.get_by_role("button", name="Room 2").press("Enter")
+        page.get_by_role("button", name=label).press("Enter")
+    assert board.openings() == 3
+    page.get_by_role("button", name="Room 2").press("Enter")
+    field = page.get_by_label("North wall", exact=True)
+    field.fill("4.35")
+    field.press("Enter")
+    assert board.rooms()[1][2] - west == 4350 != east - west
+    scene = board.furnish()["scene"]
+    assert [one["main_entrance"] for one in scene["rooms"][1]["openings"]].count(True) == 1
+    assert min(standing(scene).values()) > 0
+    assert visit.console == []
+
+
+def test_a_door_is_moved_and_all_is_undone(board: DrawingBoard) -> None:
+    two_rooms(board)
+    board.drag((2000, 4000), (3000, 4000))
+    assert board.page.get_by_label("From the west corner, m").input_value() == "1.55"
+    board.page.keyboard.press("ArrowRight")
+    assert board.page.get_by_label("From the west corner, m").input_value() == "1.60"
+    assert board.verdict()["rooms"][0]["openings"][1]["position"] == 2.05
+    for _ in range(8):
+        board.page.keyboard.press("Control+z")
+    assert (board.rooms(), board.openings()) == ([], 0)
+    expect(board.page.locator("#drawing [data-tool=undo]")).to_be_disabled()
+    for _ in range(8):
+        board.page.keyboard.press("Control+Shift+z")
+    assert (len(board.rooms()), board.openings()) == (2, 4)
+
+
+def test_rooms_are_cut_and_walls_dragged_for_both_sides(board: DrawingBoard) -> None:
+    two_rooms(board)
+    board.click(7000, 2000)
+    board.tool("cut")
+    board.drag((7000, 3000), (9000, 4000))
+    assert board.verdict()["rooms"][1]["outline"] == [[0, 0], [4, 0], [4, 2], [2, 2], [2, 3], [0, 3]]
+    board.tool("choose")
+    board.drag((5000, 1500), (4500, 1500))
+    assert [room[:1] + room[2:3] for room in board.rooms()] == [[1000, 4500], [4500, 9000]]
+    board.tool("room")
+    board.drag((1500, 1500), (3000, 3000))
+    expect(board.page.get_by_text("shares no floor with another")).to_be_visible()
+    assert len(board.rooms()) == 2
+
+
+def test_a_wall_of_a_furnished_home_is_dragged(board: DrawingBoard) -> None:
+    two_rooms(board)
+    board.click(3000, 2200)
+    board.page.get_by_label("Type").select_option("living_room")
+    board.click(7000, 2200)
+    board.page.get_by_label("Type").select_option("bedroom")
+    before = board.furnish()["scene"]
+    board.open("Change this plan")
+    expect(board.page.locator(".sheet .piece")).not_to_have_count(0)
+    board.click(200, 200)
+    with board.page.expect_response(lambda response: response.url.endswith("/furnish")) as caught:
+        board.drag((4000, 200), (4400, 200))
+    after = caught.value.json()["scene"]
+    assert [room["width"] for room in after["rooms"]] == [4.4, 3.6]
+    board.judge()
+    for old, new in zip(before["rooms"], after["rooms"], strict=True):
+        kept = {piece["id"] for piece in old["furniture"]} & {piece["id"] for piece in new["furniture"]}
+        assert len(kept) >= len(old["furniture"]) // 2
+    assert [issue for issue in caught.value.json()["issues"] if issue["severity"] == "error"] == []
+    board.tool("show")
+    board.visit.settle()
+    assert [room["width"] for room in board.page.evaluate("compose.scene")["rooms"]] == [4.4, 3.6]
+    board.page.keyboard.press("Control+z")
+    board.visit.settle()
+    assert board.page.evaluate("compose.scene")["rooms"] == before["rooms"]
+    assert board.visit.console == []
+
+
+def test_a_picture_lies_beneath_and_is_scaled_by_a_known_length(board: DrawingBoard) -> None:
+    page = board.page
+    page.get_by_label("A picture to trace").set_input_files(
+        {"name": "plan.png", "mimeType": "image/png", "buffer": flat((200, 180, 160), 120, 80)}
+    )
+    expect(page.locator(".traced")).to_have_attribute("width", "12000")
+    page.get_by_role("button", name="Measure a known length").click()
+    board.click(1000, 1000)
+    board.click(4000, 1000)
+    field = page.get_by_label("That is, m")
+    field.fill("6")
+    field.press("Enter")
+    width = float(page.locator(".traced").get_attribute("width") or 0)
+    assert width == pytest.approx(24000, rel=0.02)
+    page.get_by_role("button", name="Remove the picture").click()
+    page.get_by_label("A picture to trace").set_input_files({"name": "none.png", "mimeType": "image/png", "buffer": b"no picture"})
+    expect(page.get_by_text("none.png is no picture")).to_be_visible()
+
+
+def test_the_board_is_accessible_and_gives_the_focus_back(board: DrawingBoard) -> None:
+    found: dict[str, Any] = {"empty": violations(board.visit)}
+    two_rooms(board)
+    board.click(3000, 2200)
+    board.verdict()
+    found["a room"] = violations(board.visit)
+    board.click(1000, 2500)
+    found["a window"] = violations(board.visit)
+    board.page.set_viewport_size({"width": 390, "height": 800})
+    found["on a phone"] = violations(board.visit)
+    assert {state: wrong for state, wrong in found.items() if wrong} == {}
+    board.tool("close")
+    expect(board.page.get_by_role("button", name=DRAW)).to_be_focused()

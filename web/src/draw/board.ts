@@ -1,0 +1,305 @@
+/** The board on which a plan is drawn: sheet, tools, inspector and the service's verdict on each step, over the canvas. */
+import type { Catalog, FixAnswer, FixRequest, GenerateAnswer, Issue, Room, Scene, ValidateAnswer } from "../contract";
+import { Live } from "../edit/live";
+import { Toolbar, type Tool } from "../edit/toolbar";
+import { inWords } from "../panel/programme";
+import { boxOf, type Box, type Point } from "./corners";
+import { EMPTY, openingMoved, roomMoved, withoutOpening, withoutRoom, type Draft, type DraftRoom } from "./draft";
+import { DrawnPlan } from "./drawn_plan";
+import { button, group, hint, lengthField, row } from "./elements";
+import { draftNames, Inspector } from "./inspector";
+import { Pencil, type ToolName } from "./pencil";
+import { PictureBeneath } from "./picture_beneath";
+import { Reflow } from "./reflow";
+import { atOrigin, draftOf, sceneOf, UNTYPED } from "./scene_draft";
+import { Sheet } from "./sheet";
+import { FINE, GRID } from "./snapping";
+
+/** A room that is not drawn with the pointer [mm]. */
+const NEW_ROOM = { width: 4000, depth: 3000 } as const;
+const UNSAID_COLOR = "#cfd6de";
+const REPEATED: ReadonlySet<string> = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"]);
+const MISSING = "missing_required";
+
+export interface BoardCalls {
+  catalog(signal: AbortSignal): Promise<Catalog>;
+  validate(scene: Scene, signal: AbortSignal): Promise<ValidateAnswer>;
+  fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer>;
+  furnish(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<GenerateAnswer>;
+}
+
+export interface BoardWords {
+  /** The plan is to be furnished: all its rooms that stand empty. */
+  furnish(scene: Scene): void;
+  /** The drawn home is to be shown as it is. */
+  show(scene: Scene): void;
+  failed(reason: unknown): void;
+  closed(): void;
+}
+
+export class Board {
+  readonly #plan = new DrawnPlan(EMPTY);
+  readonly #sheet: Sheet;
+  readonly #pencil: Pencil;
+  readonly #inspector: Inspector;
+  readonly #toolbar: Toolbar;
+  readonly #picture = new PictureBeneath();
+  readonly #reflow: Reflow;
+  readonly #verdicts: Live<Scene, ValidateAnswer>;
+  readonly #said = document.createElement("p");
+  readonly #found = document.createElement("div");
+  #catalog: Catalog | null = null;
+  #ghost: Box | null = null;
+  #issues: readonly Issue[] = [];
+  #furnished: ReadonlyMap<string, Room> = new Map();
+  /** The plan as the last step left it: what the next one is compared to. */
+  #before: Draft = EMPTY;
+
+  constructor(readonly host: HTMLElement, readonly calls: BoardCalls, readonly words: BoardWords) {
+    const [tools, side, inspected] = [document.createElement("div"), document.createElement("div"), document.createElement("div")];
+    tools.className = "tools drawing-tools";
+    tools.setAttribute("role", "toolbar");
+    tools.setAttribute("aria-label", "Drawing tools");
+    side.className = "drawing-side";
+    this.#said.setAttribute("role", "status");
+    this.#said.className = "drawing-said";
+    side.append(inspected, this.#found);
+    host.replaceChildren(tools, side, this.#said);
+    this.#sheet = new Sheet(host);
+    this.#inspector = new Inspector(inspected, this.#plan, (words) => this.#say(words));
+    this.#toolbar = new Toolbar(tools, this.#tools());
+    this.#pencil = new Pencil(this.#sheet, this.#plan, {
+      ghost: (box) => { this.#ghost = box; this.#draw(); },
+      measured: (points) => { this.#picture.measured = points; this.#redraw(); },
+      said: (words) => this.#say(words),
+    });
+    this.#reflow = new Reflow(calls, {
+      seen: (rooms) => { this.#furnished = rooms; this.#draw(); },
+      settled: (of, becomes) => { if (this.#plan.settled === of) this.#plan.amend(becomes); },
+      failed: (reason) => words.failed(reason),
+    });
+    this.#verdicts = new Live({
+      ask: (scene, signal) => calls.validate(scene, signal),
+      answered: ({ issues }) => { if (!this.#verdicts.waits) this.#judged(issues); },
+      failed: (reason) => words.failed(reason),
+    });
+    this.#plan.onChange = (what) => this.#changed(what);
+    document.addEventListener("keydown", (event) => this.#key(event), { capture: true });
+  }
+
+  get isOpen(): boolean {
+    return !this.host.hidden;
+  }
+
+  /** Opens the board: on a home, or on an empty sheet; on what was drawn last, where nothing is given. */
+  open(scene: Scene | null | undefined): void {
+    this.host.hidden = false;
+    if (scene !== undefined) {
+      this.#reflow.base = scene;
+      this.#before = scene ? draftOf(scene) : EMPTY;
+      this.#plan.open(this.#before);
+    }
+    this.#learn().catch((reason: unknown) => this.words.failed(reason));
+    this.#use(scene ? "choose" : "room");
+    this.#sheet.fit(this.#plan.draft);
+    this.#redraw();
+    this.#sheet.svg.focus();
+  }
+
+  close(): void {
+    this.#pencil.cancel();
+    this.#verdicts.stop();
+    this.host.hidden = true;
+    this.words.closed();
+  }
+
+  async #learn(): Promise<void> {
+    this.#catalog ??= await this.calls.catalog(new AbortController().signal);
+    this.#inspector.types = Object.keys(this.#catalog.rooms ?? {}).sort();
+    this.#redraw();
+  }
+
+  /** The drawn home as a scene. */
+  get scene(): Scene {
+    return sceneOf(this.#plan.settled, this.#reflow.base);
+  }
+
+  #tools(): Tool[] {
+    const use = (name: ToolName, words: string, sign: string, keys: string): Tool => ({ name, words, sign, keys, act: () => this.#use(name) });
+    return [
+      use("choose", "Choose and move", "Choose", "V"), use("room", "Draw a room", "Room", "B"),
+      use("add", "Add area to the chosen room", "Add area", "U"), use("cut", "Cut area from the chosen room", "Cut area", "X"),
+      use("door", "Door", "Door", "D"), use("window", "Window", "Window", "W"), use("passage", "Passage without a leaf", "Passage", "P"), use("garage_door", "Garage door", "Garage", "G"),
+      { name: "new", words: "4 × 3 m room", sign: "4 × 3 m", keys: "N", act: () => this.#addRoom() },
+      { name: "undo", words: "Undo", sign: "↶", keys: "Control+Z", act: () => this.#plan.undo() },
+      { name: "redo", words: "Redo", sign: "↷", keys: "Control+Shift+Z Control+Y", act: () => this.#plan.redo() },
+      { name: "fit", words: "Fit all in view", sign: "Fit", keys: "F", act: () => this.#sheet.fit(this.#plan.draft) },
+      { name: "furnish", words: "Furnish the rooms that stand empty", sign: "Furnish", act: () => this.words.furnish(atOrigin(this.scene)) },
+      { name: "show", words: "Show in 3D as it is", sign: "Show", act: () => this.words.show(atOrigin(this.scene)) },
+      { name: "close", words: "Close the drawing", sign: "✕", act: () => this.close() },
+    ];
+  }
+
+  #use(tool: ToolName): void {
+    this.#pencil.cancel();
+    this.#pencil.tool = tool;
+    for (const name of ["choose", "room", "add", "cut", "door", "window", "passage", "garage_door"] as const) this.#toolbar.press(name, name === tool);
+    this.#sheet.svg.dataset.tool = tool;
+    this.#say("");
+  }
+
+  #say(words: string): void {
+    this.#said.textContent = words;
+  }
+
+  #changed(what: "plan" | "moment" | "chosen"): void {
+    if (what === "moment") this.#reflow.moment(this.#plan.settled, this.#plan.draft);
+    if (what === "plan") {
+      this.#furnished = new Map();
+      this.#say(this.#lost(this.#before, this.#plan.settled));
+      void this.#reflow.step(this.#before, this.#plan.settled);
+      this.#before = this.#plan.settled;
+      this.#found.ariaBusy = "true";
+      if (this.#plan.settled.rooms.length > 0) this.#verdicts.want(this.scene);
+      else this.#judged([]);
+    }
+    if (what === "moment") this.#draw();
+    else this.#redraw();
+  }
+
+  /** What was lost with a wall, in words. */
+  #lost(before: Draft, after: Draft): string {
+    if (after.rooms.length < before.rooms.length || after.openings.length >= before.openings.length - 1) return "";
+    return `${before.openings.length - after.openings.length} doors or windows no longer fit and are gone; undo brings them back.`;
+  }
+
+  #judged(issues: readonly Issue[]): void {
+    this.#found.ariaBusy = "false";
+    const isToBeFurnished = new Set(this.#plan.settled.rooms.filter(({ from }) => (from?.furniture.length ?? 0) === 0).map(({ id }) => id));
+    this.#issues = issues.filter((issue) => !(issue.rule === MISSING && isToBeFurnished.has(issue.room ?? "")));
+    this.#redraw();
+  }
+
+  #redraw(): void {
+    const isPlan = this.#plan.settled.rooms.length > 0;
+    this.#toolbar.enable("undo", this.#plan.canUndo);
+    this.#toolbar.enable("redo", this.#plan.canRedo);
+    for (const name of ["furnish", "show"]) this.#toolbar.enable(name, isPlan);
+    this.#inspector.show([this.#beneath()]);
+    const head = this.#issues.length === 0 ? (isPlan ? "Nothing is wrong with the plan" : "Nothing is drawn yet") : `${this.#issues.length} to look at`;
+    this.#found.replaceChildren(group(head, ...this.#issues.map((issue) => button(issue.message, () => this.#plan.choose({ room: issue.room ?? null }), { className: `issue issue-${issue.severity}` }))));
+    this.#draw();
+  }
+
+  #draw(): void {
+    const names = draftNames(this.#plan.draft);
+    const wrong = new Set(this.#issues.filter(({ severity }) => severity === "error").map(({ room }) => room ?? ""));
+    this.#sheet.draw(this.#plan.draft, {
+      ...this.#plan.chosen, ghost: this.#ghost, wrong, measured: this.#picture.measured, picture: this.#picture.picture, furnished: this.#furnished,
+      names: ({ id }) => inWords(names.get(id) ?? id), colors: (room) => this.#color(room),
+    });
+  }
+
+  #color({ type }: DraftRoom): string {
+    return this.#catalog?.rooms?.[type ?? UNTYPED]?.accent ?? UNSAID_COLOR;
+  }
+
+  /** The picture beneath: laid, faded, scaled, removed. */
+  #beneath(): HTMLElement {
+    const chooser = document.createElement("input");
+    chooser.type = "file";
+    chooser.accept = "image/*";
+    chooser.setAttribute("aria-label", "A picture to trace");
+    chooser.addEventListener("change", () => void this.#lay(chooser.files?.[0]));
+    if (!this.#picture.picture) return group("Picture beneath", chooser, hint("A scan or photograph of a plan, to draw over."));
+    const fade = document.createElement("input");
+    Object.assign(fade, { type: "range", min: "0.1", max: "1", step: "0.05", value: String(this.#picture.picture.opacity) });
+    fade.setAttribute("aria-label", "How strongly the picture is seen");
+    fade.addEventListener("input", () => { this.#picture.fade(fade.valueAsNumber); this.#draw(); });
+    const [a, b] = this.#picture.measured;
+    const drawn = a && b ? Math.hypot(a.x - b.x, a.z - b.z) : 0;
+    const scale = lengthField("That is, m", drawn, (length) => {
+      const isSet = this.#picture.setScale(length);
+      this.#redraw();
+      return isSet;
+    });
+    return group("Picture beneath", fade, row(button("Measure a known length", () => { this.#use("measure"); this.#say("Click the two ends of a length that you know."); })),
+      ...(drawn > 0 ? [scale] : []), row(button("Remove the picture", () => { this.#picture.remove(); this.#redraw(); })));
+  }
+
+  async #lay(file: File | undefined): Promise<void> {
+    if (!file) return;
+    try {
+      await this.#picture.lay(file);
+    } catch (reason) {
+      this.#say((reason as Error).message);
+    }
+    this.#redraw();
+  }
+
+  /** A room beside the chosen one, or east of all. */
+  #addRoom(): void {
+    const { draft, chosen } = this.#plan;
+    const beside = draft.rooms.find(({ id }) => id === chosen.room);
+    const boxes = draft.rooms.map(({ corners }) => boxOf(corners));
+    const all = { x: Math.max(0, ...boxes.map(({ x1 }) => x1)), z: Math.min(...boxes.map(({ z0 }) => z0), Number.POSITIVE_INFINITY) };
+    const at = (x: number, z: number): Box => ({ x0: x, z0: z, x1: x + NEW_ROOM.width, z1: z + NEW_ROOM.depth });
+    const count = draft.rooms.length;
+    if (beside) this.#pencil.draw(at(boxOf(beside.corners).x1, boxOf(beside.corners).z0), "room");
+    if (this.#plan.draft.rooms.length === count) this.#pencil.draw(at(all.x, Number.isFinite(all.z) ? all.z : 0), "room");
+    if (count === 0) this.#sheet.fit(this.#plan.draft);
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (!this.isOpen || document.querySelector("dialog[open]")) return;
+    const target = event.target instanceof Element ? event.target : null;
+    const isTyping = target?.matches("input, select, textarea") === true;
+    if (isTyping || event.altKey || event.key === "?") return;
+    const act = event.ctrlKey || event.metaKey ? this.#travel(event) : this.#act(event);
+    event.stopPropagation();
+    if (!act || (event.repeat && !REPEATED.has(event.key))) return;
+    event.preventDefault();
+    act();
+  }
+
+  #travel(event: KeyboardEvent): (() => void) | null {
+    const key = event.key.toLowerCase();
+    if (key === "y" || (key === "z" && event.shiftKey)) return () => this.#plan.redo();
+    return key === "z" ? () => this.#plan.undo() : null;
+  }
+
+  #act(event: KeyboardEvent): (() => void) | null {
+    const keys: Readonly<Record<string, () => void>> = {
+      v: () => this.#use("choose"), b: () => this.#use("room"), u: () => this.#use("add"), x: () => this.#use("cut"), d: () => this.#use("door"),
+      w: () => this.#use("window"), p: () => this.#use("passage"), g: () => this.#use("garage_door"), n: () => this.#addRoom(), f: () => this.#sheet.fit(this.#plan.draft),
+      Delete: () => this.#remove(), Backspace: () => this.#remove(), Escape: () => this.#escape(),
+      ArrowUp: () => this.#nudge(0, -1, event), ArrowDown: () => this.#nudge(0, 1, event), ArrowLeft: () => this.#nudge(-1, 0, event), ArrowRight: () => this.#nudge(1, 0, event),
+    };
+    return keys[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
+  }
+
+  #escape(): void {
+    if (this.#pencil.isBusy) this.#pencil.cancel();
+    else if (this.#pencil.tool !== "choose") this.#use("choose");
+    else this.#plan.choose({});
+  }
+
+  #remove(): void {
+    const { room, opening } = this.#plan.chosen;
+    if (room !== null) this.#plan.step(withoutRoom(this.#plan.settled, room));
+    if (opening !== null) this.#plan.step(withoutOpening(this.#plan.settled, opening));
+  }
+
+  /** Moves what is chosen by a step of the grid. */
+  #nudge(across: number, along: number, { shiftKey }: KeyboardEvent): void {
+    const step = shiftKey ? FINE : GRID;
+    const { room, opening } = this.#plan.chosen;
+    const draft = this.#plan.settled;
+    const one = draft.openings.find(({ id }) => id === opening);
+    if (one) {
+      const middle = (one.from + one.to) / 2;
+      const at: Point = one.axis === "x" ? { x: middle + across * step, z: one.line } : { x: one.line, z: middle + along * step };
+      this.#plan.step(openingMoved(draft, one.id, at, GRID));
+    } else if (room !== null) this.#plan.step(roomMoved(draft, room, across * step, along * step));
+  }
+}

@@ -1,0 +1,48 @@
+/** Drawing a plan: the board is loaded when it is first opened. */
+import type { Scene } from "../contract";
+import { catalog, fix, furnish, report } from "../service";
+import type { Board } from "./board";
+
+export class Drawing {
+  /** Called with a plan whose empty rooms are to be furnished. */
+  onFurnish: (scene: Scene) => void = () => undefined;
+  /** Called with a plan to be shown as it is. */
+  onShow: (scene: Scene) => void = () => undefined;
+  #board: Board | null = null;
+
+  /** What had the focus before. */
+  #before: Element | null = null;
+
+  /** `covered` is what lies under the board, out of reach while it is open. */
+  constructor(readonly host: HTMLElement, readonly covered: readonly HTMLElement[], readonly failed: (reason: unknown) => void) {}
+
+  /** Opens the board on a home; null: on an empty sheet. */
+  open(scene: Scene | null): void {
+    this.#before = document.activeElement;
+    this.#load().then((board) => {
+      for (const element of this.covered) element.inert = true;
+      board.open(scene);
+    }, this.failed);
+  }
+
+  close(): void {
+    this.#board?.close();
+  }
+
+  async #load(): Promise<Board> {
+    if (this.#board) return this.#board;
+    const { Board: Made } = await import("./board");
+    const calls = { catalog, fix, furnish, validate: (scene: Scene, signal: AbortSignal) => report(scene, [], signal) };
+    return (this.#board ??= new Made(this.host, calls, {
+      furnish: (scene) => this.onFurnish(scene),
+      show: (scene) => this.onShow(scene),
+      failed: (reason) => this.failed(reason),
+      closed: () => this.#uncover(),
+    }));
+  }
+
+  #uncover(): void {
+    for (const element of this.covered) element.inert = false;
+    if (this.#before instanceof HTMLElement) this.#before.focus();
+  }
+}

@@ -1,0 +1,139 @@
+/** The panel beside the sheet: the chosen room or opening in exact numbers, all rooms, and the picture beneath. */
+import type { OpeningKind } from "../contract";
+import { inWords } from "../panel/programme";
+import { roomNames } from "../panel/room";
+import { areaOf, wallsOf, type Wall } from "./corners";
+import { OPENING_SIZES, wallLengthened, wallsAt, withOpening, withOpeningChanged, withoutOpening, withoutRoom, withType, type Draft, type DraftOpening, type DraftRoom } from "./draft";
+import type { DrawnPlan } from "./drawn_plan";
+import { button, choiceField, group, hint, lengthField, row, switchField } from "./elements";
+import { UNTYPED } from "./scene_draft";
+import { inMetres } from "./sheet";
+
+const SQUARE_METRE = 1e6;
+const GUESS = "Guess it";
+
+const WALL_WORDS: Readonly<Record<string, string>> = { "x1": "north", "x-1": "south", "z1": "west", "z-1": "east" };
+const KIND_WORDS: readonly (readonly [OpeningKind, string])[] = [["door", "door"], ["passage", "passage"], ["window", "window"], ["garage_door", "garage door"]];
+
+/** What each room is called: its type, numbered where there are several of it. */
+export function draftNames({ rooms }: Draft): ReadonlyMap<string, string> {
+  return roomNames({ rooms: rooms.map(({ id, type }) => ({ id, type: type ?? UNTYPED })) });
+}
+
+/** The walls of a room with words for them: where there are several on a side, numbered. */
+function namedWalls({ corners }: DraftRoom): { readonly wall: Wall; readonly words: string }[] {
+  const walls = wallsOf(corners);
+  const side = (wall: Wall): string => WALL_WORDS[`${wall.axis}${wall.inward}`] ?? "";
+  return walls.map((wall) => {
+    const same = walls.filter((other) => side(other) === side(wall));
+    return { wall, words: `${side(wall)} wall${same.length > 1 ? ` ${same.indexOf(wall) + 1}` : ""}` };
+  });
+}
+
+function capital(words: string): string {
+  return words.slice(0, 1).toUpperCase() + words.slice(1);
+}
+
+export class Inspector {
+  /** The types that a room can be of. */
+  types: readonly string[] = [];
+
+  constructor(readonly host: HTMLElement, readonly plan: DrawnPlan, readonly said: (words: string) => void) {}
+
+  /** Shows what is chosen; `beneath` are the picture's own controls. What has the focus keeps it. */
+  show(beneath: readonly HTMLElement[]): void {
+    const { draft, chosen } = this.plan;
+    const room = draft.rooms.find(({ id }) => id === chosen.room);
+    const opening = draft.openings.find(({ id }) => id === chosen.opening);
+    const focused = this.#focused();
+    this.host.replaceChildren(...(room ? this.#room(room) : opening ? this.#opening(opening) : []), this.#rooms(draft), ...beneath);
+    this.#focus(focused);
+  }
+
+  /** The place of the focused field among all, to find it again among those that take their place. */
+  #focused(): number {
+    return [...this.host.querySelectorAll("input, select, button")].indexOf(document.activeElement as Element);
+  }
+
+  #focus(index: number): void {
+    const field = [...this.host.querySelectorAll<HTMLElement>("input, select, button")][index];
+    field?.focus({ preventScroll: true });
+  }
+
+  /** Takes a changed plan, or says why not. */
+  #take(draft: Draft | null, refusal: string): boolean {
+    if (draft) this.plan.step(draft);
+    else this.said(refusal);
+    return draft !== null;
+  }
+
+  #room(room: DraftRoom): HTMLElement[] {
+    const name = draftNames(this.plan.draft).get(room.id) ?? room.id;
+    const types = [["", GUESS] as const, ...this.types.map((type) => [type, inWords(type)] as const)];
+    const title = `${capital(name)}, ${(areaOf(room.corners) / SQUARE_METRE).toFixed(1)} m²`;
+    return [group(title,
+      choiceField("Type", types, room.type ?? "", (type) => this.plan.step(withType(this.plan.settled, room.id, type || null))),
+      ...namedWalls(room).map(({ wall, words }) => this.#wall(room, wall, words)),
+      row(button("Delete the room", () => this.plan.step(withoutRoom(this.plan.settled, room.id)))),
+    )];
+  }
+
+  #wall(room: DraftRoom, wall: Wall, words: string): HTMLElement {
+    const take = (length: number): boolean => this.#take(
+      wallLengthened(this.plan.settled, room.id, wall.index, length), "The wall cannot be so long: rooms would meet, or nothing would be left.");
+    const puts = (["door", "window"] as const).map((kind) => button(capital(kind), () => this.#put(kind, wall), { label: `Add a ${kind} to the ${words}` }));
+    return row(lengthField(capital(words), wall.to - wall.from, take), ...puts);
+  }
+
+  /** Puts an opening into the middle of the longest stretch of a wall that is free. */
+  #put(kind: OpeningKind, wall: Wall): void {
+    const before = this.plan.settled;
+    const cuts = [wall.from, ...before.openings.filter((one) => one.axis === wall.axis && one.line === wall.line).flatMap(({ from, to }) => [from, to]), wall.to]
+      .filter((at) => at >= wall.from && at <= wall.to).sort((a, b) => a - b);
+    const [best] = cuts.slice(1).map((to, i) => ({ from: cuts[i] as number, to })).sort((a, b) => b.to - b.from - (a.to - a.from));
+    const middle = Math.round(((best?.from ?? wall.from) + (best?.to ?? wall.to)) / 2);
+    const put = withOpening(before, kind, wall.axis === "x" ? { x: middle, z: wall.line } : { x: wall.line, z: middle }, 1);
+    if (!this.#take(put?.draft ?? null, `The wall is too short for a ${kind}.`) || !put) return;
+    this.plan.choose({ opening: put.id });
+  }
+
+  #opening(opening: DraftOpening): HTMLElement[] {
+    const { id, kind, axis, from, to } = opening;
+    const change = (more: Partial<DraftOpening>): boolean => this.#take(
+      withOpeningChanged(this.plan.settled, id, more), "It would leave its wall, or meet another opening.");
+    const [wall] = wallsAt(this.plan.draft, opening);
+    const corner = wall?.from ?? from;
+    const end = axis === "x" ? "west" : "north";
+    const isDoor = kind === "door";
+    return [group(`${capital(inWords(kind))}, ${inMetres(to - from)} m`,
+      choiceField("Kind", KIND_WORDS, kind, (other) => this.#changeKind(opening, other as OpeningKind)),
+      lengthField("Width, m", to - from, (width) => width > 0 && change({ to: from + width })),
+      lengthField("Height, m", opening.height, (height) => height > 0 && change({ height })),
+      ...(kind === "window" ? [lengthField("Sill, m", opening.sill, (sill) => sill >= 0 && change({ sill }))] : []),
+      lengthField(`From the ${end} corner, m`, from - corner, (off) => change({ from: corner + off, to: corner + off + to - from })),
+      ...(isDoor ? [row(button("Hinge at the other end", () => change({ hinge: opening.hinge === "start" ? "end" : "start" })),
+        button("Opens to the other side", () => change({ swing: opening.swing === 1 ? -1 : 1 })))] : []),
+      ...(isDoor ? [switchField("Main entrance", opening.isMainEntrance, (isMainEntrance) => change({ isMainEntrance }))] : []),
+      row(button(`Delete the ${inWords(kind)}`, () => this.plan.step(withoutOpening(this.plan.settled, id)))),
+    )];
+  }
+
+  #changeKind(opening: DraftOpening, kind: OpeningKind): void {
+    const { height, sill } = OPENING_SIZES[kind];
+    this.#take(withOpeningChanged(this.plan.settled, opening.id, { kind, height, sill, isMainEntrance: false }), "");
+  }
+
+  #rooms(draft: Draft): HTMLElement {
+    const total = draft.rooms.reduce((sum, { corners }) => sum + areaOf(corners), 0) / SQUARE_METRE;
+    const names = draftNames(draft);
+    const list = document.createElement("div");
+    list.className = "drawing-rooms";
+    list.append(...draft.rooms.map(({ id, corners }) => {
+      const choose = button(`${capital(names.get(id) ?? id)}, ${(areaOf(corners) / SQUARE_METRE).toFixed(1)} m²`, () => this.plan.choose({ room: id }));
+      choose.setAttribute("aria-pressed", String(this.plan.chosen.room === id));
+      return choose;
+    }));
+    const words = draft.rooms.length === 0 ? "Draw a rectangle for each room, or press N for one of 4 by 3 m." : "A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.";
+    return group(`${draft.rooms.length} rooms, ${total.toFixed(1)} m²`, list, hint(words));
+  }
+}

@@ -1,0 +1,240 @@
+/** The sheet that is drawn on: a plan as SVG, in millimetres, with what is chosen and what is about to be drawn. */
+import type { Room } from "../contract";
+import { areaOf, boxOf, wallsOf, type Box, type Corners, type Point } from "./corners";
+import type { Draft, DraftOpening, DraftRoom } from "./draft";
+
+const SVG = "http://www.w3.org/2000/svg";
+/** How thick a wall is drawn [mm]; what is nearer than that to a line of the sheet is on it. */
+const WALL = 100;
+const METRE = 1000;
+/** How much of the sheet a pixel shows: the nearest and the farthest [mm]. */
+const NEAREST = 1;
+const FARTHEST = 120;
+const MARGIN = 1.25;
+/** What is seen of a sheet on which nothing is drawn [mm]. */
+const EMPTY_SHEET: Corners = [{ x: 0, z: 0 }, { x: 10 * METRE, z: 7 * METRE }];
+
+export interface Picture {
+  readonly url: string;
+  /** Its size in its own pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** How long one of its pixels is [mm]. */
+  readonly scale: number;
+  readonly opacity: number;
+}
+
+/** What is shown beside the plan itself. */
+export interface Marks {
+  readonly room: string | null;
+  readonly opening: string | null;
+  readonly ghost: Box | null;
+  readonly wrong: ReadonlySet<string>;
+  /** Rooms as they would be furnished, while a wall of theirs is dragged. */
+  readonly furnished: ReadonlyMap<string, Room>;
+  readonly measured: readonly Point[];
+  readonly picture: Picture | null;
+  readonly names: (room: DraftRoom) => string;
+  readonly colors: (room: DraftRoom) => string;
+}
+
+type Attributes = Readonly<Record<string, string | number>>;
+
+function make(tag: string, attributes: Attributes, ...children: readonly (Node | string)[]): SVGElement {
+  const element = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
+
+export function inMetres(length: number): string {
+  return (length / METRE).toFixed(2);
+}
+
+function pathOf(corners: Corners): string {
+  return `M${corners.map(({ x, z }) => `${x} ${z}`).join("L")}Z`;
+}
+
+/** Where a room's name stands: in the middle of the largest of the rectangles that its corners cut it into. */
+function nameAt(corners: Corners): Point {
+  const { x0, z0, x1, z1 } = boxOf(corners);
+  if (corners.length === 4) return { x: (x0 + x1) / 2, z: (z0 + z1) / 2 };
+  const [north] = wallsOf(corners).filter(({ axis, inward }) => axis === "x" && inward === 1).sort((a, b) => b.to - b.from - (a.to - a.from));
+  if (!north) return { x: (x0 + x1) / 2, z: (z0 + z1) / 2 };
+  const below = wallsOf(corners).filter(({ axis, inward, line, from, to }) => axis === "x" && inward === -1 && line > north.line && from < north.to && north.from < to);
+  return { x: (north.from + north.to) / 2, z: (north.line + Math.min(...below.map(({ line }) => line))) / 2 };
+}
+
+export class Sheet {
+  readonly svg = make("svg", { class: "sheet", tabindex: 0, role: "application", "aria-label": "The plan that is drawn" }) as SVGSVGElement;
+  /** The point in the middle, and how much a pixel shows [mm]. */
+  #middle: Point = { x: 5 * METRE, z: 4 * METRE };
+  #perPixel = 16;
+  #drawn: (() => void) | null = null;
+
+  constructor(host: HTMLElement) {
+    host.prepend(this.svg);
+    new ResizeObserver(() => this.again()).observe(this.svg);
+  }
+
+  /** How many millimetres a pixel shows. */
+  get perPixel(): number {
+    return this.#perPixel;
+  }
+
+  /** The point of the plan under a point of the window. */
+  at({ clientX, clientY }: { readonly clientX: number; readonly clientY: number }): Point {
+    const { left, top, width, height } = this.svg.getBoundingClientRect();
+    return { x: this.#middle.x + (clientX - left - width / 2) * this.#perPixel, z: this.#middle.z + (clientY - top - height / 2) * this.#perPixel };
+  }
+
+  /** The point of the window where a point of the plan is seen. */
+  seen({ x, z }: Point): { readonly x: number; readonly y: number } {
+    const { left, top, width, height } = this.svg.getBoundingClientRect();
+    return { x: left + width / 2 + (x - this.#middle.x) / this.#perPixel, y: top + height / 2 + (z - this.#middle.z) / this.#perPixel };
+  }
+
+  /** Moves the sheet so that a point of the plan is under a point of the window. */
+  pull(point: Point, under: { readonly clientX: number; readonly clientY: number }): void {
+    const now = this.at(under);
+    this.#middle = { x: this.#middle.x + point.x - now.x, z: this.#middle.z + point.z - now.z };
+    this.again();
+  }
+
+  /** Comes nearer by a factor, to a point of the window. */
+  zoom(factor: number, to: { readonly clientX: number; readonly clientY: number }): void {
+    const held = this.at(to);
+    this.#perPixel = Math.max(NEAREST, Math.min(FARTHEST, this.#perPixel / factor));
+    this.pull(held, to);
+  }
+
+  /** Shows a whole plan, or room for one. */
+  fit({ rooms }: Draft): void {
+    const { x0, z0, x1, z1 } = boxOf(rooms.length === 0 ? EMPTY_SHEET : rooms.flatMap(({ corners }) => corners));
+    const { width, height } = this.svg.getBoundingClientRect();
+    this.#middle = { x: (x0 + x1) / 2, z: (z0 + z1) / 2 };
+    this.#perPixel = Math.max(NEAREST, Math.min(FARTHEST, (MARGIN * Math.max((x1 - x0) / Math.max(width, 1), (z1 - z0) / Math.max(height, 1)))));
+    this.again();
+  }
+
+  again(): void {
+    this.#drawn?.();
+  }
+
+  draw(draft: Draft, marks: Marks): void {
+    this.#drawn = () => {
+      const { width, height } = this.svg.getBoundingClientRect();
+      const [across, down] = [width * this.#perPixel, height * this.#perPixel];
+      this.svg.setAttribute("viewBox", `${this.#middle.x - across / 2} ${this.#middle.z - down / 2} ${Math.max(across, 1)} ${Math.max(down, 1)}`);
+      this.svg.replaceChildren(...this.#layers(draft, marks, across, down));
+    };
+    this.#drawn();
+  }
+
+  #layers(draft: Draft, marks: Marks, across: number, down: number): Node[] {
+    const chosen = draft.rooms.find(({ id }) => id === marks.room);
+    return [
+      ...(marks.picture ? [this.#picture(marks.picture)] : []),
+      this.#grid(across, down),
+      ...draft.rooms.map((room) => this.#floor(room, marks)),
+      ...draft.rooms.flatMap(({ id, from }) => this.#furniture(marks.furnished.get(id) ?? from)),
+      ...draft.rooms.map((room) => make("path", { class: "wall", d: pathOf(room.corners), "stroke-width": WALL })),
+      ...draft.openings.map((opening) => this.#opening(opening, opening.id === marks.opening)),
+      ...draft.rooms.map((room) => this.#name(room, marks)),
+      ...(chosen ? this.#handles(chosen) : []),
+      ...(marks.ghost ? this.#ghost(marks.ghost) : []),
+      ...marks.measured.map(({ x, z }) => make("circle", { class: "measured", cx: x, cy: z, r: 4 * this.#perPixel })),
+      ...(marks.measured.length === 2 ? [this.#measure(marks.measured)] : []),
+    ];
+  }
+
+  #picture({ url, width, height, scale, opacity }: Picture): SVGElement {
+    return make("image", { class: "traced", href: url, x: 0, y: 0, width: width * scale, height: height * scale, opacity });
+  }
+
+  #measure(points: readonly Point[]): SVGElement {
+    const [a, b] = points as [Point, Point];
+    return make("line", { class: "measured", x1: a.x, y1: a.z, x2: b.x, y2: b.z, "stroke-width": 2 * this.#perPixel });
+  }
+
+  #grid(across: number, down: number): SVGElement {
+    const step = this.#perPixel > 40 ? 5 * METRE : METRE;
+    const [west, north] = [this.#middle.x - across / 2, this.#middle.z - down / 2];
+    const lines: string[] = [];
+    for (let x = Math.ceil(west / step) * step; x < west + across; x += step) lines.push(`M${x} ${north}v${down}`);
+    for (let z = Math.ceil(north / step) * step; z < north + down; z += step) lines.push(`M${west} ${z}h${across}`);
+    return make("path", { class: "grid", d: lines.join(""), "stroke-width": this.#perPixel });
+  }
+
+  #floor(room: DraftRoom, { room: chosen, wrong, colors }: Marks): SVGElement {
+    const state = [chosen === room.id ? " chosen" : "", wrong.has(room.id) ? " wrong" : ""].join("");
+    return make("path", { class: `floor${state}`, d: pathOf(room.corners), fill: colors(room), "data-room": room.id });
+  }
+
+  #furniture(room: Room | null): SVGElement[] {
+    if (!room) return [];
+    const { furniture, x, z } = room;
+    return furniture.filter((piece) => !piece.on).map((piece) => {
+      const [width, depth] = [piece.width * METRE, piece.depth * METRE];
+      const middle: Point = { x: (x + piece.x) * METRE, z: (z + piece.z) * METRE };
+      const turn = `translate(${middle.x} ${middle.z}) rotate(${-(piece.rotation ?? 0)})`;
+      return make("g", { class: "piece", transform: turn },
+        make("rect", { x: -width / 2, y: -depth / 2, width, height: depth, "stroke-width": 1.5 * this.#perPixel }, make("title", {}, piece.name.replaceAll("_", " "))),
+        make("path", { d: `M${-width / 4} ${depth / 2 - Math.min(80, depth / 4)}h${width / 2}`, "stroke-width": this.#perPixel }));
+    });
+  }
+
+  #opening(opening: DraftOpening, isChosen: boolean): SVGElement {
+    const { id, kind, axis, line, from, to } = opening;
+    const rect = axis === "x" ? { x: from, y: line - WALL / 2, width: to - from, height: WALL } : { x: line - WALL / 2, y: from, width: WALL, height: to - from };
+    const reach = Math.max(0, 10 * this.#perPixel - WALL / 2);
+    const grip = axis === "x" ? { x: from, y: line - WALL / 2 - reach, width: to - from, height: WALL + 2 * reach } : { x: line - WALL / 2 - reach, y: from, width: WALL + 2 * reach, height: to - from };
+    return make("g", { class: `opening ${kind}${isChosen ? " chosen" : ""}${opening.isMainEntrance ? " entrance" : ""}`, "data-opening": id },
+      make("rect", { class: "gap", ...rect }), ...this.#leaf(opening), make("rect", { class: "grip", ...grip }));
+  }
+
+  /** A door's leaf and the arc of its edge; a window's pane. */
+  #leaf({ kind, axis, line, from, to, hinge, swing }: DraftOpening): SVGElement[] {
+    const width = to - from;
+    const point = (along: number, across: number): string => (axis === "x" ? `${along} ${across}` : `${across} ${along}`);
+    const stroke = { "stroke-width": 2 * this.#perPixel };
+    if (kind === "window") return [make("path", { class: "leaf", d: `M${point(from, line)}L${point(to, line)}`, ...stroke })];
+    if (kind !== "door") return [];
+    const [pivot, far] = hinge === "start" ? [from, to] : [to, from];
+    const isClockwise = (axis === "x") === (hinge === "start") === (swing === 1);
+    const tip = line + swing * width;
+    return [make("path", { class: "leaf", d: `M${point(pivot, line)}L${point(pivot, tip)}A${width} ${width} 0 0 ${isClockwise ? 0 : 1} ${point(far, line)}`, ...stroke })];
+  }
+
+  #name(room: DraftRoom, { names }: Marks): SVGElement {
+    const { x, z } = nameAt(room.corners);
+    const size = 13 * this.#perPixel;
+    const area = `${(areaOf(room.corners) / METRE / METRE).toFixed(1)} m²`;
+    return make("text", { class: "room-name", x, y: z, "font-size": size },
+      make("tspan", { x, dy: "-0.1em" }, names(room)), make("tspan", { class: "area", x, dy: "1.2em" }, area));
+  }
+
+  /** The walls of the room that is chosen, to take hold of, with their lengths. */
+  #handles({ id, corners }: DraftRoom): SVGElement[] {
+    return wallsOf(corners).flatMap(({ index, axis, line, from, to, inward }) => {
+      const middle = (from + to) / 2;
+      const [x, z] = axis === "x" ? [middle, line] : [line, middle];
+      const away = -inward * 16 * this.#perPixel;
+      const ends = axis === "x" ? { x1: from, y1: line, x2: to, y2: line } : { x1: line, y1: from, x2: line, y2: to };
+      const [tx, tz] = axis === "x" ? [x, z + away] : [x + away, z];
+      const turn = axis === "x" ? "" : `rotate(-90 ${tx} ${tz})`;
+      return [
+        make("line", { class: `hold along-${axis}`, ...ends, "stroke-width": 12 * this.#perPixel, "data-wall": index, "data-of": id }),
+        make("text", { class: "length", x: tx, y: tz, "font-size": 12 * this.#perPixel, transform: turn }, inMetres(to - from)),
+      ];
+    });
+  }
+
+  #ghost({ x0, z0, x1, z1 }: Box): SVGElement[] {
+    const words = `${inMetres(x1 - x0)} × ${inMetres(z1 - z0)} m`;
+    return [
+      make("rect", { class: "ghost", x: x0, y: z0, width: x1 - x0, height: z1 - z0, "stroke-width": 2 * this.#perPixel }),
+      make("text", { class: "length", x: (x0 + x1) / 2, y: (z0 + z1) / 2, "font-size": 13 * this.#perPixel }, words),
+    ];
+  }
+}

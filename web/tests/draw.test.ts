@@ -1,0 +1,201 @@
+import { describe, expect, it } from "vitest";
+import { areaOf, areOverlapping, boxOf, combined, cornersOfBox, isSound, wallsOf, type Corners } from "../src/draw/corners";
+import { EMPTY, openingMoved, reshaped, roomMoved, wallLengthened, wallMoved, withOpening, withOpeningChanged, withoutRoom, withRoom, type Draft } from "../src/draw/draft";
+import { DrawnPlan } from "../src/draw/drawn_plan";
+import { PictureBeneath } from "../src/draw/picture_beneath";
+import { reshapedRooms } from "../src/draw/reflow";
+import { atOrigin, draftOf, sceneOf } from "../src/draw/scene_draft";
+import { linesOf, snapped, snappedShift } from "../src/draw/snapping";
+import { opening, piece, room, scene } from "./rooms";
+
+const box = (x0: number, z0: number, x1: number, z1: number) => ({ x0, z0, x1, z1 });
+
+/** A plan of rectangles [mm]. */
+function drawn(...boxes: readonly (readonly [number, number, number, number])[]): Draft {
+  return boxes.reduce((draft, [x0, z0, x1, z1]) => {
+    const made = withRoom(draft, cornersOfBox(box(x0, z0, x1, z1)));
+    if (!made) throw new Error("no such room");
+    return made.draft;
+  }, EMPTY);
+}
+
+/** Two rooms side by side over a hall that is as long as both. */
+const three = (): Draft => drawn([0, 0, 4000, 3000], [4000, 0, 7000, 3000], [0, 3000, 7000, 5000]);
+const boxes = (draft: Draft) => draft.rooms.map(({ corners }) => Object.values(boxOf(corners)));
+
+/** Draws numbers from 0 to 1, the same for a seed (mulberry32). */
+function draws(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+describe("corners", () => {
+  it("take rectangles away and add them, clockwise from the north-west", () => {
+    const notched = combined(cornersOfBox(box(0, 0, 4000, 3000)), box(2000, 1000, 4000, 3000), "cut");
+    expect(notched).toEqual([{ x: 0, z: 0 }, { x: 4000, z: 0 }, { x: 4000, z: 1000 }, { x: 2000, z: 1000 }, { x: 2000, z: 3000 }, { x: 0, z: 3000 }]);
+    expect(combined(notched as Corners, box(2000, 1000, 4000, 3000), "add")).toEqual(cornersOfBox(box(0, 0, 4000, 3000)));
+  });
+
+  it("refuse what leaves a hole, two floors, or none", () => {
+    const square = cornersOfBox(box(0, 0, 4000, 4000));
+    expect(combined(square, box(1000, 1000, 2000, 2000), "cut")).toBeNull();
+    expect(combined(square, box(1000, 0, 2000, 4000), "cut")).toBeNull();
+    expect(combined(square, box(0, 0, 4000, 4000), "cut")).toBeNull();
+    expect(combined(square, box(5000, 0, 6000, 4000), "add")).toBeNull();
+  });
+
+  it("are sound after any number of rectangles, and their areas add up cell by cell", () => {
+    for (let seed = 0; seed < 60; seed += 1) {
+      const draw = draws(seed);
+      let corners = cornersOfBox(box(0, 0, 6, 6));
+      for (let k = 0; k < 8; k += 1) {
+        const [x, z] = [Math.floor(draw() * 8) - 1, Math.floor(draw() * 8) - 1];
+        const next = combined(corners, box(x, z, x + 1 + Math.floor(draw() * 3), z + 1 + Math.floor(draw() * 3)), draw() < 0.5 ? "add" : "cut");
+        corners = next ?? corners;
+      }
+      expect(isSound(corners)).toBe(true);
+      let cells = 0;
+      for (let x = -2; x < 12; x += 1) for (let z = -2; z < 12; z += 1) if (areOverlapping(corners, cornersOfBox(box(x, z, x + 1, z + 1)))) cells += 1;
+      expect(areaOf(corners)).toBe(cells);
+    }
+  });
+});
+
+describe("a plan", () => {
+  it("has no two rooms on one floor, and none that is no room", () => {
+    expect(withRoom(three(), cornersOfBox(box(3000, 1000, 5000, 2000)))).toBeNull();
+    expect(withRoom(EMPTY, cornersOfBox(box(0, 0, 400, 3000)))).toBeNull();
+    expect(withRoom(three(), cornersOfBox(box(7000, 0, 9000, 3000)))?.id).toBe("room_4");
+  });
+
+  it("moves a wall for the rooms on both its sides, or for one alone", () => {
+    const both = wallMoved(three(), "room_1", 2, 2500) as Draft;
+    expect(boxes(both)).toEqual([[0, 0, 4000, 2500], [4000, 0, 7000, 2500], [0, 2500, 7000, 5000]]);
+    const one = wallMoved(three(), "room_1", 1, 3500, true) as Draft;
+    expect(boxes(one).slice(0, 2)).toEqual([[0, 0, 3500, 3000], [4000, 0, 7000, 3000]]);
+    expect(wallMoved(three(), "room_1", 1, 4500, true)).toBeNull();
+    expect(wallMoved(three(), "room_1", 2, 4800)).toBeNull(); // the hall would be 0.2 m wide
+  });
+
+  it("takes what is in a wall along with it, and drops what no longer fits", () => {
+    const door = withOpening(three(), "door", { x: 2000, z: 3010 }, 300) as { draft: Draft; id: string };
+    const moved = wallMoved(door.draft, "room_3", 0, 2600) as Draft;
+    expect(moved.openings[0]).toMatchObject({ axis: "x", line: 2600, from: 1550, to: 2450 });
+    const pushed = wallMoved(door.draft, "room_1", 1, 2000) as Draft;
+    expect(pushed.openings[0]).toMatchObject({ from: 1550, to: 2450 }); // it is in the wall of the other room now
+    expect(withoutRoom(withoutRoom(pushed, "room_3"), "room_2").openings[0]).toMatchObject({ from: 1050, to: 1950 });
+    expect(withoutRoom(withoutRoom(withoutRoom(pushed, "room_3"), "room_2"), "room_1").openings).toEqual([]);
+  });
+
+  it("makes a wall as long as was typed", () => {
+    expect(boxes(wallLengthened(three(), "room_1", 0, 4500) as Draft).slice(0, 2)).toEqual([[0, 0, 4500, 3000], [4500, 0, 7000, 3000]]);
+    expect(boxes(wallLengthened(three(), "room_1", 3, 2000) as Draft)[0]).toEqual([0, 0, 4000, 2000]);
+    expect(wallLengthened(three(), "room_1", 0, 7000)).toBeNull();
+  });
+
+  it("puts openings where there is wall for them, never onto each other", () => {
+    const { draft, id } = withOpening(three(), "window", { x: 1000, z: 20 }, 200) as { draft: Draft; id: string };
+    expect(draft.openings[0]).toMatchObject({ kind: "window", from: 300, to: 1700, sill: 900 });
+    expect(withOpening(draft, "door", { x: 1800, z: 0 }, 200)).toBeNull();
+    expect(withOpening(draft, "door", { x: 2000, z: 1500 }, 200)).toBeNull();
+    expect(openingMoved(draft, id, { x: 10, z: 1500 }, 200)?.openings[0]).toMatchObject({ axis: "z", line: 0, from: 800, to: 2200 });
+    expect(openingMoved(draft, id, { x: 100_000, z: 0 }, 200)).toBeNull();
+    expect(withOpeningChanged(draft, id, { to: 3950 })?.openings[0]).toMatchObject({ to: 3950 });
+    expect(withOpeningChanged(draft, id, { to: 4050 })).toBeNull();
+  });
+
+  it("has one main entrance: the first door that leads outside", () => {
+    const outside = withOpening(withOpening(three(), "door", { x: 2000, z: 3000 }, 100)?.draft as Draft, "door", { x: 1000, z: 5000 }, 100)?.draft as Draft;
+    expect(outside.openings.map(({ isMainEntrance }) => isMainEntrance)).toEqual([false, true]);
+    const third = withOpening(outside, "door", { x: 5000, z: 5000 }, 100) as { draft: Draft; id: string };
+    const changed = withOpeningChanged(third.draft, third.id, { isMainEntrance: true }) as Draft;
+    expect(changed.openings.map(({ isMainEntrance }) => isMainEntrance)).toEqual([false, false, true]);
+  });
+
+  it("adds to a room and cuts from it, but not onto another", () => {
+    expect(reshaped(three(), "room_1", box(1000, -1000, 2000, 1000), "add")?.rooms[0]?.corners).toHaveLength(8);
+    expect(reshaped(three(), "room_1", box(1000, 1000, 5000, 2000), "add")).toBeNull();
+  });
+});
+
+describe("a scene", () => {
+  const home = () => scene([
+    room("den", [0, 0, 4, 3], { openings: [opening({ id: "way", wall: "east", position: 1.5, connects_to: "hall", swing: "in" })], furniture: [piece("sofa", { x: 2, z: 0.5 })] }),
+    room("hall", [4, 0, 2, 3], { openings: [opening({ id: "way", wall: "west", position: 1.5, connects_to: "den", swing: "out", render_panel: false })] }),
+  ]);
+
+  it("comes back from the plan as it was", () => {
+    const again = sceneOf(draftOf(home()), home());
+    expect(again.rooms.map(({ id, x, z, width, depth }) => [id, x, z, width, depth])).toEqual([["den", 0, 0, 4, 3], ["hall", 4, 0, 2, 3]]);
+    for (const [i, one] of again.rooms.entries()) {
+      expect(one.openings).toEqual([{ ...home().rooms[i]?.openings[0], sill: 0 }]);
+      expect(one.furniture).toEqual(home().rooms[i]?.furniture);
+    }
+  });
+
+  it("keeps furniture where it stands in the house when a wall moves, and takes it along when the room does", () => {
+    const draft = draftOf(home());
+    const wider = wallMoved(draft, "den", 3, -1000) as Draft;
+    expect(sceneOf(wider, home()).rooms[0]).toMatchObject({ x: -1, width: 5, furniture: [{ x: 3, z: 0.5 }] });
+    expect(reshapedRooms(draft, wider)).toEqual(new Set(["den"]));
+    const away = roomMoved(draft, "den", -1000, 500) as Draft;
+    expect(sceneOf(away, home()).rooms[0]).toMatchObject({ x: -1, z: 0.5, width: 4, furniture: [{ x: 2, z: 0.5 }] });
+    expect(reshapedRooms(draft, away)).toEqual(new Set());
+    expect(atOrigin(sceneOf(away, home())).rooms.map(({ x, z }) => [x, z])).toEqual([[0, 0.5], [5, 0]]);
+  });
+
+  it("says walls of rooms that are no rectangles by their corners", () => {
+    const shape = reshaped(three(), "room_3", box(5000, 4000, 7000, 5000), "cut") as Draft;
+    const door = withOpening(shape, "door", { x: 6000, z: 4000 }, 100)?.draft as Draft;
+    const hall = sceneOf(door, null).rooms[2];
+    expect(hall?.outline).toEqual([[0, 0], [7, 0], [7, 1], [5, 1], [5, 2], [0, 2]]);
+    expect(hall?.openings[0]).toMatchObject({ wall: null, edge: 2, position: 1, connects_to: "EXTERIOR", main_entrance: true });
+    expect(draftOf(sceneOf(door, null)).openings).toEqual(door.openings);
+  });
+
+  it("leaves other storeys and walls at an angle as they are", () => {
+    const slanted = room("slanted", [6, 0, 2, 3], { outline: [[0, 0], [2, 1], [2, 3], [0, 3]] });
+    const above = room("above", [0, 0, 4, 3], { level: 1 });
+    const whole = scene([...home().rooms, slanted, above]);
+    const draft = draftOf(whole);
+    expect(draft.rooms.map(({ id }) => id)).toEqual(["den", "hall"]);
+    expect(sceneOf(draft, whole).rooms.slice(2)).toEqual([{ ...slanted, index: 2 }, { ...above, index: 3 }]);
+  });
+});
+
+describe("drawing", () => {
+  it("snaps to walls, else to five centimetres, and freely to one", () => {
+    const lines = linesOf(three());
+    expect(snapped(4033, lines.x, 60, false)).toBe(4000);
+    expect(snapped(4133, lines.x, 60, false)).toBe(4150);
+    expect(snapped(4033, lines.x, 60, true)).toBe(4030);
+    expect(snappedShift(box(0, 0, 1000, 1000), { x: 2960, z: 333 }, lines, 60, false)).toEqual({ x: 3000, z: 350 });
+    expect(wallsOf(three().rooms[0]?.corners ?? [])).toHaveLength(4);
+  });
+
+  it("undoes all the way back and forth again, and forgets a drag that was given up", () => {
+    const plan = new DrawnPlan(EMPTY);
+    const states = [EMPTY, drawn([0, 0, 2000, 2000]), three()];
+    for (const state of states.slice(1)) plan.step(state);
+    plan.show(EMPTY);
+    plan.cancel();
+    expect(plan.draft).toBe(states[2]);
+    plan.choose({ room: "room_3" });
+    plan.undo();
+    expect(plan.chosen.room).toBeNull();
+    plan.undo();
+    expect([plan.draft, plan.canUndo]).toEqual([EMPTY, false]);
+    plan.redo();
+    plan.redo();
+    expect([plan.draft, plan.canRedo]).toEqual([states[2], false]);
+  });
+
+  it("has no picture to scale before one is laid", () => {
+    expect(new PictureBeneath().setScale(1000)).toBe(false);
+  });
+});
