@@ -18,6 +18,7 @@ from solver.pieces import Arrangement, Candidate
 from solver.pipeline.generate import generator, wanted_in
 from solver.placement import SolvedRoom, arrange, finish
 from solver.placement.problem import ORIGIN, Choice, Confirmed, Force, ProblemBox
+from solver.placement.qp import confirmed
 from solver.scene import Furniture, Room, Scene
 from solver.scene_bodies import check_ids
 
@@ -95,8 +96,6 @@ def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | None:
     entry = rooms.get(room.id) if isinstance(rooms, Mapping) else None
     if not isinstance(entry, Mapping) or entry.get("of") != mark_of(room) or scene.generator != generator(catalogs):
         return None
-    from solver.placement.qp import confirmed  # noqa: PLC0415 - OSQP and scipy take 0.3 s to import
-
     space, wanted, _ = wanted_in(scene, room, catalogs)
     solved = arrange(space, wanted, wide=True)
     (made,) = finish([solved], tidy=True)

@@ -18,6 +18,7 @@ from solver.placement.encode import encode
 from solver.placement.layout import WAYS
 from solver.placement.left_out import why_left_out
 from solver.placement.problem import Confirmed
+from solver.placement.qp import confirmed
 
 NEAR_WALL_MM = 150
 """A companion whose back is this close to its parent's wall counts as standing at it (the rule wall_far: beyond 0.2 m
@@ -58,8 +59,6 @@ def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Confirmed]:
         return [Confirmed(positions) for positions in reference_house([(room.problem, room.solution) for room in rooms])]
     if engine != "osqp":
         raise RequestError("engine", f"is {engine!r}", "'osqp' or 'reference'")
-    from solver.placement.qp import confirmed  # noqa: PLC0415 - OSQP and scipy take 0.4 s to import
-
     return [replace(said, positions=room.solution.positions) for room, said in zip(rooms, confirmed(rooms), strict=True)]
 
 

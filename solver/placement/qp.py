@@ -13,14 +13,13 @@ from itertools import accumulate
 from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
-import osqp
 from numpy.typing import NDArray
-from scipy import sparse
 
 from solver.core import CoreInstance, borrowed
 from solver.pieces import Residuals
 from solver.placement import kernel
 from solver.placement.layout import Engine, Floats
+from solver.placement.osqp_binary import Programme, SparseColumns, solve
 from solver.placement.problem import Confirmed, Problem, Solution
 
 SETTINGS = {
@@ -38,7 +37,6 @@ LEAST_DECADE = -6
 """Residuals below 10 to this power are said to be that: the last digits, which a machine may change, decide no byte."""
 REFUTED = 1e-5
 """A proven optimum that is this far, m, from OSQP's is none."""
-_SOLVED = 1
 _HEAD, _JUDGEMENT = 40, 4
 """Bytes of `struct HouseProblem` of solver/core/placement/house.hpp, and numbers of `struct Judgement`."""
 Numbers = TypeVar("Numbers", Floats, NDArray[np.int32])
@@ -140,15 +138,12 @@ def solved_house(core: CoreInstance, problems: Sequence[int]) -> HouseAnswer | N
     P_begins, P_rows, A_begins, A_rows = _split(indices, columns + 1, squares, columns + 1, entries)
     x, y = start, np.zeros(rows)
     if columns:
-        P = sparse.csc_matrix((P_entries, P_rows, P_begins), shape=(columns, columns))
-        A = sparse.csc_matrix((A_entries, A_rows, A_begins), shape=(rows, columns))
-        solver = osqp.OSQP(algebra="builtin")
-        solver.setup(P, linear, A, low, high, **SETTINGS)
-        solver.warm_start(start, multipliers)
-        result = solver.solve(raise_error=False)
-        if result.info.status_val != _SOLVED:
+        P = SparseColumns((columns, columns), P_entries, P_rows, P_begins)
+        A = SparseColumns((rows, columns), A_entries, A_rows, A_begins)
+        answer = solve(Programme(P, linear, A, low, high), (start, multipliers), SETTINGS)
+        if not answer.solved:
             return None
-        x, y = result.x, result.y
+        x, y = answer.x, answer.y
     judged = int(core.call("judge", rooms, count, core.write(x.tobytes()), core.write(y.tobytes())))
     said = np.frombuffer(core.read(judged, 8 * _JUDGEMENT * count), dtype=np.float64).reshape(-1, _JUDGEMENT).tolist()
     return HouseAnswer(

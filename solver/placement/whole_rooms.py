@@ -17,6 +17,7 @@ from solver.pieces import Arrangement, Placed, Residuals, WantedRows
 from solver.placement.arrange import CANNOT_STAND, NOT_FOUND, NOT_WALKABLE, REASONS
 from solver.placement.layout import COVERED, NO_WAY, SPENT
 from solver.placement.left_out import WALLS, clear_size, room_needed
+from solver.placement.qp import REFUTED, OptimumRefuted, solved_house
 from solver.scene import WALLS as NUMBERED_WALLS
 
 _MADE: Final = Struct("<11qd")
@@ -95,8 +96,6 @@ def _residuals(core: CoreInstance, answers: Sequence[_Answer]) -> list[Residuals
     Raises:
         OptimumRefuted: it finds another one than one that was proven.
     """
-    from solver.placement.qp import REFUTED, OptimumRefuted, solved_house  # noqa: PLC0415 - OSQP and scipy take 0.4 s to import
-
     answer = solved_house(core, [one.problem for one in answers])
     if answer is None:
         return [None] * len(answers)

@@ -18,10 +18,9 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 from unittest import mock
 
-import osqp
 from tqdm import tqdm
 
 from catalogs import load_catalogs
@@ -29,6 +28,7 @@ from solver import Request, generate
 from solver.exchange import write_scene
 from solver.pipeline.generate import wanted_in
 from solver.placement import arrange, finish, qp
+from solver.placement.osqp_binary import OsqpAnswer, solve
 from solver.scene import Scene
 from tests.bench.__main__ import percentile
 
@@ -75,45 +75,18 @@ def cpu_ms(do: Callable[[], object], rounds: int = 5) -> float:
     return min(found)
 
 
-OSQP = osqp.OSQP
-
-
-class Recorder:
-    """OSQP that keeps what it was last asked, and where it was begun."""
-
-    asked: ClassVar[tuple[Any, ...]] = ()
-    begun_at: ClassVar[tuple[Any, ...]] = ()
-
-    def __init__(self, **settings: Any) -> None:
-        self.solver = OSQP(**settings)
-        self.solve = self.solver.solve
-
-    def setup(self, *problem: Any, **settings: Any) -> None:
-        """Keeps the problem."""
-        Recorder.asked = problem
-        self.solver.setup(*problem, **settings)
-
-    def warm_start(self, *points: Any) -> None:
-        """Keeps where it begins."""
-        Recorder.begun_at = points
-        self.solver.warm_start(*points)
-
-
 def limit(scene: Scene) -> tuple[float, float, int]:
     """What OSQP takes for a home's final problem, cold and warm, set up each time, and its iterations begun at the optimum."""
     known = load_catalogs()
     rooms = [arrange(*wanted_in(scene, room, known)[:2]) for room in scene.rooms]
-    with mock.patch("solver.placement.qp.osqp.OSQP", Recorder):
+    with mock.patch.object(qp, "solve", wraps=solve) as asked:
         finish(rooms)
+    programme, begun_at, settings = asked.call_args.args
 
-    def solve(warm: bool) -> Any:
-        solver = osqp.OSQP(algebra="builtin")
-        solver.setup(*Recorder.asked, **{**qp.SETTINGS, "check_termination": 1 if warm else 25})
-        if warm:
-            solver.warm_start(*Recorder.begun_at)
-        return solver.solve(raise_error=False)
+    def again(warm: bool) -> OsqpAnswer:
+        return solve(programme, begun_at if warm else None, {**settings, "check_termination": 1 if warm else 25})
 
-    return cpu_ms(lambda: solve(False)), cpu_ms(lambda: solve(True)), int(solve(True).info.iter)
+    return cpu_ms(lambda: again(False)), cpu_ms(lambda: again(True)), again(True).iterations
 
 
 def stage_lines(found: Mapping[str, Sequence[Home]]) -> Iterator[str]:

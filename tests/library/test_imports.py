@@ -10,7 +10,7 @@ import pytest
 
 from tests.architecture.tree import ROOT
 
-FINAL_SOLVE = {"osqp", "daqp", "scipy", "cvxpy"}
+FINAL_SOLVE = {"osqp", "osqp.ext_builtin", "daqp", "scipy", "cvxpy"}
 KERNEL = FINAL_SOLVE | {"wasmtime"}
 SERVER = {"fastapi", "starlette", "uvicorn", "anyio"}
 CATALOGS = {"catalogs.reading", "catalogs.schema", "numpy"}
@@ -37,7 +37,7 @@ def loaded(program: str) -> set[str]:
         ("from solver import fix, generate, place, validate", KERNEL | SERVER),
         ("from compose_homes import PieceRequest, load_catalogs; load_catalogs()", KERNEL | SERVER),
         (SCENE + "from compose_homes import validate\nvalidate(scene)", FINAL_SOLVE | SERVER),
-        (GENERATE, {"cvxpy"} | SERVER),
+        (GENERATE, {"cvxpy", "osqp", "scipy", "jinja2"} | SERVER),
         ("from service.cli import main; main(['schema'])", KERNEL | SERVER | CATALOGS),
         ("from service.cli import main; main(['catalog'])", KERNEL | {"uvicorn", "fastapi"}),
         ("import service.app", KERNEL),
@@ -48,4 +48,4 @@ def test_what_is_not_used_is_not_loaded(program: str, without: set[str]) -> None
 
 
 def test_a_call_loads_what_it_needs() -> None:
-    assert loaded(GENERATE) > {"wasmtime", "osqp"}
+    assert loaded(GENERATE) > {"wasmtime", "osqp.ext_builtin"}

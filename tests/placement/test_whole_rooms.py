@@ -8,7 +8,7 @@ from collections import Counter
 import pytest
 
 from solver import Request, generate
-from solver.placement import place, place_wanted, qp
+from solver.placement import place, place_wanted, qp, whole_rooms
 from tests.furnish.wanting_rooms import wanting_room
 from tests.sweeps import seeds
 
@@ -49,7 +49,7 @@ def test_a_room_does_not_depend_on_the_others_of_its_house() -> None:
 
 
 def test_an_optimum_that_osqp_does_not_find_is_never_served(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(qp, "REFUTED", -1.0)
+    monkeypatch.setattr(whole_rooms, "REFUTED", -1.0)
     with pytest.raises(qp.OptimumRefuted) as refuted:
         place_wanted([wanting_room(3).rows()])
     assert isinstance(refuted.value.problem, bytes) and len(refuted.value.problem) > 40
