@@ -13,13 +13,13 @@ from catalogs.faults import CatalogError
 
 if TYPE_CHECKING:
     from catalogs.assets.asset_folder import add_assets
-    from catalogs.reading import load_catalogs
+    from catalogs.kept import load_catalogs
     from catalogs.schema import Catalogs
 else:
 
     def __getattr__(name: str) -> object:
         """Imports what reads the files when it is first named: the errors cost none of it."""
-        module = "assets.asset_folder" if name == "add_assets" else "reading"
+        module = {"add_assets": "assets.asset_folder", "Catalogs": "schema"}.get(name, "kept")
         return getattr(import_module(f"{__name__}.{module}"), name)
 
 

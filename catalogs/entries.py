@@ -68,7 +68,7 @@ PIECE_NAMES = Names("piece name", "a name of furniture.yaml")
 class Entry(BaseModel):
     """Base of every catalog entry."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True)
 
 
 class Surface(Entry):

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from hashlib import blake2b
-from os import PathLike
 from pathlib import Path
 from typing import Any, Final
 
@@ -32,23 +31,22 @@ _ROOMS = "rooms"
 _SHAPES = "shapes"
 ROW_KEY: Final = 2
 """The key of a row of dressing.yaml is longer: entry, list, number."""
-_SECTIONS: Final[dict[str, TypeAdapter[Any]]] = {
-    "furniture": TypeAdapter(dict[str, FurnitureSpec]),
-    "floorings": TypeAdapter(dict[str, FlooringSpec]),
-    "decorations": TypeAdapter(dict[str, DecorationKind]),
-    "dressing": TypeAdapter(dict[str, Dressing]),
-    "styles": TypeAdapter(dict[str, Style]),
-    "presets": TypeAdapter(dict[str, Preset]),
-    "people": TypeAdapter(dict[str, Dweller]),
-    "materials": TypeAdapter(dict[str, Material]),
-    "habits": TypeAdapter(dict[str, Habit]),
-    "synonyms": TypeAdapter(dict[str, Synonym]),
-    "room_names": TypeAdapter(dict[str, Synonym]),
+_SECTIONS: Final[dict[str, Any]] = {
+    "furniture": dict[str, FurnitureSpec],
+    "floorings": dict[str, FlooringSpec],
+    "decorations": dict[str, DecorationKind],
+    "dressing": dict[str, Dressing],
+    "styles": dict[str, Style],
+    "presets": dict[str, Preset],
+    "people": dict[str, Dweller],
+    "materials": dict[str, Material],
+    "habits": dict[str, Habit],
+    "synonyms": dict[str, Synonym],
+    "room_names": dict[str, Synonym],
 }
 """What each file of a catalog holds: `<section>.yaml`."""
 _FILES: Final = (*(f"{section}.yaml" for section in _SECTIONS), f"{_ROOMS}/<type>.yaml", f"{_SHAPES}/<any>.yaml")
-_ROOM = TypeAdapter(RoomType)
-_SHAPE_FILE: Final[TypeAdapter[Any]] = TypeAdapter(dict[str, ShapeParts])
+_SHAPE_FILE: Final[Any] = dict[str, ShapeParts]
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
     "fingerprint": True, "assets": True, "shapes": True, "materials": True, "synonyms": True, "room_names": True, "habits": True,
@@ -59,25 +57,12 @@ _LOOKS: Final[Any] = {
 """What no home depends on: a seed makes the same home however its pieces are drawn, so its fingerprint stays too."""
 
 
-def load_catalogs(directory: str | PathLike[str] | None = None) -> Catalogs:
-    """Reads and checks our catalogs (once), or those with a directory's own laid over them.
-
-    Args:
-        directory: holds any of a catalog's files, as ours are (a file's stem in rooms/ is the room type's name).
-            What it names anew is added; what ours has too is replaced. A YAML file of any other name is refused.
-
-    Raises:
-        CatalogError: a file cannot be read, is not YAML, or says something that cannot be; the first fault found.
-    """
+def read_catalogs(directory: Path | None = None) -> Catalogs:
+    """Reads and checks our catalogs, or those with a directory's own laid over them; see `kept.load_catalogs`."""
     if directory is None:
-        return _default()
-    _refuse_strays(Path(directory))
-    return _checked(_laid_over(_layer(HERE), _layer(Path(directory))), over_ours=True)
-
-
-@lru_cache(maxsize=1)
-def _default() -> Catalogs:
-    return _checked(_layer(HERE))
+        return _checked(_layer(HERE))
+    _refuse_strays(directory)
+    return _checked(_laid_over(_layer(HERE), _layer(directory)), over_ours=True)
 
 
 @dataclass(frozen=True)
@@ -95,7 +80,7 @@ def _layer(directory: Path) -> _Layer:
     if not room_files and not shape_files and not any(path.exists() for path in paths.values()):
         raise CatalogError(str(directory), "", 1, "holds no catalog", ", ".join(_FILES))
     entries = {section: read_entries(path, _SECTIONS[section]) if path.exists() else {} for section, path in paths.items()}
-    entries[_ROOMS] = {name: read_entries(path, _ROOM) for name, path in room_files.items()}
+    entries[_ROOMS] = {name: read_entries(path, RoomType) for name, path in room_files.items()}
     files = {(section, name): paths[section] for section in paths for name in entries[section]}
     files |= {(_ROOMS, name): path for name, path in room_files.items()}
     entries[_SHAPES], shapes_in = _shapes(shape_files)
@@ -157,21 +142,27 @@ def fingerprint(catalogs: Catalogs) -> str:
     return blake2b(json.dumps(content, sort_keys=True).encode(), digest_size=6).hexdigest()
 
 
-def read_entries(path: Path, adapter: TypeAdapter[Any]) -> Any:
-    """Reads a file of entries by name.
+@cache
+def _reader(of: Any) -> TypeAdapter[Any]:
+    """Returns what reads a type, made when it is first asked for."""
+    return TypeAdapter(of)
+
+
+def read_entries(path: Path, of: Any) -> Any:
+    """Reads a file as a type: entries by name, or one.
 
     Raises:
         CatalogError: it cannot be read, is no YAML, or an entry is none.
     """
     try:
-        return adapter.validate_python(read_yaml(path.read_bytes()))
+        return _reader(of).validate_python(read_yaml(path.read_bytes()))
     except OSError as error:
         raise CatalogError(str(path), "", 1, f"cannot be read: {error.strerror}") from error
     except YamlFault as fault:
         key = _key_above(path, fault.line) if fault.line else ""
         raise CatalogError(str(path), key, fault.line or 1, f"is not YAML: {fault}") from fault
     except ValidationError as error:
-        raise located(path, misfit(error, adapter.json_schema())) from error
+        raise located(path, misfit(error, _reader(of).json_schema())) from error
 
 
 def _key_above(path: Path, line: int) -> str:

@@ -55,20 +55,21 @@ if TYPE_CHECKING:
         RoomGuess,
         Unplaced,
         add_assets,
-        explain,
-        export,
-        fix,
-        furnish,
-        generate,
         load_catalogs,
-        place,
-        reroll,
-        validate,
     )
+    from solver import explain, export, fix, generate, place, reroll, validate
+    from solver.pipeline.own_plan import furnish
 else:
+    from solver import __getattr__ as _flow
+
+    _FLOWS = ("explain", "export", "fix", "generate", "place", "reroll", "validate")
 
     def __getattr__(name: str) -> object:
-        return getattr(import_module(f"{__name__}.named_later"), name)
+        if name == "furnish":
+            from solver.pipeline.own_plan import furnish  # noqa: PLC0415 - `solver.furnish` is a stage
+
+            return furnish
+        return _flow(name) if name in _FLOWS else getattr(import_module(f"{__name__}.named_later"), name)
 
 
 __all__ = [

@@ -5,7 +5,6 @@ from catalogs.schema import RelationSpec
 from solver.explained import Explained, Hold
 from solver.export_formats import EXPORTERS
 from solver.guessed import ChosenEntrance, FurnishedPlan, RoomGuess
-from solver.pipeline import explain, export, fix, furnish, generate, place, reroll, validate
 from solver.requested import Answered, Held, PieceRequest, Placement, Unplaced
 
 EXPORT_FORMATS = {name: exporter.words for name, exporter in EXPORTERS.items()}
@@ -27,13 +26,5 @@ __all__ = [
     "RoomGuess",
     "Unplaced",
     "add_assets",
-    "explain",
-    "export",
-    "fix",
-    "furnish",
-    "generate",
     "load_catalogs",
-    "place",
-    "reroll",
-    "validate",
 ]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import secrets
 from base64 import b64encode
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -25,48 +24,27 @@ from service.contract import (
     Lines,
     PlaceAnswer,
     PlaceBody,
-    RerollBody,
     ValidateAnswer,
     ValidateBody,
     ViewBody,
 )
-from solver import explain, export, fix, generate, place, prepare_drag, reroll, validate
+from service.generating import draw_seed, generate_house
+from solver import explain, export, fix, place, prepare_drag, validate
 from solver.errors import FieldError
-from solver.exchange import FORMATS, read, read_request, scene_schema, write, write_scene
+from solver.exchange import FORMATS, read, scene_schema, write, write_scene
 from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import Files, is_available, packed
 from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
-from solver.pipeline import furnish
+from solver.pipeline.own_plan import furnish
 from solver.plain import Document
 from solver.requested import PieceRequest
-from solver.scene import MAX_SEED
 from solver.scene_bodies import body_ids, check_ids
 from solver.understanding import understood
 from solver.validator import floors, metrics
 from solver.view import report, view
 
 Call: TypeAlias = Callable[[object, Catalogs], Document]
-
-
-def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
-    """Makes a house, or furnishes some rooms of one anew.
-
-    Args:
-        document: a `Request`, or a `RerollBody`.
-        catalogs: the data to furnish from.
-        engine: the engine of the final QP.
-
-    Raises:
-        FieldError: a field is wrong.
-    """
-    if isinstance(document, Mapping) and not {"scene", "reroll"}.isdisjoint(document):
-        body = read(RerollBody, document)
-        rooms, seed = tuple(dict.fromkeys(body.reroll)), draw_seed() if body.seed is None else body.seed
-        return write(reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter))
-    request = read_request(document, "body")
-    seeded = request if request.seed is not None else replace(request, seed=draw_seed())
-    return write(generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter))
 
 
 def furnish_plan(document: object, catalogs: Catalogs) -> Document:
@@ -306,8 +284,3 @@ QUESTIONS: Final[Mapping[str, Callable[[Catalogs], Document]]] = {
 
 EXPORT_FORMATS: Final = (*FORMATS, *EXPORTERS)
 """What /export writes."""
-
-
-def draw_seed() -> int:
-    """Draws a seed for a request that has none."""
-    return secrets.randbelow(MAX_SEED + 1)

@@ -47,16 +47,16 @@ def _generate(options: Namespace) -> int:
     catalogs, request = _catalogs(options), _request(options)
     if options.count is not None:
         return _generate_many(options, request, catalogs)
-    from service import calls
+    from service.generating import generate_house
 
-    answer = _checked(options.request, lambda: calls.generate_house(request, catalogs, options.engine))
+    answer = _checked(options.request, lambda: generate_house(request, catalogs, options.engine))
     _write(answer["scene"], options)
     return _judged(answer["issues"])
 
 
 def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Catalogs) -> int:
     """Makes a set of houses into a folder, one file a seed; goes on where it was ended."""
-    from service.calls import draw_seed
+    from service.generating import draw_seed
     from service.many import HouseSet, into_folder
 
     folder = Path(options.output)
@@ -238,10 +238,14 @@ def _catalogs(options: Namespace) -> Catalogs:
     Raises:
         CatalogError: there is a mistake in a folder; names its file, line and key.
     """
-    from catalogs import add_assets, load_catalogs
+    from catalogs import load_catalogs
 
     catalogs, assets = load_catalogs(getattr(options, "catalog", None) or None), getattr(options, "assets", None)
-    return catalogs if assets is None else add_assets(catalogs, assets, options.license)
+    if assets is None:
+        return catalogs
+    from catalogs import add_assets
+
+    return add_assets(catalogs, assets, options.license)
 
 
 def _read(name: str) -> object:

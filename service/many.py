@@ -19,7 +19,7 @@ from typing import Any, Final, TypeVar
 from tqdm import tqdm
 
 from catalogs import Catalogs
-from service import calls
+from service.generating import generate_house
 from service.work import packed, unpacked, warm
 from solver.errors import ComposeError, FieldError
 from solver.exchange import dump_text
@@ -130,7 +130,7 @@ def _claim(folder: Path, made_from: bytes) -> None:
 def _file_made(houses: HouseSet, catalogs: bytes, seed: int) -> list[Document] | ComposeError:
     """Makes a house and writes it; returns its issues."""
     try:
-        answer = calls.generate_house({**houses.request, "seed": seed}, unpacked(catalogs), houses.engine)
+        answer = generate_house({**houses.request, "seed": seed}, unpacked(catalogs), houses.engine)
     except ComposeError as error:
         return error
     write_whole(houses.file(seed), dump_text(answer["scene"], houses.format))

@@ -12,12 +12,21 @@ from typing import TYPE_CHECKING
 from solver.scene import Request, Scene
 
 if TYPE_CHECKING:
-    from solver.pipeline import explain, export, fix, generate, place, prepare_drag, reroll, validate
+    from solver.pipeline.drag_frames import prepare_drag
+    from solver.pipeline.explain import explain
+    from solver.pipeline.export import export
+    from solver.pipeline.fix import fix
+    from solver.pipeline.generate import generate, reroll
+    from solver.pipeline.place import place
+    from solver.validator import validate
 else:
+    _MODULES = {"reroll": "pipeline.generate", "prepare_drag": "pipeline.drag_frames", "validate": "validator"}
 
     def __getattr__(name: str) -> object:
-        """Imports the flows when one is first named: the scene's types cost none of them."""
-        return getattr(import_module(f"{__name__}.pipeline"), name)
+        """Imports a flow when it is first named: the scene's types cost none of them, and one costs none of the others."""
+        if name not in __all__:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        return getattr(import_module(f"{__name__}.{_MODULES.get(name, 'pipeline.' + name)}"), name)
 
 
 __all__ = ["Request", "Scene", "explain", "export", "fix", "generate", "place", "prepare_drag", "reroll", "validate"]

@@ -9,8 +9,6 @@ from os import PathLike
 from pathlib import Path
 from typing import Any, Final, Literal
 
-from pydantic import TypeAdapter
-
 from catalogs.assets.asset_entry import Asset, AssetEntry, AssetName
 from catalogs.assets.asset_measures import KindTable, kind_table, measured
 from catalogs.assets.glb_file import GlbFault
@@ -23,7 +21,7 @@ ASSET_FILE: Final = "assets.yaml"
 KINDS_ARE: Final = "a key of furniture.yaml or decorations.yaml"
 LicenseChoice = Literal["commercial", "any"]
 """Which assets are used: those whose licence allows commercial use, or any."""
-_ENTRIES: Final[TypeAdapter[Any]] = TypeAdapter(dict[AssetName, AssetEntry])
+_ENTRIES: Final[Any] = dict[AssetName, AssetEntry]
 
 
 def add_assets(catalogs: Catalogs, folder: str | PathLike[str], license: LicenseChoice = "commercial") -> Catalogs:

@@ -10,7 +10,6 @@ import re
 from functools import lru_cache
 from typing import Any, Final
 
-from catalogs.yaml_reading import YamlFault, read_yaml
 from solver.errors import SyntaxFault
 from solver.plain import MAX_NESTING
 
@@ -26,6 +25,8 @@ _LONG_KEY: Final = 1000
 
 def load(text: str) -> object:
     """Reads a YAML document; see `text.load_text`."""
+    from catalogs.yaml_reading import YamlFault, read_yaml  # noqa: PLC0415 - PyYAML takes 0.05 s to import
+
     try:
         return read_yaml(text, MAX_NESTING)
     except YamlFault as fault:

@@ -13,7 +13,7 @@ import pytest
 import yaml
 from starlette.testclient import TestClient
 
-from service import calls
+from service import generating
 from service.cli import main, parser
 from solver.scene import Request
 from tests.cli.programs import SMALL
@@ -81,7 +81,7 @@ def test_an_answer_of_the_service_is_taken_for_its_scene(house: Path, tmp_path: 
 
 
 def test_a_seed_is_drawn_where_there_is_none(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(calls, "draw_seed", lambda: 77)
+    monkeypatch.setattr(generating, "draw_seed", lambda: 77)
     main(["generate", "--width", "5", "--depth", "4"])
     assert yaml.safe_load(capfdbinary.readouterr().out)["seed"] == 77
 

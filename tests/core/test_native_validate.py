@@ -10,7 +10,7 @@ from random import Random
 from typing import TypeVar
 
 from catalogs import load_catalogs
-from solver.pipeline import generate
+from solver import generate
 from solver.scene import Decoration, Furniture, Request, Scene
 from solver.validator.kinds import kinds_of
 from solver.validator.opening import front_bytes, fronts_in

@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 
 from catalogs import load_catalogs
+from solver import generate
 from solver.guessing import guessed_types
-from solver.pipeline import generate
 from solver.scene import Furniture, Opening, Request, Room, Scene
 from tests.guessing.plans import as_plan
 from tests.sweeps import seeds

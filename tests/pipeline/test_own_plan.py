@@ -7,8 +7,9 @@ from dataclasses import replace
 import pytest
 
 from catalogs import load_catalogs
+from solver import generate, reroll, validate
 from solver.errors import RequestError, SceneError
-from solver.pipeline import furnish, generate, reroll, validate
+from solver.pipeline.own_plan import furnish
 from solver.scene import Furniture, Opening, Request, Room, Scene
 from tests.guessing.plans import as_plan
 from tests.sweeps import seeds

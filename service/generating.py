@@ -1,0 +1,44 @@
+"""The call that makes houses: apart from the others, so that a command that makes one loads nothing else."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Mapping
+from dataclasses import replace
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from solver import generate, reroll
+from solver.exchange import read, read_request, write
+from solver.plain import Document
+from solver.scene import MAX_SEED
+
+if TYPE_CHECKING:
+    from catalogs import Catalogs
+
+
+def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
+    """Makes a house, or furnishes some rooms of one anew.
+
+    Args:
+        document: a `Request`, or a `RerollBody`.
+        catalogs: the data to furnish from.
+        engine: the engine of the final QP.
+
+    Raises:
+        FieldError: a field is wrong.
+    """
+    if isinstance(document, Mapping) and not {"scene", "reroll"}.isdisjoint(document):
+        from service.contract import RerollBody  # noqa: PLC0415 - the bodies of all calls
+
+        body = read(RerollBody, document)
+        rooms, seed = tuple(dict.fromkeys(body.reroll)), draw_seed() if body.seed is None else body.seed
+        return write(reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter))
+    request = read_request(document, "body")
+    seeded = request if request.seed is not None else replace(request, seed=draw_seed())
+    return write(generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter))
+
+
+def draw_seed() -> int:
+    """Draws a seed for a request that has none."""
+    return secrets.randbelow(MAX_SEED + 1)
