@@ -32,7 +32,10 @@ class Zone:
 
 @dataclass(frozen=True)
 class Doorway:
-    """A door or passage as the walk sees it: its square inside the room, and the wall it is in."""
+    """A door or passage as the walk sees it: its square inside the room, and the wall it is in.
+
+    The square begins at the line of an outer wall, at the face of a wall that only part of the room reaches to.
+    """
 
     id: str
     wall: str

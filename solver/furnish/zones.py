@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
-from solver.geometry import OPPOSITE, Rect, strip_at, to_mm
+from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, strip_at, to_mm
 from solver.pieces import Doorway, Space, Zone
 from solver.relations.subject import Opened, Scope
 from solver.scene import WALLS, Opening, Room, Sides
@@ -43,7 +44,18 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
                 doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or ""))
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
-    return Space(room.id, lines.shrunk(half), tuple(zones), (*doorways, *beyond), to_mm(robot_width))
+    entered = (replace(one, square=_from_face(one, lines, half)) for one in (*doorways, *beyond))
+    return Space(room.id, lines.shrunk(half), tuple(zones), tuple(entered), to_mm(robot_width))
+
+
+def _from_face(doorway: Doorway, lines: Rect, half: int) -> Rect:
+    """Returns a doorway's square, from the wall's face on where the wall is not the room's outermost."""
+    square, wall = doorway.square, doorway.wall
+    if square.line(wall) == lines.line(wall):
+        return square
+    start, end = square.along(wall)
+    deep = square.depth if wall in ALONG_X else square.width
+    return strip_at(wall, square.line(wall) + INWARDS[wall] * half, (start, end), deep - half)
 
 
 def scope_of(room: Room, space: Space) -> Scope:

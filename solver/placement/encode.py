@@ -11,6 +11,7 @@ from itertools import chain
 
 import numpy as np
 
+from solver.geometry import INWARDS
 from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
 from solver.placement import layout
 from solver.placement.layout import Engine, Ints, RoomArrays
@@ -71,12 +72,9 @@ def door_target(space: Space, door: Doorway) -> tuple[int, int, int, int]:
     a, b = start + robot, end - robot
     if a > b:
         a = b = (start + end) // 4 * 2 + robot % 2
-    return {
-        "north": (a, 2 * clear.z0 + robot, b, 2 * clear.z0 + robot),
-        "south": (a, 2 * clear.z1 - robot, b, 2 * clear.z1 - robot),
-        "west": (2 * clear.x0 + robot, a, 2 * clear.x0 + robot, b),
-        "east": (2 * clear.x1 - robot, a, 2 * clear.x1 - robot, b),
-    }[door.wall]
+    inner = max if INWARDS[door.wall] > 0 else min
+    at = 2 * inner(clear.line(door.wall), square.line(door.wall)) + INWARDS[door.wall] * robot
+    return (at, a, at, b) if door.wall in ("east", "west") else (a, at, b, at)
 
 
 def kin(candidate: Candidate) -> Hashable:

@@ -73,7 +73,9 @@ def _at_door(model: Model, door: Doorway) -> Box | None:
     a, b = max(a, low), min(b, high) - size
     if a > b:
         return None
-    face = {"north": clear.z0, "west": clear.x0, "south": clear.z1 - size, "east": clear.x1 - size}[door.wall]
+    own = door.square
+    starts = {"north": max(clear.z0, own.z0), "west": max(clear.x0, own.x0)}
+    face = {**starts, "south": min(clear.z1, own.z1) - size, "east": min(clear.x1, own.x1) - size}[door.wall]
     ends = [(face, face), (face, face)]
     ends[axis] = (a, b)
     at = tuple([(model.programme.variable(*ends[k]), 1.0)] for k in (0, 1))

@@ -105,9 +105,9 @@ def entry(space: Space, door: Doorway) -> tuple[int, int, int, int]:
     low, high = clear.along(door.wall)
     a, b = 2 * max(a, low) + half, 2 * min(b, high) - half
     if door.wall in ("north", "south"):
-        z = 2 * clear.z0 + half if door.wall == "north" else 2 * clear.z1 - half
+        z = 2 * max(clear.z0, door.square.z0) + half if door.wall == "north" else 2 * min(clear.z1, door.square.z1) - half
         return a, z, b, z
-    x = 2 * clear.x0 + half if door.wall == "west" else 2 * clear.x1 - half
+    x = 2 * max(clear.x0, door.square.x0) + half if door.wall == "west" else 2 * min(clear.x1, door.square.x1) - half
     return x, a, x, b
 
 

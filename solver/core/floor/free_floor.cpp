@@ -145,7 +145,8 @@ Rect FreeFloor::grown(const Rect& body) const { return scaled(body).shrunk(-reac
 // Where the centre is when somebody has just come through a door.
 Rect FreeFloor::entry_of(const Doorway& door) const {
   const Interval along = door.square.along(door.wall);
-  return strip(domain_, door.wall, {PER_MM * along.low + reach_, PER_MM * along.high - reach_}, 1);
+  const Rect beyond = scaled(door.square).shrunk(reach_);
+  return strip_at(door.wall, inner_line(door.wall, domain_, beyond), {PER_MM * along.low + reach_, PER_MM * along.high - reach_}, 1);
 }
 
 // Where the centre is while somebody touches that side of a body.

@@ -111,6 +111,11 @@ struct Rect {
   }
 };
 
+// The line of a wall of two rectangles that lies further inwards.
+constexpr i64 inner_line(Wall wall, const Rect& a, const Rect& b) {
+  return inwards(wall) > 0 ? most(a.line(wall), b.line(wall)) : least(a.line(wall), b.line(wall));
+}
+
 // By west edge, then north, east, south: as Python orders tuples.
 constexpr bool goes_before(const Rect& a, const Rect& b) {
   return a.x0 != b.x0 ? a.x0 < b.x0 : a.z0 != b.z0 ? a.z0 < b.z0 : a.x1 != b.x1 ? a.x1 < b.x1 : a.z1 < b.z1;

@@ -71,7 +71,7 @@ class Asked {
       const i64 start = 2 * most(own.low, whole.low), end = 2 * least(own.high, whole.high);
       i64 low = start + robot_, high = end - robot_;
       if (low > high) low = high = floor_div(start + end, 4) * 2 + robot_ % 2;
-      const i64 across = 2 * clear.line(wall) + inwards(wall) * robot_;
+      const i64 across = 2 * inner_line(wall, clear, square) + inwards(wall) * robot_;
       const bool along_x = runs_along_x(wall);
       found[k] = {{along_x ? low : across, along_x ? across : low}, {along_x ? high : across, along_x ? across : high}};
     }
