@@ -18,8 +18,10 @@ LOADER: Final = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 """PyYAML's parser, in C where there is one."""
 MOST_LEVELS: Final = 64
 """How deep a document may be where nothing else is said."""
-MAX_ALIASED: Final = 1_000_000
-"""How many values a document may say by aliases; what is said outright is limited by its length. Our choice."""
+MAX_ALIASED: Final = 4_000_000
+"""How many values, and letters of texts, a document may say by aliases; what is said outright is limited by its length. Our choice."""
+MOST_DIGITS: Final = 400
+"""How long a number may be, letters: the largest float has 309 digits. Our choice."""
 _TAG: Final = "tag:yaml.org,2002:"
 _CONSTANTS: Final[dict[str, Any]] = {
     **dict.fromkeys(("", "~", "null", "Null", "NULL")),
@@ -57,7 +59,7 @@ def read_yaml(text: str | bytes, most_levels: int = MOST_LEVELS) -> object:
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         raise YamlFault(_worded(error), mark.line + 1 if mark else 0) from None
-    except (RecursionError, ValueError) as error:
+    except (RecursionError, ValueError, OverflowError) as error:
         raise YamlFault(str(error)) from None
 
 
@@ -85,7 +87,7 @@ class _Reader:
         if isinstance(event, yaml.AliasEvent):
             return self._alias(event)
         before = self._said
-        self._said += 1
+        self._said += 1 + len(getattr(event, "value", ""))
         value = _scalar(event) if isinstance(event, yaml.ScalarEvent) else self._collection(event, depth)
         if event.anchor is not None:
             self._anchored[event.anchor] = (value, self._said - before)
@@ -103,6 +105,7 @@ class _Reader:
         found: dict[str, Any] = {}
         for key in inside:
             name = self._key(key)
+            self._said += len(name)
             if name in found:
                 raise _fault(f"the key {name!r:.80} is given twice", key)
             found[name] = self._value(next(self._events), depth + 1)
@@ -122,7 +125,7 @@ class _Reader:
         self._said += count
         self._aliased += count
         if self._aliased > MAX_ALIASED:
-            raise _fault(f"aliases repeat more than {MAX_ALIASED} values", event)
+            raise _fault(f"aliases repeat more than {MAX_ALIASED} values and letters", event)
         return value
 
 
@@ -160,6 +163,8 @@ def _resolved(text: str) -> Any:
         return _CONSTANTS[text]
     if text[0] not in _NUMBER_START:
         return text
+    if len(text) > MOST_DIGITS and (_WHOLE.fullmatch(text) or _DECIMAL.fullmatch(text)):
+        raise ValueError(f"a number of more than {MOST_DIGITS} letters: {text:.20}...")
     if _WHOLE.fullmatch(text):
         return int(text, 0) if text[:2] in ("0o", "0x") else int(text)
     return float(text) if _DECIMAL.fullmatch(text) else text

@@ -63,6 +63,7 @@ def dump(scene: Scene, path: str | PathLike[str] | None = None, format: str | No
         True
     """
     from solver.exchange import dump_text, format_of_name, write_scene
+    from solver.whole_files import write_whole
 
     name = str(path or "")
     asked = format or PurePath(name).suffix.lower().removeprefix(".")
@@ -70,5 +71,5 @@ def dump(scene: Scene, path: str | PathLike[str] | None = None, format: str | No
         raise RequestError("format", f"dump writes no {asked}; export(scene, {asked!r}) does", "json or yaml")
     content = dump_text(write_scene(scene), format or format_of_name(name) or "yaml")
     if path is not None:
-        Path(path).write_bytes(content)
+        write_whole(Path(path), content)
     return content.decode()

@@ -5,7 +5,7 @@ The functions declare what a call takes and answers, and FastAPI describes it; `
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Callable, Coroutine
+from collections.abc import AsyncIterator, Callable, Collection, Coroutine
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from typing import Annotated, Any, Final
@@ -18,6 +18,7 @@ from starlette.responses import Response
 
 from catalogs import Catalogs, load_catalogs
 from service import calls, contract, page, problems
+from service.callers import ANY, Callers
 from service.docs import docs
 from service.guard import Guard
 from service.openapi import completed, refusals
@@ -175,11 +176,12 @@ async def _started(app: ComposeApp) -> AsyncIterator[None]:
     yield
 
 
-def create_app(catalogs: Catalogs | None = None) -> ComposeApp:
+def create_app(catalogs: Catalogs | None = None, hosts: Collection[str] = (ANY,)) -> ComposeApp:
     """Makes the application.
 
     Args:
         catalogs: the data to serve; by default our own.
+        hosts: the names that it answers to; by default all, for whoever runs it within a server that looks after that.
 
     Raises:
         CatalogError: our own catalogs cannot be read.
@@ -195,5 +197,6 @@ def create_app(catalogs: Catalogs | None = None) -> ComposeApp:
     app.add_route("/asset/{name}", page.asset, include_in_schema=False)
     app.add_route("/docs", docs, include_in_schema=False)
     app.mount("/assets", page.Assets())
+    app.add_middleware(Callers, hosts)
     app.add_middleware(Guard)
     return app

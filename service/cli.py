@@ -204,6 +204,8 @@ def _add_readers(commands: Commands) -> None:
 def _add_serve(commands: Commands) -> None:
     command = _command(commands, "serve", "Answer over HTTP, with the page at /.")
     command.add_argument("--host", default="127.0.0.1", help="address to listen at (127.0.0.1)")
+    words = "a name that it answers to, beside --host and those of this machine's own loop; * for any; may be given several times"
+    command.add_argument("--allow-host", metavar="NAME", action="append", default=[], help=words)
     command.add_argument("--port", type=_whole(0, 65535), default=8000, help="port to listen at; 0 for any free one (8000)")
     _add_catalog(command)
 

@@ -18,6 +18,7 @@ from solver.exchange import dump_text, format_of_file, format_of_name, load_text
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
 from solver.scene import Request
+from solver.whole_files import write_whole
 
 if TYPE_CHECKING:
     from catalogs import Catalogs
@@ -185,7 +186,7 @@ def _put_files(files: Mapping[str, bytes], name: str) -> None:
     for path, content in files.items():
         target = Path(name, path)
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_bytes(content)
+        write_whole(target, content)
     _say(f"wrote {', '.join(str(Path(name, path)) for path in list(files)[:6])}{', ...' if len(files) > 6 else ''}")
 
 
@@ -217,7 +218,7 @@ def _assets(options: Namespace) -> int:
 def _serve(options: Namespace) -> int:
     from service.server import serve
 
-    serve(options.host, options.port, _catalogs(options))
+    serve(options.host, options.port, _catalogs(options), options.allow_host)
     return CLEAN
 
 
@@ -291,7 +292,7 @@ def _write(document: Mapping[str, Any], options: Namespace) -> None:
 
 def _put(content: bytes, name: str) -> None:
     if name != STREAM:
-        Path(name).write_bytes(content)
+        write_whole(name, content)
         return
     sys.stdout.buffer.write(content)
     sys.stdout.buffer.flush()

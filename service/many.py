@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import multiprocessing
-import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -26,6 +25,7 @@ from solver.exchange import dump_text
 from solver.plain import Document
 from solver.scene import MAX_SEED
 from solver.version import VERSION
+from solver.whole_files import write_whole
 
 Asked = TypeVar("Asked")
 Made = TypeVar("Made")
@@ -136,14 +136,3 @@ def _file_made(houses: HouseSet, catalogs: bytes, seed: int) -> list[Document] |
     write_whole(houses.file(seed), dump_text(answer["scene"], houses.format))
     issues: list[Document] = answer["issues"]
     return issues
-
-
-def write_whole(path: Path, content: bytes) -> None:
-    """Writes a file so that at any time it is whole or not there."""
-    part = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        part.write_bytes(content)
-        part.replace(path)
-    except OSError:
-        part.unlink(missing_ok=True)
-        raise

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import socket
 import sys
+from collections.abc import Collection
 from typing import Final
 
 from uvicorn import Config, Server
 
 from catalogs import Catalogs
 from service.app import create_app
+from service.callers import LOOPBACK
 
 CONNECTIONS: Final = 512
 """Open connections; a further one is turned away. Our choice."""
@@ -17,18 +19,19 @@ GRACE_S: Final = 5
 """How long running calls may go on when the service is told to stop, s. Our choice."""
 
 
-def serve(host: str, port: int, catalogs: Catalogs) -> None:
+def serve(host: str, port: int, catalogs: Catalogs, hosts: Collection[str] = ()) -> None:
     """Answers until the process is told to stop, and says on standard error where.
 
     Args:
         host: the address to listen at.
         port: the port; 0 for any free one.
         catalogs: the data to serve.
+        hosts: the names it answers to, beside the address and those of this machine's own loop.
 
     Raises:
         OSError: the address cannot be listened at.
     """
-    app = create_app(catalogs)
+    app = create_app(catalogs, {*hosts, host, *LOOPBACK})
     with listening(host, port) as listener:
         config = Config(
             app, http="h11", ws="none", lifespan="on", log_level="warning", server_header=False,

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 
 from service.cli import main
-from service.many import MADE_FROM, write_whole
+from service.many import MADE_FROM
 from solver.exchange import load_text
+from solver.whole_files import write_whole
 
 SMALL = ("generate", "--width", "7", "--depth", "6", "--seed", "11", "-n", "5")
 

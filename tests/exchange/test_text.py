@@ -50,6 +50,12 @@ def refused(text: bytes | str, name: str) -> str:
         ("1" * 5000, "yaml"),
         ("? [a, b]\n: 1", "yaml"),
         ("? {a: b}\n: 1", "yaml"),
+        ("a: 0x" + "f" * 5000, "yaml"),
+        ("a: 0o" + "7" * 9000, "yaml"),
+        ("a: !!int 0x" + "f" * 5000, "yaml"),
+        ("a: !!float 1" + "0" * 310, "yaml"),
+        ("a: !!float 0x" + "f" * 300, "yaml"),
+        ("a: 1." + "0" * 5000, "yaml"),
         ("a: *nobody", "yaml"),
         ("a: &a [*a]", "yaml"),
         ("a: !!python/object/apply:os.system [ls]", "yaml"),
@@ -119,6 +125,11 @@ def test_a_bomb_of_aliases_does_not_go_off() -> None:
     assert "aliases" in refused(bomb(10), "yaml")
     assert "aliases" in refused(bomb(10).replace("[", "{b: [").replace("]", "]}"), "yaml")
     assert time.process_time() - start < PATIENCE_S
+
+
+def test_aliases_of_long_texts_and_keys_do_not_go_off() -> None:
+    for long, times in (("x" * 100_000, 60), ("{" + "k" * 1000 + ": 1}", 6000)):
+        assert "aliases" in refused(f"a: &a {long}\nb: [{', '.join(['*a'] * times)}]", "yaml")
 
 
 def test_aliases_are_read_in_reason() -> None:

@@ -1,0 +1,87 @@
+"""Who may ask: requests whose framing, host or origin tell of an attack on the service, or on those who use it, are refused.
+
+Comes in: every request, before the routes. Goes out: a problem document, or what the routes answer. May import: problems.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from typing import Final
+from urllib.parse import urlsplit
+
+from starlette.datastructures import Headers
+from starlette.responses import Response
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from service.problems import problem
+
+LOOPBACK: Final = frozenset({"localhost", "127.0.0.1", "::1"})
+"""The names that a service on one's own machine answers to. A page elsewhere that has its own name point here is turned away by them."""
+ANY: Final = "*"
+"""As a host that is allowed: all are."""
+
+
+class Callers:
+    """Lets requests through to the routes.
+
+    Args:
+        app: the routes.
+        hosts: the names of this service, without ports; with `ANY` among them every name is right.
+    """
+
+    def __init__(self, app: ASGIApp, hosts: Collection[str]) -> None:
+        self._app, self._hosts = app, frozenset(host.lower() for host in hosts)
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answers one request; HEAD as GET, without the body."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        refusal = self._refusal(scope["method"], Headers(scope=scope))
+        answer = refusal or self._app
+        if scope["method"] == "HEAD":
+            await answer({**scope, "method": "GET"}, receive, _without_body(send))
+        else:
+            await answer(scope, receive, send)
+
+    def _refusal(self, method: str, headers: Mapping[str, str]) -> Response | None:
+        if "content-length" in headers and "transfer-encoding" in headers:
+            return _refused(400, "The request is framed twice", "headers", "Content-Length with Transfer-Encoding", "one of the two")
+        host = host_name(headers.get("host", ""))
+        if ANY not in self._hosts and host not in self._hosts:
+            allowed = ", ".join(sorted(self._hosts))
+            return _refused(421, "The service has another name", "Host", f"{host!r:.80} is no name of this service", allowed)
+        origin = headers.get("origin")
+        if method == "POST" and origin is not None and _place(origin) != headers.get("host", "").lower():
+            return _refused(
+                403, "The page that asks is not this service's", "Origin", f"{origin!r:.80} is another place", "pages of this service"
+            )
+        return None
+
+
+def host_name(host: str) -> str:
+    """The name in a Host header, small letters, without the port and the brackets of an address."""
+    try:
+        return urlsplit(f"//{host}").hostname or ""
+    except ValueError:
+        return ""
+
+
+def _place(origin: str) -> str:
+    """The host and port of an origin, as a Host header says them."""
+    try:
+        return urlsplit(origin).netloc.lower()
+    except ValueError:
+        return ""
+
+
+def _refused(status: int, title: str, field: str, what: str, allowed: str) -> Response:
+    entry = {"field": field, "problem": what, "allowed": allowed}
+    return problem(status, title, f"{field}: {what}; allowed: {allowed}.", [entry])
+
+
+def _without_body(send: Send) -> Send:
+    async def send_head(message: Message) -> None:
+        await send({**message, "body": b""} if message["type"] == "http.response.body" else message)
+
+    return send_head

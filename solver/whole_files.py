@@ -1,0 +1,33 @@
+"""Files that are whole or not there: written under another name, then renamed.
+
+Comes in: a path and bytes. Goes out: the file, or an `OSError` and the file as it was. May import: nothing of ours.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+
+def write_whole(path: str | Path, content: bytes) -> None:
+    """Writes a file so that at any time it is the old one or the new one, whole.
+
+    What is no file, such as a pipe or a terminal, is written to as it is; a link is followed.
+
+    Raises:
+        OSError: it cannot be written; a file that was there is as before.
+    """
+    target = Path(path)
+    if target.exists() and not target.is_file():
+        target.write_bytes(content)
+        return
+    target = target.resolve()
+    part = target.with_name(f"{target.name}.{os.getpid()}.part")
+    try:
+        part.write_bytes(content)
+        if target.exists():
+            part.chmod(target.stat().st_mode)
+        part.replace(target)
+    except OSError:
+        part.unlink(missing_ok=True)
+        raise
