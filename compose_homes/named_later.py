@@ -5,6 +5,8 @@ from catalogs.schema import RelationSpec
 from solver.explained import Explained, Hold
 from solver.export_formats import EXPORTERS
 from solver.guessed import ChosenEntrance, FurnishedPlan, RoomGuess
+from solver.imported import ImportSettings, PlanImport
+from solver.pipeline.import_plan import import_plan
 from solver.requested import Answered, Held, PieceRequest, Placement, Unplaced
 
 EXPORT_FORMATS = {name: exporter.words for name, exporter in EXPORTERS.items()}
@@ -20,11 +22,14 @@ __all__ = [
     "FurnishedPlan",
     "Held",
     "Hold",
+    "ImportSettings",
     "PieceRequest",
     "Placement",
+    "PlanImport",
     "RelationSpec",
     "RoomGuess",
     "Unplaced",
     "add_assets",
+    "import_plan",
     "load_catalogs",
 ]

@@ -28,6 +28,7 @@ from service.work import Failure, Job, UnknownCatalogs, do_alone, mark_of, packe
 from service.workers import Workers
 from solver.explained import Explained
 from solver.guessed import FurnishedPlan
+from solver.imported import PlanImport
 from solver.scene import Fixed, Generated, Scene
 from solver.scene import Request as HouseRequest
 from solver.version import VERSION
@@ -115,6 +116,11 @@ def view(body: contract.ViewBody) -> contract.Lines:  # type: ignore[empty-body]
 @posts.post("/explain")
 def explain(body: contract.ExplainBody) -> Explained:  # type: ignore[empty-body]
     """Says where a piece of a generated home was wished, and what holds it back from there."""
+
+
+@posts.post("/import", name="import")
+def import_(body: contract.ImportBody) -> PlanImport:  # type: ignore[empty-body]
+    """Reads a floor plan of another program as a scene, and says all that is not as the file says."""
 
 
 @posts.post("/floor")

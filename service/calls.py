@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
+from base64 import b64decode, b64encode
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from time import perf_counter
@@ -21,6 +21,7 @@ from service.contract import (
     FloorBody,
     FurnishBody,
     Health,
+    ImportBody,
     Lines,
     PlaceAnswer,
     PlaceBody,
@@ -34,8 +35,10 @@ from solver.errors import FieldError
 from solver.exchange import FORMATS, read, scene_schema, write, write_scene
 from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import Files, is_available, packed
+from solver.imported import ImportSettings
 from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
+from solver.pipeline.import_plan import import_plan
 from solver.pipeline.own_plan import furnish
 from solver.plain import Document
 from solver.requested import PieceRequest
@@ -187,6 +190,38 @@ def explain_place(document: object, catalogs: Catalogs) -> Document:
     return write(explain(body.scene, body.id, catalogs=catalogs))
 
 
+def import_file(document: object, catalogs: Catalogs) -> Document:
+    """Reads a foreign floor plan.
+
+    Args:
+        document: an `ImportBody`.
+        catalogs: whose room types and kinds are known.
+
+    Raises:
+        FieldError: a field is wrong, or the file cannot be read.
+    """
+    body = read(ImportBody, document)
+    if (body.file is None) == (body.document is None):
+        raise FieldError(
+            "file", "is missing" if body.file is None else "is given, and so is the document", "a file in base64, or a document"
+        )
+    try:
+        content = b64decode(body.file or "", validate=True)
+    except ValueError:
+        raise FieldError("file", "is not base64", "a file in base64") from None
+    settings = ImportSettings(body.level, body.unit, body.furniture == "keep")
+    return import_content(content if body.document is None else dict(body.document), catalogs, settings, body.name)
+
+
+def import_content(content: object, catalogs: Catalogs, settings: ImportSettings | None = None, name: str = "") -> Document:
+    """Reads a foreign floor plan from a file's bytes, or from the document in a JSON file.
+
+    Raises:
+        FieldError: the file cannot be read; names the place.
+    """
+    return write(import_plan(content, name, settings, catalogs=catalogs))
+
+
 def floor_of(document: object, _: Catalogs | None = None) -> Document:
     """Says where the floor of rooms is clear, kept free, and free to come to.
 
@@ -272,6 +307,7 @@ def schema_document(_: Catalogs | None = None) -> Document:
 CALLS: Final[Mapping[str, Call]] = {
     "generate": generate_house, "furnish": furnish_plan, "fix": fix_scene, "drag": take_in_hand, "place": place_pieces,
     "validate": validate_scene, "view": view_scene, "export": export_scene, "explain": explain_place, "floor": floor_of,
+    "import": import_file,
 }  # fmt: skip
 """The calls that take a body, by the names of their routes."""
 MAY_BE_EMPTY: Final = frozenset({"generate"})

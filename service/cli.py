@@ -201,6 +201,17 @@ def _add_readers(commands: Commands) -> None:
     _add_catalog(export)
 
 
+def _add_import(commands: Commands) -> None:
+    command = _command(commands, "import", "Read a floor plan of another program as a scene; says what is not as the file says.")
+    command.add_argument("plan", nargs="?", default="-", metavar="FILE", help="a plan: docs/plans.md names the formats (standard input)")
+    command.add_argument("--level", type=int, metavar="N", help="the storey to take (the lowest with rooms)")
+    command.add_argument("--unit", metavar="UNIT", help="of the file, where it does not say: m, cm, mm, in, ft, or a number of metres")
+    command.add_argument("--furniture", choices=("keep", "none"), default="keep", help="whether the file's furniture comes along (keep)")
+    command.add_argument("--report", metavar="FILE", help="where to write all changes, guesses and what was left out, YAML or JSON")
+    _add_output(command, "the scene")
+    _add_catalog(command)
+
+
 def _add_serve(commands: Commands) -> None:
     command = _command(commands, "serve", "Answer over HTTP, with the page at /.")
     command.add_argument("--host", default="127.0.0.1", help="address to listen at (127.0.0.1)")
@@ -243,7 +254,18 @@ def parser() -> ArgumentParser:
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    for add in (_add_generate, _add_furnish, _add_fix, _add_place, _add_readers, _add_serve, _add_tellers, _add_assets, _add_stats):
+    for add in (
+        _add_generate,
+        _add_furnish,
+        _add_fix,
+        _add_place,
+        _add_readers,
+        _add_import,
+        _add_serve,
+        _add_tellers,
+        _add_assets,
+        _add_stats,
+    ):
         add(commands)
     return whole
 

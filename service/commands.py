@@ -165,6 +165,30 @@ def _export(options: Namespace) -> int:
     return CLEAN
 
 
+def _import(options: Namespace) -> int:
+    from service.calls import import_content
+    from solver.imported import ImportSettings
+
+    content = sys.stdin.buffer.read() if options.plan == STREAM else Path(options.plan).read_bytes()
+    settings, name = (
+        ImportSettings(options.level, options.unit, options.furniture == "keep"),
+        "" if options.plan == STREAM else options.plan,
+    )
+    answer = _checked(options.plan, lambda: import_content(content, _catalogs(options), settings, name))
+    _write(answer["scene"], options)
+    told = {key: answer[key] for key in ("format", "changes", "guesses", "unread", "understood_as")}
+    if options.report is not None:
+        _put(dump_text(told, format_of_name(options.report) or "yaml"), options.report)
+    _say(f"read as {told['format']}: {len(answer['scene']['rooms'])} rooms")
+    for change in told["changes"]:
+        _say(f"changed {change['of']}: {change['message']}")
+    for guess in told["guesses"]:
+        _say(f"guessed {guess['what']} of {guess['of']}: {guess['taken']}: {guess['message']}")
+    for left in told["unread"]:
+        _say(f"left out {left['place']}: {left['reason']}")
+    return _judged([issue for issue in answer["issues"] if issue["severity"] == "error"])
+
+
 def _exporter_of(name: str) -> str | None:
     """Returns the format that a file's name ends with, if there is one."""
     ending = Path(name).suffix.removeprefix(".").lower()
@@ -225,7 +249,7 @@ def _serve(options: Namespace) -> int:
 COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
     "generate": _generate, "furnish": _furnish, "fix": _fix, "place": _place, "validate": _validate, "view": _view,
     "explain": _explain, "export": _export, "serve": _serve, "catalog": _catalog, "schema": _schema, "stats": _stats,
-    "assets": _assets,
+    "assets": _assets, "import": _import,
 }  # fmt: skip
 
 

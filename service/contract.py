@@ -13,6 +13,7 @@ from solver.exchange import SentRoom, SentScene
 from solver.export_formats import FREEDOMS
 from solver.fields import OMITTED, WHOLE, Counted, Flag, Free, Like, OneOf, Record, Says, Text, Whole
 from solver.guessed import KEEPS
+from solver.imported import ALLOWED_UNITS
 from solver.requested import MOST_ALTERNATIVES, MOST_PIECES, Held, PieceRequest, Placement, Unplaced
 from solver.scene import MAX_COUNT, ROBOT_WIDTH, Conflict, Issue, Pose, RobotWidth, Scene, Seed, WallThickness
 
@@ -75,6 +76,21 @@ class DragAnswer(Record):
 
     opening: Text | None
     bodies: tuple[Text, ...]
+
+
+@dataclass(frozen=True)
+class ImportBody(Record):
+    """A foreign floor plan: `file` holds a file's bytes in base64, or `document` what a JSON file says; one of the two.
+
+    `level` is the storey to take, by default the lowest with rooms; `unit` how long the file's unit is, where the file does not say it.
+    """
+
+    name: Annotated[Text, Says("the file's name, where it has one")] = ""
+    file: Annotated[Text | None, Says("the file in base64")] = None
+    document: Annotated[Free | None, Says("the document that a JSON file holds")] = None
+    level: Whole | None = None
+    unit: Annotated[Text | None, Says(f"of the file: {ALLOWED_UNITS}")] = None
+    furniture: Annotated[str, OneOf("keep", "none"), Says("whether the file's furniture comes along")] = "keep"
 
 
 @dataclass(frozen=True)

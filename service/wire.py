@@ -30,7 +30,13 @@ _TEXTS: Final = {
     "text/x-yaml": "yaml",
 }
 GLB_TYPE: Final = "model/gltf-binary"
-READ_AS: Final = {**_TEXTS, GLB_TYPE: GLB}
+FILE: Final = "file"
+FILE_TYPES: Final = (
+    "application/octet-stream", "application/zip", "application/xml", "text/xml", "application/geo+json", "application/x-sweethome3d",
+    "image/svg+xml", "image/vnd.dxf", "application/dxf", "application/x-step",
+)  # fmt: skip
+"""What /import takes as it is; the other calls take none of it."""
+READ_AS: Final = {**_TEXTS, GLB_TYPE: GLB, **dict.fromkeys(FILE_TYPES, FILE)}
 """The format a body is read in, by its content type."""
 ACCEPTED: Final = {**_TEXTS, "*/*": "json", "application/*": "json"}
 """The format that satisfies a media range of an Accept header."""

@@ -16,7 +16,7 @@ from starlette.responses import Response
 from catalogs import Catalogs
 from service import calls, problems
 from service.refusals import TooMuch
-from service.wire import attached, written
+from service.wire import FILE, attached, written
 from solver.core import load_core
 from solver.errors import ComposeError
 from solver.exchange import FORMATS, GLB, load_text
@@ -88,6 +88,8 @@ def do(job: Job) -> Response | Failure | UnknownCatalogs:
         return UnknownCatalogs()
     catalogs = _known[job.catalogs] if isinstance(job.catalogs, str) else unpacked(job.catalogs)
     try:
+        if job.sent in (FILE, GLB) and job.call == "import":
+            return written(calls.import_content(job.body, catalogs), job.wanted)
         document = load_text(job.body, job.sent) if job.body.strip() or job.call not in calls.MAY_BE_EMPTY else {}
         if job.sent == GLB:
             document = {"scene": document}

@@ -73,11 +73,11 @@ def test_every_request_is_answered_as_it_says(block: Block, client: TestClient) 
         if words[0] != "curl":
             continue
         options = dict(zip(words[1:-1:2], words[2:-1:2], strict=True))
-        path, body = words[-1].removeprefix("http://127.0.0.1:8000"), options.get("-d")
+        path, body = words[-1].removeprefix("http://127.0.0.1:8000"), options.get("-d", options.get("--data-binary"))
         if body is None:
             answer = client.get(path)
         else:
-            text = files[body[1:]] if body.startswith("@") else body
+            text = (files.get(body[1:]) or (ROOT / body[1:]).read_text()) if body.startswith("@") else body
             headers = dict([options["-H"].split(": ")]) if "-H" in options else {}
             answer = client.post(path, content=text.encode(), headers={"Content-Type": "application/x-www-form-urlencoded", **headers})
         shown = following(block)

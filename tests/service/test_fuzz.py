@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from base64 import b64encode
 from typing import Any, get_args
 
 import pytest
@@ -15,7 +16,20 @@ from catalogs.schema import RelationWord
 from solver.scene import Furniture, Opening, Request, Room
 from tests.service.problems import problem_of
 
-POSTS = ["/generate", "/furnish", "/fix", "/drag", "/place", "/validate", "/view", "/explain", "/floor", "/export/json", "/export/yaml"]
+POSTS = [
+    "/generate",
+    "/furnish",
+    "/fix",
+    "/drag",
+    "/place",
+    "/validate",
+    "/view",
+    "/explain",
+    "/floor",
+    "/import",
+    "/export/json",
+    "/export/yaml",
+]
 BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
 RELATED = get_args(RelationWord)
@@ -99,6 +113,10 @@ BODIES: dict[str, st.SearchStrategy[Any]] = {
     "/validate": st.fixed_dictionaries({"scene": SCENES}),
     "/view": st.fixed_dictionaries({"scene": SCENES}),
     "/explain": st.fixed_dictionaries({"scene": SCENES, "id": st.text(max_size=4) | VALUES}),
+    "/import": st.fixed_dictionaries(
+        {"document": VALUES | st.fixed_dictionaries({"type": st.just("FeatureCollection"), "features": VALUES})}
+    )
+    | st.fixed_dictionaries({"file": st.binary(max_size=40).map(lambda content: b64encode(content).decode()) | VALUES}),
     "/floor": st.fixed_dictionaries({"scene": SCENES}, optional={"rooms": IDS}),
 }
 BODIES |= dict.fromkeys(["/export/json", "/export/yaml"], st.fixed_dictionaries({"scene": SCENES}) | SCENES)

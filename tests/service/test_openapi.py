@@ -59,7 +59,19 @@ def nodes(value: Any) -> list[dict[str, Any]]:
 def test_it_lists_every_call(document: dict[str, Any]) -> None:
     posts = {path for path, verbs in document["paths"].items() if "post" in verbs}
     gets = {path for path, verbs in document["paths"].items() if "get" in verbs}
-    assert posts == {"/generate", "/furnish", "/fix", "/drag", "/place", "/validate", "/view", "/explain", "/floor", "/export/{format}"}
+    assert posts == {
+        "/generate",
+        "/furnish",
+        "/fix",
+        "/drag",
+        "/place",
+        "/validate",
+        "/view",
+        "/explain",
+        "/floor",
+        "/import",
+        "/export/{format}",
+    }
     assert gets == {"/catalog", "/export", "/schema", "/healthz"}
     assert all(call["description"] for verbs in document["paths"].values() for call in verbs.values())
     statuses = {str(status) for status, _ in STATUS.values()} - {"404"} | {"200", "405", "500"}

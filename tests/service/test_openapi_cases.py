@@ -40,6 +40,10 @@ BEYOND_A_SCHEMA = (
     "no kind of the catalog",
     "the room has no outline",
     "is not UTF-8",
+    "formats that are read here",
+    "is not base64",
+    "and so is the document",
+    "a file in base64, or a document",
     "larger than the house",  # numbers that depend on each other
     "is a list",  # a gap from the larger number to the smaller one
 )

@@ -1,0 +1,168 @@
+"""What a floor plan's file draws, before anything is changed: rooms, walls, openings, pieces, in the file's own unit.
+
+Comes in: nothing. Goes out: types. May import: errors, imported.
+
+Frame: x east, z south (readers of files whose y points north turn it round), in the file's unit; turns as in scenes.
+`where` names the place in the file, for whoever has to be told: `features[3]`, `Home.xml line 40, room`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Final, Literal, NamedTuple
+
+from solver.errors import FieldError
+from solver.imported import ImportChange, ImportGuess, Unread
+
+Spot = tuple[float, float]
+"""A point (x, z)."""
+DrawnAlong = Literal["lines", "inner"]
+"""What room outlines are drawn along: the middle lines of walls, or the inner faces."""
+OpeningKind = Literal["door", "garage_door", "passage", "window"]
+
+
+@dataclass(frozen=True)
+class DrawnRoom:
+    """A room's outline; `label` is what the file calls it, `type` what it is where the file says that in our words or its own."""
+
+    points: tuple[Spot, ...]
+    label: str
+    where: str
+    type: str = ""
+    level: int = 0
+    outdoor: bool = False
+    id: str = ""
+
+
+@dataclass(frozen=True)
+class DrawnWall:
+    """A straight piece of wall along its middle line, `thickness` in the file's unit."""
+
+    start: Spot
+    end: Spot
+    thickness: float
+    where: str
+    level: int = 0
+
+
+@dataclass(frozen=True)
+class DrawnOpening:
+    """A door, passage or window along its wall, from `start` to `end`.
+
+    `height` and `sill` in the file's unit, None where it does not say; `hinge` is the end that carries the leaf, `towards` a point on
+    the side that it swings to. `main_entrance` None: the file does not know the word. `rooms` are ids of rooms, where it names them.
+    """
+
+    kind: OpeningKind
+    start: Spot
+    end: Spot
+    where: str
+    height: float | None = None
+    sill: float | None = None
+    level: int = 0
+    hinge: Literal["start", "end"] | None = None
+    towards: Spot | None = None
+    main_entrance: bool | None = None
+    rooms: tuple[str, ...] = ()
+    id: str = ""
+
+
+@dataclass(frozen=True)
+class DrawnPiece:
+    """A thing in the plan: its footprint's middle, its underside `y` above the level's floor, sizes in the file's unit, a turn in degrees.
+
+    `size` None: the file does not say. `on` is the place of what it stands on, where the file says so.
+    """
+
+    name: str
+    x: float
+    z: float
+    y: float
+    rotation: float
+    size: tuple[float, float, float] | None
+    where: str
+    level: int = 0
+    color: str | None = None
+    id: str = ""
+    decoration: bool = False
+
+
+class DrawnLevel(NamedTuple):
+    """A storey: its number, its name, its floor's elevation and its height in the file's unit; None where the file does not say."""
+
+    number: int
+    name: str = ""
+    elevation: float | None = None
+    height: float | None = None
+
+
+@dataclass(frozen=True)
+class DrawnPlan:
+    """A file's plan.
+
+    `metres` is the length of its unit, None where it does not say; `drawn` what rooms are drawn along; `wall_thickness` in its unit.
+    """
+
+    rooms: tuple[DrawnRoom, ...]
+    openings: tuple[DrawnOpening, ...] = ()
+    walls: tuple[DrawnWall, ...] = ()
+    pieces: tuple[DrawnPiece, ...] = ()
+    levels: tuple[DrawnLevel, ...] = ()
+    metres: float | None = 1.0
+    drawn: DrawnAlong = "lines"
+    wall_thickness: float | None = None
+    unread: tuple[Unread, ...] = ()
+
+
+@dataclass
+class PlanNotes:
+    """What is said about an import, gathered on the way."""
+
+    changes: list[ImportChange] = field(default_factory=list)
+    guesses: list[ImportGuess] = field(default_factory=list)
+    unread: list[Unread] = field(default_factory=list)
+
+    def change(self, step: str, of: str, amount: float, message: str) -> None:
+        """Notes something that is not as it was drawn; `amount` in m."""
+        self.changes.append(ImportChange(step, of, round(amount, 4), message))
+
+    def guess(self, of: str, what: str, taken: str, message: str) -> None:
+        """Notes something that the file does not say."""
+        self.guesses.append(ImportGuess(of, what, taken, message))
+
+    def leave(self, place: str, reason: str) -> None:
+        """Notes something that is left out."""
+        self.unread.append(Unread(place, reason))
+
+
+MOST_ROOMS: Final = 500
+MOST_POINTS: Final = 5_000
+"""FloorCorners of all rooms together; and walls, openings and pieces each. Our choices: a house has a hundredth of it."""
+MOST_CORNERS: Final = 1_000
+"""FloorCorners of one room."""
+
+
+def check_count(what: str, count: int, most: int) -> None:
+    """Refuses a plan that holds more of something than a house can have.
+
+    Raises:
+        FieldError: it does.
+    """
+    if count > most:
+        raise FieldError(what, f"are {count:,}", f"at most {most:,}")
+
+
+def check_plan(plan: DrawnPlan) -> None:
+    """Refuses a plan that is larger than any house.
+
+    Raises:
+        FieldError: it is.
+    """
+    check_count("rooms", len(plan.rooms), MOST_ROOMS)
+    check_count("corners of rooms", sum(len(room.points) for room in plan.rooms), MOST_POINTS)
+    sets: Sequence[tuple[str, int]] = (
+        ("walls", len(plan.walls)), ("openings", len(plan.openings)), ("furniture", len(plan.pieces)),
+    )  # fmt: skip
+    for what, count in sets:
+        check_count(what, count, MOST_POINTS)

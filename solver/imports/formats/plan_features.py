@@ -1,0 +1,118 @@
+"""GeoJSON of a home, for people who write their own: rooms as polygons, doors, windows and walls as lines, furniture as points.
+
+A FeatureCollection with members of its own: `unit`, `y` (`up`, as on paper, or `down`), `drawn` (`lines` or `inner`), `wall_thickness`.
+docs/plans.md tells all of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import Any, Final
+
+from solver.errors import FieldError
+from solver.imports.drawn import DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, Spot
+from solver.imports.plain_values import a_list, a_number, a_text, an_object, one_of
+from solver.imports.units import unit_named
+from solver.scene import OPENING_KINDS
+
+ROOM: Final = "room"
+KINDS: Final = {"Polygon": (ROOM,), "LineString": (*OPENING_KINDS, "wall"), "Point": ("furniture",)}
+"""What a feature may be, by its geometry; the first where it does not say."""
+
+
+def is_features(document: object) -> bool:
+    """Tells whether a document is GeoJSON."""
+    return isinstance(document, Mapping) and document.get("type") == "FeatureCollection"
+
+
+def read_features(document: Mapping[str, Any]) -> DrawnPlan:
+    """Reads a FeatureCollection.
+
+    Raises:
+        FieldError: something in it cannot be read; names its place.
+    """
+    up = one_of(document, "y", ("up", "down"), "plan") == "up"
+    rooms: list[DrawnRoom] = []
+    openings: list[DrawnOpening] = []
+    walls: list[DrawnWall] = []
+    pieces: list[DrawnPiece] = []
+    for number, feature in enumerate(a_list(document.get("features"), "features")):
+        where = f"features[{number}]"
+        said = an_object(an_object(feature, where).get("properties") or {}, f"{where}.properties")
+        shape = an_object(feature.get("geometry"), f"{where}.geometry")
+        form = one_of(shape, "type", tuple(KINDS), f"{where}.geometry", required=True)
+        kind = one_of(said, "kind", KINDS[form], f"{where}.properties")
+        points = _points(shape, form, up, where)
+        if form == "Polygon":
+            rooms.append(_room(said, points, where))
+        elif form == "Point":
+            pieces.append(_piece(said, points[0], where))
+        elif kind == "wall":
+            walls += [DrawnWall(a, b, a_number(said, "thickness", where, 0.1), where, _level(said, where)) for a, b in _steps(points)]
+        else:
+            openings.append(_opening(kind, said, points, where))
+    thickness = a_number(document, "wall_thickness", "plan", None)
+    drawn = one_of(document, "drawn", ("lines", "inner"), "plan")
+    unit = unit_named(a_text(document, "unit", "plan") or None)
+    return DrawnPlan(
+        tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), (), unit, "inner" if drawn == "inner" else "lines", thickness
+    )
+
+
+def _points(shape: Mapping[str, Any], form: str, up: bool, where: str) -> list[Spot]:
+    place = f"{where}.geometry.coordinates"
+    given: Any = shape.get("coordinates")
+    if form == "Polygon":
+        rings = a_list(given, place)
+        if len(rings) != 1:
+            raise FieldError(place, f"has {len(rings)} rings", "one: rooms have no holes")
+        given, place = rings[0], f"{place}[0]"
+    listed = [given] if form == "Point" else a_list(given, place)
+    found = [_point(point, up, f"{place}[{number}]") for number, point in enumerate(listed)]
+    least = {"Polygon": 3, "LineString": 2, "Point": 1}[form]
+    if len(found) < least:
+        raise FieldError(place, f"has {len(found)} points", f"at least {least}")
+    return found[:-1] if form == "Polygon" and found[0] == found[-1] else found
+
+
+def _point(given: object, up: bool, where: str) -> Spot:
+    pair = a_list(given, where)
+    if len(pair) < 2:
+        raise FieldError(where, f"has {len(pair)} numbers", "x and y")
+    x, y = (a_number({"": value}, "", where) for value in pair[:2])
+    return x, -y if up else y
+
+
+def _steps(points: Sequence[Spot]) -> list[tuple[Spot, Spot]]:
+    return list(pairwise(points))
+
+
+def _level(said: Mapping[str, Any], where: str) -> int:
+    return round(a_number(said, "level", where, 0.0))
+
+
+def _room(said: Mapping[str, Any], points: list[Spot], where: str) -> DrawnRoom:
+    return DrawnRoom(
+        tuple(points), a_text(said, "name", where), where, a_text(said, "type", where), _level(said, where),
+        bool(said.get("outdoor")), a_text(said, "id", where),
+    )  # fmt: skip
+
+
+def _opening(kind: str, said: Mapping[str, Any], points: list[Spot], where: str) -> DrawnOpening:
+    hinge = one_of(said, "hinge", ("", "start", "end"), where)
+    return DrawnOpening(
+        kind, points[0], points[-1], where, a_number(said, "height", where, None), a_number(said, "sill", where, None),  # type: ignore[arg-type]
+        _level(said, where), hinge or None, None, bool(said["main_entrance"]) if "main_entrance" in said else None,  # type: ignore[arg-type]
+        id=a_text(said, "id", where),
+    )  # fmt: skip
+
+
+def _piece(said: Mapping[str, Any], spot: Spot, where: str) -> DrawnPiece:
+    sizes = [a_number(said, key, where, None) for key in ("width", "depth", "height")]
+    size = None if None in sizes else (sizes[0] or 0.0, sizes[1] or 0.0, sizes[2] or 0.0)
+    return DrawnPiece(
+        a_text(said, "name", where), spot[0], spot[1], a_number(said, "elevation", where, 0.0),
+        a_number(said, "rotation", where, 0.0), size,
+        where, _level(said, where), id=a_text(said, "id", where),
+    )  # fmt: skip

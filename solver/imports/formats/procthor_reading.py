@@ -1,0 +1,165 @@
+"""The house JSON of ProcTHOR and AI2-THOR (`CreateHouse`), and what our own export adds under `compose`.
+
+Its frame is left-handed: x east, y up, z north, m; yaw clockwise in degrees, 0 facing north. Rooms are drawn along wall lines.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any, Final
+
+from solver.errors import FieldError
+from solver.imports.drawn import DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, OpeningKind, Spot
+from solver.imports.plain_values import a_list, a_number, a_text, an_object
+from solver.scene import OPENING_KINDS
+
+FRAME: Final = "doorframe"
+"""An asset called so is a doorway without a leaf."""
+DEEPEST: Final = 8
+"""How deep things may lie on things."""
+Json = Mapping[str, Any]
+
+
+def is_procthor(document: object) -> bool:
+    """Tells whether a document is such a house."""
+    if not isinstance(document, Mapping) or not isinstance(document.get("rooms"), list):
+        return False
+    first = next((room for room in document["rooms"] if isinstance(room, Mapping)), {})
+    return "floorPolygon" in first
+
+
+def read_procthor(document: Json) -> DrawnPlan:
+    """Reads a house.
+
+    Raises:
+        FieldError: something in it cannot be read; names its place.
+    """
+    rooms = tuple(_room(an_object(room, f"rooms[{at}]"), f"rooms[{at}]") for at, room in enumerate(a_list(document["rooms"], "rooms")))
+    walls = {}
+    for at, wall in enumerate(a_list(document.get("walls", []), "walls")):
+        walls[a_text(an_object(wall, f"walls[{at}]"), "id", f"walls[{at}]")] = (wall, f"walls[{at}]")
+    levels = {room.id: room.level for room in rooms}
+    openings = []
+    for key in ("doors", "windows"):
+        for at, one in enumerate(a_list(document.get(key, []), key)):
+            openings.append(_opening(key == "windows", an_object(one, f"{key}[{at}]"), f"{key}[{at}]", walls, levels))
+    pieces = tuple(_pieces(document.get("objects", []), "objects", 0, ""))
+    said = an_object(document.get("metadata") or {}, "metadata").get("compose")
+    thickness = a_number(an_object(said, "metadata.compose"), "wall_thickness", "metadata.compose", None) if said else None
+    return DrawnPlan(rooms, tuple(openings), pieces=pieces, wall_thickness=thickness)
+
+
+def _ours(said: Json, where: str) -> Json:
+    """Returns what our own export says beside the format's words."""
+    return an_object(said.get("compose") or {}, f"{where}.compose")
+
+
+def _spot(said: object, where: str) -> Spot:
+    point = an_object(said, where)
+    return a_number(point, "x", where), -a_number(point, "z", where)
+
+
+def _room(said: Json, where: str) -> DrawnRoom:
+    points = a_list(said.get("floorPolygon"), f"{where}.floorPolygon")
+    spots = tuple(_spot(point, f"{where}.floorPolygon[{at}]") for at, point in enumerate(points))
+    ours = _ours(said, where)
+    kind = a_text(said, "roomType", where)
+    return DrawnRoom(
+        spots, "" if ours else kind, where, a_text(ours, "type", where) or kind, round(a_number(ours, "level", where, 0.0)),
+        bool(ours.get("outdoor")), a_text(said, "id", where),
+    )  # fmt: skip
+
+
+def _opening(is_window: bool, said: Json, where: str, walls: Mapping[str, tuple[Json, str]], levels: Mapping[str, int]) -> DrawnOpening:
+    """Reads a door or window; its hole is counted from the first wall's first corner."""
+    name = a_text(said, "wall0", where)
+    if name not in walls:
+        raise FieldError(f"{where}.wall0", f"is {name!r:.80}", "the id of a wall")
+    wall, place = walls[name]
+    corners = [_spot(corner, f"{place}.polygon") for corner in a_list(wall.get("polygon"), f"{place}.polygon")[:2]]
+    if len(corners) < 2 or not math.dist(*corners):
+        raise FieldError(f"{place}.polygon", "has no length", "four corners, the two at the floor first")
+    (low, sill), (high, head) = _hole(said, where)
+    (x0, z0), (x1, z1) = corners
+    length = math.dist(*corners)
+    way = ((x1 - x0) / length, (z1 - z0) / length)
+    start, end = ((x0 + way[0] * at, z0 + way[1] * at) for at in (low, high))
+    ours, rooms = _ours(said, where), (a_text(said, "room0", where), a_text(said, "room1", where))
+    kind = _kind(said, where, is_window)
+    main = bool(ours["main_entrance"]) if "main_entrance" in ours else None
+    return DrawnOpening(
+        kind, start, end, where, head - sill, sill, levels.get(rooms[0], 0), _hinge(ours, start, end), _towards(ours, start), main,
+        rooms, a_text(said, "id", where) if ours else "",
+    )  # fmt: skip
+
+
+def _hole(said: Json, where: str) -> tuple[Spot, Spot]:
+    """Returns a hole's lower and upper corner: along the wall, and above the floor."""
+    if "holePolygon" in said:
+        place = f"{where}.holePolygon"
+        corners: list[Any] = list(a_list(said["holePolygon"], place))
+    else:
+        place = f"{where}.boundingBox"
+        box = an_object(said.get("boundingBox"), place)
+        corners = [box.get("min"), box.get("max")]
+    points = [an_object(corner, place) for corner in corners]
+    along, up = ([a_number(point, key, place) for point in points] for key in ("x", "y"))
+    if len(points) < 2:
+        raise FieldError(place, f"has {len(points)} corners", "two")
+    return (min(along), min(up)), (max(along), max(up))
+
+
+def _kind(said: Json, where: str, is_window: bool) -> OpeningKind:
+    asset = a_text(said, "assetId", where)
+    if is_window:
+        return "window"
+    if asset in OPENING_KINDS:
+        return asset  # type: ignore[return-value]
+    return "passage" if FRAME in asset.lower() else "door"
+
+
+def _hinge(ours: Json, start: Spot, end: Spot) -> Any:
+    """Returns the end that our export says carries the leaf: it counts from the west or north."""
+    hinge = ours.get("hinge")
+    if hinge not in ("start", "end"):
+        return None
+    return hinge if start <= end else "end" if hinge == "start" else "start"
+
+
+def _towards(ours: Json, start: Spot) -> Spot | None:
+    """Returns a point on the side that a leaf swings to, as our export says it."""
+    side = ours.get("towards")
+    if side not in (1, -1):
+        return None
+    return (start[0], start[1] + side) if ours.get("axis") == "x" else (start[0] + side, start[1])
+
+
+def _pieces(objects: object, where: str, depth: int, on: str) -> Iterator[DrawnPiece]:
+    """Yields things and what lies on them."""
+    if depth > DEEPEST:
+        raise FieldError(where, "lies too deep", f"at most {DEEPEST} things on each other")
+    for at, said in enumerate(a_list(objects, where)):
+        place = f"{where}[{at}]"
+        one = an_object(said, place)
+        ours, position = _ours(one, place), an_object(one.get("position"), f"{place}.position")
+        x, z = _spot(position, f"{place}.position")
+        name = a_text(one, "id", place)
+        size = _size(ours, place)
+        yaw = a_number(an_object(one.get("rotation") or {}, f"{place}.rotation"), "y", f"{place}.rotation", 0.0)
+        middle = a_number(position, "y", f"{place}.position", 0.0)
+        lies = depth > 0
+        yield DrawnPiece(
+            a_text(ours, "name", place) or name.split("|")[0], x, z, middle - size[1] / 2 if size else (middle if lies else 0.0),
+            (180.0 - yaw) % 360, size and (size[0], size[2], size[1]), place, id=name if ours else "",
+            decoration=ours.get("sort") == "decoration" if ours else lies,
+        )  # fmt: skip
+        yield from _pieces(one.get("children") or [], f"{place}.children", depth + 1, name)
+
+
+def _size(ours: Json, where: str) -> tuple[float, float, float] | None:
+    if "size" not in ours:
+        return None
+    size = an_object(ours["size"], f"{where}.compose.size")
+    x, y, z = (a_number(size, key, f"{where}.compose.size") for key in "xyz")
+    return x, y, z

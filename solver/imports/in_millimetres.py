@@ -1,0 +1,99 @@
+"""Second step, second half: one level of a drawn plan in mm, near the origin, turned so that its walls run along x and z.
+
+Comes in: a `DrawnPlan` in the file's unit. Goes out: one in mm (heights in m). May import: drawn, straighten.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Final
+
+from solver.errors import FieldError
+from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, PlanNotes, Spot
+from solver.imports.straighten import turn_of, turned_by
+
+SMALLEST: Final = 500
+WIDEST: Final = 1_000_000
+"""Between these, mm, is the larger side of a house."""
+HEIGHT: Final = 2.8
+"""Of a storey, m, where the file does not say."""
+Turn = Callable[[Spot], Spot]
+
+
+def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnPlan:
+    """Returns the plan of one level: the one asked for, else the lowest with rooms.
+
+    Raises:
+        FieldError: there are no rooms, or none on that level.
+    """
+    counts = Counter(room.level for room in plan.rooms)
+    names = {level.number: level.name for level in plan.levels}
+    if not counts:
+        raise FieldError("rooms", "are none in this file", "at least one room with an outline")
+    chosen = min(counts) if asked is None else asked
+    if chosen not in counts:
+        raise FieldError("level", f"{chosen} has no rooms", ", ".join(map(str, sorted(counts))))
+    for number in sorted(counts.keys() - {chosen}):
+        name = f" ({names[number]})" if names.get(number) else ""
+        notes.leave(f"level {number}{name}", f"{counts[number]} rooms: level {chosen} is taken, `level` takes another")
+    return replace(
+        plan,
+        rooms=tuple(one for one in plan.rooms if one.level == chosen),
+        openings=tuple(one for one in plan.openings if one.level == chosen),
+        walls=tuple(one for one in plan.walls if one.level == chosen),
+        pieces=tuple(one for one in plan.pieces if one.level == chosen),
+        levels=tuple(one for one in plan.levels if one.number == chosen),
+    )
+
+
+def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPlan:
+    """Returns a plan in mm; heights, elevations and the sizes of pieces in m.
+
+    Args:
+        plan: in the file's unit.
+        metres: the length of that unit.
+        notes: that the plan was turned is noted there.
+
+    Raises:
+        FieldError: it is larger or smaller than any house.
+    """
+    spots, scale = [spot for room in plan.rooms for spot in room.points], metres * 1000
+    west, north = min(x for x, _ in spots), min(z for _, z in spots)
+    largest = max(max(x for x, _ in spots) - west, max(z for _, z in spots) - north) * scale
+    if not SMALLEST <= largest <= WIDEST:
+        raise FieldError("rooms", f"are {largest / 1000:g} m wide in all", "0.5 to 1000 m: `unit` says how long the file's unit is")
+    turn = turn_of([[((x - west) * scale, (z - north) * scale) for x, z in room.points] for room in plan.rooms])
+    if turn:
+        way = "counter-clockwise" if turn > 0 else "clockwise"
+        words = f"the whole plan is turned by {abs(turn):.2f} degrees {way}, so that its walls run along x and z"
+        notes.change("straighten", "plan", 0.0, words)
+
+    def at(spot: Spot) -> Spot:
+        return turned_by(((spot[0] - west) * scale, (spot[1] - north) * scale), turn)
+
+    return replace(
+        plan,
+        rooms=tuple(replace(room, points=tuple(map(at, room.points))) for room in plan.rooms),
+        openings=tuple(_opening(one, at, metres) for one in plan.openings),
+        walls=tuple(replace(one, start=at(one.start), end=at(one.end), thickness=one.thickness * scale) for one in plan.walls),
+        pieces=tuple(_piece(one, at, metres, turn) for one in plan.pieces),
+        levels=tuple(
+            DrawnLevel(one.number, one.name, (one.elevation or 0.0) * metres, HEIGHT if one.height is None else one.height * metres)
+            for one in plan.levels
+        ),
+        wall_thickness=None if plan.wall_thickness is None else plan.wall_thickness * scale,
+        metres=metres,
+    )
+
+
+def _opening(one: DrawnOpening, at: Turn, metres: float) -> DrawnOpening:
+    height, sill = (None if length is None else length * metres for length in (one.height, one.sill))
+    return replace(one, start=at(one.start), end=at(one.end), towards=one.towards and at(one.towards), height=height, sill=sill)
+
+
+def _piece(one: DrawnPiece, at: Turn, metres: float, turn: float) -> DrawnPiece:
+    x, z = at((one.x, one.z))
+    size = one.size and (one.size[0] * metres, one.size[1] * metres, one.size[2] * metres)
+    return replace(one, x=x, z=z, y=one.y * metres, rotation=one.rotation + turn, size=size)

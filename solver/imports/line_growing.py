@@ -1,0 +1,162 @@
+"""Fourth step: rooms that are drawn by their inner faces -> rooms along the middle lines of their walls.
+
+Two faces of different rooms that look at each other across at most 0.6 m are one wall. Its line runs in its middle; what faces no room
+is moved out by half the usual wall.
+
+Comes in: corners, mm. Goes out: corners along wall lines, the usual thickness, how thick each wall is. May import: rectilinear.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners, tidied
+
+THICKEST: Final = 600
+"""Of a wall between two rooms, mm."""
+FACING: Final = 100
+"""Faces of one wall overlap by at least so much, mm."""
+NEAR_LINES: Final = 25
+"""Wall lines no farther apart, mm, are one."""
+
+
+@dataclass(frozen=True)
+class Grown:
+    """Rooms along wall lines: corners by room, the usual thickness (mm), and for each room how far each old edge was moved out."""
+
+    corners: list[FloorCorners]
+    thickness: int
+    moved: list[list[int]]
+
+
+def grown(rooms: Sequence[FloorCorners], levels: Sequence[int], thickness: int | None) -> Grown:
+    """Returns rooms grown to the lines of their walls.
+
+    Args:
+        rooms: corners along inner faces, clockwise.
+        levels: of the rooms.
+        thickness: of the walls, mm, where the file says it.
+    """
+    edges = [edges_of_corners(number, corners) for number, corners in enumerate(rooms)]
+    pairs = [
+        pair
+        for level in sorted(set(levels))
+        for pair in _pairs([one for room, own in zip(edges, levels, strict=True) if own == level for one in room])
+    ]
+    gaps = sorted((b.at - a.at, overlap) for a, b, overlap in pairs)
+    usual = _weighted_median(gaps) if gaps else thickness or 0
+    lines = _lines(pairs)
+    for room in edges:
+        for edge in room:
+            lines.setdefault((edge.room, edge.side), edge.at + edge.out * (usual // 2))
+    _gather(edges, levels, lines)
+    moved = [[abs(lines[edge.room, edge.side] - edge.at) for edge in room] for room in edges]
+    corners = [_rebuilt(room, [lines[edge.room, edge.side] for edge in room], usual) for room in edges]
+    return Grown(corners, usual, moved)
+
+
+def _pairs(edges: Sequence[PlanEdge]) -> list[tuple[PlanEdge, PlanEdge, int]]:
+    """Returns the edges that see each other across a wall, the nearer first, and over how much of their length."""
+    found = []
+    for axis in ("x", "z"):
+        facing = sorted((one for one in edges if one.axis == axis and one.out < 0), key=lambda one: one.at)
+        starts = [one.at for one in facing]
+        for edge in (one for one in edges if one.axis == axis and one.out > 0):
+            seen = [(edge.low, edge.high)]
+            for other in facing[bisect_left(starts, edge.at) :]:
+                if other.at - edge.at > THICKEST or not seen:
+                    break
+                overlap = sum(max(0, min(high, other.high) - max(low, other.low)) for low, high in seen)
+                if overlap >= FACING:
+                    seen = [left for part in seen for left in _without(part, (other.low, other.high))]
+                    if other.room != edge.room:
+                        found.append((edge, other, overlap))
+    return found
+
+
+def _without(part: tuple[int, int], taken: tuple[int, int]) -> list[tuple[int, int]]:
+    ends = ((part[0], min(part[1], taken[0])), (max(part[0], taken[1]), part[1]))
+    return [(low, high) for low, high in ends if low < high]
+
+
+def _weighted_median(values: Sequence[tuple[int, int]]) -> int:
+    half, total = sum(weight for _, weight in values) / 2, 0
+    for value, weight in values:
+        total += weight
+        if total >= half:
+            return value
+    return 0
+
+
+def _lines(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> dict[tuple[int, int], int]:
+    """Returns the line of every edge that faces another room: edges joined by walls have one in common."""
+    heads: dict[tuple[int, int], tuple[int, int]] = {}
+
+    def head(key: tuple[int, int]) -> tuple[int, int]:
+        while heads.setdefault(key, key) != key:
+            heads[key] = heads[heads[key]]
+            key = heads[key]
+        return key
+
+    for a, b, _ in pairs:
+        heads[head((a.room, a.side))] = head((b.room, b.side))
+    walls: dict[tuple[int, int], list[tuple[PlanEdge, PlanEdge, int]]] = defaultdict(list)
+    for pair in pairs:
+        walls[head((pair[0].room, pair[0].side))].append(pair)
+    lines = {}
+    for wall in walls.values():
+        weight = sum(overlap for *_, overlap in wall)
+        line = round(sum((a.at + b.at) / 2 * overlap for a, b, overlap in wall) / weight)
+        line = min(max(line, *(a.at for a, *_ in wall)), *(b.at for _, b, _ in wall))
+        for a, b, _ in wall:
+            lines[a.room, a.side] = lines[b.room, b.side] = line
+    return lines
+
+
+def _gather(edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], lines: dict[tuple[int, int], int]) -> None:
+    """Gives wall lines that nearly meet one coordinate."""
+    groups: dict[tuple[int, str], list[PlanEdge]] = defaultdict(list)
+    for room, level in zip(edges, levels, strict=True):
+        for edge in room:
+            groups[level, edge.axis].append(edge)
+    for group in groups.values():
+        ordered = sorted(group, key=lambda edge: lines[edge.room, edge.side])
+        values = [lines[edge.room, edge.side] for edge in ordered]
+        start = 0
+        for at in range(1, len(ordered) + 1):
+            if at < len(ordered) and values[at] - values[start] <= NEAR_LINES:
+                continue
+            weighed = sorted((value, edge.length) for value, edge in zip(values[start:at], ordered[start:at], strict=True))
+            for edge in ordered[start:at]:
+                lines[edge.room, edge.side] = _weighted_median(weighed)
+            start = at
+
+
+def _rebuilt(edges: Sequence[PlanEdge], lines: Sequence[int], usual: int) -> FloorCorners:
+    """Returns a room's corners along its lines; along lines half a usual wall away where those would fold it."""
+    for moved in (lines, [edge.at + edge.out * (usual // 2) for edge in edges], [edge.at for edge in edges]):
+        placed = [edge._replace(at=at) for edge, at in zip(edges, moved, strict=True)]
+        corners = [_corner(edge, placed[at - 1]) for at, edge in enumerate(placed)]
+        following = [*corners[1:], *corners[:1]]
+        ways = [_way(a, b) for a, b in zip(corners, following, strict=True)]
+        if all(way in (0, _forwards(edge)) for way, edge in zip(ways, edges, strict=True)):
+            return tidied(corners)
+    return tidied([_corner(edge, edges[at - 1]) for at, edge in enumerate(edges)])
+
+
+def _corner(edge: PlanEdge, before: PlanEdge) -> tuple[int, int]:
+    return (before.at, edge.at) if edge.axis == "x" else (edge.at, before.at)
+
+
+def _way(a: tuple[int, int], b: tuple[int, int]) -> int:
+    along = (b[0] - a[0]) + (b[1] - a[1])
+    return (along > 0) - (along < 0)
+
+
+def _forwards(edge: PlanEdge) -> int:
+    """Returns which way along its axis an edge is walked clockwise."""
+    return -edge.out if edge.axis == "x" else edge.out

@@ -1,0 +1,103 @@
+"""Furniture of a foreign plan -> furniture of the scene's rooms, under its own names: /fix understands and repairs it.
+
+Comes in: rooms, `DrawnPiece`s (mm; sizes in m). Goes out: rooms with what stands in them. May import: the ground floor, catalogs, drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+from catalogs import Catalogs
+from catalogs.synonyms import Meaning, synonyms_of
+from solver.geometry import to_mm
+from solver.imports.drawn import DrawnPiece, PlanNotes
+from solver.imports.rectilinear import FloorCorner, holds
+from solver.scene import Decoration, Furniture, Room
+
+RESTING: Final = 0.06
+"""A thing whose underside is so near a piece's top, m, stands on it."""
+OVERHEAD: Final = 1.6
+"""What hangs higher, m, and is known for no decoration, is left out: a lamp at the ceiling."""
+
+
+def with_pieces(
+    rooms: Sequence[Room], pieces: Sequence[DrawnPiece], origin: FloorCorner, catalogs: Catalogs, notes: PlanNotes
+) -> list[Room]:
+    """Returns rooms with the pieces that stand in them; what stands in none, or has no size, is left out and told."""
+    furniture: list[list[Furniture]] = [[] for _ in rooms]
+    decorations: list[list[Decoration]] = [[] for _ in rooms]
+    outlines = [_outline(room) for room in rooms]
+    for piece in pieces:
+        x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
+        place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
+        meaning = synonyms_of(catalogs).meaning(piece.name, piece.size)
+        size = piece.size or _usual_size(meaning, catalogs)
+        if place is None or size is None or min(size) <= 0:
+            notes.leave(piece.where, f"{piece.name!r:.60}: " + ("it stands in no room" if place is None else "the file gives no size"))
+            continue
+        room, sizes = rooms[place], tuple(max(0.001, round(one, 3)) for one in size)
+        body = replace(piece, x=round(x - room.x, 4), z=round(z - room.z, 4), size=(sizes[0], sizes[1], sizes[2]))
+        if piece.decoration or (meaning is not None and meaning.sort == "decoration"):
+            decorations[place].append(_decoration(body, room, len(decorations[place])))
+        elif (meaning is not None and meaning.sort == "other") or piece.y > OVERHEAD:
+            notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
+        else:
+            furniture[place].append(_furniture(body, room, furniture[place]))
+    return [
+        replace(room, furniture=tuple(standing), decorations=tuple(_carried(standing, small)))
+        for room, standing, small in zip(rooms, furniture, decorations, strict=True)
+    ]
+
+
+def _outline(room: Room) -> list[FloorCorner]:
+    corners = room.outline or ((0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth))
+    return [(to_mm(room.x + x), to_mm(room.z + z)) for x, z in corners]
+
+
+def _usual_size(meaning: Meaning | None, catalogs: Catalogs) -> tuple[float, float, float] | None:
+    """Returns the size that the catalogs give to a kind."""
+    if meaning is None or meaning.sort == "other":
+        return None
+    return catalogs.furniture[meaning.key].size if meaning.sort == "furniture" else catalogs.decorations[meaning.key].size
+
+
+def _furniture(piece: DrawnPiece, room: Room, there: Sequence[Furniture]) -> Furniture:
+    width, depth, height = piece.size or (0.0, 0.0, 0.0)
+    name = piece.id or f"{room.id}/{piece.where}"
+    return Furniture(
+        name, piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z, rotation=round(piece.rotation % 360, 3) % 360,
+        width=width, depth=depth, height=height, color=piece.color, on=_under(piece, there),
+    )  # fmt: skip
+
+
+def _decoration(piece: DrawnPiece, room: Room, number: int) -> Decoration:
+    width, depth, height = piece.size or (0.0, 0.0, 0.0)
+    return Decoration(
+        piece.id or f"{room.id}/{piece.where}", piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
+        rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color,
+    )  # fmt: skip
+
+
+def _under(piece: DrawnPiece, there: Sequence[Furniture]) -> str | None:
+    """Returns what a thing above the floor stands on: the piece below its middle whose top is its underside."""
+    if piece.y < RESTING:
+        return None
+    below = [one for one in there if abs(one.y + one.height - piece.y) <= RESTING and _covers(one, piece)]
+    return below[0].id if below else None
+
+
+def _covers(one: Furniture, piece: DrawnPiece) -> bool:
+    reach = (one.depth, one.width) if round(one.rotation / 90) % 2 else (one.width, one.depth)
+    return abs(piece.x - one.x) <= reach[0] / 2 and abs(piece.z - one.z) <= reach[1] / 2
+
+
+def _carried(standing: Sequence[Furniture], small: Sequence[Decoration]) -> list[Decoration]:
+    """Gives decorations above the floor the piece that carries them."""
+    found = []
+    for one in small:
+        on = [piece for piece in standing if piece.y + piece.height >= one.y - RESTING and one.y > RESTING
+              and abs(one.x - piece.x) <= piece.width / 2 and abs(one.z - piece.z) <= piece.depth / 2]  # fmt: skip
+        found.append(replace(one, parent=on[0].id) if on else one)
+    return found

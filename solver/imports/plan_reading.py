@@ -1,0 +1,161 @@
+"""A file of a floor plan -> the scene it draws: which format it is in, and the steps from there, in order. Start reading here.
+
+Comes in: a file's bytes; of JSON and YAML the document. Goes out: a `Scene` and `PlanNotes`. May import: the formats, the steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Final, NamedTuple
+
+from catalogs import Catalogs
+from solver.errors import FieldError, SyntaxFault
+from solver.geometry import to_m
+from solver.imported import ImportSettings
+from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes, check_plan
+from solver.imports.formats.plan_features import is_features, read_features
+from solver.imports.formats.procthor_reading import is_procthor, read_procthor
+from solver.imports.in_millimetres import in_millimetres, of_one_level
+from solver.imports.joining import PlacedDrawing, joined
+from solver.imports.line_growing import grown
+from solver.imports.pieces_in_rooms import with_pieces
+from solver.imports.rectilinear import FloorCorners, edges_of_corners
+from solver.imports.straighten import straightened, tell_of
+from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, scene_rooms, tell_type, type_of_drawn
+from solver.imports.units import unit_of
+from solver.scene import Level, Room, Scene, Size
+
+USUAL_THICKNESS: Final = 100
+"""Of walls, mm, where neither the file nor the gaps between its rooms tell."""
+HEIGHT: Final = 2.8
+
+
+@dataclass(frozen=True)
+class PlanFile:
+    """A file: its name, its content, and the document in it where it is JSON or YAML."""
+
+    name: str
+    content: bytes
+    document: object = None
+
+
+class PlanReader(NamedTuple):
+    """A format: what it is, how a file of it is known, how it is read."""
+
+    words: str
+    is_it: Callable[[PlanFile], bool]
+    read: Callable[[PlanFile], DrawnPlan]
+
+
+def _document(read: Callable[[Mapping[str, Any]], DrawnPlan]) -> Callable[[PlanFile], DrawnPlan]:
+    """Returns a reader of files from one of documents."""
+
+    def read_file(file: PlanFile) -> DrawnPlan:
+        if not isinstance(file.document, Mapping):
+            raise SyntaxFault("not an object")
+        return read(file.document)
+
+    return read_file
+
+
+READERS: Final[Mapping[str, PlanReader]] = {
+    "geojson": PlanReader("GeoJSON of rooms, for plans of your own", lambda file: is_features(file.document), _document(read_features)),
+    "procthor": PlanReader("house JSON of ProcTHOR and AI2-THOR", lambda file: is_procthor(file.document), _document(read_procthor)),
+}
+"""The formats by name."""
+
+
+def format_of_plan(file: PlanFile) -> str | None:
+    """Returns the format of a file, None where it is none of READERS."""
+    return next((name for name, reader in READERS.items() if reader.is_it(file)), None)
+
+
+def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Catalogs) -> tuple[Scene, PlanNotes]:
+    """Returns the scene that a file draws, and what is not as it says.
+
+    Args:
+        file: the file.
+        format: one of READERS.
+        settings: what the caller says.
+        catalogs: whose room types and kinds are known.
+
+    Raises:
+        SyntaxFault: it cannot be read at all.
+        FieldError: something in it cannot be read, or no room is left of it; names the place.
+    """
+    notes = PlanNotes()
+    plan = READERS[format].read(file)
+    notes.unread += plan.unread
+    check_plan(plan)
+    plan = of_one_level(plan, settings.level, notes)
+    metres = unit_of(plan, settings.unit, notes)
+    plan = in_millimetres(plan, metres, notes)
+    rooms = _straight_rooms(plan, catalogs, notes)
+    rooms, thickness = _along_lines(plan, rooms, notes)
+    edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
+    levels = [room.drawn.level for room in rooms]
+    placed = [_placed(one, rooms) for one in plan.openings]
+    openings = joined(placed, edges, levels, thickness // 2, notes)
+    origin = (min(x for room in rooms for x, _ in room.corners), min(z for room in rooms for _, z in room.corners))
+    made = scene_rooms(rooms, openings, origin)
+    if settings.furniture:
+        made = with_pieces(made, plan.pieces, origin, catalogs, notes)
+    return _scene(made, rooms, plan.levels, thickness), notes
+
+
+def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> list[NamedRoom]:
+    made = straightened([room.points for room in plan.rooms], [room.level for room in plan.rooms])
+    kept: list[tuple[DrawnRoom, str, FloorCorners]] = []
+    straight = []
+    for room, one in zip(plan.rooms, made, strict=True):
+        if not one.corners:
+            notes.leave(room.where, f"room {room.label!r}: its outline encloses less than 0.5 m2 of floor between straight walls")
+            continue
+        kept.append((room, type_of_drawn(room, catalogs), one.corners))
+        straight.append(one)
+    if not kept:
+        raise FieldError("rooms", "enclose no floor", "outlines around at least 0.5 m2")
+    named = named_rooms(kept)
+    for made_room, one in zip(named, straight, strict=True):
+        tell_of(made_room.id, one, notes)
+        tell_type(made_room, notes)
+    return named
+
+
+def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> tuple[list[NamedRoom], int]:
+    """Returns rooms along wall lines, and the walls' thickness, mm."""
+    said = None if plan.wall_thickness is None else round(plan.wall_thickness)
+    if plan.drawn == "lines":
+        if said is None:
+            notes.guess("plan", "wall_thickness", str(to_m(USUAL_THICKNESS)), "the file does not say how thick walls are")
+        return rooms, min(1000, USUAL_THICKNESS if said is None else said)
+    made = grown([room.corners for room in rooms], [room.drawn.level for room in rooms], said)
+    half = made.thickness // 2
+    for room, moved in zip(rooms, made.moved, strict=True):
+        worst = max((by - half for by in moved), key=abs, default=0)
+        if abs(worst) > 5:
+            words = (
+                f"a wall is {2 * (worst + half) / 1000:.2f} m thick, not {made.thickness / 1000:.2f}: the floor differs by so much there"
+            )
+            notes.change("wall_lines", room.id, abs(worst) / 1000, words)
+    notes.change(
+        "wall_lines", "plan", half / 1000, f"rooms are grown to the lines of their walls, which are {made.thickness / 1000:.2f} m thick"
+    )
+    return [replace(room, corners=corners) for room, corners in zip(rooms, made.corners, strict=True)], made.thickness
+
+
+def _placed(one: DrawnOpening, rooms: Sequence[NamedRoom]) -> PlacedDrawing:
+    named = tuple(number for number, room in enumerate(rooms) if room.drawn.id and room.drawn.id in one.rooms)
+    return PlacedDrawing(one, one.start, one.end, one.towards, named)
+
+
+def _scene(made: Sequence[Room], rooms: Sequence[NamedRoom], levels: Sequence[DrawnLevel], thickness: int) -> Scene:
+    width = max(room.x + room.width for room in made)
+    depth = max(room.z + room.depth for room in made)
+    storeys = tuple(Level(one.number, one.elevation or 0.0, one.height or HEIGHT) for one in levels)
+    height = storeys[0].height if storeys else HEIGHT
+    return Scene(
+        size=Size(round(width, 3), round(depth, 3), height), wall_thickness=to_m(thickness), levels=storeys or (Level(),),
+        rooms=tuple(made), adjacency=adjacency_of(rooms),
+    )  # fmt: skip

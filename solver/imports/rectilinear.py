@@ -1,0 +1,99 @@
+"""Polygons whose edges all run along x or z, in whole mm: their edges, areas, and whether they are simple.
+
+Comes in and goes out: corners (x, z), mm; clockwise seen from above where it matters (x east, z south). May import: nothing of ours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+FloorCorner = tuple[int, int]
+FloorCorners = list[FloorCorner]
+
+
+class PlanEdge(NamedTuple):
+    """An edge of a room: along `axis` at coordinate `at` across it, from `low` to `high`; `out` points out of the room, 1 or -1.
+
+    `side` is its place in the outline.
+    """
+
+    room: int
+    side: int
+    axis: Literal["x", "z"]
+    at: int
+    low: int
+    high: int
+    out: int
+
+    @property
+    def length(self) -> int:
+        """Its length, mm."""
+        return self.high - self.low
+
+
+def doubled_area(corners: Sequence[tuple[float, float]]) -> float:
+    """Returns twice the area within corners, mm2: positive where they go clockwise seen from above."""
+    following = [*corners[1:], *corners[:1]]
+    return sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in zip(corners, following, strict=True))
+
+
+def tidied(corners: Sequence[FloorCorner]) -> FloorCorners:
+    """Returns corners clockwise, from the most northern (of these the most western) on, without repeated or collinear ones."""
+    kept: FloorCorners = [corner for at, corner in enumerate(corners) if corner != corners[at - 1]]
+    before = -1
+    while len(kept) != before:
+        before = len(kept)
+        kept = [kept[at] for at in range(before) if not _is_passed(kept[at - 1], kept[at], kept[(at + 1) % before])]
+    if len(kept) < 4:
+        return []
+    if doubled_area(kept) < 0:
+        kept.reverse()
+    first = min(range(len(kept)), key=lambda at: (kept[at][1], kept[at][0]))
+    return kept[first:] + kept[:first]
+
+
+def _is_passed(before: FloorCorner, here: FloorCorner, after: FloorCorner) -> bool:
+    """Tells whether a corner is none: the outline goes straight on, back the way it came, or nowhere."""
+    return before == here or before[0] == here[0] == after[0] or before[1] == here[1] == after[1]
+
+
+def edges_of_corners(room: int, corners: Sequence[FloorCorner]) -> list[PlanEdge]:
+    """Returns the edges of a room whose corners go clockwise."""
+    found = []
+    for index, ((x, z), (next_x, next_z)) in enumerate(zip(corners, [*corners[1:], *corners[:1]], strict=True)):
+        if z == next_z:
+            found.append(PlanEdge(room, index, "x", z, min(x, next_x), max(x, next_x), -1 if next_x > x else 1))
+        else:
+            found.append(PlanEdge(room, index, "z", x, min(z, next_z), max(z, next_z), 1 if next_z > z else -1))
+    return found
+
+
+def is_simple(corners: Sequence[FloorCorner]) -> bool:
+    """Tells whether an outline neither crosses nor touches itself along a line."""
+    edges = edges_of_corners(0, corners)
+    along = [np.array([(e.at, e.low, e.high) for e in edges if e.axis == axis], dtype=np.int64).reshape(-1, 3) for axis in ("x", "z")]
+    level, upright = along
+    crossing = (
+        (level[:, 1:2] < upright[None, :, 0]) & (upright[None, :, 0] < level[:, 2:3])
+        & (upright[None, :, 1] < level[:, 0:1]) & (level[:, 0:1] < upright[None, :, 2])
+    )  # fmt: skip
+    return not crossing.any() and not any(_overlapping(one) for one in along)
+
+
+def _overlapping(edges: np.ndarray) -> bool:
+    """Tells whether two edges of one direction lie on each other."""
+    ordered = edges[np.lexsort((edges[:, 1], edges[:, 0]))]
+    same = ordered[1:, 0] == ordered[:-1, 0]
+    return bool((same & (ordered[1:, 1] < ordered[:-1, 2])).any())
+
+
+def holds(corners: Sequence[FloorCorner], x: float, z: float) -> bool:
+    """Tells whether a point lies within an outline."""
+    inside = False
+    for (x0, z0), (x1, z1) in zip(corners, [*corners[1:], *corners[:1]], strict=True):
+        if x0 == x1 and min(z0, z1) <= z < max(z0, z1) and x < x0:
+            inside = not inside
+    return inside

@@ -1,0 +1,125 @@
+"""A room with slanted or curved walls, or one that crosses itself, as the rectilinear floor inside it.
+
+Comes in: a polygon, mm. Goes out: corners of the largest rectilinear part that lies wholly inside it, in steps of 0.1 m along slanted
+edges. May import: rectilinear.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from solver.imports.rectilinear import FloorCorners, tidied
+
+STEP: Final = 100
+"""How long the steps along a slanted wall are, mm."""
+MOST_CELLS: Final = 40_000
+"""Cells that one room may be cut into; steps grow until there are no more."""
+Polygon = Sequence[tuple[float, float]]
+Cells = NDArray[np.bool_]
+
+
+def stepped(polygon: Polygon) -> FloorCorners:
+    """Returns the corners of the largest rectilinear part inside a polygon; empty where there is none, or it is too intricate."""
+    step = STEP
+    while step <= 64 * STEP:
+        xs, zs = _cuts(polygon, 0, step), _cuts(polygon, 1, step)
+        if len(xs) * len(zs) <= MOST_CELLS:
+            return _outline(_largest(_inside(polygon, xs, zs), xs, zs), xs, zs)
+        step *= 2
+    return []
+
+
+def _cuts(polygon: Polygon, axis: int, step: int) -> NDArray[np.int64]:
+    """Returns where the floor is cut: at every edge along the other axis, and in steps along slanted edges."""
+    found: set[int] = set()
+    for a, b in zip(polygon, [*polygon[1:], *polygon[:1]], strict=True):
+        if a[axis] == b[axis]:
+            found.add(round(a[axis]))
+        elif a[1 - axis] != b[1 - axis]:
+            low, high = math.ceil(min(a[axis], b[axis])), math.floor(max(a[axis], b[axis]))
+            found.update(range(low + -low % step, high + 1, step))
+        if len(found) > MOST_CELLS:
+            break
+    return np.array(sorted(found), dtype=np.int64)
+
+
+def _inside(polygon: Polygon, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Cells:
+    """Returns which cells lie wholly inside the polygon, by column and row."""
+    if len(xs) < 2 or len(zs) < 2:
+        return np.zeros((0, 0), dtype=np.bool_)
+    mid_x, mid_z = (xs[1:] + xs[:-1]) / 2, (zs[1:] + zs[:-1]) / 2
+    inside, cut = np.zeros((len(mid_x), len(mid_z)), dtype=np.bool_), np.zeros((len(mid_x), len(mid_z)), dtype=np.bool_)
+    for (ax, az), (bx, bz) in zip(polygon, [*polygon[1:], *polygon[:1]], strict=True):
+        if ax == bx:
+            continue
+        (x0, z0), (x1, z1) = sorted(((ax, az), (bx, bz)))
+        slope = (z1 - z0) / (x1 - x0)
+        spanned = (mid_x >= x0) & (mid_x < x1)
+        inside[spanned] ^= mid_z[None, :] > (z0 + (mid_x[spanned] - x0) * slope)[:, None]
+        if slope:
+            met = (xs[1:] > x0) & (xs[:-1] < x1)
+            ends = np.stack([z0 + (np.clip(side[met], x0, x1) - x0) * slope for side in (xs[:-1], xs[1:])])
+            cut[met] |= (zs[None, 1:] > ends.min(axis=0)[:, None]) & (zs[None, :-1] < ends.max(axis=0)[:, None])
+    return inside & ~cut
+
+
+def _largest(inside: Cells, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Cells:
+    """Returns the cells of the largest connected part."""
+    left, best, most = inside.copy(), np.zeros_like(inside), 0
+    areas = np.diff(xs)[:, None] * np.diff(zs)[None, :] if inside.size else inside
+    while left.any():
+        first = np.unravel_index(int(left.argmax()), left.shape)
+        part = _flooded(left, (int(first[0]), int(first[1])))
+        area = int(areas[part].sum())
+        if area > most:
+            best, most = part, area
+        left &= ~part
+    return best
+
+
+def _flooded(free: Cells, first: tuple[int, int]) -> Cells:
+    part = np.zeros_like(free)
+    part[first] = True
+    ahead = deque([first])
+    while ahead:
+        column, row = ahead.popleft()
+        for dx, dz in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+            x, z = column + dx, row + dz
+            if 0 <= x < free.shape[0] and 0 <= z < free.shape[1] and free[x, z] and not part[x, z]:
+                part[x, z] = True
+                ahead.append((x, z))
+    return part
+
+
+def _outline(part: Cells, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> FloorCorners:
+    """Returns the outer outline of connected cells, the floor at its right; where cells touch at a corner it stays with its own."""
+    if not part.any():
+        return []
+    ways: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    framed = np.pad(part, 1)
+    for column, row in np.argwhere(part).tolist():
+        sides = (
+            (framed[column + 1, row], (column, row), (1, 0)),
+            (framed[column + 2, row + 1], (column + 1, row), (0, 1)),
+            (framed[column + 1, row + 2], (column + 1, row + 1), (-1, 0)),
+            (framed[column, row + 1], (column, row + 1), (0, -1)),
+        )
+        for covered, start, way in sides:
+            if not covered:
+                ways.setdefault(start, []).append(way)
+    first = min(ways, key=lambda at: (at[1], at[0]))
+    at, way, walked = first, (1, 0), [first]
+    while True:
+        at = (at[0] + way[0], at[1] + way[1])
+        if at == first:
+            break
+        walked.append(at)
+        right = (-way[1], way[0])
+        way = right if right in ways[at] else next(one for one in ways[at] if len(ways[at]) == 1 or one != (-right[0], -right[1]))
+    return tidied([(int(xs[column]), int(zs[row])) for column, row in walked])

@@ -1,0 +1,74 @@
+"""Second step: how long the file's unit is, by what the file says or by how wide its doors are.
+
+Comes in: a `DrawnPlan`. Goes out: the length of its unit, m. May import: drawn.
+"""
+
+from __future__ import annotations
+
+import math
+from statistics import median
+from typing import Final
+
+from solver.errors import FieldError
+from solver.imported import ALLOWED_UNITS, UNITS
+from solver.imports.drawn import DrawnPlan, PlanNotes
+
+DOOR_WIDTHS: Final = (0.7, 1.0)
+"""Between these, m, lies the median width of a home's doors."""
+LIKELY_ROOM: Final = (1.5, 8.0)
+"""Between these, m, lies the median of the square roots of rooms' areas, where there are no doors to tell."""
+
+
+def unit_named(word: str | None) -> float | None:
+    """Returns the length of a unit by its name or as a number of metres; None for None.
+
+    Raises:
+        FieldError: it is neither.
+    """
+    if word is None:
+        return None
+    try:
+        metres = UNITS[word] if word in UNITS else float(word)
+    except ValueError:
+        metres = math.nan
+    if not 1e-6 <= metres <= 1000:
+        raise FieldError("unit", f"is {word!r:.40}", ALLOWED_UNITS)
+    return metres
+
+
+def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
+    """Returns the length of a plan's unit, m.
+
+    Args:
+        plan: as drawn.
+        asked: what the caller says: a unit's name or a number of metres.
+        notes: what was guessed is noted there.
+
+    Raises:
+        FieldError: nobody says, and the doors do not tell.
+    """
+    said = unit_named(asked)
+    if said is not None:
+        return said
+    if plan.metres is not None:
+        return plan.metres
+    doors = [math.dist(one.start, one.end) for one in plan.openings if one.kind == "door"]
+    if doors:
+        found, told, size = _within(median(doors), DOOR_WIDTHS), "doors' median width", median(doors)
+    else:
+        sides = [abs(_area(room.points)) ** 0.5 for room in plan.rooms]
+        size = median(sides) if sides else 0.0
+        found, told = _within(size, LIKELY_ROOM), "rooms' median side"
+    if len(found) != 1:
+        raise FieldError("unit", f"is not said, and cannot be told: {told} is {size:g}", ALLOWED_UNITS)
+    notes.guess("plan", "unit", found[0], f"the file does not say its unit; {told} is {size * UNITS[found[0]]:.2f} m in {found[0]}")
+    return UNITS[found[0]]
+
+
+def _within(size: float, limits: tuple[float, float]) -> list[str]:
+    return [name for name, metres in UNITS.items() if limits[0] <= size * metres <= limits[1]]
+
+
+def _area(points: tuple[tuple[float, float], ...]) -> float:
+    following = (*points[1:], *points[:1])
+    return sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in zip(points, following, strict=True)) / 2

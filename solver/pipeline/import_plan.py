@@ -1,0 +1,110 @@
+"""import_plan(): a file of a foreign floor plan -> a scene, with everything that was changed, guessed or left out.
+
+Comes in: bytes. Goes out: PlanImport. May import: every stage. Not here: what a stage does inside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Final
+
+from catalogs import Catalogs, load_catalogs
+from solver.errors import FieldError, SyntaxFault
+from solver.exchange import format_of_file, load_text, read_scene, write
+from solver.guessing import with_entrance
+from solver.imported import ImportSettings, PlanImport
+from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported
+from solver.pipeline.fix import fix
+from solver.scene import Scene
+from solver.understanding import understood
+from solver.validator import validate
+
+OWN: Final = "scene"
+"""What our own documents are called among the formats."""
+
+
+def import_plan(content: object, name: str = "", settings: ImportSettings | None = None, *, catalogs: Catalogs | None = None) -> PlanImport:
+    """Reads a floor plan of another program, or a scene of ours.
+
+    Args:
+        content: the file's bytes; or the document that a JSON file holds.
+        name: the file's name, where it has one.
+        settings: which level, unit, furniture.
+        catalogs: whose room types and kinds are known; ours by default.
+
+    Raises:
+        FieldError: the file is in none of the formats, or something in it cannot be read; names the place.
+
+    Example:
+        >>> from compose_homes import import_plan
+        >>> plan = b'{"type": "FeatureCollection", "unit": "m", "features": [{"geometry": {"type": "Polygon", "coordinates":'
+        >>> plan += b' [[[0, 0], [4, 0], [4, 3], [0, 3]]]}, "properties": {"name": "Kitchen"}}]}'
+        >>> room = import_plan(plan).scene.rooms[0]
+        >>> room.type, room.width, room.depth
+        ('kitchen', 4.0, 3.0)
+    """
+    known, asked = catalogs or load_catalogs(), settings or ImportSettings()
+    try:
+        scene, notes, format = _read(_file(name, content), asked, known)
+    except SyntaxFault as fault:
+        raise FieldError("file", str(fault), f"a file of one of the formats {', '.join((OWN, *READERS))}") from None
+    scene, entrance = with_entrance(scene, known)
+    if entrance is not None:
+        notes.guess(entrance.id, "main_entrance", "true", entrance.message)
+    words = understood(scene, known).understood_as
+    if any(room.furniture for room in scene.rooms) and format != OWN:
+        fixed = fix(scene, on_conflict="remove", catalogs=known)
+        for move in fixed.moves:
+            far = (move.dx**2 + move.dz**2) ** 0.5
+            notes.change(
+                "furniture", move.id, far, f"moved by {far:.2f} m, rotation {move.rotation:g}: where it was drawn it breaks a rule"
+            )
+        for gone in fixed.removed:
+            notes.leave(str(gone["id"]), f"cannot stand: {gone['reason']}")
+        scene = replace(fixed.scene, certificate=None)
+    issues = tuple(validate(scene, known))
+    kept = {room_piece.id for room in scene.rooms for room_piece in room.furniture}
+    said = {key: kind for key, kind in words.items() if key in kept}
+    return PlanImport(
+        scene, format, tuple(map(write, notes.changes)), tuple(map(write, notes.guesses)), tuple(map(write, notes.unread)),
+        issues, said,
+    )  # fmt: skip
+
+
+def _read(file: PlanFile, settings: ImportSettings, catalogs: Catalogs) -> tuple[Scene, PlanNotes, str]:
+    """Returns the scene in a file, what is said about it, and which format it is in."""
+    format = format_of_plan(file)
+    if format is None:
+        return _own_scene(file, settings), PlanNotes(), OWN
+    return *imported(file, format, settings, catalogs), format
+
+
+def _file(name: str, content: object) -> PlanFile:
+    """Returns a file with its document, where it is JSON."""
+    if not isinstance(content, bytes):
+        return PlanFile(name, b"{}", content)
+    start = content.lstrip(b"\xef\xbb\xbf \t\r\n")[:1]
+    format = format_of_file(name, content)
+    if format == "json" and start in (b"{", b"["):
+        return PlanFile(name, content, load_text(content, "json"))
+    return PlanFile(name, content)
+
+
+def _own_scene(file: PlanFile, settings: ImportSettings) -> Scene:
+    """Reads a scene of ours.
+
+    Raises:
+        SyntaxFault: it is none, and no other format that is read here.
+        FieldError: a field is wrong.
+    """
+    document = file.document if file.document is not None else load_text(file.content, format_of_file(file.name, file.content))
+    if isinstance(document, Mapping) and "scene" in document and "rooms" not in document:
+        document = document["scene"]
+    if not isinstance(document, Mapping) or "rooms" not in document:
+        raise SyntaxFault("is in none of the formats that are read here")
+    scene = read_scene(document)
+    if settings.level is not None and settings.level not in {room.level for room in scene.rooms}:
+        raise FieldError("level", f"{settings.level} has no rooms", ", ".join(map(str, sorted({room.level for room in scene.rooms}))))
+    bare = tuple(replace(room, furniture=(), decorations=()) for room in scene.rooms)
+    return scene if settings.furniture else replace(scene, rooms=bare, dynamic=(), certificate=None)
