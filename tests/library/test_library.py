@@ -33,6 +33,7 @@ def test_every_function_is_told_with_an_example_that_runs() -> None:
         "export",
         "fix",
         "furnish",
+        "import_plan",
         "generate",
         "load",
         "place",
