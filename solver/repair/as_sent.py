@@ -34,7 +34,9 @@ TURN_COST = 1.0
 OTHER_EDGE_COST = 0.05
 """What standing at another stretch of the sent wall costs, where an outline has several; and what being drawn in does, besides the way."""
 WALL_FAR_MM = 200
-"""Contract, rule wall_far: a piece whose wall is set stays within this of the wall's line."""
+"""Contract, rule wall_far: a piece whose wall is set stays within this of the wall's line,"""
+FACE_FAR_MM = 150
+"""or within this of its face, where the wall is thick."""
 
 
 @dataclass(frozen=True)
@@ -225,11 +227,16 @@ def _drawn_to(way: Candidate, wall: str, region: Rect, gap_mm: int) -> Candidate
     return replace(way, anchor_mm=(anchor[0], anchor[1]), cost=way.cost + way.weights[axis] * far**2)
 
 
+def most_away(half_mm: int) -> int:
+    """Returns how far from its face a piece may be whose wall is that thick by half, mm."""
+    return max(WALL_FAR_MM - half_mm, FACE_FAR_MM)
+
+
 def _at_wall(way: Candidate, wall: str, walls: Walls) -> list[tuple[Candidate, Rect]]:
     """Returns a way at each stretch of one wall, and where its footprint may be there: at inner edges at least half before them."""
     width, depth = way.extent
     across, along = (depth, width) if wall in ALONG_X else (width, depth)
-    slack = WALL_FAR_MM - walls.half_mm
+    slack = most_away(walls.half_mm)
     outer = strip(walls.clear, wall, walls.clear.along(wall), across + slack)
     found = [(replace(way, wall=wall, slack_mm=slack), outer)]
     for name, line, start, end in walls.inner:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from solver.free_places import footprint
 from solver.geometry import ALONG_X, strip
 from solver.pieces import Attach, Candidate, Piece
-from solver.repair.as_sent import WALL_FAR_MM, as_it_stands, pieces_as_sent
+from solver.repair.as_sent import as_it_stands, most_away, pieces_as_sent
 from solver.repair.bodies import tables_of
 from solver.repair.carried import Body, all_bodies, below, parents_of
 from solver.repair.room_problem import RoomProblem
@@ -84,7 +84,7 @@ def _within_strip(way: Candidate, problem: RoomProblem) -> Candidate:
     if way.wall is None or way.within is not None:
         return way
     width, depth = way.extent
-    deep = (depth if way.wall in ALONG_X else width) + WALL_FAR_MM - problem.walls.half_mm
+    deep = (depth if way.wall in ALONG_X else width) + most_away(problem.walls.half_mm)
     clear = problem.walls.clear
     return replace(way, within=strip(clear, way.wall, clear.along(way.wall), deep))
 

@@ -18,8 +18,8 @@ from solver.validator.lattice import ExactBox, WallEdge, exact
 from solver.validator.sent_rooms import ask, room_bytes, storey_bytes
 from solver.validator.world import OPPOSITE, WAYS, Hole, PlacedRoom, World
 
-WALL_SLACK: Final = exact(0.25)
-"""Two walls this close are one wall's two faces, and a door in one of them goes through both; our choice."""
+DEEPEST_WALL: Final = exact(0.6)
+"""As far as two rooms' wall lines may lie apart at a door between them: it goes through both. Our choice."""
 MOST: Final = 400
 """How many boxes a tile of the floor holds before it is halved: houses of 30 rooms stay one tile. Our choice."""
 _BIT: Final = {wall: 1 << i for i, wall in enumerate(WALLS)}
@@ -107,7 +107,7 @@ def _bridges_to(cut: WallEdge, beyond: PlacedRoom) -> Iterator[ExactBox]:
         wall = edge.moved(beyond.x, beyond.z)
         gap = (cut.line - wall.line) * (1 if cut.side in ("north", "west") else -1)
         start, end = max(cut.start, wall.start), min(cut.end, wall.end)
-        if 0 < gap <= WALL_SLACK and start < end:
+        if 0 < gap <= DEEPEST_WALL and start < end:
             yield cut.strip(start, end, 0, outwards=gap)
 
 

@@ -58,7 +58,11 @@ def faults(scene: Scene, room: Room, uses: Uses) -> list[str]:
     """Lists what is wrong with a room's furniture, people left aside; how its doors' other sides are, too."""
     bodies = [piece for piece in room.furniture if tenths(piece.height) > FLAT]
     found = [*_out(scene, room, bodies), *_before_openings(room, bodies), *_together(bodies)]
-    hung = [piece for piece in bodies if piece.wall and tenths(off_wall(room, piece, piece.wall)) > WALL_FAR]
+    hung = [
+        piece
+        for piece in bodies
+        if piece.wall and tenths(off_wall(room, piece, piece.wall)) > max(WALL_FAR, tenths(scene.wall_thickness) // 2 + 1500)
+    ]
     found += [f"{piece.id} is far from its wall" for piece in hung]
     return found or [f"{label} cannot be reached" for label in _unreached(scene, room, bodies, uses)]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from solver.pipeline import furnish
+from solver.pipeline.own_plan import furnish
 from solver.scene import Scene
 from tests.pipeline.stepped_rooms import stepped_room
 from tests.sweeps import seeds

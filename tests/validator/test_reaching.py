@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -102,12 +103,23 @@ def test_a_door_that_only_one_room_lists_leads_through() -> None:
     assert named(issues(scene(room(openings=first.openings[:1]), room(id="room_1", z=4.0)), "unreachable")) == [("room_1", ())]
 
 
-def test_rooms_whose_walls_lie_apart_are_joined_by_their_door() -> None:
+@pytest.mark.parametrize("listed", ["by both", "by one"])
+def test_rooms_whose_walls_lie_apart_are_joined_by_their_door(listed: str) -> None:
+    """As deep as a wall is there: up to 0.6 m, whichever of the rooms lists the door."""
     both = two_rooms("south", 0.9)
-    apart = room(id="room_1", z=4.2, openings=both.rooms[1].openings)
-    assert issues(scene(both.rooms[0], apart), "unreachable") == []
-    far = room(id="room_1", z=4.5, openings=both.rooms[1].openings)
+    openings = both.rooms[1].openings if listed == "by both" else ()
+    for z in (4.2, 4.42, 4.6):
+        apart = room(id="room_1", z=z, openings=openings)
+        assert issues(scene(both.rooms[0], apart), "unreachable") == []
+    far = room(id="room_1", z=4.601, openings=openings)
     assert named(issues(scene(both.rooms[0], far), "unreachable")) == [("room_1", ())]
+
+
+def test_a_deep_wall_without_a_door_is_not_walked_through() -> None:
+    both = two_rooms("south", 0.9)
+    elsewhere = [replace(one, connects_to="room_9", main_entrance=False) for one in both.rooms[0].openings]
+    shut = room(openings=(*elsewhere, opening("north", id="front", main_entrance=True)))
+    assert ("room_1", ()) in named(issues(scene(shut, room(id="room_1", z=4.4)), "unreachable"))
 
 
 def test_a_body_in_the_next_room_can_block_a_door() -> None:

@@ -154,6 +154,15 @@ def test_a_piece_with_a_wall_stands_within_20_cm_of_its_line(wall: str) -> None:
         assert all(issue.severity == "error" and wall in issue.message for issue in told)
 
 
+@pytest.mark.parametrize("wall", WALLS)
+def test_of_a_thick_wall_the_face_counts(wall: str) -> None:
+    for distance, found in ((0.33, []), (0.331, [0.001]), (0.18, [])):
+        x, z = along(wall, 2.0, distance + 0.3)
+        body = piece(x, z, 1.0, 0.6, rotation=TURNED[wall], wall=wall)
+        told = issues(scene(room(body), wall_thickness=0.36), "wall_far")
+        assert [issue.amount for issue in told] == found
+
+
 def test_a_piece_without_a_wall_may_stand_anywhere_and_one_outside_is_far() -> None:
     assert issues(scene(room(piece(2.0, 2.0))), "wall_far") == []
     assert [issue.amount for issue in issues(scene(room(piece(2.0, -1.0, wall="north"))), "wall_far")] == [0.3]

@@ -3,7 +3,8 @@
 
 namespace validate {
 
-constexpr i64 WALL_REACH = PER_METRE / 5;            // a piece with a wall is no farther than this from its line
+constexpr i64 WALL_REACH = PER_METRE / 5;            // a piece with a wall is no farther than this from its line,
+constexpr i64 FACE_REACH = PER_METRE * 3 / 20;       // or than this from its face, where the wall is thick
 constexpr i64 SITTING_ROOM = PER_METRE / 100 * 15;  // how much of a tucked chair's depth must stay out from under its table
 
 // How a body overlaps another.
@@ -80,6 +81,9 @@ static bool stands_before(const Rect& box, const Edge& edge) {
   return start < edge.end && edge.start < end;
 }
 
+// How far from the wall's line a piece with a wall may be: no less than 0.15 m from its face.
+static i64 wall_reach(const Room& room) { return most(WALL_REACH, room.half_wall + FACE_REACH); }
+
 // A piece is far from its wall: of the pieces of that wall from those that it stands before, else from all.
 static void find_wall_far(const Room& room, Findings& found) {
   for (i32 i = 0; i < room.bodies.size; i++) {
@@ -93,7 +97,7 @@ static void find_wall_far(const Room& room, Findings& found) {
       if (stands_before(body.box, edge)) before = before < 0 ? away : least(before, away);
     }
     const i64 away = before < 0 ? any : before;
-    if (away > WALL_REACH) tell(found, Rule::wall_far, i, -1, away - WALL_REACH, away);
+    if (away > wall_reach(room)) tell(found, Rule::wall_far, i, -1, away - wall_reach(room), away);
   }
 }
 

@@ -3,7 +3,7 @@
 
 namespace validate {
 
-constexpr i64 WALL_SLACK = PER_METRE / 4;  // two walls this close are one wall's two faces: a door in one goes through both
+constexpr i64 WALL_SLACK = PER_METRE / 4;  // two walls this close are one wall's two faces: a way through one goes through both
 
 Storey read_storey(Reader& reader) {
   const StoreyRow& sent = reader.take<StoreyRow>(1)[0];
@@ -43,8 +43,8 @@ static List<Edge> all_ways(const Storey& storey) {
   return ways;
 }
 
-// The ways through a piece of wall line: those that run along it, no farther than a wall is thick.
-static void ways_through(const List<Edge>& ways, const Edge& edge, List<Interval>& found) {
+// The ways through a piece of wall line: those that run along it, no farther than a wall is thick, and the bridges that end at it.
+static void ways_through(const List<Edge>& ways, Span<Rect> bridges, const Edge& edge, List<Interval>& found) {
   i32 low = 0, high = ways.size();
   while (low < high) {
     const i32 middle = (low + high) / 2;
@@ -56,6 +56,11 @@ static void ways_through(const List<Edge>& ways, const Edge& edge, List<Interval
   for (; low < ways.size() && ways[low].runs_east() == edge.runs_east() && ways[low].line <= edge.line + WALL_SLACK; low++) {
     const Edge& way = ways[low];
     if (way.start < edge.end && edge.start < way.end) found.add({most(way.start, edge.start), least(way.end, edge.end)});
+  }
+  for (const Rect& bridge : bridges) {
+    const bool ends_here = edge.runs_east() ? bridge.z0 == edge.line || bridge.z1 == edge.line : bridge.x0 == edge.line || bridge.x1 == edge.line;
+    const Interval along = edge.runs_east() ? Interval{bridge.x0, bridge.x1} : Interval{bridge.z0, bridge.z1};
+    if (ends_here && along.low < edge.end && edge.start < along.high) found.add({most(along.low, edge.start), least(along.high, edge.end)});
   }
   stable_sort(found.all(), [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
 }
@@ -71,7 +76,7 @@ static List<Rect> obstacles_of(const Storey& storey) {
     for (const Edge& one : placed.room.edges) {
       const Edge edge = one.moved(placed.x, placed.z);
       through.cut(0);
-      ways_through(ways, edge, through);
+      ways_through(ways, storey.bridges, edge, through);
       add_walls(edge, through, storey.half_wall, storey.reach, found);
     }
   }
