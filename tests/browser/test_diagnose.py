@@ -262,7 +262,7 @@ def test_words_stand_at_what_is_wrong(visit: Visit) -> None:
     visit.page.keyboard.press("2")
     visit.settle()
     rules: dict[str, set[str]] = {}
-    for issue in answer["issues"]:
+    for issue in errors(answer["issues"]):
         for name in issue["ids"] or [issue["room"]]:
             rules.setdefault(name, set()).add(issue["rule"].replace("_", " ").upper())
     marks = visit.page.locator(".mark-label").all_text_contents()

@@ -60,18 +60,19 @@ test("issues are grouped by rule, errors first, each once", () => {
   expect(new Set(groups.flatMap((group) => group.issues))).toEqual(new Set(issues));
 });
 
-test("every body in question gets its rules' words once, and a room where no body is named", () => {
+test("every body with an error gets its rules' words once, and a room where no body is named", () => {
   const issues = [
     { ...issue("overlap"), ids: ["a", "b"], room: "den" },
     { ...issue("overlap"), ids: ["a", "c"], room: "den" },
     { ...issue("wall_far"), ids: ["a"], room: "den" },
-    { ...issue("missing_required", "warning"), room: "den" },
+    { ...issue("front_blocked", "warning"), ids: ["d"], room: "den" },
+    { ...issue("unreachable"), room: "den" },
     issue("unreachable"),
   ];
   expect(marksOf(issues)).toEqual([
     { id: "a", words: "OVERLAP, WALL FAR" },
     { id: "b", words: "OVERLAP" },
     { id: "c", words: "OVERLAP" },
-    { id: "den", words: "MISSING REQUIRED" },
+    { id: "den", words: "UNREACHABLE" },
   ]);
 });

@@ -11,6 +11,10 @@ const METRE = 1000;
 const NEAREST = 1;
 const FARTHEST = 120;
 const MARGIN = 1.25;
+/** How large names of rooms are written [pixels], and how wide a letter is for its size. */
+const SMALLEST = 7;
+const LARGEST = 13;
+const LETTER = 0.62;
 /** What is seen of a sheet on which nothing is drawn [mm]. */
 const EMPTY_SHEET: Corners = [{ x: 0, z: 0 }, { x: 10 * METRE, z: 7 * METRE }];
 
@@ -55,14 +59,15 @@ function pathOf(corners: Corners): string {
   return `M${corners.map(({ x, z }) => `${x} ${z}`).join("L")}Z`;
 }
 
-/** Where a room's name stands: in the middle of the largest of the rectangles that its corners cut it into. */
-function nameAt(corners: Corners): Point {
+/** Where a room's name stands, and how much room it has there: in the middle below the longest wall in the north. */
+function nameAt(corners: Corners): Point & { readonly width: number } {
   const { x0, z0, x1, z1 } = boxOf(corners);
-  if (corners.length === 4) return { x: (x0 + x1) / 2, z: (z0 + z1) / 2 };
+  const middle = { x: (x0 + x1) / 2, z: (z0 + z1) / 2, width: x1 - x0 };
+  if (corners.length === 4) return middle;
   const [north] = wallsOf(corners).filter(({ axis, inward }) => axis === "x" && inward === 1).sort((a, b) => b.to - b.from - (a.to - a.from));
-  if (!north) return { x: (x0 + x1) / 2, z: (z0 + z1) / 2 };
+  if (!north) return middle;
   const below = wallsOf(corners).filter(({ axis, inward, line, from, to }) => axis === "x" && inward === -1 && line > north.line && from < north.to && north.from < to);
-  return { x: (north.from + north.to) / 2, z: (north.line + Math.min(...below.map(({ line }) => line))) / 2 };
+  return { x: (north.from + north.to) / 2, z: (north.line + Math.min(...below.map(({ line }) => line))) / 2, width: north.to - north.from };
 }
 
 export class Sheet {
@@ -207,8 +212,9 @@ export class Sheet {
   }
 
   #name(room: DraftRoom, { names }: Marks): SVGElement {
-    const { x, z } = nameAt(room.corners);
-    const size = 13 * this.#perPixel;
+    const { x, z, width } = nameAt(room.corners);
+    const fitting = width / (LETTER * names(room).length);
+    const size = Math.max(SMALLEST * this.#perPixel, Math.min(LARGEST * this.#perPixel, fitting));
     const area = `${(areaOf(room.corners) / METRE / METRE).toFixed(1)} m²`;
     return make("text", { class: "room-name", x, y: z, "font-size": size },
       make("tspan", { x, dy: "-0.1em" }, names(room)), make("tspan", { class: "area", x, dy: "1.2em" }, area));

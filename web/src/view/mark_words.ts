@@ -7,10 +7,10 @@ export interface MarkWords {
   readonly words: string;
 }
 
-/** One mark for each body and room in question, with every rule it breaks once. */
+/** One mark for each body and room with an error, with every rule it breaks once; warnings are in the list alone. */
 export function marksOf(issues: readonly Issue[]): MarkWords[] {
   const rules = new Map<string, Set<string>>();
-  for (const { rule, room, ids } of issues) {
+  for (const { rule, room, ids } of issues.filter(({ severity }) => severity === "error")) {
     for (const id of ids.length > 0 || !room ? ids : [room]) {
       rules.set(id, (rules.get(id) ?? new Set()).add(rule.replaceAll("_", " ").toUpperCase()));
     }
