@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from solver.errors import ComposeError, FieldError, SyntaxFault
-from solver.exchange import dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema
+from solver.exchange import dump_plain, dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
 from solver.scene import Request
@@ -51,7 +51,7 @@ def _generate(options: Namespace) -> int:
     from service.generating import generate_house
 
     answer = _checked(options.request, lambda: generate_house(request, catalogs, options.engine))
-    _write(answer["scene"], options)
+    _put(dump_plain(answer["scene"], _format(options)), options.output)
     return _judged(answer["issues"])
 
 
@@ -311,7 +311,12 @@ def _request(options: Namespace) -> dict[str, Any]:
 
 
 def _write(document: Mapping[str, Any], options: Namespace) -> None:
-    _put(dump_text(document, options.format or format_of_name(options.output) or "yaml"), options.output)
+    _put(dump_text(document, _format(options)), options.output)
+
+
+def _format(options: Namespace) -> str:
+    """Returns the format of what is written: by the option, else by the output's name, else YAML."""
+    return options.format or format_of_name(options.output) or "yaml"
 
 
 def _put(content: bytes, name: str) -> None:

@@ -21,7 +21,7 @@ from catalogs import Catalogs
 from service.generating import generate_house
 from service.work import packed, unpacked, warm
 from solver.errors import ComposeError, FieldError
-from solver.exchange import dump_text
+from solver.exchange import dump_plain
 from solver.plain import Document
 from solver.scene import MAX_SEED
 from solver.version import VERSION
@@ -133,6 +133,6 @@ def _file_made(houses: HouseSet, catalogs: bytes, seed: int) -> list[Document] |
         answer = generate_house({**houses.request, "seed": seed}, unpacked(catalogs), houses.engine)
     except ComposeError as error:
         return error
-    write_whole(houses.file(seed), dump_text(answer["scene"], houses.format))
+    write_whole(houses.file(seed), dump_plain(answer["scene"], houses.format))
     issues: list[Document] = answer["issues"]
     return issues

@@ -56,13 +56,15 @@ def is_text(value: object) -> bool:
 
 
 def plain(value: Any, depth: int = 0) -> Any:
-    """Copies a value that JSON can say; tuples become lists.
+    """Copies a value that JSON can say, of Python's own types; tuples become lists.
 
     Raises:
         Wrong: it holds something else, or a number that is not finite, or is nested too deeply.
     """
-    if value is None or isinstance(value, bool) or is_text(value):
+    if value is None or isinstance(value, bool):
         return value
+    if is_text(value):
+        return str.__str__(value)
     if isinstance(value, int):
         return int(value)
     if isinstance(value, float):
@@ -84,7 +86,7 @@ def _finite(value: float) -> float:
 
 def _key(key: object) -> str:
     if isinstance(key, str) and is_text(key):
-        return key
+        return str.__str__(key)
     if isinstance(key, int) and not isinstance(key, bool):
         return str(key)
     raise Wrong(f"has the key {key!r}", "keys that are texts")

@@ -32,7 +32,7 @@ from solver.placement import place, place_wanted
 from solver.scene import MAX_SEED, ROBOT_WIDTH, Dynamic, Generated, Level, Request, Room, Scene, Size, robot_width_of
 from solver.scene_bodies import check_ids, counted
 from solver.streams import Stream
-from solver.validator import RULES, validate
+from solver.validator import RULES, check, validate
 from solver.version import VERSION
 
 WALL_THICKNESS = 0.1
@@ -101,10 +101,10 @@ def generate(
     timing.lap("decorations")
     scene = _peopled(scene, scene.rooms, setting)
     timing.lap("people")
-    scene = with_fronts(scene, known)
-    issues = validate(scene, known)
+    checked = check(scene, known)
+    scene = with_fronts(scene, checked)
     timing.lap("validate")
-    return Generated(with_assets(scene, known), issues, timing.ms)
+    return Generated(with_assets(scene, known), checked.issues, timing.ms)
 
 
 def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
@@ -312,8 +312,8 @@ def reroll(
     timing.lap("decorations")
     new = _peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic)
     timing.lap("people")
-    new = with_fronts(new, known, done)
-    issues = validate(new, known)
+    checked = check(new, known)
+    new, issues = with_fronts(new, checked, done), checked.issues
     if stays:
         before = {(issue.rule, issue.ids) for issue in validate(scene, known)}
         _refuse(rooms, stays, {issue.room for issue in issues if issue.severity == "error" and (issue.rule, issue.ids) not in before})

@@ -1,6 +1,6 @@
 """A scene whose certificate says how far each front opens.
 
-Comes in: a finished scene, catalogs. Goes out: the scene. May import: validator.
+Comes in: a finished scene as it was checked. Goes out: the scene. May import: validator.
 """
 
 from __future__ import annotations
@@ -9,16 +9,23 @@ from collections.abc import Collection
 from dataclasses import replace
 from typing import Any
 
-from catalogs import Catalogs
 from solver.scene import Scene
-from solver.validator.opening import certified_fronts, front_travels
+from solver.validator import Checked
+from solver.validator.opening import certified_fronts, travels_of
 
 
-def with_fronts(scene: Scene, catalogs: Catalogs, rooms: Collection[str] | None = None) -> Scene:
-    """Returns a scene whose certificate says of some rooms, or of all, how far their fronts open, and what they meet."""
+def with_fronts(scene: Scene, checked: Checked, rooms: Collection[str] | None = None) -> Scene:
+    """Returns a scene whose certificate says of some rooms, or of all, how far their fronts open, and what they meet.
+
+    Args:
+        scene: as it was checked; no rule reads what is added.
+        checked: what was found in it.
+        rooms: whose fronts are said; None: of all rooms.
+    """
     document: dict[str, Any] = dict(scene.certificate or {})
     entries: dict[str, Any] = dict(document.get("rooms") or {})
-    for name, travels in front_travels(scene, catalogs).items():
-        if travels and name in entries and (rooms is None or name in rooms):
+    for case in checked.cases:
+        name = case.room.room.id
+        if name in entries and (rooms is None or name in rooms) and (travels := travels_of(case.room, case.kinds, case.rows)):
             entries[name] = {**entries[name], "fronts": certified_fronts(travels)}
     return replace(scene, certificate={**document, "rooms": entries})

@@ -48,6 +48,11 @@ class Checked:
         """The issues that must not be."""
         return tuple(issue for issue in self.issues if issue.severity == "error")
 
+    @property
+    def cases(self) -> tuple[RuleCase, ...]:
+        """The rooms as they were judged."""
+        return tuple(one.case for one in self._judged)
+
     def after(self, scene: Scene) -> Checked:
         """Returns the changed scene with its issues; checks again only what the change can have touched."""
         if scene is self.scene:

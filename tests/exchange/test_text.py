@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from enum import Enum
 from typing import Any
 
 import pytest
@@ -13,7 +14,7 @@ from hypothesis import strategies as st
 
 from catalogs import yaml_reading
 from solver.errors import SceneError, SyntaxFault
-from solver.exchange import FORMATS, load_text, read_scene
+from solver.exchange import FORMATS, dump_text, load_text, read_scene
 
 PATIENCE_S = 60.0
 """What a refusal may take of the processor: they take less than a second; what they guard against would take hours."""
@@ -215,3 +216,21 @@ def test_not_a_number_stays_one_until_it_is_refused_by_name() -> None:
     document = load_text("x: .nan", "yaml")
     assert isinstance(document, dict)
     assert math.isnan(document["x"])
+
+
+class _Word(str, Enum):  # noqa: UP042 - not StrEnum, whose str() is the text
+    """A text that is none of Python's own."""
+
+    YES = "yes"
+
+
+class _Length(float):
+    """A number that is none of Python's own."""
+
+
+@pytest.mark.parametrize("name", sorted(FORMATS))
+def test_texts_and_numbers_of_other_types_are_written_as_pythons_own(name: str) -> None:
+    given = {_Word.YES: [_Word.YES, _Length(1.5), (_Word.YES,)], "b": {"c": {"d": _Length(2.0)}}}
+    own = {"yes": ["yes", 1.5, ["yes"]], "b": {"c": {"d": 2.0}}}
+    assert dump_text(given, name) == dump_text(own, name)
+    assert load_text(dump_text(given, name), name) == own

@@ -11,6 +11,8 @@ constexpr f64 SHORTEST_LEG = 1.2, LONGEST_LEG = 2.7, LEAST_PERIMETER = 4.0, MOST
 constexpr f64 BROKEN_COST = 3.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
 // What a run without a piece that it could hold costs, and how often one is drawn without it.
 constexpr f64 MISSED_COST = 2.5, MISSED_CHANCE = 0.3;
+// How many numbers are drawn of how a run is laid, whatever it holds: wall, ends, stretches, form, cut.
+constexpr i32 LAID_NUMBERS = 8;
 // How often a run goes round a corner it could, and how often another one goes on at the opposite wall.
 constexpr f64 CORNER_CHANCE = 0.6, OPPOSITE_CHANCE = 0.5;
 // What a side without worktop costs where it is wanted (guideline 17: landing area at the cooking surface), and what belongs at an end
@@ -43,6 +45,9 @@ struct Leg {
   List<Item> items;
 };
 
+// What is said of a word in the room's type, as bits.
+enum Trait : u8 { WORKTOP_TRAIT = 1, LANDING_TRAIT = 2, END_TRAIT = 4 };
+
 enum class Form : i32 { straight, corner, opposite };
 
 // A run as it is drawn: its items by word, how they are laid, and where in a wall's clear stretches its legs begin.
@@ -62,7 +67,7 @@ class RunPlanner {
   Span<Candidate> best(Stream& stream);
 
  private:
-  Drawn draw(Stream& stream) const;
+  bool draw(Stream& stream, f64 lowest, Drawn& drawn) const;
   void draw_items(Stream& stream, Drawn& drawn) const;
   List<Leg> legs_of(const Drawn& drawn) const;
   Leg leg(Wall wall, Span<Item> items, i64 corner, bool high) const;
@@ -79,6 +84,7 @@ class RunPlanner {
   f64 triangle_cost(Span<Candidate> places) const;
   void clear(Span<Candidate> places) const;
   bool may_be_in_corner(const Item& item) const;
+  bool has(i32 word, Trait trait) const { return (traits_[word] & trait) != 0; }
   i64 length_of(Span<Item> items) const;
 
   const Scope& scope_;
@@ -90,12 +96,17 @@ class RunPlanner {
   Earlier nothing_;
   KneeRoom knee_room_;
   Span<List<Effect>> effects_;            // what its rules ask of the room, by word
+  Span<u8> traits_;                       // by word
 };
 
 RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted)
     : scope_(scope), walls_(walls), type_(type), knee_room_(type) {
   there_ = zeroes<const CountedPiece*>(type.all_words);
   effects_ = zeroes<List<Effect>>(type.all_words);
+  traits_ = zeroes<u8>(type.all_words);
+  for (i32 word : type.worktop) traits_[word] |= WORKTOP_TRAIT;
+  for (i32 word : type.landing) traits_[word] |= LANDING_TRAIT;
+  for (i32 word : type.ends) traits_[word] |= END_TRAIT;
   const Span<bool> known = zeroes<bool>(type.all_words);
   nothing_.by_word = zeroes<List<i32>>(type.all_words);
   for (const CountedPiece& piece : counted) {
@@ -152,7 +163,7 @@ bool RunPlanner::holds(Wall wall, i32 kind, i64 start) const {
 }
 
 bool RunPlanner::may_be_in_corner(const Item& item) const {
-  return has_word(type_.worktop, item.word) && type_.kinds[item.kind].width >= CORNER_MM;
+  return has(item.word, WORKTOP_TRAIT) && type_.kinds[item.kind].width >= CORNER_MM;
 }
 
 i64 RunPlanner::length_of(Span<Item> items) const {
@@ -180,29 +191,32 @@ void RunPlanner::draw_items(Stream& stream, Drawn& drawn) const {
   }
 }
 
-// Draws a run: at a wall, round a corner, or with its second part at the opposite wall. Always draws as many numbers.
-Drawn RunPlanner::draw(Stream& stream) const {
-  Drawn drawn{};
+// Draws a run: at a wall, round a corner, or with its second part at the opposite wall. Always draws as many numbers; false where what
+// it holds costs too much already.
+bool RunPlanner::draw(Stream& stream, f64 lowest, Drawn& drawn) const {
   draw_items(stream, drawn);
+  if (drawn.items.size() == 0 || drawn.cost >= lowest) {
+    stream.skip(LAID_NUMBERS);
+    return false;
+  }
   drawn.wall = WALLS[stream.below(4)];
   for (bool& high : drawn.high) high = stream.chance(0.5);
   for (f64& stretch : drawn.stretch) stretch = stream.unit();
   const bool round = stream.chance(CORNER_CHANCE), across = stream.chance(OPPOSITE_CHANCE);
   const f64 cut = stream.unit();
   const i32 size = drawn.items.size();
-  List<i32> corners;
-  for (i32 i = 0; i + 1 < size; i++) {
-    if (may_be_in_corner(drawn.items[i])) corners.add(i);
-  }
+  i32 corners = 0;
+  for (i32 i = 0; round && i + 1 < size; i++) corners += may_be_in_corner(drawn.items[i]);
   drawn.first = size;
-  if (round && corners.size() > 0) {
+  if (corners > 0) {
     drawn.form = Form::corner;
-    drawn.first = corners[static_cast<i32>(whole(cut * corners.size()))] + 1;
+    i32 before = static_cast<i32>(whole(cut * corners));
+    for (drawn.first = 1; !may_be_in_corner(drawn.items[drawn.first - 1]) || before-- > 0;) drawn.first++;
   } else if (across && size > 1) {
     drawn.form = Form::opposite;
     drawn.first = 1 + static_cast<i32>(whole(cut * (size - 1)));
   }
-  return drawn;
+  return true;
 }
 
 // Lays items along a wall, in the order from its low end, as near to its low or high end as what stands in the corner leaves.
@@ -294,12 +308,13 @@ f64 RunPlanner::row_cost(const Drawn& drawn) const {
   const i32 last = items.size() - 1;
   f64 sum = 0.0;
   for (i32 i = 0; i <= last; i++) {
-    const bool landing = has_word(type_.landing, items[i].word), end = has_word(type_.ends, items[i].word);
+    const bool landing = has(items[i].word, LANDING_TRAIT), end = has(items[i].word, END_TRAIT);
+    if (!landing && !end) continue;
     i32 within = 0;
     for (i32 other = i - 1; other <= i + 1; other += 2) {
       const bool there = other >= 0 && other <= last, turns = there && most(i, other) == drawn.first;
-      if (landing && (!there || turns || !has_word(type_.worktop, items[other].word))) sum += LANDING_COST;
-      within += there && !(turns && drawn.form == Form::opposite) && !has_word(type_.ends, items[other].word);
+      if (landing && (!there || turns || !has(items[other].word, WORKTOP_TRAIT))) sum += LANDING_COST;
+      within += there && !(turns && drawn.form == Form::opposite) && !has(items[other].word, END_TRAIT);
     }
     if (end && within == 2) sum += END_COST;
   }
@@ -310,7 +325,7 @@ f64 RunPlanner::row_cost(const Drawn& drawn) const {
 f64 RunPlanner::worktop_cost(const Drawn& drawn) const {
   i64 length = 0;
   for (const Item& item : drawn.items) {
-    if (has_word(type_.worktop, item.word)) length += type_.kinds[item.kind].width;
+    if (has(item.word, WORKTOP_TRAIT)) length += type_.kinds[item.kind].width;
   }
   if (drawn.form == Form::corner) length -= type_.kinds[drawn.items[drawn.first].kind].depth;
   return type_.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(length) / 1000.0, 0.0) : 0.0;
@@ -344,8 +359,8 @@ Span<Candidate> RunPlanner::best(Stream& stream) {
   f64 lowest = INFINITE;
   for (i32 i = 0; i < DRAWS; i++) {
     arena::Scope scope;
-    const Drawn drawn = draw(stream);
-    if (drawn.items.size() == 0) continue;
+    Drawn drawn{};
+    if (!draw(stream, lowest, drawn)) continue;
     const f64 by_items = drawn.cost + row_cost(drawn) + worktop_cost(drawn);
     if (by_items >= lowest) continue;
     const List<Leg> legs = legs_of(drawn);

@@ -17,6 +17,9 @@ class Stream {
     return z ^ (z >> 31);
   }
 
+  // Goes on as if so many numbers were drawn.
+  void skip(i32 numbers) { state_ += 0x9E3779B97F4A7C15ULL * static_cast<u64>(numbers); }
+
   // In [0, 1).
   f64 unit() { return static_cast<f64>(bits() >> 11) * 0x1p-53; }
 
