@@ -112,6 +112,7 @@ def _add_request(command: ArgumentParser) -> None:
     add("--seed", type=int, metavar="N", help="0 ... 2^53-1; drawn when there is none")
     add("--program", type=program, metavar="PRESET|WORD=N,...", help="the rooms of a home: family; bedrooms=3,bathrooms=2")
     add("--area", type=float, metavar="N", help="of the house's floor, m2: a home is planned for it")
+    add("--outline", metavar="WHICH", help="of a planned home: rectangle, L, T, U or any (any)")
     add("--width", type=float, metavar="N", help="of the house, m (20, or what the programme needs)")
     add("--depth", type=float, metavar="N", help="of the house, m (15, or what the programme needs)")
     add("--style", metavar="NAME", help="the style of the house")

@@ -55,6 +55,9 @@ ROBOT_WIDTH: Final = 0.6
 PLAIN_SIZE: Final = (20.0, 15.0)
 """Width and depth of a house where nothing else is asked for, m."""
 FITTED: Final = "unless a programme or an area chooses it"
+RECTANGLE: Final = "rectangle"
+ANY: Final = "any"
+"""The outline of a planned home that its seed draws."""
 MAX_COUNT: Final = 12
 """Most rooms of one word, or cars, that a programme may count; our choice, more than any home has."""
 OPENING_KINDS: Final = ("door", "garage_door", "passage", "window")
@@ -86,8 +89,9 @@ class Request(Record):
     `program` counts rooms by word (`{bedrooms: 3, bathrooms: 2, garage: 1}`) or names a preset; `area` is the wished
     floor of the house, m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where
     they are not given; else the house is 20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say
-    how its rectangle is cut into rooms. `force_types` maps a room's index to a room type. `robot_width` is the side, m,
-    of the square that must be able to walk everywhere. `decorate` decorates surfaces, walls and floors. `style` names a style.
+    how its rectangle is cut into rooms. `outline` is that of a planned home; none stands for any. `force_types` maps a room's
+    index to a room type. `robot_width` is the side, m, of the square that must be able to walk everywhere. `decorate` decorates
+    surfaces, walls and floors. `style` names a style.
     """
 
     camel_case: ClassVar[bool] = True
@@ -105,6 +109,7 @@ class Request(Record):
     program: Annotated[Mapping[str, int] | str | None, Counted(MAX_COUNT), Says("a preset's name, or how many rooms of each word")] = None
     area: Annotated[float, STRICT, Ge(15.0), Le(1000.0)] | None = None
     style: Text | None = None
+    outline: Annotated[str, OneOf(RECTANGLE, "L", "T", "U", ANY), Says("of a planned home, any by default")] | None = None
 
     @property
     def planned(self) -> bool:

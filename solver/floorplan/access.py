@@ -12,7 +12,7 @@ from heapq import heappop, heappush
 from typing import Final
 
 from catalogs.schema import RoomType
-from solver.floorplan.tiling import Joint, Layout, exterior_sides, neighbours
+from solver.floorplan.tiling import DOOR_WALL_MM, Joint, Layout, neighbours
 from solver.geometry import Rect
 from solver.scene import WALLS
 
@@ -58,7 +58,7 @@ def _dominating(layout: Layout, by_room: list[list[Joint]]) -> AccessPlan:
     rooms = layout.rooms
     if len(rooms) == 1:
         return AccessPlan((None,), frozenset())
-    street = [i for i, rect in enumerate(rooms) if rect.z1 == layout.outline.z1]
+    street = [i for i, exposed in enumerate(layout.exposed) if "south" in exposed]
     spared = min(range(len(rooms)), key=lambda i: (rooms[i].area_m2, i))
     roots = [i for i in street if i != spared][:8] or street[:1]
     grown = [_grow(root, spared, rooms, by_room) for root in roots]
@@ -161,13 +161,16 @@ def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomTy
     way through, of any indoor room, of anything. Not `by_hallway`: a hallway only where nothing on the street is a way
     through, so that one does not come in among the bedrooms.
     """
-    walls = [(i, wall) for i, rect in enumerate(layout.rooms) for wall in exterior_sides(rect, layout.outline)]
-
+    lengths = {
+        (i, wall): max(high - low for low, high in stretches)
+        for i, exposed in enumerate(layout.exposed)
+        for wall, stretches in exposed.items()
+    }
+    wide = [place for place, length in lengths.items() if length >= DOOR_WALL_MM] or list(lengths)
     better = _before_hallways(rooms)
 
     def rank(place: tuple[int, str]) -> tuple[int, int, int, int]:
         i, wall = place
-        low, high = layout.rooms[i].along(wall)
         name = types[i]
         last = rooms[name].outdoor or is_private(name, rooms)
         tier = (
@@ -175,9 +178,9 @@ def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomTy
             if name not in better
             else -1 - (wall == "south")
         )
-        return (tier, low - high, i, WALLS.index(wall))
+        return (tier, -lengths[place], i, WALLS.index(wall))
 
-    return min(walls, key=rank)
+    return min(wide, key=rank)
 
 
 def _before_hallways(rooms: Mapping[str, RoomType]) -> frozenset[str]:

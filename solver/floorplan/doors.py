@@ -14,7 +14,7 @@ from typing import Final
 
 from catalogs.schema import RoomType
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
-from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout, exterior_sides
+from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout
 from solver.geometry import OPPOSITE, Rect, strip
 
 LEAF_MM: Final = 900
@@ -163,6 +163,11 @@ class Doorways:
         sides = self._by_room.get(room, ())
         return not any(side.wall == wall and max(low, side.low) < min(high, side.high) + JAMB_MM for side in sides)
 
+    def best_outside(self, cut: Cut) -> tuple[float, Cut]:
+        """Returns the best place of an opening to the outside in its wall, the longest stretch first, with its score."""
+        stretches = sorted(self.layout.exposed[cut.room].get(cut.wall, ()), key=lambda stretch: stretch[0] - stretch[1])
+        return min((self.best(cut, stretch) for stretch in stretches), key=lambda offer: offer[0], default=(inf, cut))
+
     def best(self, cut: Cut, stretch: tuple[int, int]) -> tuple[float, Cut]:
         """Returns the best place of an opening in a stretch of wall, with its score."""
         best = (inf, cut)
@@ -197,7 +202,7 @@ def places(width: int, stretch: tuple[int, int]) -> Iterator[int]:
 def place_entrance(doorways: Doorways, room: int, wall: str) -> None:
     """Places the main entrance; its leaf opens inwards."""
     cut = Cut("door_0", "door", room, wall, None, 0, LEAF_MM, leaf=room, main=True)
-    doorways.add(doorways.best(cut, doorways.layout.rooms[room].along(wall))[1])
+    doorways.add(doorways.best_outside(cut)[1])
 
 
 def place_doors(doorways: Doorways, tree: Sequence[tuple[Joint, int]]) -> None:
@@ -253,13 +258,14 @@ class _Shuffle:
 
     def _variants(self, cut: Cut) -> Iterator[Cut]:
         """Yields an opening everywhere in its wall: as it is, with its leaf the other way, and at last without a leaf."""
-        stretch = self.doorways.layout.rooms[cut.room].along(cut.wall) if cut.other is None else self.walls[min(cut.sides), max(cut.sides)]
+        outside = cut.other is None
+        stretches = self.doorways.layout.exposed[cut.room][cut.wall] if outside else (self.walls[min(cut.sides), max(cut.sides)],)
         forms = [cut]
         if cut.kind == "door":
             forms += [replace(cut, leaf=leaf) for leaf in (cut.room, cut.other) if leaf != cut.leaf]
         if cut.kind == "door" and cut.other is not None:
             forms.append(replace(cut, id=cut.id.replace("door", "passage"), kind="passage", leaf=None))
-        return (form.at(centre) for form in forms for centre in places(cut.width, stretch))
+        return (form.at(centre) for form in forms for stretch in stretches for centre in places(cut.width, stretch))
 
 
 def _swings(doorways: Doorways, joint: Joint, entered: int) -> list[int]:
@@ -292,11 +298,11 @@ def place_garage_doors(doorways: Doorways) -> tuple[str, ...]:
 
 
 def _garage_door(doorways: Doorways, room: int, rect: Rect) -> Cut | None:
-    walls = sorted(exterior_sides(rect, doorways.layout.outline), key=lambda w: (w != "south", rect.along(w)[0] - rect.along(w)[1]))
+    walls = sorted(doorways.layout.exposed[room], key=lambda w: (w != "south", rect.along(w)[0] - rect.along(w)[1]))
     for cars in range(cars_of(doorways.plan_of(room)), 0, -1):
         for wall in walls:
             cut = Cut(f"garage_door_{room}", "garage_door", room, wall, None, 0, CAR_DOOR_MM * cars)
-            score, placed = doorways.best(cut, rect.along(wall))
+            score, placed = doorways.best_outside(cut)
             if score < COLLISION:
                 return placed
     return None

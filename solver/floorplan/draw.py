@@ -18,7 +18,7 @@ from solver.floorplan.spine import carve
 from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout, joints
 from solver.floorplan.windows import place_windows
 from solver.geometry import Rect, to_m, to_mm
-from solver.scene import Request
+from solver.scene import ANY, RECTANGLE, Request
 
 
 def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
@@ -37,6 +37,8 @@ def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
 
 def _partitioned(request: Request, catalogs: Catalogs) -> FloorPlan:
     """A plain request: a rectangle is cut into rooms, and they are given types."""
+    if request.outline not in (None, ANY, RECTANGLE):
+        raise RequestError("outline", f"{request.outline} is for planned homes", f"{RECTANGLE}, or a program or an area beside it")
     layout, notes = _layout(request, catalogs)
     check_forced(request, len(layout.rooms), catalogs.rooms)
     shared = joints(layout.rooms)

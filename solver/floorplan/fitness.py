@@ -12,7 +12,7 @@ from typing import Final
 
 from catalogs.schema import RoomType
 from solver.floorplan.access import THROUGH_OTHER, AccessPlan, passing_cost
-from solver.floorplan.tiling import Joint, Layout, exterior_sides, neighbours
+from solver.floorplan.tiling import Joint, Layout, neighbours
 
 CAR_DOOR_MM: Final = 2400
 """Width of a garage door, mm a car."""
@@ -41,7 +41,7 @@ class Fitness:
         self.layout, self.access_plan, self.rooms = layout, access_plan, rooms
         by_room = neighbours(len(layout.rooms), tuple(shared))
         self.beside = [tuple(joint.other(i) for joint in by_room[i]) for i in range(len(layout.rooms))]
-        self.outside = [exterior_sides(rect, layout.outline) for rect in layout.rooms]
+        self.outside = [tuple(exposed) for exposed in layout.exposed]
         self.children: dict[int, list[int]] = {}
         for child, parent in enumerate(access_plan.parent):
             if parent is not None:

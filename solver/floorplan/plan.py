@@ -11,7 +11,7 @@ from typing import Any, Final
 
 from catalogs.schema import Catalogs
 from solver.floorplan.doors import CROWDED, STEP_MM, Cut, Doorways, places
-from solver.floorplan.tiling import Joint, Layout, exterior_sides, touching
+from solver.floorplan.tiling import Joint, Layout, touching
 from solver.floorplan.windows import pane_of
 from solver.geometry import OPPOSITE, Rect, half_m, to_m
 from solver.scene import EXTERIOR, WALLS, Flooring, Opening, Room, Sides
@@ -82,7 +82,7 @@ def _rooms(drawing: Drawing, ids: tuple[str, ...]) -> tuple[Room, ...]:
 def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, ...]) -> Room:
     rect, name = drawing.layout.rooms[index], drawing.types[index]
     kind = drawing.catalogs.rooms[name]
-    outside = exterior_sides(rect, drawing.layout.outline)
+    outside = drawing.layout.exposed[index]
     return Room(
         id=f"{name}_{index}",
         index=index,
@@ -149,7 +149,7 @@ def _wall_flags(rooms: tuple[Rect, ...]) -> list[Sides]:
 
 def _stretch(drawing: Drawing, cut: Cut) -> tuple[int, int]:
     if cut.other is None:
-        return drawing.layout.rooms[cut.room].along(cut.wall)
+        return next(one for one in drawing.layout.exposed[cut.room][cut.wall] if one[0] <= cut.centre <= one[1])
     pair = tuple(sorted(cut.sides))
     return next((joint.low, joint.high) for joint in drawing.shared if (joint.a, joint.b) == pair)
 

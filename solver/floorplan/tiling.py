@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, Final
 
-from solver.geometry import OPPOSITE, Rect
+from solver.geometry import OPPOSITE, Rect, gaps_between
 from solver.scene import WALLS
 
 HALLWAY_MM: Final = 1300
@@ -42,10 +43,15 @@ class Joint:
         return self.b if room == self.a else self.a
 
 
+Stretches = tuple[tuple[int, int], ...]
+"""Parts of a wall, as intervals along it, mm in the house."""
+
+
 @dataclass(frozen=True)
 class Layout:
-    """Rectangles that tile the house: the first `hallways` of `rooms` are hallways.
+    """Rectangles that make up the house: the first `hallways` of `rooms` are hallways.
 
+    `outline` is the least rectangle around the house; where that is no rectangle itself, `exposed` tells what lies outside.
     `behind` names, for a room off every hallway, the room it was planned to lie behind.
     """
 
@@ -56,6 +62,11 @@ class Layout:
     corridors: tuple[Mapping[str, Any], ...] = ()
     notes: tuple[str, ...] = ()
 
+    @cached_property
+    def exposed(self) -> tuple[Mapping[str, Stretches], ...]:
+        """What of its walls lies outside, by room: walls in the order of WALLS, those without such a stretch left out."""
+        return exposures(self.rooms)
+
     @property
     def spine(self) -> bool:
         """Tells whether the house has a hallway spine."""
@@ -63,8 +74,21 @@ class Layout:
 
 
 def exterior_sides(rect: Rect, outline: Rect) -> tuple[str, ...]:
-    """Returns the walls of a room that lie on the house's outline, in the order of WALLS."""
+    """Returns the walls of a part of a rectangular house that lie on its outline, in the order of WALLS."""
     return tuple([wall for wall in WALLS if rect.line(wall) == outline.line(wall)])
+
+
+def exposures(rooms: Sequence[Rect]) -> tuple[Mapping[str, Stretches], ...]:
+    """Returns what of each room's walls no other room lies at, by room and wall, in the order of WALLS."""
+    covered: dict[tuple[int, str], list[tuple[int, int]]] = defaultdict(list)
+    for a, b, wall, low, high in touching(rooms):
+        covered[a, wall].append((low, high))
+        covered[b, OPPOSITE[wall]].append((low, high))
+    found = []
+    for i, rect in enumerate(rooms):
+        free = {wall: tuple(gaps_between(rect.along(wall), covered[i, wall])) for wall in WALLS}
+        found.append({wall: stretches for wall, stretches in free.items() if stretches})
+    return tuple(found)
 
 
 def touching(rooms: Sequence[Rect]) -> list[tuple[int, int, str, int, int]]:

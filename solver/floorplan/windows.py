@@ -11,7 +11,6 @@ from typing import Final
 
 from catalogs.schema import RoomType
 from solver.floorplan.doors import Cut, Doorways
-from solver.floorplan.tiling import exterior_sides
 from solver.geometry import Rect
 
 
@@ -44,33 +43,36 @@ def pane_of(kind: RoomType) -> Pane:
 
 
 def place_windows(doorways: Doorways) -> None:
-    """Gives every outside wall of a room with windows one, or two where it is long; none overlaps a door."""
+    """Gives every outside stretch of wall of a room with windows one, or two where it is long; none overlaps a door."""
     number = 0
     for room, rect in enumerate(doorways.layout.rooms):
         kind = doorways.plan_of(room)
         if kind.outdoor or not kind.plan.windows:
             continue
         width = pane_of(kind).width
-        walls = list(exterior_sides(rect, doorways.layout.outline))
-        two = _with_two(rect, walls) if kind.plan.habitable else []
-        for wall in walls:
-            for centre in _centres(doorways, room, wall, (width, 2 if wall in two else 1)):
+        stretches = [(wall, stretch) for wall, exposed in doorways.layout.exposed[room].items() for stretch in exposed]
+        two = _with_two(rect, stretches) if kind.plan.habitable else []
+        for wall, stretch in stretches:
+            for centre in _centres(doorways, (room, wall), stretch, (width, 2 if (wall, stretch) in two else 1)):
                 number += 1
                 doorways.add(Cut(f"window_{number}", "window", room, wall, None, centre, width))
 
 
-def _with_two(rect: Rect, walls: Sequence[str]) -> list[str]:
-    """Returns the walls with two windows: long ones, the longest first, as far as the room's floor bears so much glass."""
-    lengths = {wall: rect.along(wall)[1] - rect.along(wall)[0] for wall in walls}
-    spare = int(GLASS * rect.width * rect.depth / (PANE.width * PANE.height)) - len(walls)
-    long = sorted((wall for wall in walls if lengths[wall] >= TWO_MM), key=lambda wall: -lengths[wall])
+Outside = tuple[str, tuple[int, int]]
+"""A wall and a stretch of it that lies outside, mm in the house."""
+
+
+def _with_two(rect: Rect, outside: Sequence[Outside]) -> list[Outside]:
+    """Returns the stretches with two windows: long ones, the longest first, as far as the room's floor bears so much glass."""
+    with_one = sum(high - low >= PANE.width + 2 * EDGE_MM for _, (low, high) in outside)
+    spare = int(GLASS * rect.width * rect.depth / (PANE.width * PANE.height)) - with_one
+    long = sorted((one for one in outside if one[1][1] - one[1][0] >= TWO_MM), key=lambda one: one[1][0] - one[1][1])
     return long[: max(spare, 0)]
 
 
-def _centres(doorways: Doorways, room: int, wall: str, panes: tuple[int, int]) -> list[int]:
-    """Finds places for a wall's windows of a width and number, each in its own equal part of the wall."""
-    low, high = doorways.layout.rooms[room].along(wall)
-    width, parts = panes
+def _centres(doorways: Doorways, at: tuple[int, str], stretch: tuple[int, int], panes: tuple[int, int]) -> list[int]:
+    """Finds places for windows of a width and number in a stretch of a room's wall, each in its own equal part of it."""
+    (room, wall), (low, high), (width, parts) = at, stretch, panes
     found = []
     for k in range(parts):
         start, end = low + (high - low) * k // parts, low + (high - low) * (k + 1) // parts

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from solver.scene import Opening, Room
+from tests.floorplan import silhouettes
 
 WALKED = ("door", "passage")
 PUBLIC = ("living_room", "dining_room", "kitchen")
@@ -27,8 +28,8 @@ def box(room: Room) -> tuple[int, int, int, int]:
     return west, north, west + mm(room.width), north + mm(room.depth)
 
 
-def tiling(rooms: Sequence[Room], width: float, depth: float) -> list[str]:
-    """The rooms lie in the house, do not overlap, and cover it."""
+def tiling(rooms: Sequence[Room], width: float, depth: float, bent: bool = False) -> list[str]:
+    """The rooms lie in the house, do not overlap, and cover it; or, where it is bent, make one part without a hole that fills it."""
     faults, boxes = [], [box(room) for room in rooms]
     for i, (w, n, e, s) in enumerate(boxes):
         if w < 0 or n < 0 or e > mm(width) or s > mm(depth) or w >= e or n >= s:
@@ -37,8 +38,14 @@ def tiling(rooms: Sequence[Room], width: float, depth: float) -> list[str]:
             ow, on, oe, os = boxes[j]
             if min(e, oe) > max(w, ow) and min(s, os) > max(n, on):
                 faults.append(f"{rooms[i].id} overlaps {rooms[j].id}")
-    if sum((e - w) * (s - n) for w, n, e, s in boxes) != mm(width) * mm(depth):
+    if not bent and sum((e - w) * (s - n) for w, n, e, s in boxes) != mm(width) * mm(depth):
         faults.append("the rooms do not cover the house")
+    try:
+        xs, zs = (sorted(line) for line in zip(*((x, z) for x, z, _ in silhouettes.corners(boxes)), strict=True))
+    except ValueError as problem:
+        return [*faults, f"the house is {problem}"]
+    if (xs[0], zs[0], xs[-1], zs[-1]) != (0, 0, mm(width), mm(depth)):
+        faults.append("the rooms do not reach the sides of the house")
     return faults
 
 
@@ -57,7 +64,7 @@ def wall_length(room: Room, wall: str | None) -> int:
     return mm(room.width) if wall in ("north", "south") else mm(room.depth)
 
 
-def openings(rooms: Sequence[Room], width: float, depth: float) -> list[str]:
+def openings(rooms: Sequence[Room]) -> list[str]:
     """Openings lie inside their walls, apart from each other, and both rooms of a door agree about it."""
     faults = []
     for room in rooms:
@@ -72,10 +79,20 @@ def openings(rooms: Sequence[Room], width: float, depth: float) -> list[str]:
                 near = abs(one.position - other.position) < (one.width + other.width) / 2 - 1e-9
                 if one.wall == other.wall and near:
                     faults.append(f"{one.id} and {other.id} overlap in {room.id}")
-    return faults + list(_agreement(rooms, width, depth))
+    return faults + list(_agreement(rooms))
 
 
-def _agreement(rooms: Sequence[Room], width: float, depth: float) -> Iterator[str]:
+def outside(rooms: Sequence[Room], room: Room, wall: str, span: tuple[int, int]) -> bool:
+    """Whether no other room lies at any of a part of a wall, half a wall to either side included."""
+    direction, line, _, _ = sides(room)[wall]
+    for other in rooms:
+        there, beside, low, high = sides(other)[FACING[wall]]
+        if other is not room and (there, beside) == (direction, line) and max(low, span[0] - JAMB) < min(high, span[1] + JAMB):
+            return False
+    return True
+
+
+def _agreement(rooms: Sequence[Room]) -> Iterator[str]:
     seen: dict[str, list[tuple[Room, Opening]]] = {}
     for room in rooms:
         for opening in room.openings:
@@ -83,8 +100,8 @@ def _agreement(rooms: Sequence[Room], width: float, depth: float) -> Iterator[st
     for name, sides in seen.items():
         room, opening = sides[0]
         if opening.connects_to == "EXTERIOR":
-            direction, line, _, _ = segment(room, opening)
-            if len(sides) != 1 or line not in (0, mm(depth) if direction == "x" else mm(width)):
+            _, _, low, high = segment(room, opening)
+            if len(sides) != 1 or not outside(rooms, room, str(opening.wall), (low, high)):
                 yield f"{name} does not lead outside"
             if not opening.render_panel:
                 yield f"{name} is drawn by nobody"
@@ -227,20 +244,20 @@ def sides(room: Room) -> dict[str, tuple[str, int, int, int]]:
 FACING = {"north": "south", "south": "north", "east": "west", "west": "east"}
 
 
-def flags(rooms: Sequence[Room], width: float, depth: float) -> list[str]:
+def flags(rooms: Sequence[Room]) -> list[str]:
     """A side is left to others exactly where rooms of lower index draw its whole length; exterior sides are named."""
     faults = []
     for i, room in enumerate(rooms):
         for wall, (direction, line, low, high) in sides(room).items():
-            drawn = 0
-            for other in rooms[:i]:
+            drawn = covered = 0
+            for j, other in enumerate(rooms):
                 there, beside, start, end = sides(other)[FACING[wall]]
                 if (there, beside) == (direction, line):
-                    drawn += max(0, min(high, end) - max(low, start))
+                    covered += max(0, min(high, end) - max(low, start))
+                    drawn += max(0, min(high, end) - max(low, start)) if j < i else 0
             if getattr(room.wall_flags, wall) != (drawn < high - low):
                 faults.append(f"the {wall} flag of {room.id} is wrong")
-            outside = line == {"north": 0, "west": 0, "south": mm(depth), "east": mm(width)}[wall]
-            if getattr(room.exterior_walls, wall) != outside:
+            if getattr(room.exterior_walls, wall) != (covered < high - low):
                 faults.append(f"the {wall} exterior wall of {room.id} is wrong")
     return faults
 
@@ -268,12 +285,12 @@ def joined(rooms: Sequence[Room]) -> set[tuple[str, str]]:
     return pairs
 
 
-def sound(rooms: Sequence[Room], width: float, depth: float) -> list[str]:
+def sound(rooms: Sequence[Room], width: float, depth: float, bent: bool = False) -> list[str]:
     """Everything that must hold for any request."""
     return [
-        *tiling(rooms, width, depth),
-        *openings(rooms, width, depth),
+        *tiling(rooms, width, depth, bent),
+        *openings(rooms),
         *entrance(rooms),
         *leaves(rooms),
-        *flags(rooms, width, depth),
+        *flags(rooms),
     ]

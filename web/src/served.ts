@@ -310,6 +310,7 @@ export interface Request {
   readonly program?: string | Readonly<Record<string, number>> | null;
   readonly area?: number | null;
   readonly style?: "classic" | "industrial" | "mid_century" | "modern" | "rustic" | "scandi" | null;
+  readonly outline?: "rectangle" | "L" | "T" | "U" | "any" | null;
 }
 
 /** A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner. */

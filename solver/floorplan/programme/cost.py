@@ -6,13 +6,14 @@ dozens of times.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final, NamedTuple
 
 from solver.floorplan.programme.drafts import Sheet
 from solver.floorplan.programme.planned_rooms import PlannedRoom
 from solver.floorplan.tiling import DOOR_WALL_MM, touching
-from solver.geometry import Rect
+from solver.geometry import OPPOSITE, Rect, gaps_between
+from solver.scene import WALLS
 
 SHORT: Final = 20.0
 """A room outside its limits of area, width or aspect."""
@@ -34,6 +35,10 @@ LIVING_APART: Final = 1.5
 """A living room away from the entry, a dining room away from the living room."""
 OUTLINE: Final = (0.75, 1.9)
 """Width over depth of an outline that costs nothing; beyond, OUTLINE_COST for every unit."""
+BENT_OUTLINE: Final = (0.6, 2.4)
+"""The same of the rectangle around an outline that is none."""
+LIT_MM: Final = 1800
+"""Least outside wall that lights a habitable room: a window of 1.2 m and 0.3 m of wall at each end."""
 OUTLINE_COST: Final = 5.0
 HALLWAY_SHARE: Final = 0.08
 """Hallway over floor that costs nothing; beyond, HALLWAY_COST for all of the floor."""
@@ -42,19 +47,26 @@ AREA_COST: Final = 1.5
 """Of the squared deviation of a room's area from what is typical, over what is typical."""
 
 
+SharedWall = tuple[int, int, str, int, int]
+"""A stretch of wall that two rooms share, as `touching` finds it."""
+Covered = dict[int, dict[str, list[tuple[int, int]]]]
+"""By room and wall, the stretches at which other rooms lie."""
+
+
 class HomeVerdict(NamedTuple):
-    """What a home costs, how many of its rooms are short of their limits, and how many cannot be entered as they should."""
+    """What a home costs; how many of its rooms are short of their limits, cannot be entered as they should, miss the street."""
 
     cost: float
     short: int
     unreached: int
+    streetless: int
 
 
 class HomeJudge:
     """Judges the drawings of one programme; it has looked up what each room is once."""
 
-    def __init__(self, planned: Sequence[PlannedRoom]) -> None:
-        self.planned = planned
+    def __init__(self, planned: Sequence[PlannedRoom], outline: tuple[float, float] = OUTLINE) -> None:
+        self.planned, self.outline = planned, outline
         self.sizes = [one.size for one in planned]
         every = range(len(planned))
 
@@ -79,10 +91,14 @@ class HomeJudge:
     def verdict(self, sheet: Sheet) -> HomeVerdict:
         """Judges a drawing."""
         sizes, short = self._sizes(sheet.boxes)
-        beside = _beside(sheet)
+        met = touching([*sheet.boxes, *sheet.hallways])
+        beside = _beside(sheet, met)
         unreached, at_entrance, others = self._access(beside, sheet)
-        cost = sizes + self._outline(sheet) + self._company(beside) + UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others
-        return HomeVerdict(cost, short, unreached)
+        covered = _covered(met)
+        streetless = sum("south" in covered.get(i, {}) for i in self.street)
+        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + STREETLESS * streetless
+        cost = sizes + self._outline(sheet, covered) + self._company(beside) + ways
+        return HomeVerdict(cost, short, unreached, streetless)
 
     def _sizes(self, boxes: Sequence[Rect]) -> tuple[float, int]:
         cost, short = 0.0, 0
@@ -97,20 +113,16 @@ class HomeJudge:
                 cost += SHORT * (1.0 + max(size.least / max(area, 1), area / size.most, size.width / max(low, 1)) - 1.0)
         return cost, short
 
-    def _outline(self, sheet: Sheet) -> float:
-        ratio, (low, high) = sheet.width / sheet.depth, OUTLINE
+    def _outline(self, sheet: Sheet, covered: Covered) -> float:
+        ratio, (low, high) = sheet.width / sheet.depth, self.outline
         cost = OUTLINE_COST * max(low - ratio, ratio - high, 0.0)
-        if sheet.hallway is not None:
-            x0, z0, x1, z1 = sheet.hallway
-            share = (x1 - x0) * (z1 - z0) / (sheet.width * sheet.depth)
-            cost += HALLWAY_COST * max(share - HALLWAY_SHARE, 0.0)
+        walked = sum([(x1 - x0) * (z1 - z0) for x0, z0, x1, z1 in sheet.hallways])
+        if walked:
+            floor = walked + sum([(x1 - x0) * (z1 - z0) for x0, z0, x1, z1 in sheet.boxes])
+            cost += HALLWAY_COST * max(walked / floor - HALLWAY_SHARE, 0.0)
         for i in self.habitable:
-            x0, z0, x1, z1 = sheet.boxes[i]
-            if x0 and z0 and x1 != sheet.width and z1 != sheet.depth:
+            if not _lit(sheet.boxes[i], covered.get(i, {})):
                 cost += DARK
-        for i in self.street:
-            if sheet.boxes[i][3] != sheet.depth:
-                cost += STREETLESS
         return cost
 
     def _company(self, beside: Sequence[int]) -> float:
@@ -130,9 +142,10 @@ class HomeJudge:
 
     def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int]:
         """Counts rooms that no way through leads to, and bedrooms and others that only the entrance room leads to."""
-        hall = 1 << len(self.planned) if sheet.hallway is not None else 0
+        first = len(self.planned)
+        hall = (1 << first + len(sheet.hallways)) - (1 << first)
         ways = self.ways | hall
-        start = self.entry & -self.entry or self.living & -self.living or hall or 1
+        start = self.entry & -self.entry or self.living & -self.living or hall & -hall or 1
         reached = fresh = start
         while fresh:
             room = fresh.bit_length() - 1
@@ -158,12 +171,27 @@ class HomeJudge:
         return any(through >> i & 1 and beside[i] & reached for i in self.leaves)
 
 
-def _beside(sheet: Sheet) -> list[int]:
-    """Returns for every room, and the hallway last, which others share a wall with it that takes a door."""
-    boxes = sheet.boxes if sheet.hallway is None else [*sheet.boxes, sheet.hallway]
-    beside = [0] * len(boxes)
-    for i, j, _, low, high in touching(boxes):
+def _beside(sheet: Sheet, met: Sequence[SharedWall]) -> list[int]:
+    """Returns for every room, and the hallways last, which others share a wall with it that takes a door."""
+    beside = [0] * (len(sheet.boxes) + len(sheet.hallways))
+    for i, j, _, low, high in met:
         if high - low >= DOOR_WALL_MM:
             beside[i] |= 1 << j
             beside[j] |= 1 << i
     return beside
+
+
+def _covered(met: Sequence[SharedWall]) -> Covered:
+    """Returns by room and wall at which stretches other rooms lie."""
+    covered: Covered = {}
+    for i, j, wall, low, high in met:
+        covered.setdefault(i, {}).setdefault(wall, []).append((low, high))
+        covered.setdefault(j, {}).setdefault(OPPOSITE[wall], []).append((low, high))
+    return covered
+
+
+def _lit(box: Rect, covered: Mapping[str, Sequence[tuple[int, int]]]) -> bool:
+    """Tells whether a window fits in a stretch of a room's walls that lies outside."""
+    if len(covered) < len(WALLS):
+        return True
+    return any(high - low >= LIT_MM for wall in WALLS for low, high in gaps_between(box.along(wall), covered[wall]))

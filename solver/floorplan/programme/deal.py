@@ -29,6 +29,8 @@ BESIDE: Final = 0.8
 AT_KITCHEN: Final = 0.85
 AT_SUITE: Final = 0.85
 """How often a small wet room is dealt beside the kitchen, and another at the wet end of a suite."""
+TURNS: Final = 12
+"""Divided without rest by the numbers of places that wings may have, mostly."""
 Chunk = list[Column]
 
 
@@ -267,7 +269,7 @@ def moved(draft: Draft, stream: Stream) -> Draft:
     new = draft.copy()
     strips = new.strips
     places = [(s, c) for s, strip in enumerate(strips) for c in range(len(strip))]
-    which = stream.below(10)
+    which = stream.below(10 if draft.bend is None else 12)
     if which < 4:
         (s, c), (t, d) = stream.pick(places), stream.pick(places)
         strips[s][c], strips[t][d] = strips[t][d], strips[s][c]
@@ -286,6 +288,8 @@ def moved(draft: Draft, stream: Stream) -> Draft:
     elif which == 8 and len(strips) == 2:
         strips.reverse()
         new.depths.reverse()
+    elif which >= 10:
+        new.turn = stream.below(TURNS)
     else:
         k = stream.below(len(new.depths))
         new.depths[k] += stream.pick(STEPS)

@@ -7,13 +7,16 @@ z and the street at the end of u.
 
     rows   strip | strip                      full    strip | hallway | strip
     ranch  (strip | strip) beside (strip | hallway | strip)
+    winged a ranch with a second (strip | hallway | strip) at the other end
     axial  strip | hallway and foyer | strip, seen from the side
+
+In a rectangle the two pairs of a ranch are as deep, and the two strips of rows as long, as each other; in other outlines not.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
 from solver.floorplan.programme.widths import DEPTHS_MM, LATTICE_MM, RoomSize, WidthRange, depths_for, depths_of, shared_out, width_of
@@ -27,6 +30,8 @@ SLIM_MM: Final = 1600
 """A strip is never made slimmer than this for the other's sake."""
 CHOICES: Final = 4
 """How often depths are drawn until a ranch's two pairs of strips go together."""
+FREE, NORTH_OUT, SOUTH_OUT = range(3)
+"""How a home's wings lie: anywhere; or so that all of a wing's northern (southern) strip juts out, the rest being flush."""
 RATIO: Final = 1.6
 """Width over depth of a house whose strips are as deep as wished. Our choice."""
 FLOOR: Final = 1.1
@@ -47,24 +52,29 @@ class Draft:
     """Rooms dealt to strips.
 
     `strips` lie in this order: the northern (western) one before the southern (eastern); a ranch has its public pair first.
-    `depths` are theirs, mm. `entry` is the room at an axial hallway's end.
+    Those of wings begin at the public rooms. `depths` are theirs, mm. `entry` is the room at an axial hallway's end, `garages`
+    those at the end of the first wing's. `bend` says how wings lie (None: the outline is a rectangle), `turn` which of several
+    places they or rows have.
     """
 
     kind: str
     strips: list[list[Column]]
     depths: list[int]
     entry: int | None = None
+    garages: tuple[int, ...] = ()
+    bend: int | None = None
+    turn: int = 0
 
     def copy(self) -> Draft:
         """Returns a draft that may be changed."""
-        return Draft(self.kind, [list(strip) for strip in self.strips], list(self.depths), self.entry)
+        return replace(self, strips=[list(strip) for strip in self.strips], depths=list(self.depths))
 
 
 class Sheet(NamedTuple):
-    """Rectangles of the rooms by index, of the hallway (None: there is none), and the house's width and depth, mm."""
+    """Rectangles of the rooms by index, of the hallways, and the width and depth of all, mm."""
 
     boxes: list[Rect]
-    hallway: Rect | None
+    hallways: list[Rect]
     width: int
     depth: int
 
@@ -85,24 +95,26 @@ class Pair(NamedTuple):
     high: int
 
 
-def _place(depth: int) -> int:
+def place(depth: int) -> int:
     """Returns the bit of the depth nearest to one, or one past them all."""
     place = (depth - DEPTHS_MM[0] + DEPTHS_MM.step // 2) // DEPTHS_MM.step
     return place if 0 <= place < len(DEPTHS_MM) else len(DEPTHS_MM)
 
 
-def _listed(bits: int) -> list[int]:
+def listed(bits: int) -> list[int]:
+    """Returns the depths that are bits."""
     return [depth for k, depth in enumerate(DEPTHS_MM) if bits >> k & 1]
 
 
-def _nearest(bits: int, wished: int) -> int:
+def nearest(bits: int, wished: int) -> int:
     """Returns the depth among bits that is nearest to one wished, that one itself where it is as good."""
-    if bits >> _place(wished) & 1:
+    if bits >> place(wished) & 1:
         return wished
-    return min(_listed(bits), key=lambda depth: (abs(depth - wished), depth))
+    return min(listed(bits), key=lambda depth: (abs(depth - wished), depth))
 
 
-def _snapped(length: int) -> int:
+def snapped(length: int) -> int:
+    """Returns the length on the lattice that is nearest."""
     return (length + LATTICE_MM // 2) // LATTICE_MM * LATTICE_MM
 
 
@@ -132,15 +144,15 @@ class Drawer:
     def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> bool:
         """Chooses the depths of two strips; tells whether both suit their columns."""
         depths, strips = draft.depths, draft.strips
-        north, south = _listed(self._possible(strips[first])), self._possible(strips[first + 1])
+        north, south = listed(self._possible(strips[first])), self._possible(strips[first + 1])
         if whole:
-            both = [depth for depth in north if south >> _place(whole - depth) & 1]
+            both = [depth for depth in north if south >> place(whole - depth) & 1]
             depths[first] = stream.pick(both or north)
             self._share(depths, first, whole)
             return bool(both)
         depth = min(stream.pick(north), stream.pick(north), key=lambda one: abs(one - self.wished))
         areas = [sum([self.sizes[room].typical for column in strips[k] for room in column]) for k in (first, first + 1)]
-        depths[first : first + 2] = depth, _nearest(south, areas[1] * depth // max(areas[0], 1) // DEPTHS_MM.step * DEPTHS_MM.step)
+        depths[first : first + 2] = depth, nearest(south, areas[1] * depth // max(areas[0], 1) // DEPTHS_MM.step * DEPTHS_MM.step)
         return True
 
     def _possible(self, strip: Sequence[Column]) -> int:
@@ -167,7 +179,7 @@ class Drawer:
         """Makes a changed draft's depths add up to what the frame and its kind ask for, near to what its columns can have."""
         depths, last, whole = draft.depths, len(draft.strips) - 2, self._across(draft.kind)
         for k in range(len(depths)):
-            depths[k] = _nearest(self._possible(draft.strips[k]), depths[k])
+            depths[k] = nearest(self._possible(draft.strips[k]), depths[k])
         if whole:
             self._share(depths, last, whole)
         if last:
@@ -224,7 +236,7 @@ class Drawer:
                 wished += span.wished
                 bad += span.misses
             low, high = max(low, least), min(high, most)
-        wished = _snapped(wished // len(rows))
+        wished = snapped(wished // len(rows))
         if stretch:
             return Pair((north, south), wished, wished, wished)
         if bad or low > high:
@@ -242,19 +254,19 @@ class Drawer:
     def _drawn(self, draft: Draft, pairs: Sequence[Pair], lengths: Sequence[int]) -> Sheet:
         boxes: list[Rect] = [Rect(0, 0, 0, 0)] * len(self.sizes)
         centre = CENTRE_MM if draft.kind == "axial" else HALLWAY_MM
-        at, hallway, across = 0, None, 0
+        at, across, hallways = 0, 0, list[Rect]()
         for k, (pair, length) in enumerate(zip(pairs, lengths, strict=True)):
             gap = 0 if draft.kind == "rows" or (draft.kind == "ranch" and k == 0) else centre
             first, second = draft.depths[2 * k], draft.depths[2 * k + 1]
             self._row(draft.strips[2 * k], shared_out(length, pair.spans[0]), (at, first, first), boxes)
             self._row(draft.strips[2 * k + 1], shared_out(length, pair.spans[1]), (at, first + gap, -second), boxes)
             if gap:
-                hallway = Rect(at, first, at + length, first + gap)
+                hallways.append(Rect(at, first, at + length, first + gap))
             at += length
             across = first + gap + second
         if draft.kind == "axial":
-            return self._turned(draft, boxes, hallway, (at, across))
-        return Sheet(boxes, hallway, at, across)
+            return self._turned(draft, boxes, hallways, (at, across))
+        return Sheet(boxes, hallways, at, across)
 
     def _row(self, columns: Sequence[Column], widths: Sequence[int], place: tuple[int, int, int], boxes: list[Rect]) -> None:
         """Lays the columns of a strip side by side.
@@ -277,15 +289,13 @@ class Drawer:
                     inner += part
             at += width
 
-    def _turned(self, draft: Draft, boxes: list[Rect], hallway: Rect | None, extents: tuple[int, int]) -> Sheet:
+    def _turned(self, draft: Draft, boxes: list[Rect], hallways: list[Rect], extents: tuple[int, int]) -> Sheet:
         """Turns an axial house so that its hallway runs back from the street, and puts the entry at its end."""
         turned = [Rect(v0, u0, v1, u1) for u0, v0, u1, v1 in boxes]
         along, across = extents
-        if hallway is None:
-            return Sheet(turned, None, across, along)
-        west, east = hallway.z0, hallway.z1
+        west, east = hallways[0].z0, hallways[0].z1
         end = along
         if draft.entry is not None:
             end = along - width_of((self.sizes[draft.entry],), east - west).wished
             turned[draft.entry] = Rect(west, end, east, along)
-        return Sheet(turned, Rect(west, 0, east, end), across, along)
+        return Sheet(turned, [Rect(west, 0, east, end)], across, along)

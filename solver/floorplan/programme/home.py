@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 from typing import Final
 
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
+from solver.floorplan.programme.bent_deal import outlines_for
 from solver.floorplan.programme.drafts import Frame
 from solver.floorplan.programme.home_search import FoundHome, HomeSearch
 from solver.floorplan.programme.planned_rooms import WALLS_SHARE, PlannedRoom, counts_of, loosened, planned_rooms, spared, types_of
@@ -18,7 +20,7 @@ from solver.floorplan.programme.widths import LATTICE_MM
 from solver.floorplan.programme.yard import PlannedHome, house_frame, with_yard
 from solver.floorplan.tiling import Layout
 from solver.geometry import Rect, to_mm
-from solver.scene import Request
+from solver.scene import ANY, RECTANGLE, Request
 from solver.streams import Stream
 
 SLACKS: Final = (1.15, 1.5, 2.2, 4.0)
@@ -34,6 +36,10 @@ LIVABLE: Final = 0.75
 ASTRAY: Final = 0.1
 """Share by which a house may miss the floor wished without its being said."""
 HALLWAY: Final = "hallway"
+DRAWN: Final = {"rectangle": 0.5, "L": 0.24, "T": 0.1, "U": 0.16}
+"""How often each outline is drawn where any will do. Our choice."""
+PLAINER: Final = {"U": ("U", "L", "rectangle"), "T": ("T", "L", "rectangle"), "L": ("L", "rectangle"), "rectangle": ("rectangle",)}
+"""What is tried, one after the other, where the programme has no sound home of an outline."""
 
 
 def plan_home(request: Request, catalogs: Catalogs) -> PlannedHome:
@@ -56,7 +62,7 @@ def plan_home(request: Request, catalogs: Catalogs) -> PlannedHome:
 class _Plot:
     """What the request says about the house's outline: extents, mm (0: to be chosen), and floor, m2 (None: as typical).
 
-    `yard` tells that some of the extents are the garden's.
+    `yard` tells that some of the extents are the garden's. `outline` is the outline asked for.
     """
 
     seed: int
@@ -64,6 +70,7 @@ class _Plot:
     depth: int
     area: float | None
     yard: bool
+    outline: str
 
     @property
     def fixed(self) -> bool:
@@ -99,7 +106,10 @@ def _plot(request: Request) -> _Plot:
     if area is not None and (width or depth):
         other = max(round(area * 1e6 / (width or depth) / LATTICE_MM) * LATTICE_MM, 2000)
         width, depth = width or other, depth or other
-    return _Plot(request.seed or 0, width, depth, area, request.outdoor)
+    outline = ANY if request.outline is None else request.outline
+    if outline not in (ANY, RECTANGLE) and (width or depth):
+        raise RequestError("outline", f"{outline} is given beside width or depth", "an area, or nothing: the extents are chosen to fit")
+    return _Plot(request.seed or 0, width, depth, area, request.outdoor, outline)
 
 
 @dataclass(frozen=True)
@@ -109,11 +119,13 @@ class _Attempt:
     found: FoundHome
     planned: tuple[PlannedRoom, ...]
     left_out: tuple[str, ...]
+    outline: str
 
     @property
     def sound(self) -> bool:
-        """Tells whether every room has its size and can be entered."""
-        return not self.found.verdict.short and not self.found.verdict.unreached
+        """Tells whether every room has its size and can be entered, in an outline of our choice also those on the street from there."""
+        verdict = self.found.verdict
+        return not verdict.short and not verdict.unreached and (self.outline == RECTANGLE or not verdict.streetless)
 
     @property
     def livable(self) -> bool:
@@ -155,10 +167,11 @@ class _Attempts:
         floor = self.plot.floor if self.plot.fixed else None
         while floor is not None and without < last and self._floor(without, 0) > floor:
             without += 1
-        for turn in range(TURNS if self.plot.free else 1):
-            yield self._attempt(without, 1.0, turn)
         if self.plot.free:
+            for outline in self._outlines():
+                yield from self._turns(outline)
             return
+        yield self._attempt(without, 1.0)
         for fewer in range(without + 1, min(without + FEWER, last) + 1):
             if floor is None or self._floor(fewer - 1, 1) <= floor:
                 break
@@ -172,18 +185,40 @@ class _Attempts:
         types = self.programmes[without][0]
         return sum(home.area[which] for name in types if (home := self.catalogs.rooms[name].home)) * WALLS_SHARE
 
-    def _attempt(self, without: int, slack: float, turn: int = 0) -> _Attempt:
+    def _outlines(self) -> tuple[str, ...]:
+        """Returns the outlines to try: that asked for, or one that the seed draws, and plainer ones behind it."""
+        if self.plot.outline != ANY:
+            return PLAINER[self.plot.outline]
+        drawn = Stream(self.plot.seed, "programme.outline").uniform(0.0, 1.0)
+        within = (name for name, share in zip(DRAWN, accumulate(DRAWN.values()), strict=True) if drawn < share)
+        return PLAINER[next(within, RECTANGLE)]
+
+    def _turns(self, outline: str) -> Iterator[_Attempt]:
+        """Yields homes of the whole programme in an outline that is free."""
+        types, left_out = self.programmes[0]
+        planned = planned_rooms(types, self.catalogs, self.plot.floor)
+        if outline not in outlines_for(planned):
+            return
+        for turn in range(TURNS):
+            found = HomeSearch(planned, self.plot.frame, self.plot.seed, turn, outline).run()
+            if found is not None:
+                yield _Attempt(found, planned, left_out, outline)
+
+    def _attempt(self, without: int, slack: float) -> _Attempt:
         types, left_out = self.programmes[without]
         planned = planned_rooms(types, self.catalogs, self.plot.floor)
         loose = planned if slack == 1.0 else loosened(planned, slack, self.plot.floor)
-        return _Attempt(HomeSearch(loose, self.plot.frame, self.plot.seed, turn).run(), planned, left_out)
+        found = HomeSearch(loose, self.plot.frame, self.plot.seed).run()
+        if found is None:
+            raise ValueError("no rectangle was found")
+        return _Attempt(found, planned, left_out, RECTANGLE)
 
 
 def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
     """Writes the drawing as a layout, the hallway first, every second house mirrored."""
     sheet = best.found.sheet
     mirrored = Stream(plot.seed, "programme.mirror").chance(0.5)
-    boxes = [sheet.hallway, *sheet.boxes] if sheet.hallway is not None else list(sheet.boxes)
+    boxes = [*sheet.hallways, *sheet.boxes]
     rooms = tuple(Rect(sheet.width - x1, z0, sheet.width - x0, z1) if mirrored else Rect(x0, z0, x1, z1) for x0, z0, x1, z1 in boxes)
     first = len(boxes) - len(sheet.boxes)
     owners = {first + i: first + one.owner for i, one in enumerate(best.planned) if one.owner is not None}
@@ -196,6 +231,8 @@ def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
 def _notes(best: _Attempt, plot: _Plot, types: Sequence[str], rooms: Sequence[Rect]) -> tuple[str, ...]:
     """Says what was left out and which rooms miss the limits of their types."""
     notes = []
+    if plot.outline not in (ANY, best.outline):
+        notes.append(f"no sound home of these rooms was found whose outline is {plot.outline}: it is {best.outline}")
     if best.left_out:
         notes.append(f"left out, for want of space in {plot.says()}: {', '.join(best.left_out)}")
     first = len(rooms) - len(best.planned)

@@ -9,10 +9,13 @@ from collections.abc import Callable, Iterable, Sequence
 from math import inf
 from typing import Final, NamedTuple
 
-from solver.floorplan.programme.cost import HomeJudge, HomeVerdict
+from solver.floorplan.programme.bent_deal import BentDealer, bent_kinds
+from solver.floorplan.programme.bent_drafts import BentDrawer
+from solver.floorplan.programme.cost import BENT_OUTLINE, HomeJudge, HomeVerdict
 from solver.floorplan.programme.deal import Dealer, kinds_for, moved
 from solver.floorplan.programme.drafts import Draft, Drawer, Frame, Misfit, Sheet
 from solver.floorplan.programme.planned_rooms import PlannedRoom
+from solver.scene import RECTANGLE
 from solver.streams import Stream
 
 TRIES: Final = 3
@@ -59,16 +62,33 @@ class HomeSearch:
         frame_of: the frame of a house of a kind.
         seed: the house's seed.
         turn: which search of the seed's it is.
+        outline: RECTANGLE, L, T or U; other than a rectangle only where the frame is free.
     """
 
-    def __init__(self, planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0) -> None:
-        self.planned, self.seed, self.turn = planned, seed, turn
-        self.judge = HomeJudge(planned)
-        self.drawers = {kind: Drawer(self.judge.sizes, frame_of(kind)) for kind in kinds_for(planned)}
+    def __init__(
+        self, planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0, outline: str = RECTANGLE
+    ) -> None:
+        self.planned, self.seed, self.turn, self.outline = planned, seed, turn, outline
         self.good = GOOD + GOOD_EACH * len(planned)
+        self.drawers: dict[str, Drawer]
+        if outline == RECTANGLE:
+            self.judge = HomeJudge(planned)
+            self.drawers = {kind: Drawer(self.judge.sizes, frame_of(kind)) for kind in kinds_for(planned)}
+        else:
+            self.judge = HomeJudge(planned, BENT_OUTLINE)
+            self.drawers = {kind: BentDrawer(self.judge.sizes, outline) for kind in bent_kinds(planned, outline)}
 
-    def run(self) -> FoundHome:
-        """Searches in the kind that the seed draws; in the others too where a room falls short in it."""
+    def run(self) -> FoundHome | None:
+        """Searches in the kind that the seed draws; in the others too where a room falls short in it.
+
+        None where nothing has the outline; a rectangle is always found.
+        """
+        if self.outline == RECTANGLE:
+            return self._rectangle()
+        best = self._cheapest(self._kind(kind) for kind in self.drawers)
+        return FoundHome(best.draft.kind, best.sheet, best.verdict) if best.sheet is not None and best.verdict is not None else None
+
+    def _rectangle(self) -> FoundHome:
         kinds = list(kinds_for(self.planned))
         if kinds[0] != "rows":
             Stream(self.seed, "programme.kind").shuffle(kinds)
@@ -87,7 +107,8 @@ class HomeSearch:
         return FoundHome(best.draft.kind, sheet, self.judge.verdict(sheet))
 
     def _kind(self, kind: str) -> _Seen:
-        streams = (Stream(self.seed, "programme", f"{kind}.{self.turn}.{number}") for number in range(TRIES))
+        shape = "" if self.outline == RECTANGLE else f"{self.outline}."
+        streams = (Stream(self.seed, "programme", f"{shape}{kind}.{self.turn}.{number}") for number in range(TRIES))
         return self._cheapest(self._try(kind, stream) for stream in streams)
 
     def _cheapest(self, offers: Iterable[_Seen]) -> _Seen:
@@ -101,7 +122,8 @@ class HomeSearch:
         return best
 
     def _try(self, kind: str, stream: Stream) -> _Seen:
-        dealer = Dealer(self.planned, stream)
+        bent = self.outline != RECTANGLE
+        dealer = BentDealer(self.planned, stream, self.outline) if bent else Dealer(self.planned, stream)
         best = self._cheapest(self._dealt(kind, dealer) for _ in range(DEALS))
         for _ in range(MOVES):
             if best.cost <= self.good:
