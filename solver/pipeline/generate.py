@@ -59,6 +59,8 @@ class _Setting:
     style: Style | None = None
     staying: Mapping[str, Staying] = field(default_factory=dict)
     """What stays in rooms that are furnished anew, by their ids."""
+    others: Sequence[Room] = ()
+    """The rooms of a scene that is furnished: one may list a door into another alone."""
 
 
 def generate(
@@ -149,7 +151,7 @@ def _around(room: Room, setting: _Setting) -> tuple[Staying, Space, tuple[Piece,
 
 
 def _space(room: Room, setting: _Setting) -> Space:
-    return replace(space_of(room, setting.thickness, setting.robot_width), cover_mm2=_cover_mm2(room, setting))
+    return replace(space_of(room, setting.thickness, setting.robot_width, setting.others), cover_mm2=_cover_mm2(room, setting))
 
 
 def _cover_mm2(room: Room, setting: _Setting) -> int:
@@ -324,7 +326,7 @@ def reroll(
 def _setting_of(scene: Scene, known: Catalogs, seed: int, staying: Mapping[str, Staying] | None = None) -> _Setting:
     """Returns what a furnishing of a scene's rooms shares: that of its house, around what stays in them."""
     home = known.of_home([room.type for room in scene.rooms], _is_planned(scene))
-    return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known), staying or {})
+    return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known), staying or {}, scene.rooms)
 
 
 def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Room]:

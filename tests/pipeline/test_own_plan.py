@@ -107,3 +107,13 @@ def test_foreign_names_stay_foreign() -> None:
 def test_what_is_wrong_is_refused(asked: dict[str, object], error: type[Exception], words: str) -> None:
     with pytest.raises(error, match=words):
         furnish(Scene(rooms=(BEDROOM,)), **asked)  # type: ignore[arg-type]
+
+
+def test_a_door_that_only_one_room_lists_stays_free_on_both_sides() -> None:
+    """The rooms of a plan list each door once, in the room where it was drawn."""
+    door = Opening("inner", wall="east", position=1.7, connects_to="b")
+    for seed in range(8):
+        rooms = (replace(BEDROOM, openings=(DOOR, door)), Room("b", type="office", x=4.0, width=3.0, depth=3.5))
+        made = furnish(Scene(wall_thickness=0.1, rooms=rooms), seed=seed)
+        assert [issue.message for issue in made.issues if issue.severity == "error"] == []
+        assert all(room.furniture for room in made.scene.rooms)
