@@ -6,6 +6,7 @@ those of least cost that exchanging one room's type, or those of two rooms, does
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Final
@@ -19,6 +20,10 @@ from solver.scene import Room, Scene
 
 SWEEPS: Final = 12
 """How often all rooms are looked at anew, at most."""
+NOTHING: Final = 1e-9
+"""Costs that differ by less are alike."""
+ONLY: Final = frozenset({"kitchen", "living_room", "dining_room", "bedroom_master", "laundry"})
+"""Types that are handed over: of which a home mostly has one."""
 SWAPPED: Final = 24
 """Rooms of a home of which pairs are exchanged; of larger homes only single rooms change."""
 
@@ -122,6 +127,7 @@ class _Home:
                 self.types[k] = self.ranked(k)[0]
             if len(free) <= SWAPPED:
                 self._exchange(free)
+                self._hand_over(free)
             if self.types == before:
                 return
 
@@ -131,16 +137,38 @@ class _Home:
 
     def ranked(self, room: int) -> list[str]:
         """Returns the types a room may have, best first, the others' types given."""
-        return sorted(self._suiting.types[room], key=lambda name: (round(self._cost(room, name), 9), name))
+        others = Counter(kind for k, kind in enumerate(self.types) if kind and k != room)
 
-    def _cost(self, room: int, name: str) -> float:
-        others = [kind for k, kind in enumerate(self.types) if kind and k != room]
-        return self._near(room, name) + self._suiting.in_all([*others, name])
+        def cost(name: str) -> float:
+            return self._near(room, name) + self._suiting.in_all({**others, name: others[name] + 1})
+
+        return sorted(self._suiting.types[room], key=lambda name: (round(cost(name), 9), name))
 
     def _near(self, room: int, name: str) -> float:
         ways = self._suiting.marks[room].ways
         joined = sum(self._suiting.joined(name, self.types[there], is_open) for there, is_open in ways if self.types[there])
         return self._alone[room].get(name, 1e6) + joined
+
+    def _hand_over(self, free: Sequence[int]) -> None:
+        """Gives the type of a room, of which a home mostly has one, to another room, and that room what then suits it best."""
+        for owner in free:
+            if self.types[owner] not in ONLY:
+                continue
+            for heir in free:
+                kept = self.types[owner], self.types[heir]
+                if kept[0] == kept[1] or self._alone[heir].get(kept[0]) is None:
+                    continue
+                before = self._together(owner, heir)
+                self.types[heir] = kept[0]
+                self.types[owner] = self.ranked(owner)[0]
+                if self._together(owner, heir) < before - NOTHING:
+                    break
+                self.types[owner], self.types[heir] = kept
+
+    def _together(self, one: int, other: int) -> float:
+        """Returns what two rooms cost as they are, the numbers of rooms included; a door between them counts twice."""
+        counted = self._suiting.in_all(Counter(name for name in self.types if name))
+        return self._near(one, self.types[one]) + self._near(other, self.types[other]) + counted
 
     def _exchange(self, free: Sequence[int]) -> None:
         """Exchanges the types of two rooms where that is cheaper."""
@@ -150,5 +178,5 @@ class _Home:
                     continue
                 before = self._near(a, self.types[a]) + self._near(b, self.types[b])
                 self.types[a], self.types[b] = self.types[b], self.types[a]
-                if self._near(a, self.types[a]) + self._near(b, self.types[b]) > before - 1e-9:
+                if self._near(a, self.types[a]) + self._near(b, self.types[b]) > before - NOTHING:
                     self.types[a], self.types[b] = self.types[b], self.types[a]

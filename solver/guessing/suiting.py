@@ -89,14 +89,11 @@ class Suiting:
         shown = sum(kind.plan.habitable or kind.plan.wet for kind in (a, b) if not kind.plan.way_through)
         return leaf + 0.5 * shown
 
-    def in_all(self, types: Sequence[str]) -> float:
+    def in_all(self, counts: Mapping[str, int]) -> float:
         """Returns the cost of the numbers of rooms of each type."""
-        counts: dict[str, int] = {}
-        for name in types:
-            counts[name] = counts.get(name, 0) + 1
         if self._program is not None:
             return self._miscounted(counts, self._program)
-        indoors = sum(not self.kinds[name].outdoor for name in types)
+        indoors = sum(number for name, number in counts.items() if not self.kinds[name].outdoor)
         cost = 0.0
         if indoors > 2:
             bedrooms = sum(counts.get(name, 0) for name in BEDROOMS)
@@ -105,8 +102,9 @@ class Suiting:
             cost += 1.0 if bedrooms > 1 and not counts.get("bedroom_master") else 0.0
             cost += 3.0 if counts.get("kids_bedroom") and bedrooms == counts["kids_bedroom"] else 0.0
         usual = {"bathroom": 1 + indoors // 6, "bedroom": 1 + indoors // 6, "kids_bedroom": 1}
-        more = sum(each * max(0, counts.get(name, 0) - usual.get(name, 1)) for name, each in ONE_MORE.items())
-        return cost + more + sum(each for name, each in RARE.items() if counts.get(name))
+        for name, number in counts.items():
+            cost += ONE_MORE.get(name, 0.0) * max(0, number - usual.get(name, 1)) + RARE.get(name, 0.0)
+        return round(cost, 9)
 
     def _miscounted(self, counts: Mapping[str, int], program: Mapping[str, int]) -> float:
         there: dict[str, int] = {}
