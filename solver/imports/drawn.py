@@ -113,6 +113,8 @@ class DrawnPlan:
     drawn: DrawnAlong = "lines"
     wall_thickness: float | None = None
     unread: tuple[Unread, ...] = ()
+    unit_words: str = ""
+    """What the unit was taken from, where the file does not say it itself."""
 
 
 @dataclass

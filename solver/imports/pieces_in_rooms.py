@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Final
 
 from catalogs import Catalogs
-from catalogs.synonyms import Meaning, synonyms_of
+from catalogs.synonyms import Meaning, synonyms_of, words_of
 from solver.geometry import to_mm
 from solver.imports.drawn import DrawnPiece, PlanNotes
 from solver.imports.rectilinear import FloorCorner, holds
@@ -18,6 +18,14 @@ from solver.scene import Decoration, Furniture, Room
 
 RESTING: Final = 0.06
 """A thing whose underside is so near a piece's top, m, stands on it."""
+LIVING: Final = "dynamic"
+"""The category of who is no furniture."""
+SEAT_WIDTH: Final = 0.8
+"""A seat that may be under a table is no wider, m."""
+TABLE_HEIGHT: Final = 0.46
+"""A table that a seat may be under is higher, m."""
+TUCKED: Final = 0.005
+"""A seat is under a table if their footprints share more, m."""
 OVERHEAD: Final = 1.6
 """What hangs higher, m, and is known for no decoration, is left out: a lamp at the ceiling."""
 
@@ -37,6 +45,9 @@ def with_pieces(
         if place is None or size is None or min(size) <= 0:
             notes.leave(piece.where, f"{piece.name!r:.60}: " + ("it stands in no room" if place is None else "the file gives no size"))
             continue
+        if _sort(meaning, catalogs) == LIVING:
+            notes.leave(piece.where, f"{piece.name!r:.60}: people and pets are left out")
+            continue
         room, sizes = rooms[place], tuple(max(0.001, round(one, 3)) for one in size)
         body = replace(piece, x=round(x - room.x, 4), z=round(z - room.z, 4), size=(sizes[0], sizes[1], sizes[2]))
         if piece.decoration or (meaning is not None and meaning.sort == "decoration"):
@@ -44,9 +55,11 @@ def with_pieces(
         elif (meaning is not None and meaning.sort == "other") or piece.y > OVERHEAD:
             notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
         else:
+            if piece.size is None:
+                notes.guess(piece.where, "size", " x ".join(f"{one:g}" for one in sizes), f"{piece.name!r:.60}: the file gives no size")
             furniture[place].append(_furniture(body, room, furniture[place]))
     return [
-        replace(room, furniture=tuple(standing), decorations=tuple(_carried(standing, small)))
+        replace(room, furniture=tuple(_tucked(standing, catalogs)), decorations=tuple(_carried(standing, small)))
         for room, standing, small in zip(rooms, furniture, decorations, strict=True)
     ]
 
@@ -54,6 +67,31 @@ def with_pieces(
 def _outline(room: Room) -> list[FloorCorner]:
     corners = room.outline or ((0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth))
     return [(to_mm(room.x + x), to_mm(room.z + z)) for x, z in corners]
+
+
+def _sort(meaning: Meaning | None, catalogs: Catalogs) -> str | None:
+    """Returns the category of a kind of furniture."""
+    return catalogs.furniture[meaning.key].category if meaning is not None and meaning.sort == "furniture" else None
+
+
+def _tucked(standing: Sequence[Furniture], catalogs: Catalogs) -> list[Furniture]:
+    """Returns furniture whose seats say which table they are drawn under."""
+    names = synonyms_of(catalogs)
+    sorts = [_sort(names.meaning(one.name, (one.width, one.depth, one.height)), catalogs) for one in standing]
+    tables = [one for one, sort in zip(standing, sorts, strict=True) if sort == "table" and one.y == 0.0 and one.height > TABLE_HEIGHT]
+    found = []
+    for one, sort in zip(standing, sorts, strict=True):
+        near = [(_shared(one, table), table.id) for table in tables] if sort == "seating" and one.width <= SEAT_WIDTH else []
+        share, name = max(near, default=(0.0, ""))
+        found.append(replace(one, under=name) if share > TUCKED else one)
+    return found
+
+
+def _shared(a: Furniture, b: Furniture) -> float:
+    """Returns over how much two footprints overlap, the lesser of the two ways, m; as if both stood at right angles."""
+    reach = [(one.depth, one.width) if round(one.rotation / 90) % 2 else (one.width, one.depth) for one in (a, b)]
+    across, along = ((reach[0][k] + reach[1][k]) / 2 for k in (0, 1))
+    return min(across - abs(a.x - b.x), along - abs(a.z - b.z))
 
 
 def _usual_size(meaning: Meaning | None, catalogs: Catalogs) -> tuple[float, float, float] | None:
@@ -65,19 +103,24 @@ def _usual_size(meaning: Meaning | None, catalogs: Catalogs) -> tuple[float, flo
 
 def _furniture(piece: DrawnPiece, room: Room, there: Sequence[Furniture]) -> Furniture:
     width, depth, height = piece.size or (0.0, 0.0, 0.0)
-    name = piece.id or f"{room.id}/{piece.where}"
     return Furniture(
-        name, piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z, rotation=round(piece.rotation % 360, 3) % 360,
-        width=width, depth=depth, height=height, color=piece.color, on=_under(piece, there),
+        piece.id or _made_up(piece, room, len(there)), piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
+        rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color, on=_under(piece, there),
     )  # fmt: skip
 
 
 def _decoration(piece: DrawnPiece, room: Room, number: int) -> Decoration:
     width, depth, height = piece.size or (0.0, 0.0, 0.0)
     return Decoration(
-        piece.id or f"{room.id}/{piece.where}", piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
+        piece.id or _made_up(piece, room, number, "small_"), piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
         rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color,
     )  # fmt: skip
+
+
+def _made_up(piece: DrawnPiece, room: Room, number: int, prefix: str = "") -> str:
+    """Returns an id: its room, what it is called, its number there."""
+    word = "_".join(words_of(piece.name)) or "piece"
+    return f"{room.id}/{prefix}{word}_{number + 1}"
 
 
 def _under(piece: DrawnPiece, there: Sequence[Furniture]) -> str | None:

@@ -16,9 +16,12 @@ from solver.imported import ImportSettings
 from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes, check_plan
 from solver.imports.formats.plan_features import is_features, read_features
 from solver.imports.formats.procthor_reading import is_procthor, read_procthor
+from solver.imports.formats.rplan_reading import is_rplan, read_rplan
+from solver.imports.formats.sweet_home_reading import is_sweet_home, read_sweet_home
 from solver.imports.in_millimetres import in_millimetres, of_one_level
 from solver.imports.joining import PlacedDrawing, joined
 from solver.imports.line_growing import grown
+from solver.imports.missing_walls import passages, without_niches
 from solver.imports.pieces_in_rooms import with_pieces
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
 from solver.imports.straighten import straightened, tell_of
@@ -62,6 +65,10 @@ def _document(read: Callable[[Mapping[str, Any]], DrawnPlan]) -> Callable[[PlanF
 READERS: Final[Mapping[str, PlanReader]] = {
     "geojson": PlanReader("GeoJSON of rooms, for plans of your own", lambda file: is_features(file.document), _document(read_features)),
     "procthor": PlanReader("house JSON of ProcTHOR and AI2-THOR", lambda file: is_procthor(file.document), _document(read_procthor)),
+    "rplan": PlanReader("apartments of RPLAN as HouseGAN++ keeps them", lambda file: is_rplan(file.document), _document(read_rplan)),
+    "sh3d": PlanReader(
+        "Sweet Home 3D: .sh3d, or its Home.xml", lambda file: is_sweet_home(file.content), lambda file: read_sweet_home(file.content)
+    ),
 }
 """The formats by name."""
 
@@ -92,11 +99,13 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     metres = unit_of(plan, settings.unit, notes)
     plan = in_millimetres(plan, metres, notes)
     rooms = _straight_rooms(plan, catalogs, notes)
+    rooms = _without_niches(plan, rooms, notes)
     rooms, thickness = _along_lines(plan, rooms, notes)
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
     levels = [room.drawn.level for room in rooms]
     placed = [_placed(one, rooms) for one in plan.openings]
     openings = joined(placed, edges, levels, thickness // 2, notes)
+    openings += passages(edges, plan.walls, openings, notes)
     origin = (min(x for room in rooms for x, _ in room.corners), min(z for room in rooms for _, z in room.corners))
     made = scene_rooms(rooms, openings, origin)
     if settings.furniture:
@@ -123,6 +132,18 @@ def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> li
     return named
 
 
+def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> list[NamedRoom]:
+    openings = [_placed(one, ()) for one in plan.openings]
+    found = []
+    for room in rooms:
+        corners, depth = without_niches(room.corners, openings)
+        if depth:
+            words = f"niches up to {depth} mm deep, such as a door's reveal, are taken as parts of the wall"
+            notes.change("wall_lines", room.id, depth / 1000, words)
+        found.append(replace(room, corners=corners))
+    return found
+
+
 def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> tuple[list[NamedRoom], int]:
     """Returns rooms along wall lines, and the walls' thickness, mm."""
     said = None if plan.wall_thickness is None else round(plan.wall_thickness)
@@ -135,9 +156,7 @@ def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> t
     for room, moved in zip(rooms, made.moved, strict=True):
         worst = max((by - half for by in moved), key=abs, default=0)
         if abs(worst) > 5:
-            words = (
-                f"a wall is {2 * (worst + half) / 1000:.2f} m thick, not {made.thickness / 1000:.2f}: the floor differs by so much there"
-            )
+            words = f"a wall is drawn {2 * (worst + half)} mm thick and held as {made.thickness}: half of that is floor"
             notes.change("wall_lines", room.id, abs(worst) / 1000, words)
     notes.change(
         "wall_lines", "plan", half / 1000, f"rooms are grown to the lines of their walls, which are {made.thickness / 1000:.2f} m thick"

@@ -42,8 +42,8 @@ def _cuts(polygon: Polygon, axis: int, step: int) -> NDArray[np.int64]:
         if a[axis] == b[axis]:
             found.add(round(a[axis]))
         elif a[1 - axis] != b[1 - axis]:
-            low, high = math.ceil(min(a[axis], b[axis])), math.floor(max(a[axis], b[axis]))
-            found.update(range(low + -low % step, high + 1, step))
+            low, high = math.floor(min(a[axis], b[axis])), math.ceil(max(a[axis], b[axis]))
+            found.update(range(low - low % step, high + step, step))
         if len(found) > MOST_CELLS:
             break
     return np.array(sorted(found), dtype=np.int64)

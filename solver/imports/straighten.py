@@ -23,6 +23,8 @@ MOST_SHIFT: Final = 60.0
 """A wall is moved by no more, mm; what would have to is slanted."""
 STRAIGHT: Final = math.tan(math.radians(1.0))
 """How far from an axis a long edge may run and still be straight."""
+TINY: Final = 40.0
+"""A slanted edge no longer than this, mm, tells nothing by itself."""
 SLOPED: Final = 0.15
 """The same of an edge whose ends lie within NEAR of a line."""
 CURVING: Final = 500.0
@@ -187,7 +189,7 @@ def _kinds(points: Sequence[Spot]) -> list[str]:
         minor, major = min(dx, dz), max(dx, dz)
         level = minor <= STRAIGHT * major and minor <= 2 * NEAR
         straight = level or (minor <= NEAR and minor <= SLOPED * major)
-        kinds.append("tiny" if major <= NEAR and not straight else ("x" if dx >= dz else "z") if straight else "slanted")
+        kinds.append("tiny" if major <= TINY and not straight else ("x" if dx >= dz else "z") if straight else "slanted")
         curving.append(major <= 2 * NEAR or (not level and major <= CURVING))
     for _ in range(2):
         for at in (*range(count), *range(count - 1, -1, -1)):

@@ -51,6 +51,8 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
     if said is not None:
         return said
     if plan.metres is not None:
+        if plan.unit_words:
+            notes.guess("plan", "unit", f"{plan.metres:.5g}", plan.unit_words)
         return plan.metres
     doors = [math.dist(one.start, one.end) for one in plan.openings if one.kind == "door"]
     if doors:

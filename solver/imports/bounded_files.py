@@ -1,0 +1,75 @@
+"""Files of others, opened with bounds: archives that would unpack to more, XML that would grow.
+
+Comes in: bytes. Goes out: bytes of a member; an XML tree. May import: errors. XML is read by defusedxml: no entity is resolved.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Iterator
+from io import BytesIO
+from typing import Final
+from xml.etree.ElementTree import Element, ParseError
+from zipfile import BadZipFile, ZipFile
+
+from defusedxml.common import DefusedXmlException
+from defusedxml.ElementTree import fromstring
+
+from solver.errors import SyntaxFault
+
+MOST_BYTES: Final = 32 << 20
+"""A file, or a member of an archive, is not larger, bytes."""
+MOST_ELEMENTS: Final = 200_000
+"""Elements of an XML file."""
+MOST_MEMBERS: Final = 20_000
+ZIP: Final = b"PK\x03\x04"
+
+
+def member_of(archive: bytes, name: str) -> bytes | None:
+    """Returns a file in a zip archive; None where there is none of that name.
+
+    Raises:
+        SyntaxFault: the archive is broken, or the file larger than MOST_BYTES.
+    """
+    try:
+        with ZipFile(BytesIO(archive)) as opened:
+            if len(opened.namelist()) > MOST_MEMBERS:
+                raise SyntaxFault(f"an archive of more than {MOST_MEMBERS:,} files")
+            if name not in opened.namelist():
+                return None
+            with opened.open(name) as file:
+                content = file.read(MOST_BYTES + 1)
+    except (BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, NotImplementedError) as error:
+        raise SyntaxFault(f"a zip archive that cannot be read: {error}") from None
+    if len(content) > MOST_BYTES:
+        raise SyntaxFault(f"{name} in it is larger than {MOST_BYTES >> 20} MB")
+    return content
+
+
+def xml_of(content: bytes) -> Element:
+    """Returns the root of an XML file.
+
+    Raises:
+        SyntaxFault: it is none, declares entities, or is larger than any plan.
+    """
+    if len(content) > MOST_BYTES:
+        raise SyntaxFault(f"larger than {MOST_BYTES >> 20} MB")
+    try:
+        root: Element = fromstring(content)
+    except DefusedXmlException as refused:
+        raise SyntaxFault(f"XML that declares entities, which is not read here: {type(refused).__name__}") from None
+    except (ParseError, LookupError, ValueError) as error:
+        raise SyntaxFault(f"not XML: {error}") from None
+    if sum(1 for _ in root.iter()) > MOST_ELEMENTS:
+        raise SyntaxFault(f"of more than {MOST_ELEMENTS:,} elements")
+    return root
+
+
+def numbered(elements: Iterator[Element], file: str) -> Iterator[tuple[Element, str]]:
+    """Yields elements with their places in a file: its name, the tag, and the how many-th of that tag it is."""
+    counts: dict[str, int] = {}
+    for element in elements:
+        tag = str(element.tag).rpartition("}")[2]
+        number = counts.get(tag, 0)
+        counts[tag] = number + 1
+        yield element, f"{file} {tag}[{number}]"

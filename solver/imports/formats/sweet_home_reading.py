@@ -1,0 +1,183 @@
+"""Sweet Home 3D: a .sh3d archive of version 5.3 or newer, or the Home.xml inside it; and what our own export adds as properties.
+
+Its frame: x east, y south, cm; angles in radians, clockwise seen from above. Rooms are drawn along inner faces, mostly.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Final, Literal
+from xml.etree.ElementTree import Element
+
+from solver.errors import SyntaxFault
+from solver.imported import Unread
+from solver.imports.along_walls import drawn_along
+from solver.imports.bounded_files import ZIP, member_of, numbered, xml_of
+from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, OpeningKind
+from solver.imports.plain_values import a_number
+
+HOME: Final = "Home.xml"
+OLD: Final = "Home"
+"""What the archives of older versions hold instead."""
+CM: Final = 0.01
+SILL: Final = 30.0
+"""An opening whose underside is higher, cm, is a window."""
+PASSAGES: Final = ("passage", "frame", "opening", "archway")
+"""Words of openings without a leaf."""
+PIECES: Final = ("pieceOfFurniture", "light", "shelfUnit")
+
+
+def is_sweet_home(content: bytes) -> bool:
+    """Tells whether a file is such an archive or its Home.xml."""
+    if content.startswith(ZIP):
+        return b"Home" in content
+    return b"<home" in content[:1000]
+
+
+def read_sweet_home(content: bytes) -> DrawnPlan:
+    """Reads a home.
+
+    Raises:
+        SyntaxFault: it is none, or of a version before 5.3.
+        FieldError: something in it cannot be read; names its place.
+    """
+    if content.startswith(ZIP):
+        found = member_of(content, HOME)
+        if found is None:
+            old = member_of(content, OLD) is not None
+            words = "a home of Sweet Home 3D before version 5.3: save it again with a newer one" if old else f"an archive without {HOME}"
+            raise SyntaxFault(words)
+        content = found
+    root = xml_of(content)
+    if root.tag != "home":
+        raise SyntaxFault(f"no home: its first element is {root.tag!r:.40}")
+    levels = _levels(root)
+    ids = {level.name: number for number, level in enumerate(levels)}
+    rooms: list[DrawnRoom] = []
+    walls: list[DrawnWall] = []
+    openings: list[DrawnOpening] = []
+    pieces: list[DrawnPiece] = []
+    unread: list[Unread] = []
+    for element, where in numbered(root.iter(), HOME):
+        level = ids.get(element.get("level", ""), 0)
+        if element.tag == "room":
+            rooms.append(_room(element, where, level))
+        elif element.tag == "wall":
+            walls += _wall(element, where, level, unread)
+        elif element.tag == "doorOrWindow":
+            openings.append(_opening(element, where, level))
+        elif element.tag in PIECES:
+            pieces += _piece(element, where, level, unread)
+    drawn, thickness = drawn_along(rooms, walls)
+    named = tuple(DrawnLevel(number, one.said, one.elevation, one.height) for number, one in enumerate(levels))
+    return DrawnPlan(tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), named, CM, drawn, thickness, tuple(unread))
+
+
+class _Storey:
+    """A level of the file: the id that others name it by, what it is called, its elevation and height, cm."""
+
+    def __init__(self, element: Element, where: str) -> None:
+        self.name, self.said = element.get("id", ""), element.get("name", "")
+        self.elevation, self.height = _number(element, "elevation", where, 0.0), _number(element, "height", where, 250.0)
+        self.order = _number(element, "elevationIndex", where, 0.0)
+
+
+def _levels(root: Element) -> list[_Storey]:
+    found = [_Storey(element, where) for element, where in numbered(root.iter("level"), HOME)]
+    return sorted(found, key=lambda one: (one.elevation, one.order))
+
+
+def _number(element: Element, key: str, where: str, default: float | None = None) -> float:
+    """Returns an attribute that is a number.
+
+    Raises:
+        FieldError: it is none; or it is missing and there is no default.
+    """
+    text = element.get(key)
+    try:
+        value: object = None if text is None else float(text)
+    except ValueError:
+        value = text
+    return a_number({key: value}, key, where) if default is None else a_number({key: value}, key, where, default)
+
+
+def _said(element: Element) -> dict[str, str]:
+    return {one.get("name", ""): one.get("value", "") for one in element.findall("property")}
+
+
+def _room(element: Element, where: str, level: int) -> DrawnRoom:
+    points = tuple(
+        (_number(point, "x", f"{where} point[{at}]"), _number(point, "y", f"{where} point[{at}]"))
+        for at, point in enumerate(element.findall("point"))
+    )
+    said = _said(element)
+    return DrawnRoom(
+        points, element.get("name", "")[:200], where, said.get("type", ""), level, said.get("outdoor") == "true", said.get("id", "")
+    )
+
+
+def _wall(element: Element, where: str, level: int, unread: list[Unread]) -> Iterator[DrawnWall]:
+    if _number(element, "arcExtent", where, 0.0):
+        unread.append(Unread(where, "a round wall: the rooms' outlines tell where it is"))
+        return
+    start, end = ((_number(element, f"x{at}", where), _number(element, f"y{at}", where)) for at in ("Start", "End"))
+    yield DrawnWall(start, end, _number(element, "thickness", where, 0.0), where, level)
+
+
+def _opening(element: Element, where: str, level: int) -> DrawnOpening:
+    x, y, angle = _number(element, "x", where), _number(element, "y", where), _number(element, "angle", where, 0.0)
+    half, sill = _number(element, "width", where) / 2, _number(element, "elevation", where, 0.0)
+    c, s = math.cos(angle), math.sin(angle)
+    start, end = (x - half * c, y - half * s), (x + half * c, y + half * s)
+    said = _said(element)
+    name = f"{element.get('catalogId', '')} {element.get('name', '')}".lower()
+    hinge: Literal["start", "end"] | None = None
+    towards = None
+    sashes = element.findall("sash")
+    if len(sashes) == 1:
+        axis, turn = _number(sashes[0], "xAxis", where, 0.0), 0.0
+        first, last = _number(sashes[0], "startAngle", where, 0.0), _number(sashes[0], "endAngle", where, 0.0)
+        mirrored = element.get("modelMirrored") == "true"
+        hinge = "start" if (axis < 0.5) != mirrored else "end"
+        turn = math.sin(last) if abs(math.sin(last)) > abs(math.sin(first)) else math.sin(first)
+        side = -1.0 if turn > 0 else 1.0
+        towards = (x - side * 50 * s, y + side * 50 * c)
+    kind = _kind(name, sill, said.get("kind", ""))
+    main = said["main_entrance"] == "true" if "main_entrance" in said else None
+    return DrawnOpening(
+        kind, start, end, where, _number(element, "height", where, 210.0), sill, level, hinge, towards, main, id=said.get("id", "")
+    )
+
+
+def _kind(name: str, sill: float, said: str) -> OpeningKind:
+    if said in ("door", "garage_door", "passage", "window"):
+        return said  # type: ignore[return-value]
+    if sill > SILL or ("window" in name and "french" not in name):
+        return "window"
+    if "garage" in name:
+        return "garage_door"
+    return "passage" if any(word in name for word in PASSAGES) else "door"
+
+
+def _piece(element: Element, where: str, level: int, unread: list[Unread]) -> Iterator[DrawnPiece]:
+    name = element.get("name", "")[:200]
+    if element.get("visible") == "false":
+        unread.append(Unread(where, f"{name!r:.60}: it is hidden"))
+        return
+    said = _said(element)
+    size = (_number(element, "width", where), _number(element, "depth", where), _number(element, "height", where))
+    color = element.get("color", "")
+    yield DrawnPiece(
+        said.get("name", name),
+        _number(element, "x", where),
+        _number(element, "y", where),
+        _number(element, "elevation", where, 0.0),
+        -math.degrees(_number(element, "angle", where, 0.0)),
+        size,
+        where,
+        level,
+        f"#{color[2:].lower()}" if len(color) == 8 else None,
+        said.get("id", ""),
+        said.get("sort") == "decoration",
+    )

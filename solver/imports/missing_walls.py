@@ -1,0 +1,108 @@
+"""Fifth step, second half: where the file draws no wall between two rooms there is a passage; and niches at doors are part of the wall.
+
+Comes in: rooms' edges, walls, openings, mm. Goes out: `Joined` passages; corners without niches. May import: rectilinear, joining, drawn.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Final
+
+from solver.imports.drawn import DrawnOpening, DrawnWall, PlanNotes
+from solver.imports.joining import Joined, PlacedDrawing
+from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
+
+WALL_REACH: Final = 200
+"""How far from a room's edge its wall may be drawn, mm."""
+NARROWEST: Final = 600
+"""A gap in the walls that is a passage is wider, mm."""
+NICHE: Final = 150
+"""A niche at a door is no deeper, mm."""
+SHALLOW: Final = 40
+"""A niche that is no deeper, mm, is none, whether there is a door or not."""
+AlongWall = tuple[int, int]
+
+
+def passages(rooms: Sequence[Sequence[PlanEdge]], walls: Sequence[DrawnWall], found: Sequence[Joined], notes: PlanNotes) -> list[Joined]:
+    """Returns passages where two rooms meet and no wall is drawn between them; none where the file draws no walls at all."""
+    edges = [edge for room in rooms for edge in room] if walls else []
+    made: list[Joined] = []
+    for edge in (one for one in edges if one.out > 0):
+        for other in edges:
+            if (other.axis, other.at, other.out) != (edge.axis, edge.at, -edge.out) or other.room == edge.room:
+                continue
+            span = (max(edge.low, other.low), min(edge.high, other.high))
+            if span[1] - span[0] < NARROWEST:
+                continue
+            taken = [_of_wall(wall, edge) for wall in walls] + [
+                (one.low, one.high) for one in found if edge in one.edges or other in one.edges
+            ]
+            for low, high in _left(span, sorted(part for part in taken if part)):
+                if high - low >= NARROWEST:
+                    walls_of = tuple(sorted((edge, other), key=lambda one: one.room))
+                    made.append(Joined(_drawn(edge, low, high), low, high, walls_of, None, None))
+                    notes.change("join", f"passage_{len(made) - 1}", (high - low) / 1000, "no wall is drawn between two rooms: a passage")
+    return made
+
+
+def _drawn(edge: PlanEdge, low: int, high: int) -> DrawnOpening:
+    ends = ((low, edge.at), (high, edge.at)) if edge.axis == "x" else ((edge.at, low), (edge.at, high))
+    return DrawnOpening("passage", *ends, "where no wall is drawn")
+
+
+def _of_wall(wall: DrawnWall, edge: PlanEdge) -> AlongWall | None:
+    """Returns what a wall covers of an edge's line."""
+    along, across = (0, 1) if edge.axis == "x" else (1, 0)
+    run, rise = abs(wall.end[along] - wall.start[along]), abs(wall.end[across] - wall.start[across])
+    line = (wall.start[across] + wall.end[across]) / 2
+    if rise > run / 2 or abs(line - edge.at) > WALL_REACH + wall.thickness / 2:
+        return None
+    low, high = sorted((wall.start[along], wall.end[along]))
+    return math.floor(low - wall.thickness / 2), math.ceil(high + wall.thickness / 2)
+
+
+def _left(span: AlongWall, taken: Sequence[AlongWall]) -> list[AlongWall]:
+    left, low = [], span[0]
+    for start, end in taken:
+        if start > low:
+            left.append((low, min(start, span[1])))
+        low = max(low, end)
+        if low >= span[1]:
+            return left
+    return [*left, (low, span[1])]
+
+
+def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing]) -> tuple[FloorCorners, int]:
+    """Returns a room without the niches that its outline makes at doors, and how deep the deepest was, mm."""
+    deepest = 0
+    for _ in range(len(corners)):
+        count = len(corners)
+        niche = next((at for at in range(count) if count > 4 and _is_niche(corners, at, openings)), None)
+        if niche is None:
+            break
+        b, c = corners[niche], corners[(niche + 1) % count]
+        deepest = max(deepest, math.floor(math.dist(corners[niche - 1], b)))
+        corners = tidied([one for one in corners if one not in (b, c)])
+    return corners, deepest
+
+
+def _is_niche(corners: FloorCorners, at: int, openings: Sequence[PlacedDrawing]) -> bool:
+    """Tells whether the edge from a corner on is the bottom of a niche: its sides lead back to one line, no deeper than a reveal."""
+    count = len(corners)
+    a, b, c, d = (corners[(at + step) % count] for step in (-1, 0, 1, 2))
+    inwards = (a[0] - b[0], a[1] - b[1])
+    way = (c[0] - b[0], c[1] - b[1])
+    depth = abs(inwards[0]) + abs(inwards[1])
+    if inwards != (d[0] - c[0], d[1] - c[1]) or not 0 < depth <= NICHE or way[0] * inwards[1] - way[1] * inwards[0] <= 0:
+        return False
+    return depth <= SHALLOW or any(_lies_in(one, b, c) for one in openings)
+
+
+def _lies_in(opening: PlacedDrawing, b: FloorCorner, c: FloorCorner) -> bool:
+    """Tells whether an opening lies at an edge and covers half of it."""
+    along, across = (0, 1) if b[1] == c[1] else (1, 0)
+    low, high = sorted((b[along], c[along]))
+    start, end = sorted((opening.start[along], opening.end[along]))
+    middle = (opening.start[across] + opening.end[across]) / 2
+    return abs(middle - b[across]) <= 2 * NICHE and min(high, end) - max(low, start) >= (high - low) / 2

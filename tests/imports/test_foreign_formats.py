@@ -1,0 +1,150 @@
+"""Files as other programs write them, made here: RPLAN's pixels, Sweet Home 3D's centimetres, ProcTHOR's houses."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from itertools import pairwise
+from typing import Any
+from zipfile import ZipFile
+
+import pytest
+
+from solver.errors import FieldError
+from solver.imported import PlanImport
+from tests.imports.plans import opening, read
+
+
+def loop(room: int, x0: int, y0: int, x1: int, y1: int) -> tuple[list[list[float]], list[list[int]]]:
+    corners = [(x0, y0), (x0, y1), (x1, y1), (x1, y0), (x0, y0)]
+    edges = [[float(value) for value in (*a, *b, 0, 0)] for a, b in pairwise(corners)]
+    return edges, [[room]] * 4
+
+
+def apartment() -> dict[str, Any]:
+    """A living room, a bedroom and a bathroom with walls of 4 pixels; a door of 12 between each and the living room, one outside."""
+    boxes = [
+        (1, 50, 50, 110, 120),
+        (3, 114, 50, 170, 90),
+        (4, 114, 94, 150, 120),
+        (17, 111, 60, 113, 72),
+        (17, 111, 100, 113, 112),
+        (15, 47, 80, 49, 92),
+    ]
+    edges: list[list[float]] = []
+    rooms: list[list[int]] = []
+    for number, (_, *box) in enumerate(boxes):
+        mine, owners = loop(number, *box)
+        edges, rooms = edges + mine, rooms + owners
+    return {"room_type": [kind for kind, *_ in boxes], "boxes": [box for _, *box in boxes], "edges": edges, "ed_rm": rooms}
+
+
+def test_an_apartment_of_rplan_is_joined() -> None:
+    answer = read(apartment())
+    living, bedroom, bath = answer.scene.rooms
+    assert (answer.format, [room.type for room in answer.scene.rooms]) == ("rplan", ["living_room", "bedroom", "bathroom"])
+    assert {one.connects_to for one in living.openings} == {bedroom.id, bath.id, "EXTERIOR"}
+    assert abs(answer.scene.wall_thickness - 4 * 18 / 256) < 0.002
+    assert living.x + living.width == bedroom.x == bath.x and bedroom.depth == bath.z
+    assert [one.main_entrance for one in living.openings if one.connects_to == "EXTERIOR"] == [True]
+    assert [issue for issue in answer.issues if issue.severity == "error"] == []
+    assert [guess["what"] for guess in answer.guesses] == ["unit"]
+
+
+def sweet_home(*elements: str) -> bytes:
+    return f"<?xml version='1.0'?>\n<home version='7000' name='h' wallHeight='250'>{''.join(elements)}</home>".encode()
+
+
+def drawn_room(name: str, *box: float, more: str = "") -> str:
+    x0, y0, x1, y1 = box
+    points = "".join(f"<point x='{x}' y='{y}'/>" for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
+    return f"<room name='{name}' {more}>{points}</room>"
+
+
+def drawn_wall(x0: float, y0: float, x1: float, y1: float) -> str:
+    return f"<wall id='w' xStart='{x0}' yStart='{y0}' xEnd='{x1}' yEnd='{y1}' height='250' thickness='10'/>"
+
+
+WALLS = (drawn_wall(-5, -5, 1005, -5), drawn_wall(-5, 405, 1005, 405), drawn_wall(-5, -5, -5, 405), drawn_wall(1005, -5, 1005, 405))
+ROOMS = (drawn_room("Cuisine", 0, 0, 400, 400), drawn_room("Salon", 410, 0, 1000, 400))
+DOOR = "<doorOrWindow name='Door' x='405' y='200' angle='1.5708' width='91.5' depth='14.5' height='208.5'/>"
+FRONT = "<doorOrWindow name='Front door' x='600' y='405' angle='3.1416' width='100' depth='14.5' height='208.5'/>"
+WINDOW = "<doorOrWindow name='Window' x='200' y='-5' width='90' depth='20' height='120' elevation='90'/>"
+BED = "<pieceOfFurniture name='Canapé' x='700' y='60' width='200' depth='90' height='80' color='FF00376B'/>"
+
+
+def packed(**files: bytes) -> bytes:
+    content = BytesIO()
+    with ZipFile(content, "w") as archive:
+        for name, text in files.items():
+            archive.writestr(name.replace("_xml", ".xml"), text)
+    return content.getvalue()
+
+
+def check_sweet_home(answer: PlanImport) -> None:
+    kitchen, living = answer.scene.rooms
+    assert (answer.format, kitchen.type, living.type, answer.scene.wall_thickness) == ("sh3d", "kitchen", "living_room", 0.1)
+    assert (kitchen.width, living.x, living.width, living.depth) == (4.1, 4.1, 6.0, 4.1)
+    assert (opening(kitchen, "door_0").wall, opening(living, "door_0").wall) == ("east", "west")
+    assert opening(living, "door_1").main_entrance
+    assert (opening(kitchen, "window_0").sill, opening(kitchen, "window_0").height) == (0.9, 1.2)
+    (sofa,) = living.furniture
+    assert (sofa.name, sofa.color, answer.understood_as[sofa.id]) == ("Canapé", "#00376b", "sofa")
+    assert answer.unread == ()
+
+
+def test_a_home_of_sweet_home_3d() -> None:
+    xml = sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), *ROOMS, DOOR, FRONT, WINDOW, BED)
+    check_sweet_home(read(xml))
+    check_sweet_home(read(packed(Home_xml=xml, Home=b"java")))
+
+
+def test_where_no_wall_is_drawn_there_is_a_passage() -> None:
+    answer = read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 250), *ROOMS, FRONT))
+    (passage,) = [one for one in answer.scene.rooms[0].openings if one.kind == "passage"]
+    assert 1.2 <= passage.width <= 1.5 and passage.connects_to == answer.scene.rooms[1].id
+    assert any("no wall is drawn" in str(change["message"]) for change in answer.changes)
+
+
+def test_rooms_that_reach_into_the_reveal_of_a_door_are_joined() -> None:
+    points = ((0, 0), (400, 0), (400, 154), (404, 154), (404, 246), (400, 246), (400, 400), (0, 400))
+    niche = "<room name='Cuisine'>" + "".join(f"<point x='{x}' y='{y}'/>" for x, y in points) + "</room>"
+    answer = read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), niche, ROOMS[1], DOOR, FRONT, WINDOW, BED))
+    check_sweet_home(answer)
+    assert any("niches" in str(change["message"]) for change in answer.changes)
+
+
+def test_storeys_are_told_apart() -> None:
+    levels = "<level id='a' name='Up' elevation='260' height='250'/><level id='b' name='Down' elevation='0' height='250'/>"
+    rooms = drawn_room("Bedroom", 0, 0, 400, 400, more="level='a'"), drawn_room("Kitchen", 0, 0, 500, 400, more="level='b'")
+    answer = read(sweet_home(levels, *rooms))
+    assert ([room.type for room in answer.scene.rooms], answer.scene.levels[0].height) == (["kitchen"], 2.5)
+    assert [left["place"] for left in answer.unread] == ["level 1 (Up)"]
+    assert [room.type for room in read(sweet_home(levels, *rooms), level=1).scene.rooms] == ["bedroom"]
+
+
+def test_a_home_of_an_old_version_is_refused_with_what_to_do() -> None:
+    with pytest.raises(FieldError, match="save it again"):
+        read(packed(Home=b"java"))
+
+
+def test_a_house_of_procthor_without_sizes() -> None:
+    wall = [{"x": 4.0, "y": 0, "z": 0.0}, {"x": 4.0, "y": 0, "z": 3.0}, {"x": 4.0, "y": 2.5, "z": 0.0}, {"x": 4.0, "y": 2.5, "z": 3.0}]
+
+    def floor(x0: float, x1: float) -> list[dict[str, float]]:
+        return [{"x": x, "y": 0.0, "z": z} for x, z in ((x0, 0.0), (x0, 3.0), (x1, 3.0), (x1, 0.0))]
+
+    types = {"room|1": ("Kitchen", floor(0, 4)), "room|2": ("LivingRoom", floor(4, 9))}
+    house = {
+        "rooms": [{"id": name, "roomType": kind, "floorPolygon": corners} for name, (kind, corners) in types.items()],
+        "walls": [{"id": "w1", "polygon": wall}, {"id": "w2", "polygon": wall}],
+        "doors": [{"id": "door|1", "room0": "room|1", "room1": "room|2", "wall0": "w1", "wall1": "w2", "assetId": "Doorway_1",
+                   "holePolygon": [{"x": 0.5, "y": 0, "z": 0}, {"x": 1.5, "y": 2.1, "z": 0}]}],
+        "windows": [],
+        "objects": [{"id": "Sofa|1", "assetId": "Sofa_7", "position": {"x": 7, "y": 0.4, "z": 0.6}, "rotation": {"x": 0, "y": 0, "z": 0}}],
+    }  # fmt: skip
+    answer = read(house)
+    kitchen, living = answer.scene.rooms
+    assert (kitchen.id, living.type, kitchen.width, living.x) == ("kitchen_0", "living_room", 4.0, 4.0)
+    assert (opening(kitchen, "door_0").wall, opening(kitchen, "door_0").position) == ("east", 2.0)
+    (sofa,) = living.furniture
+    assert (sofa.rotation, answer.understood_as[sofa.id]) == (180, "sofa")
