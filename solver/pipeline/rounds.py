@@ -22,8 +22,8 @@ ROUNDS = 3
 """Most rounds of one placement."""
 FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=40, required_qps=60)
 """What a first round, and what every other one, may try."""
-THOROUGH = Limits(required=300, required_qps=300)
-"""What is tried next where a required piece is missing; then all that the stage tries for a house."""
+THOROUGH = Limits(required=3000, required_qps=1000)
+"""What is tried next to prove a placement best or find a better one; where a required piece is missing, all that is tried for a house."""
 NEARLY_BEST = 3.0
 """Candidates that cost this much more than a piece's best one count for how free it is: half a relation."""
 SLIDES_MM = 100
@@ -52,6 +52,11 @@ class Round:
         """Whether all stands and all is held."""
         return self.score[:3] == (0, 0, 0.0)
 
+    @property
+    def is_best(self) -> bool:
+        """Whether no other candidates are cheaper."""
+        return self.whole and self.draft.best and self.draft.proven
+
 
 def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     """Returns the best placement of all rounds.
@@ -66,10 +71,11 @@ def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
         if found.score[:3] >= best.score[:3]:
             break
         best = found
-    for limits in (THOROUGH, Limits()):
-        if best.score[0]:
-            best = min(best, _first(task, wanted, limits), key=lambda one: one.score)
-    return best
+    if not best.is_best:
+        thorough = _first(task, wanted, THOROUGH)
+        proven = thorough.is_best and thorough.score[:3] <= best.score[:3]
+        best = thorough if proven or thorough.score < best.score else best
+    return min(best, _first(task, wanted, Limits()), key=lambda one: one.score) if best.score[0] else best
 
 
 def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:

@@ -63,12 +63,20 @@ static i64 store(const Tree& tree, const Decisions& decisions, f64 cost, f64 cho
   return k;
 }
 
+// What the pieces of a group from number `first` on will cost at least beside the decisions.
+static f64 least_rest(const Room& room, const Decisions& decisions, i64 first, const Group& group) {
+  f64 total = 0.0;
+  for (i64 piece = first; piece < group.last; piece++) total += least_preference(room, decisions, piece);
+  return total;
+}
+
 // Pushes every way the next piece may join a state; false where the heap is full.
-static bool expand(const Engine& engine, i64 state, i64 piece, i64 depth) {
+static bool expand(const Engine& engine, i64 state, i64 piece, i64 depth, const Group& group) {
   const Tree& tree = engine.tree;
+  const f64 cost = tree.costs[state] + least_rest(engine.room, tree.decisions.row(state), piece + 1, group);
   const i64 count = open_decisions(engine.room, tree.decisions.row(state), piece, tree.found, tree.found_cost);
   for (i64 k = 0; k < count; k++) {
-    if (!push(tree, tree.costs[state] + tree.found_cost[k], state, tree.found[k], tree.found_cost[k], depth)) return false;
+    if (!push(tree, cost + tree.found_cost[k], state, tree.found[k], tree.found_cost[k], depth)) return false;
   }
   return true;
 }
@@ -100,7 +108,8 @@ static bool try_entry(const Engine& engine, i64 entry, const Group& group, const
   counters.evaluated++;
   const f64 chosen = tree.preferences[state] + tree.heap_cost[entry];
   const i64 incumbent = counters.incumbent;
-  const f64 ceiling = incumbent >= 0 ? tree.costs[incumbent] - chosen : INFINITE;
+  const f64 rest = least_rest(engine.room, trial, group.first + depth + 1, group);
+  const f64 ceiling = incumbent >= 0 ? tree.costs[incumbent] - chosen - rest : INFINITE;
   if (!evaluate(engine, trial, limits.qps, ceiling, walk)) {
     note_failure(engine, number, limits);
     return true;
@@ -110,7 +119,7 @@ static bool try_entry(const Engine& engine, i64 entry, const Group& group, const
   const bool complete = depth + 1 == group.last - group.first;
   if (complete && (incumbent < 0 || tree.costs[grown] < tree.costs[incumbent])) counters.incumbent = grown;
   if (counters.deepest < 0 || depth + 1 > tree.depths[counters.deepest]) counters.deepest = grown;
-  return push(tree, tree.costs[grown], grown, EXPANDED, 0.0, depth + 1);
+  return push(tree, tree.costs[grown] + rest, grown, EXPANDED, 0.0, depth + 1);
 }
 
 // Empties the tree but for what counts over a whole room.
@@ -148,7 +157,7 @@ bool best_first(
       counters.best = state;
       return true;
     } else {
-      stored = expand(engine, state, group.first + depth, depth);
+      stored = expand(engine, state, group.first + depth, depth, group);
     }
     if (!stored || tree.budget[0] <= 0) {
       counters.closed = 0;

@@ -1,8 +1,8 @@
 // Best-first search over prefixes: pieces that stand together or not at all are added one by one.
 //
-// A child's bound is its parent's exact cost plus the way's own preference cost (every term is >= 0, and walking only gets worse as
-// pieces are added), so the first complete prefix popped is the best. Once the limit is spent the search dives: deepest prefixes
-// first, for as many evaluations again.
+// A child's bound is its parent's exact cost plus the way's own preference cost plus the least that the pieces to come will cost by
+// preference (every term is >= 0, and walking only gets worse as pieces are added), so the first complete prefix popped is the best. Once
+// the limit is spent the search dives: deepest prefixes first, for as many evaluations again.
 #pragma once
 
 #include "placement/engine.hpp"

@@ -88,6 +88,20 @@ f64 total_preference(const Room& room, const Decisions& decisions) {
   return total;
 }
 
+f64 least_preference(const Room& room, const Decisions& decisions, i64 piece) {
+  const PieceRow& row = room.pieces[piece];
+  f64 least_way = INFINITE, least_side = INFINITE;
+  for (i64 candidate = row.candidates[0]; candidate < row.candidates[1]; candidate++) {
+    const f64 own = room.candidate_costs[candidate].cost;
+    const i64 parent = room.candidates[candidate].parent;
+    if (own >= least_way) continue;
+    const f64 cost = parent >= 0 && decisions[parent] == ABSENT ? own : preference(room, decisions, piece, candidate);
+    if (cost >= 0) least_way = least(least_way, cost);
+  }
+  for (i64 side = row.sides[0]; side < row.sides[1]; side++) least_side = least(least_side, room.side_costs[side]);
+  return least_way < INFINITE && least_side < INFINITE ? least_way + least_side : 0.0;
+}
+
 i64 open_decisions(const Room& room, const Decisions& decisions, i64 piece, const Span<i64>& found, const Span<f64>& costs) {
   i64 count = 0;
   const PieceRow& row = room.pieces[piece];

@@ -16,6 +16,9 @@ f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 cand
 // The preference cost of all decisions together, or RULED_OUT.
 f64 total_preference(const Room& room, const Decisions& decisions);
 
+// What a piece that is not decided will cost by preference at least, whatever the other undecided ones do; 0 where it cannot stand.
+f64 least_preference(const Room& room, const Decisions& decisions, i64 piece);
+
 // Writes the decisions possible for a piece and their preference costs, in the order given; returns how many.
 i64 open_decisions(const Room& room, const Decisions& decisions, i64 piece, const Span<i64>& found, const Span<f64>& costs);
 
