@@ -19,7 +19,7 @@ from contextlib import contextmanager
 from math import prod
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
-from weakref import finalize
+from weakref import WeakSet, finalize
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -125,6 +125,7 @@ class CoreInstance:
         self._base = ctypes.addressof(memory.data_ptr(self._store).contents)
         self._functions: dict[str, Any] = {}
         self.failed = False
+        _alive.add(self)
 
     def call(self, name: str, *arguments: float) -> Any:
         """Calls an export.
@@ -159,6 +160,11 @@ class CoreInstance:
         if error or trap:
             raise self._failure(name, error, trap)
         return getattr(numbers[0], export.result) if export.result else None
+
+    def leave(self) -> None:
+        """Ends its use without giving back its memory: views of it can be read on, and Python's end need not call wasmtime."""
+        self.failed = True
+        self._store._consume()
 
     def _failure(self, name: str, error: Any, trap: Any) -> CoreFailed:
         """Says why a call ended; nothing is asked of the instance after this."""
@@ -247,11 +253,17 @@ _idle: dict[bool, deque[CoreInstance]] = {False: deque(), True: deque()}
 """Instances that nobody uses, the roomy ones apart, so that few instances ever take much memory."""
 
 
+_alive: WeakSet[CoreInstance] = WeakSet()
+"""All instances that anybody still holds."""
+
+
 @atexit.register
 def _let_go() -> None:
-    """Gives back what wasmtime holds while Python can still do so."""
+    """Gives back what wasmtime holds while Python can still do so; what somebody still holds is left to the end of the process."""
     for instances in _idle.values():
         instances.clear()
+    for instance in list(_alive):
+        instance.leave()
     _loaded.cache_clear()
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -104,3 +106,10 @@ def test_a_core_that_is_not_built_is_named(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr("solver.core.host.WASM", WASM.with_name("nothing.wasm"))
     with pytest.raises(CoreFailed, match="make core"):
         _loaded.__wrapped__()
+
+
+def test_python_ends_quietly_whatever_still_holds_memory_of_the_core() -> None:
+    keep = "import numpy\nfrom solver.core.host import CoreInstance, taken\n"
+    held = "numpy.held = [CoreInstance(), taken().lent(), taken().new_array((8,), 'f8')]\nnumpy.held.append(numpy.held)\n"
+    run = subprocess.run([sys.executable, "-c", keep + held], capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stdout, run.stderr) == (0, "", "")
