@@ -79,8 +79,8 @@ gets = APIRouter(route_class=PlainRoute, responses=refusals(405, 500))
 
 
 @posts.post("/generate")
-def generate(body: HouseRequest | contract.RerollBody | None = None) -> Generated:  # type: ignore[empty-body]
-    """Makes a furnished house, or furnishes some rooms of one anew."""
+def generate(body: HouseRequest | contract.RerollBody | contract.RestyleBody | None = None) -> Generated:  # type: ignore[empty-body]
+    """Makes a furnished house, furnishes some rooms of one anew, or gives one another style."""
 
 
 @posts.post("/furnish")

@@ -48,6 +48,17 @@ class FurnishBody(Record):
 
 
 @dataclass(frozen=True)
+class RestyleBody(Record):
+    """Gives a scene another style, or other decorations; its furniture stays where it stands."""
+
+    camel_case: ClassVar[bool] = True
+
+    scene: SentScene
+    style: Annotated[Text | None, Says("stays where there is none")] = None
+    decorate: Annotated[Flag | None, Says("whether to decorate every room, or none; as it was where it is not said")] = None
+
+
+@dataclass(frozen=True)
 class FixBody(Record):
     """Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer; `dragging`: a frame of a drag."""
 

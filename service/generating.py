@@ -8,7 +8,7 @@ from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from solver import generate, reroll
+from solver import generate, reroll, restyle
 from solver.exchange import read, read_request, write
 from solver.plain import Document
 from solver.scene import MAX_SEED
@@ -18,16 +18,21 @@ if TYPE_CHECKING:
 
 
 def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
-    """Makes a house, or furnishes some rooms of one anew.
+    """Makes a house, furnishes some rooms of one anew, or gives it another style.
 
     Args:
-        document: a `Request`, or a `RerollBody`.
+        document: a `Request`, a `RerollBody` or a `RestyleBody`.
         catalogs: the data to furnish from.
         engine: the engine of the final QP.
 
     Raises:
         FieldError: a field is wrong.
     """
+    if _is_restyling(document):
+        from service.contract import RestyleBody  # noqa: PLC0415 - the bodies of all calls
+
+        wish = read(RestyleBody, document)
+        return write(restyle(wish.scene, style=wish.style, decorate=wish.decorate, catalogs=catalogs, clock=perf_counter))
     if isinstance(document, Mapping) and not {"scene", "reroll"}.isdisjoint(document):
         from service.contract import RerollBody  # noqa: PLC0415 - the bodies of all calls
 
@@ -37,6 +42,11 @@ def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -
     request = read_request(document, "body")
     seeded = request if request.seed is not None else replace(request, seed=draw_seed())
     return write(generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter))
+
+
+def _is_restyling(document: object) -> bool:
+    named = set(document) if isinstance(document, Mapping) else set()
+    return "scene" in named and "reroll" not in named and not named.isdisjoint(("style", "decorate"))
 
 
 def draw_seed() -> int:

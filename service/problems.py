@@ -54,11 +54,11 @@ def of_error(_: Request | None, error: Exception) -> Response:
     """Turns an error of the table into its problem document."""
     status, title = next(STATUS[kind] for kind in type(error).__mro__ if kind in STATUS)
     if isinstance(error, FieldError):
-        entry = _entry(error.field, error.problem, error.allowed)
+        entries = [_entry(error.field, error.problem, error.allowed), *(_entry(*one) for one in error.more)]
     else:
-        entry = _entry("body", str(error), "one JSON or YAML document in UTF-8")
+        entries = [_entry("body", str(error), "one JSON or YAML document in UTF-8")]
     headers = {"Retry-After": str(RETRY_AFTER_S)} if status == HTTPStatus.SERVICE_UNAVAILABLE else None
-    return problem(status, title, str(error), [entry], headers)
+    return problem(status, title, str(error), entries, headers)
 
 
 def of_http(request: Request, error: Exception) -> Response:

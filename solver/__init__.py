@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from solver.pipeline.fix import fix
     from solver.pipeline.generate import generate, reroll
     from solver.pipeline.place import place
+    from solver.pipeline.restyle import restyle
     from solver.validator import validate
 else:
     _MODULES = {"reroll": "pipeline.generate", "prepare_drag": "pipeline.drag_frames", "validate": "validator"}
@@ -29,4 +30,4 @@ else:
         return getattr(import_module(f"{__name__}.{_MODULES.get(name, 'pipeline.' + name)}"), name)
 
 
-__all__ = ["Request", "Scene", "explain", "export", "fix", "generate", "place", "prepare_drag", "reroll", "validate"]
+__all__ = ["Request", "Scene", "explain", "export", "fix", "generate", "place", "prepare_drag", "reroll", "restyle", "validate"]

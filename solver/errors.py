@@ -24,15 +24,16 @@ class FieldError(ComposeError):
         field: where, as a path such as `rooms[2].furniture[0].width`.
         problem: what is wrong with it, in words.
         allowed: what would be accepted, in words; empty if there is nothing to add.
+        more: other fields that are wrong as well, each as field, problem, allowed.
     """
 
-    def __init__(self, field: str, problem: str, allowed: str = "") -> None:
-        self.field, self.problem, self.allowed = field, problem, allowed
+    def __init__(self, field: str, problem: str, allowed: str = "", more: tuple[tuple[str, str, str], ...] = ()) -> None:
+        self.field, self.problem, self.allowed, self.more = field, problem, allowed, more
         super().__init__(f"{field}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
 
-    def __reduce__(self) -> tuple[type[FieldError], tuple[str, str, str]]:
+    def __reduce__(self) -> tuple[type[FieldError], tuple[str, str, str, tuple[tuple[str, str, str], ...]]]:
         """Lets it go from one process to another: a pool raises it again."""
-        return type(self), (self.field, self.problem, self.allowed)
+        return type(self), (self.field, self.problem, self.allowed, self.more)
 
 
 class RequestError(FieldError):

@@ -48,6 +48,13 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
     return replace(room, furniture=pieces)
 
 
+def recoloured(room: Room, catalogs: Catalogs, stream: Stream, style: Style) -> Room:
+    """Returns a furnished room in the colours of a style, drawn as for new furniture; what has no kind keeps its colour."""
+    kinds = sorted({piece.kind for piece in room.furniture if piece.kind in catalogs.furniture})
+    colours = _colours({kind: _NamedKind(catalogs.name_of(kind), catalogs.furniture[kind]) for kind in kinds}, style, stream)
+    return replace(room, furniture=tuple(replace(piece, color=colours.get(piece.kind or "", piece.color)) for piece in room.furniture))
+
+
 def ids_of(room: Room, arrangement: Arrangement, catalogs: Catalogs) -> dict[str, str]:
     """Returns the ids of an arrangement's pieces in a room, by label."""
     ids: dict[str, str] = {}

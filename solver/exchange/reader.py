@@ -18,7 +18,7 @@ from pydantic_core import core_schema
 from solver.errors import FieldError, RequestError, SceneError
 from solver.exchange.identity import identified, indexed
 from solver.exchange.outlines import check_outlines
-from solver.exchange.refusing import called, refusal
+from solver.exchange.refusing import called, refusals
 from solver.fields import Says, located
 from solver.plain import Wrong
 from solver.scene import FORMAT, Request, Room, Scene
@@ -65,14 +65,14 @@ def read(of: type[Read], document: object, root: str = "body", error: type[Field
         error: the error to raise.
 
     Raises:
-        FieldError: the first field that is wrong; names it as a path, with what is allowed.
+        FieldError: fields are wrong; names them as paths, with what is allowed.
     """
     reader: TypeAdapter[Read] = adapter(of)  # type: ignore[arg-type]
     try:
         made = reader.validate_python(document)
     except ValidationError as wrong:
-        field, problem, allowed = refusal(wrong, reader.json_schema(), document)
-        raise error(field or root, problem, allowed) from None
+        (field, problem, allowed), *more = refusals(wrong, reader.json_schema(), document)
+        raise error(field or root, problem, allowed, tuple(more)) from None
     return made
 
 

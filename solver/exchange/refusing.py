@@ -7,25 +7,37 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
+from itertools import islice
 from typing import Any, Final
 
 from pydantic import ValidationError
 
 from solver.plain import path
 
+MOST_TOLD: Final = 20
+"""Wrong fields that are told of: enough for a form. Our choice."""
+MOST_FOUND: Final = 100
+"""Faults that those are chosen from: a field may have several."""
 KEY: Final = "[key]"
 """What pydantic calls a mapping's key that is wrong itself."""
 
 
-def refusal(error: ValidationError, schema: Mapping[str, Any], document: object) -> tuple[str, str, str]:
-    """Returns the field, what is wrong with it, and what is allowed, of the first thing that is wrong.
+def refusals(error: ValidationError, schema: Mapping[str, Any], document: object) -> list[tuple[str, str, str]]:
+    """Returns the field, what is wrong with it, and what is allowed, of the first MOST_TOLD fields that are wrong.
 
     Args:
         error: what was found.
         schema: the JSON Schema of what is read.
         document: what was to be read.
     """
-    first = error.errors(include_url=False)[0]
+    told: dict[str, tuple[str, str, str]] = {}
+    for one in islice(error.errors(include_url=False), MOST_FOUND):
+        entry = _refusal(one, schema, document)
+        told.setdefault(entry[0], entry)
+    return list(told.values())[:MOST_TOLD]
+
+
+def _refusal(first: Mapping[str, Any], schema: Mapping[str, Any], document: object) -> tuple[str, str, str]:
     way = [step for step in first["loc"] if step != KEY]
     if first["type"] == "refused":
         return path(way), first["ctx"]["problem"], first["ctx"]["allowed"]

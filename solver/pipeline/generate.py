@@ -21,16 +21,16 @@ from solver.furnished import furnished
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
-from solver.people import Household, peopled
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.decorate import decorated
+from solver.pipeline.inhabited import home_catalogs, inhabited
 from solver.pipeline.opened import with_fronts
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.staying import Staying, around, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place, place_wanted
-from solver.scene import MAX_SEED, ROBOT_WIDTH, Dynamic, Generated, Level, Request, Room, Scene, Size, robot_width_of
-from solver.scene_bodies import check_ids, counted
+from solver.scene import MAX_SEED, ROBOT_WIDTH, Generated, Level, Request, Room, Scene, Size, robot_width_of
+from solver.scene_bodies import check_ids
 from solver.streams import Stream
 from solver.validator import RULES, check, validate
 from solver.version import VERSION
@@ -101,7 +101,7 @@ def generate(
     timing.lap("furniture")
     scene = decorated(scene, {room.id for room in scene.rooms}, known, seed)
     timing.lap("decorations")
-    scene = _peopled(scene, scene.rooms, setting)
+    scene = inhabited(scene, scene.rooms, setting.catalogs, seed)
     timing.lap("people")
     checked = check(scene, known)
     scene = with_fronts(scene, checked)
@@ -227,13 +227,6 @@ def _written(rooms: Iterable[Room], arrangements: Mapping[str, Arrangement], set
     return tuple(furnished(room, arrangements[room.id], known, Stream(seed, "colour", room.index), style) for room in rooms)
 
 
-def _peopled(scene: Scene, rooms: Sequence[Room], setting: _Setting, before: Sequence[Dynamic] | None = None) -> Scene:
-    """Returns a scene with people and pets in some of its rooms; those in the other rooms, if there were any, stay."""
-    spaces = {room.id: space_of(room, setting.thickness, setting.robot_width, scene.rooms) for room in rooms}
-    people = peopled(rooms, Household(setting.seed, setting.catalogs, spaces), before)
-    return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counted(scene.rooms, people)})
-
-
 def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Request, setting: _Setting) -> Scene:
     written, outline = _written(plan.rooms, arrangements, setting), plan.drawing.layout.outline
     rooms = tuple(with_materials(room, setting.catalogs, setting.style, setting.seed) for room in written)
@@ -259,11 +252,6 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
 def _with_extents(request: Request) -> Request:
     """Returns a plain request with the size that its house has by default."""
     return request if request.planned else replace(request, width=request.extents[0], depth=request.extents[1])
-
-
-def _is_planned(scene: Scene) -> bool:
-    request = scene.request or {}
-    return request.get("program") is not None or request.get("area") is not None
 
 
 def reroll(
@@ -312,7 +300,7 @@ def reroll(
     new = decorated(new, done, known, setting.seed)
     new = replace(new, rooms=tuple(with_things(room, stays[room.id]) if room.id in stays else room for room in new.rooms))
     timing.lap("decorations")
-    new = _peopled(new, [room for room in new.rooms if room.id in done], setting, scene.dynamic)
+    new = inhabited(new, [room for room in new.rooms if room.id in done], setting.catalogs, setting.seed, scene.dynamic)
     timing.lap("people")
     checked = check(new, known)
     new, issues = with_fronts(new, checked, done), checked.issues
@@ -325,8 +313,8 @@ def reroll(
 
 def _setting_of(scene: Scene, known: Catalogs, seed: int, staying: Mapping[str, Staying] | None = None) -> _Setting:
     """Returns what a furnishing of a scene's rooms shares: that of its house, around what stays in them."""
-    home = known.of_home([room.type for room in scene.rooms], _is_planned(scene))
-    return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), _style_of(scene, known), staying or {}, scene.rooms)
+    home, style = home_catalogs(scene, known), _style_of(scene, known)
+    return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), style, staying or {}, scene.rooms)
 
 
 def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Room]:

@@ -17,6 +17,12 @@ PIXEL_RATIO = 0.5
 JAGGED = "--webgl-antialiasing-mode=none"
 """Smooth edges cost as much as all else that is drawn, and no test looks at them."""
 
+FORGET = """() => location.protocol !== 'http:' || new Promise((done, fail) => {
+    const gone = indexedDB.deleteDatabase('compose');
+    gone.onsuccess = () => done(true);
+    gone.onerror = gone.onblocked = () => fail(new Error('the homes stay'));
+})"""
+"""Forgets the homes that the page keeps, its only store: done once they are gone."""
 KEPT = "async () => location.protocol === 'http:' ? localStorage.length + (await indexedDB.databases()).length : 0"
 """How much a page has put where the next one finds it."""
 
@@ -43,11 +49,12 @@ def context(browser: Browser) -> Iterator[BrowserContext]:
 
 @pytest.fixture
 def page(context: BrowserContext) -> Iterator[Page]:
-    """A new browser page, which remembers nothing; an error that it throws fails the test, and so does what it leaves behind."""
+    """A new browser page, which remembers nothing: its homes are forgotten; what else it leaves behind, or throws, fails the test."""
     page = context.new_page()
     faults: list[str] = []
     page.on("pageerror", lambda fault: faults.append(str(fault)))
     yield page
+    page.evaluate(FORGET)
     kept = (context.cookies(), page.evaluate(KEPT))
     page.close()
     context.clear_permissions()

@@ -44,11 +44,10 @@ def test_back_and_forward_show_the_houses_of_before(visit: Visit) -> None:
     visit.open(SMALL.format(21))
     visit.page.locator("#seed").fill("22")
     visit.after(lambda: visit.page.keyboard.press("Enter"))
-    back = visit.after(visit.page.go_back)
-    assert back["scene"]["seed"] == 21
+    assert visit.reopened(visit.page.go_back)["seed"] == 21
     expect(visit.page.locator("#seed")).to_have_value("21")
-    forward = visit.after(visit.page.go_forward)
-    assert forward["scene"]["seed"] == 22
+    assert visit.reopened(visit.page.go_forward)["seed"] == 22
+    expect(visit.page.locator("#seed")).to_have_value("22")
 
 
 def test_the_same_request_again_is_no_new_page_of_history(visit: Visit) -> None:

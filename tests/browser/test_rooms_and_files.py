@@ -73,7 +73,10 @@ def test_a_dropped_yaml_file_is_shown(visit: Visit) -> None:
     assert visit.page.url == visit.address
     expect(visit.page.get_by_role("button", name="Copy link")).to_be_disabled()
     expect(visit.page.locator("#said")).to_contain_text("No link holds a scene from a file")
-    expect(visit.page.get_by_role("button", name="Decorate current plan")).to_be_disabled()
+    furniture = [room["furniture"] for room in scene["rooms"]]
+    dressed = visit.after(visit.page.get_by_role("button", name="Decorate current plan").click)["scene"]
+    assert [room["furniture"] for room in dressed["rooms"]] == furniture
+    assert visit.count("decorations") > 0
 
 
 def test_back_forward_and_a_reload_find_the_dropped_file_again(visit: Visit) -> None:
@@ -81,7 +84,7 @@ def test_back_forward_and_a_reload_find_the_dropped_file_again(visit: Visit) -> 
     copied = {**scene, "seed": 77}
     visit.page.evaluate(DROP, ["mine", json.dumps(copied)])
     expect(visit.page).to_have_title("Compose: mine")
-    visit.after(visit.page.go_back)
+    assert visit.reopened(visit.page.go_back) == scene
     expect(visit.page.get_by_role("button", name="Copy link")).to_be_enabled()
     expect(visit.page.locator("#said")).to_have_text("")
     for again in (visit.page.go_forward, visit.page.reload):

@@ -13,6 +13,7 @@ ANSWER_MS = 240_000
 """A guard against a page that never answers: far beyond a busy machine, below the time after which pytest shows where a test hangs."""
 POLL_MS = 40
 FRAMES = "count => new Promise(done => { const next = () => count-- > 0 ? requestAnimationFrame(next) : done(); next(); })"
+MARK_LEFT = "() => { globalThis.left = compose.scene; }"
 MOVED = "before => JSON.stringify([compose.state.eye, compose.state.target]) !== JSON.stringify(before)"
 DRIVER = "GL Driver Message (OpenGL, Performance"
 """What a software renderer says of its own pace, mostly when the machine is busy: no word of the page's."""
@@ -50,6 +51,15 @@ class Visit:
         self.settle()
         answer: Document = caught.value.json()
         return answer
+
+    def reopened(self, act: Callable[[], object]) -> Document:
+        """Do something that opens a home that the browser keeps, wait until it is shown, return its scene."""
+        self.page.evaluate(MARK_LEFT)
+        act()
+        self.page.wait_for_function("() => globalThis.compose?.scene && compose.scene !== globalThis.left")
+        self.settle()
+        scene: Document = self.page.evaluate("compose.scene")
+        return scene
 
     def settle(self) -> None:
         """Wait until no call is under way and nothing moves."""

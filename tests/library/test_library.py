@@ -38,6 +38,7 @@ def test_every_function_is_told_with_an_example_that_runs() -> None:
         "load",
         "place",
         "reroll",
+        "restyle",
         "validate",
     }
     for function in FUNCTIONS:

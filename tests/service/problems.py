@@ -27,9 +27,9 @@ def problem_of(answer: Response) -> dict[str, Any]:
 
 
 def entry_of(answer: Response, status: int) -> dict[str, str]:
-    """Returns the one entry of a refusal that names what is wrong."""
+    """Returns the first entry of a refusal that names what is wrong; each field is named once."""
     assert answer.status_code == status, answer.text[:300]
-    (entry,) = problem_of(answer)["errors"]
-    assert entry["field"]
-    assert entry["problem"]
-    return dict(entry)
+    entries = problem_of(answer)["errors"]
+    assert all(entry["field"] and entry["problem"] for entry in entries)
+    assert len({entry["field"] for entry in entries}) == len(entries) > 0
+    return dict(entries[0])

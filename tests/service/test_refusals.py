@@ -61,6 +61,14 @@ def test_a_wrong_request_names_its_field(client: TestClient, body: dict[str, Any
     assert allowed in entry["allowed"]
 
 
+def test_every_wrong_field_is_named_at_once(client: TestClient) -> None:
+    body = {"width": "wide", "depth": 1, "robot_width": 9, "program": {"bedrooms": 99, "offices": -1}, "style": 3, "sauna": 1}
+    named = [entry["field"] for entry in client.post("/generate", json=body).json()["errors"]]
+    assert sorted(named) == ["depth", "program.bedrooms", "program.offices", "robot_width", "sauna", "style", "width"]
+    rooms = [{"width": -1, "depth": 2} for _ in range(500)]
+    assert len(client.post("/validate", json={"scene": {"rooms": rooms}}).json()["errors"]) == 20
+
+
 UNFINITE = [b"NaN", b"Infinity", b"-Infinity", b"1e400", b"-1e400", b"1" + b"0" * 400]
 
 

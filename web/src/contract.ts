@@ -39,7 +39,7 @@ export type FrontsSaid = Named<Named<number | { readonly opens?: number; readonl
 export interface Scene extends Pick<Served.Scene, "wall_thickness" | "levels"> {
   readonly seed: number;
   readonly style?: string | null;
-  readonly request?: { readonly style?: string | null } | null;
+  readonly request?: { readonly style?: string | null; readonly decorate?: boolean | null } | null;
   readonly size: Served.Size;
   readonly rooms: readonly Room[];
   readonly dynamic: readonly Dynamic[];

@@ -1,13 +1,17 @@
 /** The page, wired together: a request goes to the service, its answer to the canvas, the text and the status bar. */
-import { anotherSeed, DEFAULTS, queryFromRequest, requestFromQuery } from "./address";
+import { anotherSeed, DEFAULTS, queryFromRequest, requestFromQuery, withoutGaps } from "./address";
 import { Asking } from "./asking";
 import type { HouseRequest, Scene } from "./contract";
 import { drawable } from "./house/drawable";
 import { Drawing } from "./draw/drawing";
 import { Workbench } from "./edit/workbench";
+import { carriedIn, carriedTo, linkTo } from "./memory/carrying";
+import { Entries, entry } from "./memory/entries";
+import { Keeping } from "./memory/keeping";
+import type { LeftHome } from "./memory/kept_homes";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
-import { fileOf, Files, rememberFile } from "./panel/files";
+import { Files } from "./panel/files";
 import { Issues } from "./panel/issues";
 import { Keys } from "./panel/keys";
 import { Legend } from "./panel/legend";
@@ -17,11 +21,11 @@ import { Progress } from "./panel/progress";
 import { Reading } from "./panel/reading";
 import { RoomPanel } from "./panel/room";
 import { showShown } from "./panel/status";
-import { catalog, furnish, generate, isAbort, readFile, report, reroll, ServiceProblem, view, type GivenFile } from "./service";
+import { catalog, furnish, generate, isAbort, readFile, report, reroll, restyle, ServiceProblem, view, type GivenFile } from "./service";
 import { listenToSkips } from "./panel/skips";
 import { isTyped } from "./panel/typing";
 import { Stage } from "./stage";
-import { Home, type Showing } from "./state/home";
+import { Home, type Showing, type Shown } from "./state/home";
 
 type History = "push" | "keep";
 
@@ -39,21 +43,25 @@ class Page {
   readonly #rooms = new RoomPanel(element("room"), this.#home);
   readonly #legend = new Legend(element("legend_marks"), element("legend_rooms"));
   readonly #files = new Files(element("files"), element("drop"), () => this.#home.scene);
-  readonly #link = new Link(element("copy_link"), element("said"));
+  readonly #link = new Link(element("copy_link"), element("said"), element("save_instead"), () => this.#findLink());
   readonly #asking = new Asking(element("notice"), new Progress(element("progress"), element("stage")));
   readonly #stage = new Stage(element("stage"));
   readonly #diagnose = new Diagnose(this.#home);
   readonly #keys = new Keys();
   readonly #drawing: Drawing;
+  readonly #entries = new Entries();
+  readonly #keeping: Keeping;
   readonly #workbench: Workbench;
   #wanted: HouseRequest = requestFromQuery(location.search);
-  /** What the house shown was asked for by; null for a file's. */
-  #made: HouseRequest | null = null;
   #learnt = false;
   #written = new AbortController();
   #reads: Promise<void> = Promise.resolve();
 
   constructor() {
+    this.#keeping = new Keeping(this.#home, this.#stage.viewport, element("recent")); // the first to hear what is shown
+    this.#keeping.onLead = (id) => this.#openKept(id, "push", (kept) => this.#keeping.homes.follow(kept));
+    this.#keeping.onOpen = (id) => this.#openKept(id, "push");
+    this.#controls.onRestyle = (wish) => this.#restyle(wish);
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
     this.#reading.onChoose = (id) => this.#chooseInText(id);
     this.#reading.onFlag = (id) => this.#home.toggleFlag(id);
@@ -80,7 +88,8 @@ class Page {
     element("draw_new").addEventListener("click", () => this.#drawing.open(null));
     element("draw_this").addEventListener("click", () => this.#drawing.open(this.#home.settled?.scene ?? null));
     element("random").addEventListener("click", () => this.#random());
-    element("decorate_now").addEventListener("click", () => { if (this.#made) this.#submit({ ...this.#made, decorate: true }); });
+    element("decorate_now").addEventListener("click", () => this.#restyle({ decorate: true }));
+    element("save_instead").addEventListener("click", () => element("download_json").click());
     element("reset").addEventListener("click", () => this.#submit(DEFAULTS));
     window.addEventListener("popstate", () => this.#openAddress());
     document.addEventListener("keydown", (event) => this.#key(event));
@@ -95,16 +104,32 @@ class Page {
     void this.#stage.rehearse();
   }
 
-  /** Opens what the page of history holds: a file's scene, else the address' request. */
+  /** Opens what the page of history holds: a home as it was left, a file's scene, else the address' request. */
   #openAddress(): void {
-    const file = fileOf(window.history.state);
-    if (file) {
-      this.#openFile(file, "keep");
-      return;
-    }
+    const { home } = entry();
+    if (home !== undefined) this.#openKept(home, "keep");
+    else this.#openRequest();
+  }
+
+  #openRequest(): void {
+    const { file } = entry();
     const request = requestFromQuery(location.search);
-    this.#controls.show(request);
-    void this.#ask(request, "keep");
+    if (!file) this.#controls.show(request);
+    if (file) this.#openFile(file, "keep");
+    else void this.#ask(request, "keep", carriedIn(location.hash));
+  }
+
+  /** Shows a home that the browser keeps, as it was left; where it does not, what the address asks for. */
+  #openKept(id: string, history: History, open = (kept: LeftHome): void => this.#keeping.homes.open(kept)): void {
+    void this.#asking.run("Opening the home", async (signal) => {
+      const [kept] = await Promise.all([this.#keeping.homes.read(id), this.#learn(signal)]);
+      if (signal.aborted) return;
+      this.#entries.expect(history === "push");
+      this.#home.select(null);
+      if (kept) open(kept);
+      else this.#openRequest();
+      await this.#reads;
+    });
   }
 
   #random(): void {
@@ -133,21 +158,49 @@ class Page {
     acts[event.key.length === 1 ? event.key.toLowerCase() : event.key]?.();
   }
 
-  #remember(request: HouseRequest, history: History): void {
+  /** Asks for a house, and shows it with the changes that a link carried. */
+  #ask(request: HouseRequest, history: History, carried: string | null = null): Promise<void> {
     this.#wanted = request;
-    const query = queryFromRequest(request);
-    if (query === location.search) return;
-    if (history === "push") window.history.pushState(null, "", query);
-    else window.history.replaceState(null, "", query);
-  }
-
-  #ask(request: HouseRequest, history: History): Promise<void> {
-    this.#remember(request, history);
     return this.#asking.run("Laying out the house", async (signal) => {
       const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal)]);
-      this.#shows(request);
+      this.#entries.expect(history === "push");
       this.#home.select(null);
-      this.#home.show({ scene, issues, conflicts: [], timing }, "new");
+      this.#home.show({ scene, issues, conflicts: [], timing, made: request, file: null }, "new");
+      if (carried !== null) await this.#change(scene, carried, signal);
+      await this.#reads;
+    });
+  }
+
+  /** Shows the changes that a link carried, as a step of their own; the service reads them as it reads a file. */
+  async #change(made: Scene, carried: string, signal: AbortSignal): Promise<void> {
+    try {
+      const content = JSON.stringify(await carriedTo(carried, made));
+      const scene = await readFile({ name: "The link", format: "json", content }, signal);
+      const { issues } = await report(scene, [], signal);
+      this.#home.show({ scene, issues, conflicts: [], timing: 0 }, "step");
+    } catch (reason) {
+      if (isAbort(reason)) throw reason;
+      this.#asking.notice.show(reason);
+    }
+  }
+
+  /** The link to the home shown, with what was changed in it. */
+  #findLink(): ReturnType<typeof linkTo> {
+    const { shown, isEdited } = this.#home;
+    if (!shown?.made) return Promise.reject(new Error("no request makes a file's scene"));
+    return linkTo(shown, shown.made, isEdited, location.href.replace(/#.*/, ""), generate);
+  }
+
+  /** Gives the home that is shown another style or other decorations, in turn with the edits; the furniture stays. */
+  #restyle(wish: { readonly style?: string; readonly decorate?: boolean }): void {
+    if (!this.#home.settled) return;
+    void this.#asking.run("Changing style and decorations", async (signal) => {
+      await this.#workbench.editor.inTurn(async () => {
+        const before = this.#home.settled;
+        if (!before || signal.aborted) return;
+        const { scene, issues, timing_ms: timing } = await restyle(before.scene, wish, signal);
+        this.#home.show({ scene, issues, conflicts: [], timing, made: before.made ? withoutGaps({ ...before.made, ...wish }) : null }, "step");
+      });
       await this.#reads;
     });
   }
@@ -182,12 +235,10 @@ class Page {
     void this.#asking.run(`Reading ${file.name}`, async (signal) => {
       const [scene] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
       const { issues } = await report(scene, [], signal);
-      if (history === "push") rememberFile(file);
-      this.#shows(null);
+      this.#entries.expect(history === "push", file);
       this.#home.select(null);
-      this.#home.show({ scene, issues, conflicts: [], timing: 0 }, "new");
+      this.#home.show({ scene, issues, conflicts: [], timing: 0, made: null, file: file.name }, "new");
       await this.#reads;
-      document.title = `Compose: ${file.name}`;
     });
   }
 
@@ -197,17 +248,21 @@ class Page {
       const made = isToBeFurnished ? await furnish(drawn, [], signal) : { scene: drawn, timing_ms: 0 };
       const { issues } = await report(made.scene, [], signal);
       this.#drawing.close();
-      this.#shows(null);
-      this.#home.show({ scene: made.scene, issues, conflicts: [], timing: made.timing_ms }, "step");
+      this.#home.show({ scene: made.scene, issues, conflicts: [], timing: made.timing_ms, made: null, file: null }, "step");
       await this.#reads;
     });
   }
 
-  /** Keeps what the house shown was asked for by: a file's scene has no link and is not made anew. */
-  #shows(request: HouseRequest | null): void {
-    this.#made = request;
-    this.#link.opens(request && queryFromRequest(request));
-    element<HTMLButtonElement>("decorate_now").disabled = !request;
+  /** Shows where the home comes from: in the address, the form, the title, and what a link can hold. */
+  #tellOrigin({ made = null, file = null, scene }: Shown, how: Showing): void {
+    const query = made && queryFromRequest(made);
+    this.#entries.show(this.#keeping.homes.current, query, this.#keeping.store.lasts);
+    this.#link.opens(query);
+    this.#link.edited(this.#home.isEdited);
+    element<HTMLButtonElement>("decorate_now").disabled = false;
+    if (how === "new") document.title = `Compose: ${file ?? `house ${scene.seed}`}`;
+    if (made && how === "new") this.#controls.show((this.#wanted = made));
+    else this.#controls.showFurnishing(made ?? { style: scene.request?.style ?? undefined, decorate: scene.request?.decorate === true });
   }
 
   /** Shows the home as it now is; the moments of an edit are the stage's and the text waits for the end. */
@@ -220,8 +275,7 @@ class Page {
     this.#issues.show(shown.issues);
     this.#legend.show(drawable(shown.scene));
     showShown(element("status"), shown);
-    this.#link.edited(this.#home.canUndo);
-    if (how === "new") document.title = `Compose: house ${shown.scene.seed}`;
+    this.#tellOrigin(shown, how);
     this.#reads = this.#read(shown.scene);
   }
 

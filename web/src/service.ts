@@ -135,6 +135,11 @@ export function explain(scene: Scene, id: string, signal: AbortSignal): Promise<
   return post("explain", { scene, id }, signal);
 }
 
+/** A home in another style, or with other decorations; its furniture stays where it stands. */
+export function restyle(scene: Scene, wish: { readonly style?: string; readonly decorate?: boolean }, signal: AbortSignal): Promise<GenerateAnswer> {
+  return post("generate", { scene, ...wish }, signal);
+}
+
 export type FileFormat = "json" | "yaml";
 
 /** A format that a scene can be exported to, beside its own. */

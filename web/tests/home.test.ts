@@ -15,15 +15,15 @@ describe("history", () => {
     home.show(second, "step");
     home.show(third, "step");
     home.undo();
-    expect(home.shown).toBe(second);
+    expect(home.shown).toMatchObject(second);
     home.undo();
-    expect(home.shown).toBe(first);
+    expect(home.shown).toMatchObject(first);
     expect([home.canUndo, home.canRedo]).toEqual([false, true]);
     home.undo();
-    expect(home.shown).toBe(first);
+    expect(home.shown).toMatchObject(first);
     home.redo();
     home.redo();
-    expect(home.shown).toBe(third);
+    expect(home.shown).toMatchObject(third);
     expect(home.canRedo).toBe(false);
   });
 
@@ -34,13 +34,13 @@ describe("history", () => {
     home.show(shown(2), "live");
     home.show(shown(3), "live");
     expect(home.scene?.seed).toBe(3);
-    expect(home.settled).toBe(first);
+    expect(home.settled).toMatchObject(first);
     expect(home.canUndo).toBe(false);
     home.show(end, "step");
     home.undo();
-    expect(home.shown).toBe(first);
+    expect(home.shown).toMatchObject(first);
     home.redo();
-    expect(home.shown).toBe(end);
+    expect(home.shown).toMatchObject(end);
   });
 
   it("forgets what was undone when another step is taken, and all for another house", () => {

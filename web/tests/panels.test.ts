@@ -3,10 +3,11 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { drawing } from "./random_requests";
 import { room, scene } from "./rooms";
-import { fileOf, formatOf } from "../src/panel/files";
+import { formatOf } from "../src/panel/files";
 import { tokensOf, writeHighlighted } from "../src/panel/highlight";
 import { Legend, roomColors } from "../src/panel/legend";
 import { LineList, type Line } from "../src/panel/line_list";
+import type { Found } from "../src/memory/carrying";
 import { Link } from "../src/panel/link";
 import { Notice } from "../src/panel/notice";
 import { optimalityOf } from "../src/panel/status";
@@ -109,26 +110,30 @@ describe("the legend", () => {
 describe("the link", () => {
   afterEach(() => vi.unstubAllGlobals());
 
-  it("is not given for a file, and says so; it says what it leaves out of an edited house", async () => {
-    document.body.innerHTML = "<button></button><p></p>";
-    const [button, said] = [document.querySelector("button") as HTMLButtonElement, document.querySelector("p") as HTMLElement];
+  it("holds the changes of an edited house up to a length, and says so; of a file there is none", async () => {
+    document.body.innerHTML = "<button></button><p></p><button hidden></button>";
+    const [button, said, saving] = ["button", "p", "p + button"].map((one) => document.querySelector(one)) as [HTMLButtonElement, HTMLElement, HTMLButtonElement];
     const copied: string[] = [];
     vi.stubGlobal("navigator", { clipboard: { writeText: (text: string) => (copied.push(text), Promise.resolve()) } });
-    const link = new Link(button, said);
+    const found: (Found | null)[] = [{ link: "whole", isWhole: true, length: 5 }, { link: "plain", isWhole: false, length: 12345 }, null];
+    const link = new Link(button, said, saving, () => { const one = found.shift(); return one ? Promise.resolve(one) : Promise.reject(new Error("lost")); });
     const words = async (): Promise<string | null> => (button.click(), await new Promise((done) => setTimeout(done)), said.textContent);
     expect(button.disabled).toBe(true);
     link.opens("?seed=5");
-    expect(await words()).toContain("opens this house");
+    expect(await words()).toBe("Link copied: it opens this house.");
     link.edited(true);
-    expect(said.textContent).toBe("");
-    expect(await words()).toContain("as it was made");
+    expect([said.textContent, saving.hidden]).toEqual(["", true]);
+    expect([await words(), saving.hidden]).toEqual(["Link copied: it opens this house with your changes.", true]);
+    expect([await words(), saving.hidden]).toEqual([expect.stringContaining("12,345 letters; 8,000 go everywhere"), false]);
+    expect([await words(), saving.hidden]).toEqual([expect.stringContaining("as it was made"), false]);
     link.opens(null);
-    expect([button.disabled, said.textContent]).toEqual([true, expect.stringContaining("file")]);
+    expect([button.disabled, said.textContent, saving.hidden]).toEqual([true, expect.stringContaining("file"), true]);
     link.opens("?seed=6");
     link.edited(false);
     expect([button.disabled, said.textContent]).toEqual([false, ""]);
     await words();
-    expect(copied).toEqual(["?seed=5", "?seed=5", "?seed=6"].map((query) => new URL(query, location.href).href));
+    const address = (query: string): string => new URL(query, location.href).href;
+    expect(copied).toEqual([address("?seed=5"), "whole", "plain", address("?seed=5"), address("?seed=6")]);
   });
 });
 
@@ -174,8 +179,6 @@ describe("files", () => {
   it("are of the format that their name says, else their first character", () => {
     const given = [["a.json", ""], ["a.YML", "{"], ["a.yaml", "["], ["a", " {"], ["a", "rooms:"], ["a.txt", "[1]"], ["a.GLB", ""], ["a", "glTF\u0002"]];
     expect(given.map(([name = "", text = ""]) => formatOf(name, text))).toEqual(["json", "yaml", "yaml", "json", "yaml", "json", "glb", "glb"]);
-    const file = { name: "a", format: "json", content: "{}" };
-    expect([null, {}, { file }].map(fileOf)).toEqual([null, null, file]);
   });
 });
 

@@ -71,6 +71,7 @@ export class Workbench {
     this.#conflicts.onTake = (refusal, repair) => this.editor.take(refusal, repair);
     this.#palette.onChoose = (kind) => this.#add(kind);
     home.on("shown", (how) => this.#shown(how));
+    home.on("beyond", () => this.#offer());
     home.on("selected", () => { this.#why.hide(); this.#offer(); });
     document.addEventListener("keydown", (event) => this.#key(event));
     this.#offer();

@@ -11,6 +11,8 @@ export function fieldWords({ problem, allowed }: FieldProblem): string {
 
 export class Controls {
   onGenerate: (request: HouseRequest) => void = () => undefined;
+  /** Called with a style, or whether to decorate, for the home that is shown. */
+  onRestyle: (wish: { readonly style?: string; readonly decorate?: boolean }) => void = () => undefined;
   readonly #programme: Programme;
   /** What only an address can ask for. */
   #forced: HouseRequest["force_types"];
@@ -23,7 +25,8 @@ export class Controls {
       event.preventDefault();
       this.onGenerate(this.read());
     });
-    this.#input("style").addEventListener("change", () => this.#sayStyle());
+    this.#input("style").addEventListener("change", () => this.#chooseStyle());
+    this.#input("decorate").addEventListener("change", () => this.onRestyle({ decorate: this.#input("decorate").checked }));
     for (const slider of form.querySelectorAll<HTMLInputElement>("input[data-for]")) this.#tie(slider);
   }
 
@@ -55,6 +58,14 @@ export class Controls {
     this.#forced = request.force_types;
     this.#sayStyle();
     this.showProblems([]);
+  }
+
+  /** Shows the style and the decorations of the home that is shown; what else is typed stays. */
+  showFurnishing({ style, decorate }: Pick<HouseRequest, "style" | "decorate">): void {
+    if (style !== undefined) this.#offerStyle(style);
+    this.#input("style").value = style ?? "";
+    this.#input("decorate").checked = decorate === true;
+    this.#sayStyle();
   }
 
   /** Marks the fields that the service refused, each with its words, and goes to the first. */
@@ -98,6 +109,13 @@ export class Controls {
   #offerStyle(name: string): void {
     const style = this.form.querySelector<HTMLSelectElement>("#style");
     if (style && ![...style.options].some((option) => option.value === name)) style.append(new Option(inWords(name), name));
+  }
+
+  /** The home that is shown takes a style that is named; the seed's own is for the next one. */
+  #chooseStyle(): void {
+    this.#sayStyle();
+    const style = this.#input("style").value;
+    if (style) this.onRestyle({ style });
   }
 
   #sayStyle(): void {

@@ -5,21 +5,6 @@ import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile,
 /** How much of a file tells its format, bytes. */
 const BEGINNING = 1024;
 
-/** The file that a page of the browser's history holds, if it holds one. */
-export function fileOf(state: unknown): GivenFile | null {
-  const file = (state as { readonly file?: GivenFile } | null)?.file;
-  return file ?? null;
-}
-
-/** Begins a page of history that holds a file, so that back, forward and a reload find it; one too large for that is not kept. */
-export function rememberFile(file: GivenFile): void {
-  try {
-    window.history.pushState({ file }, "", location.pathname);
-  } catch {
-    window.history.pushState(null, "", location.pathname);
-  }
-}
-
 /** A file's format by its name; else by how it begins: JSON with a bracket, a .glb with its mark. */
 export function formatOf(name: string, text: string): ReadFormat {
   if (/\.glb$/i.test(name) || text.startsWith("glTF")) return "glb";

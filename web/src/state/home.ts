@@ -1,11 +1,26 @@
 /** The one copy of what is shown: the scene with the service's verdict on it, its history, and what is pointed out. */
-import type { Conflict, Furniture, GenerateAnswer, Issue, Room, Scene } from "../contract";
+import type { Conflict, Furniture, GenerateAnswer, HouseRequest, Issue, Room, Scene } from "../contract";
+import { sharing } from "../memory/changes";
 
-export interface Shown {
+/** Where a home comes from. */
+export interface Origin {
+  /** What makes it, but for what was edited; null for a file's. */
+  readonly made: HouseRequest | null;
+  /** The name of the file that held it, where it was one. */
+  readonly file: string | null;
+}
+
+export interface Shown extends Partial<Origin> {
   readonly scene: Scene;
   readonly issues: readonly Issue[];
   readonly conflicts: readonly Conflict[];
   readonly timing: GenerateAnswer["timing_ms"];
+}
+
+/** What lies before the first step of a home, and after one of its steps: other homes. Null where there is none. */
+export interface Beyond {
+  readonly back: (() => void) | null;
+  readonly forth: (() => void) | null;
 }
 
 /** What an answer is to the one before: another house, an edit that can be undone, or a moment of an edit under way. */
@@ -17,11 +32,11 @@ export interface Changes {
   selected: string | null;
   room: string | null;
   flagged: ReadonlySet<string>;
+  /** What lies before and after the home has changed. */
+  beyond: null;
 }
 
 type Listener<Change extends keyof Changes> = (how: Changes[Change]) => void;
-
-const MOST_STEPS = 200;
 
 export class Home {
   #shown: Shown | null = null;
@@ -29,10 +44,11 @@ export class Home {
   #settled: Shown | null = null;
   #past: Shown[] = [];
   #future: Shown[] = [];
+  #beyond: () => Beyond = () => ({ back: null, forth: null });
   #selected: string | null = null;
   #room: string | null = null;
   #flagged: ReadonlySet<string> = new Set();
-  readonly #listeners: { [Change in keyof Changes]: Listener<Change>[] } = { shown: [], selected: [], room: [], flagged: [] };
+  readonly #listeners: { [Change in keyof Changes]: Listener<Change>[] } = { shown: [], selected: [], room: [], flagged: [], beyond: [] };
 
   /** Calls a listener after every change of a kind. */
   on<Change extends keyof Changes>(change: Change, listener: Listener<Change>): void {
@@ -57,31 +73,73 @@ export class Home {
   }
 
   show(shown: Shown, how: Showing): void {
+    const before = this.#settled;
     if (how === "new") [this.#past, this.#future] = [[], []];
-    if (how === "step") {
-      if (this.#settled) this.#past = [...this.#past, this.#settled].slice(-MOST_STEPS);
-      this.#future = [];
+    if (how === "step" && before) {
+      [this.#past, this.#future] = [[...this.#past, before], []];
+      this.#settled = { made: before.made ?? null, file: before.file ?? null, ...shown, scene: sharing(before.scene, shown.scene) };
+      this.#present(this.#settled, how);
+      return;
     }
     if (how !== "live") this.#settled = shown;
     this.#present(shown, how);
   }
 
-  get canUndo(): boolean {
+  /** Shows a home with all its steps, at one of them. */
+  restore(steps: readonly Shown[], at: number): void {
+    const shown = steps[at];
+    if (!shown) throw new RangeError(`step ${at} of ${steps.length}`);
+    this.#past = steps.slice(0, at);
+    this.#future = steps.slice(at + 1).reverse();
+    this.#settled = shown;
+    this.#present(shown, "new");
+  }
+
+  /** All steps of the home, from the first on. */
+  get steps(): readonly Shown[] {
+    return [...this.#past, ...(this.#settled ? [this.#settled] : []), ...[...this.#future].reverse()];
+  }
+
+  /** Which of the steps is shown. */
+  get at(): number {
+    return this.#past.length;
+  }
+
+  /** Whether the home differs from what it began as. */
+  get isEdited(): boolean {
     return this.#past.length > 0;
   }
 
+  /** Learns of the homes before and after this one. */
+  lieBetween(beyond: () => Beyond): void {
+    this.#beyond = beyond;
+    this.#tell("beyond", null);
+  }
+
+  get canUndo(): boolean {
+    return this.#past.length > 0 || this.#beyond().back !== null;
+  }
+
   get canRedo(): boolean {
-    return this.#future.length > 0;
+    return this.#future.length > 0 || this.#beyond().forth !== null;
   }
 
   undo(): void {
     const before = this.#past.pop();
-    if (!before || !this.#settled) return;
+    if (!before || !this.#settled) {
+      this.#beyond().back?.();
+      return;
+    }
     this.#future.push(this.#settled);
     this.#goTo(before);
   }
 
   redo(): void {
+    const { forth } = this.#beyond();
+    if (forth) {
+      forth();
+      return;
+    }
     const next = this.#future.pop();
     if (!next || !this.#settled) return;
     this.#past.push(this.#settled);

@@ -1,0 +1,37 @@
+"""Rooms of a scene peopled: by whom its home has, in nobody's way.
+
+Comes in: a furnished and decorated scene. Goes out: the scene with people and pets, counted anew. May import: every stage.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from catalogs import Catalogs
+from solver.furnish import space_of
+from solver.people import Household, peopled
+from solver.scene import Dynamic, Room, Scene, robot_width_of
+from solver.scene_bodies import counted
+
+
+def home_catalogs(scene: Scene, known: Catalogs) -> Catalogs:
+    """Returns the catalogs as they are for a scene's home: planned for a programme or an area, or plain."""
+    request = scene.request or {}
+    planned = request.get("program") is not None or request.get("area") is not None
+    return known.of_home([room.type for room in scene.rooms], planned)
+
+
+def inhabited(scene: Scene, rooms: Sequence[Room], home: Catalogs, seed: int, before: Sequence[Dynamic] | None = None) -> Scene:
+    """Returns a scene with people and pets in some of its rooms.
+
+    Args:
+        scene: the house.
+        rooms: of its rooms, those that are peopled.
+        home: the catalogs for its home.
+        seed: decides.
+        before: who was in the house, where only these rooms are peopled anew; those elsewhere stay. None: all come anew.
+    """
+    spaces = {room.id: space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms) for room in rooms}
+    people = peopled(rooms, Household(seed, home, spaces), before)
+    return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counted(scene.rooms, people)})

@@ -1,0 +1,117 @@
+/** The homes that the browser keeps: each with its picture, opened as it was left; and forgotten, where that is wished. */
+import type { Head } from "../memory/store";
+
+const MOST_SHOWN = 24;
+const MINUTE = 60_000;
+
+/** How long ago, in words. */
+export function agoWords(ms: number): string {
+  const minutes = Math.floor(ms / MINUTE);
+  if (minutes < 1) return "just now";
+  const [count, unit] = minutes < 60 ? [minutes, "minute"] : minutes < 1440 ? [Math.floor(minutes / 60), "hour"] : [Math.floor(minutes / 1440), "day"];
+  return `${count} ${unit}${count === 1 ? "" : "s"} ago`;
+}
+
+/** How far a home was edited, in words. */
+export function changesWords({ count }: Head): string {
+  if (count === 1) return "as it was made";
+  return count === 2 ? "1 change" : `${count - 1} changes`;
+}
+
+/** The homes worth listing: of those never edited that one address makes, the newest. */
+export function listed(heads: readonly Head[], current: string | null): Head[] {
+  const seen = new Set<string>();
+  const isNew = ({ count, query, id }: Head): boolean => {
+    if (count > 1 || query === null || id === current) return true;
+    if (seen.has(query)) return false;
+    seen.add(query);
+    return true;
+  };
+  return heads.filter(isNew).slice(0, MOST_SHOWN);
+}
+
+export interface RecentSource {
+  heads(): Promise<readonly Head[]>;
+  picture(id: string): Promise<string | null>;
+  current(): string | null;
+}
+
+export class Recent {
+  onOpen: (id: string) => void = () => undefined;
+  onForget: (ids: ReadonlySet<string>) => void = () => undefined;
+  readonly #list: HTMLElement;
+  readonly #said: HTMLElement;
+  readonly #clear: HTMLButtonElement;
+  #isStale = true;
+  #isAsked = false;
+  #heads: readonly Head[] = [];
+
+  constructor(readonly host: HTMLDetailsElement, readonly source: RecentSource, readonly now: () => number = Date.now) {
+    this.#list = host.querySelector("#recent_list") as HTMLElement;
+    this.#said = host.querySelector("#recent_said") as HTMLElement;
+    this.#clear = host.querySelector("#recent_clear") as HTMLButtonElement;
+    host.addEventListener("toggle", () => this.#refresh());
+    this.#clear.addEventListener("click", () => this.#forgetAll());
+    this.#clear.addEventListener("blur", () => this.#ask(false));
+  }
+
+  /** What is kept has changed; it is read when it is looked at. */
+  changed(): void {
+    this.#isStale = true;
+    this.#refresh();
+  }
+
+  /** The browser keeps nothing beyond this page. */
+  sayLost(): void {
+    this.#said.textContent = "This browser keeps no homes beyond this page, or is full: what you change here is lost when you leave. Save it as a file.";
+  }
+
+  /** Forgets all but the home shown, once that is said twice. */
+  #forgetAll(): void {
+    if (this.#isAsked) this.onForget(new Set(this.#heads.map(({ id }) => id)));
+    this.#ask(!this.#isAsked);
+  }
+
+  #ask(isAsked: boolean): void {
+    this.#isAsked = isAsked;
+    this.#clear.textContent = isAsked ? `Really forget ${this.#heads.length - 1}?` : "Forget all but this one";
+  }
+
+  #refresh(): void {
+    if (!this.host.open || !this.#isStale) return;
+    this.#isStale = false;
+    void this.#show();
+  }
+
+  async #show(): Promise<void> {
+    const heads = await this.source.heads();
+    const current = this.source.current();
+    const shown = listed(heads, current);
+    const pictures = await Promise.all(shown.map(({ id }) => this.source.picture(id)));
+    const focused = document.activeElement?.closest<HTMLElement>("#recent_list [data-home]")?.dataset.home;
+    this.#heads = heads;
+    this.#clear.disabled = heads.length < 2;
+    this.#list.replaceChildren(...shown.map((head, i) => this.#item(head, pictures[i] ?? null, head.id === current)));
+    if (focused !== undefined) this.#list.querySelector<HTMLElement>(`[data-home="${CSS.escape(focused)}"]`)?.focus();
+  }
+
+  #item(head: Head, picture: string | null, isCurrent: boolean): HTMLElement {
+    const item = document.createElement("li");
+    const open = Object.assign(document.createElement("button"), { type: "button", className: "recent-home" });
+    open.dataset.home = head.id;
+    if (isCurrent) open.setAttribute("aria-current", "true");
+    const image = Object.assign(document.createElement("img"), { alt: "", width: 72, height: 45 });
+    if (picture) image.src = picture;
+    const words = document.createElement("span");
+    const title = Object.assign(document.createElement("b"), { textContent: head.title });
+    const more = Object.assign(document.createElement("small"), { textContent: `${head.size}, ${changesWords(head)}, ${agoWords(this.now() - head.touched)}` });
+    words.append(title, more);
+    open.append(image, words);
+    open.addEventListener("click", () => this.onOpen(head.id));
+    const forget = Object.assign(document.createElement("button"), { type: "button", className: "recent-forget", textContent: "✕", disabled: isCurrent });
+    forget.setAttribute("aria-label", `Forget ${head.title}`);
+    forget.addEventListener("click", () => this.onForget(new Set([head.id])));
+    item.append(open, forget);
+    return item;
+  }
+}
