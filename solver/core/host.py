@@ -262,8 +262,10 @@ def _let_go() -> None:
     """Gives back what wasmtime holds while Python can still do so; what somebody still holds is left to the end of the process."""
     for instances in _idle.values():
         instances.clear()
-    for instance in list(_alive):
-        instance.leave()
+    if held := list(_alive):
+        for instance in held:
+            instance.leave()
+        _loaded().engine._consume()  # what they hold besides
     _loaded.cache_clear()
 
 
