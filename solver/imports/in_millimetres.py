@@ -14,6 +14,7 @@ from solver.errors import FieldError
 from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, PlanNotes, Spot
 from solver.imports.straighten import turn_of, turned_by
 
+LEAST_CORNERS: Final = 3
 SMALLEST: Final = 500
 WIDEST: Final = 1_000_000
 """Between these, mm, is the larger side of a house."""
@@ -28,6 +29,10 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
     Raises:
         FieldError: there are no rooms, or none on that level.
     """
+    for room in plan.rooms:
+        if len(room.points) < LEAST_CORNERS:
+            notes.leave(room.where, f"room {room.label!r:.60}: its outline has {len(room.points)} corners")
+    plan = replace(plan, rooms=tuple(room for room in plan.rooms if len(room.points) >= LEAST_CORNERS))
     counts = Counter(room.level for room in plan.rooms)
     names = {level.number: level.name for level in plan.levels}
     if not counts:

@@ -26,6 +26,8 @@ TABLE_HEIGHT: Final = 0.46
 """A table that a seat may be under is higher, m."""
 TUCKED: Final = 0.005
 """A seat is under a table if their footprints share more, m."""
+LARGEST: Final = 50.0
+"""Nothing in a home is larger, m."""
 OVERHEAD: Final = 1.6
 """What hangs higher, m, and is known for no decoration, is left out: a lamp at the ceiling."""
 
@@ -40,10 +42,11 @@ def with_pieces(
     for piece in pieces:
         x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
         place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
-        meaning = synonyms_of(catalogs).meaning(piece.name, piece.size)
+        meaning = None if piece.size and min(piece.size) <= 0 else synonyms_of(catalogs).meaning(piece.name, piece.size)
         size = piece.size or _usual_size(meaning, catalogs)
-        if place is None or size is None or min(size) <= 0:
-            notes.leave(piece.where, f"{piece.name!r:.60}: " + ("it stands in no room" if place is None else "the file gives no size"))
+        if place is None or size is None or not 0 < min(size) <= max(size) <= LARGEST:
+            words = "it stands in no room" if place is None else "the file gives no size" if size is None else "its size is none"
+            notes.leave(piece.where, f"{piece.name!r:.60}: {words}")
             continue
         if _sort(meaning, catalogs) == LIVING:
             notes.leave(piece.where, f"{piece.name!r:.60}: people and pets are left out")

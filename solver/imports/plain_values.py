@@ -5,8 +5,8 @@ Comes in: plain values. Goes out: numbers, texts, lists, objects. May import: er
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
+from math import isnan
 from typing import Any, Final, TypeVar, overload
 
 from solver.errors import FieldError
@@ -58,7 +58,9 @@ def a_number(said: Mapping[str, Any], key: str, where: str, default: float | str
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise FieldError(place, f"is {_called(value)}", "a number")
     if not -FARTHEST <= value <= FARTHEST:
-        raise FieldError(place, f"is {value:g}" if math.isnan(value) or abs(value) < 1e300 else "is too large", "a finite number")
+        raise FieldError(
+            place, "is not a number" if isinstance(value, float) and isnan(value) else "is too large", f"a number up to {FARTHEST:g}"
+        )
     return float(value)
 
 

@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import Any, Final
 
 from solver.errors import FieldError
-from solver.imports.drawn import DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, Spot
+from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
 from solver.imports.plain_values import a_list, a_number, a_text, an_object, one_of
 from solver.imports.units import unit_named
 from solver.scene import OPENING_KINDS
@@ -69,6 +69,7 @@ def _points(shape: Mapping[str, Any], form: str, up: bool, where: str) -> list[S
             raise FieldError(place, f"has {len(rings)} rings", "one: rooms have no holes")
         given, place = rings[0], f"{place}[0]"
     listed = [given] if form == "Point" else a_list(given, place)
+    check_count(place, len(listed), MOST_POINTS)
     found = [_point(point, up, f"{place}[{number}]") for number, point in enumerate(listed)]
     least = {"Polygon": 3, "LineString": 2, "Point": 1}[form]
     if len(found) < least:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from solver.errors import FieldError
-from solver.imports.drawn import DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, OpeningKind, Spot
+from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, OpeningKind, Spot, check_count
 from solver.imports.plain_values import a_list, a_number, a_text, an_object
 from solver.scene import OPENING_KINDS
 
@@ -62,6 +62,7 @@ def _spot(said: object, where: str) -> Spot:
 
 def _room(said: Json, where: str) -> DrawnRoom:
     points = a_list(said.get("floorPolygon"), f"{where}.floorPolygon")
+    check_count(f"{where}.floorPolygon", len(points), MOST_POINTS)
     spots = tuple(_spot(point, f"{where}.floorPolygon[{at}]") for at, point in enumerate(points))
     ours = _ours(said, where)
     kind = a_text(said, "roomType", where)

@@ -1,0 +1,184 @@
+"""Broken and hostile files are refused with the place, or read without what is wrong; in bounded work and memory.
+
+No clock is asked: each file is read under a limit on Python's own function calls, far above what any plan needs.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import tracemalloc
+from collections.abc import Callable
+from io import BytesIO
+from typing import Any
+from zipfile import ZIP_DEFLATED, ZipFile
+
+import pytest
+
+from solver.errors import ComposeError, FieldError
+from tests.imports.plans import Feature, box, collection, line, piece, polygon, read
+from tests.imports.test_foreign_formats import apartment, packed, sweet_home
+
+MOST_CALLS = 5_000_000
+MOST_MEMORY = 200 << 20
+NAN, HUGE = float("nan"), 1e300
+KITCHEN = box("Kitchen", 0, 0, 4, 3)
+
+
+def spoilt(change: Callable[[dict[str, Any]], Any]) -> bytes:
+    """A plan with something wrong in it."""
+    plan = collection(KITCHEN, line("door", (1, 0), (1.9, 0)), piece("Sofa", 2, 1, width=2, depth=0.9, height=0.8))
+    change(plan)
+    return json.dumps(plan).encode()
+
+
+def with_points(points: object) -> bytes:
+    return spoilt(lambda plan: plan["features"][0]["geometry"].update(coordinates=points))
+
+
+def with_first(**said: object) -> bytes:
+    return spoilt(lambda plan: plan["features"][0].update(said))
+
+
+def many(count: int, make: Callable[[int], Feature]) -> bytes:
+    return json.dumps(collection(KITCHEN, *(make(at) for at in range(count)))).encode()
+
+
+def bomb() -> bytes:
+    content = BytesIO()
+    with ZipFile(content, "w", ZIP_DEFLATED) as archive:
+        archive.writestr("Home.xml", b"<home>" + b" " * (200 << 20))
+    return content.getvalue()
+
+
+def zigzag(count: int) -> list[list[float]]:
+    return [[at / count * 10, at % 2] for at in range(count)] + [[10.0, 5.0], [0.0, 5.0]]
+
+
+LAUGHS = "".join(
+    f"<!ENTITY a{at} '{'&a' + str(at - 1) + ';' if at else 'ha'}{('&a' + str(at - 1) + ';') * 9 if at else ''}'>" for at in range(10)
+)
+CORNERS = [{"x": x, "z": z} for x, z in ((0, 0), (4, 0), (4, 4))]
+XXE = b"<!DOCTYPE home [<!ENTITY x SYSTEM 'file:///etc/passwd'>]><home name='&x;'></home>"
+XML_ROOM = "<room name='Kitchen'><point x='0' y='0'/><point x='400' y='0'/><point x='400' y='300'/></room>"
+
+REFUSED: dict[str, bytes] = {
+    "empty": b"",
+    "blank": b"   \n",
+    "bytes": bytes(range(256)) * 40,
+    "no json": b'{"type": "FeatureCollection", "features": [',
+    "half a letter": b'{"type": "FeatureCollection", "features": ["\xff"]}',
+    "a key twice": b'{"type": "FeatureCollection", "type": "FeatureCollection"}',
+    "nested deeply": b"[" * 100_000 + b"]" * 100_000,
+    "another document": b'{"hello": "world"}',
+    "a list": b"[1, 2, 3]",
+    "no features": b'{"type": "FeatureCollection"}',
+    "features are text": b'{"type": "FeatureCollection", "features": "many"}',
+    "nothing in it": json.dumps(collection()).encode(),
+    "no rooms": json.dumps(collection(line("door", (0, 0), (1, 0)))).encode(),
+    "feature is null": spoilt(lambda plan: plan["features"].append(None)),
+    "no geometry": with_first(geometry=None),
+    "another geometry": with_first(geometry={"type": "MultiPolygon", "coordinates": []}),
+    "properties are a list": with_first(properties=[1]),
+    "a name that is a number": with_first(properties={"name": 7}),
+    "coordinates are text": with_points("0 0, 4 0"),
+    "a point of one number": with_points([[[0, 0], [4], [4, 3]]]),
+    "two corners": with_points([[[0, 0], [4, 0]]]),
+    "not a number": with_points([[[0, 0], [4, NAN], [4, 3], [0, 3]]]),
+    "infinite": with_points([[[0, 0], [float("inf"), 0], [4, 3], [0, 3]]]),
+    "far away": with_points([[[0, 0], [HUGE, 0], [4, 3], [0, 3]]]),
+    "a number of 5000 digits": with_points([[[0, 0], [int("9" * 4000), 0], [4, 3], [0, 3]]]),
+    "a yes for a number": with_points([[[0, 0], [True, 0], [4, 3], [0, 3]]]),
+    "a hole": with_points([[[0, 0], [4, 0], [4, 3], [0, 3]], [[1, 1], [2, 1], [2, 2]]]),
+    "no floor": with_points([[[0, 0], [4, 0], [2, 0]]]),
+    "a sliver": with_points([[[0, 0], [4, 0], [4, 0.05], [0, 0.05]]]),
+    "wider than any house": with_points([[[0, 0], [4000, 0], [4000, 3], [0, 3]]]),
+    "smaller than any house": with_points([[[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]]),
+    "an unknown unit": spoilt(lambda plan: plan.update(unit="furlong")),
+    "a unit that is nothing": spoilt(lambda plan: plan.update(unit="0")),
+    "no unit and no likely size": json.dumps({**collection(box("Kitchen", 0, 0, 0.1, 0.1)), "unit": None}).encode(),
+    "an unknown kind of line": spoilt(lambda plan: plan["features"][1]["properties"].update(kind="moat")),
+    "a thickness that is text": spoilt(lambda plan: plan.update(wall_thickness="thick")),
+    "a million corners": with_points([[[0, 0]]]).replace(b"[0, 0]", b"[0,0]," * 999_999 + b"[1,1]"),
+    "a thousand rooms": many(1_000, lambda at: box("Kitchen", at * 5, 0, at * 5 + 4, 3)),
+    "ten thousand doors": many(10_000, lambda at: line("door", (at % 3, 0), (at % 3 + 0.9, 0))),
+    "ten thousand chairs": many(10_000, lambda at: piece("Chair", 1, 1, width=0.4, depth=0.4, height=0.8)),
+    "procthor without corners": json.dumps({"rooms": [{"id": "a", "floorPolygon": []}]}).encode(),
+    "procthor with a lost wall": json.dumps({"rooms": [{"id": "a", "floorPolygon": CORNERS}], "doors": [{"wall0": "b"}]}).encode(),
+    "rplan without owners": json.dumps({**apartment(), "ed_rm": []}).encode(),
+    "rplan with a wrong owner": json.dumps({**apartment(), "ed_rm": [[99]] * 24}).encode(),
+    "xml that laughs": f"<!DOCTYPE home [{LAUGHS}]><home name='&a9;'></home>".encode(),
+    "xml that reads files": XXE,
+    "xml that is cut off": sweet_home(XML_ROOM)[:-9],
+    "xml with a number that is none": sweet_home(XML_ROOM.replace("'400'", "'four'")),
+    "xml with nan": sweet_home(XML_ROOM.replace("'400'", "'nan'")),
+    "xml of many elements": sweet_home("<a/>" * 300_000),
+    "xml of many rooms": sweet_home(XML_ROOM * 2_000),
+    "xml without rooms": sweet_home(),
+    "a zip that is cut off": packed(Home_xml=sweet_home(XML_ROOM))[:60],
+    "a zip without a home": packed(other=b"Home"),
+    "a zip bomb": bomb(),
+    "a zip that is broken": packed(Home_xml=sweet_home(XML_ROOM)).replace(b"Kitchen", b"KitcheX"),
+    "glb that is none": b"glTF" + bytes(40),
+}  # fmt: skip
+
+
+def bounded(work: Callable[[], Any], watched: bool = False) -> Any:
+    """Does some work within a number of Python's calls and, where it is watched, an amount of memory."""
+    calls = 0
+
+    def count(_frame: object, event: str, _argument: object) -> None:
+        nonlocal calls
+        calls += event == "call"
+        if calls > MOST_CALLS:
+            raise AssertionError("more work than any plan needs")
+
+    if watched:
+        tracemalloc.start()
+    sys.setprofile(count)
+    try:
+        return work()
+    finally:
+        sys.setprofile(None)
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        assert most < MOST_MEMORY
+
+
+def test_there_are_fifty() -> None:
+    assert len(REFUSED) >= 50
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_it_is_refused_with_words(name: str) -> None:
+    def refused() -> ComposeError:
+        with pytest.raises(FieldError) as caught:
+            read(REFUSED[name])
+        return caught.value
+
+    error = bounded(refused, watched="zip" in name or "laughs" in name)
+    assert error.field and error.problem
+
+
+MENDED: dict[str, bytes] = {
+    "a bow tie": with_points([[[0, 0], [4, 3], [4, 0], [0, 3]]]),
+    "not closed": with_points([[[0, 0], [4, 0], [4, 3], [0, 3]]]),
+    "counter-clockwise": with_points([[[0, 0], [0, 3], [4, 3], [4, 0]]]),
+    "each corner ten times": with_points([[point for point in ([0, 0], [4, 0], [4, 3], [0, 3]) for _ in range(10)]]),
+    "a spike": with_points([[[0, 0], [4, 0], [9, 0], [4, 0], [4, 3], [0, 3]]]),
+    "far from the origin": with_points([[[7e6 + x, -3e6 + y] for x, y in ((0, 0), (4, 0), (4, 3), (0, 3))]]),
+    "a zigzag of nine hundred corners": with_points([zigzag(900)]),
+    "a door of no width": spoilt(lambda plan: plan["features"][1]["geometry"].update(coordinates=[[1, 0], [1, 0]])),
+    "a door far away": spoilt(lambda plan: plan["features"][1]["geometry"].update(coordinates=[[1e6, 0], [1e6 + 1, 0]])),
+    "a sofa without a size": spoilt(lambda plan: plan["features"][2]["properties"].pop("width")),
+    "a sofa of no size": spoilt(lambda plan: plan["features"][2]["properties"].update(width=0)),
+    "a sofa as large as a town": spoilt(lambda plan: plan["features"][2]["properties"].update(width=5000)),
+    "a thousand rooms on each other": many(400, lambda at: polygon("Kitchen", (0, 0), (4, 0), (4, 3), (0, 3))),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MENDED)
+def test_it_is_read_as_far_as_it_goes(name: str) -> None:
+    answer = bounded(lambda: read(MENDED[name], furniture="sofa" in name))
+    assert answer.scene.rooms
+    assert all(room.width <= 11 and room.depth <= 11 for room in answer.scene.rooms)
