@@ -126,12 +126,6 @@ class Rect(NamedTuple):
         """Shifts the rectangle."""
         return Rect(self.x0 + dx, self.z0 + dz, self.x1 + dx, self.z1 + dz)
 
-    def held_in(self, area: Rect) -> Rect:
-        """Returns the rectangle shifted by the shortest way into a larger one."""
-        x0 = min(max(self.x0, area.x0), area.x1 - self.width)
-        z0 = min(max(self.z0, area.z0), area.z1 - self.depth)
-        return self.moved(x0 - self.x0, z0 - self.z0)
-
     def swept(self, dx: int, dz: int) -> Rect:
         """Returns the bounds of all that the rectangle covers while it is shifted so far."""
         return Rect(self.x0 + min(0, dx), self.z0 + min(0, dz), self.x1 + max(0, dx), self.z1 + max(0, dz))

@@ -18,7 +18,6 @@ from catalogs.references import near
 from catalogs.schema import Catalogs
 
 ASSET_FILE: Final = "assets.yaml"
-KINDS_ARE: Final = "a key of furniture.yaml or decorations.yaml"
 LicenseChoice = Literal["commercial", "any"]
 """Which assets are used: those whose licence allows commercial use, or any."""
 _ENTRIES: Final[Any] = dict[AssetName, AssetEntry]

@@ -217,21 +217,6 @@ class CoreInstance:
             raise ValueError(f"{shape} of {kind} at {address} is not within the core's memory")
         return np.asarray(_MemoryPiece(self, self._base + address, shape, kind))
 
-    def new_array(self, shape: tuple[int, ...], dtype: DTypeLike) -> NDArray[Any]:
-        """Takes memory for an array, not set to anything; as `view`."""
-        return self.view(self.reserve(prod(shape) * np.dtype(dtype).itemsize), shape, dtype)
-
-    def address_of(self, array: NDArray[Any]) -> int:
-        """Returns where in the memory a view of it begins.
-
-        Raises:
-            ValueError: the array is no view of this memory, or has gaps.
-        """
-        address = int(array.__array_interface__["data"][0]) - self._base
-        if not array.flags.c_contiguous or not 0 <= address <= self.size - array.nbytes:
-            raise ValueError("the array is no piece of the core's memory")
-        return address
-
     def write(self, content: bytes) -> int:
         """Takes memory for bytes and copies them there; returns their address."""
         address = self.reserve(len(content))

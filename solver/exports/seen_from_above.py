@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple
 
 from solver.body_parts import BodyPart
-from solver.exports.model import Cuboid, DoorLeaf, HouseModel, ModelBody, Paint
+from solver.exports.model import Cuboid, DoorLeaf, HouseModel, Paint
 from solver.exports.paints import shade
 
 CUT: Final = 2.05
@@ -58,11 +58,6 @@ def shapes_from_above(model: HouseModel, level: int) -> list[SeenShape]:
             pose = _Pose(body.x, body.y - floor, body.z, body.turn)
             found += _parts(body.parts, body.paints, pose)
     return sorted((one for one in found if one.height > 0.0), key=lambda one: one.height)
-
-
-def footprint_of(body: ModelBody) -> Corners:
-    """Returns the corners of a body's turned footprint."""
-    return _turned(_rectangle(body.width / 2, body.depth / 2), (0.0, 0.0), _Pose(body.x, body.y, body.z, body.turn))
 
 
 def _box(box: Cuboid, paint: Paint, floor: float) -> Iterator[SeenShape]:
