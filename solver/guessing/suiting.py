@@ -16,17 +16,24 @@ from solver.guessing.room_marks import RoomMarks
 
 NEVER: Final = 1000.0
 """A cost that no preference reaches."""
-REQUIRED, LISTED, STRANGE = 0.5, 0.15, 0.01
-"""How likely a piece stands in a room of a type that requires it, lists it, does not know it."""
+REQUIRED, LISTED, STRANGE = 0.8, 0.1, 0.005
+"""How likely a piece stands in a room of a type that requires it, lists it, does not know it;"""
+ALIKE: Final = 0.2
+"""and, of the categories that stand in one sort of room alone, of a type that requires another of the category,"""
+ELSEWHERE: Final = 0.0001
+"""and of one that does not."""
+TELLING: Final = frozenset({"bed", "bathroom", "vehicle"})
+BESIDE_PIECES: Final = 0.5
+"""How much a room's form tells where something stands in it."""
 BEDROOMS: Final = ("bedroom", "bedroom_master", "kids_bedroom")
-WANTED: Final = {"kitchen": 6.0, "bathroom": 6.0, "living_room": 5.0, "bedroom": 5.0}
+WANTED: Final = {"kitchen": 6.0, "bathroom": 6.0, "living_room": 3.5, "bedroom": 5.0}
 """Cost of a home of several rooms without the type; any bedroom will do."""
 ONE_MORE: Final = {
     "kitchen": 6.0, "bathroom": 1.2, "living_room": 3.0, "dining_room": 4.0, "office": 1.5, "laundry": 3.0, "foyer": 3.0, "hallway": 0.7,
     "bedroom_master": 4.0, "kids_bedroom": 0.6, "bedroom": 0.4,
 }  # fmt: skip
 """Cost of each more of a type than there are usually."""
-RARE: Final = {"office": 1.2, "laundry": 0.8, "workshop": 4.0, "garage": 1.0, "foyer": 0.3, "kids_bedroom": 0.2}
+RARE: Final = {"office": 1.2, "laundry": 1.2, "workshop": 4.0, "garage": 1.0, "foyer": 0.3, "kids_bedroom": 0.2}
 """Cost of the first of a type that many homes do without."""
 HALL_WIDTH: Final = 2.0
 """From this width on, m, a room one only walks through is ever less likely one."""
@@ -53,6 +60,7 @@ class Suiting:
 
     def __init__(self, marks: Sequence[RoomMarks], catalogs: Catalogs, program: Mapping[str, int] | None = None) -> None:
         self.marks, self.kinds, self._program = marks, catalogs.rooms, program
+        self._has_windows = any(one.large + one.small for one in marks)
         self._pieces = {name: _pieces_of(kind, catalogs) for name, kind in self.kinds.items()}
         self.types = [[name for name in self.kinds if self.alone(room, name) < NEVER] for room in range(len(marks))]
         """The types that each room may have."""
@@ -60,9 +68,11 @@ class Suiting:
     def alone(self, room: int, name: str) -> float:
         """Returns the cost of a type in a room by its floor, windows, doors to the outside and pieces."""
         marks, kind = self.marks[room], self.kinds[name]
-        if marks.outdoor != (kind.outdoor or name == "balcony") or (marks.garage_door and not kind.plan.garage_door):
+        if (marks.garage_door and not kind.plan.garage_door) or marks.outdoor != kind.outdoor:
             return NEVER
-        return _size(marks, kind) + _light(marks, kind) + _front(marks, kind) + self._standing(marks, name)
+        cost = _size(marks, kind) + _front(marks, kind)
+        cost += _light(marks, kind) if self._has_windows else 0.0
+        return (BESIDE_PIECES if marks.pieces else 1.0) * cost + self._standing(marks, name)
 
     def _standing(self, marks: RoomMarks, name: str) -> float:
         """Returns the cost of what stands in a room, by how likely each piece is in a room of the type."""
@@ -117,9 +127,14 @@ class Suiting:
 
 
 def _pieces_of(kind: RoomType, catalogs: Catalogs) -> dict[str, float]:
-    """Returns how likely each piece stands in a room of a type, by its name."""
-    listed = {catalogs.name_of(variant.kind): LISTED for piece in kind.pieces for variant in piece.variants}
-    return listed | {name: REQUIRED for line in kind.requires for name in line}
+    """Returns how likely each piece stands in a room of a type, by its name; such as a bunk bed where a bed is required."""
+    book = catalogs.kinds_by_name()
+    pieces = [piece for piece in kind.pieces if not piece.without]
+    listed = {catalogs.name_of(variant.kind): LISTED for piece in pieces for variant in piece.variants}
+    required = {name: REQUIRED for line in kind.requires for name in line}
+    categories = TELLING & {book[name].category for name in required if name in book}
+    alike = {name: ALIKE if entry.category in categories else ELSEWHERE for name, entry in book.items() if entry.category in TELLING}
+    return alike | listed | required
 
 
 def _entry(marks: RoomMarks, kind: RoomType) -> float:
@@ -130,9 +145,11 @@ def _entry(marks: RoomMarks, kind: RoomType) -> float:
 
 
 def _size(marks: RoomMarks, kind: RoomType) -> float:
-    least, typical, most = kind.home.area if kind.home else (kind.area.min[0], kind.area.typical, kind.area.max)
+    least, typical, most = kind.area.min[0], kind.area.typical, kind.area.max
+    if kind.home:
+        least, typical, most = min(least, kind.home.area[0]), kind.home.area[1], max(most, kind.home.area[2])
     far = max(0.0, log(least / marks.area), log(marks.area / most))
-    width = kind.home.width if kind.home else kind.short_side
+    width = min(kind.home.width, kind.short_side) if kind.home else kind.short_side
     thin = max(0.0, log(width / marks.short))
     long = max(0.0, marks.long / marks.short - max(kind.aspect, kind.home.aspect if kind.home else 0.0))
     return 1.2 * abs(log(marks.area / typical)) + 6.0 * far + 8.0 * thin + 0.8 * min(long, 4.0)

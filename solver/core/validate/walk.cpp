@@ -58,9 +58,10 @@ static void ways_through(const List<Edge>& ways, Span<Rect> bridges, const Edge&
     if (way.start < edge.end && edge.start < way.end) found.add({most(way.start, edge.start), least(way.end, edge.end)});
   }
   for (const Rect& bridge : bridges) {
-    const bool ends_here = edge.runs_east() ? bridge.z0 == edge.line || bridge.z1 == edge.line : bridge.x0 == edge.line || bridge.x1 == edge.line;
     const Interval along = edge.runs_east() ? Interval{bridge.x0, bridge.x1} : Interval{bridge.z0, bridge.z1};
-    if (ends_here && along.low < edge.end && edge.start < along.high) found.add({most(along.low, edge.start), least(along.high, edge.end)});
+    const Interval across = edge.runs_east() ? Interval{bridge.z0, bridge.z1} : Interval{bridge.x0, bridge.x1};
+    if ((across.low != edge.line && across.high != edge.line) || along.low >= edge.end || edge.start >= along.high) continue;
+    found.add({most(along.low, edge.start), least(along.high, edge.end)});
   }
   stable_sort(found.all(), [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
 }
