@@ -1,6 +1,6 @@
 """The fronts of a shape: what opens, about which line, how far, and which of its solids move with it.
 
-Comes in: a kind's solids. Goes out: `UnitFront`s, in shares of the body's box. May import: shapes.
+Comes in: a kind's solids. Goes out: `UnitFront`s, in shares of the body's box; and the floor that fronts come over. May import: shapes.
 
 Axes are the body's own, x to its right, y up, z to its front; a turn is positive from y to z, z to x and x to y. A front turns about an
 edge of its panel's outer face, so that nothing of it goes behind the panel or beside it.
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
+from math import atan2, cos, radians, sin
 from typing import Final, Literal, NamedTuple
 
 from catalogs.shapes import Axis, Opens, Solid
@@ -40,6 +41,61 @@ class UnitFront(NamedTuple):
     def slides(self) -> bool:
         """Whether it is a drawer."""
         return self.opens == "drawer"
+
+
+class FrontFloor(NamedTuple):
+    """The space before a piece that its fronts come into as they open, m.
+
+    `depth` from its front edge where they open wholly, `half` where they open little more than half of their way; from `left` to `right`
+    of its middle, and from `above` its underside on.
+    """
+
+    depth: float
+    half: float
+    left: float
+    right: float
+    above: float
+
+
+_HALF: Final = 0.55
+"""A little more than half of a front's way: half of it is then reached for certain."""
+_LEAST: Final = 0.003
+"""Fronts that come out less than this need no floor, m; a chest's lid comes out by its thickness."""
+
+
+def floor_before(solids: Sequence[Solid], size: tuple[float, float, float]) -> FrontFloor | None:
+    """Returns the space before a piece that its fronts come into; None where they come into none.
+
+    Args:
+        solids: its shape, a tuple.
+        size: its width, depth and height, m.
+    """
+    fronts = [one for one in fronts_of(solids) if _comes_out(one, solids, size, 1.0) >= _LEAST]
+    if not fronts:
+        return None
+    depth, half = (max(_comes_out(one, solids, size, share) for one in fronts) for share in (1.0, _HALF))
+    moved = [solids[part] for one in fronts for part in one.parts]
+    left, right = max(min(one.x[0] for one in moved), 0.0), min(max(one.x[1] for one in moved), 1.0)
+    above = max(min(one.y[0] for one in moved), 0.0) * size[2]
+    return FrontFloor(depth, half, (left - 0.5) * size[0], (right - 0.5) * size[0], above)
+
+
+def _comes_out(front: UnitFront, solids: Sequence[Solid], size: tuple[float, float, float], share: float) -> float:
+    """Returns how far any of a front comes out before its piece as it opens a share of its way, m."""
+    (width, depth, height), parts = size, [solids[part] for part in front.parts]
+    if front.slides:
+        return max((part.z[1] - 1.0 + front.end * share) * depth for part in parts)
+    hinge_x, hinge_y, hinge_z = front.hinge
+    turn, farthest = radians(abs(front.end) * share), 0.0
+    for part in parts:
+        if front.axis == "y":
+            away = (part.x[1] - 0.5 - hinge_x if front.end < 0 else hinge_x - part.x[0] + 0.5) * width
+        else:
+            away = (part.y[1] - hinge_y if front.end > 0 else hinge_y - part.y[0]) * height
+        ahead = (part.z[1] - 0.5 - hinge_z) * depth
+        most = min(max(atan2(away, ahead), 0.0), turn)
+        farthest = max(farthest, ahead * cos(most) + away * sin(most))
+    return farthest + (hinge_z - 0.5) * depth
 
 
 @lru_cache(maxsize=4096)

@@ -12,7 +12,8 @@ from struct import Struct
 from typing import Final, TypeVar, get_args
 
 from catalogs.checks import OPENINGS
-from catalogs.schema import Catalogs, Comfort, PieceSpec, RelationSpec, RelationWord, RoomType, Run
+from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Run
+from solver.furnish.floor_about import FloorAbout, floors_about
 from solver.geometry import to_mm
 from solver.relations.relation import distance_mm
 from solver.relations.subject import Kind, SurfaceHeight
@@ -30,7 +31,7 @@ _ROW: Final = {
     name: Struct(layout)
     for name, layout in {
         "kind": "<3q12i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
-        "sort": "<2id", "side": "<i", "comfort": "<2i2qd", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
+        "sort": "<2id", "side": "<i", "comfort": "<2i2qd4q", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
         "end": "<i", "triangle": "<i",
     }.items()
 }  # fmt: skip
@@ -135,14 +136,14 @@ class _Tables:
         sides, spec = sum({1 << SIDES.index(side) for side in kind.use_sides}), self._catalogs.furniture.get(kind.name)
         levels = self._added("level", kind.levels, self._level)
         parts = self._added("part", kind.parts, lambda part: (*part.rect, part.low, part.high))
-        use, wished = self._sides(kind.use_sides), spec.comfort.items() if spec else ()
-        comforts = self._added("comfort", wished, self._comfort)
+        about = floors_about(spec, self._catalogs.shapes.get(kind.name, ())) if spec else ()
+        use = self._sides(kind.use_sides)
+        comforts = self._added("comfort", about, self._comfort)
         used = len(kind.use_sides), sides, kind.need_all
         self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, *used, *levels, *parts, *use, *comforts))
 
-    def _comfort(self, floor: tuple[str, Comfort]) -> tuple[float, ...]:
-        side, wish = floor
-        return SIDES.index(side), 0, to_mm(wish.depth), to_mm(wish.behind), wish.cost
+    def _comfort(self, floor: FloorAbout) -> tuple[float, ...]:
+        return (SIDES.index(floor.side), *floor[1:])
 
     def _sides(self, sides: Iterable[str]) -> tuple[int, int]:
         return self._added("side", sides, lambda side: (SIDES.index(side),))

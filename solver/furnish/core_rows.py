@@ -85,12 +85,16 @@ def labels_of(rows: Sequence[tuple[int, int, int]], known: CompiledType) -> list
     """Returns the labels of wanted pieces, in their order.
 
     Args:
-        rows: of each its spec, the number of the copy, and -1; of floor at a side of a piece that piece's place among them, and the side.
+        rows: of each its spec, the number of the copy, and -1; of floor at a side of a piece that piece's place among them, and the side,
+            four more where fronts open over it.
         known: the room's type.
     """
     labels: list[str] = []
     for spec, number, side in rows:
-        labels.append(f"{known.specs[spec].piece}_{number}" if side < 0 else f"floor at the {SIDES[side]} of {labels[number]}")
+        if side < 0:
+            labels.append(f"{known.specs[spec].piece}_{number}")
+        else:
+            labels.append(f"floor {'at the' if side < len(SIDES) else 'opened over at the'} {SIDES[side % len(SIDES)]} of {labels[number]}")
     return labels
 
 
@@ -99,10 +103,10 @@ def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
     labels = labels_of([(spec, number, side) for spec, number, _, _, _, side, *_ in answer.pieces], known)
     candidates, links = (candidate_of(row, known, labels) for row in answer.candidates), iter(_links(answer, labels))
     pieces = []
-    for label, (spec_at, _, kind_at, ways, bonds, side, required, _, skip_cost) in zip(labels, answer.pieces, strict=True):
+    for label, (spec_at, _, kind_at, ways, bonds, side, required, with_next, skip_cost) in zip(labels, answer.pieces, strict=True):
         own = tuple(next(candidates) for _ in range(ways))
         if side >= 0:
-            pieces.append(Piece(label, bool(required), own, skip_cost=skip_cost, is_floor=True))
+            pieces.append(Piece(label, bool(required), own, skip_cost=skip_cost, with_next=bool(with_next), is_floor=True))
             continue
         spec, kind = known.specs[spec_at], known.kinds[kind_at]
         pieces.append(
@@ -114,7 +118,7 @@ def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
                 stands=tuple(Stand(side) for side in spec.approach) or kind.stands,
                 need_all=bool(spec.approach) or kind.need_all,
                 skip_cost=skip_cost,
-                with_next=spec.with_next,
+                with_next=bool(with_next),
             )
         )
     return tuple(pieces)

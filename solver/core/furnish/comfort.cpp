@@ -6,9 +6,13 @@ namespace furnish {
 
 // Floor that is worth as much comes right behind its piece: of a required one it is weighed together with where the required pieces stand.
 constexpr f64 WEIGHED = 1.0;
-// Extent of no floor: a point within the piece itself.
+// Extent of no floor.
 constexpr i64 NOTHING_MM = 2;
 constexpr f64 WEIGHT = 0.02;
+// What it costs a required piece that its fronts do not open half of their way.
+constexpr f64 BLOCKED = 12.0;
+// Added to the side of floor that fronts open over.
+constexpr i32 OPENED = 4;
 
 namespace {
 
@@ -18,15 +22,17 @@ class Comforted {
     moved_ = reserved<i32>(wanted.pieces.size);
   }
 
-  // Adds the required pieces, then the floor at their sides: first what is weighed.
+  // Adds the required pieces, then the floor at their sides: first what their fronts open over, then what is weighed.
   void add_required() {
     List<Comfortable> added;
     visit(true, [&](const Comfortable& one, bool) { added.add(one); });
+    for (const Comfortable& one : added) add_opened(one);
     for (const Comfortable& one : added) add_floors(one, true);
     for (const Comfortable& one : added) add_floors(one, false);
   }
 
-  // Adds the optional pieces, each group with its weighed floor, then the rest of the floor at their sides.
+  // Adds the optional pieces, each with what its fronts open over, each group with its weighed floor, then the rest of the floor at their
+  // sides.
   void add_optional() {
     List<Comfortable> added;
     i32 done = 0;
@@ -35,6 +41,7 @@ class Comforted {
     };
     visit(false, [&](const Comfortable& one, bool with_next) {
       added.add(one);
+      add_opened(one);
       if (!with_next) add_weighed();
     });
     add_weighed();
@@ -77,13 +84,53 @@ class Comforted {
     }
   }
 
-  // Adds the floor at the sides of a piece that is worth enough to be weighed, or all other.
-  void add_floors(const Comfortable& of, bool weighed) {
+  List<i32> kinds_of(const Comfortable& of) const {
     List<i32> kinds;
     for (const Candidate& way : part_of(wanted_.candidates, of.ways)) add_new(kinds, way.kind);
+    return kinds;
+  }
+
+  // Adds the floor that the fronts of a piece open over: an optional one stands with it or not at all. Not in rooms with a run: round a
+  // corner it hides some of its own fronts, and what stands about it is as varied as the room only without.
+  void add_opened(const Comfortable& of) {
+    const Span<Candidate> ways = part_of(wanted_.candidates, of.ways);
+    const i32 before = candidates_.size();
+    const bool required = pieces_[of.piece].required;
+    Side side = Side::front;
+    i32 opened = 0;
+    f64 cost = 0.0;
+    for (i32 kind : kinds_of(of)) {
+      bool opens = false;
+      for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) {
+        if (!comfort.opens) continue;
+        opens = true;
+        side = comfort.side;
+        cost = most(cost, comfort.cost);
+        add_strip(of.piece, kind, comfort, comfort.depth, 0.0);
+        if (comfort.half < comfort.depth) add_strip(of.piece, kind, comfort, comfort.half, comfort.cost);
+      }
+      opened += opens;
+      if (opens && !required) continue;
+      Candidate& without = add_nothing(of.piece, kind, opens ? BLOCKED : 0.0);
+      without.bottom = NOWHERE_MM;
+    }
+    if (opened == 0 || ways[0].is_on || type_.has_run) {
+      candidates_.cut(before);
+      return;
+    }
+    PieceRow& own = pieces_[of.piece];
+    pieces_.add({own.spec, of.piece, -1, candidates_.size() - before, 0, OPENED + static_cast<i32>(side), required, own.with_next, cost});
+    if (!required) pieces_[of.piece].with_next = true;
+  }
+
+  // Adds the floor at the sides of a piece that is worth enough to be weighed, or all other.
+  void add_floors(const Comfortable& of, bool weighed) {
+    const List<i32> kinds = kinds_of(of);
     List<Side> sides;
     for (i32 kind : kinds) {
-      for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) add_new(sides, comfort.side);
+      for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) {
+        if (!comfort.opens) add_new(sides, comfort.side);
+      }
     }
     for (Side side : sides) {
       const f64 cost = cost_of(kinds, side) / sides.size();
@@ -91,7 +138,7 @@ class Comforted {
       const i32 before = candidates_.size();
       for (i32 kind : kinds) {
         for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) {
-          if (comfort.side == side) add_strip(of.piece, kind, comfort);
+          if (comfort.side == side && !comfort.opens) add_strip(of.piece, kind, comfort, comfort.depth, 0.0);
         }
       }
       const bool required = pieces_[of.piece].required && cost >= WEIGHED;
@@ -106,33 +153,37 @@ class Comforted {
     f64 cost = 0.0;
     for (i32 kind : kinds) {
       for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) {
-        if (comfort.side == side) cost = most(cost, comfort.cost);
+        if (comfort.side == side && !comfort.opens) cost = most(cost, comfort.cost);
       }
     }
     return cost;
   }
 
   // Adds doing without the floor at a side of a piece that stands as that kind.
-  void add_nothing(i32 piece, i32 kind, f64 cost) {
+  Candidate& add_nothing(i32 piece, i32 kind, f64 cost) {
     Candidate& made = candidates_.add(free_candidate(-1, cost));
     made.parent = piece;
     made.parent_kind = kind;
     made.is_under = true;
     made.weight = WEIGHT;
     made.floor = {NOTHING_MM, NOTHING_MM};
+    return made;
   }
 
-  // Adds the floor at a side of a piece that stands as that kind.
-  void add_strip(i32 piece, i32 kind, const Comfort& comfort) {
+  // Adds floor so deep at a side of a piece that stands as that kind.
+  void add_strip(i32 piece, i32 kind, const Comfort& comfort, i64 depth, f64 cost) {
     const Extent own = type_.kinds[kind].size();
     const bool beside = is_lateral(comfort.side);
-    const Extent floor = beside ? Extent{comfort.depth, own.z - comfort.behind} : Extent{own.x, comfort.depth};
+    const i64 width = comfort.opens ? comfort.across.high - comfort.across.low : own.x;
+    const Extent floor = beside ? Extent{depth, own.z - comfort.behind} : Extent{width, depth};
     const Rect box = at_side(own, floor, comfort.side, {0, 0}, beside ? Align::front : Align::centre);
-    Candidate& made = candidates_.add(free_candidate(-1, 0.0));
+    const i64 aside = comfort.opens ? comfort.across.middle() : 0;
+    Candidate& made = candidates_.add(free_candidate(-1, cost));
     made.parent = piece;
     made.parent_kind = kind;
-    made.across = {box.x0, box.x1};
+    made.across = {box.x0 + aside, box.x1 + aside};
     made.along = {box.z0, box.z1};
+    made.bottom = comfort.bottom;
     made.weight = WEIGHT;
     made.floor = floor;
   }

@@ -13,7 +13,8 @@ struct WantedRows {
 };
 
 // Adds floor to keep free at sides of pieces, as pieces without a body, rigid at theirs: what required pieces, which come first, wish for
-// before the optional pieces, what is worth much right behind its piece, the rest last. Doing without it is always a way.
+// before the optional pieces, what is worth much right behind its piece, the rest last. Doing without it is always a way, but for floor
+// that the fronts of an optional piece open over: where that is not free for half of their way, the piece is left out.
 WantedRows with_comfort(const RoomType& type, const WantedRows& wanted);
 
 }  // namespace furnish

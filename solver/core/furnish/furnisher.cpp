@@ -117,7 +117,8 @@ void Furnisher::keep(const CountedPiece& counted, i32 number, Span<Candidate> wa
   candidates.add_all(ways);
   const i32 piece = pieces.size();
   const PieceSpec& spec = type_.pieces[counted.spec];
-  pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, links.size() - before, -1, spec.required, 0, spec.skip_cost});
+  const i32 bonds = links.size() - before;
+  pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, bonds, -1, spec.required, spec.with_next, spec.skip_cost});
   earlier_.by_word[type_.pieces[counted.spec].word].add(piece);
   List<i32> kinds;
   for (const Candidate& way : ways) {

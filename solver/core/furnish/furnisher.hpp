@@ -15,7 +15,7 @@ struct PieceRow {
   i32 links;
   i32 floor_side;  // -1 for a piece
   i32 required;
-  i32 unused;
+  i32 with_next;  // it stands only together with the next one
   f64 skip_cost;
 };
 

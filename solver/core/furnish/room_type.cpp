@@ -26,7 +26,9 @@ static void check_type(const RoomType& type) {
     type.levels_of(kind);
     type.parts_of(kind);
     for (Side side : part_of(type.sides, kind.use)) check(is_one(side, Side::back));
-    for (const Comfort& comfort : type.comforts_of(kind)) check(is_one(comfort.side, Side::back));
+    for (const Comfort& comfort : type.comforts_of(kind)) {
+      check(is_one(comfort.side, Side::back) && comfort.half <= comfort.depth && comfort.across.low <= comfort.across.high);
+    }
   }
   for (const Variant& variant : type.variants) type.kind(variant.kind);
   for (const Rule& rule : type.rules) check_rule(rule, type);

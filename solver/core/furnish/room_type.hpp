@@ -31,12 +31,18 @@ struct Level {
 };
 
 // Floor that is better kept free at a side of a kind, mm deep; at its left or right not so far from its back. What doing without costs.
+//
+// Where the kind's fronts `open` over it, it is part of that side, from `across.low` to `across.high` of its middle, and nothing that
+// reaches higher than `bottom` may stand there. `half` deep it lets them open half of their way, at the same cost; less is not enough.
 struct Comfort {
   Side side;
-  i32 unused;
+  i32 opens;
   i64 depth;
   i64 behind;
   f64 cost;
+  i64 half;
+  Interval across;
+  i64 bottom;
 };
 
 // The box around a part of a kind: seen from above, and from `low` to `high`, mm.

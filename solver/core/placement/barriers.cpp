@@ -49,8 +49,9 @@ void add_barriers(const Room& room, const Work& work, i64 known) {
     const Wall wall = barred(room, work, k);
     if (wall == NO_WALL) continue;
     for (i64 other = k >= known ? 0 : known; other < count; other++) {
-      const bool same = work.parts[other].piece == stand.piece;
-      if (work.parts[other].stand != 0 && other != k && (!same || k >= known)) keep_beside(work, stand, work.parts[other], wall);
+      const bool same = work.parts[other].piece == stand.piece, overhead = work.parts[other].low >= HEADROOM_MM;
+      if (work.parts[other].stand == 0 || overhead || other == k || (same && k < known)) continue;
+      keep_beside(work, stand, work.parts[other], wall);
     }
     if (k >= known) {
       for (i64 door = 0; door < room.doors.size; door++) keep_door(work, stand, room.doors[door], wall);

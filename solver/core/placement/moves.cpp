@@ -6,7 +6,7 @@
 namespace placement {
 
 constexpr i64 MOVES = 48;  // other ways of other pieces that are looked at before the cheapest are tried
-constexpr i64 EVALUATIONS_OF_A_MOVE = 6;
+constexpr i64 EVALUATIONS_OF_A_MOVE = 6;  // for each piece of the group
 
 static void copy(const Decisions& from, const Decisions& to) {
   for (i64 piece = 0; piece < to.size; piece++) to[piece] = from[piece];
@@ -87,15 +87,16 @@ bool join_by_move(
     if (decisions[piece] != ABSENT) count = note_moves_of(engine, decisions, costs, piece, count);
   }
   const f64 terms = costs.all - costs.preferences;
+  const i64 size = group.last - group.first;
   for (i64 k = 0; k < count; k++) {
     if (counters.moves_left <= 0 || tree.budget[0] <= 0) return false;
     if (terms + tree.move_cost[k] >= costs.ceiling) return false;
     copy(decisions, tree.shifted);
     tree.shifted[tree.moves[k].piece] = tree.moves[k].decision;
     Costs shifted = {terms + tree.move_cost[k], tree.move_cost[k], costs.ceiling};
-    const SearchLimits own = {least(counters.moves_left, EVALUATIONS_OF_A_MOVE), limits.optional_qps, 1};
+    const SearchLimits own = {size * least(counters.moves_left, EVALUATIONS_OF_A_MOVE), limits.optional_qps, size};
     const bool joined = join(engine, tree.shifted, shifted, group, own, walk);
-    counters.moves_left -= most<i64>(counters.evaluated, 1);
+    counters.moves_left -= most<i64>(floor_div(counters.evaluated, size), 1);
     if (joined) {
       copy(tree.shifted, decisions);
       costs.all = shifted.all;

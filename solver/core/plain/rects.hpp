@@ -10,6 +10,9 @@ constexpr Wall WALLS[] = {Wall::north, Wall::south, Wall::east, Wall::west};
 // Of an unrotated body; front is south, left is west.
 enum class Side : i32 { left = 0, right = 1, front = 2, back = 3 };
 
+// So high lies what is in nobody's way, mm.
+constexpr i64 NOWHERE_MM = 100'000;
+
 constexpr bool runs_along_x(Wall wall) { return wall == Wall::north || wall == Wall::south; }
 constexpr i64 inwards(Wall wall) { return wall == Wall::north || wall == Wall::west ? 1 : -1; }
 constexpr bool is_lateral(Side side) { return side == Side::left || side == Side::right; }

@@ -213,10 +213,7 @@ class Asked {
     }
   }
 
-  bool is_with_next(i32 piece) const {
-    const furnish::PieceRow& row = room_.wanted.pieces[piece];
-    return row.floor_side < 0 && room_.type.pieces[row.spec].with_next;
-  }
+  bool is_with_next(i32 piece) const { return room_.wanted.pieces[piece].with_next; }
 
   const WantingRoom& room_;
   i64 robot_, ways_;

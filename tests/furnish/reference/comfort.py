@@ -8,9 +8,10 @@ comfort is kept where there is a way and never hard.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
-from catalogs.schema import Catalogs, Comfort
-from solver.geometry import to_mm
+from catalogs.schema import Catalogs
+from solver.furnish.floor_about import FloorAbout, floors_about
 from solver.pieces import Attach, Candidate, Piece
 from solver.relations.at_side import at_side, spans, whole
 
@@ -19,17 +20,27 @@ WEIGHED = 1.0
 PERSON_MM = 1800
 """Height of the space to be kept free."""
 WEIGHTS = (0.02, 0.02)
+NOWHERE_MM = 100_000
+"""Underside of what is in nobody's way."""
+BLOCKED = 12.0
+"""What it costs a required piece that its fronts do not open half of their way."""
 
 
-def with_comfort(wanted: Sequence[Piece], catalogs: Catalogs) -> tuple[Piece, ...]:
-    """Returns the pieces and the floor to keep free: what required pieces wish for before the optional pieces, the rest last."""
+def with_comfort(wanted: Sequence[Piece], catalogs: Catalogs, has_run: bool) -> tuple[Piece, ...]:
+    """Returns the pieces and the floor to keep free: what required pieces wish for before the optional pieces, the rest last.
+
+    What the fronts of a piece open over comes right behind it; an optional piece stands with it or not at all. Not in rooms with
+    a run.
+    """
     required = [piece for piece in wanted if piece.required]
     floors = [floor for piece in required for floor in _kept_floor(piece, catalogs)]
-    found = [*required, *sorted(floors, key=lambda floor: not floor.required)]
+    opened = [floor for piece in required if not has_run for floor in _opened(piece, catalogs)]
+    found = [*required, *opened, *sorted(floors, key=lambda floor: not floor.required)]
     waiting: list[Piece] = []
     last: list[Piece] = []
     for piece in (piece for piece in wanted if not piece.required):
-        found.append(piece)
+        before = [] if has_run else list(_opened(piece, catalogs))
+        found += [replace(piece, with_next=piece.with_next or bool(before)), *before]
         floors = list(_kept_floor(piece, catalogs))
         waiting += [floor for floor in floors if floor.skip_cost >= WEIGHED]
         last += [floor for floor in floors if floor.skip_cost < WEIGHED]
@@ -39,27 +50,57 @@ def with_comfort(wanted: Sequence[Piece], catalogs: Catalogs) -> tuple[Piece, ..
     return (*found, *waiting, *last)
 
 
+def _about(piece: Piece, catalogs: Catalogs) -> tuple[list[Candidate], dict[str, list[FloorAbout]]]:
+    """Returns the ways of a piece that differ, and the floor about each of its kinds."""
+    ways = {(one.kind, one.stance): one for one in piece.candidates}.values()
+    kinds = {one.kind: catalogs.furniture.get(one.kind) for one in ways}
+    return list(ways), {name: list(floors_about(spec, catalogs.shapes.get(name, ()))) if spec else [] for name, spec in kinds.items()}
+
+
 def _kept_floor(piece: Piece, catalogs: Catalogs) -> Iterator[Piece]:
     """Yields the floor to keep free about a piece, one a side."""
-    ways = {(one.kind, one.stance): one for one in piece.candidates}.values()
-    wishes = {name: spec.comfort for name in {one.kind: None for one in ways} if (spec := catalogs.furniture.get(name))}
+    ways, about = _about(piece, catalogs)
+    wishes = {name: {one.side: one for one in floors if not one.opens} for name, floors in about.items()}
     sides = dict.fromkeys(side for comfort in wishes.values() for side in comfort)
     for side in sides:
         own = [one for one in ways if side in wishes.get(one.kind, {})]
-        strips = [_strip(piece.label, one, side, wishes[one.kind][side]) for one in own]
+        strips = [_strip(piece.label, one, wishes[one.kind][side], wishes[one.kind][side].depth) for one in own]
         cost = max(wish[side].cost for wish in wishes.values() if side in wish) / len(sides)
         weighed = piece.required and cost >= WEIGHED
         without = [_nothing(piece.label, one, cost) for one in ways] if weighed else []
         yield Piece(f"floor at the {side} of {piece.label}", weighed, (*strips, *without), skip_cost=cost, is_floor=True)
 
 
-def _strip(label: str, parent: Candidate, side: str, wish: Comfort) -> Candidate:
-    """Returns the floor at a side of a piece that stands so."""
+def _opened(piece: Piece, catalogs: Catalogs) -> Iterator[Piece]:
+    """Yields the floor that a piece's fronts open over, if they do."""
+    ways, about = _about(piece, catalogs)
+    opening = {name: [one for one in floors if one.opens] for name, floors in about.items()}
+    every = [one for floors in opening.values() for one in floors]
+    if not every or piece.candidates[0].on is not None:
+        return
+    found: list[Candidate] = []
+    for way in ways:
+        for one in opening[way.kind]:
+            found.append(_strip(piece.label, way, one, one.depth))
+            if one.half < one.depth:
+                found.append(replace(_strip(piece.label, way, one, one.half), cost=one.cost))
+        if not opening[way.kind] or piece.required:
+            lost = BLOCKED if opening[way.kind] else 0.0
+            found.append(replace(_nothing(piece.label, way, lost), bottom_mm=NOWHERE_MM))
+    label = f"floor opened over at the {every[-1].side} of {piece.label}"
+    cost = max(one.cost for one in every)
+    yield Piece(label, piece.required, tuple(found), skip_cost=cost, with_next=piece.with_next, is_floor=True)
+
+
+def _strip(label: str, parent: Candidate, wish: FloorAbout, deep: int) -> Candidate:
+    """Returns the floor so deep at a side of a piece that stands so."""
     width, depth, _ = parent.size_mm
-    extent = (to_mm(wish.depth), depth - to_mm(wish.behind)) if side in ("left", "right") else (width, to_mm(wish.depth))
-    across, along = spans(whole(at_side(((width, depth), extent), side, (0, 0), "front" if side in ("left", "right") else "centre")))
-    attach = Attach(label, parent.kind, across, along, parent_stance=parent.stance)
-    return Candidate("floor", (*extent, PERSON_MM), 0, weights=WEIGHTS, attach=attach)
+    lateral = wish.side in ("left", "right")
+    extent = (deep, depth - wish.behind) if lateral else (wish.right - wish.left if wish.opens else width, deep)
+    across, along = spans(whole(at_side(((width, depth), extent), wish.side, (0, 0), "front" if lateral else "centre")))
+    aside = (wish.left + wish.right) // 2 if wish.opens else 0
+    attach = Attach(label, parent.kind, (across[0] + aside, across[1] + aside), along, parent_stance=parent.stance)
+    return Candidate("floor", (*extent, PERSON_MM), 0, weights=WEIGHTS, attach=attach, bottom_mm=wish.above)
 
 
 def _nothing(label: str, parent: Candidate, cost: float) -> Candidate:

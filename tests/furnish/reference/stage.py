@@ -73,7 +73,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
         for number in range(1, one.copies + 1):
             if not furnisher.add(one, number, drawn_preferences(stream), run.get(one.spec.piece)):
                 break
-    return with_comfort(furnisher.pieces, catalogs)
+    return with_comfort(furnisher.pieces, catalogs, room_type.run is not None)
 
 
 def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Stream) -> list[CountedPiece]:

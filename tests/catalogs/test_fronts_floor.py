@@ -1,0 +1,41 @@
+"""The floor that fronts come over, against the arc of a door and the travel of a drawer."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import pytest
+
+from catalogs import load_catalogs
+from catalogs.fronts import floor_before, fronts_of
+
+KNOWN = load_catalogs()
+
+
+def test_doors_come_out_by_their_width_and_drawers_by_their_travel() -> None:
+    spec, solids = KNOWN.furniture["medium_wardrobe"], KNOWN.shapes["medium_wardrobe"]
+    found = floor_before(solids, spec.size)
+    assert found is not None
+    width = 0.49 * spec.size[0]
+    behind = (1 - 0.955) * spec.size[1]
+    assert width - behind <= found.depth <= hypot(width, 0.04) - behind
+    drawers = KNOWN.furniture["nightstand"], KNOWN.shapes["nightstand"]
+    drawn = floor_before(drawers[1], drawers[0].size)
+    assert drawn is not None
+    travel = max(one.end for one in fronts_of(drawers[1])) * drawers[0].size[1]
+    assert travel <= drawn.depth + 0.055 * drawers[0].size[1]
+    assert drawn.depth <= travel
+
+
+@pytest.mark.parametrize("name", ["bookshelf", "toilet", "sofa"])
+def test_what_does_not_come_out_needs_no_floor(name: str) -> None:
+    assert floor_before(KNOWN.shapes[name], KNOWN.furniture[name].size) is None
+
+
+def test_half_open_takes_less_than_open() -> None:
+    for name, spec in KNOWN.furniture.items():
+        found = floor_before(KNOWN.shapes.get(name, ()), spec.size)
+        if found is not None:
+            assert 0 < found.half <= found.depth, name
+            assert -spec.size[0] / 2 <= found.left < found.right <= spec.size[0] / 2, name
+            assert 0 <= found.above < spec.size[2], name
