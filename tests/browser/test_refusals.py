@@ -28,7 +28,7 @@ def test_a_refused_field_is_said_beside_it_and_the_house_stays(visit: Visit) -> 
 
 def test_an_address_that_makes_no_sense_is_explained(visit: Visit) -> None:
     visit.page.goto(visit.address + "?width=wide")
-    expect(visit.page.get_by_role("alert")).to_contain_text("width")
+    expect(visit.page.get_by_role("alert")).to_contain_text("Width: enter a number")
     visit.settle()
 
 

@@ -35,7 +35,21 @@ export type Room = Open<Omit<Filled<Served.Room, "flooring" | "accent" | "wall_f
 /** How far fronts open, by piece and front: 1 or how much of their way, and what they meet then. */
 export type FrontsSaid = Named<Named<number | { readonly opens?: number; readonly meets?: string | null }>>;
 
-/** A scene that can be drawn; of its request and its certificate the page reads the style, and what was proven by room. */
+/** A piece that stands nowhere, and why. */
+export interface LeftOut {
+  readonly piece: string;
+  readonly reason: string;
+}
+
+/** What a certificate says of a room. */
+interface CertifiedRoom {
+  readonly proven?: boolean;
+  readonly fronts?: FrontsSaid;
+  readonly left_out?: readonly LeftOut[];
+  readonly notes?: readonly string[];
+}
+
+/** A scene that can be drawn; of its request and its certificate the page reads the style, what was proven and what fell short. */
 export interface Scene extends Pick<Served.Scene, "wall_thickness" | "levels"> {
   readonly seed: number;
   readonly style?: string | null;
@@ -43,7 +57,7 @@ export interface Scene extends Pick<Served.Scene, "wall_thickness" | "levels"> {
   readonly size: Served.Size;
   readonly rooms: readonly Room[];
   readonly dynamic: readonly Dynamic[];
-  readonly certificate?: { readonly rooms?: Readonly<Record<string, { readonly proven?: boolean; readonly fronts?: FrontsSaid }>> } | null;
+  readonly certificate?: { readonly notes?: readonly string[]; readonly rooms?: Named<CertifiedRoom> } | null;
 }
 
 type About<Answer> = Omit<Answer, "scene" | "issues" | "timing_ms"> & { readonly scene: Scene };

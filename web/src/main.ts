@@ -20,6 +20,7 @@ import { foldForNarrow } from "./panel/narrow";
 import { Progress } from "./panel/progress";
 import { Reading } from "./panel/reading";
 import { RoomPanel } from "./panel/room";
+import { ShortfallPanel } from "./panel/shortfalls";
 import { showShown } from "./panel/status";
 import { catalog, furnish, generate, isAbort, readFile, report, reroll, restyle, ServiceProblem, view, type GivenFile } from "./service";
 import { listenToSkips } from "./panel/skips";
@@ -40,6 +41,7 @@ class Page {
   readonly #controls = new Controls(element<HTMLFormElement>("request"));
   readonly #reading = new Reading(element("yaml"));
   readonly #issues = new Issues(element("issues"), element("issue_list"));
+  readonly #shortfalls = new ShortfallPanel(element("shortfalls"), element("shortfall_list"), element("shortfall_line"));
   readonly #rooms = new RoomPanel(element("room"), this.#home);
   readonly #legend = new Legend(element("legend_marks"), element("legend_rooms"));
   readonly #files = new Files(element("files"), element("drop"), () => this.#home.scene);
@@ -75,6 +77,8 @@ class Page {
     this.#files.onOpen = (file) => this.#openFile(file, "push");
     this.#files.onFailure = (reason, again) => this.#asking.notice.show(reason, again);
     this.#files.onSaved = () => this.#asking.notice.hide();
+    this.#asking.notice.inWords = (problem) => this.#controls.inWords(problem.fields);
+    this.#shortfalls.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
     this.#home.on("shown", (how) => this.#show(how));
     this.#home.on("selected", (id) => this.#select(id));
@@ -273,6 +277,7 @@ class Page {
     this.#stage.show(shown.scene, shown.issues);
     this.#stage.select(this.#home.selected);
     this.#issues.show(shown.issues);
+    this.#shortfalls.show(shown.scene);
     this.#legend.show(drawable(shown.scene));
     showShown(element("status"), shown);
     this.#tellOrigin(shown, how);

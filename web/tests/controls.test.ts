@@ -114,6 +114,23 @@ describe("the form", () => {
     expect(document.querySelectorAll("[aria-invalid=true]")).toHaveLength(0);
   });
 
+  it("names every wrong field in its own words, and leaves to the service what is not of the form", () => {
+    controls.offer(CATALOG);
+    controls.show({ seed: 1, program: { bedrooms: 99, office: 1 } });
+    const wrong = [
+      { field: "width", problem: "is 'wide'", allowed: "a number from 2 to 1000: m, 20 unless a programme or an area chooses it" },
+      { field: "program.bedrooms", problem: "is 99", allowed: "a whole number from 0 to 12" },
+      { field: "use_spine", problem: "is 'so'", allowed: "true, false" }, { field: "request.area", problem: "is 3", allowed: "a number from 15 to 1000" },
+    ];
+    expect(controls.inWords(wrong)).toEqual([
+      "Width: enter a number from 2 to 1000 m", "Bedrooms: enter a whole number from 0 to 12", "Hallway spine: is 'so'; allowed: true, false",
+      "Floor area: enter a number from 15 to 1000 m²",
+    ]);
+    controls.showProblems(wrong);
+    expect(document.querySelector("#width_problem")?.textContent).toBe("Enter a number from 2 to 1000 m");
+    expect([controls.inWords([]), controls.inWords([...wrong, { field: "scene", problem: "is missing", allowed: "" }])]).toEqual([null, null]);
+  });
+
   it("ties every slider to its number, both ways", () => {
     const sliders = [...document.querySelectorAll<HTMLInputElement>("input[type=range]")];
     expect(sliders.map((slider) => slider.dataset.for)).toEqual(["min_room_size", "max_depth"]);

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { DEFAULTS } from "../src/address";
-import { fieldWords } from "../src/panel/controls";
+import { fieldWords } from "../src/panel/field_words";
 import { countsOf, totalMs } from "../src/panel/status";
 import { generate, problemFrom, ServiceProblem, view } from "../src/service";
 import { opening, piece, room, scene } from "./rooms";

@@ -1,13 +1,9 @@
 /** The form: reads and shows a request, and says beside a field what the service says of it. */
 import { anotherSeed, DEFAULTS, numberOrText, NUMBERS, OF_PLAIN_PLANS, SWITCHES, withoutGaps } from "../address";
 import type { Catalog, FieldProblem, HouseRequest, Typed } from "../contract";
+import { besideField, fieldOf, formWords } from "./field_words";
 import { asNumber } from "./number_text";
 import { inWords, Programme } from "./programme";
-
-/** What to say beside a field. */
-export function fieldWords({ problem, allowed }: FieldProblem): string {
-  return !allowed || problem.includes(allowed) ? problem : `${problem}; allowed: ${allowed}`;
-}
 
 export class Controls {
   onGenerate: (request: HouseRequest) => void = () => undefined;
@@ -72,16 +68,21 @@ export class Controls {
   showProblems(problems: readonly FieldProblem[]): void {
     let first: HTMLElement | null = null;
     for (const field of this.form.querySelectorAll<HTMLInputElement>("input[name], select[name]")) {
-      const problem = problems.find((one) => one.field === field.name || one.field === `request.${field.name}`);
+      const problem = problems.find((one) => fieldOf(this.form, one) === field);
       const place = this.form.querySelector<HTMLElement>(`#${field.id}_problem`);
       if (!place) continue;
       field.setAttribute("aria-invalid", String(problem !== undefined));
-      place.textContent = problem ? fieldWords(problem) : "";
+      place.textContent = problem ? besideField(this.form, field, problem) : "";
       if (problem) first ??= field;
     }
     if (!first) return;
     first.closest("details")?.setAttribute("open", "");
     first.focus();
+  }
+
+  /** All that is wrong in the form's own words, a line a field; null where it is not of the form alone. */
+  inWords(problems: readonly FieldProblem[]): readonly string[] | null {
+    return formWords(this.form, problems);
   }
 
   /** A home that is planned chooses its own outline; a plain plan needs one. */

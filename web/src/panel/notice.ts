@@ -13,6 +13,8 @@ export class Notice {
   readonly #detail: HTMLElement;
   readonly #again: HTMLButtonElement;
   readonly #key: HTMLFormElement;
+  /** The page's own words for wrong fields, a line each; null where it has none. */
+  inWords: (problem: ServiceProblem) => readonly string[] | null = () => null;
   #counting = 0;
   #retry: Again | null = null;
 
@@ -30,8 +32,9 @@ export class Notice {
   show(reason: unknown, again: Again | null = null): void {
     this.#retry = again;
     const problem = reason instanceof ServiceProblem ? reason : new ServiceProblem("The page failed", String(reason));
-    this.#title.textContent = problem.title;
-    this.#detail.textContent = problem.detail;
+    const lines = this.inWords(problem);
+    this.#title.textContent = lines ? `${lines.length === 1 ? "A field needs" : `${lines.length} fields need`} another value` : problem.title;
+    this.#detail.textContent = lines ? lines.join("\n") : problem.detail;
     this.#key.hidden = problem.status !== 401;
     const passes = problem.fields.length === 0 || problem.status === 503 || problem.status === 429;
     this.#again.hidden = !again || !passes || problem.status === 401 || problem.status === 413;

@@ -1,0 +1,46 @@
+"""What fell short is told in plain words, and every wrong field by the form's own name."""
+
+from __future__ import annotations
+
+from playwright.sync_api import expect
+
+from tests.browser.test_accessible import violations
+from tests.browser.visit import Visit
+
+WISHED = 40
+
+
+def test_an_area_that_could_not_be_met_and_pieces_left_out_are_told(visit: Visit) -> None:
+    scene = visit.open(f"?seed=3&program=family&area={WISHED}")["scene"]
+    (note,) = scene["certificate"]["notes"]
+    assert f"not {WISHED}" in note
+    left = [(room, one["piece"]) for room, said in scene["certificate"]["rooms"].items() for one in said["left_out"]]
+    line = visit.page.locator("#shortfall_line")
+    expect(line).to_contain_text(f"m², not {WISHED}: its rooms would be too small.")
+    expect(line).to_contain_text(f"{len(left)} pieces left out")
+    expect(visit.page.locator("#status")).not_to_contain_text("0 issues")
+    line.click()
+    told = visit.page.locator("#shortfall_list > li")
+    assert "not 40" in told.first.inner_text()
+    why = visit.page.locator("#shortfall_list details")
+    why.first.locator("summary").click()
+    expect(why.first.locator("p").first).to_contain_text("needs")
+    assert visit.page.locator("#shortfall_list details p").count() == len(left)
+    visit.page.locator("#shortfall_list .shortfall").first.click()
+    assert visit.page.locator("#room_choice").input_value() in {room for room, _ in left}
+    visit.page.locator("#recent summary").click()
+    expect(visit.page.locator("#recent_list .recent-home")).to_have_count(1)
+    assert violations(visit) == []
+    assert visit.console == []
+
+
+def test_every_wrong_field_is_named_by_its_label_at_once(visit: Visit) -> None:
+    visit.page.goto(visit.address + "?program.bedrooms=99&width=wide&robot_width=9")
+    visit.settle()
+    alert = visit.page.get_by_role("alert")
+    told = ("3 fields need", "Width: enter a number from 2 to 1000 m", "Bedrooms: enter a whole number", "Robot width: enter a number")
+    for words in told:
+        expect(alert).to_contain_text(words)
+    expect(visit.page.locator("[aria-invalid=true]")).to_have_count(3)
+    expect(visit.page.locator("#width_problem")).to_have_text("Enter a number from 2 to 1000 m")
+    assert violations(visit) == []

@@ -1,0 +1,46 @@
+/** What the service says of wrong fields, in the form's words: by the field's label, and what to enter. */
+import type { FieldProblem } from "../contract";
+
+const NUMBER = /^(a (?:whole )?number(?: [^:]*)?)(?::|$)/;
+
+type Field = HTMLInputElement | HTMLSelectElement;
+
+function labelOf(form: HTMLFormElement, field: Field): HTMLElement | null {
+  return form.querySelector<HTMLElement>(`label[for="${CSS.escape(field.id)}"]`) ?? field.closest("label");
+}
+
+/** What a field is called in the form, and its unit where it has one. */
+function calledIn(form: HTMLFormElement, field: Field): { readonly name: string; readonly unit: string } {
+  const label = labelOf(form, field);
+  const unit = label?.querySelector(".unit")?.textContent ?? "";
+  const whole = label?.textContent ?? field.name;
+  return { name: whole.replace(unit, "").trim(), unit: /^(m²?)(?![\w²])/.exec(unit.trim())?.[1] ?? "" };
+}
+
+/** What to say beside a field. */
+export function fieldWords({ problem, allowed }: FieldProblem, unit = ""): string {
+  const number = NUMBER.exec(allowed)?.[1];
+  if (number !== undefined) return `Enter ${number}${unit ? ` ${unit}` : ""}`;
+  return !allowed || problem.includes(allowed) ? problem : `${problem}; allowed: ${allowed}`;
+}
+
+/** The field of the form that a problem is about. */
+export function fieldOf(form: HTMLFormElement, { field }: FieldProblem): Field | null {
+  const fields = [...form.querySelectorAll<Field>("input[name], select[name]")];
+  return fields.find(({ name }) => field === name || field === `request.${name}`) ?? null;
+}
+
+export function besideField(form: HTMLFormElement, field: Field, problem: FieldProblem): string {
+  return fieldWords(problem, calledIn(form, field).unit);
+}
+
+/** All that is wrong with the form, a line a field; null where something else is wrong as well. */
+export function formWords(form: HTMLFormElement, problems: readonly FieldProblem[]): readonly string[] | null {
+  const lines = problems.map((problem) => {
+    const field = fieldOf(form, problem);
+    if (!field) return null;
+    const words = besideField(form, field, problem);
+    return `${calledIn(form, field).name}: ${words.charAt(0).toLowerCase()}${words.slice(1)}`;
+  });
+  return lines.length > 0 && lines.every((line) => line !== null) ? lines : null;
+}

@@ -1,0 +1,109 @@
+/** What fell short of what was asked or wished, in plain words: of the plan, of rooms that are not proven, of pieces that were left out. */
+import type { LeftOut, Scene } from "../contract";
+import { roomNames } from "./room";
+
+/** One thing that fell short: in words, why for each piece, and the room it is about. */
+export interface Shortfall {
+  readonly words: string;
+  readonly whys: readonly string[];
+  readonly room: string | null;
+}
+
+export interface Shortfalls {
+  /** What was asked and is otherwise, and what could not be proven. */
+  readonly asked: readonly Shortfall[];
+  /** What stands in no room for want of space, or because the room was full enough. */
+  readonly leftOut: readonly Shortfall[];
+  /** How many pieces those are. */
+  readonly pieces: number;
+}
+
+/** How a certificate begins to say that a room needed no more. */
+const FULL = "the floor is covered as densely as wished";
+
+/** A note as a sentence: ids and the request's keys in words. */
+export function sentence(note: string): string {
+  const words = note.replaceAll("min_room_size", "the smallest room side of").replaceAll(/\bm2\b/g, "m²").replaceAll("_", " ").trim();
+  return words === "" ? "" : `${words.charAt(0).toUpperCase()}${words.slice(1)}${/[.!?]$/.test(words) ? "" : "."}`;
+}
+
+/** What a piece that was left out is called: `second_armchair_1` is a second armchair; `third_across_1` the dining chair that its reason names. */
+function pieceWords({ piece, reason }: LeftOut): string {
+  const own = piece.replace(/_\d+$/, "").replaceAll("_", " ");
+  const kind = /; the smallest, ([^,]+), needs/.exec(reason)?.[1]?.replaceAll("_", " ");
+  const last = (words: string): string | undefined => words.split(" ").at(-1);
+  return kind !== undefined && last(kind) !== last(own) ? kind : own;
+}
+
+function listed(words: readonly string[]): string {
+  return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1) ?? ""}`;
+}
+
+export function shortfallsOf(scene: Scene): Shortfalls {
+  const names = roomNames(scene);
+  const rooms = Object.entries(scene.certificate?.rooms ?? {}).map(([id, said]) => ({ id, name: names.get(id) ?? id, said }));
+  const notes = (scene.certificate?.notes ?? []).map((note) => ({ words: sentence(note), whys: [], room: null }));
+  const ofRooms = rooms.flatMap(({ id, name, said }) => (said.notes ?? []).map((note) => ({ words: `${name}: ${sentence(note)}`, whys: [], room: id })));
+  const open = rooms.filter(({ said }) => said.proven === false).map(({ id, name }) => ({
+    words: `${name}: not proven to be the best. The search ended at its limit; there may be a better arrangement.`, whys: [], room: id,
+  }));
+  const leftOut = rooms.flatMap(({ id, name, said }) => [true, false].flatMap((isFull) => {
+    const pieces = (said.left_out ?? []).filter(({ reason }) => reason.startsWith(FULL) === isFull);
+    const things = listed(pieces.map(pieceWords));
+    const words = isFull ? `${name}: full enough without ${things}.` : `${name}: no place found for ${things}.`;
+    return pieces.length > 0 ? [{ words, whys: pieces.map((one) => sentence(`${pieceWords(one)}: ${one.reason}`)), room: id }] : [];
+  }));
+  return { asked: [...notes, ...ofRooms, ...open], leftOut, pieces: leftOut.reduce((sum, { whys }) => sum + whys.length, 0) };
+}
+
+/** All in one line: what was asked in full, what was left out by its number; empty where nothing fell short. */
+export function shortfallLine({ asked, pieces }: Shortfalls): string {
+  const [first, ...more] = asked;
+  const said = first ? [first.words + (more.length > 0 ? ` And ${more.length} more.` : "")] : [];
+  return [...said, ...(pieces > 0 ? [`${pieces} ${pieces === 1 ? "piece" : "pieces"} left out.`] : [])].join(" ");
+}
+
+export class ShortfallPanel {
+  /** Called with a room's id. */
+  onChooseRoom: (id: string) => void = () => undefined;
+
+  constructor(readonly section: HTMLDetailsElement, readonly list: HTMLElement, readonly line: HTMLButtonElement) {
+    line.addEventListener("click", () => this.#open());
+  }
+
+  show(scene: Scene): void {
+    const found = shortfallsOf(scene);
+    this.section.hidden = found.asked.length + found.leftOut.length === 0;
+    this.line.hidden = this.section.hidden;
+    this.line.textContent = shortfallLine(found);
+    this.line.classList.toggle("is-asked", found.asked.length > 0);
+    this.list.replaceChildren(...[...found.asked, ...found.leftOut].map((one) => this.#item(one)));
+  }
+
+  #open(): void {
+    this.section.open = true;
+    const summary = this.section.querySelector("summary");
+    summary?.scrollIntoView({ block: "nearest" });
+    summary?.focus();
+  }
+
+  #item({ words, whys, room }: Shortfall): HTMLElement {
+    const item = document.createElement("li");
+    if (room === null) {
+      item.textContent = words;
+      return item;
+    }
+    const button = Object.assign(document.createElement("button"), { type: "button", className: "shortfall", textContent: words });
+    button.addEventListener("click", () => this.onChooseRoom(room));
+    item.append(button);
+    if (whys.length > 0) item.append(this.#whys(whys));
+    return item;
+  }
+
+  #whys(whys: readonly string[]): HTMLElement {
+    const details = document.createElement("details");
+    details.append(Object.assign(document.createElement("summary"), { textContent: "Why" }));
+    details.append(...whys.map((why) => Object.assign(document.createElement("p"), { className: "hint", textContent: why })));
+    return details;
+  }
+}
