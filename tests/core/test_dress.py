@@ -17,7 +17,7 @@ from tests.core.test_native_dress import answer, request
 from tests.decorations.random_rooms import furnished, random_dressing, random_settings
 
 KNOWN = load_catalogs()
-GOLDEN = "472d7634e74d07cc79ea54e66af7521837e03c28265a2aac9f609911fcbbaa9b"
+GOLDEN = "4b7937e138e18729740cb6feec8ef31b06f65d822793c502d0a89f701199331b"
 """Of 300 random rooms, half of them with random dressings, recorded from the Python stage."""
 
 
