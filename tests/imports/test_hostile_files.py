@@ -58,6 +58,10 @@ def zigzag(count: int) -> list[list[float]]:
 LAUGHS = "".join(
     f"<!ENTITY a{at} '{'&a' + str(at - 1) + ';' if at else 'ha'}{('&a' + str(at - 1) + ';') * 9 if at else ''}'>" for at in range(10)
 )
+IFC = (
+    b"ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('a','',(''),(''),'','','');\nFILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n"
+    b"#1=IFCCARTESIANPOINT((0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n"
+)
 CORNERS = [{"x": x, "z": z} for x, z in ((0, 0), (4, 0), (4, 4))]
 XXE = b"<!DOCTYPE home [<!ENTITY x SYSTEM 'file:///etc/passwd'>]><home name='&x;'></home>"
 XML_ROOM = "<room name='Kitchen'><point x='0' y='0'/><point x='400' y='0'/><point x='400' y='300'/></room>"
@@ -119,6 +123,10 @@ REFUSED: dict[str, bytes] = {
     "a zip without a home": packed(other=b"Home"),
     "a zip bomb": bomb(),
     "a zip that is broken": packed(Home_xml=sweet_home(XML_ROOM)).replace(b"Kitchen", b"KitcheX"),
+    "ifc that is cut off": IFC[:-40],
+    "ifc without a schema": IFC.replace(b"IFC4", b"IFC9"),
+    "ifc without rooms": IFC,
+    "ifc of noise": IFC.replace(b"#1=", b"#1=#1=((("),
     "glb that is none": b"glTF" + bytes(40),
 }  # fmt: skip
 

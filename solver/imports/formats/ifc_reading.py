@@ -1,0 +1,197 @@
+"""IFC 2x3 and 4: spaces as rooms, walls, the openings in them with their doors and windows, furniture by its names.
+
+Its frame: x east, y north, z up, in the project's unit. Read by ifcopenshell, an extra: extruded shapes and flat faces are understood,
+others are named. Spaces are drawn along inner faces, mostly.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from importlib import import_module
+from typing import Any, Final
+
+from solver.errors import FieldError, SyntaxFault
+from solver.imported import Unread
+from solver.imports.along_walls import drawn_along
+from solver.imports.bounded_files import MOST_BYTES
+from solver.imports.drawn import MOST_POINTS, DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, check_count
+from solver.imports.formats.ifc_shapes import IfcOutline, solid_of, world_of
+
+LOWEST_SILL: Final = 0.1
+"""A hole without a door that begins so near the floor, m, and is PASSAGE high, is a passage."""
+PASSAGE: Final = 1.8
+MOST_ENTITIES: Final = 400_000
+HEADER: Final = b"ISO-10303-21"
+Element = Any
+
+
+def is_ifc(content: bytes) -> bool:
+    """Tells whether a file is a STEP file of a building."""
+    return content.lstrip()[:40].startswith(HEADER)
+
+
+def read_ifc(content: bytes) -> DrawnPlan:
+    """Reads a building.
+
+    Raises:
+        FieldError: ifcopenshell is not installed; or there is more in it than in any home.
+        SyntaxFault: it cannot be read.
+    """
+    try:
+        ifcopenshell = import_module("ifcopenshell")
+    except ImportError:
+        raise FieldError("file", "is IFC, which needs ifcopenshell", "pip install 'compose-homes[ifc]'") from None
+    if len(content) > MOST_BYTES or content.count(b"\n#") > MOST_ENTITIES or b"END-ISO-10303-21" not in content[-2000:]:
+        raise SyntaxFault(f"IFC that is cut off, or of more than {MOST_ENTITIES:,} entities")
+    try:
+        file = ifcopenshell.file.from_string(content.decode("utf-8", "replace"))
+        return _ReadBuilding(file).plan()
+    except FieldError:
+        raise
+    except (RuntimeError, ValueError, AttributeError, TypeError, IndexError, KeyError, ifcopenshell.Error) as error:
+        raise SyntaxFault(f"IFC that cannot be read: {type(error).__name__} {error!s:.100}") from None
+
+
+class _ReadBuilding:
+    """One file's building."""
+
+    def __init__(self, file: Any) -> None:
+        self.file = file
+        self.unread: list[Unread] = []
+        self.metres = float(import_module("ifcopenshell.util.unit").calculate_unit_scale(file))
+        storeys = sorted(file.by_type("IfcBuildingStorey"), key=lambda one: (one.Elevation or 0.0, one.id()))
+        self.storeys = {one.id(): number for number, one in enumerate(storeys)}
+        self.floors = [world_of(one)[2][3] for one in storeys] or [0.0]
+        self.levels = [DrawnLevel(number, one.Name or "", self.floors[number]) for number, one in enumerate(storeys)]
+        for kind in ("IfcSpace", "IfcWall", "IfcOpeningElement", "IfcFurnishingElement"):
+            check_count(kind, len(file.by_type(kind)), MOST_POINTS)
+
+    def plan(self) -> DrawnPlan:
+        """Returns what is drawn."""
+        rooms = tuple(self._rooms())
+        walls = tuple(self._walls())
+        drawn, thickness = drawn_along(rooms, walls)
+        return DrawnPlan(
+            rooms, tuple(self._openings()), walls, tuple(self._pieces()), tuple(self.levels), self.metres, drawn, thickness,
+            tuple(self.unread),
+        )  # fmt: skip
+
+    def _level(self, element: Element) -> int:
+        """Returns the storey that an element is in: by what holds it, else by its height."""
+        util = import_module("ifcopenshell.util.element")
+        holder = util.get_container(element) or util.get_aggregate(element)
+        while holder is not None and holder.id() not in self.storeys:
+            holder = util.get_aggregate(holder)
+        if holder is not None:
+            return self.storeys[holder.id()]
+        height = world_of(element)[2][3]
+        return max((number for number, floor in enumerate(self.floors) if floor <= height + 0.5 / self.metres), default=0)
+
+    def _solid(self, element: Element, where: str) -> IfcOutline | None:
+        solid = solid_of(element)
+        if solid is None:
+            self.unread.append(Unread(where, "its shape is none that is read here: an extruded profile, or flat faces"))
+        return solid
+
+    def _rooms(self) -> Iterator[DrawnRoom]:
+        for space in self.file.by_type("IfcSpace"):
+            where = _place(space)
+            solid = self._solid(space, where)
+            if solid is not None:
+                name = space.LongName or space.Name or ""
+                outdoor = (
+                    getattr(space, "PredefinedType", None) == "EXTERNAL" or getattr(space, "InteriorOrExteriorSpace", None) == "EXTERNAL"
+                )
+                yield DrawnRoom(
+                    tuple((x, -y) for x, y in solid.footprint), name, where, "", self._level(space), outdoor,
+                    (space.Name or "") if self._is_ours() else "",
+                )  # fmt: skip
+
+    def _is_ours(self) -> bool:
+        return str(self.file.header.file_name.originating_system) == "Compose"
+
+    def _walls(self) -> Iterator[DrawnWall]:
+        for wall in self.file.by_type("IfcWall"):
+            where = _place(wall)
+            solid = self._solid(wall, where)
+            if solid is not None:
+                start, end, thickness = solid.middle_line(world_of(wall))
+                yield DrawnWall((start[0], -start[1]), (end[0], -end[1]), thickness, where, self._level(wall))
+
+    def _openings(self) -> Iterator[DrawnOpening]:
+        filled = set()
+        for kind in ("IfcDoor", "IfcWindow"):
+            for element in self.file.by_type(kind):
+                fills = [fill.RelatingOpeningElement for fill in element.FillsVoids or ()]
+                filled |= {hole.id() for hole in fills}
+                made = self._opening(element, fills[0] if fills else None, kind == "IfcWindow")
+                if made is not None:
+                    yield made
+        seen: set[tuple[float, ...]] = set()
+        for hole in self.file.by_type("IfcOpeningElement"):
+            made = None if hole.id() in filled or hole.HasFillings else self._opening(hole, hole, False)
+            if made is None:
+                continue
+            key = (*(round(value * self.metres, 2) for value in (*made.start, *made.end)), float(made.level))
+            if (made.sill or 0.0) * self.metres > LOWEST_SILL or (made.height or 0.0) * self.metres < PASSAGE:
+                self.unread.append(Unread(made.where, "a hole in a wall that is neither filled nor a passage"))
+            elif key not in seen:
+                seen.add(key)
+                yield made
+
+    def _opening(self, element: Element, hole: Element | None, is_window: bool) -> DrawnOpening | None:
+        """Returns an opening along its wall: as long as the hole that it fills, else as its own words say."""
+        where, frame = _place(element), world_of(element)
+        solid = None if hole is None else solid_of(hole)
+        wall = hole.VoidsElements[0].RelatingBuildingElement if hole is not None and hole.VoidsElements else None
+        if solid is not None and wall is not None:
+            start, end, low, height = solid.along_wall(world_of(wall))
+        elif getattr(element, "OverallWidth", None):
+            x, y, low = (frame[k][3] for k in range(3))
+            start, end = (x, y), (x + frame[0][0] * element.OverallWidth, y + frame[1][0] * element.OverallWidth)
+            height = element.OverallHeight or (2.1 / self.metres)
+        else:
+            self.unread.append(Unread(where, "an opening without a width"))
+            return None
+        level = self._level(wall if wall is not None else element)
+        floor = self.floors[min(level, len(self.floors) - 1)]
+        kind, hinge = _kind(element, is_window), None
+        towards = None
+        style = str(getattr(element, "OperationType", None) or "")
+        if kind == "door" and style in ("SINGLE_SWING_LEFT", "SINGLE_SWING_RIGHT"):
+            origin = (frame[0][3], frame[1][3])
+            near = math.dist(origin, start) < math.dist(origin, end)
+            hinge = "start" if near == (style == "SINGLE_SWING_LEFT") else "end"
+            towards = (start[0] + frame[0][1] / self.metres, -(start[1] + frame[1][1] / self.metres))
+        name = element.Name or ""
+        return DrawnOpening(
+            kind, (start[0], -start[1]), (end[0], -end[1]), where, height, max(0.0, low - floor), level, hinge, towards,  # type: ignore[arg-type]
+            id=name if self._is_ours() else "",
+        )  # fmt: skip
+
+    def _pieces(self) -> Iterator[DrawnPiece]:
+        psets = import_module("ifcopenshell.util.element").get_psets
+        for piece in self.file.by_type("IfcFurnishingElement"):
+            frame, said = world_of(piece), psets(piece).get("Compose_Body", {})
+            sizes = [said.get(key) for key in ("Width", "Depth", "Height")]
+            size = None if None in sizes else (float(sizes[0]), float(sizes[1]), float(sizes[2]))
+            level = self._level(piece)
+            turn, floor = math.degrees(math.atan2(frame[1][0], frame[0][0])), self.floors[min(level, len(self.floors) - 1)]
+            yield DrawnPiece(
+                piece.ObjectType or piece.Name or "", frame[0][3], -frame[1][3], frame[2][3] - floor,
+                turn, size, _place(piece), level, None, str(said.get("Id", "")), said.get("Sort") == "decoration",
+            )  # fmt: skip
+
+
+def _kind(element: Element, is_window: bool) -> Any:
+    if is_window:
+        return "window"
+    if element.is_a("IfcOpeningElement"):
+        return "passage"
+    words = f"{element.Name or ''} {getattr(element, 'OperationType', None) or ''}".lower()
+    return "garage_door" if "garage" in words or "rollingup" in words else "door"
+
+
+def _place(element: Element) -> str:
+    return f"#{element.id()} {element.is_a()} {str(element.Name or '')!r:.60}"
