@@ -13,7 +13,19 @@ from service.app import create_app
 
 FILE = Path(__file__).parent.parent / "web" / "src" / "served.ts"
 PAGE = (
-    *("Generated", "Fixed", "FixBody", "DragAnswer", "ValidateAnswer", "Explained", "Lines", "FloorAnswer", "ProblemDocument", "Request"),
+    *(
+        "Generated",
+        "PlanImport",
+        "Fixed",
+        "FixBody",
+        "DragAnswer",
+        "ValidateAnswer",
+        "Explained",
+        "Lines",
+        "FloorAnswer",
+        "ProblemDocument",
+        "Request",
+    ),
     *("FurnitureSpec", "Solid", "Material", "WallPaint", "Preset", "Asset"),
 )
 """What the page takes and sends; what these refer to comes with them."""

@@ -5,7 +5,7 @@ const STATIC_DIRECTORY = "../service/static";
 
 /** For `npm run dev`: the running service that answers the page's calls. */
 const SERVICE = "http://127.0.0.1:8000";
-const CALLS = ["/generate", "/furnish", "/fix", "/drag", "/core.wasm", "/validate", "/view", "/floor", "/export", "/catalog", "/asset", "/schema", "/healthz"];
+const CALLS = ["/generate", "/furnish", "/import", "/fix", "/drag", "/core.wasm", "/validate", "/view", "/floor", "/export", "/catalog", "/asset", "/schema", "/healthz"];
 
 const GUARD_MS = 600_000;
 

@@ -127,10 +127,10 @@ def test_a_chosen_file_that_is_no_scene_is_refused_in_the_services_words(visit: 
 TRAP = "<img src=x onerror=console.error('ran')>"
 BROKEN = {
     "unclosed.yaml": ("rooms: [a", "not YAML"),
-    "notes": ("hello there", "is 'hello there' (allowed: an object)"),
+    "notes": ("hello there", "in none of the formats that are read here"),
     "empty.json": ("", "is empty"),
-    "list.json": ("[1, 2]", "is a list"),
-    "null.json": ("null", "is null"),
+    "list.json": ("[1, 2]", "in none of the formats"),
+    "null.json": ("null", "in none of the formats"),
     "nan.json": ('{"rooms": [{"width": NaN, "depth": 2}]}', "rooms[0].width: is nan"),
     "huge.json": ('{"rooms": [{"width": 1e300, "depth": 2}]}', "up to 1000"),
     "named <b>.json": ('{"rooms": [{"width": 3, "depth": 2, "furniture": 7}]}', "rooms[0].furniture"),
@@ -175,3 +175,40 @@ def test_broken_files_are_refused_by_name_and_the_house_stays(visit: Visit) -> N
         notice.get_by_role("button", name="Close").click()
     assert visit.page.evaluate("compose.scene") == shown
     expect(visit.page.get_by_role("button", name="Copy link")).to_be_enabled()
+
+
+SQUARE = [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]
+BESIDE = [[4, 0], [8, 0], [8, 3], [4, 3], [4, 0]]
+
+
+def drawn_plan() -> str:
+    """A plan of two rooms as GeoJSON, a door between them, another that leads outside, and a line that is in no wall."""
+    rooms = [
+        {"type": "Feature", "properties": {"name": name}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+        for name, ring in (("Schlafzimmer", SQUARE), ("Salon", BESIDE))
+    ]
+    lines = [[[4, 1], [4, 1.9]], [[5, 0], [5.9, 0]], [[20, 20], [20.9, 20]]]
+    doors = [{"type": "Feature", "properties": {"kind": "door"}, "geometry": {"type": "LineString", "coordinates": line}} for line in lines]
+    return json.dumps({"type": "FeatureCollection", "unit": "m", "features": rooms + doors})
+
+
+def test_a_dropped_plan_is_told_of_and_furnished(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    page = visit.page
+    expect(page.get_by_role("button", name="Furnish empty rooms")).to_be_disabled()
+    page.evaluate(DROP, ["flat.geojson", drawn_plan()])
+    expect(page).to_have_title("Compose: flat.geojson")
+    visit.settle()
+    assert visit.count("rooms") == 2
+    expect(page.locator("#imported_list")).to_contain_text("Left out (1)")
+    page.get_by_role("button", name="Furnish empty rooms").click()
+    expect(page.get_by_role("button", name="Furnish empty rooms")).to_be_disabled()
+    visit.settle()
+    assert [room["type"] for room in page.evaluate("compose.scene.rooms")] == ["bedroom", "living_room"]
+    assert visit.count("furniture") > 8
+    page.keyboard.press("Control+z")
+    visit.settle()
+    assert visit.count("furniture") == 0
+    visit.after(lambda: page.get_by_role("button", name="Random").click())
+    expect(page.locator("#imported")).to_be_hidden()
+    assert visit.console == []

@@ -64,6 +64,8 @@ type About<Answer> = Omit<Answer, "scene" | "issues" | "timing_ms"> & { readonly
 type Made<Answer> = About<Answer> & { readonly issues: readonly Issue[]; readonly timing_ms: number | Served.Generated["timing_ms"] };
 export type GenerateAnswer = Made<Served.Generated>;
 export type FixAnswer = Made<Served.Fixed>;
+/** What a file was read as: its home, and what was changed, guessed and left out. */
+export type ImportAnswer = Omit<Served.PlanImport, "scene" | "issues"> & { readonly scene: Scene; readonly issues: readonly Issue[] };
 export type FixRequest = About<Served.FixBody>;
 /** The page always asks for the report. */
 export type ValidateAnswer = Omit<Served.ValidateAnswer, "report" | "metrics"> & { readonly report: Served.Lines };

@@ -12,6 +12,7 @@ import type { LeftHome } from "./memory/kept_homes";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
 import { Files } from "./panel/files";
+import { ImportReport } from "./panel/imported";
 import { Issues } from "./panel/issues";
 import { Keys } from "./panel/keys";
 import { Legend } from "./panel/legend";
@@ -50,6 +51,7 @@ class Page {
   readonly #stage = new Stage(element("stage"));
   readonly #diagnose = new Diagnose(this.#home);
   readonly #keys = new Keys();
+  readonly #imported = new ImportReport(element("imported"), element("imported_list"));
   readonly #drawing: Drawing;
   readonly #entries = new Entries();
   readonly #keeping: Keeping;
@@ -89,6 +91,7 @@ class Page {
     this.#drawing = new Drawing(element("drawing"), [element("stage"), element("reading")], (reason) => this.#asking.notice.show(reason));
     this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
     this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
+    element("furnish_now").addEventListener("click", () => this.#furnish());
     element("draw_new").addEventListener("click", () => this.#drawing.open(null));
     element("draw_this").addEventListener("click", () => this.#drawing.open(this.#home.settled?.scene ?? null));
     element("random").addEventListener("click", () => this.#random());
@@ -179,8 +182,7 @@ class Page {
   async #change(made: Scene, carried: string, signal: AbortSignal): Promise<void> {
     try {
       const content = JSON.stringify(await carriedTo(carried, made));
-      const scene = await readFile({ name: "The link", format: "json", content }, signal);
-      const { issues } = await report(scene, [], signal);
+      const { scene, issues } = await readFile({ name: "The link", content }, signal);
       this.#home.show({ scene, issues, conflicts: [], timing: 0 }, "step");
     } catch (reason) {
       if (isAbort(reason)) throw reason;
@@ -237,11 +239,24 @@ class Page {
 
   #openFile(file: GivenFile, history: History): void {
     void this.#asking.run(`Reading ${file.name}`, async (signal) => {
-      const [scene] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
-      const { issues } = await report(scene, [], signal);
+      const [read] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
       this.#entries.expect(history === "push", file);
       this.#home.select(null);
-      this.#home.show({ scene, issues, conflicts: [], timing: 0, made: null, file: file.name }, "new");
+      this.#home.show({ scene: read.scene, issues: read.issues, conflicts: [], timing: 0, made: null, file: file.name }, "new");
+      this.#imported.show(read);
+      await this.#reads;
+    });
+  }
+
+  /** Furnishes the rooms that stand empty, in turn with the edits. */
+  #furnish(): void {
+    void this.#asking.run("Furnishing empty rooms", async (signal) => {
+      await this.#workbench.editor.inTurn(async () => {
+        const before = this.#home.settled;
+        if (!before || signal.aborted) return;
+        const { scene, issues, timing_ms: timing } = await furnish(before.scene, [], signal);
+        this.#home.show({ scene, issues, conflicts: [], timing }, "step");
+      });
       await this.#reads;
     });
   }
@@ -276,6 +291,8 @@ class Page {
     this.#asking.notice.hide();
     this.#stage.show(shown.scene, shown.issues);
     this.#stage.select(this.#home.selected);
+    if (how === "new") this.#imported.show(null);
+    element<HTMLButtonElement>("furnish_now").disabled = shown.scene.rooms.every((room) => room.furniture.length > 0);
     this.#issues.show(shown.issues);
     this.#shortfalls.show(shown.scene);
     this.#legend.show(drawable(shown.scene));

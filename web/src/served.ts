@@ -192,6 +192,22 @@ export interface Hold {
   readonly message: string;
 }
 
+/** Something that is not as it was drawn: in which step, of what (a room's or opening's id, or `plan`), by how much, m. */
+export interface ImportChange {
+  readonly step: string;
+  readonly of: string;
+  readonly amount: number;
+  readonly message: string;
+}
+
+/** Something that the file does not say: of what (an id, or `plan`), which key, what was taken. */
+export interface ImportGuess {
+  readonly of: string;
+  readonly what: string;
+  readonly taken: string;
+  readonly message: string;
+}
+
 /** One broken rule: its name, the room's id, the ids of the bodies, and by how much, m. */
 export interface Issue {
   readonly rule: string;
@@ -257,6 +273,17 @@ export interface Opening {
   readonly render_panel: boolean;
   readonly edge?: number | null;
   readonly open?: number | null;
+}
+
+/** A foreign plan as a scene; `format` is what the file was read as. */
+export interface PlanImport {
+  readonly scene: Scene;
+  readonly format: string;
+  readonly changes: readonly ImportChange[];
+  readonly guesses: readonly ImportGuess[];
+  readonly unread: readonly Unread[];
+  readonly issues: readonly Issue[];
+  readonly understood_as: Readonly<Record<string, string>>;
 }
 
 /** Where a body was in the last answer of /fix: its footprint's centre in its room, m, and its rotation, degrees. */
@@ -424,6 +451,12 @@ export interface Unlocked {
   readonly dx: number;
   readonly dz: number;
   readonly rotation: number;
+}
+
+/** Something that was left out: its place in the file, and why. */
+export interface Unread {
+  readonly place: string;
+  readonly reason: string;
 }
 
 /** Who uses a piece must get to these sides: `any` one of them, or `all`; `clearance` is the depth wished there, m. */

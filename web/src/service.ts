@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, GenerateAnswer, HouseRequest, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
+import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, GenerateAnswer, HouseRequest, ImportAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 
 /** What is known of a refusal beside its words. */
 interface Refusal {
@@ -170,22 +170,16 @@ export function exported(scene: Scene, format: FileFormat, signal: AbortSignal):
   return askFor((response) => response.text(), `export/${format}`, init);
 }
 
-/** What is read: texts, and a .glb that was exported. */
-export type ReadFormat = FileFormat | "glb";
-
-const MEDIA_TYPES: Readonly<Record<ReadFormat, string>> = { json: "application/json", yaml: "application/yaml", glb: "model/gltf-binary" };
-
-/** A file as it was handed over. */
+/** A file as it was handed over: a scene, or a floor plan of another program. */
 export interface GivenFile {
   readonly name: string;
-  readonly format: ReadFormat;
   readonly content: string | ArrayBuffer;
 }
 
-/** The scene that a file holds, as the service reads it; what is wrong with the file is said with its name. */
-export async function readFile({ name, content, format }: GivenFile, signal: AbortSignal): Promise<Scene> {
+/** What a file holds, as the service reads it; what is wrong with the file is said with its name. */
+export async function readFile({ name, content }: GivenFile, signal: AbortSignal): Promise<ImportAnswer> {
   try {
-    return await ask("export/json", { method: "POST", headers: { "Content-Type": MEDIA_TYPES[format] }, body: content, signal });
+    return await ask("import", { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal });
   } catch (reason) {
     if (!(reason instanceof ServiceProblem) || reason.fields.length === 0) throw reason;
     throw new ServiceProblem(`${name} holds no scene that can be read`, reason.detail, reason);

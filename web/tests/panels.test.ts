@@ -3,8 +3,8 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { drawing } from "./random_requests";
 import { room, scene } from "./rooms";
-import { formatOf } from "../src/panel/files";
 import { tokensOf, writeHighlighted } from "../src/panel/highlight";
+import { ImportReport } from "../src/panel/imported";
 import { Legend, roomColors } from "../src/panel/legend";
 import { LineList, type Line } from "../src/panel/line_list";
 import type { Found } from "../src/memory/carrying";
@@ -175,10 +175,23 @@ describe("the notice", () => {
   });
 });
 
-describe("files", () => {
-  it("are of the format that their name says, else their first character", () => {
-    const given = [["a.json", ""], ["a.YML", "{"], ["a.yaml", "["], ["a", " {"], ["a", "rooms:"], ["a.txt", "[1]"], ["a.GLB", ""], ["a", "glTF\u0002"]];
-    expect(given.map(([name = "", text = ""]) => formatOf(name, text))).toEqual(["json", "yaml", "yaml", "json", "yaml", "json", "glb", "glb"]);
+describe("a file that was read", () => {
+  const answer = (more: object) => ({ scene: scene([]), format: "svg", changes: [], guesses: [], unread: [], issues: [], understood_as: {}, ...more });
+
+  it("is told of by what was guessed, left out and changed, as text", () => {
+    document.body.innerHTML = "<details hidden><div></div></details>";
+    const [host, list] = [document.querySelector("details"), document.querySelector("div")] as [HTMLElement, HTMLElement];
+    const report = new ImportReport(host, list);
+    report.show(answer({
+      changes: [{ step: "straighten", of: "a", amount: 0.01, message: "a was moved" }],
+      unread: [{ place: "objects[2]", reason: "<b>is unknown</b>" }],
+    }));
+    expect(host.hidden).toBe(false);
+    expect([...list.querySelectorAll("h3, li")].map((one) => one.textContent)).toEqual(["Left out (1)", "objects[2]: <b>is unknown</b>", "Changed (1)", "a was moved"]);
+    report.show(answer({}));
+    expect(host.hidden).toBe(true);
+    report.show(null);
+    expect(list.children).toHaveLength(0);
   });
 });
 

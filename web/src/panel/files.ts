@@ -1,17 +1,6 @@
-/** Files: the scene shown is saved whole, a scene dropped or chosen is read by the service. */
+/** Files: the scene shown is saved whole, a scene or plan dropped or chosen is read by the service. */
 import type { Scene } from "../contract";
-import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile, type ReadFormat } from "../service";
-
-/** How much of a file tells its format, bytes. */
-const BEGINNING = 1024;
-
-/** A file's format by its name; else by how it begins: JSON with a bracket, a .glb with its mark. */
-export function formatOf(name: string, text: string): ReadFormat {
-  if (/\.glb$/i.test(name) || text.startsWith("glTF")) return "glb";
-  if (/\.json$/i.test(name)) return "json";
-  if (/\.ya?ml$/i.test(name)) return "yaml";
-  return /^\s*[[{]/.test(text) ? "json" : "yaml";
-}
+import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile } from "../service";
 
 export function fileName(scene: Scene, format: FileFormat): string {
   return `compose-${scene.seed}.${format}`;
@@ -103,8 +92,7 @@ export class Files {
   async #open(file: File | undefined): Promise<void> {
     if (!file) return;
     try {
-      const format = formatOf(file.name, await file.slice(0, BEGINNING).text());
-      this.onOpen({ name: file.name, format, content: await (format === "glb" ? file.arrayBuffer() : file.text()) });
+      this.onOpen({ name: file.name, content: await file.arrayBuffer() });
     } catch (reason) {
       this.onFailure(reason, null);
     }
