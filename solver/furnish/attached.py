@@ -29,13 +29,13 @@ FIRM, LOOSE = 0.3, 0.03
 """Pull, m^-2, to the middle of a box: of a place beside, before or around a piece, and of any other."""
 SLACK_MM = 2
 """What halves of odd extents may add up to."""
-BOXES_KEPT = 64
+BOXES_KEPT = 14
 """Most boxes of one stance that differ in what they hold."""
 BETWEEN_OTHERS = 12
 """Most candidates of a piece between others that stand."""
-PLACES = 64
+PLACES = 3
 """Most candidates of one stance beside one stance of another piece."""
-PLACES_EACH = 64
+PLACES_EACH = 5
 """Most candidates of all stances beside one stance of another piece."""
 ANY_PLACE = Rect(int(ANYWHERE[0]), int(ANYWHERE[0]), int(ANYWHERE[1]), int(ANYWHERE[1]))
 POINT = (0, 0)
@@ -50,8 +50,14 @@ class _Beside(NamedTuple):
     rect: Rect
 
 
-def attached(listed: ListedPiece) -> Iterator[Candidate]:
-    """Yields the candidates attached to another piece, each for one stance of that piece."""
+def attached(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]], dearest: float) -> Iterator[Candidate]:
+    """Yields the candidates attached to another piece, each for one stance of that piece.
+
+    Args:
+        listed: the piece.
+        every: its footings, each with the rectangles that hold relations to the room.
+        dearest: candidates that cost as much are not sought.
+    """
     subject = listed.subject
     names = tuple(dict.fromkeys(name for spec in listed.to_pieces for name in spec.of))
     for label in dict.fromkeys(subject.labels(names)):
@@ -62,9 +68,11 @@ def attached(listed: ListedPiece) -> Iterator[Candidate]:
             yield from _resting_on(listed, mine, label)
             continue
         frames = _Frames(listed, mine, others)
+        hard = any(spec.required for spec in mine)
         for parent in subject.standing[label]:
-            for place in _cheapest(frames, parent):
-                yield frames.candidate(place, parent, others)
+            if hard or (label, parent.stance) not in listed.unlikely:
+                for place in _cheapest(frames, every, parent, dearest - others):
+                    yield frames.candidate(place, parent, others)
 
 
 def _resting_on(listed: ListedPiece, specs: Sequence[RelationSpec], label: str) -> Iterator[Candidate]:
@@ -152,12 +160,23 @@ def _fit(listed: ListedPiece, spec: RelationSpec, other: Kind, turn: int) -> Fit
     return Fit(spec, other.size[:2], turned(*own.size[:2], turn), turn, blocked=blocked)
 
 
-def _cheapest(frames: _Frames, parent: Parent) -> list[_Beside]:
-    """Returns the cheapest places of all stances beside one stance of another piece."""
+def _cheapest(
+    frames: _Frames, every: Sequence[tuple[Footing, Sequence[Costed]]], parent: Parent, dearest: float
+) -> list[_Beside]:  # fmt: skip
+    """Returns the cheapest places of all stances beside one stance of another piece, those of the likeliest stances first."""
+    likely: list[tuple[float, int, Footing, list[Costed], Sequence[Costed]]] = []
+    for footing, found in every:
+        boxes = frames.boxes(parent, footing)
+        if boxes and found:
+            likely.append((boxes[0][1] + found[0][1], len(likely), footing, boxes, found))
+    likely.sort(key=lambda entry: entry[:2])
     places: list[_Beside] = []
-    for footing, found in frames.listed.places:
-        places += _in_both(frames, footing, parent, (frames.boxes(parent, footing), found))
-    places.sort(key=lambda place: round(place.cost, 9))
+    for least, _, footing, boxes, found in likely:
+        if least >= dearest or (len(places) >= PLACES_EACH and least >= places[PLACES_EACH - 1].cost):
+            frames.dropped(least)
+            break
+        places += [place for place in _in_both(frames, footing, parent, (boxes, found)) if place.cost < dearest]
+        places.sort(key=lambda place: round(place.cost, 9))
     for place in places[PLACES_EACH : PLACES_EACH + 1]:
         frames.dropped(place.cost)
     return places[:PLACES_EACH]

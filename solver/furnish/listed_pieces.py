@@ -31,8 +31,12 @@ FREE_COST = 0.2
 """What standing in the middle of the room costs a piece that may also stand at a wall."""
 ELSEWHERE = 1.0
 """What standing elsewhere than in its own part of the floor costs a piece."""
-ATTACHED = 2000
+ATTACHED = 400
 """Most candidates of a piece that are attached to another one."""
+EACH = 3
+"""Most candidates of one stance that differ in what they hold."""
+DEAR = 5.0
+"""What a stance costs more than a piece's best that is too unlikely for others to be attached to it: less than a relation."""
 
 _cost = attrgetter("cost")
 
@@ -49,6 +53,7 @@ class ListedPieces:
         """What a placement costs at least that takes a candidate which a limit kept out; one that costs no more is the best of all."""
         least = {piece.label: min(map(_cost, piece.candidates), default=0.0) for piece in self.pieces}
         more = [min(one.dropped) - least[label] for label, one in self.listed.items() if one.dropped]
+        more += [DEAR for one in self.listed.values() if one.unlikely]
         return sum(least.values()) + max(0.0, min(more, default=inf))
 
     def between(self, placed: Sequence[Placed], labels: Container[str]) -> tuple[Piece, ...]:
@@ -104,17 +109,19 @@ def listed_pieces(room: Room, space: Space, listing: Listing, standing: Sequence
     reach = {key: rect for one in pieces for key, rect in _reach(one, space.clear).items()}
     asked = [spec for request in requests for spec in request.relations]
     named = {name for spec in (*asked, *(spec for specs in habits.relations.values() for spec in specs)) for name in spec.of}
+    unlikely: set[tuple[str, Stance]] = set()
     listed: dict[str, ListedPiece] = {}
     for request in requests:
         kind = kinds[request.id]
         for label in request.labels:
             relations = request.relations or habits.relations.get(label, ())
             subject = Subject(scope, ((kind, 0.0),), relations, dict(labels), dict(parents))
-            listed[label] = ListedPiece(subject, space, reach, habits.cells.get(label))
+            listed[label] = ListedPiece(subject, space, reach, frozenset(unlikely), habits.cells.get(label))
             piece = _piece(listed[label], label, request.required)
             pieces.append(piece)
             if {request.id, label} & named:
                 reach = reach | _reach(piece, space.clear)
+                unlikely |= _unlikely(piece)
             labels[request.id] = (*labels.get(request.id, ()), label)
             labels[label] = labels.get(label, (label,)) if label == request.id else (label,)
             parents[label] = tuple(Parent(label, kind, stance) for stance in _stances(piece))
@@ -144,6 +151,13 @@ def _reach(piece: Piece, clear: Rect) -> dict[tuple[str, Stance], Rect]:
     return found
 
 
+def _unlikely(piece: Piece) -> set[tuple[str, Stance]]:
+    """Returns the stances that cost at least `DEAR` more than the cheapest."""
+    costs = {stance: min(map(_cost, candidates)) for stance, candidates in _stances(piece).items()}
+    least = min(costs.values(), default=0.0) + DEAR
+    return {(piece.label, stance) for stance, cost in costs.items() if cost >= least}
+
+
 def _piece(listed: ListedPiece, label: str, required: bool) -> Piece:
     kind, subject = listed.kind, listed.subject
     links = [link for spec in listed.to_pieces for link in RELATIONS[spec.type].pulls(spec, subject.labels(spec.of))]
@@ -152,16 +166,26 @@ def _piece(listed: ListedPiece, label: str, required: bool) -> Piece:
 
 def _candidates(listed: ListedPiece) -> tuple[Candidate, ...]:
     """Returns all candidates, cheapest first; none where the piece is too large, or hard relations rule all of them out."""
+    every = [(footing, _some(found, listed.dropped)) for footing, found in listed.places]
     hard = any(spec.required for spec in listed.to_pieces)
-    bound = sorted(attached(listed), key=_cost)
+    alone = [] if hard else list(_alone(listed, every))
+    dearest = min(map(_cost, alone), default=inf) + sum(spec.cost for spec in listed.to_pieces)
+    bound = sorted(attached(listed, every, dearest), key=_cost)
     listed.dropped.extend(candidate.cost for candidate in bound[ATTACHED : ATTACHED + 1])
-    return _by_cost([] if hard else list(_alone(listed)), bound[:ATTACHED])
+    listed.dropped.extend([dearest] if listed.to_pieces and alone else [])
+    return _by_cost(alone, bound[:ATTACHED])
 
 
-def _alone(listed: ListedPiece) -> Iterator[Candidate]:
+def _some(found: Sequence[Costed], dropped: list[float]) -> list[Costed]:
+    """Returns the few that cost least, and the dearest: where nothing is held, a piece can still stand."""
+    dropped.extend(cost for _, cost in found[EACH:-1][:1])
+    return [*found[:EACH], *found[EACH:][-1:]]
+
+
+def _alone(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]]) -> Iterator[Candidate]:
     """Yields the ways to stand at walls and in the room, attached to nobody."""
     pairs = sum(spec.cost * (UNSURE if RELATIONS[spec.type].by_degree else 1.0) for spec in listed.to_pieces)
-    for footing, found in listed.places:
+    for footing, found in every:
         for rect, cost in _in_its_cell(listed, footing, found):
             free = FREE_COST if footing.wall is None else 0.0
             yield Candidate(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf
@@ -20,7 +20,7 @@ from solver.scene import WALLS
 
 Costed: TypeAlias = tuple[Rect, float]
 """A rectangle, and what it costs to miss the relations that do not hold there."""
-PLACES_KEPT = 64
+PLACES_KEPT = 12
 """Most rectangles of one stance."""
 
 
@@ -32,6 +32,7 @@ class ListedPiece:
         subject: the piece.
         space: the room's.
         reach: where the centre of an earlier piece may be, by its label and stance, mm.
+        unlikely: stances of earlier pieces that miss a relation which others hold: no places are sought beside them.
         cell: the part of the floor where it stands best, if it stands free.
         dropped: filled while its candidates are made: what those cost at least that a limit kept out.
     """
@@ -39,6 +40,7 @@ class ListedPiece:
     subject: Subject
     space: Space
     reach: Mapping[tuple[str, Stance], Rect]
+    unlikely: Collection[tuple[str, Stance]]
     cell: Rect | None = None
     dropped: list[float] = field(default_factory=list, compare=False)
 
