@@ -12,6 +12,7 @@ from typing import Any, Final
 import yaml
 from pydantic import TypeAdapter, ValidationError
 
+from catalogs.access_profiles import AccessProfile
 from catalogs.checks import faults
 from catalogs.dressing import DecorationKind, Dressing
 from catalogs.dwellers import Dweller
@@ -43,6 +44,7 @@ _SECTIONS: Final[dict[str, Any]] = {
     "habits": dict[str, Habit],
     "synonyms": dict[str, Synonym],
     "room_names": dict[str, Synonym],
+    "access": dict[str, AccessProfile],
 }
 """What each file of a catalog holds: `<section>.yaml`."""
 _FILES: Final = (*(f"{section}.yaml" for section in _SECTIONS), f"{_ROOMS}/<type>.yaml", f"{_SHAPES}/<any>.yaml")
@@ -50,6 +52,7 @@ _SHAPE_FILE: Final[Any] = dict[str, ShapeParts]
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
     "fingerprint": True, "assets": True, "shapes": True, "materials": True, "synonyms": True, "room_names": True, "habits": True,
+    "access": True,
     "styles": {"__all__": {"materials"}},
     "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},

@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from catalogs.access_profiles import AccessProfile
 from catalogs.assets.asset_entry import Asset
 from catalogs.dressing import DecorationKind, Dressing
 from catalogs.dwellers import Dweller
@@ -261,6 +262,7 @@ class Catalogs(Entry):
     synonyms: dict[str, Synonym] = Field(default_factory=dict)
     room_names: dict[str, Synonym] = Field(default_factory=dict)
     habits: dict[str, Habit] = Field(default_factory=dict)
+    access: dict[str, AccessProfile] = Field(default_factory=dict)
     assets: dict[str, Asset] = Field(default_factory=dict)
     fingerprint: str
 

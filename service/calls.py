@@ -42,9 +42,10 @@ from solver.pipeline.import_plan import import_plan
 from solver.pipeline.own_plan import furnish
 from solver.plain import Document
 from solver.requested import PieceRequest
+from solver.scene import NO_ACCESS
 from solver.scene_bodies import body_ids, check_ids
 from solver.understanding import understood
-from solver.validator import floors, metrics
+from solver.validator import access_of, floors, metrics
 from solver.view import report, view
 
 Call: TypeAlias = Callable[[object, Catalogs], Document]
@@ -161,7 +162,8 @@ def validate_scene(document: object, catalogs: Catalogs) -> Document:
     issues = validate(scene, catalogs)
     is_wanted = body.flagged is not None if body.report is None else body.report
     words = Lines(*report(scene, issues, flagged)) if is_wanted else None
-    return write(ValidateAnswer(tuple(issues), metrics(scene, catalogs), understood(scene, catalogs).understood_as, words))
+    access = None if body.access is None or body.access == NO_ACCESS else access_of(scene, body.access, catalogs).document()
+    return write(ValidateAnswer(tuple(issues), metrics(scene, catalogs), understood(scene, catalogs).understood_as, words, access))
 
 
 def view_scene(document: object, _: Catalogs | None = None) -> Document:

@@ -118,6 +118,7 @@ def _add_request(command: ArgumentParser) -> None:
     add("--style", metavar="NAME", help="the style of the house")
     add("--min-room-size", type=float, metavar="N", help="shortest side of a room, m (3)")
     add("--max-depth", type=int, metavar="N", help="how often the plan is split (5)")
+    add("--access", metavar="PROFILE", help="a standard to judge by: none, din_18040_2, din_18040_2_r, ada (none)")
     add("--robot-width", type=float, metavar="N", help="of what must be able to walk everywhere, m (0.6)")
     add("--force-type", dest="force_types", action="append", type=forced, metavar="INDEX=TYPE", help="a room's type")
     switch = partial(add, action=BooleanOptionalAction)
@@ -180,6 +181,7 @@ def _add_readers(commands: Commands) -> None:
     validate.add_argument(
         "--flag", dest="flagged", action="append", default=[], metavar="ID", help="a body to mark PROBLEMATIC in the report"
     )
+    validate.add_argument("--access", metavar="PROFILE", help="judge as a standard asks: din_18040_2, din_18040_2_r, ada")
     _add_output(validate, "issues and metrics")
     _add_catalog(validate)
     view = _command(commands, "view", "Write a scene for a person to read.")

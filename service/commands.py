@@ -134,12 +134,15 @@ def _place(options: Namespace) -> int:
 
 
 def _validate(options: Namespace) -> int:
-    answer = _answer(options, flagged=options.flagged, report=options.report)
+    answer = _answer(options, flagged=options.flagged, report=options.report, **({"access": options.access} if options.access else {}))
     if options.report:
         _put(answer["report"]["text"].encode(), options.output)
     else:
         _write(answer, options)
-    return _judged(answer["issues"])
+    unmet = answer.get("access", {}).get("unmet", ())
+    for words in unmet:
+        _say(f"access {options.access}: {words}")
+    return max(_judged(answer["issues"]), ERRORS_FOUND if unmet else CLEAN)
 
 
 def _view(options: Namespace) -> int:

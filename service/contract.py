@@ -119,13 +119,14 @@ class PlaceBody(Record):
 
 @dataclass(frozen=True)
 class ValidateBody(Record):
-    """Judges a scene; a report is written where it is wanted or bodies are `flagged` as problematic."""
+    """Judges a scene; a report is written where it is wanted or bodies are `flagged` as problematic; `access` names a profile."""
 
     camel_case: ClassVar[bool] = True
 
     scene: SentScene
     flagged: Ids | None = None
     report: Flag | None = None
+    access: Text | None = None
 
 
 @dataclass(frozen=True)
@@ -219,12 +220,13 @@ class Lines(Record):
 
 @dataclass(frozen=True)
 class ValidateAnswer(Record):
-    """What breaks which rule and by how much, measures, and where it is wanted the whole scene in words."""
+    """What breaks which rule and by how much, measures, and where wanted the whole scene in words, and what a profile of access asks."""
 
     issues: tuple[Issue, ...]
     metrics: Free
     understood_as: Mapping[str, str]
     report: Lines | None = field(default=None, metadata={OMITTED: True})
+    access: Free | None = field(default=None, metadata={OMITTED: True})
 
 
 Rectangle = Annotated[tuple[float, float, float, float], Says("west, north, east, south edge in the room, m")]

@@ -18,6 +18,8 @@ from solver.scene_bodies import counted
 OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best", "residuals", "fronts"})
 """What is true of the placement that was made, and of no other."""
 MARK_LENGTH: Final = 12
+ACCESS: Final = "access"
+"""What a profile of access makes of the whole home."""
 
 
 def certificate(
@@ -73,11 +75,14 @@ def true_of(room: Room, entry: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def certified(scene: Scene) -> Scene:
-    """Returns a scene whose certificate says of its rooms only what is true of them as they are now."""
+    """Returns a scene whose certificate says of its rooms, and of access, only what is true of them as they are now."""
     entries = (scene.certificate or {}).get("rooms")
     if not isinstance(entries, Mapping):
         return scene
     rooms = {room.id: room for room in scene.rooms}
     known = {name: entry for name, entry in entries.items() if name in rooms and isinstance(entry, Mapping)}
     true = {**entries, **{name: true_of(rooms[name], entry) for name, entry in known.items()}}
-    return scene if true == entries else replace(scene, certificate={**(scene.certificate or {}), "rooms": true})
+    if true == entries:
+        return scene
+    whole = {key: value for key, value in (scene.certificate or {}).items() if key != ACCESS}
+    return replace(scene, certificate={**whole, "rooms": true})

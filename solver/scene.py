@@ -58,6 +58,8 @@ FITTED: Final = "unless a programme or an area chooses it"
 RECTANGLE: Final = "rectangle"
 ANY: Final = "any"
 """The outline of a planned home that its seed draws."""
+NO_ACCESS: Final = "none"
+"""Names no profile of access."""
 MAX_COUNT: Final = 12
 """Most rooms of one word, or cars, that a programme may count; our choice, more than any home has."""
 OPENING_KINDS: Final = ("door", "garage_door", "passage", "window")
@@ -91,7 +93,8 @@ class Request(Record):
     they are not given; else the house is 20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say
     how its rectangle is cut into rooms. `outline` is that of a planned home; none stands for any. `force_types` maps a room's
     index to a room type. `robot_width` is the side, m, of the square that must be able to walk everywhere. `decorate` decorates
-    surfaces, walls and floors. `style` names a style.
+    surfaces, walls and floors. `style` names a style. `access` names a profile: its walker must come everywhere, and the
+    certificate tells what else of it is met.
     """
 
     camel_case: ClassVar[bool] = True
@@ -110,6 +113,7 @@ class Request(Record):
     area: Annotated[float, STRICT, Ge(15.0), Le(1000.0)] | None = None
     style: Text | None = None
     outline: Annotated[str, OneOf(RECTANGLE, "L", "T", "U", ANY), Says("of a planned home, any by default")] | None = None
+    access: Annotated[Text | None, Says("a profile of access.yaml, or none")] = None
 
     @property
     def planned(self) -> bool:

@@ -22,6 +22,7 @@ from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
 from solver.pieces import Arrangement, Piece, Space
+from solver.pipeline.accessible import with_access, with_walker
 from solver.pipeline.decorate import decorated
 from solver.pipeline.inhabited import home_catalogs, inhabited
 from solver.pipeline.opened import with_fronts
@@ -90,7 +91,7 @@ def generate(
     known = catalogs or load_catalogs()
     asked = Request() if request is None else checked_request(request)
     seed = secrets.randbelow(MAX_SEED + 1) if asked.seed is None else asked.seed
-    asked = replace(asked, seed=seed, style=chosen_style(asked.style, known, seed))
+    asked = with_walker(replace(asked, seed=seed, style=chosen_style(asked.style, known, seed)), known)
     setting = _Setting(seed, known, engine, robot_width=asked.robot_width, style=known.styles.get(asked.style or ""))
     timing = Timing(clock)
     plan = draw(asked, known)
@@ -104,7 +105,7 @@ def generate(
     scene = inhabited(scene, scene.rooms, setting.catalogs, seed)
     timing.lap("people")
     checked = check(scene, known)
-    scene = with_fronts(scene, checked)
+    scene = with_access(with_fronts(scene, checked), known)
     timing.lap("validate")
     return Generated(with_assets(scene, known), checked.issues, timing.ms)
 
@@ -303,7 +304,7 @@ def reroll(
     new = inhabited(new, [room for room in new.rooms if room.id in done], setting.catalogs, setting.seed, scene.dynamic)
     timing.lap("people")
     checked = check(new, known)
-    new, issues = with_fronts(new, checked, done), checked.issues
+    new, issues = with_access(with_fronts(new, checked, done), known), checked.issues
     if stays:
         before = {(issue.rule, issue.ids) for issue in validate(scene, known)}
         _refuse(rooms, stays, {issue.room for issue in issues if issue.severity == "error" and (issue.rule, issue.ids) not in before})

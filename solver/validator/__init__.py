@@ -6,10 +6,11 @@ exact, in integers (lattice.py). What breaks a rule is found in solver/core/vali
 found, so that a changed scene is checked again only where it changed. Adding a rule: CONTRIBUTING.md.
 """
 
+from solver.validator.accessibility import access_of
 from solver.validator.alone import RoomAlone, room_alone
 from solver.validator.checking import Checked, check, validate
 from solver.validator.floor import floors
 from solver.validator.metrics import metrics
 from solver.validator.rules import RULES
 
-__all__ = ["RULES", "Checked", "RoomAlone", "check", "floors", "metrics", "room_alone", "validate"]
+__all__ = ["RULES", "Checked", "RoomAlone", "access_of", "check", "floors", "metrics", "room_alone", "validate"]

@@ -338,6 +338,8 @@ export interface Request {
   readonly area?: number | null;
   readonly style?: "classic" | "industrial" | "mid_century" | "modern" | "rustic" | "scandi" | null;
   readonly outline?: "rectangle" | "L" | "T" | "U" | "any" | null;
+  /** a profile of access.yaml, or none */
+  readonly access?: string | null;
 }
 
 /** A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner. */
@@ -466,12 +468,13 @@ export interface Use {
   readonly clearance?: number;
 }
 
-/** What breaks which rule and by how much, measures, and where it is wanted the whole scene in words. */
+/** What breaks which rule and by how much, measures, and where wanted the whole scene in words, and what a profile of access asks. */
 export interface ValidateAnswer {
   readonly issues: readonly Issue[];
   readonly metrics: Readonly<Record<string, unknown>>;
   readonly understood_as: Readonly<Record<string, string>>;
   readonly report?: Lines | null;
+  readonly access?: Readonly<Record<string, unknown>> | null;
 }
 
 /** What a room's walls are finished with on its side, and the colour. */

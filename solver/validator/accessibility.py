@@ -1,0 +1,205 @@
+"""Whether a home is accessible as a standard asks: for each room what is met, and what is missing, m.
+
+Comes in: a scene, catalogs, a profile of access.yaml. Goes out: an `AccessReport`. May import: scene, catalogs. Turning spaces are
+squares, also where a standard asks for a circle: that is stricter. The sweep of door leaves is not counted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from math import ceil
+from typing import Final
+
+from catalogs import Catalogs, load_catalogs
+from catalogs.access_profiles import AccessProfile, AccessRule
+from solver.errors import RequestError
+from solver.geometry import extents
+from solver.scene import Decoration, Furniture, Room, Scene
+from solver.understanding import understood
+from solver.validator.bare_floor import deepest_before, depth_before, largest_square, turned
+from solver.validator.checking import check
+from solver.validator.lattice import PER_METRE, ExactBox, exact, metres
+from solver.validator.world import DOOR_KINDS, FLAT, PlacedRoom, World, side_of, world_of
+
+HEADROOM: Final = exact(2.0)
+"""What hangs higher is in nobody's way."""
+LEAST_CM: Final = 10
+"""The narrowest square that is tried, cm."""
+REACH: Final = "reach"
+"""What is asked for beside a profile's rules: that its walker comes everywhere."""
+
+
+@dataclass(frozen=True)
+class AccessFinding:
+    """One demand in one room: `id` is the body or opening it is about (None: the room), `needs` and `has` are lengths, m."""
+
+    what: str
+    room: str
+    id: str | None
+    clause: str
+    needs: float
+    has: float
+    place: tuple[float, float, float, float] | None = None
+    """The empty square found: its west, north, east and south edge in the room, m."""
+
+    @property
+    def missing(self) -> float:
+        """How much is missing, m; 0 where it is met."""
+        return round(max(0.0, self.needs - self.has), 4)
+
+
+@dataclass(frozen=True)
+class AccessReport:
+    """All demands of a profile on a home; `unmet` are those that no other room makes up for."""
+
+    profile: str
+    says: str
+    findings: tuple[AccessFinding, ...]
+    unmet: tuple[AccessFinding, ...]
+
+    def document(self) -> dict[str, object]:
+        """Returns it as a document: by room what is asked for, what there is and how many centimetres are missing."""
+        rooms: dict[str, list[dict[str, object]]] = {}
+        for one in self.findings:
+            entry = {"what": one.what, "id": one.id, "clause": one.clause, "needs": one.needs, "has": one.has}
+            more = {"missing_cm": round(one.missing * 100, 2), **({"place": list(one.place)} if one.place else {})}
+            rooms.setdefault(one.room, []).append(entry | more)
+        unmet = [f"{one.id or one.room}: {one.what} {one.missing * 100:g} cm short" for one in self.unmet]
+        return {"profile": self.profile, "says": self.says, "met": not unmet, "unmet": unmet, "rooms": rooms}
+
+
+def access_profile(name: str, catalogs: Catalogs) -> AccessProfile:
+    """Returns a profile.
+
+    Raises:
+        RequestError: there is none of this name.
+    """
+    if name not in catalogs.access:
+        raise RequestError("access", f"unknown profile {name!r}", ", ".join(sorted(catalogs.access)))
+    return catalogs.access[name]
+
+
+def access_of(scene: Scene, name: str, catalogs: Catalogs | None = None) -> AccessReport:
+    """Judges a home by a profile.
+
+    Raises:
+        RequestError: there is no such profile.
+    """
+    known = catalogs or load_catalogs()
+    profile = access_profile(name, known)
+    read = understood(scene, known).scene
+    world = world_of(read)
+    findings = list(_reach(read, known, profile))
+    unmet = [one for one in findings if one.missing]
+    for rule in profile.rules:
+        found = [one for place in world.places if _about(rule, place.room) for one in _RULES[rule.what](rule, place, world)]
+        findings += found
+        unmet += _short(rule, found)
+    return AccessReport(name, profile.says, tuple(findings), tuple(unmet))
+
+
+def _short(rule: AccessRule, found: Sequence[AccessFinding]) -> list[AccessFinding]:
+    """Returns what of a rule is not met; of one that asks for a single room, that of the room that misses least."""
+    if not rule.one:
+        return [one for one in found if one.missing]
+    rooms = dict.fromkeys(one.room for one in found)
+    each = [[one for one in found if one.room == room and one.missing] for room in rooms]
+    return min(each, key=lambda short: sum(one.missing for one in short), default=[])
+
+
+def _reach(scene: Scene, catalogs: Catalogs, profile: AccessProfile) -> Iterator[AccessFinding]:
+    """Yields for each room how wide a square comes into it and to all that is used there, in whole cm, the profile's walker at most."""
+
+    @cache
+    def missed(centimetres: int) -> dict[str | None, tuple[str, ...]]:
+        asked = {**(scene.request or {}), "robot_width": centimetres / 100}
+        issues = check(replace(scene, request=asked), catalogs).issues
+        return {issue.room: issue.ids for issue in reversed(issues) if issue.rule == "unreachable"}
+
+    whole = ceil(round(profile.walker * 100, 6))
+    for room in scene.rooms:
+        ids, has = missed(whole).get(room.id, ()), profile.walker
+        if room.id in missed(whole):
+            low, high = LEAST_CM - 1, whole
+            while high - low > 1:
+                middle = (low + high) // 2
+                low, high = (low, middle) if room.id in missed(middle) else (middle, high)
+            has = low / 100 if low >= LEAST_CM else 0.0
+        yield AccessFinding(REACH, room.id, ids[0] if ids else None, profile.says, profile.walker, has)
+
+
+def _about(rule: AccessRule, room: Room) -> bool:
+    return not room.outdoor and room.type not in rule.but and (not rule.rooms or room.type in rule.rooms)
+
+
+def _footprint(body: Furniture | Decoration) -> ExactBox:
+    wide, deep = (exact(length) for length in extents(body.width, body.depth, body.rotation))
+    x, z = exact(body.x), exact(body.z)
+    return ExactBox(x - wide // 2, z - deep // 2, x + wide // 2, z + deep // 2)
+
+
+def _clear(place: PlacedRoom, world: World) -> ExactBox:
+    return place.outline.bounds.grown(-world.half_wall)
+
+
+def _taken(place: PlacedRoom, world: World, but: Sequence[str] = ()) -> list[ExactBox]:
+    """Returns what stands on a room's floor, those of some ids left out, and what of its bounds is none of it."""
+    bodies: list[Furniture | Decoration] = [*place.room.furniture, *place.room.decorations]
+    standing = [one for one in bodies if one.id not in but and exact(one.height) > FLAT and exact(one.y) < HEADROOM]
+    free = [one for one in standing if not getattr(one, "on", None) and not getattr(one, "parent", None)]
+    return [*map(_footprint, free), *(box.grown(world.half_wall) for box in place.outline.missing)]
+
+
+def _turning(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
+    square = largest_square(_clear(place, world), _taken(place, world))
+    has = metres(square.x1 - square.x0) if square else 0.0
+    at = (square.x0 / PER_METRE, square.z0 / PER_METRE, square.x1 / PER_METRE, square.z1 / PER_METRE) if square else None
+    yield AccessFinding(rule.what, place.room.id, None, rule.clause, rule.least, has, at)
+
+
+def _door(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
+    for opening in place.room.openings:
+        if opening.kind in DOOR_KINDS:
+            has = round(opening.width - (rule.frame if opening.kind == "door" else 0.0), 4)
+            yield AccessFinding(rule.what, place.room.id, opening.id, rule.clause, rule.least, has)
+
+
+def _hallway(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
+    clear = _clear(place, world)
+    yield AccessFinding(rule.what, place.room.id, None, rule.clause, rule.least, metres(min(clear.x1 - clear.x0, clear.z1 - clear.z0)))
+
+
+def _pieces(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[tuple[Furniture, list[ExactBox]]]:
+    """Yields the pieces a rule is about, each with what is in the way before it; what is tucked under it is none of that."""
+    for piece in place.room.furniture:
+        if piece.name in rule.pieces:
+            own = [one.id for one in place.room.furniture if piece.id in (one.id, one.under) or one.name in rule.beside]
+            yield piece, _taken(place, world, own)
+
+
+def _before(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
+    for piece, taken in _pieces(rule, place, world):
+        side = side_of(piece, "front")
+        frame = turned(_clear(place, world), side), [turned(box, side) for box in taken]
+        own = turned(_footprint(piece), side)
+        if rule.deep is None:
+            needs, has = rule.least, depth_before(*frame, own.z1, (own.x0, own.x1))
+        else:
+            needs, has = rule.deep, deepest_before(*frame, own, exact(rule.least))
+        yield AccessFinding(rule.what, place.room.id, piece.id, rule.clause, needs, metres(has))
+
+
+def _along(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
+    for piece, taken in _pieces(rule, place, world):
+        depths = []
+        for name in ("left", "right"):
+            side = side_of(piece, name)
+            own = turned(_footprint(piece), side)
+            depths.append(depth_before(turned(_clear(place, world), side), [turned(box, side) for box in taken], own.z1, (own.x0, own.x1)))
+        for needs, has in ((rule.least, max(depths)), (rule.other or 0.0, min(depths))):
+            yield AccessFinding(rule.what, place.room.id, piece.id, rule.clause, needs, metres(has))
+
+
+_RULES: Final = {"turning": _turning, "door": _door, "hallway": _hallway, "before": _before, "deep": _before, "along": _along}
