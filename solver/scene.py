@@ -299,6 +299,14 @@ class Room(Record):
     decorations: tuple[Decoration, ...] = ()
     extra: Mapping[str, object] = _extra()
 
+    @property
+    def floor_m2(self) -> float:
+        """Its floor between wall lines, m2."""
+        if not self.outline:
+            return self.width * self.depth
+        following = (*self.outline[1:], self.outline[0])
+        return abs(sum(x0 * z1 - z0 * x1 for (x0, z0), (x1, z1) in zip(self.outline, following, strict=True))) / 2
+
 
 @dataclass(frozen=True)
 class Scene(Record):

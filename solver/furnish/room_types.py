@@ -33,7 +33,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     if room_type is None:
         return ()
     known = compiled_type(room_type, catalogs)
-    answer = _asked(known, room_rows(scope_of(room, space), space.zones, room.width * room.depth, stream.state))
+    answer = _asked(known, room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state))
     stream.state = answer.state
     return pieces_of(answer, known)
 
@@ -48,7 +48,7 @@ def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) ->
         stream: the room's own; it stays as it is.
     """
     known = compiled_type(catalogs.rooms.get(room.type), catalogs)
-    rows = room_rows(scope_of(room, space), space.zones, room.width * room.depth, stream.state)
+    rows = room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state)
     return WantedRows(space, known.data, rows + place_rows(space), TypeNames(known))
 
 
@@ -68,7 +68,7 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
     room_type = catalogs.rooms.get(room.type)
     if room_type is None:
         return ()
-    area, labels = room.width * room.depth, {piece.label for piece in wanted}
+    area, labels = room.floor_m2, {piece.label for piece in wanted}
     found = [(spec.piece, f"only in a home planned without {', '.join(spec.without)}") for spec in room_type.pieces if spec.without]
     known = compiled_type(room_type, catalogs)
     for at, copies in _asked(known, room_rows(scope_of(room, space), space.zones, area, stream.state, counts_only=True)).counted:

@@ -77,7 +77,7 @@ def _joined(rooms: Sequence[Room], places: dict[str, int]) -> Iterator[tuple[int
 
 
 def _marks(room: Room, ways: dict[int, bool]) -> RoomMarks:
-    area = _area(room)
+    area = room.floor_m2
     long = max(room.width, room.depth)
     windows = Counter(_is_small(opening) for opening in room.openings if opening.kind == "window")
     doors = [opening for opening in room.openings if opening.kind in WAYS and opening.connects_to == EXTERIOR]
@@ -90,11 +90,3 @@ def _marks(room: Room, ways: dict[int, bool]) -> RoomMarks:
 
 def _is_small(window: Opening) -> bool:
     return window.sill >= SMALL_WINDOW[0] or window.width * window.height <= SMALL_WINDOW[1]
-
-
-def _area(room: Room) -> float:
-    """Returns a room's floor, m2, by the shoelace formula where it has an outline."""
-    if not room.outline:
-        return room.width * room.depth
-    following = (*room.outline[1:], room.outline[0])
-    return abs(sum(x0 * z1 - z0 * x1 for (x0, z0), (x1, z1) in zip(room.outline, following, strict=True))) / 2

@@ -161,7 +161,7 @@ def _cover_mm2(room: Room, setting: _Setting) -> int:
     if room_type is None or room_type.cover is None:
         return 0
     share = Stream(setting.seed, "cover", room.index).uniform(*room_type.cover)
-    return round(1e6 * room.width * room.depth * share)
+    return round((1e6 * room.floor_m2 if room.outline else 1e6 * room.width * room.depth) * share)
 
 
 def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:

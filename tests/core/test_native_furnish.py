@@ -26,7 +26,7 @@ def request(seed: int) -> tuple[bytes, bytes]:
     room = random_room(rng, rng.choice(sorted(KNOWN.rooms)))
     room_type = KNOWN.rooms[room.type] if seed % 2 else random_type(rng, KNOWN)
     space = space_of(room, 0.1)
-    return compiled_type(room_type, KNOWN).data, room_rows(scope_of(room, space), space.zones, room.width * room.depth, seed)
+    return compiled_type(room_type, KNOWN).data, room_rows(scope_of(room, space), space.zones, room.floor_m2, seed)
 
 
 def answer(known: bytes, room: bytes) -> bytes:

@@ -63,7 +63,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     scope = scope_of(room, space)
     gates = tuple(strip(space.clear, one.wall, one.interval, GATE_MM) for one in scope.opened("garage_door"))
     furnisher = _Furnisher(scope, TakenWalls(space, gates))
-    counted = _counted(room_type, catalogs, room.width * room.depth, stream)
+    counted = _counted(room_type, catalogs, room.floor_m2, stream)
     there = {one.spec.piece: one for one in counted if one.copies}
     run = planned_run(scope, furnisher.walls, room_type.run, there, stream) if room_type.run else {}
     in_run = {name for order in room_type.run.orders for name in order} if room_type.run and run else set()
