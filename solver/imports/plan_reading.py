@@ -14,6 +14,7 @@ from solver.errors import FieldError, SyntaxFault
 from solver.geometry import to_m
 from solver.imported import ImportSettings
 from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes, check_plan
+from solver.imports.formats.dxf_reading import is_dxf, read_dxf
 from solver.imports.formats.ifc_reading import is_ifc, read_ifc
 from solver.imports.formats.plan_features import is_features, read_features
 from solver.imports.formats.procthor_reading import is_procthor, read_procthor
@@ -70,6 +71,7 @@ READERS: Final[Mapping[str, PlanReader]] = {
     "sh3d": PlanReader(
         "Sweet Home 3D: .sh3d, or its Home.xml", lambda file: is_sweet_home(file.content), lambda file: read_sweet_home(file.content)
     ),
+    "dxf": PlanReader("DXF: layers of rooms, doors and windows", lambda file: is_dxf(file.content), lambda file: read_dxf(file.content)),
     "ifc": PlanReader("IFC 2x3 and 4", lambda file: is_ifc(file.content), lambda file: read_ifc(file.content)),
 }
 """The formats by name."""

@@ -127,6 +127,8 @@ REFUSED: dict[str, bytes] = {
     "ifc without a schema": IFC.replace(b"IFC4", b"IFC9"),
     "ifc without rooms": IFC,
     "ifc of noise": IFC.replace(b"#1=", b"#1=#1=((("),
+    "dxf that is cut off": b"  0\nSECTION\n  2\nENTITIES\n  0\nLWPOLYLINE\n 10\n",
+    "dxf of noise": b"  0\nSECTION\n  2\nENTITIES\nxx\nyy\n",
     "glb that is none": b"glTF" + bytes(40),
 }  # fmt: skip
 

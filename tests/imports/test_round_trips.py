@@ -74,3 +74,25 @@ def test_its_furniture_reads_back(program: str, format: str) -> None:
         assert "_".join(other.name.lower().split()) == piece.name
         assert max(abs(a - b) for a, b in zip((piece.x, piece.y, piece.z), (other.x, other.y, other.z), strict=True)) <= CLOSE, name
         assert abs((piece.rotation - other.rotation + 180) % 360 - 180) < 1.0
+
+
+@pytest.mark.parametrize("program", PROGRAMMES)
+def test_a_drawing_reads_back_as_far_as_it_says(program: str) -> None:
+    """A plan in DXF tells no heights, ids or entrances; its doors are arcs, as wide as the gaps in its walls."""
+    before, answer = home(program), again(program, "dxf")
+
+    def seen(scene: Scene, swings: bool) -> set[tuple[object, ...]]:
+        return {
+            (one.kind, room.type, one.wall, round(one.position, 2), round(one.width, 2), *((one.hinge, one.swing) if swings else ()))
+            for room in scene.rooms
+            for one in room.openings
+            if one.kind == "door" or not swings
+        }
+
+    assert answer.format == "dxf"
+    assert sorted((room.type, room.width, room.depth) for room in answer.scene.rooms) == sorted(
+        (room.type, room.width, room.depth) for room in before.rooms
+    )
+    assert seen(answer.scene, False) == seen(before, False)
+    assert seen(answer.scene, True) == seen(before, True)
+    assert {str(left["place"]) for left in answer.unread} <= {f"layer '{name}'" for name in ("DIMENSIONS", "FURNITURE", "PEOPLE", "WALLS")}
