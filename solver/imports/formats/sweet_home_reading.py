@@ -153,7 +153,7 @@ def _opening(element: Element, where: str, level: int) -> DrawnOpening:
 def _kind(name: str, sill: float, said: str) -> OpeningKind:
     if said in ("door", "garage_door", "passage", "window"):
         return said  # type: ignore[return-value]
-    if sill > SILL or ("window" in name and "french" not in name):
+    if sill > SILL or "fixed" in name:
         return "window"
     if "garage" in name:
         return "garage_door"
