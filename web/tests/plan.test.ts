@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { edgesOf, runsOf, type Run } from "../src/house/plan";
+import { slab, stripsOf } from "../src/house/slab";
 import { room } from "./rooms";
 
 const brief = (run: Run): string => `${run.axis}@${run.line} ${run.from}-${run.to} ${run.kind}`;
@@ -64,5 +65,14 @@ describe("runs of wall", () => {
 
   it("keep levels apart", () => {
     expect(runs(room("a", [0, 0, 4, 3]), room("b", [0, 0, 4, 3], { level: 1 }))).toHaveLength(8);
+  });
+});
+
+describe("the slab", () => {
+  it("lies under each room's floor, also of one that is no rectangle", () => {
+    const outline = [[0, 0], [4, 0], [4, 1], [2, 1], [2, 3], [0, 3]] as const;
+    expect(stripsOf(room("den", [1, 2, 4, 3], { outline }))).toEqual([{ x0: 1, x1: 5, z0: 2, z1: 3 }, { x0: 1, x1: 3, z0: 3, z1: 5 }]);
+    expect(stripsOf(room("box", [0, 0, 4, 3]))).toEqual([{ x0: 0, x1: 4, z0: 0, z1: 3 }]);
+    expect(slab([], 0)).toBeNull();
   });
 });

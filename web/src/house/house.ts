@@ -1,5 +1,5 @@
 /** A scene as it is drawn: floors, walls, doors, bodies, and what is marked on them. */
-import { Box3, Group, Mesh, MeshStandardMaterial, BoxGeometry, Vector3, type Intersection, type Raycaster } from "three";
+import { Box3, Group, Mesh, Vector3, type Intersection, type Raycaster } from "three";
 import type { Room, Scene } from "../contract";
 import { BodyMeshes, type BodyPose, type ShownAssets } from "./body_meshes";
 import { disposeOf } from "./dispose";
@@ -8,7 +8,6 @@ import { leavesOf } from "./door_leaves";
 import { Doors } from "./doors";
 import { floorMeshes } from "./floors";
 import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
-import { keptMaterial } from "./kept";
 import { outlineOf, PLOT } from "./house_outline";
 import { openingsOf, type PlacedOpening } from "./openings";
 import { outlinesOf } from "./outlines";
@@ -16,6 +15,7 @@ import { runsOf } from "./plan";
 import { floorUnder, liesFlat } from "./room_at";
 import { isInSight } from "./sight";
 import { ShapeBook } from "./shapes";
+import { slab, SLAB_MARGIN } from "./slab";
 import type { Point } from "./wall_faces";
 import { Walls } from "./wall_meshes";
 import type { Storey, WallPlan } from "./walls";
@@ -23,10 +23,6 @@ import type { Storey, WallPlan } from "./walls";
 export type Mark = "selected" | "pointed" | "error" | "locked" | "conflict" | "settles";
 
 export const MARK_COLORS: Readonly<Record<Mark, string>> = { selected: "#ffd166", pointed: "#d7e3f4", error: "#ff4d4f", locked: "#6cb6ff", conflict: "#ff4d4f", settles: "#7ee2a8" };
-const SLAB_MARGIN = 0.35;
-const SLAB_DEPTH = 0.16;
-/** Floors lie this much over the slab, so that the two never fight for a pixel. */
-const SLAB_GAP = 0.02;
 
 export type Hit =
   | { readonly kind: "door"; readonly index: number }
@@ -40,16 +36,6 @@ function boundsOf(scene: Scene, height: number): Box3 {
     box.expandByPoint(new Vector3(room.x + room.width, height, room.z + room.depth));
   }
   return box.isEmpty() ? new Box3(new Vector3(0, 0, 0), new Vector3(PLOT.width, height, PLOT.depth)) : box;
-}
-
-function slab(bounds: Box3): Mesh {
-  const size = bounds.getSize(new Vector3());
-  const centre = bounds.getCenter(new Vector3());
-  const box = new BoxGeometry(size.x + 2 * SLAB_MARGIN, SLAB_DEPTH, size.z + 2 * SLAB_MARGIN);
-  const mesh = new Mesh(box, keptMaterial("slab", () => new MeshStandardMaterial({ color: "#9a9d9f", roughness: 1 })));
-  mesh.position.set(centre.x, bounds.min.y - SLAB_DEPTH / 2 - SLAB_GAP, centre.z);
-  mesh.receiveShadow = true;
-  return mesh;
 }
 
 /** Builds a scene's meshes; `dispose` gives them back. */
@@ -79,7 +65,8 @@ export class House {
     this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene), assets, scene);
     this.#walls = new Walls(plan);
     this.doors = new Doors(leavesOf(plan), book.doorPaints(styleOf(scene)));
-    if (scene.rooms.length > 0) this.root.add(slab(this.bounds));
+    const ground = slab(scene.rooms, this.bounds.min.y);
+    if (ground) this.root.add(ground);
     this.root.add(floorMeshes(scene.rooms, storeys), this.doors.root, this.#bodyMeshes.root);
   }
 
