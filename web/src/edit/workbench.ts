@@ -1,5 +1,5 @@
 /** Editing wired to the canvas, the keys and the panels. */
-import type { Scene } from "../contract";
+import type { Furniture, Scene } from "../contract";
 import { CoreThread } from "../core/core_thread";
 import { LocalDrag } from "../core/local_drag";
 import { bodiesOf, type PlacedBody } from "../house/frame";
@@ -10,6 +10,7 @@ import type { Home, Showing } from "../state/home";
 import { ConflictPanel } from "./conflict_panel";
 import { Editor, type Refusal } from "./editor";
 import { FloorZones } from "./floor";
+import { GapPanel } from "./gaps";
 import { Hand, type Grasp } from "./hand";
 import { Palette } from "./palette";
 import { carriedBy, companionsOf, keptCompanions, without, type FurnitureKind } from "./scene_edits";
@@ -43,11 +44,14 @@ export class Workbench {
   readonly #toolbar: Toolbar;
   readonly #floor: FloorZones;
   readonly #why: WhyPanel;
+  readonly #gaps = new GapPanel(within("gaps"));
   readonly #floorSwitch = within("show_floor") as HTMLInputElement;
   /** The house last drawn: from its places bodies slide to those of the next. */
   #drawn: House | null = null;
   #sliding = false;
   #refused: Refusal | null = null;
+  /** The piece in hand, where it is wished. */
+  #wished: Furniture | null = null;
   #filled = false;
   #core: CoreThread | null = null;
   /** Who goes along with the piece in hand, as far as the service leaves them to it. */
@@ -72,7 +76,7 @@ export class Workbench {
     this.#palette.onChoose = (kind) => this.#add(kind);
     home.on("shown", (how) => this.#shown(how));
     home.on("beyond", () => this.#offer());
-    home.on("selected", () => { this.#why.hide(); this.#offer(); });
+    home.on("selected", () => { this.#why.hide(); this.#offer(); this.#measure(); });
     document.addEventListener("keydown", (event) => this.#key(event));
     this.#offer();
   }
@@ -139,6 +143,8 @@ export class Workbench {
   /** Shows what is in hand where it is wished, at once. */
   #carry(id: string, scene: Scene): void {
     const carried = this.#inHand(scene, id);
+    this.#wished = scene.rooms.flatMap((room) => room.furniture).find((piece) => piece.id === id) ?? null;
+    this.#measure();
     for (const body of bodiesOf(scene)) if (carried.has(body.id)) this.stage.house?.place(body.id, spotOf(body));
     this.stage.viewport.castShadows();
   }
@@ -159,6 +165,7 @@ export class Workbench {
     const [before, house] = [this.#drawn, this.stage.house];
     this.#drawn = house;
     this.#why.hide(); // it spoke of where things stood before
+    this.#measure();
     if (!house || !this.home.scene) return;
     house.mark("locked", [...this.home.locked]);
     if (how === "step" && this.#refused) this.#refuse(null); // it spoke of a home that is no longer shown
@@ -205,6 +212,12 @@ export class Workbench {
       { name: "why", words: "Why here?", sign: "Why?", keys: "H", ofPiece: true, act: () => this.#explain() },
       { name: "add", words: "Add a piece", sign: "+ Add", keys: "A", act: () => this.#openPalette() },
     ];
+  }
+
+  /** Says how far the chosen piece is from what is around it. */
+  #measure(): void {
+    const dragged = this.editor.dragged;
+    this.#gaps.show(this.home.scene, dragged ?? this.home.selected, dragged === null ? null : this.#wished);
   }
 
   /** Offers what can be done now. */

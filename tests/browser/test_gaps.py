@@ -1,0 +1,34 @@
+"""Distances around the chosen piece are the scene's own, at rest and while it is moved."""
+
+from __future__ import annotations
+
+from playwright.sync_api import expect
+
+from tests.browser.test_accessible import violations
+from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, poses
+from tests.browser.visit import Visit
+
+
+def told(visit: Visit) -> dict[str, str]:
+    """The distances shown, by side."""
+    rows = visit.page.locator("#gaps dt, #gaps dd").all_inner_texts()
+    return {side.lower(): said for side, said in zip(rows[::2], rows[1::2], strict=True)}
+
+
+def test_distances_to_walls_and_pieces_follow_the_piece(visit: Visit) -> None:
+    bench = Bench(visit, den(crate(ONE, 1, 1), crate(OTHER, 3, 1)))
+    gaps = visit.page.locator("#gaps")
+    expect(gaps).to_be_hidden()
+    visit.line_of(ONE).click()
+    walls = {"north": "0.50", "east": "2.50", "south": "1.50", "west": "0.50"}
+    wanted = {side: f"{gap} m to the wall" for side, gap in walls.items()}
+    assert told(visit) == {**wanted, "east": "2.50 m to the wall, 1.00 m to crate"}
+    visit.page.locator("#stage").focus()
+    bench.press("Shift+ArrowRight", "ArrowRight")
+    x = poses(bench.scene())[ONE][0]
+    assert x != 1
+    assert told(visit)["west"] == f"{x - 0.5:.2f} m to the wall"
+    assert told(visit)["east"] == f"{4 - x - 0.5:.2f} m to the wall, {3 - x - 1:.2f} m to crate"
+    assert violations(visit) == []
+    visit.page.keyboard.press("Escape")
+    expect(gaps).to_be_hidden()
