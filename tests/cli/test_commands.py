@@ -52,7 +52,7 @@ def test_options_make_the_request(tmp_path: Path, capfdbinary: Captured) -> None
     assert request == {
         "seed": 3, "width": 8.0, "depth": 6.0, "min_room_size": 2.4, "max_depth": 2, "robot_width": 0.5,
         "use_spine": False, "outdoor": True, "decorate": True, "force_types": {"0": "living_room"},
-        "program": None, "area": None, "style": "scandi",
+        "program": None, "area": None, "style": "scandi", "outline": None, "access": None,
     }  # fmt: skip
 
 
