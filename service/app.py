@@ -47,7 +47,8 @@ class WorkerRoute(APIRoute):
             if format not in (None, *calls.EXPORT_FORMATS):
                 raise NoSuchFormat("format", f"unknown format {format!r:.60}", ", ".join(calls.EXPORT_FORMATS))
             app: ComposeApp = request.app
-            job = Job(self.name, await body_of(request), format_sent(request), format or format_wanted(request), app.mark)
+            sent = format_sent(request, takes_files=self.name == "import")
+            job = Job(self.name, await body_of(request), sent, format or format_wanted(request), app.mark)
             done = await app.workers.run(do_alone, job)
             if isinstance(done, UnknownCatalogs):  # a process that was started since
                 done = await app.workers.run(do_alone, replace(job, catalogs=app.packed_catalogs))
@@ -74,8 +75,8 @@ class PlainRoute(APIRoute):
 
 FormatName = Annotated[str, Path(json_schema_extra={"enum": list(calls.EXPORT_FORMATS)})]
 
-posts = APIRouter(route_class=WorkerRoute, responses=refusals(400, 405, 408, 413, 415, 422, 500, 503))
-gets = APIRouter(route_class=PlainRoute, responses=refusals(405, 500))
+posts = APIRouter(route_class=WorkerRoute, responses=refusals(400, 403, 405, 408, 413, 415, 421, 422, 500, 503))
+gets = APIRouter(route_class=PlainRoute, responses=refusals(405, 421, 500))
 
 
 @posts.post("/generate")

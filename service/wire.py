@@ -42,8 +42,12 @@ ACCEPTED: Final = {**_TEXTS, "*/*": "json", "application/*": "json"}
 """The format that satisfies a media range of an Accept header."""
 
 
-def format_sent(request: Request) -> str:
+def format_sent(request: Request, takes_files: bool = False) -> str:
     """Tells the format of a request's body.
+
+    Args:
+        request: the request.
+        takes_files: whether the call reads files of other programs.
 
     Raises:
         WrongMediaType: its content type or encoding is none of ours.
@@ -53,7 +57,7 @@ def format_sent(request: Request) -> str:
         raise WrongMediaType("Content-Encoding", f"{encoding!r} is not decoded here", "identity")
     given = request.headers.get("content-type", "")
     found = READ_AS.get(given.partition(";")[0].strip().lower())
-    if found is None:
+    if found is None or (found == FILE and not takes_files):
         raise WrongMediaType(
             "Content-Type", f"{given!r} is not read here", f"{', '.join(MEDIA_TYPES)}; {GLB_TYPE} for a .glb that was exported"
         )

@@ -196,7 +196,7 @@ def test_standard_input_is_named_and_its_format_found(monkeypatch: pytest.Monkey
 
 
 UNKNOWN = [
-    [], ["paint"], ["tidy"], ["import"], ["generate", "--bedrooms", "3"], ["generate", "--seed", "x"], ["generate", "-n", "0"],
+    [], ["paint"], ["tidy"], ["generate", "--bedrooms", "3"], ["generate", "--seed", "x"], ["generate", "-n", "0"],
     ["generate", "--force-type", "kitchen"], ["generate", "--engine", "magic"], ["serve", "--port", "99999"], ["fix", "--on-conflict", "x"],
 ]  # fmt: skip
 
