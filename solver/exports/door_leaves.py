@@ -9,13 +9,13 @@ import math
 from collections.abc import Mapping
 from typing import Final
 
-from solver.exports.door_parts import LEAF_THICKNESS, LeafLook, parts_of_leaf
+from solver.exports.door_parts import LeafLook, parts_of_leaf
 from solver.exports.model import DoorLeaf, PlacedOpening
 from solver.exports.paints import Paints
-from solver.exports.wall_panels import FRAME, RAILING_HEIGHT, THRESHOLD, WallPlan
+from solver.exports.wall_panels import RAILING_HEIGHT, WallPlan
 from solver.scene import Room
+from solver.wall_fittings import FRAME, GROUND_GAP, LEAF_THICKNESS, leaf_offset
 
-_GROUND_GAP: Final = THRESHOLD + 0.002
 LEAF_DENSITY: Final = 12.0
 """What a leaf weighs, kg/m2: a hollow core of chipboard (EN 1530 class 2 doors weigh 10 to 20)."""
 
@@ -31,20 +31,20 @@ def _leaf(opening: PlacedOpening, plan: WallPlan, rooms: Mapping[str, Room], pai
     from_start = not swings or opening.hinge == "start"
     along = 1 if from_start else -1
     at = opening.start + FRAME if from_start else opening.end - FRAME
-    offset = opening.towards * max(0.0, (plan.thickness - LEAF_THICKNESS) / 2) if swings else 0.0
+    offset = opening.towards * leaf_offset(plan.thickness) if swings else 0.0
     closed = _degrees(along, 0) if opening.axis == "x" else _degrees(0, along)
     open_to = _degrees(0, opening.towards) if opening.axis == "x" else _degrees(opening.towards, 0)
     x, z = (at, opening.line + offset) if opening.axis == "x" else (opening.line + offset, at)
     is_gate = _has_railing(opening, plan)
     width = opening.end - opening.start - 2 * FRAME
-    height = (min(opening.head, RAILING_HEIGHT) if is_gate else opening.head) - _GROUND_GAP
+    height = (min(opening.head, RAILING_HEIGHT) if is_gate else opening.head) - GROUND_GAP
     look = LeafLook("gate" if is_gate and swings else _look(opening, rooms), width, height, paints)
     made = parts_of_leaf(look)
     return DoorLeaf(
         id=opening.id,
         motion="swing" if swings else "roll",
         look=look.name,
-        hinge=(x, plan.storey(opening.level).elevation + _GROUND_GAP, z),
+        hinge=(x, plan.storey(opening.level).elevation + GROUND_GAP, z),
         width=width,
         height=height,
         thickness=LEAF_THICKNESS,

@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Final
 
 from solver.body_parts import BodyPart
 from solver.exports.model import Paint
 from solver.exports.paints import Paints, shade
+from solver.wall_fittings import HANDLE_FROM_EDGE, HANDLE_HEIGHT, HANDLE_PROUD, LEAF_THICKNESS, LEVER, LEVER_INWARDS
 
-LEAF_THICKNESS: Final = 0.04
 _ENTRANCE = Paint("#c0392b", 0.55)
 _TERRACE = Paint("#e6e2d9", 0.55)
 _GARAGE = Paint("#c3c9ce", 0.5)
@@ -27,10 +26,6 @@ _STILE = 0.11
 _TOP_RAIL = 0.12
 _BOTTOM_RAIL = 0.2
 _LOCK_RAIL = (0.88, 1.06)
-_HANDLE_HEIGHT = 1.0
-_FROM_EDGE = 0.06
-_HANDLE_PROUD = 0.04
-"""How far a handle stands out of its leaf: with half a leaf no more than a frame, so that it keeps to the door's square."""
 _LEVER = 0.016
 _INSET = 0.012
 _MOULDING = 0.05
@@ -95,15 +90,15 @@ def _framed(look: LeafLook, fields: Sequence[Reach], paint: Paint, fill: Callabl
 
 def _handles(look: LeafLook) -> list[Painted]:
     """Returns a lever on both sides, at the end away from the hinge."""
-    x, y, half, metal = look.width / 2 - _FROM_EDGE, min(_HANDLE_HEIGHT, look.height * 0.8), LEAF_THICKNESS / 2, look.metal
-    neck = _HANDLE_PROUD - _LEVER
+    x, y, half, metal = look.width / 2 - HANDLE_FROM_EDGE, min(HANDLE_HEIGHT, look.height * 0.8), LEAF_THICKNESS / 2, look.metal
+    neck = HANDLE_PROUD - _LEVER
     return [
         part
         for side in (-1, 1)
         for part in (
             _block((0.045, 0.17, 0.008), (x, y - 0.03, side * (half + 0.004)), metal),
             _block((0.02, 0.02, neck), (x, y, side * (half + neck / 2)), metal),
-            _block((0.13, 0.022, _LEVER), (x - 0.055, y, side * (half + neck + _LEVER / 2)), metal),
+            _block((*LEVER, _LEVER), (x - LEVER_INWARDS, y, side * (half + neck + _LEVER / 2)), metal),
         )
     ]
 

@@ -14,7 +14,7 @@ from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, Pl
 from solver.exports.plan_facades import Facades, chains_of
 from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, clear_sizes, label_of, words_of
 from solver.exports.plan_sheet import PlanSheet, sheet_for
-from solver.exports.wall_panels import between
+from solver.wall_fittings import between
 
 Place = tuple[float, float]
 

@@ -6,7 +6,7 @@ Comes in: the wall lines of a house. Goes out: `WallPanel`s, `WallBox`es, `Fitti
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -16,22 +16,15 @@ from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpenin
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
 from solver.exports.wall_lines import Line, PlanAxis, RoomFinder, WallRun, corners_of
 from solver.scene import Room
+from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, between, door_bars, window_bars
 
 RAILING_HEIGHT: Final = 0.6
 THINNEST: Final = 0.02
 """Scenes that say no thickness have walls of none; a wall must still be seen."""
 RAILING_BAR: Final = 0.05
 POST_SPACING: Final = 1.2
-FRAME: Final = 0.06
-"""How wide a frame's bars are, m: a leaf that stands open, with its handle, is then no wider than its opening (door_parts)."""
-FRAME_PROUD: Final = 0.01
-THRESHOLD: Final = 0.008
-"""How high the board is that lies under a leaf, where two floors meet, m."""
-GLASS_THICKNESS: Final = 0.012
-SILL_BOARD: Final = 0.03
 _BEFORE: Final = 0.02
 """How far before a face the room is that it belongs to, m."""
-Span = tuple[float, float]
 
 
 class Storey(NamedTuple):
@@ -180,37 +173,20 @@ def _fitted(opening: PlacedOpening, thickness: float, elevation: float) -> list[
 
 
 def _window(opening: PlacedOpening, thickness: float, elevation: float) -> list[Fitting]:
-    line, start, end, sill, head = opening.line, opening.start, opening.end, opening.sill, opening.head
-    frame, middle = around(line, min(thickness, 0.06)), (start + end) / 2
-
-    def bar(along: Span, up: Span, across: Span = frame, surface: Literal["frame", "glass"] = "frame") -> Fitting:
-        return fitting(surface, box_on_line(opening.axis, along, across, shifted(up, elevation)))
-
-    mullion = [bar(around(middle, FRAME), (sill, head))] if end - start > 0.9 else []
-    return [
-        bar((start - 0.02, end + 0.02), (sill, sill + SILL_BOARD), around(line, thickness + 0.06)),
-        bar((start, start + FRAME), (sill, head)),
-        bar((end - FRAME, end), (sill, head)),
-        bar((start, end), (head - FRAME, head)),
-        *mullion,
-        bar((start, end), (sill + SILL_BOARD, head - FRAME), around(line, GLASS_THICKNESS), "glass"),
-    ]
+    bars = window_bars((opening.start, opening.end), (opening.sill, opening.head), thickness)
+    return [_barred(opening, bar, elevation) for bar in bars]
 
 
 def _door_frame(opening: PlacedOpening, thickness: float, elevation: float) -> list[Fitting]:
-    start, end, head = opening.start, opening.end, opening.head
-    across = around(opening.line, thickness + 2 * FRAME_PROUD)
-
-    def bar(along: Span, up: Span) -> Fitting:
-        return fitting("frame", box_on_line(opening.axis, along, across, shifted(up, elevation)))
-
+    start, end = opening.start, opening.end
     board = box_on_line(opening.axis, (start + FRAME, end - FRAME), around(opening.line, thickness), shifted((-0.01, THRESHOLD), elevation))
-    return [
-        bar((start, start + FRAME), (0.0, head)),
-        bar((end - FRAME, end), (0.0, head)),
-        bar((start, end), (head, head + FRAME)),
-        fitting("threshold", board),
-    ]
+    frame = door_bars((start, end), opening.head, thickness)
+    return [*(_barred(opening, bar, elevation) for bar in frame), fitting("threshold", board)]
+
+
+def _barred(opening: PlacedOpening, bar: Bar, elevation: float) -> Fitting:
+    across = opening.line + bar.across[0], opening.line + bar.across[1]
+    return fitting(bar.surface, box_on_line(opening.axis, bar.along, across, shifted(bar.up, elevation)))
 
 
 def _railing(stretch: _Stretch) -> Iterator[Fitting]:
@@ -230,25 +206,9 @@ def fitting(surface: Literal["railing", "frame", "threshold", "glass"], box: Cub
     return Fitting(surface, box, SURFACES[surface])
 
 
-def around(centre: float, thickness: float) -> Span:
-    """Returns an interval of that length around a middle."""
-    return centre - thickness / 2, centre + thickness / 2
-
-
 def shifted(up: Span, elevation: float) -> Span:
     """Returns an interval moved up."""
     return up[0] + elevation, up[1] + elevation
-
-
-def between(start: float, end: float, gaps: Iterable[Span]) -> Iterator[Span]:
-    """Yields the stretches of an interval that no gap covers; gaps in order."""
-    reached = start
-    for low, high in gaps:
-        if low > reached:
-            yield reached, min(low, end)
-        reached = max(reached, high)
-    if reached < end:
-        yield reached, end
 
 
 def box_on_line(axis: PlanAxis, along: Span, across: Span, up: Span) -> Cuboid:

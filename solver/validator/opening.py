@@ -20,14 +20,16 @@ from solver.scene import Scene
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.sent_rooms import ask, room_bytes
-from solver.validator.world import PlacedRoom, world_of
+from solver.validator.shells import ShellBox, shell_of
+from solver.validator.world import PlacedRoom, World, world_of
 
 WALL: Final = "wall"
 """What a front meets that meets a wall."""
 ENOUGH: Final = 0.5
 """A front that opens less of its way than this is blocked."""
 _FRONT: Final = Struct("<q4d4q")
-_HEAD: Final = Struct("<2q")
+_HEAD: Final = Struct("<3q")
+_SHELL: Final = Struct("<6d")
 _OPENED: Final = Struct("<2q")
 _AXES: Final[dict[Axis, int]] = {"x": 0, "y": 1, "z": 2}
 _MILLIONTHS: Final = 1_000_000
@@ -52,7 +54,7 @@ class FrontTravel(NamedTuple):
 
 def front_blocked(case: RuleCase) -> Iterator[Finding]:
     """A front opens less than half of its way; where its kind says that it must open, that is an error."""
-    for one in travels_of(case.room, case.kinds, case.rows):
+    for one in travels_of(case.world, case.room, case.kinds, case.rows):
         if one.share < ENOUGH:
             ids = (one.piece,) if one.meets in (None, WALL) else (one.piece, str(one.meets))
             yield Finding(ids, 0, f"{one.piece}'s {one.front} {_words(one)}", "error" if one.must_open else None)
@@ -66,10 +68,11 @@ def _words(one: FrontTravel) -> str:
     return f"{how}: then it meets {'a wall' if one.meets == WALL else one.meets}"
 
 
-def travels_of(place: PlacedRoom, kinds: Kinds, rows: bytes) -> list[FrontTravel]:
+def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> list[FrontTravel]:
     """Returns how far every front of a room opens, in the order of its furniture.
 
     Args:
+        world: its house.
         place: the room.
         kinds: what the catalogs say.
         rows: the room as the core reads it.
@@ -77,14 +80,14 @@ def travels_of(place: PlacedRoom, kinds: Kinds, rows: bytes) -> list[FrontTravel
     fronts = list(fronts_in(place, kinds))
     if not fronts:
         return []
-    told = _opened(front_bytes(fronts, rows))
+    told = _opened(front_bytes(fronts, list(shell_of(world, place)), rows))
     return [_travel(place, body, front, row) for (body, front), row in zip(fronts, _OPENED.iter_unpack(told), strict=True)]
 
 
-def front_bytes(fronts: Sequence[tuple[int, UnitFront]], rows: bytes) -> bytes:
-    """Returns a room and its fronts as the core reads them; each is told with the number of its body in the room."""
+def front_bytes(fronts: Sequence[tuple[int, UnitFront]], shell: Sequence[ShellBox], rows: bytes) -> bytes:
+    """Returns a room, what stands around it and its fronts as the core reads them; each is told with the number of its body in the room."""
     numbers = list(chain.from_iterable(front.parts for _, front in fronts))
-    sent, first = [rows, _HEAD.pack(len(fronts), len(numbers))], 0
+    sent, first = [rows, _HEAD.pack(len(fronts), len(numbers), len(shell)), *(_SHELL.pack(*box) for box in shell)], 0
     for body, front in fronts:
         sent.append(_FRONT.pack(body, *front.hinge, front.end, _AXES[front.axis], front.slides, first, len(front.parts)))
         first += len(front.parts)
@@ -115,7 +118,7 @@ def _travel(place: PlacedRoom, body: int, front: UnitFront, row: Sequence[int]) 
 def front_travels(scene: Scene, catalogs: Catalogs) -> dict[str, list[FrontTravel]]:
     """Returns how far every front of a scene opens, by room."""
     world, kinds = world_of(scene), kinds_of(catalogs)
-    return {place.room.id: travels_of(place, kinds, room_bytes(world, place, kinds)) for place in world.places}
+    return {place.room.id: travels_of(world, place, kinds, room_bytes(world, place, kinds)) for place in world.places}
 
 
 def certified_fronts(travels: Sequence[FrontTravel]) -> dict[str, dict[str, Any]]:

@@ -35,6 +35,7 @@ GROUND_FLOOR = {
     "pieces",
     "free_places",
     "free_floor",
+    "wall_fittings",
     "certificate",
     "version",
     "relations",

@@ -14,8 +14,8 @@ from solver.exports.model import DoorLeaf, HouseModel
 from solver.exports.plan_rooms import Dimension, PlanBox, label_box, number_box
 from solver.exports.plan_storeys import PlanStorey, drawing_ranks, open_leaf, storeys_of
 from solver.exports.plan_symbols import marks_of
-from solver.exports.wall_panels import FRAME
 from solver.scene import Room, Scene
+from solver.wall_fittings import FRAME
 from tests.exports import homes
 from tests.exports.agreement import differences
 from tests.exports.readers import svg

@@ -12,7 +12,7 @@ import pytest
 from catalogs import load_catalogs
 from solver import Request, generate
 from solver.exports import describe
-from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
+from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
 from solver.validator import validate
 from solver.validator.opening import WALL, FrontTravel, front_travels
 from tests.exports.opening import open_all
@@ -129,6 +129,34 @@ def test_a_homes_certificate_is_what_mujoco_finds() -> None:
     pieces = [one for entry in rooms for one in entry.get("fronts", {}).items()]
     said = [(piece, name) for piece, fronts in pieces for name in fronts]
     assert said == [(one.piece, one.front) for travels in front_travels(scene, KNOWN).values() for one in travels]
+
+
+@pytest.mark.parametrize(("kind", "sooner"), [("window", True), ("door", True), ("passage", False), (None, None)])
+def test_what_is_fitted_to_a_wall_stops_fronts_where_mujoco_says(kind: str | None, sooner: bool | None) -> None:
+    """A wardrobe's door that turns to a wall meets a sill board or a door's handle sooner than the wall, a passage not at all."""
+    bare = room(piece("wardrobe", 7.95 - 0.9, 2.0))
+    sill, height = (0.9, 1.4) if kind == "window" else (0.0, 2.1)
+    hole = Opening("hole", kind or "", "east", 2.8, height=height, sill=sill, hinge="end")
+    scene = replace(bare, rooms=(replace(bare.rooms[0], openings=(hole,)),)) if kind else bare
+    assert list(open_all(scene, describe(scene, KNOWN), KNOWN)) == []
+    one, before = travel(scene, "outer_door_2"), travel(bare, "outer_door_2")
+    assert before.meets == WALL
+    if sooner is None:
+        assert one == before
+    else:
+        assert one.travel < before.travel if sooner else one.travel > before.travel
+
+
+def test_a_door_stops_fronts_alike_in_both_its_rooms() -> None:
+    """It is listed by one room or by both, and its leaf is where the room that draws it says."""
+    den = room(piece("wardrobe", 7.95 - 0.9, 2.0)).rooms[0]
+    hall = Room("hall", 0, "hall", x=8.0, width=3.0, depth=6.0, furniture=(piece("wardrobe", 0.05 + 0.9, 3.2, 180, "other"),))
+    there = Opening("hole", "door", "west", 2.8, connects_to="den", hinge="end", swing="in")
+    here = replace(there, wall="east", connects_to="hall", swing="out", render_panel=False)
+    for listed in ((), (here,)):
+        rooms = (replace(den, openings=listed), replace(hall, openings=(there,)))
+        scene = Scene(wall_thickness=0.1, rooms=rooms)
+        assert list(open_all(scene, describe(scene, KNOWN), KNOWN)) == []
 
 
 def test_a_wrong_certificate_would_be_seen() -> None:

@@ -8,9 +8,6 @@ constexpr f64 COSINE = 0.99996192306417131, SINE = 0.0087265354983739347;  // of
 constexpr f64 STEP_DEGREES = 0.5, STEP_METRES = 0.0025;
 constexpr f64 TOUCHING_METRES = 0.00025;  // a front is so much smaller at every side: what touches it does not stop it
 constexpr f64 FLAT_METRES = 0.03;         // what lies on the floor and is no higher is walked on, and opened over
-constexpr f64 WALL_METRES = 3.0;
-constexpr f64 METRE = static_cast<f64>(PER_METRE);
-constexpr i64 PROUD = PER_METRE / 100;  // frames of doors and passages stand so far out of their wall
 constexpr i64 NOTHING = -1, WALL = -2;
 
 namespace {
@@ -80,13 +77,9 @@ static SolidBox box_of(const BodyRow& row, const UnitBox& part, const Frame& fra
   return {at, half, {frame.turned(row.cosine, 0, -row.sine), {0, 1, 0}, frame.turned(row.sine, 0, row.cosine)}, body};
 }
 
-static SolidBox wall_of(const Edge& edge, i64 half_wall, i64 proud, const Frame& frame) {
-  const i64 beyond = proud > 0 ? 0 : half_wall;
-  const Rect box = edge.strip(edge.start - beyond, edge.end + beyond, half_wall + proud, half_wall);
-  const f64 x0 = static_cast<f64>(box.x0) / METRE, x1 = static_cast<f64>(box.x1) / METRE;
-  const f64 z0 = static_cast<f64>(box.z0) / METRE, z1 = static_cast<f64>(box.z1) / METRE;
-  const Point half{(x1 - x0) / 2, WALL_METRES / 2, (z1 - z0) / 2};
-  const Point at = frame.point((x0 + x1) / 2, WALL_METRES / 2, (z0 + z1) / 2);
+static SolidBox wall_of(const ShellBox& box, const Frame& frame) {
+  const Point half{(box.x1 - box.x0) / 2, (box.y1 - box.y0) / 2, (box.z1 - box.z0) / 2};
+  const Point at = frame.point((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, (box.z0 + box.z1) / 2);
   return {at, half, {frame.turned(1, 0, 0), {0, 1, 0}, frame.turned(0, 0, 1)}, WALL};
 }
 
@@ -133,7 +126,8 @@ static Span3 swept(const Front& front, const Point& hinge, const List<SolidBox>&
 
 // The boxes that reach into some room: of other bodies, and walls. A small thing that carries nothing is its whole box; what lies on the
 // furniture itself is taken off before a lid is lifted.
-static List<SolidBox> obstacles(const Room& room, const List<bool>& carries, i64 own, const Frame& frame, const Span3& within) {
+static List<SolidBox> obstacles(const Room& room, Span<ShellBox> shell, const List<bool>& carries, i64 own, const Frame& frame,
+                                const Span3& within) {
   constexpr UnitBox whole{0, 1, 0, 1, 0, 1};
   List<SolidBox> found;
   const auto take = [&](const SolidBox& box) {
@@ -151,12 +145,11 @@ static List<SolidBox> obstacles(const Room& room, const List<bool>& carries, i64
     }
     for (const UnitBox& part : parts) take(box_of(row, part, frame, i));
   }
-  for (const Edge& edge : room.edges) take(wall_of(edge, room.half_wall, 0, frame));
-  for (const Edge& edge : room.ways) take(wall_of(edge, room.half_wall, PROUD, frame));
+  for (const ShellBox& box : shell) take(wall_of(box, frame));
   return found;
 }
 
-static Opened opened(const Room& room, const List<bool>& carries, const Front& front, Span<i64> numbers) {
+static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& carries, const Front& front, Span<i64> numbers) {
   const BodyRow& row = *room.bodies[front.body].row;
   const Frame frame{row.x, row.y, row.z, row.cosine, row.sine};
   const Span<UnitBox> all = room.parts_of(room.bodies[front.body]);
@@ -169,7 +162,7 @@ static Opened opened(const Room& room, const List<bool>& carries, const Front& f
     parts.add(box);
   }
   const f64 length = absolute(front.slides ? front.end * row.depth : front.end), step = front.slides ? STEP_METRES : STEP_DEGREES;
-  const List<SolidBox> others = obstacles(room, carries, front.body, frame, swept(front, hinge, parts, length));
+  const List<SolidBox> others = obstacles(room, shell, carries, front.body, frame, swept(front, hinge, parts, length));
   f64 cosine = 1, sine = 0, way = 0;
   const f64 by = front.end < 0 ? -SINE : SINE;
   for (i64 k = 0; k < 2000; k++) {
@@ -191,6 +184,7 @@ Bytes open_fronts(Bytes rows_sent) {
   Reader reader(rows_sent);
   const Room room = read_room(reader);
   const FrontsRow& sent = reader.take<FrontsRow>(1)[0];
+  const Span<ShellBox> shell = reader.take<ShellBox>(static_cast<i32>(sent.shell));
   const Span<Front> fronts = reader.take<Front>(static_cast<i32>(sent.fronts));
   const Span<i64> numbers = reader.take<i64>(static_cast<i32>(sent.parts));
   List<bool> is_carrier, carries;
@@ -206,7 +200,7 @@ Bytes open_fronts(Bytes rows_sent) {
                       front.first + front.parts <= sent.parts && absolute(front.end) <= 180;
     if (!fits) fail(Failure::bad_request);
     const arena::Scope scope;
-    answer[i] = opened(room, carries, front, numbers);
+    answer[i] = opened(room, shell, carries, front, numbers);
   }
   return {reinterpret_cast<u8*>(answer.data), static_cast<i64>(answer.size) * static_cast<i64>(sizeof(Opened))};
 }

@@ -27,7 +27,7 @@ Bytes free_floors(Bytes storey);
 // on the floor covers.
 Bytes measure_storey(Bytes storey);
 
-// A room and its fronts -> rows of `Opened`, in their order.
+// A room, what stands around it and its fronts -> rows of `Opened`, in their order.
 Bytes open_fronts(Bytes room);
 
 }  // namespace validate

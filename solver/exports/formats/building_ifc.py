@@ -16,8 +16,8 @@ from solver.exports.ifc_pieces import Entity, IfcPieces, printable
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening, WallPanel
 from solver.exports.paints import PLAIN_WALL, SURFACES
 from solver.exports.plan_rooms import area_of, clear_corners, words_of
-from solver.exports.wall_panels import FRAME, GLASS_THICKNESS
 from solver.exports.writers import ExportSettings, Files
+from solver.wall_fittings import FRAME, GLASS_THICKNESS
 
 DATE: Final = "1980-01-01T00:00:00"
 SLAB: Final = 0.1

@@ -17,9 +17,9 @@ from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, Paint
 from solver.exports.paints import SURFACES, channels
 from solver.exports.plan_rooms import words_of
 from solver.exports.solid_meshes import surface_of
-from solver.exports.wall_panels import FRAME, GLASS_THICKNESS, THRESHOLD
 from solver.exports.writers import ExportSettings, Files, zipped
 from solver.exports.xml_text import xml_text
+from solver.wall_fittings import FRAME, GLASS_THICKNESS, THRESHOLD
 
 VERSION: Final = 7000
 _OPENING_NAMES: Final = {"door": "Door", "garage_door": "Garage door", "passage": "Passage", "window": "Window"}

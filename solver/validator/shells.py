@@ -1,0 +1,103 @@
+"""What stands around a room for what opens in it: walls with their holes, and what is fitted to those; doors closed.
+
+Comes in: a `World` and one of its places. Goes out: boxes. May import: scene, wall_fittings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Final, NamedTuple
+
+from solver.validator.lattice import WallEdge, metres
+from solver.validator.world import Hole, PlacedRoom, World
+from solver.wall_fittings import Bar, Span, between, door_bars, leaf_bars, leaf_offset, window_bars
+
+HEIGHT: Final = 3.0
+"""How high walls are taken to be, m."""
+
+
+class ShellBox(NamedTuple):
+    """A box in a room, m: x east, y up from the floor, z south."""
+
+    x0: float
+    y0: float
+    z0: float
+    x1: float
+    y1: float
+    z1: float
+
+
+class _HoleHere(NamedTuple):
+    """An opening on a room's walls, whichever room lists it: where it is in this room, m; which way its leaf turns, +1 or -1 across."""
+
+    hole: Hole
+    edge: WallEdge
+    along: Span
+    up: Span
+    towards: int
+
+
+def shell_of(world: World, place: PlacedRoom) -> Iterator[ShellBox]:
+    """Yields the boxes around a room, in its own frame."""
+    thickness = 2 * metres(world.half_wall)
+    holes = list(_holes(world, place))
+    for edge in place.edges:
+        for bar in _wall(edge, thickness, [one for one in holes if _on(edge, one.edge)]):
+            yield _placed(edge, bar)
+    for one in holes:
+        yield from (_placed(one.edge, bar) for bar in _fitted(one, thickness))
+
+
+def _holes(world: World, place: PlacedRoom) -> Iterator[_HoleHere]:
+    own = {hole.opening.id for hole in place.holes}
+    for hole in place.holes:
+        other = next((pair for pair in world.leading_to.get(place.room.id, ()) if pair[1].opening.id == hole.opening.id), None)
+        leaf = other[1] if other and other[1].opening.render_panel and not hole.opening.render_panel else hole
+        yield _here(hole, leaf, 0, 0)
+    for room, hole in world.leading_to.get(place.room.id, ()):
+        if room is not place and hole.opening.id not in own:
+            yield _here(hole, hole, room.x - place.x, room.z - place.z)
+
+
+def _here(hole: Hole, leaf: Hole, x: int, z: int) -> _HoleHere:
+    """Returns an opening moved by lattice steps; `leaf` is the entry that says how its leaf turns."""
+    by, edge = (x if hole.edge.runs_east else z), hole.edge.moved(x, z)
+    sill = metres(hole.sill) if hole.opening.kind == "window" else 0.0
+    inwards = 1 if leaf.edge.side in ("north", "west") else -1
+    towards = -inwards if leaf.opening.swing == "out" else inwards
+    along = metres(hole.start + by), metres(hole.end + by)
+    return _HoleHere(leaf, edge, along, (sill, sill + hole.opening.height), towards)
+
+
+def _on(edge: WallEdge, other: WallEdge) -> bool:
+    return edge.runs_east == other.runs_east and edge.line == other.line
+
+
+def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> Iterator[Bar]:
+    """Yields a wall's solid boxes: it goes on by half its thickness beyond its ends."""
+    half = thickness / 2
+    start, end = metres(edge.start) - half, metres(edge.end) + half
+    stops = sorted({start, end, *(at for one in holes for at in one.along if start < at < end)})
+    for low, high in pairwise(stops):
+        gaps = sorted(one.up for one in holes if one.along[0] < (low + high) / 2 < one.along[1])
+        yield from (Bar((low, high), up, (-half, half)) for up in between(0.0, HEIGHT, gaps))
+
+
+def _fitted(one: _HoleHere, thickness: float) -> list[Bar]:
+    """Returns what is fitted to an opening, its leaf closed."""
+    opening, head = one.hole.opening, one.up[1]
+    if opening.kind == "window":
+        return window_bars(one.along, one.up, thickness)
+    if opening.kind == "passage":
+        return []
+    turns = opening.kind == "door"
+    middle = one.towards * leaf_offset(thickness) if turns else 0.0
+    hinge = ("end" if opening.hinge == "end" else "start") if turns else None
+    return [*door_bars(one.along, head, thickness), *leaf_bars(one.along, head, middle, hinge)]
+
+
+def _placed(edge: WallEdge, bar: Bar) -> ShellBox:
+    (low, high), line = bar.across, metres(edge.line)
+    x, z = (bar.along, (line + low, line + high)) if edge.runs_east else ((line + low, line + high), bar.along)
+    return ShellBox(x[0], bar.up[0], z[0], x[1], bar.up[1], z[1])

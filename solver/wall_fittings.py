@@ -1,0 +1,106 @@
+"""What is fitted to openings in walls, for the exports and the rules alike: frames, sill boards, panes, door leaves.
+
+Comes in: an opening's ends along its wall, its heights, the wall's thickness, m. Goes out: `Bar`s, m. May import: nothing of ours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final, Literal, NamedTuple
+
+FRAME: Final = 0.06
+"""How wide a frame's bars are, m: a leaf that stands open, with its handle, is then no wider than its opening (door_parts)."""
+FRAME_PROUD: Final = 0.01
+GLASS_THICKNESS: Final = 0.012
+SILL_BOARD: Final = 0.03
+_SILL_PROUD: Final = 0.03
+_SILL_WIDER: Final = 0.02
+THRESHOLD: Final = 0.008
+"""How high the board is that lies under a leaf, where two floors meet, m."""
+GROUND_GAP: Final = THRESHOLD + 0.002
+"""How far above the floor a leaf hangs, m."""
+LEAF_THICKNESS: Final = 0.04
+HANDLE_HEIGHT: Final = 1.0
+HANDLE_PROUD: Final = 0.04
+"""How far a handle stands out of its leaf: with half a leaf no more than a frame, so that it keeps to the door's square."""
+HANDLE_FROM_EDGE: Final = 0.06
+"""Where a handle turns, from the edge of its leaf, m."""
+LEVER: Final = (0.13, 0.022)
+"""How long and high a lever is, m."""
+LEVER_INWARDS: Final = 0.055
+"""How far a lever's middle is from where it turns, towards the hinge, m."""
+Span = tuple[float, float]
+
+
+class Bar(NamedTuple):
+    """A box in or at a wall: along the wall, up from the floor, and across from the wall's middle line."""
+
+    along: Span
+    up: Span
+    across: Span
+    surface: Literal["frame", "glass"] = "frame"
+
+
+def window_bars(along: Span, up: Span, thickness: float) -> list[Bar]:
+    """Returns a window's sill board, which stands out at both faces, its frame, and its pane."""
+    (start, end), (sill, head) = along, up
+    frame, middle = around(0.0, min(thickness, 0.06)), (start + end) / 2
+    mullion = [Bar(around(middle, FRAME), up, frame)] if end - start > 0.9 else []
+    return [
+        Bar((start - _SILL_WIDER, end + _SILL_WIDER), (sill, sill + SILL_BOARD), around(0.0, thickness + 2 * _SILL_PROUD)),
+        Bar((start, start + FRAME), up, frame),
+        Bar((end - FRAME, end), up, frame),
+        Bar(along, (head - FRAME, head), frame),
+        *mullion,
+        Bar(along, (sill + SILL_BOARD, head - FRAME), around(0.0, GLASS_THICKNESS), "glass"),
+    ]
+
+
+def door_bars(along: Span, head: float, thickness: float) -> list[Bar]:
+    """Returns a door's frame."""
+    (start, end), across = along, around(0.0, thickness + 2 * FRAME_PROUD)
+    return [
+        Bar((start, start + FRAME), (0.0, head), across),
+        Bar((end - FRAME, end), (0.0, head), across),
+        Bar(along, (head, head + FRAME), across),
+    ]
+
+
+def leaf_bars(along: Span, head: float, middle: float, hinge: str | None) -> list[Bar]:
+    """Returns a closed leaf: its slab, and the levers on both sides.
+
+    Args:
+        along: the opening's ends.
+        head: how high it is.
+        middle: how far the slab's middle is from the wall's.
+        hinge: `end` for a leaf that hangs there; nothing has levers that does not turn: None.
+    """
+    (start, end), up = (along[0] + FRAME, along[1] - FRAME), (GROUND_GAP, head)
+    slab = Bar((start, end), up, around(middle, LEAF_THICKNESS))
+    if hinge is None:
+        return [slab]
+    inwards = HANDLE_FROM_EDGE + LEVER_INWARDS
+    lever = around(start + inwards if hinge == "end" else end - inwards, LEVER[0])
+    high = around(GROUND_GAP + min(HANDLE_HEIGHT, (head - GROUND_GAP) * 0.8), LEVER[1])
+    return [slab, Bar(lever, high, around(middle, LEAF_THICKNESS + 2 * HANDLE_PROUD))]
+
+
+def leaf_offset(thickness: float) -> float:
+    """Returns how far the middle of a leaf that turns is from its wall's, m: it is flush with the face that it turns to."""
+    return max(0.0, (thickness - LEAF_THICKNESS) / 2)
+
+
+def around(centre: float, thickness: float) -> Span:
+    """Returns an interval of that length around a middle."""
+    return centre - thickness / 2, centre + thickness / 2
+
+
+def between(start: float, end: float, gaps: Iterable[Span]) -> Iterator[Span]:
+    """Yields the stretches of an interval that no gap covers; gaps in order."""
+    reached = start
+    for low, high in gaps:
+        if low > reached:
+            yield reached, min(low, end)
+        reached = max(reached, high)
+    if reached < end:
+        yield reached, end
