@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from catalogs import Catalogs
 from catalogs.synonyms import synonyms_of
-from solver.scene import Furniture, Room, Scene
+from solver.scene import Decoration, Furniture, Room, Scene
 
 
 @dataclass(frozen=True)
@@ -71,3 +71,27 @@ def _room(room: Room, catalogs: Catalogs, words: dict[str, str], sent: dict[str,
         else:
             pieces.append(piece)
     return replace(room, furniture=tuple(pieces))
+
+
+def with_understood_kinds(scene: Scene, catalogs: Catalogs) -> Scene:
+    """Returns a scene that keeps its names, its furniture and decorations with the kinds that they are understood as.
+
+    Args:
+        scene: any; what names a kind keeps it.
+        catalogs: kinds, and what others call them.
+    """
+    synonyms = synonyms_of(catalogs)
+
+    def kind_of(sort: str, body: Furniture | Decoration) -> str | None:
+        meaning = synonyms.meaning(body.name, (body.width, body.depth, body.height)) if body.kind is None else None
+        return meaning.key if meaning is not None and meaning.sort == sort else body.kind
+
+    rooms = (
+        replace(
+            room,
+            furniture=tuple(replace(piece, kind=kind_of("furniture", piece)) for piece in room.furniture),
+            decorations=tuple(replace(piece, kind=kind_of("decoration", piece)) for piece in room.decorations),
+        )
+        for room in scene.rooms
+    )
+    return replace(scene, rooms=tuple(rooms))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from compose_homes import Furniture, Opening, PieceRequest, Room, Scene, fix, place, validate
+from catalogs import load_catalogs
+from compose_homes import Decoration, Furniture, Opening, PieceRequest, Room, Scene, fix, place, validate
+from solver.understanding import with_understood_kinds
 
 DOOR = Opening("door", "door", wall="south", position=1.0, connects_to="EXTERIOR")
 THEIRS = {"bed": "DoubleBed", "wardrobe": "Kleiderschrank", "desk": "writing table"}
@@ -66,3 +68,13 @@ def test_what_stands_already_is_used_like_ours() -> None:
     assert answer.understood_as == {"a": "bed", "shelf": "bookshelf"}
     assert answer.best.scene.rooms[0].furniture[0] == bed
     assert answer.best.issues == ()
+
+
+def test_it_can_say_what_its_pieces_are_understood_as_and_keeps_its_names() -> None:
+    lamp = Decoration("d", "AlarmClock", x=1.0, z=1.0, width=0.1, depth=0.06, height=0.09)
+    named = Furniture("e", "DoubleBed", x=1.0, z=1.0, width=1.6, depth=2.0, height=0.9, kind="thing_of_mine")
+    scene = Scene(rooms=(replace(FOREIGN.rooms[0], furniture=(*FOREIGN.rooms[0].furniture, named), decorations=(lamp,)),))
+    (told,) = with_understood_kinds(scene, load_catalogs()).rooms
+    assert [piece.name for piece in told.furniture] == [*THEIRS.values(), "DoubleBed"]
+    assert [piece.kind for piece in told.furniture] == ["bed", "wardrobe", "desk", "thing_of_mine"]
+    assert [(thing.name, thing.kind) for thing in told.decorations] == [("AlarmClock", "alarm_clock")]

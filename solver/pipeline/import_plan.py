@@ -17,7 +17,7 @@ from solver.imported import ImportSettings, PlanImport
 from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported
 from solver.pipeline.fix import fix
 from solver.scene import Scene
-from solver.understanding import understood
+from solver.understanding import understood, with_understood_kinds
 from solver.validator import validate
 
 OWN: Final = "scene"
@@ -63,6 +63,8 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
         for gone in fixed.removed:
             notes.leave(str(gone["id"]), f"cannot stand: {gone['reason']}")
         scene = replace(fixed.scene, certificate=None)
+    if format != OWN:
+        scene = with_understood_kinds(scene, known)
     issues = tuple(validate(scene, known))
     kept = {room_piece.id for room in scene.rooms for room_piece in room.furniture}
     said = {key: kind for key, kind in words.items() if key in kept}

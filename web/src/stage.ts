@@ -34,6 +34,7 @@ export class Stage {
   readonly #labels: Labels;
   readonly #looking: Looking;
   #house: House | null = null;
+  #catalog: Catalog | null = null;
   #book = new ShapeBook(null);
   #library: AssetLibrary | null = null;
   #selected: string | null = null;
@@ -61,7 +62,7 @@ export class Stage {
 
   show(shown: Scene, issues: readonly Issue[]): void {
     this.#scene = shown;
-    const scene = drawable(shown);
+    const scene = drawable(shown, this.#catalog);
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
     const house = this.#build(scene);
     house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
@@ -93,6 +94,7 @@ export class Stage {
 
   /** Learns how kinds look; what is shown from now on is drawn so. */
   dress(catalog: Catalog): void {
+    this.#catalog = catalog;
     this.#book = new ShapeBook(catalog);
     this.#library = new AssetLibrary(catalog.assets ?? {}, assetFile);
     this.#library.onCount = (count) => showAssetCount(within("assets_shown"), count);

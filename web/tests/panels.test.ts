@@ -183,11 +183,11 @@ describe("a file that was read", () => {
     const [host, list] = [document.querySelector("details"), document.querySelector("div")] as [HTMLElement, HTMLElement];
     const report = new ImportReport(host, list);
     report.show(answer({
-      changes: [{ step: "straighten", of: "a", amount: 0.01, message: "a was moved" }],
+      changes: [{ step: "straighten", of: "a", amount: 0.01, message: "was moved" }],
       unread: [{ place: "objects[2]", reason: "<b>is unknown</b>" }],
     }));
     expect(host.hidden).toBe(false);
-    expect([...list.querySelectorAll("h3, li")].map((one) => one.textContent)).toEqual(["Left out (1)", "objects[2]: <b>is unknown</b>", "Changed (1)", "a was moved"]);
+    expect([...list.querySelectorAll("h3, li")].map((one) => one.textContent)).toEqual(["Left out (1)", "objects[2]: <b>is unknown</b>", "Changed (1)", "a: was moved"]);
     report.show(answer({}));
     expect(host.hidden).toBe(true);
     report.show(null);

@@ -1,5 +1,5 @@
 /** A scene of somebody else's need not say all that is drawn; what it leaves unsaid is drawn like this. Never sent anywhere. */
-import type { Room, Scene, Sides } from "../contract";
+import type { Catalog, Furniture, Room, Scene, Sides } from "../contract";
 
 const ALL: Sides = { north: true, south: true, east: true, west: true };
 const FLOORING = { type: "plain", color: "#c9c2b6" } as const;
@@ -9,10 +9,17 @@ const STOREY = { index: 0, elevation: 0, height: 2.8 } as const;
 /** What a foreign scene may leave unsaid, as the wire has it. */
 type Unsaid<Whole> = { readonly [Key in keyof Whole]: Whole[Key] | null | undefined };
 
-function drawableRoom(room: Room): Room {
+/** A piece that says no colour, in that of its kind. */
+function colored(piece: Furniture, catalog: Catalog | null): Furniture {
+  const color = piece.color ?? catalog?.furniture[piece.kind ?? ""]?.color;
+  return color && piece.color !== color ? { ...piece, color } : piece;
+}
+
+function drawableRoom(room: Room, catalog: Catalog | null): Room {
   const said: Unsaid<Room> = room;
   return {
     ...room,
+    furniture: room.furniture.map((piece) => colored(piece, catalog)),
     level: said.level ?? 0,
     flooring: said.flooring ?? FLOORING,
     accent: said.accent ?? ACCENT,
@@ -20,9 +27,10 @@ function drawableRoom(room: Room): Room {
   };
 }
 
-export function drawable(scene: Scene): Scene {
+/** The scene complete; with a catalog pieces take the colours of their kinds where they say none. */
+export function drawable(scene: Scene, catalog: Catalog | null = null): Scene {
   const said: Unsaid<Scene> = scene;
-  const rooms = scene.rooms.map(drawableRoom);
+  const rooms = scene.rooms.map((room) => drawableRoom(room, catalog));
   const levels = said.levels && said.levels.length > 0 ? said.levels : [STOREY];
   const size = said.size ?? {
     width: Math.max(0, ...rooms.map((room) => room.x + room.width)),

@@ -4,9 +4,9 @@ import type { ImportAnswer } from "../contract";
 /** The list's parts, those with nothing to say left out. */
 export function importLines({ changes, guesses, unread }: ImportAnswer): { readonly title: string; readonly lines: readonly string[] }[] {
   const parts = [
-    { title: "Guessed", lines: guesses.map(({ message }) => message) },
+    { title: "Guessed", lines: guesses.map(({ of, what, taken, message }) => `${of}, ${what}: ${taken}; ${message}`) },
     { title: "Left out", lines: unread.map(({ place, reason }) => `${place}: ${reason}`) },
-    { title: "Changed", lines: changes.map(({ message }) => message) },
+    { title: "Changed", lines: changes.map(({ of, message }) => (message.split(" ").includes(of) || of === "plan" ? message : `${of}: ${message}`)) },
   ];
   return parts.filter(({ lines }) => lines.length > 0);
 }
