@@ -81,6 +81,7 @@ def _driven(world: Any, state: Any, one: FrontTravel, near: Near, leaves: Collec
         if one.meets not in found and not (one.meets == WALL and found & set(leaves)):
             yield f"{name} does not meet {one.meets} at {past[-1]:.3f} of {one.range:.3f}, but {sorted(found)}"
     state.qpos[joint.qposadr[0]] = 0.0
+    mujoco.mj_kinematics(world, state)
 
 
 def _solids(world: Any) -> Solids:
