@@ -112,7 +112,8 @@ def _taken(osqp: Any, *matrices: SparseColumns) -> list[Any]:
     """Returns matrices as OSQP takes them.
 
     OSQP asks `scipy.sparse` whether they are of scipy's class, and then reads their arrays. A module that says yes stands in for scipy
-    for that moment. The moment runs no bytecode, so that no other thread sees it.
+    for that moment. The moment runs no bytecode, so that no other thread sees it, but for the first one of a process: there the extension
+    looks for numpy.
     """
     asked = ModuleType("scipy.sparse")
     asked.isspmatrix_csc = truth  # type: ignore[attr-defined]

@@ -55,7 +55,8 @@ def slots(table: str, seat: str, rule: dict[str, object]) -> list[Candidate]:
     )
     room = Room("den_0", 0, "den", width=5.0, depth=5.0)
     wanted = wanted_pieces(room, space_of(room, 0.1), KNOWN.model_copy(update={"rooms": {"den": den}}), Stream(1, "furnish", 0))
-    return [one for one in wanted[1].candidates if one.attach]
+    (sought,) = (piece for piece in wanted if piece.label == f"{seat}_1")
+    return [one for one in sought.candidates if one.attach]
 
 
 def crosses(table: Kind, seat: Kind, at: tuple[float, float], turn: int) -> bool:

@@ -17,7 +17,7 @@ from hypothesis import HealthCheck, settings
 from schemathesis import Case, CheckContext, Response
 from schemathesis.specs.openapi.checks import positive_data_acceptance
 
-from service import calls
+from service import generating
 from service.app import create_app
 from service.work import Failure, Job, do
 from solver import generate
@@ -87,5 +87,5 @@ SCHEMA.config.phases.update(phases=["examples", "fuzzing"])
 @settings(max_examples=CASES, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
 def test_calls_are_answered_as_the_document_says(case: Case[Any]) -> None:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(calls, "generate", made_small)
+        patch.setattr(generating, "generate", made_small)
         case.call_and_validate(excluded_checks=[positive_data_acceptance], additional_checks=[what_fits_is_taken])
