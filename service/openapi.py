@@ -38,7 +38,7 @@ def completed(document: dict[str, Any], catalogs: Catalogs) -> dict[str, Any]:
         for call in verbs.values():
             _complete(call, examples().get(path, {}))
     _export_answers(document["paths"]["/export/{format}"]["post"]["responses"]["200"]["content"])
-    _name_words(document["components"]["schemas"]["Request"]["properties"], catalogs)
+    _name_words(document["components"]["schemas"], catalogs)
     return document
 
 
@@ -63,8 +63,13 @@ def _export_answers(content: dict[str, Any]) -> None:
     content.setdefault("application/zip", {"schema": {"type": "string", "format": "binary"}})
 
 
-def _name_words(request: dict[str, Any], catalogs: Catalogs) -> None:
-    """Puts the words of the catalogs into the request's schema."""
-    for part in request["style"]["anyOf"]:
-        if part["type"] == "string":
-            part["enum"] = sorted(catalogs.styles)
+def _name_words(schemas: dict[str, Any], catalogs: Catalogs) -> None:
+    """Puts the words of the catalogs into the schemas of what is asked."""
+    words = {"style": sorted(catalogs.styles), "access": sorted(catalogs.access)}
+    for body in ("Request", "RestyleBody", "FurnishBody", "ValidateBody"):
+        for name in words.keys() & schemas[body]["properties"].keys():
+            for part in schemas[body]["properties"][name]["anyOf"]:
+                if part["type"] == "string":
+                    part["enum"] = words[name]
+    (access,) = (part for part in schemas["Request"]["properties"]["access"]["anyOf"] if part["type"] == "string")
+    access["enum"] = ["none", *words["access"]]

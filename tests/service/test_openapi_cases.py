@@ -32,6 +32,8 @@ BEYOND_A_SCHEMA = (
     "is given twice",
     "nothing in the scene has the id",
     "nothing is called",  # what a relation is to
+    "no preset is called",
+    "ids of the rooms to furnish anew",  # a scene without a wish
     "is a relation to something",
     "takes no `of`",
     "cannot be",

@@ -339,7 +339,7 @@ export interface Request {
   readonly style?: "classic" | "industrial" | "mid_century" | "modern" | "rustic" | "scandi" | null;
   readonly outline?: "rectangle" | "L" | "T" | "U" | "any" | null;
   /** a profile of access.yaml, or none */
-  readonly access?: string | null;
+  readonly access?: "none" | "ada" | "din_18040_2" | "din_18040_2_r" | null;
 }
 
 /** A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner. */
