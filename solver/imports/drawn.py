@@ -24,14 +24,17 @@ OpeningKind = Literal["door", "garage_door", "passage", "window"]
 
 @dataclass(frozen=True)
 class DrawnRoom:
-    """A room's outline; `label` is what the file calls it, `type` what it is where the file says that in our words or its own."""
+    """A room's outline; `label` is what the file calls it, `type` what it is where the file says that in our words or its own.
+
+    `outdoor` None: the file does not say.
+    """
 
     points: tuple[Spot, ...]
     label: str
     where: str
     type: str = ""
     level: int = 0
-    outdoor: bool = False
+    outdoor: bool | None = None
     id: str = ""
 
 

@@ -5,6 +5,7 @@ Comes in: rooms, `DrawnPiece`s (mm; sizes in m). Goes out: rooms with what stand
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
@@ -39,6 +40,7 @@ def with_pieces(
     furniture: list[list[Furniture]] = [[] for _ in rooms]
     decorations: list[list[Decoration]] = [[] for _ in rooms]
     outlines = [_outline(room) for room in rooms]
+    unsized: Counter[tuple[str, str]] = Counter()
     for piece in pieces:
         x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
         place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
@@ -54,17 +56,25 @@ def with_pieces(
         room, sizes = rooms[place], tuple(max(0.001, round(one, 3)) for one in size)
         body = replace(piece, x=round(x - room.x, 4), z=round(z - room.z, 4), size=(sizes[0], sizes[1], sizes[2]))
         if piece.decoration or (meaning is not None and meaning.sort == "decoration"):
+            if piece.size is None:
+                unsized[piece.name, _written(sizes)] += 1
             decorations[place].append(_decoration(body, room, len(decorations[place])))
         elif (meaning is not None and meaning.sort == "other") or piece.y > OVERHEAD:
             notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
         else:
             if piece.size is None:
-                notes.guess(piece.where, "size", " x ".join(f"{one:g}" for one in sizes), f"{piece.name!r:.60}: the file gives no size")
+                notes.guess(piece.where, "size", _written(sizes), f"{piece.name!r:.60}: the file gives no size")
             furniture[place].append(_furniture(body, room, furniture[place]))
+    for (name, taken), count in unsized.items():
+        notes.guess("plan", "size", taken, f"{name!r:.60}: the file gives no size of {count} of them")
     return [
         replace(room, furniture=tuple(_tucked(standing, catalogs)), decorations=tuple(_carried(standing, small)))
         for room, standing, small in zip(rooms, furniture, decorations, strict=True)
     ]
+
+
+def _written(sizes: Sequence[float]) -> str:
+    return " x ".join(f"{one:g}" for one in sizes)
 
 
 def _outline(room: Room) -> list[FloorCorner]:

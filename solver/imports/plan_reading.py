@@ -27,7 +27,7 @@ from solver.imports.missing_walls import passages, without_niches
 from solver.imports.pieces_in_rooms import with_pieces
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
 from solver.imports.straighten import straightened, tell_of
-from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, scene_rooms, tell_type, type_of_drawn
+from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn
 from solver.imports.units import unit_of
 from solver.scene import Level, Room, Scene, Size
 
@@ -133,7 +133,7 @@ def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> li
     for made_room, one in zip(named, straight, strict=True):
         tell_of(made_room.id, one, notes)
         tell_type(made_room, notes)
-    return named
+    return [outdoor_told(room, catalogs, notes) for room in named]
 
 
 def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> list[NamedRoom]:

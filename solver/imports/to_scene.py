@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from catalogs import Catalogs
@@ -70,6 +70,15 @@ def tell_type(room: NamedRoom, notes: PlanNotes) -> None:
         notes.guess(room.id, "type", room.type, f"it is called {said!r:.60}")
 
 
+def outdoor_told(room: NamedRoom, catalogs: Catalogs, notes: PlanNotes) -> NamedRoom:
+    """Returns a room that lies outdoors where its type does and the file does not say: a balcony, a garden."""
+    kind = catalogs.rooms.get(room.type)
+    if room.drawn.outdoor is not None or kind is None or not kind.outdoor:
+        return room
+    notes.guess(room.id, "outdoor", "true", f"the file does not say; a {room.type} lies outdoors")
+    return replace(room, drawn=replace(room.drawn, outdoor=True))
+
+
 def scene_rooms(rooms: Sequence[NamedRoom], openings: Sequence[Joined], origin: tuple[int, int]) -> list[Room]:
     """Returns the rooms of the scene, with their openings."""
     listed: list[list[Opening]] = [[] for _ in rooms]
@@ -100,7 +109,7 @@ def _room(number: int, room: NamedRoom, openings: list[Opening], outer: Sides, o
     extra = {"name": room.drawn.label} if room.drawn.label and room.drawn.label != room.type else {}
     return Room(
         room.id, number, room.type, room.drawn.level, to_m(x - origin[0]), to_m(z - origin[1]), to_m(max(xs) - x), to_m(max(zs) - z),
-        outline, room.drawn.outdoor, exterior_walls=outer, openings=tuple(openings), extra=extra,
+        outline, bool(room.drawn.outdoor), exterior_walls=outer, openings=tuple(openings), extra=extra,
     )  # fmt: skip
 
 

@@ -11,7 +11,8 @@ import pytest
 
 from solver.errors import FieldError
 from solver.imported import PlanImport
-from tests.imports.plans import opening, read
+from tests.imports.plans import box as room_box
+from tests.imports.plans import collection, opening, read
 
 
 def loop(room: int, x0: int, y0: int, x1: int, y1: int) -> tuple[list[list[float]], list[list[int]]]:
@@ -148,3 +149,22 @@ def test_a_house_of_procthor_without_sizes() -> None:
     assert (opening(kitchen, "door_0").wall, opening(kitchen, "door_0").position) == ("east", 2.0)
     (sofa,) = living.furniture
     assert (sofa.rotation, answer.understood_as[sofa.id]) == (180, "sofa")
+
+
+def test_guessed_sizes_of_small_things_are_said_once_a_name() -> None:
+    corners = [{"x": x, "y": 0.0, "z": z} for x, z in ((0, 0), (0, 3), (4, 3), (4, 0))]
+    plants = [{"id": f"Vase|{x}", "assetId": "p", "position": {"x": x, "y": 0.3, "z": 1}} for x in (1, 2, 3)]
+    answer = read({"rooms": [{"id": "r", "roomType": "Kitchen", "floorPolygon": corners}], "objects": plants})
+    (said,) = [guess for guess in answer.guesses if guess["what"] == "size"]
+    assert len(answer.scene.rooms[0].decorations) == 3
+    assert (said["of"], "of 3 of them" in str(said["message"])) == ("plan", True)
+
+
+@pytest.mark.parametrize(("name", "more", "outdoor", "guessed"), [
+    ("Balkon", {}, True, True), ("Terrasse", {}, True, True), ("Garden", {}, True, True), ("Kitchen", {}, False, False),
+    ("Balcony", {"outdoor": False}, False, False), ("Balcony", {"outdoor": True}, True, False),
+])  # fmt: skip
+def test_what_lies_outdoors_is_told_by_its_name(name: str, more: dict[str, Any], outdoor: bool, guessed: bool) -> None:
+    answer = read(collection(room_box(name, 0, 0, 4, 3, **more)))
+    assert answer.scene.rooms[0].outdoor == outdoor
+    assert any(guess["what"] == "outdoor" for guess in answer.guesses) == guessed

@@ -104,7 +104,7 @@ class _ReadBuilding:
                     getattr(space, "PredefinedType", None) == "EXTERNAL" or getattr(space, "InteriorOrExteriorSpace", None) == "EXTERNAL"
                 )
                 yield DrawnRoom(
-                    tuple((x, -y) for x, y in solid.footprint), name, where, "", self._level(space), outdoor,
+                    tuple((x, -y) for x, y in solid.footprint), name, where, "", self._level(space), outdoor or None,
                     (space.Name or "") if self._is_ours() else "",
                 )  # fmt: skip
 

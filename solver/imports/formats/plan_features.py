@@ -96,7 +96,7 @@ def _level(said: Mapping[str, Any], where: str) -> int:
 def _room(said: Mapping[str, Any], points: list[Spot], where: str) -> DrawnRoom:
     return DrawnRoom(
         tuple(points), a_text(said, "name", where), where, a_text(said, "type", where), _level(said, where),
-        bool(said.get("outdoor")), a_text(said, "id", where),
+        bool(said["outdoor"]) if "outdoor" in said else None, a_text(said, "id", where),
     )  # fmt: skip
 
 

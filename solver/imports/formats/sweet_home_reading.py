@@ -113,7 +113,13 @@ def _room(element: Element, where: str, level: int) -> DrawnRoom:
     )
     said = _said(element)
     return DrawnRoom(
-        points, element.get("name", "")[:200], where, said.get("type", ""), level, said.get("outdoor") == "true", said.get("id", "")
+        points,
+        element.get("name", "")[:200],
+        where,
+        said.get("type", ""),
+        level,
+        said.get("outdoor") == "true" if "type" in said else None,
+        said.get("id", ""),
     )
 
 
