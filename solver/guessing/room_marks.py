@@ -15,6 +15,8 @@ from solver.scene import EXTERIOR, Opening, Room
 SMALL_WINDOW: Final = (1.2, 0.6)
 """A window with so high a sill, m, or of no more area, m2, is one of a bathroom."""
 WAYS: Final = ("door", "passage")
+LEAST_M: Final = 0.001
+"""As how long a side of a room counts that is shorter, m: there is a logarithm for every area."""
 
 
 @dataclass(frozen=True)
@@ -77,13 +79,13 @@ def _joined(rooms: Sequence[Room], places: dict[str, int]) -> Iterator[tuple[int
 
 
 def _marks(room: Room, ways: dict[int, bool]) -> RoomMarks:
-    area = room.floor_m2
-    long = max(room.width, room.depth)
+    area = max(room.floor_m2, LEAST_M * LEAST_M)
+    long = max(room.width, room.depth, LEAST_M)
     windows = Counter(_is_small(opening) for opening in room.openings if opening.kind == "window")
     doors = [opening for opening in room.openings if opening.kind in WAYS and opening.connects_to == EXTERIOR]
     front = "main" if any(opening.main_entrance for opening in doors) else "door" if doors else ""
     return RoomMarks(
-        area, min(room.width, room.depth, area / long), long, tuple(sorted(ways.items())), front, windows[False], windows[True],
+        area, max(min(room.width, room.depth, area / long), LEAST_M), long, tuple(sorted(ways.items())), front, windows[False], windows[True],
         any(opening.kind == "garage_door" for opening in room.openings), room.outdoor, frozenset(piece.name for piece in room.furniture),
     )  # fmt: skip
 

@@ -74,3 +74,9 @@ def test_a_programme_tells_how_many_there_are() -> None:
 def test_the_same_plan_gives_the_same_guesses() -> None:
     home = as_plan(generate(Request(seed=5, program="family")).scene)
     assert guessed_types(home, KNOWN) == guessed_types(home, KNOWN)
+
+
+@pytest.mark.parametrize("size", [(1e-9, 1e-9), (1e-300, 3.0), (1000.0, 1e-6), (1000.0, 1000.0)])
+def test_rooms_of_no_size_and_of_any_get_a_type(size: tuple[float, float]) -> None:
+    rooms = (Room("a", width=size[0], depth=size[1]), Room("b", x=1001.0, width=4.0, depth=3.0))
+    assert {*types(Scene(rooms=rooms))} >= {"b"}

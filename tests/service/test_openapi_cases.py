@@ -33,6 +33,8 @@ BEYOND_A_SCHEMA = (
     "nothing in the scene has the id",
     "nothing is called",  # what a relation is to
     "no preset is called",
+    "is no word for rooms",
+    "the one that is dragged",
     "ids of the rooms to furnish anew",  # a scene without a wish
     "is a relation to something",
     "takes no `of`",
