@@ -84,8 +84,9 @@ def _marks(room: Room, ways: dict[int, bool]) -> RoomMarks:
     windows = Counter(_is_small(opening) for opening in room.openings if opening.kind == "window")
     doors = [opening for opening in room.openings if opening.kind in WAYS and opening.connects_to == EXTERIOR]
     front = "main" if any(opening.main_entrance for opening in doors) else "door" if doors else ""
+    short = max(min(room.width, room.depth, area / long), LEAST_M)
     return RoomMarks(
-        area, max(min(room.width, room.depth, area / long), LEAST_M), long, tuple(sorted(ways.items())), front, windows[False], windows[True],
+        area, short, long, tuple(sorted(ways.items())), front, windows[False], windows[True],
         any(opening.kind == "garage_door" for opening in room.openings), room.outdoor, frozenset(piece.name for piece in room.furniture),
     )  # fmt: skip
 

@@ -75,10 +75,10 @@ def what_fits_is_taken(_: CheckContext, answer: Response, case: Case[Any]) -> No
     if case.meta is None or not case.meta.generation.mode.is_positive or answer.status_code < 400:
         return
     assert answer.status_code == 422, answer.text
-    (entry,) = answer.json()["errors"]
-    if case.media_type == "application/yaml" and entry["allowed"].startswith("a text") and entry["problem"] == "is 1e+100":
-        return  # YAML 1.1, which the cases are written in, takes 1e100 without quotes for a text
-    assert any(words in f"{entry['problem']} {entry['allowed']}" for words in BEYOND_A_SCHEMA), entry
+    for entry in answer.json()["errors"]:
+        if case.media_type == "application/yaml" and entry["allowed"].startswith("a text") and entry["problem"] == "is 1e+100":
+            continue  # YAML 1.1, which the cases are written in, takes 1e100 without quotes for a text
+        assert any(words in f"{entry['problem']} {entry['allowed']}" for words in BEYOND_A_SCHEMA), entry
 
 
 APP = create_app()
