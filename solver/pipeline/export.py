@@ -17,6 +17,8 @@ from solver.named_kinds import with_kinds
 from solver.scene import Issue, Scene
 from solver.validator import validate
 
+LEAST_SIDE_M: Final = 0.001
+"""The shortest side of a room that any format can say, m: the lattice of all footprints."""
 TOLD: Final = 20
 """How many errors of a scene a file tells of; the rest is counted."""
 
@@ -36,7 +38,7 @@ def export(scene: Scene, format: str, *, free: Freedom = "light", strict: bool =
 
     Raises:
         RequestError: there is no such format, or what it needs is not installed.
-        SceneError: the scene has errors and `strict` is set.
+        SceneError: a room has a side under a millimetre; or the scene has errors and `strict` is set.
 
     Example:
         >>> from compose_homes import Room, Scene, export
@@ -44,6 +46,7 @@ def export(scene: Scene, format: str, *, free: Freedom = "light", strict: bool =
         ['house.csv']
     """
     known = catalogs or load_catalogs()
+    _check_sides(scene)
     errors = [issue for issue in validate(scene, known) if issue.severity == "error"]
     if errors and strict:
         raise SceneError("scene", f"has {len(errors)} errors: {errors[0].message}", "a scene without errors, or without strict")
@@ -51,6 +54,13 @@ def export(scene: Scene, format: str, *, free: Freedom = "light", strict: bool =
     model = describe(shown, known, free, _told(errors))
     kept = shown if model.assets else scene
     return written_as(model, ExportSettings(format, lambda: FORMATS["json"].dump(write_scene(kept)).rstrip()))
+
+
+def _check_sides(scene: Scene) -> None:
+    for k, room in enumerate(scene.rooms):
+        for side in ("width", "depth"):
+            if getattr(room, side) < LEAST_SIDE_M:
+                raise SceneError(f"rooms[{k}].{side}", "is under a millimetre, which no format can say", f"at least {LEAST_SIDE_M} m")
 
 
 def _told(errors: list[Issue]) -> list[str]:

@@ -7,7 +7,10 @@ from xml.etree import ElementTree
 
 import pytest
 
+from compose_homes import export
+from solver.errors import SceneError
 from solver.exports import ExportSettings, written_as
+from solver.scene import Room, Scene
 from tests.exports.homes import SCENES, described
 from tests.exports.readers import urdf
 
@@ -50,3 +53,10 @@ def test_a_door_opens_as_the_scene_says() -> None:
         assert limit is not None
         opened = math.radians(leaf.swing) if leaf.motion == "swing" else leaf.height
         assert max((float(limit.get(end, "")) for end in ("lower", "upper")), key=abs) == pytest.approx(opened)
+
+
+@pytest.mark.parametrize("side", ["width", "depth"])
+def test_a_room_thinner_than_the_lattice_is_refused_by_its_side(side: str) -> None:
+    room = Room("den", **{"width": 4.0, "depth": 3.0, side: 1e-300})  # type: ignore[arg-type]
+    with pytest.raises(SceneError, match=rf"rooms\[0\]\.{side}: is under a millimetre"):
+        export(Scene(rooms=(room,)), "urdf")

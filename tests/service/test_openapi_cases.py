@@ -48,6 +48,7 @@ BEYOND_A_SCHEMA = (
     "is not base64",
     "and so is the document",
     "a file in base64, or a document",
+    "is under a millimetre",
     "larger than the house",  # numbers that depend on each other
     "is a list",  # a gap from the larger number to the smaller one
 )
