@@ -44,6 +44,8 @@ BEYOND_A_SCHEMA = (
     "no kind of the catalog",
     "the room has no outline",
     "is not UTF-8",
+    "a file of one of the formats",
+    "a scene without errors, or without strict",
     "formats that are read here",
     "is not base64",
     "and so is the document",
