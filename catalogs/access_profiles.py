@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import ceil
 from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
@@ -30,6 +31,14 @@ class AccessRule(Entry):
     pieces: tuple[PieceName, ...] = ()
     beside: tuple[PieceName, ...] = ()
     one: bool = False
+    main: bool = False
+    """Of a door: the main entrance alone is meant."""
+    out: bool = False
+    """Of a door: its leaf must not swing into the room."""
+
+    def is_about(self, room: str) -> bool:
+        """Tells whether rooms of a type, indoors, are meant."""
+        return room not in self.but and (not self.rooms or room in self.rooms)
 
     @model_validator(mode="after")
     def _whole(self) -> AccessRule:
@@ -41,9 +50,31 @@ class AccessRule(Entry):
         return self
 
 
+class AccessHome(Entry):
+    """How large rooms of a type are in homes that are made for a profile: `area` and `width` as in `home` of a room type."""
+
+    area: tuple[Metres, Metres, Metres]
+    width: Metres
+
+
 class AccessProfile(Entry):
-    """A standard: what it is, the side of the square that has to come everywhere, m, and its rules."""
+    """A standard: what it is, the side of the square that has to come everywhere, m, its rules, and how large rooms are for it."""
 
     says: str
     walker: Annotated[float, Field(ge=0.1, le=2)]
     rules: tuple[AccessRule, ...]
+    homes: dict[RoomName, AccessHome] = Field(default_factory=dict)
+
+    def turning(self, room: str) -> float:
+        """Returns the side of the square to be kept empty in a room of a type, m; 0 where there is none."""
+        return max((rule.least for rule in self.rules if rule.what == "turning" and rule.is_about(room)), default=0.0)
+
+    def swings_out(self, room: str) -> bool:
+        """Tells whether leaves must not swing into rooms of a type."""
+        return any(rule.out and rule.is_about(room) for rule in self.rules)
+
+    def leaf(self, main: bool) -> float:
+        """Returns how wide a door's opening is to be cut, the main entrance's or another's, m: a multiple of 5 cm."""
+        doors = (rule for rule in self.rules if rule.what == "door" and (main or not rule.main))
+        least = max((rule.least + rule.frame for rule in doors), default=0.0)
+        return ceil(round(max(least, self.walker) * 20, 6)) / 20

@@ -24,7 +24,7 @@ TO_SOMETHING = ("facing", "near", "far_from")
 def faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
     """Yields everything that does not fit together."""
     known = _vocabulary(catalogs, shapes)
-    for section in (name for name in Catalogs.model_fields if name not in ("shapes", "fingerprint")):
+    for section in (name for name in Catalogs.model_fields if name not in ("shapes", "profile", "fingerprint")):
         for name, entry in getattr(catalogs, section).items():
             file, at = (f"rooms/{name}", ()) if section == "rooms" else (section, (name,))
             yield from unknown_words(entry, file, at, known)
@@ -113,9 +113,12 @@ def _room_faults(catalogs: Catalogs, file: str, room: RoomType) -> Iterator[Faul
         if len(piece.kinds) == 0 and piece.piece not in catalogs.furniture:
             problem = f"unknown kind {piece.piece!r}{near(piece.piece, catalogs.furniture)}"
             yield Fault(file, ("pieces", i, "piece"), problem, "a key of furniture.yaml")
-        if piece.variants[-1].min_area:
-            at = ("pieces", i, "kinds", len(piece.kinds) - 1, "min_area")
+        least = max((k for k, one in enumerate(piece.variants) if not one.corner), default=0)
+        if piece.variants[least].min_area:
+            at = ("pieces", i, "kinds", least, "min_area")
             yield Fault(file, at, "the least variant must suit any room", "no min_area; the piece's own min_area")
+        if piece.variants[0].corner:
+            yield Fault(file, ("pieces", i, "kinds", 0, "corner"), "the wanted variant must stand anywhere", "no corner; another one first")
         for j, rule in enumerate(piece.rules):
             yield from _rule_faults(Fault(file, ("pieces", i, "rules", j), ""), room, piece, rule)
     yield from _run_faults(file, room, names)

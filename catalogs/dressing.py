@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
-from catalogs.entries import PIECE_NAMES, Entry, KindSpec, Metres, Probability, RoomTypeNames, Share, Words
+from catalogs.entries import PIECE_NAMES, Entry, KindSpec, Metres, Probability, RoomTypeNames, Share, Words, as_words
+from catalogs.insides import InsideSort
 from catalogs.references import Names
 
 SurfacePlace = tuple[Share, Share]
@@ -39,15 +40,18 @@ class DecorationKind(KindSpec):
 class DressingRow(Entry):
     """What every row says: which kinds (several take turns), how often, in which styles, how small they get.
 
+    `styled`: only in homes that have a style, or (false) only in those that have none.
+
     `rooms` and `not_in`: only in rooms of these types, and in none of those.
 
     `least`: where a thing does not fit it is made smaller, down to this share of its width and depth. `accent`: it has the
-    room's accent colour. `chance` is drawn once for the row on each parent.
+    room's accent colour, or one that the style has for it. `chance` is drawn once for the row on each parent.
     """
 
     put: Annotated[Words, Names("decoration", "a key of decorations.yaml")] = Field(min_length=1)
     chance: Probability = 1.0
     styles: Annotated[Words, Names("style", "a key of styles.yaml")] = ()
+    styled: bool | None = None
     rooms: RoomTypeNames = ()
     not_in: RoomTypeNames = ()
     least: Probability = 1.0
@@ -73,6 +77,19 @@ class Lies(DressingRow):
     reach: ReachMetres | None = None
 
 
+class Holds(Lies):
+    """Something inside a piece, behind its doors or in its drawers; at most `most` of it in one piece.
+
+    `surface` says whether it lies on the `shelves` inside or in the `drawers`; which of them come first is drawn. Nothing in a drawer
+    stands out above its sides.
+    """
+
+    at: tuple[SurfacePlace, ...] = ((0.5, 0.5),)
+    surface: Annotated[tuple[InsideSort, ...], BeforeValidator(as_words), Field(min_length=1)]
+    upon: tuple[()] = ()
+    most: Annotated[int, Field(ge=1, le=8)] = 2
+
+
 class Hangs(DressingRow):
     """Something on the wall behind its parent, or on the longest free wall of a room.
 
@@ -89,11 +106,12 @@ class Stands(DressingRow):
     """Something on a room's floor, `count` of it, one for every `per_area` m2 if that is given.
 
     `where`: in the `middle`, in a `corner`, `beside` a piece named by `of` (the first names first; else at a wall), at a
-    `wall`, or anywhere `free`; at most `reach` m from there. `fill`: its extents are this share of the room's, the lesser one
-    at most `widest` m. A room whose lesser side is under `min_side` m goes without.
+    `wall`, or anywhere `free`; at most `reach` m from there. Or `under` the piece that `of` names first, and so far as it
+    `reach`es beyond that on every side where there is floor, to 0.1 m from walls. `fill`: its extents are this share of the room's, the
+    lesser one at most `widest` m. A room whose lesser side is under `min_side` m goes without.
     """
 
-    where: Literal["middle", "corner", "beside", "wall", "free"]
+    where: Literal["middle", "corner", "beside", "wall", "free", "under"]
     of: Annotated[Words, PIECE_NAMES] = ()
     count: Annotated[int, Field(ge=1, le=12)] = 1
     per_area: Annotated[float, Field(gt=0)] | None = None
@@ -104,8 +122,8 @@ class Stands(DressingRow):
 
     @model_validator(mode="after")
     def _complete(self) -> Stands:
-        if (self.where == "beside") != bool(self.of):
-            raise ValueError("`of` goes with `where: beside`, and `beside` with it")
+        if (self.where in ("beside", "under")) != bool(self.of):
+            raise ValueError("`of` goes with `where: beside` or `under`, and they with it")
         if self.widest is not None and self.fill is None:
             raise ValueError("`widest` goes with `fill`")
         return self
@@ -114,6 +132,7 @@ class Stands(DressingRow):
 class Dressing(Entry):
     """What decorates a kind of furniture or decoration (`lies`, `hangs`) or a room type (`stands`, `hangs`), in this order.
 
+    What furniture `holds` comes last of all in a room.
     `together`: the room's pieces of that name share the rows, so that a run of counters has one coffee maker.
     `indoor: false`: a room type that goes without the rows for every indoor room.
     """
@@ -121,5 +140,6 @@ class Dressing(Entry):
     lies: tuple[Lies, ...] = ()
     hangs: tuple[Hangs, ...] = ()
     stands: tuple[Stands, ...] = ()
+    holds: tuple[Holds, ...] = ()
     together: bool = False
     indoor: bool = True

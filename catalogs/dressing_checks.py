@@ -6,9 +6,10 @@ from collections.abc import Collection, Iterator, Sequence
 from graphlib import CycleError, TopologicalSorter
 from itertools import pairwise
 
-from catalogs.dressing import ALL, INDOOR, SURFACE, DecorationKind, Dressing, Lies
-from catalogs.entries import KindSpec, Surface
+from catalogs.dressing import ALL, INDOOR, SURFACE, DecorationKind, Dressing, Holds, Lies
+from catalogs.entries import KindSpec
 from catalogs.faults import Fault, Key
+from catalogs.insides import insides_of
 from catalogs.references import near
 from catalogs.schema import Catalogs
 
@@ -41,12 +42,36 @@ def _entry_faults(catalogs: Catalogs, name: str, entry: Dressing) -> Iterator[Fa
         yield Fault("dressing", (name,), problem, "a name of furniture.yaml, a key of decorations.yaml or of rooms/, or indoor")
         return
     (kinds,) = parents
+    if entry.holds and not any(kind in catalogs.furniture.values() for kind in kinds):
+        yield Fault("dressing", (name, "holds"), "furniture alone holds things", "`lies` for what is on a thing")
+        return
     if not kinds and entry.lies:
         yield Fault("dressing", (name, "lies"), "things lie on furniture and decorations", "`stands` for a room's floor")
     if kinds and entry.stands:
         yield Fault("dressing", (name, "stands"), "things stand on a room's floor", "`lies` for what is on a piece")
     for i in range(len(entry.lies)):
         yield from _lying_faults(catalogs, (name, "lies", i), kinds, entry.lies[: i + 1])
+
+
+def holding_faults(catalogs: Catalogs) -> Iterator[Fault]:
+    """Yields every row of what furniture `holds` that has no room inside any kind of its name; shapes are known by now."""
+    for name, entry in catalogs.dressing.items():
+        for i, row in enumerate(entry.holds):
+            yield from _holding_faults(catalogs, (name, "holds", i), name, row)
+
+
+def _holding_faults(catalogs: Catalogs, at: Key, name: str, row: Holds) -> Iterator[Fault]:
+    """Checks that a row has room inside any kind of that name."""
+    kinds = {kind: entry for kind, entry in catalogs.furniture.items() if (entry.name or kind) == name}
+    inside = [one for kind, entry in kinds.items() for one in insides_of(catalogs.shapes.get(kind, ()), entry.size)]
+    if not any(one.sort in row.surface for one in inside):
+        yield Fault("dressing", (*at, "surface"), f"{name!r} has no {' or '.join(row.surface)} inside", "a shape with a `hollow` part")
+        return
+    places = [((one.x[1] - one.x[0], one.z[1] - one.z[0]), one.clearance) for one in inside if one.sort in row.surface]
+    for thing in row.put:
+        kind = catalogs.decorations.get(thing)
+        if kind and not any(_fits(kind, row, *place) for place in places):
+            yield Fault("dressing", (*at, "put"), f"{thing!r} is larger than {' and '.join(row.surface)} in {name!r}", "a smaller thing")
 
 
 def _unknown(at: Key, words: Sequence[str], known: Collection[str], what: str, allowed: str) -> Iterator[Fault]:
@@ -76,17 +101,17 @@ def _lying_faults(catalogs: Catalogs, at: Key, parents: Sequence[KindSpec], rows
             yield Fault("dressing", (*at, "put"), f"{name!r} is larger than its surface", f"at most {widest[0]:.2f} x {widest[1]:.2f} m")
 
 
-def _places(catalogs: Catalogs, parents: Sequence[KindSpec], row: Lies) -> Iterator[tuple[tuple[float, float], Surface]]:
-    """Yields the extents of the surfaces that a row's things may lie on."""
+def _places(catalogs: Catalogs, parents: Sequence[KindSpec], row: Lies) -> Iterator[tuple[tuple[float, float], float | None]]:
+    """Yields the extents of the surfaces that a row's things may lie on, and the free height above."""
     for name in row.upon or (SURFACE,):
         thing = catalogs.decorations.get(name)
         for kind in parents if name == SURFACE else [thing] if thing else []:
             named = [surface for surface in kind.surfaces if ALL in row.surface or surface.name in row.surface]
             for surface in named if row.surface else kind.surfaces[-1:]:
-                yield (kind.size[0] - 2 * surface.inset, kind.size[1] - 2 * surface.inset), surface
+                yield (kind.size[0] - 2 * surface.inset, kind.size[1] - 2 * surface.inset), surface.clearance
 
 
-def _fits(kind: DecorationKind, row: Lies, extent: tuple[float, float], surface: Surface) -> bool:
+def _fits(kind: DecorationKind, row: Lies, extent: tuple[float, float], clearance: float | None) -> bool:
     width, depth, height = kind.size[0] * row.least, kind.size[1] * row.least, kind.size[2]
     if row.upright:
         depth, height = height, depth
@@ -94,7 +119,7 @@ def _fits(kind: DecorationKind, row: Lies, extent: tuple[float, float], surface:
         width, depth = depth, width
     if row.fill:
         width, depth = 0.0, 0.0
-    low_enough = surface.clearance is None or height <= surface.clearance + SLACK
+    low_enough = clearance is None or height <= clearance + SLACK
     return low_enough and width <= extent[0] + SLACK and depth <= extent[1] + SLACK
 
 

@@ -40,7 +40,7 @@ ORDERED = AfterValidator(_ordered)
 """Of a pair: the first is not more than the second, where both are numbers."""
 
 
-def _words(value: Any) -> Any:
+def as_words(value: Any) -> Any:
     """Lets a single word stand for a list of one."""
     return (value,) if isinstance(value, str) else value
 
@@ -52,7 +52,7 @@ def _interval(value: Any) -> Any:
 
 Centimetres = Annotated[Metres, AfterValidator(_whole_centimetres)]
 """A length of whole centimetres, m."""
-Words = Annotated[tuple[str, ...], BeforeValidator(_words, json_schema_input_type=str | tuple[str, ...])]
+Words = Annotated[tuple[str, ...], BeforeValidator(as_words, json_schema_input_type=str | tuple[str, ...])]
 _Gap = Annotated[float, Field(strict=True, ge=-2, le=20, allow_inf_nan=False)]
 GapInterval = Annotated[tuple[_Gap, _Gap], ORDERED, BeforeValidator(_interval, json_schema_input_type=_Gap | tuple[_Gap, _Gap])]
 

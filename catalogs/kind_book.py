@@ -6,6 +6,7 @@ Comes in: catalogs; a body's name and size. Goes out: the kind's key, and what t
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Final
 
 from catalogs.dressing import DecorationKind
@@ -17,6 +18,8 @@ UPRIGHT: Final = "_upright"
 """Ends the key of a thing that is tipped onto its lower edge and looks different so."""
 SEATED: Final = "_seated"
 """Ends the name of the shape of somebody who sits."""
+_MANY: Final = 4096
+"""Names with sizes whose kinds are kept."""
 
 
 class KindBook:
@@ -33,6 +36,7 @@ class KindBook:
             "furniture": self._index(catalogs.furniture, furniture),
             "decoration": self._index(catalogs.decorations, {key: key for key in catalogs.decorations}),
         }
+        self._nearest = lru_cache(maxsize=_MANY)(self._nearest_of)
 
     def _index(
         self, kinds: Mapping[str, FurnitureSpec] | Mapping[str, DecorationKind], names: Mapping[str, str]
@@ -58,7 +62,12 @@ class KindBook:
         sized = self._by_name[sort].get(name)
         if not sized:
             return self._understood(sort, name, size, said)
-        return said if said in sized else min(sized, key=lambda key: _difference(sized[key], size))
+        return said if said in sized else self._nearest(sort, name, size)
+
+    def _nearest_of(self, sort: str, name: str, size: KindSize) -> str:
+        """Returns which of the kinds of a name is nearest in size; a home asks it of the same things again and again."""
+        sized = self._by_name[sort][name]
+        return min(sized, key=lambda key: _difference(sized[key], size))
 
     def _understood(self, sort: str, name: str, size: KindSize, said: str | None) -> str | None:
         """Returns the key of what others call so."""

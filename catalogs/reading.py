@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from hashlib import blake2b
@@ -15,9 +16,11 @@ from pydantic import TypeAdapter, ValidationError
 from catalogs.access_profiles import AccessProfile
 from catalogs.checks import faults
 from catalogs.dressing import DecorationKind, Dressing
+from catalogs.dressing_checks import holding_faults
 from catalogs.dwellers import Dweller
 from catalogs.entries import Synonym
 from catalogs.faults import CatalogError, Fault
+from catalogs.insides import insides_of
 from catalogs.misfits import misfit
 from catalogs.programmes import Preset
 from catalogs.references import near
@@ -57,7 +60,8 @@ _LOOKS: Final[Any] = {
     "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},
 }  # fmt: skip
-"""What no home depends on: a seed makes the same home however its pieces are drawn, so its fingerprint stays too."""
+"""What no home depends on: a seed makes the same home however its pieces are drawn, so its fingerprint stays too; but what is free inside
+what holds things counts."""
 
 
 def read_catalogs(directory: Path | None = None) -> Catalogs:
@@ -130,19 +134,32 @@ def _checked(layer: _Layer, over_ours: bool = False) -> Catalogs:
     """
     written = {section: named for section, named in layer.entries.items() if section != _SHAPES}
     catalogs, shapes = Catalogs(**written, fingerprint=""), layer.entries[_SHAPES]
-    for fault in faults(catalogs, shapes):
+    _refuse(faults(catalogs, shapes), layer, over_ours)
+    catalogs = catalogs.model_copy(update={"shapes": shaped(catalogs, shapes)})
+    _refuse(holding_faults(catalogs), layer, over_ours)
+    return catalogs.model_copy(update={"fingerprint": fingerprint(catalogs)})
+
+
+def _refuse(found: Iterable[Fault], layer: _Layer, over_ours: bool) -> None:
+    for fault in found:
         file = layer.files[fault.entry]
         is_row_of_ours = file.parent == HERE and fault.file == "dressing" and len(fault.at) > ROW_KEY
         is_shape_of_ours = file.parent == HERE / _SHAPES
         if not (over_ours and (is_row_of_ours or is_shape_of_ours)):
             raise located(file, fault)
-    return catalogs.model_copy(update={"fingerprint": fingerprint(catalogs), "shapes": shaped(catalogs, shapes)})
 
 
 def fingerprint(catalogs: Catalogs) -> str:
     """Returns 12 hex digits that change with any word or number that homes follow from, and with the order of pieces."""
-    content = catalogs.model_dump(mode="json", exclude=_LOOKS)
+    holding = {kind: entry.size for kind, entry in catalogs.furniture.items() if _holds_things(catalogs, kind)}
+    insides = {kind: insides_of(catalogs.shapes.get(kind, ()), size) for kind, size in holding.items()}
+    content = catalogs.model_dump(mode="json", exclude=_LOOKS), insides
     return blake2b(json.dumps(content, sort_keys=True).encode(), digest_size=6).hexdigest()
+
+
+def _holds_things(catalogs: Catalogs, kind: str) -> bool:
+    entry = catalogs.dressing.get(catalogs.name_of(kind))
+    return entry is not None and bool(entry.holds)
 
 
 @cache

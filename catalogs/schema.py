@@ -7,9 +7,13 @@ faces south: `front` is south (+z), `back` north, `left` west (-x), `right` east
 from __future__ import annotations
 
 from collections.abc import Collection
+from functools import lru_cache
+from hashlib import blake2b
+from itertools import chain
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
+from pydantic.json_schema import SkipJsonSchema
 
 from catalogs.access_profiles import AccessProfile
 from catalogs.assets.asset_entry import Asset
@@ -53,9 +57,10 @@ class Use(Entry):
 
 
 class Comfort(Entry):
-    """Floor at a side of a piece that is better kept free: `depth` m; at its left and right all but `behind` m from its back on.
+    """Floor at a side of a piece that is better kept free: `depth` m, all but `behind` m.
 
-    Doing without it costs `cost`, shared by the sides.
+    That is from its back on at its left and right, and from the piece on at its front, where a piano has its stool. Doing without the
+    floor costs `cost`, shared by the sides.
     """
 
     depth: Metres
@@ -117,11 +122,15 @@ class Habit(Entry):
 
 
 class Variant(Entry):
-    """A size variant of a wanted piece: a kind of furniture, what settling for it costs, and the area it needs, m2."""
+    """A size variant of a wanted piece: a kind of furniture, what settling for it costs, and the area it needs, m2.
+
+    `corner`: it stands only in the corner of a run, where what stands round the corner hides that end of its front.
+    """
 
     kind: KindName
     cost: Cost = 0.0
     min_area: Annotated[float, Field(ge=0)] = 0.0
+    corner: Literal["left", "right"] | None = None
 
 
 class PieceSpec(Entry):
@@ -179,6 +188,21 @@ class Area(Entry):
         return self
 
 
+class KeptWall(Entry):
+    """A stretch of wall that a floor plan keeps whole where it can, by moving openings along their walls.
+
+    `length` along the wall and `depth` of the floor before it, m, without doors and the squares that stay free at them.
+    `under_windows`: windows do not break it. `round_corners`: it may go round one corner. `across`: it faces such a stretch of the
+    opposite wall, which is at most so far away; in rooms whose walls are all farther apart that is not asked.
+    """
+
+    length: Metres
+    depth: Metres
+    under_windows: bool = False
+    round_corners: bool = False
+    across: Metres | None = None
+
+
 class Plan(Entry):
     """How a floor plan treats the type.
 
@@ -198,6 +222,8 @@ class Plan(Entry):
     behind: tuple[Annotated[str, ROOM_TYPE], ...] = ()
     windows: bool = True
     garage_door: bool = False
+    keeps: tuple[KeptWall, ...] = ()
+    """Walls that are kept whole for what stands along them."""
 
 
 class Run(Entry):
@@ -264,33 +290,26 @@ class Catalogs(Entry):
     habits: dict[str, Habit] = Field(default_factory=dict)
     access: dict[str, AccessProfile] = Field(default_factory=dict)
     assets: dict[str, Asset] = Field(default_factory=dict)
+    profile: SkipJsonSchema[AccessProfile | None] = Field(default=None, exclude=True)
+    """What standard homes are made for: never written in a file, but asked for by `for_access`."""
     fingerprint: str
 
     def __hash__(self) -> int:
         """Equal catalogs have equal fingerprints, so that what is worked out from them can be kept by them."""
         return hash(self.fingerprint)
 
+    def for_access(self, name: str | None) -> Catalogs:
+        """Returns the catalogs for homes that are made for a profile, by its name; the same ones where there is none of it."""
+        return _for_access(self, name) if name in self.access else self
+
     def of_home(self, types: Collection[str], planned: bool = True) -> Catalogs:
         """Returns the catalogs of a home with rooms of these types.
 
         Pieces are not wanted `unless` it has no such room; in a planned home those that it needs `without` rooms it does not have are.
         """
-        there = set(types)
-        rooms = {name: _without_pieces_of(room, there) for name, room in self.rooms.items()}
-        if planned:
-            rooms = {name: self._at_home(room, there) for name, room in rooms.items()}
-        return self.model_copy(update={"rooms": rooms})
-
-    def _at_home(self, room: RoomType, types: set[str]) -> RoomType:
-        """Returns a room type with what it must hold for rooms that are not there, beside what it covers anyway."""
-        more = [piece for piece in room.pieces if piece.without and not set(piece.without) & types]
-        if not more:
-            return room
-        sizes = [self.furniture[piece.variants[0].kind].size for piece in more]
-        cover = sum(width * depth for width, depth, _ in sizes) / room.area.typical
-        pieces = tuple(piece.model_copy(update={"without": ()}) if piece in more else piece for piece in room.pieces)
-        wished = tuple(min(share + cover, 1.0) for share in room.cover) if room.cover else None
-        return room.model_copy(update={"pieces": pieces, "cover": wished})
+        there = frozenset(types)
+        rooms = {name: _room_at_home(self, name, there & asked, planned) for name, asked in _asked_types(self).items()}
+        return self.model_copy(update={"rooms": {**self.rooms, **rooms}})
 
     def name_of(self, kind: str) -> str:
         """Returns what scenes call a kind: its `name`, else the kind itself."""
@@ -307,7 +326,38 @@ class Catalogs(Entry):
         return {name: (kind.use.sides, kind.use.need == "all") for name, kind in self.kinds_by_name().items() if kind.use}
 
 
-def _without_pieces_of(room: RoomType, types: Collection[str]) -> RoomType:
-    """Returns a room type without the pieces that belong to rooms of other types; the same object where there are none."""
-    pieces = tuple(piece for piece in room.pieces if not set(piece.unless) & set(types))
-    return room if len(pieces) == len(room.pieces) else room.model_copy(update={"pieces": pieces})
+@lru_cache(maxsize=16)
+def _for_access(catalogs: Catalogs, name: str) -> Catalogs:
+    """Returns the catalogs with the room sizes of a profile; the same object for the same catalogs, as what is compiled is kept by it."""
+    profile = catalogs.access[name]
+    made_from = blake2b(f"{catalogs.fingerprint} {profile.model_dump_json()}".encode(), digest_size=6)
+    rooms = dict(catalogs.rooms)
+    for room, size in profile.homes.items():
+        kind = rooms[room]
+        if kind.home is not None:
+            rooms[room] = kind.model_copy(update={"home": kind.home.model_copy(update={"area": size.area, "width": size.width})})
+    return catalogs.model_copy(update={"rooms": rooms, "profile": profile, "fingerprint": made_from.hexdigest()})
+
+
+@lru_cache(maxsize=16)
+def _asked_types(catalogs: Catalogs) -> dict[str, frozenset[str]]:
+    """Returns the room types that are furnished by what other rooms their home has, each with the types that decide."""
+    asked = {name: frozenset(chain.from_iterable((*p.unless, *p.without) for p in room.pieces)) for name, room in catalogs.rooms.items()}
+    return {name: types for name, types in asked.items() if types}
+
+
+@lru_cache(maxsize=256)
+def _room_at_home(catalogs: Catalogs, name: str, there: frozenset[str], planned: bool) -> RoomType:
+    """Returns a room type as it is in a home with rooms of some types, the same object each time: what is compiled is kept by it."""
+    room = catalogs.rooms[name]
+    pieces = tuple(piece for piece in room.pieces if there.isdisjoint(piece.unless))
+    if len(pieces) < len(room.pieces):
+        room = room.model_copy(update={"pieces": pieces})
+    more = [piece for piece in pieces if planned and piece.without and there.isdisjoint(piece.without)]
+    if not more:
+        return room
+    sizes = [catalogs.furniture[piece.variants[0].kind].size for piece in more]
+    cover = sum(width * depth for width, depth, _ in sizes) / room.area.typical
+    pieces = tuple(piece.model_copy(update={"without": ()}) if piece in more else piece for piece in pieces)
+    wished = tuple(min(share + cover, 1.0) for share in room.cover) if room.cover else None
+    return room.model_copy(update={"pieces": pieces, "cover": wished})

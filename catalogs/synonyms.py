@@ -81,8 +81,9 @@ class Synonyms:
 
     def __init__(self, catalogs: Catalogs) -> None:
         self._catalogs = catalogs
-        self.ours = frozenset(catalogs.kinds_by_name())
-        """What scenes call furniture of the catalogs."""
+        self._named: dict[str, list[str]] = {}
+        for kind in catalogs.furniture:
+            self._named.setdefault(catalogs.name_of(kind), []).append(kind)
         self._by_phrase: dict[str, dict[Meaning, KindSize | None]] = {}
         for key in (*catalogs.furniture, *catalogs.decorations):
             self._add(key, self._wanted(key))
@@ -105,7 +106,7 @@ class Synonyms:
         furniture, decorations = self._catalogs.furniture, self._catalogs.decorations
         if key in furniture:
             name = self._catalogs.name_of(key)
-            variants = [key, *(other for other in furniture if name == key and other != key and self._catalogs.name_of(other) == name)]
+            variants = [key, *(other for other in self._named[name] if name == key != other)]
             yield from (_Wanted(Meaning("furniture", other, name), furniture[other].size) for other in variants)
         elif key in decorations:
             yield _Wanted(Meaning("decoration", key, key), decorations[key].size)
@@ -163,6 +164,12 @@ class Synonyms:
         if agreeing:
             return min(agreeing, key=lambda one: one[0] or 0.0)[1]
         return next((meaning for meaning, other in known.items() if other is None), None)
+
+
+@lru_cache(maxsize=4)
+def own_names(catalogs: Catalogs) -> frozenset[str]:
+    """Returns what scenes call furniture of the catalogs: where all is called so, no synonyms are needed."""
+    return frozenset(catalogs.kinds_by_name())
 
 
 @lru_cache(maxsize=4)

@@ -1,4 +1,4 @@
-"""The words and keys of what /fix is asked, offers and tells: repairs of a conflict, and what was taken out.
+"""The words and keys of what /fix is asked, offers and tells: repairs of a conflict, what was taken out, what ended the search.
 
 Comes in: nothing. Goes out: types that declare documents. May import: fields.
 """
@@ -70,6 +70,18 @@ class Removal(Record):
 
     id: str
     reason: str
+
+
+@dataclass(frozen=True)
+class Limited(Record):
+    """The limit of the call's work ended a search: what stands is sound, but more may be found with more work.
+
+    `work` is the limit that its `effort` has: a count, the same on every machine.
+    """
+
+    effort: str
+    work: int
+    message: str
 
 
 OfferedRepair = Freed | Unlocked | Turned | Shrunk | LeftOut

@@ -8,7 +8,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 
-from catalogs.shapes import Axis, Form, Solid
+from catalogs.shapes import LONG, Axis, Form, Solid
+
+ROUND: Final = 0.12
+"""A cylinder whose two diameters differ by a lesser share touches others as one, else as a box."""
 
 
 class BodyPart(NamedTuple):
@@ -49,3 +52,11 @@ def sized(parts: Sequence[BodyPart], width: float, depth: float, height: float) 
         BodyPart(form, (size_x * width, size_y * height, size_z * depth), (x * width, y * height, z * depth), axis, taper, material, front)
         for form, (size_x, size_y, size_z), (x, y, z), axis, taper, material, front in parts
     )
+
+
+def is_round(form: Form, axis: Axis, size: tuple[float, float, float]) -> bool:
+    """Tells whether a part with an axis touches others as what is round: its extents across that, of `size` (x, y, z), are nearly one."""
+    if form not in LONG:
+        return False
+    one, other = (extent for name, extent in zip("xyz", size, strict=True) if name != axis)
+    return abs(one - other) < ROUND * max(one, other)

@@ -3,7 +3,8 @@
     ComposeError
     ├── FieldError          a field of a document is wrong: which, and what is allowed
     │   ├── RequestError      ... of a request
-    │   └── SceneError        ... of a scene
+    │   ├── SceneError        ... of a scene
+    │   └── TooMuch           it takes more work than a call may have
     ├── SyntaxFault         the text is not JSON or YAML at all
     └── CatalogError        a catalog cannot be used: which file, line and key (catalogs.faults, as the base)
 
@@ -12,9 +13,11 @@ A bad scene (one that breaks rules) is not an error: validate() returns issues.
 
 from __future__ import annotations
 
+from typing import Final
+
 from catalogs.faults import ComposeError
 
-__all__ = ["ComposeError", "FieldError", "RequestError", "SceneError", "SyntaxFault"]
+__all__ = ["ComposeError", "FieldError", "RequestError", "SceneError", "SyntaxFault", "TooMuch"]
 
 
 class FieldError(ComposeError):
@@ -42,6 +45,12 @@ class RequestError(FieldError):
 
 class SceneError(FieldError):
     """A field of a scene is wrong."""
+
+
+class TooMuch(FieldError):
+    """Work that is not finished within the bounds of a call."""
+
+    SMALLER: Final = "a smaller house or scene; the command line has no such bound"
 
 
 class SyntaxFault(ComposeError):

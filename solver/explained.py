@@ -27,8 +27,37 @@ class Hold(Record):
 
 
 @dataclass(frozen=True)
+class MovedPiece(Record):
+    """How a piece would stand: its footprint's centre in the room, m, its rotation, degrees, and its kind, perhaps another size of it."""
+
+    id: str
+    kind: str
+    x: float
+    z: float
+    rotation: int
+    width: float
+    depth: float
+    height: float
+
+
+@dataclass(frozen=True)
+class OtherWay(Record):
+    """Another way to stand: at which wall and how it is turned, and what the room would have cost more with it; null: it could not.
+
+    `moves` is all that would then stand elsewhere, the piece itself too; `left_out` who would have no place.
+    """
+
+    wall: Annotated[str, OneOf("north", "east", "south", "west")] | None
+    rotation: int
+    cost: float | None
+    moves: tuple[MovedPiece, ...]
+    left_out: tuple[str, ...]
+    message: str
+
+
+@dataclass(frozen=True)
 class Explained(Record):
-    """Why a piece stands where it does: where it was wished, what holds it back from there, and what is to be said besides."""
+    """Why a piece stands where it does: where it was wished, what holds it back from there, and how else it could stand."""
 
     id: str
     room: str
@@ -36,3 +65,4 @@ class Explained(Record):
     wished: FloorPoint | None
     holds: tuple[Hold, ...]
     notes: tuple[str, ...]
+    ways: tuple[OtherWay, ...] = ()

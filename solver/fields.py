@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, fields
+from functools import cache
 from importlib import import_module
 from typing import Annotated, Any, ClassVar, Final, get_args, get_type_hints
 
-from annotated_types import Ge, Gt, Le, MinLen
+from annotated_types import Ge, Gt, Le, MaxLen, MinLen
 
 from solver.plain import Wrong, is_text, plain
 
@@ -145,6 +146,36 @@ class Counted:
         return {"anyOf": [{"type": "string"}, {"type": "object", "additionalProperties": counts}]}
 
 
+class WordOrCorners:
+    """One of some words, or the corners of an outline: pairs of numbers of metres."""
+
+    def __init__(self, *words: str, most: int) -> None:
+        self.words, self.most = words, most
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        """Tells pydantic."""
+        corner = tuple[Annotated[float, STRICT, Ge(-1000.0), Le(1000.0)], Annotated[float, STRICT, Ge(-1000.0), Le(1000.0)]]
+        corners = _core().SchemaValidator(handler.generate_schema(Annotated[tuple[corner, ...], MinLen(4), MaxLen(self.most)]))
+        word = _core().SchemaValidator(handler.generate_schema(Annotated[str, OneOf(*self.words)]))
+        return _core().core_schema.no_info_plain_validator_function(
+            lambda value: word.validate_python(value) if is_text(value) else corners.validate_python(value)
+        )
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
+        """Tells whoever reads the schema."""
+        number = {"type": "number", "minimum": -1000.0, "maximum": 1000.0}
+        corner = {"type": "array", "prefixItems": [number, number], "minItems": 2, "maxItems": 2}
+        corners = {"type": "array", "items": corner, "minItems": 4, "maxItems": self.most}
+        return {"anyOf": [{"type": "string", "enum": list(self.words)}, corners]}
+
+
+RECTANGLE: Final = "rectangle"
+ANY: Final = "any"
+"""The outline of a planned home that its seed draws."""
+MOST_CORNERS: Final = 24
+"""Of an outline that is given. Our choice: the ways to cut it double with every inner corner."""
+OUTLINE: Final = WordOrCorners(RECTANGLE, "L", "T", "U", ANY, most=MOST_CORNERS)
+GivenCorners = tuple[tuple[float, float], ...]
 STRICT: Final = _Strict()
 Text = Annotated[str, STRICT]
 Name = Annotated[str, MinLen(1), STRICT]
@@ -182,7 +213,7 @@ class Record:
         read = handler.resolve_ref_schema(schema)
         parts = read["schema"]
         for part in parts["fields"]:
-            if part["schema"]["type"] == "default" and part["name"] in required_names(cls):
+            if part["schema"]["type"] == "default" and part["name"] in required_names(cls):  # type: ignore[arg-type] # classes are hashable
                 part["schema"] = part["schema"]["schema"]
         if EXTRA not in cls.__dict__["__dataclass_fields__"]:
             parts["extra_behavior"] = "forbid"
@@ -217,8 +248,9 @@ class Record:
         return reference
 
 
+@cache
 def required_names(of: type[Any]) -> frozenset[str]:
-    """Returns the keys of a document that must be there although their fields have defaults."""
+    """Returns the keys of a document of a dataclass that must be there although their fields have defaults."""
     hints = get_type_hints(of, include_extras=True)
     return frozenset(name for name, hint in hints.items() if REQUIRED in get_args(hint))
 
@@ -258,11 +290,16 @@ def _kept(value: Any) -> Any:
 
 
 def _sorter(of: type[Any]) -> Callable[[Any], Any]:
-    """Returns what sorts a document's keys: the known ones without nulls, and the unknown ones into `extra`."""
+    """Returns what sorts a document's keys: the known ones without nulls, and the unknown ones into `extra`.
+
+    The null of a key that must be there, and may be null, is its value.
+    """
     names = {part.name: part.name for part in fields(of) if part.name != EXTRA}
     if of.camel_case:
         names |= {camel(name): name for name in names}
     keeps = EXTRA in of.__dict__["__dataclass_fields__"]
+    undefaulted = [part for part in fields(of) if part.default is MISSING and part.default_factory is MISSING]
+    may_be_null = {part.name for part in undefaulted if "None" in str(part.type)}
 
     def sort(document: Any) -> Any:
         if document.__class__ is not dict and not isinstance(document, Mapping):
@@ -275,7 +312,7 @@ def _sorter(of: type[Any]) -> Callable[[Any], Any]:
                 unknown[key] = value
             elif name in known or (key != name and name in document):
                 raise located(f"is given twice, as {name} and as {camel(name)}", "one of the two spellings", (name,))
-            elif value is not None:
+            elif value is not None or name in may_be_null:
                 known[name] = value
         if not unknown:
             return {**known, EXTRA: {}} if keeps else known

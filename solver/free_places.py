@@ -40,10 +40,11 @@ class Block(NamedTuple):
 
 def footprint(body: Furniture | Decoration | Dynamic) -> Rect:
     """Returns the bounding rectangle of a body, mm, rounded outwards by less than a millimetre."""
-    width, depth = extents(body.width, body.depth, body.rotation)
-    sides = (body.x - width / 2, body.z - depth / 2, body.x + width / 2, body.z + depth / 2)
-    low, high = [math.floor(v * 1000 + 1e-6) for v in sides[:2]], [math.ceil(v * 1000 - 1e-6) for v in sides[2:]]
-    return Rect(low[0], low[1], high[0], high[1])
+    (width, depth), x, z = extents(body.width, body.depth, body.rotation), body.x, body.z
+    return Rect(
+        math.floor((x - width / 2) * 1000 + 1e-6), math.floor((z - depth / 2) * 1000 + 1e-6),
+        math.ceil((x + width / 2) * 1000 - 1e-6), math.ceil((z + depth / 2) * 1000 - 1e-6),
+    )  # fmt: skip
 
 
 def block_of(body: Furniture | Decoration | Dynamic) -> Block:

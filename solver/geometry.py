@@ -17,6 +17,8 @@ ALONG_X: Final = ("north", "south")
 INWARDS: Final = {"north": 1, "west": 1, "south": -1, "east": -1}
 """Which way along its other axis a wall's room lies."""
 _WALLS_FACED: Final = ("south", "east", "north", "west")
+_EDGES: Final = {"west": 0, "north": 1, "east": 2, "south": 3}
+"""Which number of a rectangle says where its edge at a wall lies."""
 _QUARTERS: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
 ROTATION_AT_WALL: Final = {"north": 0, "west": 90, "south": 180, "east": 270}
 """The rotation of a body whose back is to that wall: it faces away from it."""
@@ -148,7 +150,7 @@ class Rect(NamedTuple):
 
     def line(self, wall: str) -> int:
         """Returns where the edge at a wall lies: its z for north and south, its x for east and west."""
-        return {"north": self.z0, "south": self.z1, "west": self.x0, "east": self.x1}[wall]
+        return self[_EDGES[wall]]
 
     def wall_distance(self, wall: str, room: Rect) -> int:
         """Returns how far the edge at a wall is from that wall of a room's rectangle; negative beyond it."""
@@ -175,7 +177,8 @@ def strip(rect: Rect, wall: str, interval: tuple[int, int], depth: int) -> Rect:
 
 def strip_at(wall: str, line: int, interval: tuple[int, int], depth: int) -> Rect:
     """Returns the rectangle over an interval of a wall whose line is given, `depth` deep into its room."""
-    low, high = sorted((line, line + INWARDS[wall] * depth))
+    inner = line + INWARDS[wall] * depth
+    low, high = (line, inner) if line < inner else (inner, line)
     return Rect(interval[0], low, interval[1], high) if wall in ALONG_X else Rect(low, interval[0], high, interval[1])
 
 

@@ -6,10 +6,11 @@ Comes in: nothing. Goes out: types. May import: fields, scene.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Final
 
-from solver.fields import OneOf, Record, Says
+from solver.answers import Limited
+from solver.fields import OMITTED, OneOf, Record, Says
 from solver.scene import Issue, Scene
 
 GUESSED_BY: Final = ("name", "pieces", "form")
@@ -49,3 +50,4 @@ class FurnishedPlan(Record):
     left: Annotated[Mapping[str, str], Says("by room id, why a room that was asked for was left as it was")]
     issues: tuple[Issue, ...]
     timing_ms: Mapping[str, float]
+    limited: Limited | None = field(default=None, metadata={OMITTED: True})

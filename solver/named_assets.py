@@ -17,6 +17,7 @@ from typing import Final, TypeVar
 from catalogs import Catalogs
 from catalogs.assets.asset_entry import Asset
 from catalogs.assets.asset_measures import kind_table
+from catalogs.insides import insides_of
 from catalogs.kind_book import KindBook
 from solver.scene import Decoration, Furniture, Room, Scene
 from solver.streams import Stream
@@ -96,7 +97,14 @@ class _Chooser:
         return replace(room, furniture=tuple(furniture), decorations=tuple(decorations))
 
     def _heights(self, body: Furniture | Decoration) -> set[float]:
-        return {round(height - body.y, 6) for height in self._resting.get(body.id, ())}
+        """Returns the heights above a body's underside at which things rest on it; what lies inside it is hidden by any asset."""
+        heights = {round(height - body.y, 6) for height in self._resting.get(body.id, ())}
+        return heights if isinstance(body, Decoration) else {one for one in heights if not self._is_inside(body, one)}
+
+    def _is_inside(self, piece: Furniture, height: float) -> bool:
+        size = piece.width, piece.depth, piece.height
+        kind = self._book.kind_of("furniture", piece.name, size, piece.kind)
+        return any(abs(one.height - height) < LEVEL / 10 for one in insides_of(self._book.solids(kind), size))
 
     def _shown(self, body: Shown, sort: str, drawn_by: str, resting: set[float]) -> Shown:
         """Returns a body that names its asset: the one it names if that fits it, else one that fits all of its set, drawn by a name."""

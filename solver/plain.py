@@ -61,7 +61,8 @@ def plain(value: Any, depth: int = 0) -> Any:
     Raises:
         Wrong: it holds something else, or a number that is not finite, or is nested too deeply.
     """
-    if value is None or isinstance(value, bool):
+    kind = value.__class__
+    if value is None or kind is bool or kind is int or (kind is str and value.isascii()):
         return value
     if is_text(value):
         return str.__str__(value)

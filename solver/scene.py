@@ -19,16 +19,18 @@ from typing import Annotated, Any, ClassVar, Final
 from annotated_types import Ge, Le, MinLen
 
 from catalogs.assets import ASSET_NAME
-from solver.answers import OfferedRepair, Removal
+from solver.answers import Limited, OfferedRepair, Removal
 from solver.fields import (
     MAX_WHOLE,
     OMITTED,
+    OUTLINE,
     REQUIRED,
     STRICT,
     WHOLE,
     Counted,
     Flag,
     Free,
+    GivenCorners,
     Identity,
     Index,
     Like,
@@ -55,9 +57,6 @@ ROBOT_WIDTH: Final = 0.6
 PLAIN_SIZE: Final = (20.0, 15.0)
 """Width and depth of a house where nothing else is asked for, m."""
 FITTED: Final = "unless a programme or an area chooses it"
-RECTANGLE: Final = "rectangle"
-ANY: Final = "any"
-"""The outline of a planned home that its seed draws."""
 NO_ACCESS: Final = "none"
 """Names no profile of access."""
 MAX_COUNT: Final = 12
@@ -88,13 +87,13 @@ def _extra() -> Any:
 class Request(Record):
     """What to generate; all optional. Unknown keys are refused.
 
-    `program` counts rooms by word (`{bedrooms: 3, bathrooms: 2, garage: 1}`) or names a preset; `area` is the wished
-    floor of the house, m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where
-    they are not given; else the house is 20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say
-    how its rectangle is cut into rooms. `outline` is that of a planned home; none stands for any. `force_types` maps a room's
-    index to a room type. `robot_width` is the side, m, of the square that must be able to walk everywhere. `decorate` decorates
-    surfaces, walls and floors. `style` names a style. `access` names a profile: its walker must come everywhere, and the
-    certificate tells what else of it is met.
+    `program` counts rooms by word (`{bedrooms: 3, bathrooms: 2, garage: 1}`) or names a preset; `area` is the wished floor of the
+    house, m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where they are not given; else the
+    house is 20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say how its rectangle is cut into rooms.
+    `outline` is that of a planned home, none stands for any; or the corners around the house, m, each edge along x or z. `force_types`
+    maps a room's index to a room type. `robot_width` is the side, m, of the square that must be able to walk everywhere. `decorate`
+    decorates surfaces, walls and floors. `style` names a style. `access` names a profile: its walker must come everywhere, and the
+    certificate tells what else of it is met. `people` is whether there are people and pets.
     """
 
     camel_case: ClassVar[bool] = True
@@ -112,8 +111,9 @@ class Request(Record):
     program: Annotated[Mapping[str, int] | str | None, Counted(MAX_COUNT), Says("a preset's name, or how many rooms of each word")] = None
     area: Annotated[float, STRICT, Ge(15.0), Le(1000.0)] | None = None
     style: Text | None = None
-    outline: Annotated[str, OneOf(RECTANGLE, "L", "T", "U", ANY), Says("of a planned home, any by default")] | None = None
+    outline: Annotated[str | GivenCorners | None, OUTLINE, Says("of a planned home, any by default; or of any home its corners, m")] = None
     access: Annotated[Text | None, Says("a profile of access.yaml, or none")] = None
+    people: Annotated[Flag | None, Says("false: nobody is there")] = field(default=None, metadata={OMITTED: True})
 
     @property
     def planned(self) -> bool:
@@ -275,8 +275,8 @@ class Dynamic(Record):
 class Room(Record):
     """A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner.
 
-    `outline` lists corner points clockwise from the north-west, room-relative, where the room is not that rectangle; `walls`
-    says what its walls are finished with, where that is known.
+    `outline` lists corner points clockwise from the north-west, room-relative, where the room is not that rectangle; `walls` says what its
+    walls are finished with; `wall_thickness` is that of its outer walls by line of the outline, north first, where not the scene's.
     """
 
     id: Identity
@@ -292,6 +292,7 @@ class Room(Record):
     flooring: Flooring | None = None
     accent: Text | None = None
     walls: WallFinish | None = field(default=None, metadata={OMITTED: True})
+    wall_thickness: tuple[WallThickness | None, ...] | None = field(default=None, metadata={OMITTED: True})
     exterior_walls: Sides | None = None
     wall_flags: Sides | None = None
     openings: tuple[Opening, ...] = ()
@@ -375,6 +376,7 @@ class Generated(Record):
     scene: Scene
     issues: tuple[Issue, ...]
     timing_ms: Mapping[str, float]
+    limited: Limited | None = field(default=None, metadata={OMITTED: True})
 
 
 @dataclass(frozen=True)
@@ -389,6 +391,7 @@ class Fixed(Record):
     timing_ms: Mapping[str, float]
     understood_as: Mapping[str, str] = field(default_factory=dict)
     """By id, what a piece was taken for that is called by no name of the catalogs."""
+    limited: Limited | None = field(default=None, metadata={OMITTED: True})
 
 
 def robot_width_of(scene: Scene) -> float:

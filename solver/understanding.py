@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from catalogs import Catalogs
-from catalogs.synonyms import synonyms_of
+from catalogs.synonyms import own_names, synonyms_of
 from solver.scene import Decoration, Furniture, Room, Scene
 
 
@@ -47,7 +47,7 @@ def understood(scene: Scene, catalogs: Catalogs) -> Understood:
         scene: any; only furniture is looked at.
         catalogs: kinds, and what others call them.
     """
-    ours = synonyms_of(catalogs).ours
+    ours = own_names(catalogs)
     if all(piece.name in ours for room in scene.rooms for piece in room.furniture):
         return Understood(scene, {}, {})
     words: dict[str, str] = {}
@@ -58,11 +58,11 @@ def understood(scene: Scene, catalogs: Catalogs) -> Understood:
 
 def _room(room: Room, catalogs: Catalogs, words: dict[str, str], sent: dict[str, Furniture]) -> Room:
     """Returns a room in the catalogs' words; notes in `words` what was understood as what, in `sent` what was renamed."""
-    synonyms = synonyms_of(catalogs)
+    ours, synonyms = own_names(catalogs), synonyms_of(catalogs)
     pieces: list[Furniture] = []
     for piece in room.furniture:
         size = (piece.width, piece.depth, piece.height)
-        meaning = None if piece.name in synonyms.ours else synonyms.said(piece.kind) or synonyms.meaning(piece.name, size)
+        meaning = None if piece.name in ours else synonyms.said(piece.kind) or synonyms.meaning(piece.name, size)
         if meaning is not None:
             words[piece.id] = meaning.key
         if meaning is not None and meaning.sort == "furniture":

@@ -28,6 +28,7 @@ def write_whole(path: str | Path, content: bytes) -> None:
         if target.exists():
             part.chmod(target.stat().st_mode)
         part.replace(target)
-    except OSError:
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from None
+    finally:  # Ctrl-C, too, leaves nothing half-written
         part.unlink(missing_ok=True)
-        raise

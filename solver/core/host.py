@@ -54,6 +54,15 @@ class _Export(NamedTuple):
     result: str | None
 
 
+class _Function(NamedTuple):
+    """An export of one instance: what wasmtime calls, where its numbers go and its answer comes from, and how many slots that are."""
+
+    export: _Export
+    address: Any
+    numbers: Any
+    slots: tuple[Any, ...]
+
+
 class _Loaded(NamedTuple):
     engine: wasmtime.Engine
     module: wasmtime.Module
@@ -123,8 +132,13 @@ class CoreInstance:
         assert isinstance(memory, wasmtime.Memory)
         self._memory = memory
         self._base = ctypes.addressof(memory.data_ptr(self._store).contents)
-        self._functions: dict[str, Any] = {}
+        self._known_size = 0
+        self._context = self._store._context()
+        self._functions: dict[str, _Function] = {}
+        self._prepare_trap()
         self.failed = False
+        self._begin = int(self.call("reserve", 0))  # where the arena begins; and its top, moved here without a call
+        self._top = ctypes.c_uint64.from_address(self._base + self.call("top_at"))
         _alive.add(self)
 
     def call(self, name: str, *arguments: float) -> Any:
@@ -141,35 +155,50 @@ class CoreInstance:
             CoreFailed: the call ended in a trap, the instance had failed before, or there is no such export with so many numbers.
             CoreFull: it asked for more memory than there is.
         """
-        from wasmtime import _ffi  # noqa: PLC0415 - the public call looks the types up each time and takes 40 us
-
-        export = self._exports.get(name)
-        if export is None or len(export.floats) != len(arguments) or self.failed:
+        function = self._functions.get(name) or self._function(name)
+        if function is None or len(function.export.floats) != len(arguments) or self.failed:
             raise CoreFailed(f"the core was not asked for {name}: " + ("it failed before" if self.failed else "it has no such function"))
-        function = self._functions.get(name)
-        if function is None:
-            function = self._functions[name] = self._found[name]._func  # type: ignore[union-attr]
-        numbers = (_ffi.wasmtime_val_raw_t * max(len(arguments), 1))()
-        for slot, is_float, value in zip(numbers, export.floats, arguments, strict=False):
+        for slot, is_float, value in zip(function.slots, function.export.floats, arguments, strict=False):
             if is_float:
                 slot.f64 = value
             else:
                 slot.i64 = value
-        trap = ctypes.POINTER(_ffi.wasm_trap_t)()
-        error = _ffi.wasmtime_func_call_unchecked(self._store._context(), ctypes.byref(function), numbers, len(numbers), ctypes.byref(trap))
-        if error or trap:
-            raise self._failure(name, error, trap)
-        return getattr(numbers[0], export.result) if export.result else None
+        error = self._call(self._context, function.address, function.numbers, len(function.slots), self._trap_address)
+        if error or self._trap:
+            raise self._failure(name, error)
+        return getattr(function.slots[0], function.export.result) if function.export.result else None
+
+    def _function(self, name: str) -> _Function | None:
+        """Prepares the calls of an export: wasmtime's public call looks its types up each time and takes 40 us."""
+        from wasmtime import _ffi  # noqa: PLC0415
+
+        export = self._exports.get(name)
+        if export is None:
+            return None
+        numbers = (_ffi.wasmtime_val_raw_t * max(len(export.floats), 1))()
+        address = ctypes.byref(self._found[name]._func)  # type: ignore[union-attr]
+        function = self._functions[name] = _Function(export, address, numbers, tuple(numbers))
+        return function
+
+    def _prepare_trap(self) -> None:
+        """Makes the place where wasmtime says why a call ended."""
+        from wasmtime import _ffi  # noqa: PLC0415
+
+        self._call = _ffi.wasmtime_func_call_unchecked
+        self._trap = ctypes.POINTER(_ffi.wasm_trap_t)()
+        self._trap_address = ctypes.byref(self._trap)
 
     def leave(self) -> None:
         """Ends its use without giving back its memory: views of it can be read on, and Python's end need not call wasmtime."""
         self.failed = True
         self._store._consume()
 
-    def _failure(self, name: str, error: Any, trap: Any) -> CoreFailed:
+    def _failure(self, name: str, error: Any) -> CoreFailed:
         """Says why a call ended; nothing is asked of the instance after this."""
         from wasmtime import Trap, WasmtimeError  # noqa: PLC0415
 
+        trap = self._trap
+        self._prepare_trap()
         said = str(WasmtimeError._from_ptr(error) if error else Trap._from_ptr(trap)).strip().splitlines()[-1].strip()
         code = 0 if name == "failure" else self.call("failure")
         self.failed = True
@@ -181,21 +210,38 @@ class CoreInstance:
         """The bytes its memory has grown to."""
         return int(self._memory.data_len(self._store))
 
+    def _reaches(self, end: int) -> bool:
+        """Says whether the memory, which only grows, goes on to an address."""
+        if end > self._known_size:
+            self._known_size = self.size
+        return end <= self._known_size
+
     def reserve(self, size: int) -> int:
         """Takes bytes of the memory; returns their address, a multiple of 16. They are not set to anything.
 
         Raises:
             CoreFull: there is no more.
         """
-        return int(self.call("reserve", size))
+        top = self._top.value
+        end = top + (size + 15 & -16)
+        if size < 0 or self._begin + end > self._known_size or self.failed:  # the core's own does the same, with all its care
+            return int(self.call("reserve", size))
+        self._top.value = end
+        return self._begin + top
 
     def mark(self) -> int:
-        """Returns how much of the memory is taken, for `release`."""
-        return int(self.call("mark"))
+        """Returns how much of the memory is taken, for `release`.
+
+        Raises:
+            CoreFailed: the instance had failed before.
+        """
+        if self.failed:
+            raise CoreFailed("the core was not asked for its mark: it failed before")
+        return int(self._top.value)
 
     def release(self, mark: int = 0) -> None:
         """Gives back all that was taken since a mark; what views of it show is then void."""
-        self.call("release", mark)
+        self._top.value = mark
 
     def lent(self) -> NDArray[np.uint8]:
         """Returns the memory as it is now, for views of parts of it; once the last of them is gone, the instance goes to the idle ones.
@@ -213,7 +259,7 @@ class CoreInstance:
             ValueError: the piece is not within the memory.
         """
         kind = np.dtype(dtype)
-        if address < 0 or address + prod(shape) * kind.itemsize > self.size:
+        if address < 0 or not self._reaches(address + prod(shape) * kind.itemsize):
             raise ValueError(f"{shape} of {kind} at {address} is not within the core's memory")
         return np.asarray(_MemoryPiece(self, self._base + address, shape, kind))
 
@@ -229,7 +275,7 @@ class CoreInstance:
         Raises:
             ValueError: they are not within it.
         """
-        if address < 0 or size < 0 or address + size > self.size:
+        if address < 0 or size < 0 or not self._reaches(address + size):
             raise ValueError(f"{size} bytes at {address} are not within the core's memory")
         return ctypes.string_at(self._base + address, size)
 

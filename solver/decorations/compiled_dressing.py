@@ -7,13 +7,15 @@ solver/core/dress/dressing.hpp, in the same order. May import: the ground floor,
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from struct import Struct
 from typing import Final, TypeVar
 
-from catalogs.dressing import ALL, INDOOR, SURFACE, DecorationKind, Dressing, DressingRow, Hangs, Lies, Stands
+from catalogs.dressing import ALL, INDOOR, SURFACE, DecorationKind, Dressing, DressingRow, Hangs, Holds, Lies, Stands
 from catalogs.entries import Side, Surface
+from catalogs.fronts import FrontFloor, floor_before
+from catalogs.insides import InsideSurface, insides_of
 from catalogs.kind_book import UPRIGHT, KindBook
 from catalogs.schema import Comfort
 from catalogs.styles import Leaning
@@ -26,17 +28,19 @@ SCALE_STEP: Final = 0.1
 """By which share things are made smaller where they do not fit. Our choice."""
 FAVOURED: Final = 1.5
 """How much more often a style has what it is fond of. Our choice."""
+OFF_MM: Final = 10
+"""So far what lies inside a piece stays off its boards and what is above, mm. Our choice."""
 SEAT: Final = "seat"
 """What a surface to sit on is called."""
-_WHERE: Final = ("middle", "corner", "beside", "wall", "free")
+_WHERE: Final = ("middle", "corner", "beside", "wall", "free", "under")
 """As the core numbers them."""
 _ITSELF, _NO_LIMIT = -1, -1
 _ROW: Final = "d10i"
 _TABLES: Final = {
     name: Struct(layout)
     for name, layout in {
-        "entry": "<8i", "lies": f"<{_ROW}10i2dq", "hangs": f"<{_ROW}2i2q", "stands": f"<{_ROW}4i3d3q", "choice": "<4i", "size": "<3q",
-        "kind": "<3q6i", "surface": "<4q", "word": "<i", "place": "<2d", "share": "<d", "turn": "<2d",
+        "entry": "<10i", "lies": f"<{_ROW}10i2dq", "hangs": f"<{_ROW}2i2q", "stands": f"<{_ROW}4i3d3q", "choice": "<4i", "size": "<3q",
+        "kind": "<3q6i", "surface": "<7q", "word": "<i", "place": "<2d", "share": "<d", "turn": "<2d",
     }.items()
 }  # fmt: skip
 _HEADER: Final = Struct("<14i")
@@ -56,11 +60,14 @@ class CompiledDressing:
         data: its bytes.
         kinds: the kinds of decorations, as its rows count them.
         colours: what each of them is drawn from.
+        styled: those of them that have colours of the style.
         words: the numbers of names.
         surfaces: of furniture, by name and size.
+        insides: what carries things inside furniture, by kind and size.
         faced: names of what one comes to from its front alone: to use it, or because its back is at a wall.
         uses: by name of furniture the sides it is used from, and whether all of them are needed.
         comforts: by kind of furniture the floor at its sides that is better kept free.
+        fronts: by kind of furniture the space that its fronts come into, where they come into any.
         tipped: kinds that look different when they are tipped onto their lower edge.
         book: tells which of the two a thing of some size is.
         made_from: what it was compiled from.
@@ -69,11 +76,14 @@ class CompiledDressing:
     data: bytes
     kinds: tuple[str, ...]
     colours: tuple[tuple[str, ...], ...]
+    styled: frozenset[str]
     words: Mapping[str, int]
     surfaces: Mapping[tuple[str, SizeMm], TableRange]
+    insides: Mapping[tuple[str, SizeMm], TableRange]
     faced: frozenset[str]
     uses: Mapping[str, tuple[Sequence[str], bool]]
     comforts: Mapping[str, Mapping[Side, Comfort]]
+    fronts: Mapping[str, FrontFloor]
     tipped: frozenset[str]
     book: KindBook
     made_from: tuple[object, ...]
@@ -125,18 +135,26 @@ class _DressingTables:
             self._add_kind(name, kind, len(palette))
         furniture = reversed(known.furniture.items())
         surfaces = {(one.name or name, millimetres(one.size)): self._surfaces(one.surfaces) for name, one in furniture}
+        insides = {(kind, millimetres(one.size)): self._insides(kind, one.size) for kind, one in known.furniture.items()}
         self._added("turn", map(math.radians, range(180)), lambda angle: (abs(math.cos(angle)), abs(math.sin(angle))))
         named = known.kinds_by_name().items()
         return CompiledDressing(
-            self._data(), tuple(self._kinds), colours, self._words, surfaces,
+            self._data(), tuple(self._kinds), colours, frozenset(filter(self._palette, known.decorations)), self._words, surfaces, insides,
             frozenset(name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")),
-            known.use_sides(), {name: kind.comfort for name, kind in known.furniture.items() if kind.comfort},
+            known.use_sides(), {name: kind.comfort for name, kind in known.furniture.items() if kind.comfort}, dict(self._fronts()),
             frozenset(name for name in known.decorations if name + UPRIGHT in known.shapes), KindBook(known), made_from,
         )  # fmt: skip
 
+    def _fronts(self) -> Iterator[tuple[str, FrontFloor]]:
+        for kind, one in self._catalogs.furniture.items():
+            before = floor_before(self._catalogs.shapes.get(kind, ()), one.size)
+            if before is not None:
+                yield kind, before
+
     def _add_entry(self, entry: Dressing) -> None:
         lies, hangs = self._added("lies", entry.lies, self._lies), self._added("hangs", entry.hangs, self._hangs)
-        numbers = *lies, *hangs, *self._added("stands", entry.stands, self._stands), entry.together, entry.indoor
+        stands, holds = self._added("stands", entry.stands, self._stands), self._added("lies", entry.holds, self._holds)
+        numbers = *lies, *hangs, *stands, *holds, entry.together, entry.indoor
         self._added("entry", [numbers], lambda row: row)
 
     def _add_kind(self, name: str, kind: DecorationKind, colours: int) -> None:
@@ -166,29 +184,48 @@ class _DressingTables:
     def _surfaces(self, surfaces: Sequence[Surface]) -> TableRange:
         def numbers(one: Surface) -> tuple[int, ...]:
             clearance = _NO_LIMIT if one.clearance is None else to_mm(one.clearance)
-            return to_mm(one.height), to_mm(one.inset), clearance, self._word(one.name)
+            return to_mm(one.height), *[to_mm(one.inset)] * 4, clearance, self._word(one.name)
 
         return self._added("surface", surfaces, numbers)
 
-    def _colours(self, name: str, kind: DecorationKind) -> tuple[str, ...]:
-        palette = self._settings.style.colours(name, kind.group) if self._settings.style else ()
-        return palette or (kind.color, *kind.variants)
+    def _insides(self, kind: str, size: tuple[float, float, float]) -> TableRange:
+        """Adds what carries things inside a kind: up to whole mm, so that nothing begins in a board."""
+        half_width, half_depth = size[0] / 2, size[1] / 2
 
-    def _row(self, row: DressingRow, upright: bool = False) -> tuple[float, ...]:
+        def numbers(one: InsideSurface) -> tuple[int, ...]:
+            insets = one.x[0] + half_width, half_width - one.x[1], one.z[0] + half_depth, half_depth - one.z[1]
+            free = one.clearance - (0.0 if one.drawer else OFF_MM / 1000)
+            level = math.ceil(one.height * 1000 - 1e-6)
+            return level, *(math.ceil(inset * 1000 - 1e-6) + OFF_MM for inset in insets), math.floor(free * 1000) - 1, self._word(one.sort)
+
+        return self._added("surface", insides_of(self._catalogs.shapes.get(kind, ()), size), numbers)
+
+    def _colours(self, name: str, kind: DecorationKind) -> tuple[str, ...]:
+        return self._palette(name) or (kind.color, *kind.variants)
+
+    def _palette(self, name: str) -> tuple[str, ...]:
+        """Returns the style's own colours of a kind."""
+        return self._settings.style.colours(name, self._catalogs.decorations[name].group) if self._settings.style else ()
+
+    def _row(self, row: DressingRow, upright: bool = False, most: int = 0) -> tuple[float, ...]:
         names = [name for name in row.put if name not in self._avoided]
         fond = any(name in self._favoured for name in names)
         sized = [(name, self._added("size", sizes(self._catalogs.decorations[name], row, upright), lambda size: size)) for name in names]
         choices = self._added("choice", sized, lambda one: (self._kinds[one[0]], 0, *one[1]))
         in_style = not row.styles or self._settings.style_name in row.styles
+        in_style = in_style and row.styled in (None, bool(self._settings.style_name))
         places = *self._names(row.rooms), *self._names(row.not_in)
-        return row.chance * (FAVOURED if fond else 1.0), *choices, *places, row.chance >= 1, in_style, row.accent, 0
+        return row.chance * (FAVOURED if fond else 1.0), *choices, *places, row.chance >= 1, in_style, row.accent, most
 
-    def _lies(self, row: Lies) -> tuple[float, ...]:
+    def _holds(self, row: Holds) -> tuple[float, ...]:
+        return self._lies(row, row.most)
+
+    def _lies(self, row: Lies, most: int = 0) -> tuple[float, ...]:
         at = self._added("place", () if row.at == "seats" else row.at, lambda place: place)
         words = *self._names(row.surface, ALL), *self._names(row.upon or (SURFACE,), SURFACE)
         flags = row.at == "seats", row.turn, row.upright, row.fill is not None
         reach = _NO_LIMIT if row.reach is None else to_mm(row.reach)
-        return *self._row(row, row.upright), *at, *words, *flags, *(row.fill or (0.0, 0.0)), reach
+        return *self._row(row, row.upright, most), *at, *words, *flags, *(row.fill or (0.0, 0.0)), reach
 
     def _hangs(self, row: Hangs) -> tuple[float, ...]:
         return *self._row(row), *self._added("share", row.at, lambda share: (share,)), to_mm(row.height), to_mm(row.gap)

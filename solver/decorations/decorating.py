@@ -28,7 +28,7 @@ def decorations_of(room: Room, space: Space, settings: DecorationSettings, strea
         CoreFailed: an error within the core.
     """
     known = compiled_dressing(settings)
-    rows = decorated_rows(room, space, known, settings.height, stream.state)
+    rows = decorated_rows(room, space, known, settings, stream.state)
     with borrowed() as core:
         packed = core.call("dress", core.write(known.data), len(known.data), core.write(rows), len(rows))
         answer = core.read(packed & 0xFFFFFFFF, packed >> 32)

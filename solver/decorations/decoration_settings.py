@@ -5,17 +5,23 @@ Comes in: catalogs, a style. Goes out: `DecorationSettings`. May import: the gro
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 from catalogs import Catalogs
 from catalogs.styles import Style
+from solver.geometry import Rect
 
 
 @dataclass(frozen=True)
 class DecorationSettings:
-    """What all rooms of a house are decorated with, in which style, and m from floor to ceiling."""
+    """What all rooms of a house are decorated with, in which style, m from floor to ceiling, and by room what is `kept` free.
+
+    That is floor on which nothing is to come to stand, beside that at the sides of furniture, mm in the room.
+    """
 
     catalogs: Catalogs
     style: Style | None = None
     style_name: str = ""
     height: float = 2.8
+    kept: Mapping[str, Sequence[Rect]] = field(default_factory=dict)

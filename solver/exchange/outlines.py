@@ -10,10 +10,10 @@ from solver.scene import Room, Scene
 
 
 def check_outlines(scene: Scene) -> None:
-    """Checks that outlines are rectilinear (to the micrometre) and enclose something, and that openings are at their edges.
+    """Checks that outlines are rectilinear (to the micrometre) and enclose something, that openings are at their edges.
 
     Raises:
-        Wrong: a line runs at an angle, or everything lies on one line; or an opening names an edge that is not there.
+        Wrong: a line runs at an angle, or everything lies on one line; or an opening or a thickness is of an edge that is not there.
     """
     for place, room in enumerate(scene.rooms):
         try:
@@ -25,6 +25,9 @@ def check_outlines(scene: Scene) -> None:
 def _check_outline(room: Room) -> None:
     if room.outline is not None:
         _check_corners(room.outline)
+    lines = len(room.outline or "nesw")
+    if room.wall_thickness is not None and len(room.wall_thickness) > lines:
+        raise Wrong(f"has {len(room.wall_thickness)} numbers", f"at most one for each of the room's {lines} lines").inside("wall_thickness")
     for index, opening in enumerate(room.openings):
         edges = len(room.outline or ())
         if opening.edge is not None and opening.edge >= edges:

@@ -6,8 +6,8 @@ equal objects. May import: the ground floor.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import fields, is_dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
 from functools import lru_cache
 from operator import attrgetter
 from types import UnionType
@@ -20,6 +20,7 @@ from solver.scene import Request, Scene
 
 DEGREES: Final = "rotation"
 """The key of a number that is written whole where it is whole."""
+_TURN: Final = 360
 
 
 def write_scene(scene: Scene) -> dict[str, Any]:
@@ -57,9 +58,10 @@ def write(record: object, error: type[FieldError] = FieldError) -> dict[str, Any
 
 
 class _Key(NamedTuple):
-    """A key of a record: how its value is written, and whether it is left out where it is None."""
+    """A key of a record: the class of most of its values, how others are written, and whether it is left out where it is None."""
 
     name: str
+    usual: type[Any] | None
     write: Callable[[Any], Any]
     is_omitted: bool
 
@@ -74,8 +76,13 @@ class _Shape(NamedTuple):
 @lru_cache
 def _shape(of: type[Any]) -> _Shape:
     hints = get_type_hints(of)
-    keys = [_Key(part.name, _writer(part.name, hints[part.name]), OMITTED in part.metadata) for part in fields(of) if part.name != EXTRA]
+    keys = [_key(part.name, hints[part.name], OMITTED in part.metadata) for part in fields(of) if part.name != EXTRA]
     return _Shape(tuple(keys), attrgetter(*(key.name for key in keys)) if len(keys) > 1 else lambda one: (getattr(one, keys[0].name),))
+
+
+def _key(name: str, hint: Any, is_omitted: bool) -> _Key:
+    writer = _writer(name, hint)
+    return _Key(name, float if writer is _number else str if writer is _text else None, writer, is_omitted)
 
 
 def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
@@ -91,14 +98,20 @@ def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
 def _record(record: Any) -> dict[str, Any]:
     keys, values = _shape(record.__class__)
     document: dict[str, Any] = {}
-    for (name, write_value, is_omitted), value in zip(keys, values(record), strict=True):
-        if value is not None:
-            try:
+    name = ""
+    try:
+        for (name, usual, write_value, is_omitted), value in zip(keys, values(record), strict=True):
+            if value is None:
+                if not is_omitted:
+                    document[name] = None
+            elif value.__class__ is not usual:
                 document[name] = write_value(value)
-            except Wrong as wrong:
-                raise wrong.inside(name) from None
-        elif not is_omitted:
-            document[name] = None
+            elif usual is float:
+                document[name] = value + 0.0 if value - value == 0.0 else plain(value)
+            else:
+                document[name] = value if value.isascii() else plain(value)
+    except Wrong as wrong:
+        raise wrong.inside(name) from None
     extra = getattr(record, EXTRA, None)
     if extra:
         document.update(plain(extra))
@@ -106,7 +119,7 @@ def _record(record: Any) -> dict[str, Any]:
 
 
 def _text(value: Any) -> Any:
-    return value if value.__class__ is str and value.isascii() else _any(value)
+    return _any(value)
 
 
 def _number(value: Any) -> float:
@@ -115,18 +128,23 @@ def _number(value: Any) -> float:
 
 
 def _degrees(value: Any) -> float:
+    if value.__class__ is int and -_TURN < value < _TURN:
+        return int(value)
     number = _number(value)
     return int(number) if number.is_integer() else number
 
 
 def _any(value: Any) -> Any:
-    if isinstance(value, tuple):
-        return [_item(index, item) for index, item in enumerate(value)]
-    return _record(value) if is_dataclass(value) else plain(value)
+    if hasattr(value.__class__, "__dataclass_fields__"):
+        return _record(value)
+    return _items(value) if isinstance(value, tuple) else plain(value)
 
 
-def _item(index: int, value: Any) -> Any:
+def _items(values: Iterable[Any]) -> list[Any]:
+    written: list[Any] = []
     try:
-        return _any(value)
+        for value in values:
+            written.append(_any(value))
     except Wrong as wrong:
-        raise wrong.inside(index) from None
+        raise wrong.inside(len(written)) from None
+    return written

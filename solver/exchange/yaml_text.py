@@ -24,10 +24,19 @@ _LONG_KEY: Final = 1000
 """A longer key is marked by a question mark: without it YAML ends keys after 1,024 letters."""
 
 
+_FIRST_LINE: Final = "format: compose-scene/1\n"
+_MARKED: Final = "format: compose-scene/1 # the last line is ...\n"
+"""The first line of a scene that is written here. Most pieces of a YAML text are YAML, so the end says that it is the end."""
+_END: Final = "...\n"
+
+
 def load(text: str) -> object:
     """Reads a YAML document; see `text.load_text`."""
     from catalogs.yaml_reading import YamlFault, read_yaml  # noqa: PLC0415 - PyYAML takes 0.05 s to import
 
+    begins_so = text.startswith(_MARKED.rstrip()) or _MARKED.startswith(text.rstrip())
+    if begins_so and not f"{text.rstrip()}\n".endswith(f"\n{_END}"):
+        raise SyntaxFault("the scene is cut off: as its first line says, its last line should be ...")
     try:
         return read_yaml(text, MAX_NESTING)
     except YamlFault as fault:
@@ -36,7 +45,8 @@ def load(text: str) -> object:
 
 def dump(document: Any) -> str:
     """Writes plain values as YAML that readers of 1.1 and 1.2 understand alike: what is flat on one line, what is not as a block."""
-    return _written(document, "") + "\n"
+    text = _written(document, "") + "\n"
+    return _MARKED + text.removeprefix(_FIRST_LINE) + _END if text.startswith(_FIRST_LINE) else text
 
 
 def _written(value: Any, indent: str) -> str:

@@ -13,12 +13,10 @@ from functools import lru_cache
 from typing import Final, Literal, NamedTuple
 
 from catalogs.shapes import Axis
-from solver.body_parts import BodyPart
+from solver.body_parts import BodyPart, is_round
 from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, ModelBody, Paint, WallBox
 
-ROUND: Final = 0.12
-"""A cylinder or capsule whose two radii differ by less of the larger one collides as a round one, else as a box."""
 CLEARANCE: Final = 0.002
 """How far a leaf's collider stays off its frame at either end, m."""
 FLOOR: Final = 0.05
@@ -151,12 +149,10 @@ def collider_of(part: BodyPart) -> Collider:
     size = w, d, h
     if part.form == "ball":
         return Collider("ellipsoid", size, at)
-    if part.form in ("cylinder", "cone", "capsule"):
-        along = "xyz".index(axis)
-        one, other = (extent for i, extent in enumerate(size) if i != along)
-        if abs(one - other) < ROUND * max(one, other):
-            capsule = part.form == "capsule" and size[along] > max(one, other)
-            return Collider("capsule" if capsule else "cylinder", size, at, axis)
+    if is_round(part.form, part.axis, part.size):
+        length = size["xyz".index(axis)]
+        across = max(extent for name, extent in zip("xyz", size, strict=True) if name != axis)
+        return Collider("capsule" if part.form == "capsule" and length > across else "cylinder", size, at, axis)
     return Collider("box", size, at)
 
 

@@ -15,8 +15,10 @@ from solver.exports.door_leaves import leaves_of
 from solver.exports.kind_facts import classes_of
 from solver.exports.model import FloorPlate, HouseModel, Paint
 from solver.exports.paints import PLAIN_FLOOR, paints_of
-from solver.exports.wall_lines import RoomFinder, corners_of, on_lattice, openings_of, runs_of, signed_area
-from solver.exports.wall_panels import THINNEST, Storey, WallPlan, boxes_of, fittings_of, panels_of
+from solver.exports.wall_bands import WallBands, thick
+from solver.exports.wall_edges import corners_of, on_lattice, signed_area
+from solver.exports.wall_lines import RoomFinder, openings_of, runs_of
+from solver.exports.wall_panels import Storey, WallPlan, boxes_of, fittings_of, panels_of
 from solver.scene import Room, Scene
 
 ROUNDING_ERROR: Final = 1e-6
@@ -35,8 +37,8 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
     storeys = {level.index: Storey(level.elevation, level.height) for level in scene.levels}
     paints = paints_of(catalogs, style_of(scene))
     rooms = scene.rooms
-    finder = RoomFinder(rooms)
-    plan = WallPlan(runs_of(rooms), openings_of(rooms, finder), storeys, max(scene.wall_thickness, THINNEST), rooms)
+    finder, bands = RoomFinder(rooms), WallBands(rooms, scene.wall_thickness)
+    plan = WallPlan(runs_of(bands), openings_of(rooms, bands, finder), storeys, rooms)
     panels = panels_of(plan)
     maker = BodyMaker(catalogs, paints, {level: storey.elevation for level, storey in storeys.items()}, free)
     bodies = tuple(maker.bodies(scene))
@@ -50,8 +52,8 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         fittings=tuple(fittings_of(plan)),
         openings=tuple(plan.openings),
         leaves=tuple(leaves_of(plan, paints)),
-        rooms=tuple(_floor(room, plan) for room in rooms),
-        thickness=plan.thickness,
+        rooms=tuple(_floor(room, plan, bands.own(room)) for room in rooms),
+        thickness=thick(scene.wall_thickness),
         shapes=maker.unit_shapes,
         warnings=tuple(warnings),
         kinds=kinds,
@@ -66,7 +68,7 @@ def style_of(scene: Scene) -> str | None:
     return said if isinstance(said, str) else None
 
 
-def _floor(room: Room, plan: WallPlan) -> FloorPlate:
+def _floor(room: Room, plan: WallPlan, outer: tuple[float | None, ...]) -> FloorPlate:
     """Returns a room's floor, its corners clockwise whichever way the room lists them."""
     corners = corners_of(room)
     area = signed_area(corners)
@@ -83,4 +85,5 @@ def _floor(room: Room, plan: WallPlan) -> FloorPlate:
         ceiling=storey.elevation + storey.height,
         paint=Paint(flooring.color, 0.9, texture=flooring.type) if flooring else PLAIN_FLOOR,
         area=round(abs(area), 6),
+        outer=outer if area >= 0 else outer[::-1],
     )

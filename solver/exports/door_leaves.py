@@ -31,7 +31,7 @@ def _leaf(opening: PlacedOpening, plan: WallPlan, rooms: Mapping[str, Room], pai
     from_start = not swings or opening.hinge == "start"
     along = 1 if from_start else -1
     at = opening.start + FRAME if from_start else opening.end - FRAME
-    offset = opening.towards * leaf_offset(plan.thickness) if swings else 0.0
+    offset = opening.towards * leaf_offset(opening.thickness) if swings else 0.0
     closed = _degrees(along, 0) if opening.axis == "x" else _degrees(0, along)
     open_to = _degrees(0, opening.towards) if opening.axis == "x" else _degrees(opening.towards, 0)
     x, z = (at, opening.line + offset) if opening.axis == "x" else (opening.line + offset, at)

@@ -1,12 +1,19 @@
 """Distances and stretches over the cells of a grid.
 
-Comes in: arrays of yes and no. Goes out: arrays of the same shape. May import: nothing of ours.
+Comes in: arrays of yes and no. Goes out: arrays of the same shape. May import: the count of work.
 """
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 import numpy.typing as npt
+
+from solver.demanded import demand
+
+STEP_WORK: Final = 0.002
+"""What a cell counts that is compared with another; measured."""
 
 
 def squared_distances(taken: npt.NDArray[np.bool_]) -> npt.NDArray[np.int32]:
@@ -20,6 +27,7 @@ def squared_distances(taken: npt.NDArray[np.bool_]) -> npt.NDArray[np.int32]:
     found = vertical.copy()
     step = 1
     while step < columns and step * step < int(found.max()):
+        demand(STEP_WORK * found.size)
         np.minimum(found[:, step:], vertical[:, :-step] + step * step, out=found[:, step:])
         np.minimum(found[:, :-step], vertical[:, step:] + step * step, out=found[:, :-step])
         step += 1

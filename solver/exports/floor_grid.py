@@ -14,10 +14,15 @@ from typing import Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from solver.demanded import demand
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody
 
 _SAME: Final = 1e-6
 """Shares of a cell that are nothing: coordinates are whole half millimetres."""
+CELL_WORK: Final = 0.1
+"""What a cell counts in all that is written of it; measured of pictures."""
+PASS_WORK: Final = 0.001
+"""What a cell counts that an array is passed over for; measured."""
 WALKED_ON: Final = 0.03
 """What is not higher above the floor than this is no obstacle: rugs, mats, thresholds, m."""
 Mask = npt.NDArray[np.bool_]
@@ -78,11 +83,13 @@ def grid_of(model: HouseModel, level: int, cell: float, margin: float) -> FloorG
     (west, east), (north, south) = ((min(at), max(at)) for at in zip(*corners, strict=True))
     left, top = (math.floor((at - margin) / cell + _SAME) for at in (west, north))
     right, bottom = (math.ceil((at + margin) / cell - _SAME) for at in (east, south))
+    demand(CELL_WORK * (right - left) * (bottom - top))
     return FloorGrid(cell, round(left * cell, 6), round(top * cell, 6), right - left, bottom - top)
 
 
 def floor_mask(grid: FloorGrid, room: FloorPlate) -> Mask:
     """Returns the cells whose centres lie on a room's floor."""
+    demand(PASS_WORK * grid.rows * grid.columns * (1 + len(room.corners) / 2))
     mask = np.zeros(grid.shape, dtype=np.bool_)
     east = grid.x + grid.columns * grid.cell
     for (x0, z0), (x1, z1) in zip(room.corners, (*room.corners[1:], room.corners[0]), strict=True):

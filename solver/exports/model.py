@@ -162,7 +162,7 @@ class Fitting(NamedTuple):
 
 @dataclass(frozen=True)
 class PlacedOpening:
-    """A door, garage door, passage or window on a wall line in the house, m; both rooms' entries are one.
+    """A door, garage door, passage or window on the middle line of a wall so thick in the house, m; both rooms' entries are one.
 
     `hinge` is the end that carries the leaf, `towards` the side of the line it swings to (1: greater coordinates). `rooms` are the
     ids of the rooms towards greater and smaller coordinates (None: outside).
@@ -173,6 +173,7 @@ class PlacedOpening:
     level: int
     axis: Literal["x", "z"]
     line: float
+    thickness: float
     start: float
     end: float
     sill: float
@@ -214,7 +215,10 @@ class DoorLeaf:
 
 @dataclass(frozen=True)
 class FloorPlate:
-    """A room: its floor's corners (x, z) in the house, clockwise from the north-west, seen from above, m."""
+    """A room: its floor's corners (x, z) in the house, clockwise from the north-west, seen from above, m.
+
+    `outer` is how thick its outer walls are, m, by edge, where the house's thickness is not meant; none where it always is.
+    """
 
     id: str
     type: str
@@ -225,6 +229,7 @@ class FloorPlate:
     ceiling: float
     paint: Paint
     area: float
+    outer: tuple[float | None, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -21,17 +21,20 @@ SIDES: Final[tuple[Facade, ...]] = ("north", "west", "south", "east")
 
 @dataclass(frozen=True)
 class Facades:
-    """A storey seen from outside: its floors, its openings, and half the thickness of its walls, m."""
+    """A storey seen from outside: its floors, its openings, half the usual thickness of its walls and the boxes of those, m."""
 
     plates: Sequence[FloorPlate]
     openings: Sequence[PlacedOpening]
     half: float
+    walls: Sequence[PlanBox] = ()
 
     def bounds(self) -> PlanBox:
         """Returns what the storey covers, outer walls included."""
         xs = [x for plate in self.plates for x, _ in plate.corners]
         zs = [z for plate in self.plates for _, z in plate.corners]
-        return min(xs) - self.half, min(zs) - self.half, max(xs) + self.half, max(zs) + self.half
+        lines = min(xs) - self.half, min(zs) - self.half, max(xs) + self.half, max(zs) + self.half
+        x0, z0, x1, z1 = zip(lines, *self.walls, strict=True)
+        return min(x0), min(z0), max(x1), max(z1)
 
 
 def chains_of(facades: Facades, gap: float) -> list[Dimension]:

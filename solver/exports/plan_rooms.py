@@ -21,10 +21,14 @@ _LINE_STEPS: Final = (0.12, 0.88, 0.2, 0.8, 0.3, 0.7, 0.4, 0.6, 0.5)
 _WIDE: Final = 0.66
 """How wide a bold letter is on average in the widest of the fonts asked for, as a share of its height."""
 _DIGIT: Final = 0.6
+_CORNER: Final = 0.35
+"""What a wall that ends at a corner may reach beyond it, m: more than half of the thickest."""
 LONGEST: Final = 28
 """Letters of the longest name that is written whole."""
 LINE: Final = 1.25
 """From one line of text to the next, as a share of its height."""
+_SAID: Final = {"bedroom_master": "master bedroom", "garage_2car": "garage for two cars", "garage_3car": "garage for three cars"}
+"""What one says of room types whose names' parts stand in another order, or are short."""
 _LEAST_SHRINK: Final = 0.62
 """How much smaller a name may be written to fit its room."""
 
@@ -66,13 +70,13 @@ class PlanRoom:
 
 def words_of(room_type: str) -> str:
     """Returns a room type as a plan names it."""
-    words = " ".join(room_type.replace("_", " ").split())
+    words = _SAID.get(room_type) or " ".join(room_type.replace("_", " ").split())
     words = words if len(words) <= LONGEST else words[: LONGEST - 1].rstrip() + "…"
     return words[:1].upper() + words[1:]
 
 
 def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel]) -> list[tuple[float, float]]:
-    """Returns a floor's corners moved in by half a wall where there is one."""
+    """Returns a floor's corners moved in to the faces of its walls."""
     walls = [panel for panel in panels if panel.level == plate.level]
     corners = _turning(plate.corners)
     lines = []
@@ -81,10 +85,12 @@ def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel]) -> list[tuple[
         line, low, high = (z0, min(x0, x1), max(x0, x1)) if along_x else (x0, min(z0, z1), max(z0, z1))
         inward = (1 if x1 > x0 else -1) if along_x else (-1 if z1 > z0 else 1)
         axis = "x" if along_x else "z"
-        half = next(
-            (w.thickness / 2 for w in walls if w.axis == axis and abs(w.line - line) < 1e-6 and w.start < high and w.end > low), 0.0
-        )
-        lines.append((axis, line + inward * half))
+        least = min(_CORNER, (high - low) / 2)
+        near = [
+            w for w in walls if w.axis == axis and abs(w.line - line) <= w.thickness / 2 and min(w.end, high) - max(w.start, low) > least
+        ]
+        wall = min(near, key=lambda w: abs(w.line - line), default=None)
+        lines.append((axis, line if wall is None else wall.line + inward * wall.thickness / 2))
     made = []
     for (axis, line), (_, before) in zip(lines, (lines[-1], *lines[:-1]), strict=True):
         made.append((before, line) if axis == "x" else (line, before))

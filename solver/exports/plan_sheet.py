@@ -61,23 +61,23 @@ class PlanSheet:
         """From one chain of dimensions to the next, m in the house."""
         return GAP * self.scale / 1000
 
-    def opened(self) -> str:
-        """Returns the file's beginning: its size, on paper and in the house, and how things are drawn."""
+    def opened(self, said: str) -> str:
+        """Returns the file's beginning: its size, on paper and in the house, more attributes, and how things are drawn."""
         left, top, wide, high = self.west * 1000, self.north * 1000, (self.east - self.west) * 1000, (self.south - self.north) * 1000
         strokes = {"hair": 0.09, "fine": 0.13, "bold": 0.3, "dash": 0.7, "numbers": NUMBERS}
         style = _STYLE.format(**{name: round(paper * self.scale, 3) for name, paper in strokes.items()})
         return (
             '<?xml version="1.0" encoding="UTF-8"?>\n'
             f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="{wide / self.scale:g}mm" '
-            f'height="{high / self.scale:g}mm" viewBox="{left:.0f} {top:.0f} {wide:.0f} {high:.0f}">\n<style>{style}</style>\n'
+            f'height="{high / self.scale:g}mm" viewBox="{left:.0f} {top:.0f} {wide:.0f} {high:.0f}" {said}>\n<style>{style}</style>\n'
             f'<rect x="{left:.0f}" y="{top:.0f}" width="{wide:.0f}" height="{high:.0f}" fill="#fff"/>\n'
         )
 
 
-def sheet_for(bounds: PlanBox) -> PlanSheet:
-    """Returns the sheet of the largest scale that shows a storey of these outer faces, m, on A3 or less."""
+def sheet_for(bounds: PlanBox, wanted: int | None = None) -> PlanSheet:
+    """Returns the sheet that shows a storey of these outer faces, m: at 1 to `wanted`, else at the largest scale that A3 holds."""
     west, north, east, south = bounds
-    for scale in SCALES:
+    for scale in (wanted,) if wanted else SCALES:
         wide, high = (east - west) * 1000 / scale + 2 * MARGIN, (south - north) * 1000 / scale + 2 * MARGIN + STRIP
         if min(wide, high) <= PAPER[1] and max(wide, high) <= PAPER[0]:
             break

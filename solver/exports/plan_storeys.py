@@ -45,10 +45,10 @@ class PlanStorey:
     words: list[str]
 
 
-def storeys_of(model: HouseModel) -> list[PlanStorey]:
-    """Returns the storeys of a house, the lowest first; a house without rooms has an empty one."""
+def storeys_of(model: HouseModel, scale: int | None = None) -> list[PlanStorey]:
+    """Returns the storeys of a house, the lowest first, drawn at 1 to `scale`; a house without rooms has an empty one."""
     levels = sorted({room.level for room in model.rooms}) or [0]
-    return [_storey(model, level, len(levels) > 1) for level in levels]
+    return [_storey(model, level, len(levels) > 1, scale) for level in levels]
 
 
 def open_leaf(leaf: DoorLeaf) -> OpenLeaf:
@@ -81,13 +81,13 @@ def drawing_ranks(bodies: Sequence[ModelBody]) -> dict[str, float]:
         rank = body.y + body.height
         carrier = known.get(body.parent or "")
         below = ranks.get(body.parent or "", 0.0)
-        if carrier and rank <= below and not _covers(carrier, body):
+        if carrier and rank <= below and not covers(carrier, body):
             rank = below + 1e-4
         ranks[body.id] = rank
     return ranks
 
 
-def _covers(carrier: ModelBody, body: ModelBody) -> bool:
+def covers(carrier: ModelBody, body: ModelBody) -> bool:
     """Tells whether a part of what carries a body lies over its middle."""
     turn, dx, dz = math.radians(carrier.turn), body.x - carrier.x, body.z - carrier.z
     x, z = dx * math.cos(turn) - dz * math.sin(turn), dx * math.sin(turn) + dz * math.cos(turn)
@@ -98,19 +98,21 @@ def _covers(carrier: ModelBody, body: ModelBody) -> bool:
     )
 
 
-def opening_box(opening: PlacedOpening, half: float) -> PlanBox:
-    """Returns the floor that an opening takes of its wall, `half` to each side of its line."""
+def opening_box(opening: PlacedOpening, share: float = 1.0) -> PlanBox:
+    """Returns the floor that an opening takes of its wall, or the middle `share` of it."""
+    half = opening.thickness / 2 * share
     low, high = opening.line - half, opening.line + half
     return (opening.start, low, opening.end, high) if opening.axis == "x" else (low, opening.start, high, opening.end)
 
 
-def _storey(model: HouseModel, level: int, several: bool) -> PlanStorey:
+def _storey(model: HouseModel, level: int, several: bool, scale: int | None) -> PlanStorey:
     rooms = [room for room in model.rooms if room.level == level]
     inside = {room.id for room in rooms}
     openings = [opening for opening in model.openings if opening.level == level]
     here = {opening.id for opening in openings}
-    facades = Facades(rooms, openings, model.thickness / 2)
-    sheet = sheet_for(facades.bounds() if rooms else (0.0, 0.0, 1.0, 1.0))
+    walls = _walls(model, level)
+    facades = Facades(rooms, openings, model.thickness / 2, walls)
+    sheet = sheet_for(facades.bounds() if rooms else (0.0, 0.0, 1.0, 1.0), scale)
     bodies = [body for body in model.bodies if body.room in inside]
     leaves = [leaf for leaf in model.leaves if leaf.id in here]
     labels, lines = _named(model, sheet, rooms, _obstacles(rooms, bodies, openings, leaves))
@@ -121,7 +123,7 @@ def _storey(model: HouseModel, level: int, several: bool) -> PlanStorey:
         bodies=bodies,
         openings=openings,
         leaves=leaves,
-        walls=_walls(model, level),
+        walls=walls,
         railings=_railings(model, rooms),
         labels=labels,
         outside=chains_of(facades, sheet.gap) if rooms else [],

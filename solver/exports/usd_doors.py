@@ -9,6 +9,7 @@ from math import radians
 from typing import Final
 
 from solver.exports.colliders import leaf_colliders, parts_of_hung_leaf, z_up
+from solver.exports.in_drawers import HeldThing
 from solver.exports.model import DoorLeaf, ModelBody
 from solver.exports.moving_parts import SLIDE_DAMPING, TURN_DAMPING, MovingPart
 from solver.exports.usd_text import guide, moved_by, part_text, placed, prim, said, triple, turned
@@ -73,6 +74,16 @@ def front_text(front: MovingPart, body: ModelBody, name: str, path: str) -> str:
     )
     schemas = "PhysicsRigidBodyAPI", "PhysicsMassAPI", "PhysicsFilteredPairsAPI", "SemanticsLabelsAPI:class"
     return said("Xform", name, schemas, {"id": front.id, "body": body.id, "front": front.name}, inside)
+
+
+def held_text(held: HeldThing, front: str, own: str) -> str:
+    """Returns the joint that holds a body in a drawer, both given by their prims' paths."""
+    inside = (
+        f"rel physics:body0 = <{front}>\nrel physics:body1 = <{own}>\n"
+        f"point3f physics:localPos0 = {triple(z_up(*held.at))}\npoint3f physics:localPos1 = (0, 0, 0)\n"
+        f"quatf physics:localRot0 = {turned(held.turn)}\nquatf physics:localRot1 = {_NO_TURN}\n"
+    )
+    return prim("PhysicsFixedJoint", "held", (), inside)
 
 
 def _front_joint(front: MovingPart, own: str, path: str) -> str:

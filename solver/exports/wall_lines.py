@@ -1,6 +1,6 @@
-"""Wall lines of a house: every room's edges, from them the stretches of wall and railing, each once, and the openings on them.
+"""Wall lines of a house: from rooms' edges the stretches of wall and railing, each once, and the openings on them.
 
-Comes in: rooms. Goes out: `OutlineEdge`s, `WallRun`s, `PlacedOpening`s, m. May import: the ground floor, the model.
+Comes in: the walls along rooms' edges. Goes out: `WallRun`s, `PlacedOpening`s, m. May import: the ground floor, the model.
 A room's wall may be shared piece by piece with several rooms, so the walls are the union of all rooms' edges on a line;
 `wall_flags` only takes away what no room on either side wants drawn.
 """
@@ -12,94 +12,52 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
+from solver.demanded import demand
 from solver.exports.model import PlacedOpening
+from solver.exports.wall_bands import EDGE_WORK, WallBands, thick
+from solver.exports.wall_edges import Line, OutlineEdge, PlanAxis, corners_of, edges_of, on_lattice
 from solver.scene import Opening, Room
 
-PlanAxis = Literal["x", "z"]
-Line = tuple[int, PlanAxis, float]
-"""A level, an axis and the coordinate across it."""
 _NEGLIGIBLE = 1e-6
 _BEFORE = 0.2
 """How far before a wall the room is looked for that an opening leads to, m."""
 
 
-class OutlineEdge(NamedTuple):
-    """One edge of a room's outline in the house, m; `inward` is 1 where the room lies towards greater coordinates."""
-
-    line: Line
-    start: float
-    end: float
-    inward: Literal[1, -1]
-    side: str
-    room: Room
-
-
 class WallRun(NamedTuple):
-    """A stretch of wall or railing on one line, m."""
+    """A stretch of wall or railing on one line, m; `shift` is how far its line lies from those of its rooms."""
 
     line: Line
     start: float
     end: float
     kind: Literal["wall", "railing"]
+    thickness: float
+    shift: float
 
 
-def on_lattice(metres: float) -> float:
-    """Rounds to whole millimetres, which undoes what adding metres in binary does."""
-    return round(metres * 1000) / 1000
-
-
-def corners_of(room: Room) -> tuple[tuple[float, float], ...]:
-    """Returns a room's corners, room-relative, clockwise from the north-west as the room lists them."""
-    if room.outline and len(room.outline) >= 3:
-        return tuple((x, z) for x, z in room.outline)
-    return (0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth)
-
-
-def signed_area(corners: Sequence[tuple[float, float]]) -> float:
-    """Returns the area within corners, m2: negative where they go counter-clockwise seen from above."""
-    following = (*corners[1:], *corners[:1])
-    return sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in zip(corners, following, strict=True)) / 2
-
-
-def edges_of(room: Room) -> list[OutlineEdge]:
-    """Returns a room's edges in the order of its outline's points: north, east, south, west for a rectangle."""
-    corners = corners_of(room)
-    clockwise = signed_area(corners) >= 0
-    return [_edge(room, a, b, clockwise) for a, b in zip(corners, (*corners[1:], corners[0]), strict=True)]
-
-
-def _edge(room: Room, a: tuple[float, float], b: tuple[float, float], clockwise: bool) -> OutlineEdge:
-    along_x = abs(b[0] - a[0]) >= abs(b[1] - a[1])
-    forwards = (b[0] > a[0] if along_x else b[1] > a[1]) == clockwise
-    origin, across = (room.x, room.z + a[1]) if along_x else (room.z, room.x + a[0])
-    ends = (a[0], b[0]) if along_x else (a[1], b[1])
-    side = ("north" if forwards else "south") if along_x else ("east" if forwards else "west")
-    line: Line = (room.level, "x" if along_x else "z", on_lattice(across))
-    inward: Literal[1, -1] = 1 if side in ("north", "west") else -1
-    return OutlineEdge(line, on_lattice(origin + min(ends)), on_lattice(origin + max(ends)), inward, side, room)
-
-
-def runs_of(rooms: Sequence[Room]) -> list[WallRun]:
+def runs_of(bands: WallBands) -> list[WallRun]:
     """Returns all stretches of wall and railing of a house, each once, longest possible."""
-    lines: dict[Line, list[OutlineEdge]] = defaultdict(list)
-    for room in rooms:
-        for edge in edges_of(room):
-            lines[edge.line].append(edge)
-    return [run for edges in lines.values() for run in _runs_on_line(edges)]
+    lines: dict[tuple[Line, float], list[OutlineEdge]] = defaultdict(list)
+    for edge in bands.edges:
+        for piece in bands.pieces(edge):
+            lines[piece.line, piece.thickness].append(piece)
+    bridges = bands.bridges()
+    return [run for edges in lines.values() for run in _runs_on_line(edges, bands.thickness, bridges)]
 
 
-def _runs_on_line(edges: Sequence[OutlineEdge]) -> list[WallRun]:
+def _runs_on_line(edges: Sequence[OutlineEdge], usual: float, bridges: set[tuple[int, PlanAxis, float, float]]) -> list[WallRun]:
     cuts = sorted({end for edge in edges for end in (edge.start, edge.end)})
+    demand(EDGE_WORK * len(cuts) * len(edges))
     runs: list[WallRun] = []
     for start, end in pairwise(cuts):
         covering = [edge for edge in edges if edge.start <= start and end <= edge.end]
         kind = _kind(covering)
         if kind is None:
             continue
-        if runs and runs[-1].end == start and runs[-1].kind == kind:
+        (level, axis, _), thickness = covering[0].line, covering[0].thickness
+        if runs and runs[-1].kind == kind and (runs[-1].end == start or (level, axis, runs[-1].end, start) in bridges):
             runs[-1] = runs[-1]._replace(end=end)
         else:
-            runs.append(WallRun(covering[0].line, start, end, kind))
+            runs.append(WallRun(covering[0].line, start, end, kind, thick(thickness), abs(thickness - usual) / 2))
     return runs
 
 
@@ -111,7 +69,7 @@ def _kind(covering: Sequence[OutlineEdge]) -> Literal["wall", "railing"] | None:
     return "railing" if not is_shared and all(edge.room.outdoor for edge in covering) else "wall"
 
 
-def openings_of(rooms: Sequence[Room], finder: RoomFinder) -> list[PlacedOpening]:
+def openings_of(rooms: Sequence[Room], bands: WallBands, finder: RoomFinder) -> list[PlacedOpening]:
     """Returns every opening of a house once; of the entries under one id the one that draws the leaf, whose hinge and swing count."""
     kept: dict[str, tuple[OutlineEdge, float, Opening]] = {}
     for room in rooms:
@@ -121,7 +79,7 @@ def openings_of(rooms: Sequence[Room], finder: RoomFinder) -> list[PlacedOpening
             spot = _spot(edges, sides, opening)
             if spot and (opening.id not in kept or (opening.render_panel and not kept[opening.id][2].render_panel)):
                 kept[opening.id] = (*spot, opening)
-    return [_placed(*found, finder) for found in kept.values()]
+    return [_placed(*found, bands, finder) for found in kept.values()]
 
 
 def _spot(edges: Sequence[OutlineEdge], sides: Sequence[OutlineEdge], opening: Opening) -> tuple[OutlineEdge, float] | None:
@@ -144,17 +102,19 @@ def _as_rectangle(room: Room) -> Room:
     return Room(room.id, x=room.x, z=room.z, width=room.width, depth=room.depth, level=room.level)
 
 
-def _placed(edge: OutlineEdge, origin: float, opening: Opening, finder: RoomFinder) -> PlacedOpening:
+def _placed(edge: OutlineEdge, origin: float, opening: Opening, bands: WallBands, finder: RoomFinder) -> PlacedOpening:
     centre, sill = origin + opening.position, opening.sill if opening.kind == "window" else 0.0
     start, end = on_lattice(centre - opening.width / 2), on_lattice(centre + opening.width / 2)
     outward: Literal[1, -1] = -1 if edge.inward == 1 else 1
-    greater, smaller = finder.beside(edge.line, (start + end) / 2, _BEFORE)
+    wall = bands.at(edge, (start + end) / 2)
+    greater, smaller = finder.beside(wall.line, (start + end) / 2, _BEFORE + abs(wall.line[2] - edge.line[2]))
     return PlacedOpening(
         id=opening.id,
         kind=opening.kind,
         level=edge.line[0],
         axis=edge.line[1],
-        line=edge.line[2],
+        line=wall.line[2],
+        thickness=thick(wall.thickness),
         start=start,
         end=end,
         sill=sill,
@@ -203,6 +163,7 @@ def _bounds(room: Room) -> tuple[float, float, float, float]:
 def _encloses(room: Room, x: float, z: float) -> bool:
     """Tells whether a point relative to a room's corner is within its outline."""
     corners = corners_of(room)
+    demand(EDGE_WORK * len(corners))
     inside = False
     for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
         if (z0 > z) != (z1 > z) and x < x0 + (z - z0) / (z1 - z0) * (x1 - x0):

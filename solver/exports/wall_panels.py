@@ -12,15 +12,16 @@ from functools import cached_property
 from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
+from solver.demanded import demand
 from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpening, WallBox, WallPanel
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
-from solver.exports.wall_lines import Line, PlanAxis, RoomFinder, WallRun, corners_of
+from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE
+from solver.exports.wall_edges import Line, PlanAxis, corners_of
+from solver.exports.wall_lines import RoomFinder, WallRun
 from solver.scene import Room
 from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, between, door_bars, window_bars
 
 RAILING_HEIGHT: Final = 0.6
-THINNEST: Final = 0.02
-"""Scenes that say no thickness have walls of none; a wall must still be seen."""
 RAILING_BAR: Final = 0.05
 POST_SPACING: Final = 1.2
 _BEFORE: Final = 0.02
@@ -41,7 +42,6 @@ class WallPlan:
     runs: Sequence[WallRun]
     openings: Sequence[PlacedOpening]
     storeys: Mapping[int, Storey]
-    thickness: float
     rooms: Sequence[Room]
 
     def storey(self, level: int) -> Storey:
@@ -70,45 +70,53 @@ class _Stretch(NamedTuple):
 
 
 def _stretches(plan: WallPlan) -> list[_Stretch]:
-    lines: dict[Line, list[WallRun]] = defaultdict(list)
+    walls: dict[tuple[int, PlanAxis], list[WallRun]] = defaultdict(list)
     openings: dict[Line, list[PlacedOpening]] = defaultdict(list)
     for run in plan.runs:
-        lines[run.line].append(run)
+        if run.kind == "wall":
+            walls[run.line[:2]].append(run)
     for opening in plan.openings:
         openings[opening.level, opening.axis, opening.line].append(opening)
     made = []
     for run in plan.runs:
-        ends = _end(run, run.start, lines, plan.thickness / 2), _end(run, run.end, lines, plan.thickness / 2)
+        crossing = walls[run.line[0], "z" if run.line[1] == "x" else "x"]
+        ends = _end(run, run.start, -1, crossing), _end(run, run.end, 1, crossing)
         here = [opening for opening in openings[run.line] if opening.end > run.start and opening.start < run.end]
         along = run.start - ends[0].reach, run.end + ends[1].reach
         made.append(_Stretch(run, along, ends, here, plan.storey(run.line[0])))
     return made
 
 
-def _end(run: WallRun, end: float, lines: Mapping[Line, Sequence[WallRun]], half: float) -> _End:
-    """Says how a run ends.
+def _end(run: WallRun, end: float, onward: Literal[1, -1], crossing: Sequence[WallRun]) -> _End:
+    """Says how a run ends, which goes `onward` there.
 
     Walls end at the line of the wall they meet, inside it; at a corner the one along x fills the square. Railings stop at
     the wall's face.
     """
-    level, axis, line = run.line
-    crossing: Line = (level, "z" if axis == "x" else "x", end)
-    walls = [other for other in lines.get(crossing, ()) if other.kind == "wall" and other.start <= line <= other.end]
+    _, axis, line = run.line
+    demand(EDGE_WORK * len(crossing))
+    walls = [
+        other for other in crossing
+        if abs(other.line[2] - end) <= other.shift + NEGLIGIBLE and other.start <= line + run.shift and line - run.shift <= other.end
+    ]  # fmt: skip
     if not walls:
         return _End(0.0, False)
+    middles = [((other.line[2] - end) * onward, other.thickness / 2) for other in walls]
     if run.kind == "railing":
-        return _End(-half, True)
-    goes_on = len(walls) > 1 or any(other.start < line < other.end for other in walls)
-    return _End(half, False) if axis == "x" and not goes_on else _End(0.0, True)
+        return _End(min(middle - half for middle, half in middles), True)
+    goes_on = len(walls) > 1 or any(other.start + run.shift < line < other.end - run.shift for other in walls)
+    if axis == "x" and not goes_on:
+        return _End(sum(middles[0]), False)
+    return _End(min(max(middle for middle, _ in middles), *(middle + half for middle, half in middles)), True)
 
 
 def panels_of(plan: WallPlan) -> list[WallPanel]:
     """Returns the walls of a house, without its railings."""
     corners = _finish_corners(plan.rooms)
-    return [_panel(stretch, plan.thickness, corners) for stretch in plan.stretches if stretch.run.kind == "wall"]
+    return [_panel(stretch, corners) for stretch in plan.stretches if stretch.run.kind == "wall"]
 
 
-def _panel(stretch: _Stretch, thickness: float, corners: Mapping[PlanAxis, Sequence[float]]) -> WallPanel:
+def _panel(stretch: _Stretch, corners: Mapping[PlanAxis, Sequence[float]]) -> WallPanel:
     level, axis, line = stretch.run.line
     start, end = stretch.along
     return WallPanel(
@@ -116,7 +124,7 @@ def _panel(stretch: _Stretch, thickness: float, corners: Mapping[PlanAxis, Seque
         line=line,
         start=start,
         end=end,
-        thickness=thickness,
+        thickness=stretch.run.thickness,
         elevation=stretch.storey.elevation,
         height=stretch.storey.height,
         level=level,
@@ -162,26 +170,31 @@ def fittings_of(plan: WallPlan) -> list[Fitting]:
         if stretch.run.kind == "railing":
             made += _railing(stretch)
         else:
-            made += [part for opening in stretch.openings for part in _fitted(opening, plan.thickness, stretch.storey.elevation)]
+            made += [part for opening in stretch.openings for part in _fitted(opening, stretch.run, stretch.storey.elevation)]
     return made
 
 
-def _fitted(opening: PlacedOpening, thickness: float, elevation: float) -> list[Fitting]:
+def _fitted(opening: PlacedOpening, run: WallRun, elevation: float) -> list[Fitting]:
     if opening.kind == "passage":
-        return []
-    return (_window if opening.kind == "window" else _door_frame)(opening, thickness, elevation)
+        return [_threshold(opening, (opening.start, opening.end), elevation)] if run.shift else []
+    return (_window if opening.kind == "window" else _door_frame)(opening, elevation)
 
 
-def _window(opening: PlacedOpening, thickness: float, elevation: float) -> list[Fitting]:
-    bars = window_bars((opening.start, opening.end), (opening.sill, opening.head), thickness)
+def _window(opening: PlacedOpening, elevation: float) -> list[Fitting]:
+    bars = window_bars((opening.start, opening.end), (opening.sill, opening.head), opening.thickness)
     return [_barred(opening, bar, elevation) for bar in bars]
 
 
-def _door_frame(opening: PlacedOpening, thickness: float, elevation: float) -> list[Fitting]:
+def _door_frame(opening: PlacedOpening, elevation: float) -> list[Fitting]:
     start, end = opening.start, opening.end
-    board = box_on_line(opening.axis, (start + FRAME, end - FRAME), around(opening.line, thickness), shifted((-0.01, THRESHOLD), elevation))
-    frame = door_bars((start, end), opening.head, thickness)
-    return [*(_barred(opening, bar, elevation) for bar in frame), fitting("threshold", board)]
+    frame = door_bars((start, end), opening.head, opening.thickness)
+    return [*(_barred(opening, bar, elevation) for bar in frame), _threshold(opening, (start + FRAME, end - FRAME), elevation)]
+
+
+def _threshold(opening: PlacedOpening, along: Span, elevation: float) -> Fitting:
+    """Returns the board in an opening, where two floors meet."""
+    across = around(opening.line, opening.thickness)
+    return fitting("threshold", box_on_line(opening.axis, along, across, shifted((-0.01, THRESHOLD), elevation)))
 
 
 def _barred(opening: PlacedOpening, bar: Bar, elevation: float) -> Fitting:

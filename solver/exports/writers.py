@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import io
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib import import_module
 from importlib.util import find_spec
-from typing import Final
+from typing import Any, Final
 
 from solver.body_parts import BodyPart
 from solver.errors import RequestError
@@ -27,10 +27,16 @@ _EPOCH: Final = (1980, 1, 1, 0, 0, 0)
 
 @dataclass(frozen=True)
 class ExportSettings:
-    """How to write: the format's name; what writes the scene's document as JSON, for a format that has it inside."""
+    """How to write: the format's name; what a format may ask for: the scene's document as JSON, and its rooms' free floor.
+
+    `floors` returns for each room its id as `room`, and under `free` rectangles [x0, z0, x1, z1] that the robot covers, room-relative m;
+    `scale` is a plan's, 1 to so much.
+    """
 
     format: str
     scene_text: Callable[[], str] = lambda: "null"
+    floors: Callable[[], Sequence[Mapping[str, Any]]] = tuple
+    scale: int | None = None
 
 
 def written_as(model: HouseModel, settings: ExportSettings) -> Files:

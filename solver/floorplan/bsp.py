@@ -6,12 +6,13 @@ May import: the ground floor. Not here: access (access.py), the spine (spine.py)
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from heapq import heappop, heappush
+from heapq import heapify, heappop, heappush
 from itertools import takewhile
 from typing import Any, Final
 
+from solver.floorplan.given import GivenPart
 from solver.floorplan.plots import halves
 from solver.floorplan.tiling import HALLWAY_MM, Layout, touching
 from solver.geometry import Rect, half_m, to_m
@@ -52,20 +53,23 @@ class _Node:
     cuts_left: int
 
 
-def partition(outline: Rect, least: int, max_depth: int, seed: int) -> Layout:
+def partition(outline: Rect, least: int, max_depth: int, seed: int, parts: Sequence[GivenPart] = ()) -> Layout:
     """Cuts the house into rooms without a hallway.
 
     Args:
-        outline: the house, mm.
+        outline: the house, or the least rectangle around it, mm.
         least: smallest side of a room, mm.
         max_depth: levels of cuts.
         seed: the house's seed.
+        parts: the rectangles of a house that is no rectangle itself; cuts between them are levels, too.
 
     Returns:
         The rooms in the tree's order, and one corridor for each cut.
     """
     leaves: dict[str, Rect] = {}
-    queue = [(-outline.width * outline.depth, "", _Node(outline, "", max_depth))]
+    nodes = [_Node(rect, path, max(max_depth - len(path), 0)) for rect, path in parts] or [_Node(outline, "", max_depth)]
+    queue = [(-node.rect.width * node.rect.depth, node.path, node) for node in nodes]
+    heapify(queue)
     capped = False
     while queue:
         node = heappop(queue)[2]

@@ -12,10 +12,11 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Final
 
+from catalogs.access_profiles import AccessProfile
 from catalogs.schema import RoomType
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
 from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout
-from solver.geometry import OPPOSITE, Rect, strip
+from solver.geometry import OPPOSITE, Rect, strip, to_mm
 
 LEAF_MM: Final = 900
 """Width of a door."""
@@ -82,7 +83,7 @@ class Cut:
 
 
 @dataclass(frozen=True)
-class _Side:
+class OpeningSide:
     """An opening as one of its rooms sees it: its wall there, its ends, the square that stays free (None: a window)."""
 
     cut: Cut
@@ -95,10 +96,18 @@ class _Side:
 class Doorways:
     """The openings placed so far, by room."""
 
-    def __init__(self, layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomType], cuts: Sequence[Cut] = ()) -> None:
-        self.layout, self.types, self.rooms = layout, types, rooms
+    def __init__(
+        self,
+        layout: Layout,
+        types: Sequence[str],
+        rooms: Mapping[str, RoomType],
+        cuts: Sequence[Cut] = (),
+        profile: AccessProfile | None = None,
+    ) -> None:
+        self.layout, self.types, self.rooms, self.profile = layout, types, rooms, profile
+        self.leaf_mm, self.entrance_mm = (max(LEAF_MM, to_mm(profile.leaf(main))) if profile else LEAF_MM for main in (False, True))
         self.cuts: list[Cut] = []
-        self._by_room: dict[int, list[_Side]] = {}
+        self._by_room: dict[int, list[OpeningSide]] = {}
         for cut in cuts:
             self.add(cut)
 
@@ -106,13 +115,23 @@ class Doorways:
         """Adds an opening as it is."""
         self.cuts.append(cut)
         for room in cut.sides:
-            self._by_room.setdefault(room, []).append(self._side(cut, room))
+            self._by_room.setdefault(room, []).append(self.side(cut, room))
 
     def remove(self, cut: Cut) -> None:
         """Takes an opening out again."""
         self.cuts.remove(cut)
         for room in cut.sides:
             self._by_room[room] = [side for side in self._by_room[room] if side.cut is not cut]
+
+    def replace(self, cut: Cut, by: Cut) -> None:
+        """Puts an opening in the place of another one of the same rooms, in the order of openings too."""
+        self.cuts[self.cuts.index(cut)] = by
+        for room in cut.sides:
+            self._by_room[room] = [self.side(by, room) if side.cut is cut else side for side in self._by_room[room]]
+
+    def sides(self, room: int) -> Sequence[OpeningSide]:
+        """Returns the openings of a room as it sees them."""
+        return self._by_room.get(room, ())
 
     def restore(self, cuts: Sequence[Cut]) -> None:
         """Goes back to the openings there were."""
@@ -132,10 +151,11 @@ class Doorways:
         """Returns the type of a room."""
         return self.rooms[self.types[room]]
 
-    def _side(self, cut: Cut, room: int) -> _Side:
+    def side(self, cut: Cut, room: int) -> OpeningSide:
+        """Returns an opening as one of its rooms sees it."""
         wall, (low, high) = cut.wall_of(room), cut.ends
         squared = cut.kind in ("door", "passage")
-        return _Side(cut, wall, low, high, _square(self.layout.rooms[room], wall, low, high) if squared else None)
+        return OpeningSide(cut, wall, low, high, _square(self.layout.rooms[room], wall, low, high) if squared else None)
 
     def score(self, cut: Cut) -> float:
         """Scores an opening against those placed: 0 is free of all, COLLISION and more cannot be."""
@@ -144,12 +164,12 @@ class Doorways:
     def _meetings(self, cut: Cut) -> Iterator[tuple[Cut, float]]:
         """Yields the other openings of a cut's rooms, each with the score of the two in that room."""
         for room in cut.sides:
-            side = self._side(cut, room)
+            side = self.side(cut, room)
             for other in self._by_room.get(room, ()):
                 if other.cut.id != cut.id:
                     yield other.cut, self._meeting(side, other, room)
 
-    def _meeting(self, side: _Side, other: _Side, room: int) -> float:
+    def _meeting(self, side: OpeningSide, other: OpeningSide, room: int) -> float:
         if side.wall == other.wall and max(side.low, other.low) < min(side.high, other.high) + JAMB_MM:
             return COLLISION
         if side.square is None or other.square is None or not side.square.overlaps(other.square):
@@ -201,7 +221,7 @@ def places(width: int, stretch: tuple[int, int]) -> Iterator[int]:
 
 def place_entrance(doorways: Doorways, room: int, wall: str) -> None:
     """Places the main entrance; its leaf opens inwards."""
-    cut = Cut("door_0", "door", room, wall, None, 0, LEAF_MM, leaf=room, main=True)
+    cut = Cut("door_0", "door", room, wall, None, 0, doorways.entrance_mm, leaf=room, main=True)
     doorways.add(doorways.best_outside(cut)[1])
 
 
@@ -227,9 +247,9 @@ def _forms(doorways: Doorways, joint: Joint, entered: int, number: int) -> Itera
     """
     if not all(doorways.plan_of(room).plan.passage for room in (joint.a, joint.b)):
         for leaf in _swings(doorways, joint, entered):
-            yield Cut(f"door_{number}", "door", joint.a, joint.wall, joint.b, 0, LEAF_MM, leaf=leaf)
+            yield Cut(f"door_{number}", "door", joint.a, joint.wall, joint.b, 0, doorways.leaf_mm, leaf=leaf)
     yield _passage(doorways, joint, number)
-    yield replace(_passage(doorways, joint, number), width=LEAF_MM)
+    yield replace(_passage(doorways, joint, number), width=doorways.leaf_mm)
 
 
 class _Shuffle:
@@ -269,15 +289,16 @@ class _Shuffle:
 
 
 def _swings(doorways: Doorways, joint: Joint, entered: int) -> list[int]:
-    """The rooms the leaf may open into: the one entered first, hallways and their like last."""
-    order = [entered, joint.other(entered)]
-    return sorted(order, key=lambda room: not doorways.plan_of(room).plan.swings_in)
+    """The rooms the leaf may open into: the one entered first, hallways and their like last, last of all what it must swing out of."""
+    order, profile = [entered, joint.other(entered)], doorways.profile
+    out = {room for room in order if profile is not None and profile.swings_out(doorways.types[room])}
+    return sorted(order, key=lambda room: (room in out, not doorways.plan_of(room).plan.swings_in))
 
 
 def _passage(doorways: Doorways, joint: Joint, number: int) -> Cut:
     halls = doorways.types[joint.a] == doorways.types[joint.b] == "hallway"
     wide = joint.length >= (HALLWAY_MM if halls else WIDE_WALL_MM)
-    return Cut(f"passage_{number}", "passage", joint.a, joint.wall, joint.b, 0, WIDE_MM if wide else LEAF_MM)
+    return Cut(f"passage_{number}", "passage", joint.a, joint.wall, joint.b, 0, WIDE_MM if wide else doorways.leaf_mm)
 
 
 def place_garage_doors(doorways: Doorways) -> tuple[str, ...]:

@@ -5,20 +5,25 @@ Comes in: Request, Catalogs. Goes out: FloorPlan. May import: the ground floor, 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
+from solver.fields import ANY, RECTANGLE
 from solver.floorplan.access import THROUGH_OTHER, RoomAccess, door_tree, entrance_of, passing_cost, plan_access
 from solver.floorplan.bsp import partition
 from solver.floorplan.classify import check_forced, classify
 from solver.floorplan.doors import Doorways, place_doors, place_entrance, place_garage_doors
 from solver.floorplan.fitness import Fitness
+from solver.floorplan.given import parts_of
+from solver.floorplan.kept_walls import keep_walls
 from solver.floorplan.plan import Drawing, FloorPlan, written
 from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
 from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout, joints
 from solver.floorplan.windows import place_windows
 from solver.geometry import Rect, to_m, to_mm
-from solver.scene import ANY, RECTANGLE, Request
+from solver.scene import Request
 
 
 def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
@@ -37,11 +42,11 @@ def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
 
 def _partitioned(request: Request, catalogs: Catalogs) -> FloorPlan:
     """A plain request: a rectangle is cut into rooms, and they are given types."""
-    if request.outline not in (None, ANY, RECTANGLE):
+    if isinstance(request.outline, str) and request.outline not in (ANY, RECTANGLE):
         raise RequestError("outline", f"{request.outline} is for planned homes", f"{RECTANGLE}, or a program or an area beside it")
     layout, notes = _layout(request, catalogs)
     check_forced(request, len(layout.rooms), catalogs.rooms)
-    shared = joints(layout.rooms)
+    shared = joints(layout)
     access_plan = plan_access(layout, shared)
     fitness = Fitness(layout, shared, access_plan, catalogs.rooms)
     types, more = classify(fitness, request)
@@ -53,23 +58,26 @@ def _planned(request: Request, catalogs: Catalogs) -> FloorPlan:
     """A programme: types are dealt, and their rooms' widths are solved."""
     home = plan_home(request, catalogs)
     entrance = entrance_of(home.layout, home.types, catalogs.rooms, by_hallway=False)
-    typed = home.access(joints(home.layout.rooms), catalogs, entrance[0])
+    typed = home.access(joints(home.layout), catalogs, entrance[0])
     return _opened(home.layout, typed, entrance, catalogs, home.notes)
 
 
 def _opened(layout: Layout, typed: RoomAccess, entrance: tuple[int, str], catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
     """Cuts doors and windows into the walls of typed rooms."""
     tree = door_tree(entrance[0], typed)
-    doorways = Doorways(layout, typed.types, catalogs.rooms)
+    doorways = Doorways(layout, typed.types, catalogs.rooms, profile=catalogs.profile)
     place_entrance(doorways, *entrance)
     place_doors(doorways, tree)
     garages = place_garage_doors(doorways)
     place_windows(doorways)
+    keep_walls(doorways, typed.shared)
     drawing = Drawing(layout, typed.types, typed.shared, tuple(doorways.cuts), catalogs)
     return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))
 
 
 def _layout(request: Request, catalogs: Catalogs) -> tuple[Layout, tuple[str, ...]]:
+    if request.outline is not None and not isinstance(request.outline, str):
+        return _within(request, request.outline)
     width, depth = request.extents
     outline = Rect(0, 0, to_mm(width), to_mm(depth))
     least, seed = to_mm(request.min_room_size), request.seed or 0
@@ -86,6 +94,18 @@ def _layout(request: Request, catalogs: Catalogs) -> tuple[Layout, tuple[str, ..
     half = to_m((min(outline.width, outline.depth) - HALLWAY_MM) // 2)
     note = f"no hallway spine: beside it each half would be {half} m deep, less than min_room_size {request.min_room_size}"
     return layout, (note, *layout.notes)
+
+
+def _within(request: Request, corners: Sequence[tuple[float, float]]) -> tuple[Layout, tuple[str, ...]]:
+    """Cuts a given outline into rooms."""
+    for key in ("width", "depth"):
+        if getattr(request, key) is not None:
+            raise RequestError(key, "is given beside the outline's corners", "one of the two")
+    parts = parts_of(corners, to_mm(request.min_room_size))
+    box = Rect(0, 0, max(part.rect.x1 for part in parts), max(part.rect.z1 for part in parts))
+    layout = partition(box, to_mm(request.min_room_size), request.max_depth, request.seed or 0, parts)
+    notes = ("no hallway spine: the outline is given",) if request.use_spine else ()
+    return layout, (*notes, *layout.notes)
 
 
 def _compromises(drawing: Drawing, tree: tuple[tuple[Joint, int], ...]) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from typing import Any, Final
 
 from catalogs.schema import Catalogs
 from solver.floorplan.doors import CROWDED, STEP_MM, Cut, Doorways, places
-from solver.floorplan.tiling import Joint, Layout, touching
+from solver.floorplan.tiling import Joint, Layout
 from solver.floorplan.windows import pane_of
 from solver.geometry import OPPOSITE, Rect, half_m, to_m
 from solver.scene import EXTERIOR, WALLS, Flooring, Opening, Room, Sides
@@ -71,7 +71,7 @@ def written(drawing: Drawing, notes: tuple[str, ...]) -> FloorPlan:
 
 
 def _rooms(drawing: Drawing, ids: tuple[str, ...]) -> tuple[Room, ...]:
-    flags = _wall_flags(drawing.layout.rooms)
+    flags = _wall_flags(drawing.layout)
     openings: dict[int, list[Opening]] = {}
     for cut in drawing.cuts:
         for room in cut.sides:
@@ -134,14 +134,14 @@ def _hinge(cut: Cut, swept: Rect) -> str:
     return "start" if cut.centre - low <= high - cut.centre else "end"
 
 
-def _wall_flags(rooms: tuple[Rect, ...]) -> list[Sides]:
+def _wall_flags(layout: Layout) -> list[Sides]:
     """A room draws a side unless rooms of lower index draw its whole length."""
     covered: dict[tuple[int, str], int] = {}
-    for _, b, wall, low, high in touching(rooms):
+    for _, b, wall, low, high in layout.met:
         side = (b, OPPOSITE[wall])
         covered[side] = covered.get(side, 0) + high - low
     sides = []
-    for i, rect in enumerate(rooms):
+    for i, rect in enumerate(layout.rooms):
         drawn = {wall: covered.get((i, wall), 0) < rect.along(wall)[1] - rect.along(wall)[0] for wall in WALLS}
         sides.append(Sides(**drawn))
     return sides

@@ -63,9 +63,14 @@ class Layout:
     notes: tuple[str, ...] = ()
 
     @cached_property
+    def met(self) -> list[tuple[int, int, str, int, int]]:
+        """Every stretch of wall that two rooms share, as `touching` finds it."""
+        return touching(self.rooms)
+
+    @cached_property
     def exposed(self) -> tuple[Mapping[str, Stretches], ...]:
         """What of its walls lies outside, by room: walls in the order of WALLS, those without such a stretch left out."""
-        return exposures(self.rooms)
+        return exposures(self)
 
     @property
     def spine(self) -> bool:
@@ -78,14 +83,14 @@ def exterior_sides(rect: Rect, outline: Rect) -> tuple[str, ...]:
     return tuple([wall for wall in WALLS if rect.line(wall) == outline.line(wall)])
 
 
-def exposures(rooms: Sequence[Rect]) -> tuple[Mapping[str, Stretches], ...]:
+def exposures(layout: Layout) -> tuple[Mapping[str, Stretches], ...]:
     """Returns what of each room's walls no other room lies at, by room and wall, in the order of WALLS."""
     covered: dict[tuple[int, str], list[tuple[int, int]]] = defaultdict(list)
-    for a, b, wall, low, high in touching(rooms):
+    for a, b, wall, low, high in layout.met:
         covered[a, wall].append((low, high))
         covered[b, OPPOSITE[wall]].append((low, high))
     found = []
-    for i, rect in enumerate(rooms):
+    for i, rect in enumerate(layout.rooms):
         free = {wall: tuple(gaps_between(rect.along(wall), covered[i, wall])) for wall in WALLS}
         found.append({wall: stretches for wall, stretches in free.items() if stretches})
     return tuple(found)
@@ -94,24 +99,23 @@ def exposures(rooms: Sequence[Rect]) -> tuple[Mapping[str, Stretches], ...]:
 def touching(rooms: Sequence[Rect]) -> list[tuple[int, int, str, int, int]]:
     """Returns every stretch of wall two rooms share as (a, b, wall of a, low, high), a < b, sorted."""
     found: list[tuple[int, int, str, int, int]] = []
-    for wall in ("south", "east"):
-        opposite = OPPOSITE[wall]
-        starts: dict[int, list[int]] = defaultdict(list)
-        for i, rect in enumerate(rooms):
-            starts[rect.line(opposite)].append(i)
-        for i, rect in enumerate(rooms):
-            start, end = rect.along(wall)
-            for j in starts.get(rect.line(wall), ()):
-                first, last = rooms[j].along(wall)
-                low, high = max(start, first), min(end, last)
+    norths: dict[int, list[tuple[int, int, int]]] = defaultdict(list)
+    wests: dict[int, list[tuple[int, int, int]]] = defaultdict(list)
+    for i, (x0, z0, x1, z1) in enumerate(rooms):
+        norths[z0].append((i, x0, x1))
+        wests[x0].append((i, z0, z1))
+    for i, (x0, z0, x1, z1) in enumerate(rooms):
+        for wall, opposite, start, end, others in (("south", "north", x0, x1, norths.get(z1)), ("east", "west", z0, z1, wests.get(x1))):
+            for j, first, last in others or ():
+                low, high = start if start > first else first, end if end < last else last  # no min, max: homes are judged by thousands
                 if low < high:
                     found.append((i, j, wall, low, high) if i < j else (j, i, opposite, low, high))
     return sorted(found)
 
 
-def joints(rooms: tuple[Rect, ...]) -> tuple[Joint, ...]:
+def joints(layout: Layout) -> tuple[Joint, ...]:
     """Returns the shared walls that are long enough for a door, sorted."""
-    return tuple(Joint(*stretch) for stretch in touching(rooms) if stretch[4] - stretch[3] >= DOOR_WALL_MM)
+    return tuple(Joint(*stretch) for stretch in layout.met if stretch[4] - stretch[3] >= DOOR_WALL_MM)
 
 
 def neighbours(count: int, shared: tuple[Joint, ...]) -> list[list[Joint]]:

@@ -6,15 +6,18 @@ Comes in: a `scene.Room` with openings, the catalogs, the room's stream, or a li
 
 from solver.furnish.attached import tucks
 from solver.furnish.habits import Habits, habits_of
-from solver.furnish.listed_pieces import ListedPieces, Listing, listed_pieces
+from solver.furnish.listed_pieces import ListedPieces, Listing, kept_pieces, listed_pieces
 from solver.furnish.room_types import unwanted_pieces, wanted_pieces, wanted_rows
+from solver.furnish.stances import NEARLY_ALL
 from solver.furnish.zones import scope_of, space_of
 
 __all__ = [
+    "NEARLY_ALL",
     "Habits",
     "ListedPieces",
     "Listing",
     "habits_of",
+    "kept_pieces",
     "listed_pieces",
     "scope_of",
     "space_of",

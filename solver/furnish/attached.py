@@ -11,7 +11,7 @@ from math import inf
 from typing import NamedTuple
 
 from catalogs.schema import RelationSpec
-from solver.furnish.stances import PLACES_KEPT, Costed, ListedPiece, cheapest, within_both
+from solver.furnish.stances import Costed, ListedPiece, cheapest, within_both
 from solver.geometry import Rect, rotate, turned
 from solver.pieces import Attach, Candidate, Placed, Stance
 from solver.relations import RELATIONS
@@ -29,14 +29,8 @@ FIRM, LOOSE = 0.3, 0.03
 """Pull, m^-2, to the middle of a box: of a place beside, before or around a piece, and of any other."""
 SLACK_MM = 2
 """What halves of odd extents may add up to."""
-BOXES_KEPT = 14
-"""Most boxes of one stance that differ in what they hold."""
 BETWEEN_OTHERS = 12
 """Most candidates of a piece between others that stand."""
-PLACES = 3
-"""Most candidates of one stance beside one stance of another piece."""
-PLACES_EACH = 5
-"""Most candidates of all stances beside one stance of another piece."""
 ANY_PLACE = Rect(int(ANYWHERE[0]), int(ANYWHERE[0]), int(ANYWHERE[1]), int(ANYWHERE[1]))
 POINT = (0, 0)
 
@@ -171,15 +165,16 @@ def _cheapest(
             likely.append((boxes[0][1] + found[0][1], len(likely), footing, boxes, found))
     likely.sort(key=lambda entry: entry[:2])
     places: list[_Beside] = []
+    most = frames.listed.kept.beside
     for least, _, footing, boxes, found in likely:
-        if least >= dearest or (len(places) >= PLACES_EACH and least >= places[PLACES_EACH - 1].cost):
+        if least >= dearest or (len(places) >= most and least >= places[most - 1].cost):
             frames.dropped(least)
             break
         places += [place for place in _in_both(frames, footing, parent, (boxes, found)) if place.cost < dearest]
         places.sort(key=lambda place: round(place.cost, 9))
-    for place in places[PLACES_EACH : PLACES_EACH + 1]:
+    for place in places[most : most + 1]:
         frames.dropped(place.cost)
-    return places[:PLACES_EACH]
+    return places[:most]
 
 
 def _in_both(frames: _Frames, footing: Footing, parent: Parent, at: tuple[Sequence[Costed], Sequence[Costed]]) -> list[_Beside]:
@@ -191,7 +186,7 @@ def _in_both(frames: _Frames, footing: Footing, parent: Parent, at: tuple[Sequen
     for cost, i, j in pairs:
         if cost == inf:
             break
-        if len(places) == PLACES:
+        if len(places) == frames.listed.kept.places:
             frames.dropped(cost)
             break
         (x0, z0, x1, z1), (low_x, low_z, high_x, high_z) = found[j][0], frames.centres(boxes[i][0], parent)
@@ -213,9 +208,9 @@ def between_others(listed: ListedPiece, placed: Mapping[str, Placed]) -> list[Ca
         for spec in listed.to_pieces:
             held = _held_at(listed, spec, footing, placed)
             both = [(cut, cost) for rect, cost in places for _, other in held if (cut := within_both(rect, other, footing.extent))]
-            places = cheapest([*both, *((rect, cost + missed(spec)) for rect, cost in places)], PLACES_KEPT, [])
+            places = cheapest([*both, *((rect, cost + missed(spec)) for rect, cost in places)], listed.kept.rects, [])
             tucked += held if tucks(spec) else []
-        for rect, cost in places[:PLACES]:
+        for rect, cost in places[: listed.kept.places]:
             found.append((cost, footing, rect, next((attach for attach, other in tucked if other.contains(rect)), None)))
     found.sort(key=lambda entry: entry[0])
     return [_between(listed, footing, (rect, cost), attach) for cost, footing, rect, attach in found[:BETWEEN_OTHERS]]
@@ -277,7 +272,7 @@ def _boxes(listed: ListedPiece, specs: Sequence[tuple[RelationSpec, bool]], othe
         priced = [(box, _sliding(spec, box)) for box in boxes]
         held = [(both, cost + more) for box, cost in found for other_box, more in priced if (both := within_both(box, other_box, POINT))]
         without = missed(spec)
-        found = cheapest([*held, *((box, cost + without) for box, cost in found)], BOXES_KEPT, listed.dropped)
+        found = cheapest([*held, *((box, cost + without) for box, cost in found)], listed.kept.boxes, listed.dropped)
     return [(box, cost) for box, cost in found if box != ANY_PLACE]
 
 

@@ -13,7 +13,7 @@ from typing import Final, TypeVar, get_args
 
 from catalogs.checks import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Run
-from solver.furnish.floor_about import FloorAbout, floors_about
+from solver.furnish.floor_about import FloorAbout, asked_about, floors_about
 from solver.geometry import to_mm
 from solver.relations.relation import distance_mm
 from solver.relations.subject import Kind, SurfaceHeight
@@ -25,17 +25,18 @@ SIDES: Final = ("left", "right", "front", "back")
 WALLS_ASKED: Final = (None, "same", "opposite", "adjacent", "other")
 """How the walls of two pieces should lie, as the core numbers it."""
 RELATION_WORDS: Final[tuple[str, ...]] = get_args(RelationWord)
+_CORNERS: Final = (None, "left", "right")
 _ALIGNS: Final = (None, "back", "centre", "front", "any")
 _SORTS: Final = ("door", "window", "exterior", "plain", "short", "long")
 _ROW: Final = {
     name: Struct(layout)
     for name, layout in {
         "kind": "<3q12i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
-        "sort": "<2id", "side": "<i", "comfort": "<2i2qd4q", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
+        "sort": "<2id", "side": "<i", "comfort": "<2i2qd4q2iq", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
         "end": "<i", "triangle": "<i",
     }.items()
 }  # fmt: skip
-_HEADER: Final = Struct("<18i")
+_HEADER: Final = Struct("<20i")
 _MOST_KEPT: Final = 128
 """Room types of the homes made last: a home changes those that must hold what it has no room for."""
 _MOST_CATALOGS: Final = 16
@@ -63,15 +64,21 @@ _known_kinds: dict[tuple[int, ...], tuple[tuple[object, ...], dict[str, Kind]]] 
 """By the catalogs' kinds and shapes: these, and their kinds as relations see them; homes share them where their room types differ."""
 
 
-def compiled_type(room_type: RoomType | None, catalogs: Catalogs) -> CompiledType:
-    """Returns a room type of the catalogs for the core, the same object for the same one and catalogs; None: one that wants nothing."""
-    made_from = (room_type, catalogs.furniture, catalogs.shapes)
+def compiled_type(room_type: RoomType | None, catalogs: Catalogs, name: str = "") -> CompiledType:
+    """Returns a room type of the catalogs for the core, the same object for the same one and catalogs.
+
+    Args:
+        room_type: None for one that wants nothing.
+        catalogs: where its kinds are.
+        name: what the catalogs call it, for what their profile asks for in such rooms.
+    """
+    made_from = (room_type, catalogs.furniture, catalogs.shapes, catalogs.profile)
     key = tuple(map(id, made_from))
     found = _kept.get(key)
     if found is None:
         if len(_kept) >= _MOST_KEPT:
             _kept.pop(next(iter(_kept)), None)
-        tables = _Tables(catalogs)
+        tables = _Tables(catalogs, name if room_type and not room_type.outdoor else None)
         specs = tuple(spec for spec in (room_type.pieces if room_type else ()) if not spec.without)
         found = _kept[key] = CompiledType(
             tables.compiled(room_type.run if room_type else None, specs), specs, tuple(tables.kinds.values()), made_from
@@ -93,7 +100,9 @@ def _kinds_of(catalogs: Catalogs) -> dict[str, Kind]:
 class _Tables:
     """The tables of a room type while they are written."""
 
-    def __init__(self, catalogs: Catalogs) -> None:
+    def __init__(self, catalogs: Catalogs, indoors: str | None) -> None:
+        self._profile = catalogs.profile if indoors else None
+        self._room = indoors or ""
         self.kinds: dict[str, Kind] = {}
         self._catalogs, self._known = catalogs, _kinds_of(catalogs)
         self._rows: dict[str, list[bytes]] = {name: [] for name in _ROW}
@@ -111,7 +120,8 @@ class _Tables:
                 self._added(table, names, lambda name: (self._word(name),))
         for kind in self.kinds.values():
             self._add_kind(kind)
-        header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None)
+        turning = to_mm(self._profile.turning(self._room)) if self._profile else 0
+        header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None, turning, 0)
         tables = [b"".join(rows) for rows in self._rows.values()]
         return b"".join([header, *(table + bytes(-len(table) % 8) for table in tables)])
 
@@ -137,13 +147,14 @@ class _Tables:
         levels = self._added("level", kind.levels, self._level)
         parts = self._added("part", kind.parts, lambda part: (*part.rect, part.low, part.high))
         about = floors_about(spec, self._catalogs.shapes.get(kind.name, ())) if spec else ()
+        about += asked_about(self._profile, self._room, self._catalogs.name_of(kind.name)) if self._profile else ()
         use = self._sides(kind.use_sides)
         comforts = self._added("comfort", about, self._comfort)
         used = len(kind.use_sides), sides, kind.need_all
         self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, *used, *levels, *parts, *use, *comforts))
 
     def _comfort(self, floor: FloorAbout) -> tuple[float, ...]:
-        return (SIDES.index(floor.side), *floor[1:])
+        return (SIDES.index(floor.side), *floor[1:-2], -1 if floor.other is None else SIDES.index(floor.other), floor.off)
 
     def _sides(self, sides: Iterable[str]) -> tuple[int, int]:
         return self._added("side", sides, lambda side: (SIDES.index(side),))
@@ -153,7 +164,9 @@ class _Tables:
         return one.height_mm, -1 if one.clearance_mm is None else one.clearance_mm, name
 
     def _add_piece(self, spec: PieceSpec) -> None:
-        variants = self._added("variant", spec.variants, lambda one: (self._kind(one.kind), 0, one.cost, one.min_area))
+        variants = self._added(
+            "variant", spec.variants, lambda one: (self._kind(one.kind), _CORNERS.index(one.corner) - 1, one.cost, one.min_area)
+        )
         rules = self._added("rule", spec.rules, self._rule)
         among = -1 if spec.among is None else self._among.setdefault(spec.among, len(self._among))
         counted = (self._word(spec.piece), spec.required, spec.count, among, spec.per_area is not None, spec.with_next)

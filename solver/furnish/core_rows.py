@@ -30,6 +30,8 @@ _SIDE, _SEAT, _SURFACE = 1, 2, 3
 """What a slot is called by."""
 _FLOOR: Final = "floor"
 """The kind of floor that is better kept free."""
+_FLOORS: Final = ("floor at the", "floor opened over at the", "floor asked for at the", "")
+_TURNING: Final = 12
 _PERSON_MM: Final = 1800
 """Height of the space to be kept free there."""
 _PLACE: Final = Struct("<3q")
@@ -86,7 +88,7 @@ def labels_of(rows: Sequence[tuple[int, int, int]], known: CompiledType) -> list
 
     Args:
         rows: of each its spec, the number of the copy, and -1; of floor at a side of a piece that piece's place among them, and the side,
-            four more where fronts open over it.
+            four more where fronts open over it, eight more where a standard asks for it; twelve of floor to turn in.
         known: the room's type.
     """
     labels: list[str] = []
@@ -94,7 +96,8 @@ def labels_of(rows: Sequence[tuple[int, int, int]], known: CompiledType) -> list
         if side < 0:
             labels.append(f"{known.specs[spec].piece}_{number}")
         else:
-            labels.append(f"floor {'at the' if side < len(SIDES) else 'opened over at the'} {SIDES[side % len(SIDES)]} of {labels[number]}")
+            sort, at = _FLOORS[side // len(SIDES)], SIDES[side % len(SIDES)]
+            labels.append(f"{sort} {at} of {labels[number]}" if side < _TURNING else "floor to turn in")
     return labels
 
 

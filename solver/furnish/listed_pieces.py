@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from solver.furnish.attached import UNSURE, attached, between_others
 from solver.furnish.habits import Habits
-from solver.furnish.stances import Costed, ListedPiece, within_both
+from solver.furnish.stances import FEW, Costed, Kept, ListedPiece, within_both
 from solver.furnish.zones import scope_of
 from solver.geometry import ALONG_X, Rect, turned
 from solver.pieces import Candidate, Piece, Placed, Space, Stance
@@ -31,12 +31,6 @@ FREE_COST = 0.2
 """What standing in the middle of the room costs a piece that may also stand at a wall."""
 ELSEWHERE = 1.0
 """What standing elsewhere than in its own part of the floor costs a piece."""
-ATTACHED = 400
-"""Most candidates of a piece that are attached to another one."""
-EACH = 3
-"""Most candidates of one stance that differ in what they hold."""
-DEAR = 5.0
-"""What a stance costs more than a piece's best that is too unlikely for others to be attached to it: less than a relation."""
 
 _cost = attrgetter("cost")
 
@@ -53,7 +47,7 @@ class ListedPieces:
         """What a placement costs at least that takes a candidate which a limit kept out; one that costs no more is the best of all."""
         least = {piece.label: min(map(_cost, piece.candidates), default=0.0) for piece in self.pieces}
         more = [min(one.dropped) - least[label] for label, one in self.listed.items() if one.dropped]
-        more += [DEAR for one in self.listed.values() if one.unlikely]
+        more += [one.kept.dear for one in self.listed.values() if one.unlikely]
         return sum(least.values()) + max(0.0, min(more, default=inf))
 
     def between(self, placed: Sequence[Placed], labels: Container[str]) -> tuple[Piece, ...]:
@@ -91,13 +85,28 @@ class Listing(NamedTuple):
 
 
 def listed_pieces(room: Room, space: Space, listing: Listing, standing: Sequence[Piece]) -> ListedPieces:
-    """Returns the pieces of a list, in its order, behind those that stand already.
+    """Returns the pieces of a list, in its order, behind those that stand already, with few candidates each.
 
     Args:
         room: with its openings.
         space: the room's `space_of`.
         listing: what is asked for.
         standing: what stands in the room already, one candidate each, which tells its stance.
+    """
+    found = kept_pieces(room, space, listing, standing, FEW)
+    assert found is not None, "few candidates are no more than are kept in all"
+    return found
+
+
+def kept_pieces(room: Room, space: Space, listing: Listing, standing: Sequence[Piece], kept: Kept) -> ListedPieces | None:
+    """Returns what `listed_pieces` does, with as many candidates as are kept; None where these are too many in all.
+
+    Args:
+        room: with its openings.
+        space: the room's `space_of`.
+        listing: what is asked for.
+        standing: what stands in the room already, one candidate each, which tells its stance.
+        kept: how many ways to stand are kept.
     """
     requests, kinds, habits = listing
     scope = scope_of(room, space)
@@ -116,12 +125,14 @@ def listed_pieces(room: Room, space: Space, listing: Listing, standing: Sequence
         for label in request.labels:
             relations = request.relations or habits.relations.get(label, ())
             subject = Subject(scope, ((kind, 0.0),), relations, dict(labels), dict(parents))
-            listed[label] = ListedPiece(subject, space, reach, frozenset(unlikely), habits.cells.get(label))
+            listed[label] = ListedPiece(subject, space, reach, frozenset(unlikely), habits.cells.get(label), kept)
             piece = _piece(listed[label], label, request.required)
             pieces.append(piece)
+            if sum(len(one.candidates) for one in pieces) > kept.in_all:
+                return None
             if {request.id, label} & named:
                 reach = reach | _reach(piece, space.clear)
-                unlikely |= _unlikely(piece)
+                unlikely |= _unlikely(piece, kept.dear)
             labels[request.id] = (*labels.get(request.id, ()), label)
             labels[label] = labels.get(label, (label,)) if label == request.id else (label,)
             parents[label] = tuple(Parent(label, kind, stance) for stance in _stances(piece))
@@ -151,10 +162,10 @@ def _reach(piece: Piece, clear: Rect) -> dict[tuple[str, Stance], Rect]:
     return found
 
 
-def _unlikely(piece: Piece) -> set[tuple[str, Stance]]:
-    """Returns the stances that cost at least `DEAR` more than the cheapest."""
+def _unlikely(piece: Piece, dear: float) -> set[tuple[str, Stance]]:
+    """Returns the stances that cost at least `dear` more than the cheapest."""
     costs = {stance: min(map(_cost, candidates)) for stance, candidates in _stances(piece).items()}
-    least = min(costs.values(), default=0.0) + DEAR
+    least = min(costs.values(), default=0.0) + dear
     return {(piece.label, stance) for stance, cost in costs.items() if cost >= least}
 
 
@@ -166,20 +177,21 @@ def _piece(listed: ListedPiece, label: str, required: bool) -> Piece:
 
 def _candidates(listed: ListedPiece) -> tuple[Candidate, ...]:
     """Returns all candidates, cheapest first; none where the piece is too large, or hard relations rule all of them out."""
-    every = [(footing, _some(found, listed.dropped)) for footing, found in listed.places]
-    hard = any(spec.required for spec in listed.to_pieces)
+    every = [(footing, _some(listed, found)) for footing, found in listed.places]
+    hard, most = any(spec.required for spec in listed.to_pieces), listed.kept.attached
     alone = [] if hard else list(_alone(listed, every))
     dearest = min(map(_cost, alone), default=inf) + sum(spec.cost for spec in listed.to_pieces)
     bound = sorted(attached(listed, every, dearest), key=_cost)
-    listed.dropped.extend(candidate.cost for candidate in bound[ATTACHED : ATTACHED + 1])
+    listed.dropped.extend(candidate.cost for candidate in bound[most : most + 1])
     listed.dropped.extend([dearest] if listed.to_pieces and alone else [])
-    return _by_cost(alone, bound[:ATTACHED])
+    return _by_cost(alone, bound[:most])
 
 
-def _some(found: Sequence[Costed], dropped: list[float]) -> list[Costed]:
+def _some(listed: ListedPiece, found: Sequence[Costed]) -> list[Costed]:
     """Returns the few that cost least, and the dearest: where nothing is held, a piece can still stand."""
-    dropped.extend(cost for _, cost in found[EACH:-1][:1])
-    return [*found[:EACH], *found[EACH:][-1:]]
+    each = listed.kept.each
+    listed.dropped.extend(cost for _, cost in found[each:-1][:1])
+    return [*found[:each], *found[each:][-1:]]
 
 
 def _alone(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]]) -> Iterator[Candidate]:

@@ -32,7 +32,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     room_type = catalogs.rooms.get(room.type)
     if room_type is None:
         return ()
-    known = compiled_type(room_type, catalogs)
+    known = compiled_type(room_type, catalogs, room.type)
     answer = _asked(known, room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state))
     stream.state = answer.state
     return pieces_of(answer, known)
@@ -47,7 +47,7 @@ def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) ->
         catalogs: what there is, and the rules.
         stream: the room's own; it stays as it is.
     """
-    known = compiled_type(catalogs.rooms.get(room.type), catalogs)
+    known = compiled_type(catalogs.rooms.get(room.type), catalogs, room.type)
     rows = room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state)
     return WantedRows(space, known.data, rows + place_rows(space), TypeNames(known))
 
@@ -70,7 +70,7 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
         return ()
     area, labels = room.floor_m2, {piece.label for piece in wanted}
     found = [(spec.piece, f"only in a home planned without {', '.join(spec.without)}") for spec in room_type.pieces if spec.without]
-    known = compiled_type(room_type, catalogs)
+    known = compiled_type(room_type, catalogs, room.type)
     for at, copies in _asked(known, room_rows(scope_of(room, space), space.zones, area, stream.state, counts_only=True)).counted:
         spec = known.specs[at]
         if any(f"{spec.piece}_{number}" not in labels for number in range(1, copies + 1)):

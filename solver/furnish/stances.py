@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from catalogs.checks import OPENINGS
 from catalogs.schema import RelationSpec
@@ -20,8 +20,36 @@ from solver.scene import WALLS
 
 Costed: TypeAlias = tuple[Rect, float]
 """A rectangle, and what it costs to miss the relations that do not hold there."""
-PLACES_KEPT = 12
-"""Most rectangles of one stance."""
+
+
+class Kept(NamedTuple):
+    """How many ways to stand are kept, the cheapest; what is left out is noted in `ListedPiece.dropped`.
+
+    Args:
+        rects: most rectangles of one stance, before the few that are searched are chosen.
+        each: most rectangles of one stance that are searched, and the dearest of all.
+        boxes: most boxes of one stance, in another piece's frame, that differ in what they hold.
+        places: most candidates of one stance beside one stance of another piece.
+        beside: most candidates of all stances beside one stance of another piece.
+        attached: most candidates of a piece that are attached to others.
+        dear: a stance that costs so much more than a piece's best is too unlikely for others to be attached to it.
+        in_all: most candidates of all pieces of a list together.
+    """
+
+    rects: int
+    each: int
+    boxes: int
+    places: int
+    beside: int
+    attached: int
+    dear: float
+    in_all: float
+
+
+FEW = Kept(rects=12, each=3, boxes=14, places=3, beside=5, attached=400, dear=5.0, in_all=inf)
+"""What finds a good placement of any list; `dear` is less than a relation costs."""
+NEARLY_ALL = Kept(rects=64, each=64, boxes=64, places=64, beside=64, attached=2000, dear=inf, in_all=900)
+"""What proves one the best, of lists that are short enough."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +62,7 @@ class ListedPiece:
         reach: where the centre of an earlier piece may be, by its label and stance, mm.
         unlikely: stances of earlier pieces that miss a relation which others hold: no places are sought beside them.
         cell: the part of the floor where it stands best, if it stands free.
+        kept: how many ways to stand are kept.
         dropped: filled while its candidates are made: what those cost at least that a limit kept out.
     """
 
@@ -42,6 +71,7 @@ class ListedPiece:
     reach: Mapping[tuple[str, Stance], Rect]
     unlikely: Collection[tuple[str, Stance]]
     cell: Rect | None = None
+    kept: Kept = FEW
     dropped: list[float] = field(default_factory=list, compare=False)
 
     @property
@@ -102,7 +132,7 @@ def _places(listed: ListedPiece, footing: Footing) -> list[Costed]:
         regions = RELATIONS[spec.type].regions(listed.subject.scope, spec, footing)
         held = [(both, cost) for rect, cost in found for region in regions if (both := within_both(rect, region, footing.extent))]
         without = missed(spec)
-        found = cheapest([*held, *((rect, cost + without) for rect, cost in found)], PLACES_KEPT, listed.dropped)
+        found = cheapest([*held, *((rect, cost + without) for rect, cost in found)], listed.kept.rects, listed.dropped)
     return found
 
 

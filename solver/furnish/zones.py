@@ -44,18 +44,18 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
                 doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or ""))
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
-    entered = (replace(one, square=_from_face(one, lines, half)) for one in (*doorways, *beyond))
+    entered = (_from_face(one, lines, half) for one in (*doorways, *beyond))
     return Space(room.id, lines.shrunk(half), tuple(zones), tuple(entered), to_mm(robot_width))
 
 
-def _from_face(doorway: Doorway, lines: Rect, half: int) -> Rect:
-    """Returns a doorway's square, from the wall's face on where the wall is not the room's outermost."""
+def _from_face(doorway: Doorway, lines: Rect, half: int) -> Doorway:
+    """Returns a doorway with its square from the wall's face on where the wall is not the room's outermost."""
     square, wall = doorway.square, doorway.wall
     if square.line(wall) == lines.line(wall):
-        return square
+        return doorway
     start, end = square.along(wall)
     deep = square.depth if wall in ALONG_X else square.width
-    return strip_at(wall, square.line(wall) + INWARDS[wall] * half, (start, end), deep - half)
+    return replace(doorway, square=strip_at(wall, square.line(wall) + INWARDS[wall] * half, (start, end), deep - half))
 
 
 def scope_of(room: Room, space: Space) -> Scope:

@@ -45,6 +45,11 @@ PAIRS: Final = {
     ("dining_room", "kitchen"): -0.4, ("dining_room", "living_room"): -0.2, ("bedroom_master", "bathroom"): -0.4,
 }  # fmt: skip
 """Cost of a door between rooms that are seldom, or often, joined."""
+SHUT_OFF: Final = 1.5
+"""Cost of a living or dining room behind its only door: those one walks through, or they stand open."""
+TOO_LARGE, TOO_NARROW = 3.0, 4.0
+"""Cost of a floor beyond the catalog's limits by a factor of e, and of a side below its least. The limits are those of homes drawn here;
+in plans of others a kitchen of 5 m2 is no rarity, so they weigh as a preference and not as a law."""
 MISCOUNTED: Final = 4.0
 """Cost of each room more or less than a programme counts."""
 
@@ -70,7 +75,8 @@ class Suiting:
         marks, kind = self.marks[room], self.kinds[name]
         if (marks.garage_door and not kind.plan.garage_door) or marks.outdoor != kind.outdoor:
             return NEVER
-        cost = _size(marks, kind) + _front(marks, kind)
+        indoors = sum(not self.marks[there].outdoor for there, _ in marks.ways)
+        cost = _size(marks, kind) + _front(marks, kind, indoors)
         cost += _light(marks, kind) if self._has_windows else 0.0
         return (BESIDE_PIECES if marks.pieces else 1.0) * cost + self._standing(marks, name)
 
@@ -152,7 +158,7 @@ def _size(marks: RoomMarks, kind: RoomType) -> float:
     width = min(kind.home.width, kind.short_side) if kind.home else kind.short_side
     thin = max(0.0, log(width / marks.short))
     long = max(0.0, marks.long / marks.short - max(kind.aspect, kind.home.aspect if kind.home else 0.0))
-    return 1.2 * abs(log(marks.area / typical)) + 6.0 * far + 8.0 * thin + 0.8 * min(long, 4.0)
+    return 1.2 * abs(log(marks.area / typical)) + TOO_LARGE * far + TOO_NARROW * thin + 0.8 * min(long, 4.0)
 
 
 def _light(marks: RoomMarks, kind: RoomType) -> float:
@@ -165,9 +171,9 @@ def _light(marks: RoomMarks, kind: RoomType) -> float:
     return (1.0 if kind.plan.way_through else 0.2) * marks.large
 
 
-def _front(marks: RoomMarks, kind: RoomType) -> float:
-    """Returns the cost of the doors to the outside, and of the number of rooms that a room leads to."""
-    leads = len(marks.ways) + bool(marks.front)
+def _front(marks: RoomMarks, kind: RoomType, indoors: int) -> float:
+    """Returns the cost of the doors to the outside, and of the number of rooms that a room leads to, so many of them indoors."""
+    leads = indoors + bool(marks.front)
     cost = 0.0
     if marks.front and not marks.outdoor:
         outside = 3.0 if kind.plan.entrance is None else 0.4 * kind.plan.entrance
@@ -177,5 +183,6 @@ def _front(marks: RoomMarks, kind: RoomType) -> float:
     if kind.plan.way_through and not kind.plan.habitable:
         wide = 5.0 * max(0.0, log(marks.short / HALL_WIDTH))
         return cost + wide + (3.0 if leads < 2 else 0.0) - 0.5 * min(max(leads - 2, 0), 4) + _entry(marks, kind)
-    own = len(marks.ways) if kind.plan.way_through else 1 + bool(kind.plan.habitable)
-    return cost + 1.5 * max(0, len(marks.ways) - own)
+    if kind.plan.way_through:
+        return cost + (0.0 if kind.plan.wet or any(is_open for _, is_open in marks.ways) or leads > 1 else SHUT_OFF)
+    return cost + 1.5 * max(0, indoors - 1 - bool(kind.plan.habitable))

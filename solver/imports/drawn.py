@@ -17,8 +17,8 @@ from solver.imported import ImportChange, ImportGuess, Unread
 
 Spot = tuple[float, float]
 """A point (x, z)."""
-DrawnAlong = Literal["lines", "inner"]
-"""What room outlines are drawn along: the middle lines of walls, or the inner faces."""
+DrawnAlong = Literal["lines", "inner", "unsaid"]
+"""What room outlines are drawn along: the middle lines of walls, or the inner faces; unsaid: to be measured between the rooms."""
 OpeningKind = Literal["door", "garage_door", "passage", "window"]
 
 
@@ -118,6 +118,10 @@ class DrawnPlan:
     unread: tuple[Unread, ...] = ()
     unit_words: str = ""
     """What the unit was taken from, where the file does not say it itself."""
+    turned: float = 0.0
+    """By how many degrees it was turned already, counter-clockwise, so that its walls run along x and z."""
+    solid: tuple[DrawnWall, ...] = ()
+    """Pieces of wall that tell how thick walls are, not where there are none."""
 
 
 @dataclass
@@ -167,7 +171,7 @@ def check_plan(plan: DrawnPlan) -> None:
     check_count("rooms", len(plan.rooms), MOST_ROOMS)
     check_count("corners of rooms", sum(len(room.points) for room in plan.rooms), MOST_POINTS)
     sets: Sequence[tuple[str, int]] = (
-        ("walls", len(plan.walls)), ("openings", len(plan.openings)), ("furniture", len(plan.pieces)),
+        ("walls", len(plan.walls) + len(plan.solid)), ("openings", len(plan.openings)), ("furniture", len(plan.pieces)),
     )  # fmt: skip
     for what, count in sets:
         check_count(what, count, MOST_POINTS)

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Final
 
 from solver.errors import FieldError
-from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, PlanNotes, Spot
+from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnWall, PlanNotes, Spot
 from solver.imports.straighten import turn_of, turned_by
 
 LEAST_CORNERS: Final = 3
@@ -70,9 +70,9 @@ def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPla
     if not SMALLEST <= largest <= WIDEST:
         raise FieldError("rooms", f"are {largest / 1000:g} m wide in all", "0.5 to 1000 m: `unit` says how long the file's unit is")
     turn = turn_of([[((x - west) * scale, (z - north) * scale) for x, z in room.points] for room in plan.rooms])
-    if turn:
-        way = "counter-clockwise" if turn > 0 else "clockwise"
-        words = f"the whole plan is turned by {abs(turn):.2f} degrees {way}, so that its walls run along x and z"
+    if turn + plan.turned:
+        way = "counter-clockwise" if turn + plan.turned > 0 else "clockwise"
+        words = f"the whole plan is turned by {abs(turn + plan.turned):.2f} degrees {way}, so that its walls run along x and z"
         notes.change("straighten", "plan", 0.0, words)
 
     def at(spot: Spot) -> Spot:
@@ -82,7 +82,8 @@ def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPla
         plan,
         rooms=tuple(replace(room, points=tuple(map(at, room.points))) for room in plan.rooms),
         openings=tuple(_opening(one, at, metres) for one in plan.openings),
-        walls=tuple(replace(one, start=at(one.start), end=at(one.end), thickness=one.thickness * scale) for one in plan.walls),
+        walls=tuple(_wall(one, at, scale) for one in plan.walls),
+        solid=tuple(_wall(one, at, scale) for one in plan.solid),
         pieces=tuple(_piece(one, at, metres, turn) for one in plan.pieces),
         levels=tuple(
             DrawnLevel(one.number, one.name, (one.elevation or 0.0) * metres, HEIGHT if one.height is None else one.height * metres)
@@ -91,6 +92,10 @@ def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPla
         wall_thickness=None if plan.wall_thickness is None else plan.wall_thickness * scale,
         metres=metres,
     )
+
+
+def _wall(one: DrawnWall, at: Turn, scale: float) -> DrawnWall:
+    return replace(one, start=at(one.start), end=at(one.end), thickness=one.thickness * scale)
 
 
 def _opening(one: DrawnOpening, at: Turn, metres: float) -> DrawnOpening:

@@ -1,9 +1,9 @@
-"""Fourth step: rooms that are drawn by their inner faces -> rooms along the middle lines of their walls.
+"""Fourth step: rooms' inner faces -> rooms along the lines of their walls: half the thinnest wall outside of their faces.
 
-Two faces of different rooms that look at each other across at most 0.6 m are one wall. Its line runs in its middle; what faces no room
-is moved out by half the usual wall.
+Two faces of different rooms that look at each other across at most 0.6 m are one wall. Where it is as thin as any its line runs in its
+middle; of a thicker one each room has a line of its own.
 
-Comes in: corners, mm. Goes out: corners along wall lines, the usual thickness, how thick each wall is. May import: rectilinear.
+Comes in: corners, faces, mm. Goes out: corners along wall lines, the thinnest wall's thickness. May import: rectilinear.
 """
 
 from __future__ import annotations
@@ -20,36 +20,36 @@ THICKEST: Final = 600
 """Of a wall between two rooms, mm."""
 FACING: Final = 100
 """Faces of one wall overlap by at least so much, mm."""
-NEAR_LINES: Final = 25
-"""Wall lines no farther apart, mm, are one."""
+NEAR_LINES: Final = 10
+"""Wall lines no farther apart, mm, are one; and walls are as thin as any that are thicker by no more."""
+ALIKE: Final = 25
+"""The thinnest wall is the usual one of those that are thicker than the thinnest by no more, mm: plans are not drawn to the millimetre."""
+THINNEST: Final = 40
+"""What is thinner, mm, is no wall."""
 
 
 @dataclass(frozen=True)
 class Grown:
-    """Rooms along wall lines: corners by room, the usual thickness (mm), and for each room how far each old edge was moved out."""
+    """Rooms along wall lines: corners by room, the thinnest wall (mm), and for each room how far each line is from the face."""
 
     corners: list[FloorCorners]
     thickness: int
     moved: list[list[int]]
 
 
-def grown(rooms: Sequence[FloorCorners], levels: Sequence[int], thickness: int | None) -> Grown:
+def grown(rooms: Sequence[Sequence[PlanEdge]], levels: Sequence[int], thickness: int | None) -> Grown:
     """Returns rooms grown to the lines of their walls.
 
     Args:
-        rooms: corners along inner faces, clockwise.
+        rooms: edges along inner faces, clockwise.
         levels: of the rooms.
         thickness: of the walls, mm, where the file says it.
     """
-    edges = [edges_of_corners(number, corners) for number, corners in enumerate(rooms)]
-    pairs = [
-        pair
-        for level in sorted(set(levels))
-        for pair in _pairs([one for room, own in zip(edges, levels, strict=True) if own == level for one in room])
-    ]
-    gaps = sorted((b.at - a.at, overlap) for a, b, overlap in pairs)
-    usual = _weighted_median(gaps) if gaps else thickness or 0
-    lines = _lines(pairs)
+    edges = rooms
+    pairs = _facing_pairs(edges, levels)
+    gaps = [one for one in _gaps(pairs) if one[0] >= THINNEST]
+    usual = _weighted_median([one for one in gaps if one[0] <= gaps[0][0] + ALIKE]) if gaps else thickness or 0
+    lines = _lines([pair for pair in pairs if pair[1].at - pair[0].at <= usual + NEAR_LINES])
     for room in edges:
         for edge in room:
             lines.setdefault((edge.room, edge.side), edge.at + edge.out * (usual // 2))
@@ -57,6 +57,25 @@ def grown(rooms: Sequence[FloorCorners], levels: Sequence[int], thickness: int |
     moved = [[abs(lines[edge.room, edge.side] - edge.at) for edge in room] for room in edges]
     corners = [_rebuilt(room, [lines[edge.room, edge.side] for edge in room], usual) for room in edges]
     return Grown(corners, usual, moved)
+
+
+def usual_gap(rooms: Sequence[FloorCorners], levels: Sequence[int]) -> int:
+    """Returns how far apart rooms that are neighbours lie, mm: 0 where they are drawn along lines, or where there are none."""
+    edges = [edges_of_corners(number, corners) for number, corners in enumerate(rooms)]
+    return _weighted_median(_gaps(_facing_pairs(edges, levels)))
+
+
+def _facing_pairs(edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int]) -> list[tuple[PlanEdge, PlanEdge, int]]:
+    return [
+        pair
+        for level in sorted(set(levels))
+        for pair in _pairs([one for room, own in zip(edges, levels, strict=True) if own == level for one in room])
+    ]
+
+
+def _gaps(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> list[tuple[int, int]]:
+    """Returns how far apart pairs lie, and over how much of their length, the nearest first."""
+    return sorted((b.at - a.at, overlap) for a, b, overlap in pairs)
 
 
 def _pairs(edges: Sequence[PlanEdge]) -> list[tuple[PlanEdge, PlanEdge, int]]:

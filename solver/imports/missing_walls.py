@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from solver.imports.drawn import DrawnOpening, DrawnWall, PlanNotes
-from solver.imports.joining import Joined, PlacedDrawing
+from solver.imports.joining import THICKEST_JOINED, Joined, PlacedDrawing
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
 
 WALL_REACH: Final = 200
@@ -30,7 +30,9 @@ def passages(rooms: Sequence[Sequence[PlanEdge]], walls: Sequence[DrawnWall], fo
     made: list[Joined] = []
     for edge in (one for one in edges if one.out > 0):
         for other in edges:
-            if (other.axis, other.at, other.out) != (edge.axis, edge.at, -edge.out) or other.room == edge.room:
+            if (other.axis, other.out) != (edge.axis, -edge.out) or other.room == edge.room:
+                continue
+            if not 0 <= other.at - edge.at <= THICKEST_JOINED:
                 continue
             span = (max(edge.low, other.low), min(edge.high, other.high))
             if span[1] - span[0] < NARROWEST:

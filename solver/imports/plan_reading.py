@@ -19,30 +19,35 @@ from solver.imports.formats.ifc_reading import is_ifc, read_ifc
 from solver.imports.formats.plan_features import is_features, read_features
 from solver.imports.formats.procthor_reading import is_procthor, read_procthor
 from solver.imports.formats.rplan_reading import is_rplan, read_rplan
+from solver.imports.formats.svg_reading import is_svg, read_svg
 from solver.imports.formats.sweet_home_reading import is_sweet_home, read_sweet_home
 from solver.imports.in_millimetres import in_millimetres, of_one_level
 from solver.imports.joining import PlacedDrawing, joined
-from solver.imports.line_growing import grown
+from solver.imports.line_growing import grown, usual_gap
 from solver.imports.missing_walls import passages, without_niches
 from solver.imports.pieces_in_rooms import with_pieces
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
 from solver.imports.straighten import straightened, tell_of
 from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn
-from solver.imports.units import unit_of
+from solver.imports.units import unit_named, unit_of
+from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
 from solver.scene import Level, Room, Scene, Size
 
 USUAL_THICKNESS: Final = 100
 """Of walls, mm, where neither the file nor the gaps between its rooms tell."""
 HEIGHT: Final = 2.8
+LINES_APART: Final = 20
+"""Rooms whose neighbours are no farther away, mm, are drawn along the lines of their walls."""
 
 
 @dataclass(frozen=True)
 class PlanFile:
-    """A file: its name, its content, and the document in it where it is JSON or YAML."""
+    """A file: its name, its content, the document in it where it is JSON or YAML, and its unit, m, where the caller says it."""
 
     name: str
     content: bytes
     document: object = None
+    metres: float | None = None
 
 
 class PlanReader(NamedTuple):
@@ -71,7 +76,16 @@ READERS: Final[Mapping[str, PlanReader]] = {
     "sh3d": PlanReader(
         "Sweet Home 3D: .sh3d, or its Home.xml", lambda file: is_sweet_home(file.content), lambda file: read_sweet_home(file.content)
     ),
-    "dxf": PlanReader("DXF: layers of rooms, doors and windows", lambda file: is_dxf(file.content), lambda file: read_dxf(file.content)),
+    "dxf": PlanReader(
+        "DXF: layers of rooms, walls, doors, windows",
+        lambda file: is_dxf(file.content),
+        lambda file: read_dxf(file.content, file.metres),
+    ),
+    "svg": PlanReader(
+        "SVG: shapes called rooms, walls, doors, windows",
+        lambda file: is_svg(file.content),
+        lambda file: read_svg(file.content, file.metres),
+    ),
     "ifc": PlanReader("IFC 2x3 and 4", lambda file: is_ifc(file.content), lambda file: read_ifc(file.content)),
 }
 """The formats by name."""
@@ -96,7 +110,7 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
         FieldError: something in it cannot be read, or no room is left of it; names the place.
     """
     notes = PlanNotes()
-    plan = READERS[format].read(file)
+    plan = READERS[format].read(replace(file, metres=unit_named(settings.unit)))
     notes.unread += plan.unread
     check_plan(plan)
     plan = of_one_level(plan, settings.level, notes)
@@ -149,22 +163,36 @@ def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -
 
 
 def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> tuple[list[NamedRoom], int]:
-    """Returns rooms along wall lines, and the walls' thickness, mm."""
+    """Returns rooms along wall lines, and the scene's thickness of walls, mm; outer walls of another say so."""
+    levels, depths = [room.drawn.level for room in rooms], WallDepths((*plan.walls, *plan.solid))
+    made, thickness = _lines_of(plan, rooms, depths, notes)
+    edges = [edges_of_corners(number, room.corners) for number, room in enumerate(made)]
+    own = outer_thicknesses(depths, edges, levels, thickness)
+    return [replace(room, wall_thickness=one) for room, one in zip(made, own, strict=True)], thickness
+
+
+def _lines_of(plan: DrawnPlan, rooms: list[NamedRoom], depths: WallDepths, notes: PlanNotes) -> tuple[list[NamedRoom], int]:
     said = None if plan.wall_thickness is None else round(plan.wall_thickness)
-    if plan.drawn == "lines":
-        if said is None:
-            notes.guess("plan", "wall_thickness", str(to_m(USUAL_THICKNESS)), "the file does not say how thick walls are")
-        return rooms, min(1000, USUAL_THICKNESS if said is None else said)
-    made = grown([room.corners for room in rooms], [room.drawn.level for room in rooms], said)
+    levels = [room.drawn.level for room in rooms]
+    apart = usual_gap([room.corners for room in rooms], levels) if plan.drawn == "unsaid" else 0
+    faces = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
+    thickness, found = faces_behind(faces, levels, depths, min(1000, USUAL_THICKNESS if said is None else said))
+    within_walls = bool(depths) and thickness > LINES_APART
+    if plan.drawn == "lines" or (plan.drawn == "unsaid" and (apart <= LINES_APART or within_walls)):
+        if found is None:
+            if said is None and not depths:
+                notes.guess("plan", "wall_thickness", str(to_m(USUAL_THICKNESS)), "the file does not say how thick walls are")
+            return rooms, thickness
+        faces = found
+    made = grown(faces, levels, said)
     half = made.thickness // 2
     for room, moved in zip(rooms, made.moved, strict=True):
         worst = max((by - half for by in moved), key=abs, default=0)
         if abs(worst) > 5:
             words = f"a wall is drawn {2 * (worst + half)} mm thick and held as {made.thickness}: half of that is floor"
             notes.change("wall_lines", room.id, abs(worst) / 1000, words)
-    notes.change(
-        "wall_lines", "plan", half / 1000, f"rooms are grown to the lines of their walls, which are {made.thickness / 1000:.2f} m thick"
-    )
+    words = f"rooms are grown to the lines of their walls, the thinnest of which are {made.thickness / 1000:.2f} m thick"
+    notes.change("wall_lines", "plan", half / 1000, words)
     return [replace(room, corners=corners) for room, corners in zip(rooms, made.corners, strict=True)], made.thickness
 
 

@@ -1,18 +1,25 @@
 """A drawing of shapes on layers, as CAD programmes and SVG keep it -> a plan: what a shape is, its layer's or its own name tells.
 
 Closed shapes on layers of rooms are rooms, named by the text inside them; shapes on layers of doors, windows and openings are openings,
-as long as their longer side. Other layers are passed over, and told. Comes in: `DrawnShape`s. Goes out: a `DrawnPlan`. May import: drawn.
+as long as their longer side. Without rooms they are looked for between the walls. Other layers are passed over, and told.
+
+Comes in: `DrawnShape`s. Goes out: a `DrawnPlan`. May import: drawn, walls_alone.
 """
 
 from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, OpeningKind, Spot, check_count
+from solver.imports.straighten import turn_of, turned_by
+from solver.imports.units import told_by_doors
+from solver.imports.walls_alone import rooms_between
 
 WORDS: Final[dict[str, tuple[str, ...]]] = {
     "garage_door": ("garage_door", "garagedoor"),
@@ -23,22 +30,30 @@ WORDS: Final[dict[str, tuple[str, ...]]] = {
     "room": ("room", "space", "raum", "zimmer", "piece", "habitacion", "stanza", "zone"),
 }  # fmt: skip
 """What a layer or a shape is, by words in its name; the first that fits."""
+PASSED: Final = ("furniture", "möbel", "mobilier", "meuble", "mueble", "arredo", "dimension", "hatch")
+"""Words of layers that hold none of these, whatever they lie within."""
+NO_DOOR: Final = ("outdoor", "indoor")
+LONG: Final = 3.0
+"""A piece of wall is so many times as long as it is thick."""
 WIDER: Final = 1.4
 """A door's opening may be so many times as wide as its leaf."""
 SAME: Final = 0.6
 """Openings whose middles are nearer than this share of their length are one, drawn in several lines."""
 
 
+UnitTold = Callable[[Sequence[DrawnOpening]], float | None]
 DrawnBox = tuple[float, float, float, float]
 
 
 class DrawnShape(NamedTuple):
-    """A shape: its name and its layers' names, its points, whether it is closed, its place in the file."""
+    """A shape: its layer's name, its points, whether it is closed, its place in the file, which of WORDS it is, what it is called."""
 
     names: str
     points: tuple[Spot, ...]
     closed: bool
     where: str
+    sort: str | None
+    label: str = ""
 
 
 class DrawnSwing(NamedTuple):
@@ -58,44 +73,109 @@ class DrawnText(NamedTuple):
 
 
 def plan_of_shapes(
-    shapes: Sequence[DrawnShape], texts: Sequence[DrawnText], swings: Sequence[DrawnSwing], metres: float | None, unread: Sequence[Unread]
+    shapes: Sequence[DrawnShape], texts: Sequence[DrawnText], swings: Sequence[DrawnSwing], metres: UnitTold, unread: Sequence[Unread]
 ) -> DrawnPlan:
-    """Returns the plan that shapes draw.
+    """Returns the plan that shapes draw; where they draw no rooms, those between their walls.
+
+    Args:
+        shapes: lines and outlines.
+        texts: which name the rooms that they stand in.
+        swings: of doors' leaves.
+        metres: tells the length of the unit by the openings, m; None where nothing does.
+        unread: what is left out already.
 
     Raises:
         FieldError: there are more shapes than in any home.
     """
-    check_count("shapes", len(shapes), MOST_POINTS)
-    sorts = [sort_of(shape.names) for shape in shapes]
-    rooms = [_room(one, texts) for one, sort in zip(shapes, sorts, strict=True) if sort == "room" and one.closed and len(one.points) > 2]
-    walls = [
-        DrawnWall(a, b, 0.0, one.where)
-        for one, sort in zip(shapes, sorts, strict=True) if sort == "wall" and not one.closed
-        for a, b in zip(one.points, one.points[1:], strict=False)
-    ]  # fmt: skip
-    solid = [_box(one.points) for one, sort in zip(shapes, sorts, strict=True) if sort == "wall" and one.closed]
-    doors = [_swinging(swing, rooms, solid) for swing in swings]
+    sorts = [shape.sort for shape in shapes]
+    check_count("shapes", sum(sort is not None for sort in sorts), MOST_POINTS)
+    turn = turn_of([one.points for one in shapes if one.sort == "room"] or [one.points for one in shapes if one.sort == "wall"])
+    shapes, texts, swings = _turned(shapes, texts, swings, turn)
+    sorted_shapes = list(zip(shapes, sorts, strict=True))
+    rooms = [_room(one, texts) for one, sort in sorted_shapes if sort == "room" and one.closed and len(one.points) > 2]
+    outlines = [(*one.points, one.points[0]) if one.closed else one.points for one, sort in sorted_shapes if sort == "wall"]
+    solid = [_box(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
+    faces = [(*room.points, room.points[0]) for room in rooms] or outlines
+    doors = [_swinging(swing, faces, solid) for swing in swings]
     drawn = [one for one in _openings(shapes, sorts) if not any(_is_leaf(one, swing) for swing in swings)]
     openings = [one for one in drawn if not any(_is_one((one.start, one.end), (door.start, door.end)) for door in doors)]
+    length = metres([*doors, *openings])
+    walls: list[DrawnWall] = []
+    thick: float | None = None
+    told: list[Unread] = []
+    if rooms or not outlines:
+        walls = [
+            DrawnWall(a, b, 0.0, one.where)
+            for one, sort in sorted_shapes if sort == "wall" and not one.closed
+            for a, b in zip(one.points, one.points[1:], strict=False)
+        ]  # fmt: skip
+    else:
+        found, thick, told = rooms_between(outlines, [*doors, *openings], length or told_by_doors([*doors, *openings]))
+        rooms = [replace(room, label=_label(room.points, texts)) for room in found]
     left = Counter(one.names for one, sort in zip(shapes, sorts, strict=True) if sort is None)
-    told = [
+    told += [
         Unread(f"layer {name!r:.60}", f"{count} shapes: its name tells neither rooms nor openings") for name, count in sorted(left.items())
     ]
     return DrawnPlan(
-        tuple(rooms), (*doors, *openings), tuple(walls), metres=metres, drawn="lines", unread=(*unread, *told)
+        tuple(rooms), (*doors, *openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
+        wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
     )  # fmt: skip
 
 
-def sort_of(names: str) -> str | None:
-    """Returns what the names of a shape and its layers tell."""
-    small = names.lower()
-    return next((sort for sort, words in WORDS.items() if any(word in small for word in words)), None)
+def _turned(
+    shapes: Sequence[DrawnShape], texts: Sequence[DrawnText], swings: Sequence[DrawnSwing], turn: float
+) -> tuple[Sequence[DrawnShape], Sequence[DrawnText], Sequence[DrawnSwing]]:
+    """Returns what is drawn turned back by some degrees, so that walls run along x and z."""
+    if not turn:
+        return shapes, texts, swings
+    return (
+        [one._replace(points=tuple(turned_by(spot, turn) for spot in one.points)) for one in shapes],
+        [DrawnText(one.words, *turned_by((one.x, one.z), turn)) for one in texts],
+        [one._replace(hinge=turned_by(one.hinge, turn), ends=(turned_by(one.ends[0], turn), turned_by(one.ends[1], turn)))
+         for one in swings],
+    )  # fmt: skip
+
+
+def sort_within(names: Sequence[str]) -> str | None:
+    """Returns what the names around a shape tell, the outermost first: the nearest that tells anything counts."""
+    for name in reversed(names):
+        small = name.lower()
+        for word in NO_DOOR:
+            small = small.replace(word, "")
+        if any(word in small for word in PASSED):
+            return None
+        found = next((sort for sort, words in WORDS.items() if any(word in small for word in words)), None)
+        if found is not None:
+            return found
+    return None
+
+
+def _thickness(walls: Sequence[DrawnBox]) -> float | None:
+    """Returns the usual thickness of pieces of wall."""
+    sides = [sorted((x1 - x0, z1 - z0)) for x0, z0, x1, z1 in walls]
+    found = [(thin, long) for thin, long in sides if thin and long >= LONG * thin]
+    return None if not found else sorted(found)[len(found) // 2][0]
+
+
+def _solid_walls(shapes: Sequence[tuple[DrawnShape, str | None]]) -> tuple[DrawnWall, ...]:
+    """Returns the walls that are drawn as boxes of four corners."""
+    found = []
+    for one, sort in shapes:
+        if sort == "wall" and one.closed and len({*one.points}) == 4:
+            x0, z0, x1, z1 = _box(one.points)
+            thin, (start, end) = min(x1 - x0, z1 - z0), _longer(one.points)
+            if thin and math.dist(start, end) >= LONG * thin:
+                found.append(DrawnWall(start, end, thin, one.where))
+    return tuple(found)
 
 
 def _room(shape: DrawnShape, texts: Sequence[DrawnText]) -> DrawnRoom:
-    inside = [text.words for text in texts if _holds(shape.points, text.x, text.z) and not any(letter.isdigit() for letter in text.words)]
-    own = shape.names.split("/")[-1]
-    return DrawnRoom(shape.points, inside[0] if inside else "" if sort_of(own) == "room" else own, shape.where)
+    return DrawnRoom(shape.points, shape.label or _label(shape.points, texts), shape.where)
+
+
+def _label(points: Sequence[Spot], texts: Sequence[DrawnText]) -> str:
+    """Returns the first text in a room that is no number."""
+    return next((text.words for text in texts if text.words[:1].isalpha() and _holds(points, text.x, text.z)), "")
 
 
 def _holds(points: Sequence[Spot], x: float, z: float) -> bool:
@@ -120,9 +200,9 @@ def _openings(shapes: Sequence[DrawnShape], sorts: Sequence[str | None]) -> list
     return [DrawnOpening(*one) for one in found]
 
 
-def _swinging(swing: DrawnSwing, rooms: Sequence[DrawnRoom], walls: Sequence[DrawnBox]) -> DrawnOpening:
+def _swinging(swing: DrawnSwing, faces: Sequence[Sequence[Spot]], walls: Sequence[DrawnBox]) -> DrawnOpening:
     """Returns the door of an arc: shut, its leaf lies at a wall; it is as wide as the gap between pieces of wall there, if there is one."""
-    shut, opened = sorted(swing.ends, key=lambda end: (_to_wall(end, rooms), end))
+    shut, opened = sorted(swing.ends, key=lambda end: (_to_wall(end, faces), end))
     along = 0 if abs(shut[0] - swing.hinge[0]) >= abs(shut[1] - swing.hinge[1]) else 1
     low, high = sorted((swing.hinge[along], shut[along]))
     middle, across, width = (low + high) / 2, (swing.hinge[1 - along] + shut[1 - along]) / 2, high - low
@@ -136,12 +216,9 @@ def _swinging(swing: DrawnSwing, rooms: Sequence[DrawnRoom], walls: Sequence[Dra
     return DrawnOpening("door", *ends, swing.where, hinge=hinge, towards=opened)
 
 
-def _to_wall(spot: Spot, rooms: Sequence[DrawnRoom]) -> float:
-    """Returns how far a point is from the nearest outline of a room."""
-    return min(
-        (_to_line(spot, a, b) for room in rooms for a, b in zip(room.points, (*room.points[1:], *room.points[:1]), strict=True)),
-        default=0.0,
-    )
+def _to_wall(spot: Spot, faces: Sequence[Sequence[Spot]]) -> float:
+    """Returns how far a point is from the nearest of some lines."""
+    return min((_to_line(spot, a, b) for points in faces for a, b in pairwise(points)), default=0.0)
 
 
 def _to_line(spot: Spot, a: Spot, b: Spot) -> float:
@@ -168,8 +245,18 @@ def _is_one(kept: tuple[Spot, Spot], other: tuple[Spot, Spot]) -> bool:
     return math.hypot(x, z) < SAME * length
 
 
+def _between(a: Spot, b: Spot) -> Spot:
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
+
+
 def _longer(points: Sequence[Spot]) -> tuple[Spot, Spot]:
-    """Returns the middle line of the box around points, along its longer side."""
+    """Returns a line itself; of a four-cornered shape its middle line; of others that of the box around them, along its longer side."""
+    if len(points) == 2:
+        return points[0], points[1]
+    corners = points[:-1] if points[0] == points[-1] else points
+    if len(corners) == 4:
+        a, b, c, d = corners if math.dist(corners[0], corners[1]) <= math.dist(corners[1], corners[2]) else (*corners[1:], corners[0])
+        return _between(a, b), _between(c, d)
     xs, zs = [x for x, _ in points], [z for _, z in points]
     x0, x1, z0, z1 = min(xs), max(xs), min(zs), max(zs)
     if x1 - x0 >= z1 - z0:

@@ -30,7 +30,7 @@ def stepped(polygon: Polygon) -> FloorCorners:
     while step <= 64 * STEP:
         xs, zs = _cuts(polygon, 0, step), _cuts(polygon, 1, step)
         if len(xs) * len(zs) <= MOST_CELLS:
-            return _outline(_largest(_inside(polygon, xs, zs), xs, zs), xs, zs)
+            return outline_of_cells(_largest(_inside(polygon, xs, zs), xs, zs), xs, zs)
         step *= 2
     return []
 
@@ -97,7 +97,7 @@ def _flooded(free: Cells, first: tuple[int, int]) -> Cells:
     return part
 
 
-def _outline(part: Cells, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> FloorCorners:
+def outline_of_cells(part: Cells, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> FloorCorners:
     """Returns the outer outline of connected cells, the floor at its right; where cells touch at a corner it stays with its own."""
     if not part.any():
         return []

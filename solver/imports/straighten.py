@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
 from solver.imports.drawn import PlanNotes, Spot
-from solver.imports.rectilinear import FloorCorner, FloorCorners, doubled_area, is_simple, tidied
+from solver.imports.rectilinear import FloorCorners, doubled_area, is_simple, tidied
 from solver.imports.steps_inside import stepped
 
 NEAR: Final = 25.0
@@ -267,8 +267,3 @@ def _onto(spot: Spot, stretch: OutlinePart) -> Spot:
     if isinstance(stretch, list):
         return spot
     return (float(round(spot[0])), float(stretch.at)) if stretch.axis == "x" else (float(stretch.at), float(round(spot[1])))
-
-
-def as_corner(spot: Spot) -> FloorCorner:
-    """Returns a point in whole mm."""
-    return round(spot[0]), round(spot[1])

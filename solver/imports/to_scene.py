@@ -17,6 +17,7 @@ from solver.geometry import to_m
 from solver.imports.drawn import DrawnRoom, PlanNotes
 from solver.imports.joining import HEIGHTS, SILLS, Joined
 from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners
+from solver.imports.wall_depths import FacingEdges
 from solver.scene import EXTERIOR, Opening, Room, Sides
 
 DOORWAY: Final = 900
@@ -28,12 +29,13 @@ PLAIN_ID: Final = re.compile(r"[\w./-]+")
 
 @dataclass(frozen=True)
 class NamedRoom:
-    """A room of the plan: as drawn, its id and type, its corners, mm."""
+    """A room of the plan: as drawn, its id and type, its corners, mm; how thick its outer walls are, m, where not the scene's."""
 
     drawn: DrawnRoom
     id: str
     type: str
     corners: FloorCorners
+    wall_thickness: tuple[float | None, ...] | None = None
 
 
 def named_rooms(rooms: Sequence[tuple[DrawnRoom, str, FloorCorners]]) -> list[NamedRoom]:
@@ -94,7 +96,8 @@ def scene_rooms(rooms: Sequence[NamedRoom], openings: Sequence[Joined], origin: 
         for place, edge in enumerate(one.edges):
             listed[edge.room].append(_opening(one, name, place, rooms))
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
-    outer = [_outer_sides(room.drawn.level, own, rooms, edges) for room, own in zip(rooms, edges, strict=True)]
+    facing = FacingEdges(edges, [room.drawn.level for room in rooms])
+    outer = [_outer_sides(room.drawn.level, own, facing) for room, own in zip(rooms, edges, strict=True)]
     return [_room(number, room, listed[number], outer[number], origin) for number, room in enumerate(rooms)]
 
 
@@ -109,7 +112,7 @@ def _room(number: int, room: NamedRoom, openings: list[Opening], outer: Sides, o
     extra = {"name": room.drawn.label} if room.drawn.label and room.drawn.label != room.type else {}
     return Room(
         room.id, number, room.type, room.drawn.level, to_m(x - origin[0]), to_m(z - origin[1]), to_m(max(xs) - x), to_m(max(zs) - z),
-        outline, bool(room.drawn.outdoor), exterior_walls=outer, openings=tuple(openings), extra=extra,
+        outline, bool(room.drawn.outdoor), wall_thickness=room.wall_thickness, exterior_walls=outer, openings=tuple(openings), extra=extra,
     )  # fmt: skip
 
 
@@ -138,27 +141,23 @@ def _opening(one: Joined, name: str, place: int, rooms: Sequence[NamedRoom]) -> 
     )
 
 
-def _outer_sides(level: int, own: Sequence[PlanEdge], rooms: Sequence[NamedRoom], edges: Sequence[Sequence[PlanEdge]]) -> Sides:
+def _outer_sides(level: int, own: Sequence[PlanEdge], facing: FacingEdges) -> Sides:
     """Tells which sides of a room look outside: a part of an outermost edge there that no other room shares."""
-    others = [edge for room, line in zip(rooms, edges, strict=True) if room.drawn.level == level for edge in line if line is not own]
     found = {}
     for side, axis, out in (("north", "x", -1), ("south", "x", 1), ("east", "z", 1), ("west", "z", -1)):
         edge = max((one for one in own if (one.axis, one.out) == (axis, out)), key=lambda one: one.at * out)
-        shared = sum(max(0, min(edge.high, one.high) - max(edge.low, one.low)) for one in others
-                     if (one.axis, one.at, one.out) == (axis, edge.at, -out))  # fmt: skip
-        found[side] = shared < edge.length
+        found[side] = facing.shared(edge, level) < edge.length
     return Sides(**found)
 
 
 def adjacency_of(rooms: Sequence[NamedRoom]) -> tuple[tuple[int, int], ...]:
     """Returns the pairs of rooms that share a wall long enough for a door."""
     shared: Counter[tuple[int, int]] = Counter()
-    facing: dict[tuple[int, str, int], list[PlanEdge]] = {}
-    edges = [edge for number, room in enumerate(rooms) for edge in edges_of_corners(number, room.corners)]
-    for edge in edges:
-        facing.setdefault((rooms[edge.room].drawn.level, edge.axis, edge.at), []).append(edge)
-    for line in facing.values():
-        for a in (one for one in line if one.out > 0):
-            for b in (one for one in line if one.out < 0):
-                shared[min(a.room, b.room), max(a.room, b.room)] += max(0, min(a.high, b.high) - max(a.low, b.low))
-    return tuple(sorted(pair for pair, length in shared.items() if length >= DOORWAY and pair[0] != pair[1]))
+    edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
+    levels = [room.drawn.level for room in rooms]
+    facing = FacingEdges(edges, levels)
+    for room, level in zip(edges, levels, strict=True):
+        for edge in (one for one in room if one.out > 0):
+            for other, common in facing.across(edge, level):
+                shared[min(edge.room, other.room), max(edge.room, other.room)] += common
+    return tuple(sorted(pair for pair, length in shared.items() if length >= DOORWAY))

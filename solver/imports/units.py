@@ -6,12 +6,13 @@ Comes in: a `DrawnPlan`. Goes out: the length of its unit, m. May import: drawn.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from statistics import median
 from typing import Final
 
 from solver.errors import FieldError
 from solver.imported import ALLOWED_UNITS, UNITS
-from solver.imports.drawn import DrawnPlan, PlanNotes
+from solver.imports.drawn import DrawnOpening, DrawnPlan, PlanNotes
 
 DOOR_WIDTHS: Final = (0.7, 1.0)
 """Between these, m, lies the median width of a home's doors."""
@@ -65,6 +66,13 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
         raise FieldError("unit", f"is not said, and cannot be told: {told} is {size:g}", ALLOWED_UNITS)
     notes.guess("plan", "unit", found[0], f"the file does not say its unit; {told} is {size * UNITS[found[0]]:.2f} m in {found[0]}")
     return UNITS[found[0]]
+
+
+def told_by_doors(openings: Sequence[DrawnOpening]) -> float | None:
+    """Returns the length of the unit in which doors are as wide as doors, m; None where no one is."""
+    doors = [math.dist(one.start, one.end) for one in openings if one.kind == "door"]
+    found = _within(median(doors), DOOR_WIDTHS) if doors else []
+    return UNITS[found[0]] if len(found) == 1 else None
 
 
 def _within(size: float, limits: tuple[float, float]) -> list[str]:

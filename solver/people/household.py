@@ -5,11 +5,13 @@ Comes in: rooms, their spaces, who was there before. Goes out: people and pets. 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from catalogs import Catalogs
 from catalogs.dwellers import Dweller
+from catalogs.entries import Side
 from solver.free_floor import FreeFloor, Goal
 from solver.free_places import block_of
 from solver.people.poses import POSES, Surroundings
@@ -25,12 +27,12 @@ class Household:
     Args:
         seed: of the house, or of what is done anew.
         catalogs: who may be there, their sizes and colours, and which sides of furniture are used.
-        spaces: of each room that may be peopled, by id: its clear rectangle, doorways and the width of who walks.
+        space_of: tells of a room its clear rectangle, doorways and the width of who walks; asked where somebody may come.
     """
 
     seed: int
     catalogs: Catalogs
-    spaces: Mapping[str, Space]
+    space_of: Callable[[Room], Space]
 
 
 def peopled(rooms: Sequence[Room], household: Household, before: Sequence[Dynamic] | None = None) -> tuple[Dynamic, ...]:
@@ -64,6 +66,10 @@ class _Drawing:
     def __init__(self, rooms: Sequence[Room], household: Household, there: Iterable[Dynamic]) -> None:
         self.rooms, self.household, self.there = rooms, household, list(there)
         self._surroundings: dict[str, Surroundings] = {}
+
+    @cached_property
+    def _uses(self) -> Mapping[str, tuple[tuple[Side, ...], bool]]:
+        return self.household.catalogs.use_sides()
 
     def people_rooms(self, name: str, entry: Dweller) -> None:
         """Draws somebody for some of the rooms, until there are enough in the house."""
@@ -105,7 +111,7 @@ class _Drawing:
     def _place(self, one: Dynamic, room: Room, entry: Dweller, stream: Stream) -> bool:
         """Places somebody in a room; tells whether there was a place."""
         if room.id not in self._surroundings:
-            floor = FreeFloor.of_room(room, self.household.spaces[room.id], self.household.catalogs.use_sides())
+            floor = FreeFloor.of_room(room, self.household.space_of(room), self._uses)
             self._surroundings[room.id] = Surroundings(room, floor, self.household.catalogs)
         floor, poses = self._surroundings[room.id].floor, list(entry.poses)
         stream.shuffle(poses)

@@ -11,6 +11,7 @@ from dataclasses import replace
 from catalogs import Catalogs
 from solver.decorations import DecorationSettings, decorations_of
 from solver.furnish import space_of
+from solver.pipeline.accessible import floors_asked_for
 from solver.scene import Room, Scene, robot_width_of
 from solver.streams import Stream
 
@@ -27,7 +28,8 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
     asked = scene.request or {}
     wanted, style = asked.get("decorate") is True, asked.get("style")
     name = style if isinstance(style, str) else ""
-    settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8)
+    kept = floors_asked_for(scene, catalogs) if wanted else {}
+    settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8, kept)
 
     def done(room: Room) -> Room:
         bare = replace(room, decorations=())

@@ -16,6 +16,7 @@ from solver.furnished import ids_of
 from solver.geometry import Rect, to_m, to_mm
 from solver.pieces import Arrangement, Candidate
 from solver.pipeline.generate import generator, wanted_in
+from solver.pipeline.other_ways import AsFurnished, other_ways
 from solver.placement import SolvedRoom, arrange, finish
 from solver.placement.problem import ORIGIN, Choice, Confirmed, Force, ProblemBox
 from solver.placement.qp import confirmed
@@ -35,11 +36,20 @@ NEARLY_M = 0.015
 
 @dataclass(frozen=True)
 class _Furnished:
-    """A room furnished once more: what was solved, what OSQP says of it, and the ids of its pieces by their labels."""
+    """A room furnished once more, and what OSQP says of it."""
 
-    solved: SolvedRoom
+    room: AsFurnished
     confirmed: Confirmed
-    ids: Mapping[str, str]
+
+    @property
+    def solved(self) -> SolvedRoom:
+        """What was solved."""
+        return self.room.solved
+
+    @property
+    def ids(self) -> Mapping[str, str]:
+        """The ids of the pieces by their labels."""
+        return self.room.ids
 
 
 class _Holder(NamedTuple):
@@ -54,7 +64,7 @@ _A_WAY = _Holder("way", None, "a way that a person needs")
 
 
 def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Explained:
-    """Says where a piece was wished and what holds it back from there.
+    """Says where a piece was wished, what holds it back from there, and what its other ways to stand would have cost.
 
     The room is furnished once more as it was made. Where that does not give the pieces of the scene, because it was edited or comes
     from elsewhere, there is nothing that was wished, and a note says so.
@@ -87,7 +97,7 @@ def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Expla
     notes = [*_notes(candidate, again)]
     if wished and not holds:
         notes.append(AT_PLACE if max(abs(wished[0] - piece.x), abs(wished[1] - piece.z)) < NEARLY_M else BALANCED)
-    return Explained(id, room.id, (piece.x, piece.z), wished, holds, tuple(notes))
+    return Explained(id, room.id, (piece.x, piece.z), wished, holds, tuple(notes), other_ways(again.room, label))
 
 
 def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | None:
@@ -102,7 +112,7 @@ def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | None:
     ids = ids_of(room, made, catalogs)
     if not _same(made, ids, room.furniture):
         return None
-    return _Furnished(solved, confirmed([solved])[0], ids)
+    return _Furnished(AsFurnished(space, wanted, solved, ids), confirmed([solved])[0])
 
 
 def _same(made: Arrangement, ids: Mapping[str, str], furniture: Iterable[Furniture]) -> bool:

@@ -5,17 +5,19 @@ Comes in: Scene. Goes out: files by name. May import: every stage. Not here: wha
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
+from solver.demanded import demand
 from solver.errors import SceneError
 from solver.exchange import FORMATS, write_scene
-from solver.export_formats import Freedom
+from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
 from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
 from solver.scene import Issue, Scene
-from solver.validator import validate
+from solver.validator import floors, validate
 
 LEAST_SIDE_M: Final = 0.001
 """The shortest side of a room that any format can say, m: the lattice of all footprints."""
@@ -23,7 +25,9 @@ TOLD: Final = 20
 """How many errors of a scene a file tells of; the rest is counted."""
 
 
-def export(scene: Scene, format: str, *, free: Freedom = "light", strict: bool = False, catalogs: Catalogs | None = None) -> Files:
+def export(  # noqa: PLR0913 - keyword-only options of the public door
+    scene: Scene, format: str, *, free: Freedom = "light", strict: bool = False, scale: int | None = None, catalogs: Catalogs | None = None
+) -> Files:
     """Writes a scene in a format.
 
     Args:
@@ -31,6 +35,7 @@ def export(scene: Scene, format: str, *, free: Freedom = "light", strict: bool =
         format: one of `compose_homes.EXPORT_FORMATS`: glb, usd, mjcf and so on.
         free: what a simulator may move: "none", "light" things that stand, or all that is "standing".
         strict: refuses a scene with errors; else the files say them.
+        scale: of an SVG plan, 1 to so much; by default the largest that A3 holds.
         catalogs: what kinds of bodies look like and weigh; ours by default.
 
     Returns:
@@ -47,13 +52,40 @@ def export(scene: Scene, format: str, *, free: Freedom = "light", strict: bool =
     """
     known = catalogs or load_catalogs()
     _check_sides(scene)
-    errors = [issue for issue in validate(scene, known) if issue.severity == "error"]
+    issues = validate(scene, known)
+    errors = [issue for issue in issues if issue.severity == "error"]
     if errors and strict:
         raise SceneError("scene", f"has {len(errors)} errors: {errors[0].message}", "a scene without errors, or without strict")
-    shown = with_assets(with_kinds(scene, known), known)
-    model = describe(shown, known, free, _told(errors))
+    return export_each(scene, (format,), known, issues, free, scale=scale)[format]
+
+
+def export_each(  # noqa: PLR0913 - what export() is asked for, and what it has found out
+    scene: Scene, formats: Sequence[str], catalogs: Catalogs, issues: Sequence[Issue], free: Freedom, *, scale: int | None = None
+) -> dict[str, Files]:
+    """Returns the files of a scene in several formats, described once.
+
+    Args:
+        scene: judged already; no side of a room is under a millimetre.
+        formats: of `compose_homes.EXPORT_FORMATS`.
+        catalogs: what kinds of bodies look like and weigh.
+        issues: what the validator says of the scene.
+        free: what a simulator may move.
+        scale: of an SVG plan, 1 to so much.
+
+    Raises:
+        RequestError: there is no such format, or what it needs is not installed.
+    """
+    errors = [issue for issue in issues if issue.severity == "error"]
+    shown = with_assets(with_kinds(scene, catalogs), catalogs)
+    bodies = sum(len(room.furniture) + len(room.decorations) for room in scene.rooms) + len(scene.dynamic)
+    demand(bodies * sum(EXPORTERS[name].body_work for name in formats if name in EXPORTERS))
+    model = describe(shown, catalogs, free, _told(errors))
     kept = shown if model.assets else scene
-    return written_as(model, ExportSettings(format, lambda: FORMATS["json"].dump(write_scene(kept)).rstrip()))
+
+    def text() -> str:
+        return FORMATS["json"].dump(write_scene(kept)).rstrip()
+
+    return {name: written_as(model, ExportSettings(name, text, lambda: floors(scene), scale)) for name in formats}
 
 
 def _check_sides(scene: Scene) -> None:

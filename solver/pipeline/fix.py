@@ -41,6 +41,8 @@ MOST_ROOM_WORK = 300_000.0
 SCENE_WORK = 400_000.0
 """Work one scene may cost, in QPs of a small room, dealt to its rooms alike: by their number, not by how many are broken,
 so that a repaired scene is repaired on the same terms again; as much again for saying why not, dealt to the broken ones."""
+WHY_SHARE = 10
+"""Of the work of saying why not, where nothing is offered that would help, this part: what is found at all is mostly found at once."""
 MOVED = 0.001
 """A body that moved by more, m, is listed in `moves` (docs/fix.md)."""
 
@@ -53,6 +55,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     on_conflict: str = "report",
     previous: Sequence[Pose] = (),
     dragging: bool = False,
+    repairs: bool = True,
     catalogs: Catalogs | None = None,
     clock: Clock | None = None,
 ) -> Fixed:
@@ -63,10 +66,9 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         locked: ids that stay to the millimetre, besides those with `locked: true`.
         moved: ids that are held most strongly.
         on_conflict: "report" leaves what cannot stand as sent and names it; "remove" takes the least important out.
-        previous: poses of the last answer, while something is dragged: pieces stay near them, at the same sides and walls,
-            unless elsewhere is clearly better. Ids that are not in the scene are passed over.
-        dragging: whether this is a frame of a drag: only the room of the one piece in `moved` is answered, quickly, its neighbours
-            near `previous`, and no issues are listed.
+        previous: poses of the last answer, while something is dragged: pieces stay near them, unless elsewhere is clearly better.
+        dragging: whether this is a frame of a drag: the room of the one piece in `moved` is answered, quickly, and no issues are listed.
+        repairs: whether conflicts are to say what would help; telling why costs less without.
         catalogs: whose kinds and room types are known; ours by default.
         clock: a clock in seconds, to fill `timing_ms`.
 
@@ -81,10 +83,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         >>> [(move.id, move.dx) for move in fixed.moves]
         [('sofa', 1.5)]
     """
-    if on_conflict not in ON_CONFLICT:
-        raise RequestError("on_conflict", f"is {on_conflict!r}", ", ".join(ON_CONFLICT))
-    check_ids("locked", locked, body_ids(scene))
-    check_ids("moved", moved, body_ids(scene))
+    _check_wishes(scene, locked, moved, on_conflict)
     timing, known = Timing(clock), catalogs or load_catalogs()
     if dragging and (frame := _dragged(scene, locked, moved, previous, known)) is not None:
         timing.lap("placement")
@@ -98,13 +97,14 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         remove=on_conflict == "remove",
         previous={pose.id: pose for pose in previous},
         work=_share(len(scene.rooms)),
+        offering=repairs,
     )
     words = understood(scene, known)
     house = check(words.scene, known)
     timing.lap("validate")
     house = _all_at_rest(house, house.errors, settings, settings.moved)
-    house, repairs = _rooms_repaired(house, settings)
-    conflicts = [conflict for repair in repairs for conflict in conflicts_of(repair)]
+    house, repaired = _rooms_repaired(house, settings)
+    conflicts = [conflict for repair in repaired for conflict in conflicts_of(repair)]
     house, stuck = _people_repaired(house, settings)
     conflicts += stuck
     timing.lap("placement")
@@ -135,6 +135,13 @@ def _dragged(scene: Scene, locked: Sequence[str], moved: Sequence[str], previous
     timing = {"work": float(frame.answer.work)}
     answer = certified(words.in_their_words(frame.scene))
     return Fixed(answer, _moves(scene, answer), (), conflicts, (), timing, words.understood_as)
+
+
+def _check_wishes(scene: Scene, locked: Sequence[str], moved: Sequence[str], on_conflict: str) -> None:
+    if on_conflict not in ON_CONFLICT:
+        raise RequestError("on_conflict", f"is {on_conflict!r}", ", ".join(ON_CONFLICT))
+    check_ids("locked", locked, body_ids(scene))
+    check_ids("moved", moved, body_ids(scene))
 
 
 def _share(rooms: int) -> float:
@@ -173,7 +180,7 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
         return house, []
     alone = house.after(replace(house.scene, dynamic=()))
     broken = _rooms_to_look_at(alone.scene, alone.errors)
-    settings = replace(settings, explaining_work=_share(len(broken)))
+    settings = replace(settings, explaining_work=_share(len(broken)) / (1 if settings.offering else WHY_SHARE))
     problems = {room.id: _problem(alone.scene, room, alone.errors, settings) for room in alone.scene.rooms}
     repairs = {name: repair_room(problem) if name in broken else unchanged(problem) for name, problem in problems.items()}
     alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})

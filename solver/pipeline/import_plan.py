@@ -54,7 +54,7 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
         notes.guess(entrance.id, "main_entrance", "true", entrance.message)
     words = understood(scene, known).understood_as
     if any(room.furniture for room in scene.rooms) and format != OWN:
-        fixed = fix(scene, on_conflict="remove", catalogs=known)
+        fixed = fix(scene, on_conflict="remove", repairs=False, catalogs=known)
         for move in fixed.moves:
             far = (move.dx**2 + move.dz**2) ** 0.5
             notes.change(

@@ -11,6 +11,8 @@ from dataclasses import replace
 from catalogs import Catalogs
 from solver.furnish import space_of
 from solver.people import Household, peopled
+from solver.pieces import Space
+from solver.pipeline.accessible import access_in
 from solver.scene import Dynamic, Room, Scene, robot_width_of
 from solver.scene_bodies import counted
 
@@ -19,11 +21,11 @@ def home_catalogs(scene: Scene, known: Catalogs) -> Catalogs:
     """Returns the catalogs as they are for a scene's home: planned for a programme or an area, or plain."""
     request = scene.request or {}
     planned = request.get("program") is not None or request.get("area") is not None
-    return known.of_home([room.type for room in scene.rooms], planned)
+    return known.for_access(access_in(scene)).of_home([room.type for room in scene.rooms], planned)
 
 
 def inhabited(scene: Scene, rooms: Sequence[Room], home: Catalogs, seed: int, before: Sequence[Dynamic] | None = None) -> Scene:
-    """Returns a scene with people and pets in some of its rooms.
+    """Returns a scene with people and pets in some of its rooms; nobody comes where its request says so.
 
     Args:
         scene: the house.
@@ -32,6 +34,10 @@ def inhabited(scene: Scene, rooms: Sequence[Room], home: Catalogs, seed: int, be
         seed: decides.
         before: who was in the house, where only these rooms are peopled anew; those elsewhere stay. None: all come anew.
     """
-    spaces = {room.id: space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms) for room in rooms}
-    people = peopled(rooms, Household(seed, home, spaces), before)
+    household = home.model_copy(update={"people": {}}) if (scene.request or {}).get("people") is False else home
+
+    def space(room: Room) -> Space:
+        return space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
+
+    people = peopled(rooms, Household(seed, household, space), before)
     return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counted(scene.rooms, people)})

@@ -11,7 +11,7 @@ from typing import Any
 
 from solver.scene import Scene
 from solver.validator import Checked
-from solver.validator.opening import certified_fronts, travels_of
+from solver.validator.opening import certified_fronts, travels_in
 
 
 def with_fronts(scene: Scene, checked: Checked, rooms: Collection[str] | None = None) -> Scene:
@@ -26,6 +26,6 @@ def with_fronts(scene: Scene, checked: Checked, rooms: Collection[str] | None = 
     entries: dict[str, Any] = dict(document.get("rooms") or {})
     for case in checked.cases:
         name = case.room.room.id
-        if name in entries and (rooms is None or name in rooms) and (travels := travels_of(case.world, case.room, case.kinds, case.rows)):
+        if name in entries and (rooms is None or name in rooms) and (travels := travels_in(case)):
             entries[name] = {**entries[name], "fronts": certified_fronts(travels)}
     return replace(scene, certificate={**document, "rooms": entries})

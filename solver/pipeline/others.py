@@ -13,6 +13,7 @@ from dataclasses import replace
 from solver.pieces import Piece, Placed, Stance
 from solver.pipeline.place_task import PlaceTask
 from solver.pipeline.rounds import Round, quick_placement
+from solver.placement import is_call_spent
 
 ELSEWHERE_MM = 500
 """How far a free piece must have moved to be clearly elsewhere."""
@@ -27,10 +28,10 @@ def other_placements(task: PlaceTask, best: Round, number: int) -> list[Round]:
     found: list[Round] = []
     frontier: list[tuple[Round, Forbidden]] = [(best, frozenset())]
     tries = TRIES_EACH * number
-    while frontier and tries > 0 and len(found) < number:
+    while frontier and tries > 0 and len(found) < number and not is_call_spent():
         source, forbidden = frontier.pop(0)
         for placed in source.arrangement.placed:
-            if tries <= 0 or placed.label not in task.listed.listed:
+            if tries <= 0 or is_call_spent() or placed.label not in task.listed.listed:
                 continue
             tries -= 1
             without = forbidden | {(placed.label, placed.chosen.stance)}

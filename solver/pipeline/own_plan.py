@@ -16,6 +16,7 @@ from solver.floorplan import program_counts, program_of
 from solver.guessed import KEEPS, FurnishedPlan
 from solver.guessing import guessed_types, with_entrance, with_types
 from solver.materials import chosen_style, with_materials
+from solver.pipeline.accessible import walked_by, with_access
 from solver.pipeline.generate import generator, reroll
 from solver.pipeline.timing import Clock, Timing
 from solver.scene import Room, Scene
@@ -36,6 +37,7 @@ def furnish(  # noqa: PLR0913 - keyword-only options of the public door
     program: Mapping[str, int] | str | None = None,
     style: str | None = None,
     decorate: bool | None = None,
+    access: str | None = None,
     seed: int | None = None,
     catalogs: Catalogs | None = None,
     clock: Clock | None = None,
@@ -52,13 +54,14 @@ def furnish(  # noqa: PLR0913 - keyword-only options of the public door
         program: how many rooms of each word the home has, or a preset's name, to guess by.
         style: of the home; by default the scene's own, else one of the seed's.
         decorate: whether surfaces, walls and floors are decorated; by default as the scene's request says.
+        access: a profile that the rooms are furnished for, or "none"; by default as the scene's request says.
         seed: of all chance; by default the scene's own, else 0.
         catalogs: what to furnish with; ours by default.
         clock: a clock in seconds, to fill `timing_ms`; the scene does not depend on it.
 
     Raises:
         SceneError: a room's id is not in the scene.
-        RequestError: the programme, the style or a room type is not known.
+        RequestError: the programme, the style, the profile or a room type is not known.
 
     Example:
         >>> from compose_homes import Room, Scene, furnish
@@ -80,11 +83,12 @@ def furnish(  # noqa: PLR0913 - keyword-only options of the public door
     guesses = guessed_types(named.scene, known, counted)
     plan, entrance = with_entrance(with_types(named.scene, guesses), known)
     asked = set(rooms) or {room.id for room in plan.rooms if keep != "all" or not room.furniture}
-    plan = _with_request(_of_seed(plan, drawn, known), known, program, _style_of(plan, style, known, drawn), decorate)
+    told = {"style": _style_of(plan, style, known, drawn), "decorate": decorate, **walked_by(plan, access, known)}
+    plan = _with_request(_of_seed(plan, drawn, known), known, program, told)
     plan = _with_floors(plan, known, drawn)
     timing.lap("guesses")
     done, left = _furnished_rooms(plan, asked, keep, drawn, known)
-    done = named.in_their_words(done)
+    done = with_access(named.in_their_words(done), known)
     timing.lap("rooms")
     issues = validate(done, known)
     timing.lap("validate")
@@ -113,16 +117,14 @@ def _style_of(scene: Scene, style: str | None, known: Catalogs, seed: int) -> st
     return own if style is None and isinstance(own, str) and own in known.styles else chosen_style(style, known, seed)
 
 
-def _with_request(
-    scene: Scene, known: Catalogs, program: Mapping[str, int] | str | None, style: str | None, decorate: bool | None
-) -> Scene:
+def _with_request(scene: Scene, known: Catalogs, program: Mapping[str, int] | str | None, told: Mapping[str, Any]) -> Scene:
     """Returns a scene whose request says how it is furnished; a home's, also which rooms it has."""
     request: dict[str, Any] = dict(scene.request or {})
     types = Counter(room.type for room in scene.rooms)
     if program is None and scene.request is None and len(HOME & types.keys()) > 1:
         program = program_of(list(types.elements()), known)
-    told = {"program": dict(program) if isinstance(program, Mapping) else program, "style": style, "decorate": decorate}
-    return replace(scene, request={**request, **{key: value for key, value in told.items() if value is not None}})
+    every = {"program": dict(program) if isinstance(program, Mapping) else program, **told}
+    return replace(scene, request={**request, **{key: value for key, value in every.items() if value is not None}})
 
 
 def _with_floors(scene: Scene, known: Catalogs, seed: int) -> Scene:

@@ -14,7 +14,7 @@ from solver.pipeline.others import other_placements
 from solver.pipeline.place_task import PlaceTask, task_of
 from solver.pipeline.rounds import best_placement, settled
 from solver.pipeline.timing import Clock, Timing
-from solver.placement import ROOM_WORK, Budget, feasible, minimal_conflict
+from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement
 from solver.scene import ROBOT_WIDTH, Conflict, Room
 
@@ -59,7 +59,7 @@ def place(  # noqa: PLR0913 - keyword-only options of the public door
     task = task_of(room, pieces, known, setting)
     timing.lap("furnish")
     found = best_placement(task, task.pieces)
-    if found.arrangement.left_out:  # not all can stand: now it counts what matters most
+    if found.arrangement.left_out and not is_call_spent():  # not all can stand: now it counts what matters most
         listed = task_of(room, pieces, known, setting, as_sent=True)
         other = best_placement(listed, listed.pieces)
         if other.score[0] <= found.score[0]:
@@ -106,5 +106,8 @@ def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: 
 
 
 def _sized(task: PlaceTask, piece: Piece) -> str:
-    width, depth, _ = task.kinds[piece.label].size
-    return f"{piece.label} {width / 1000:.2f} x {depth / 1000:.2f} m"
+    kind = task.kinds.get(piece.label)
+    if kind is None:  # a thing that stands on the floor
+        thing = next(one for one in task.room.decorations if one.id == piece.label)
+        return f"{piece.label} {thing.width:.2f} x {thing.depth:.2f} m"
+    return f"{piece.label} {kind.size[0] / 1000:.2f} x {kind.size[1] / 1000:.2f} m"

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from catalogs import Catalogs
 from catalogs.schema import RelationSpec
 from solver.certificate import room_certificate
-from solver.furnish import Habits, ListedPieces, Listing, habits_of, listed_pieces, scope_of, space_of, tucks
+from solver.furnish import NEARLY_ALL, Habits, ListedPieces, Listing, habits_of, kept_pieces, listed_pieces, scope_of, space_of, tucks
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND
 from solver.named_assets import with_assets
@@ -44,10 +44,13 @@ from solver.validator import RULES, validate
 
 
 class Framed(NamedTuple):
-    """The room in the frame of its search: where pieces may stand, and the room before anything is placed."""
+    """The room in the frame of its search: where pieces may stand, the room before anything is placed, what is asked for, what stands."""
 
     space: Space
     bare: FinishedRoom
+    room: Room
+    listing: Listing
+    there: Sequence[Piece]
 
 
 @dataclass(frozen=True)
@@ -89,6 +92,12 @@ class PlaceTask:
         """The pieces to be placed, each after those it refers to, behind those that stand already."""
         return self.listed.pieces
 
+    @cached_property
+    def nearly_all(self) -> ListedPieces | None:
+        """The pieces to be placed with nearly all their candidates, to prove a placement the best; None where these are too many."""
+        space, _, room, listing, there = self.framed
+        return kept_pieces(room, space, listing, there, NEARLY_ALL)
+
 
 def task_of(
     room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: tuple[float, float, str], as_sent: bool = False
@@ -122,8 +131,9 @@ def task_of(
     habits = habits_of(wanted, kinds, catalogs, space.clear)
     goes_to = _goes_to(wanted, habits)
     ordered = in_order(wanted, goes_to)
-    listed = listed_pieces(inside, space, Listing(ordered, kinds, habits), there)
-    framed = Framed(space, _bare(inside, space, by_label, names))
+    listing = Listing(ordered, kinds, habits)
+    listed = listed_pieces(inside, space, listing, there)
+    framed = Framed(space, _bare(inside, space, by_label, names), inside, listing, there)
     bare = _bare(room, own, by_label, names)
     return PlaceTask(
         room, in_order(sent, goes_to), catalogs, wall_thickness, robot_width, engine, own, bare, frame, framed, listed, by_label, words

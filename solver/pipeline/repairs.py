@@ -12,7 +12,7 @@ from typing import Any
 
 from solver.pieces import Piece, Placed
 from solver.pipeline.least_movement import least_moved
-from solver.placement import Budget, feasible
+from solver.placement import Budget, feasible, is_call_spent
 from solver.placement.encode import kin
 from solver.placement.lengths import Shortfall
 from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared
@@ -54,7 +54,9 @@ class RepairGoal:
 
 
 def repairs_of(goal: RepairGoal, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
-    """Returns what would help, cheapest first: what leaves all within reach, or else what lets them stand."""
+    """Returns what would help, cheapest first: what leaves all within reach, or else what lets them stand. None if none is asked."""
+    if not goal.problems[0].settings.offering:
+        return ()
     walks = goal.problems[0].settings.walk and not goal.walk
     within_reach = _repairs(replace(goal, walk=True), members, short) if walks else ()
     return within_reach or _repairs(goal, members, short)
@@ -119,6 +121,8 @@ def _distance(repair: Repair) -> float:
 
 def _tried(goal: RepairGoal, repair: Repair) -> Repair | None:
     """Returns the repair if all the pieces of the goal can stand with it, in every problem of the goal."""
+    if is_call_spent():
+        return None
     asked: list[list[Piece]] = []
     for problem in goal.problems:
         pieces = _pieces(goal, problem, repair)

@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from solver.furnish import ListedPieces
 from solver.geometry import turned
 from solver.pieces import Arrangement, Piece, Placed, Space, Stance
 from solver.pipeline.place_task import PlaceTask, finished, lost
-from solver.placement import finish
+from solver.placement import finish, is_call_spent
 from solver.placement.arrange import SolvedRoom, arrange
 from solver.placement.core import Limits
 from solver.requested import Placement, relations_of
@@ -67,15 +68,26 @@ def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     """
     best = _first(task, wanted, FIRST)
     for _ in range(ROUNDS - 1):
+        if is_call_spent():
+            return best
         found = best if best.perfect else _mended(task, wanted, best)
         if found.score[:3] >= best.score[:3]:
             break
         best = found
-    if not best.is_best:
-        thorough = _first(task, wanted, THOROUGH)
-        proven = thorough.is_best and thorough.score[:3] <= best.score[:3]
-        best = thorough if proven or thorough.score < best.score else best
-    return min(best, _first(task, wanted, Limits()), key=lambda one: one.score) if best.score[0] else best
+    if not best.is_best and not is_call_spent():
+        best = _thorough(task, wanted, best)
+    return min(best, _first(task, wanted, Limits()), key=lambda one: one.score) if best.score[0] and not is_call_spent() else best
+
+
+def _thorough(task: PlaceTask, wanted: Sequence[Piece], best: Round) -> Round:
+    """Returns what is proven best among nearly all candidates; where that is not shown, the better one of a longer search among the few."""
+    for listed in (task.nearly_all, task.listed):
+        if listed is not None and not is_call_spent():
+            thorough = _first(task, listed.pieces if wanted is task.pieces else wanted, THOROUGH, listed)
+            if thorough.is_best and thorough.score[:3] <= best.score[:3]:
+                return thorough
+            best = min(best, thorough, key=lambda one: one.score)
+    return best
 
 
 def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
@@ -86,14 +98,15 @@ def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
         wanted: the pieces, perhaps with fewer candidates.
     """
     found = _first(task, wanted, FIRST)
-    return found if found.perfect else min(found, _mended(task, wanted, found), key=lambda one: one.score)
+    return found if found.perfect or is_call_spent() else min(found, _mended(task, wanted, found), key=lambda one: one.score)
 
 
-def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits) -> Round:
+def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits, listed: ListedPieces | None = None) -> Round:
     """Decides all pieces together, the least free ones first."""
+    listed = listed or task.listed
     rank = {piece.label: -_freedom(task.framed.space, piece) for piece in wanted}
     found = _judged(task, arrange(task.framed.space, _ordered(wanted, rank), limits=limits))
-    return replace(found, whole=wanted is task.pieces and found.draft.cost <= task.listed.sure_cost)
+    return replace(found, whole=wanted is listed.pieces and found.draft.cost <= listed.sure_cost)
 
 
 def _freedom(space: Space, piece: Piece) -> float:

@@ -14,7 +14,7 @@ from functools import cached_property
 from solver.geometry import Rect
 from solver.pieces import Candidate, Piece, Space
 from solver.placement import kernel
-from solver.placement.budget import Budget
+from solver.placement.budget import Budget, is_call_spent
 from solver.placement.core import Core, Limits, rounded
 from solver.placement.empty_floor import FLOOR, PULL
 from solver.placement.encode import Encoded, encode, lay_out
@@ -157,8 +157,7 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
     ordered = sorted(pieces, key=lambda piece: not piece.required)
     tables, room = lay_out(space, ordered, "stands")
     whole = kernel.arrange_whole(room, limits.row, allowed.left, walk, wide)
-    if not wide:
-        allowed.left = whole.budget
+    allowed.left -= whole.spent
     core = Core(_as_arranged(replace(space, ways_mm=whole.ways or space.ways_mm), ordered, tables.candidates, whole))
     gone = [(ordered[piece], CANNOT_STAND if certain else NOT_FOUND) for piece, certain in whole.left_out]
     left_out = [(piece, why) for piece, why in gone if not piece.is_floor]
@@ -182,7 +181,7 @@ def _as_arranged(space: Space, pieces: Sequence[Piece], ways: Sequence[Candidate
 def walkable_when_empty(space: Space) -> bool:
     """Tells whether a person can walk through all doors of the empty room."""
     core = Core(encode(space, ()))
-    return core.evaluate(core.blank(), 10, Budget(), True)
+    return core.evaluate(core.blank(), 10, Budget(is_known=True), True)
 
 
 def _found_by_freeing(space: Space, pieces: Sequence[Piece], budget: Budget) -> bool:
@@ -206,6 +205,8 @@ def feasible(space: Space, pieces: Sequence[Piece], budget: Budget | None = None
         prove: whether "no" is worth the work of its proof to the caller.
     """
     allowed = budget or Budget()
+    if is_call_spent():
+        return None
     if walk and pieces:
         if _found_by_freeing(space, pieces, allowed):
             return True

@@ -1,23 +1,97 @@
-"""Work that a room may cost; counted, never timed, so that equal requests give equal bytes.
+"""Work that a room, and a whole call, may cost; counted, never timed, so that equal requests give equal bytes.
 
-Comes in: nothing. Goes out: `Budget`, which every search of placement counts down.
+Comes in: how much. Goes out: `Budget`, which every search of placement counts down, and `CallWork`, which all budgets of a call share.
 """
 
 from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from math import inf
 
 ROOM_WORK = 400_000.0
 """Work one room may cost, in QPs of a small room."""
 
 
+class CallWork:
+    """The work of one call, in QPs of a small room.
+
+    Args:
+        most: how much it may do in all.
+    """
+
+    def __init__(self, most: float) -> None:
+        self.most, self.done = most, 0.0
+
+    @property
+    def left(self) -> float:
+        """How much is left; below nothing where the last that was done cost more than there was."""
+        return self.most - self.done
+
+    @property
+    def spent(self) -> bool:
+        """Tells whether nothing is left: searches ended here, and might have found more."""
+        return self.done >= self.most
+
+
+_call: ContextVar[CallWork | None] = ContextVar("work of the call", default=None)
+
+
+@contextmanager
+def work_of_call(most: float) -> Iterator[CallWork]:
+    """Has all searches within a block share one limit.
+
+    Args:
+        most: the work that they may do in all; infinite to count only.
+    """
+    work = CallWork(most)
+    before = _call.set(work)
+    try:
+        yield work
+    finally:
+        _call.reset(before)
+
+
+def charge(work: float) -> None:
+    """Counts work of the call that is no search."""
+    call = _call.get()
+    if call is not None:
+        call.done += work
+
+
+def is_call_spent() -> bool:
+    """Tells whether a call's work is spent, so that nothing more is to be tried."""
+    call = _call.get()
+    return call is not None and call.spent
+
+
 class Budget:
     """Work that may still be done, in QPs of a small room. A problem of n variables an axis counts 1 + (n / 20)^2 a QP.
 
+    It ends with that of the call, if there is such a limit.
+
     Args:
         left: how much.
+        is_known: whether what is asked for is known to be there: it is then found even where the call's work is spent.
     """
 
-    def __init__(self, left: float = ROOM_WORK) -> None:
-        self.left = left
+    def __init__(self, left: float = ROOM_WORK, *, is_known: bool = False) -> None:
+        self._left = left
+        self._call = _call.get()
+        self._most = inf if is_known else 0.0
+
+    @property
+    def left(self) -> float:
+        """How much is left."""
+        return self._left if self._call is None else min(self._left, max(self._call.left, self._most))
+
+    @left.setter
+    def left(self, work: float) -> None:
+        done = self.left - work
+        self._left -= done
+        if self._call is not None:
+            self._call.done += done
 
     @property
     def spent(self) -> bool:

@@ -8,12 +8,14 @@ from __future__ import annotations
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 from itertools import chain
+from typing import Final
 
 import numpy as np
 
 from solver.geometry import INWARDS
 from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
 from solver.placement import layout
+from solver.placement.budget import charge
 from solver.placement.layout import Engine, Ints, RoomArrays
 from solver.placement.space import new_engine, request_of
 
@@ -160,6 +162,12 @@ class Tables:
         self.link_costs += (link.cost, link.align, link.near, link.apart_m, link.apart_cost)
 
 
+ROOM_ROWS_WORK: Final = 100.0
+"""What laying a room out counts of a call's work, in QPs of a small room."""
+CANDIDATE_WORK: Final = 20.0
+"""The same for each candidate: finding it and writing its row."""
+
+
 def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encoded:
     """Lays a room out for the kernel.
 
@@ -192,6 +200,7 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, R
     tables = Tables(space, pieces)
     for piece in pieces:
         tables.add(piece, walk)
+    charge(ROOM_ROWS_WORK + CANDIDATE_WORK * len(tables.candidates))
     _group(tables.rows, pieces)
     room = RoomArrays(
         _space_row(space, walk),

@@ -90,6 +90,6 @@ def _with_margin(room: SolvedRoom) -> SolvedRoom | None:
     ways = room.space.ways_mm and room.space.ways_mm + MARGIN_MM
     wider = replace(room.space, robot_mm=room.space.robot_mm + MARGIN_MM, ways_mm=ways)
     core = Core(encode(wider, room.core.encoded.pieces, room.core.encoded.walk))
-    if not core.evaluate(room.decisions, LIMITS.final_qps, Budget(), True):
+    if not core.evaluate(room.decisions, LIMITS.final_qps, Budget(is_known=True), True):
         return None
     return replace(solved_room(core, room.decisions, True), left_out=room.left_out, solves=room.solves, proven=False, best=False)

@@ -38,8 +38,8 @@ class ArrangedRoom(NamedTuple):
     solves: int
     ways: int
     """How wide ways between doors are, where they are wider than asked, mm; else 0."""
-    budget: float
-    """Work that is left."""
+    spent: float
+    """Work, of all widths that were tried."""
     pieces: list[int]
     """What the engine's pieces were numbered in the room that was asked for; -1: floor that was added."""
     candidates: list[int]
@@ -63,12 +63,12 @@ def arrange_whole(room: RoomArrays, limits: Ints, budget: float, walk: bool, wid
     instance = taken(roomy=True)
     sent, asked = instance.write(request_of(room)), instance.write(limits.tobytes())
     address = int(instance.call("arrange_whole", sent, asked, budget, walk, wide))
-    desk, walked, complete, proven, best, solves, ways, left, pieces, ways_there, gone = _WHOLE.unpack(instance.read(address, _WHOLE.size))
+    desk, walked, complete, proven, best, solves, ways, spent, pieces, ways_there, gone = _WHOLE.unpack(instance.read(address, _WHOLE.size))
     numbers = np.frombuffer(instance.read(address + _WHOLE.size, 8 * (pieces + ways_there + 2 * gone)), np.int64).tolist()
     left_out = numbers[pieces + ways_there :]
     flags = bool(walked), bool(complete), bool(proven), bool(best)
     pairs = list(zip(left_out[::2], left_out[1::2], strict=True))
-    return ArrangedRoom(Engine(instance, desk), *flags, solves, ways, left, numbers[:pieces], numbers[pieces : pieces + ways_there], pairs)
+    return ArrangedRoom(Engine(instance, desk), *flags, solves, ways, spent, numbers[:pieces], numbers[pieces : pieces + ways_there], pairs)
 
 
 def best_first(engine: Engine, start: Ints, group: Sequence[int], limits: Sequence[int], walk: bool) -> bool:

@@ -15,12 +15,13 @@ from solver.core import CoreInstance, borrowed
 from solver.geometry import Rect
 from solver.pieces import Arrangement, Placed, Residuals, WantedRows
 from solver.placement.arrange import CANNOT_STAND, NOT_FOUND, NOT_WALKABLE, REASONS
+from solver.placement.budget import Budget
 from solver.placement.layout import COVERED, NO_WAY, SPENT
 from solver.placement.left_out import WALLS, clear_size, room_needed
 from solver.placement.qp import REFUTED, OptimumRefuted, solved_house
 from solver.scene import WALLS as NUMBERED_WALLS
 
-_MADE: Final = Struct("<11qd")
+_MADE: Final = Struct("<11q2d")
 _NAME: Final = Struct("<3q")
 _PLACED: Final = Struct("<7q168s")
 _LEFT_OUT: Final = Struct("<9q")
@@ -44,6 +45,7 @@ class _Made(NamedTuple):
     widened: int
     solves: int
     cost: float
+    spent: float
 
 
 class _Answer(NamedTuple):
@@ -81,10 +83,12 @@ def place_wanted(rooms: Sequence[WantedRows], tidy: bool = False) -> list[Arrang
 
 def _made(core: CoreInstance, room: WantedRows, type_at: int, tidy: bool) -> _Answer:
     sent = core.write(room.room_rows)
-    packed = core.call("make_room", type_at, len(room.type_rows), sent, len(room.room_rows), tidy)
+    budget = Budget()
+    packed = core.call("make_room", type_at, len(room.type_rows), sent, len(room.room_rows), tidy, budget.left)
     address, size = packed & 0xFFFFFFFF, packed >> 32
     data = core.read(address, size)
     made = _Made(*_MADE.unpack_from(data))
+    budget.left -= made.spent
     if made.failed:
         raise AssertionError(f"{room.space.room}: nothing that holds was found")
     return _Answer(made, data, address + size - 8 * made.problem)

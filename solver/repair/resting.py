@@ -113,13 +113,14 @@ def _carried(piece: Furniture, now: Mapping[str, Body], known: _Known) -> Furnit
     on_it = {label for label in pieces if piece.id in (label, *below(label, _said(pieces.values())))} if names else set()
     others = [other for other in pieces.values() if other.name in names and other is not own and other.id not in on_it]
     rect = footprint(piece)
-    over = [other for other in others if _beside(rect, other) == 0]
+    near = sorted(others, key=lambda other: _beside(rect, other))
+    over = [other for other in near if _beside(rect, other) == 0]
     if own is not None and not (over and _beside(rect, own)):
         left = own.id in known.moved and piece.id not in known.moved
         if left or piece.name in known.bound or rect.overlaps(footprint(own)):
-            return _put_on(piece, own, pieces, known)
+            return _put_on(piece, [own, *(near if piece.name in known.bound else ())], pieces, known)
     if over or (own is None and others and piece.name in known.bound):
-        return _put_on(piece, min(over or others, key=lambda other: _beside(rect, other)), pieces, known)
+        return _put_on(piece, [*(near if piece.name in known.bound else over), *([own] if own else ())], pieces, known)
     return replace(piece, y=0.0, on=None)
 
 
@@ -129,8 +130,14 @@ def _beside(rect: Rect, other: Furniture) -> int:
     return max(0, 2 * below_it.x0 - x, x - 2 * below_it.x1) + max(0, 2 * below_it.z0 - z, z - 2 * below_it.z1)
 
 
-def _put_on(piece: Furniture, carrier: Furniture, pieces: Mapping[str, Furniture], known: _Known) -> Furniture:
-    """Moves a piece onto a carrier by the shortest way, beside what stands there where there is room for both."""
+def _put_on(piece: Furniture, carriers: Sequence[Furniture], pieces: Mapping[str, Furniture], known: _Known) -> Furniture:
+    """Moves a piece onto the first carrier that has room for it beside what stands there, else onto the first."""
+    free = (_put_on_one(piece, carrier, pieces, known) for carrier in carriers)
+    return next((found for found, has_room in free if has_room), _put_on_one(piece, carriers[0], pieces, known)[0])
+
+
+def _put_on_one(piece: Furniture, carrier: Furniture, pieces: Mapping[str, Furniture], known: _Known) -> tuple[Furniture, bool]:
+    """Moves a piece onto a carrier by the shortest way; tells whether it has room there."""
     own, height, base = footprint(piece), size_of(piece)[2], to_mm(carrier.y)
     straight = replace(carrier, rotation=squared(carrier.rotation))
     places = _surfaces(straight, known.problem.settings.catalogs, height)
@@ -138,10 +145,11 @@ def _put_on(piece: Furniture, carrier: Furniture, pieces: Mapping[str, Furniture
     area, bottom = _area(own, surface, footprint(straight)), base + level
     blocks = _beside_on(piece, (carrier, area), (bottom, bottom + height), pieces)
     blocks += [zone.rect for zone in known.problem.space.zones if zone.above_mm < bottom + height and zone.rect.overlaps(area)]
-    place = nearest_place(own, area, blocks) or nearest_place(own, area, ())
+    free = nearest_place(own, area, blocks)
+    place = free or nearest_place(own, area, ())
     dx, dz = (place.x0 - own.x0, place.z0 - own.z0) if place else (0, 0)
     x, z = round(piece.x + dx / 1000, 4), round(piece.z + dz / 1000, 4)
-    return replace(piece, x=x, y=bottom / 1000, z=z, on=carrier.id, wall=None if dx or dz else piece.wall)
+    return replace(piece, x=x, y=bottom / 1000, z=z, on=carrier.id, wall=None if dx or dz else piece.wall), free is not None
 
 
 def _beside_on(piece: Furniture, to: tuple[Furniture, Rect], heights: tuple[int, int], pieces: Mapping[str, Furniture]) -> list[Rect]:

@@ -24,6 +24,7 @@ class RepairSettings:
         work: what each attempt at a room may cost, in QPs of a small room.
         explaining_work: what saying why not may cost a room, in QPs of a small room; it changes nothing, so broken rooms alone
             share it.
+        offering: whether what would help is looked for.
     """
 
     catalogs: Catalogs
@@ -34,6 +35,7 @@ class RepairSettings:
     previous: Mapping[str, Pose] = field(default_factory=dict)
     work: float = 0.0
     explaining_work: float = 0.0
+    offering: bool = True
 
     def is_locked(self, body: Furniture | Decoration) -> bool:
         """Tells whether a body must stay exactly as sent."""

@@ -25,6 +25,8 @@ from solver.validator.world import DOOR_KINDS, FLAT, PlacedRoom, World, side_of,
 
 HEADROOM: Final = exact(2.0)
 """What hangs higher is in nobody's way."""
+PROTRUDES: Final = (exact(0.685), exact(0.1))
+"""Above this height, what reaches no further from its wall than this is in nobody's way: pictures, towel bars (ADA 307.2)."""
 LEAST_CM: Final = 10
 """The narrowest square that is tried, cm."""
 REACH: Final = "reach"
@@ -100,6 +102,23 @@ def access_of(scene: Scene, name: str, catalogs: Catalogs | None = None) -> Acce
     return AccessReport(name, profile.says, tuple(findings), tuple(unmet))
 
 
+def turning_squares(scene: Scene, name: str, catalogs: Catalogs | None = None) -> list[AccessFinding]:
+    """Returns the empty squares that a profile's rules of turning find in a home: those met, and those that no other room makes up for.
+
+    Raises:
+        RequestError: there is no such profile.
+    """
+    known = catalogs or load_catalogs()
+    rules = [rule for rule in access_profile(name, known).rules if rule.what == "turning"]
+    world = world_of(understood(scene, known).scene)
+    found = []
+    for rule in rules:
+        every = [one for place in world.places if _about(rule, place.room) for one in _turning(rule, place, world)]
+        short = _short(rule, every)
+        found += [one for one in every if not one.missing or one in short]
+    return found
+
+
 def _short(rule: AccessRule, found: Sequence[AccessFinding]) -> list[AccessFinding]:
     """Returns what of a rule is not met; of one that asks for a single room, that of the room that misses least."""
     if not rule.one:
@@ -113,25 +132,24 @@ def _reach(scene: Scene, catalogs: Catalogs, profile: AccessProfile) -> Iterator
     """Yields for each room how wide a square comes into it and to all that is used there, in whole cm, the profile's walker at most."""
 
     @cache
-    def missed(centimetres: int) -> dict[str | None, tuple[str, ...]]:
-        asked = {**(scene.request or {}), "robot_width": centimetres / 100}
+    def missed(width: float) -> dict[str | None, tuple[str, ...]]:
+        asked = {**(scene.request or {}), "robot_width": width}
         issues = check(replace(scene, request=asked), catalogs).issues
         return {issue.room: issue.ids for issue in reversed(issues) if issue.rule == "unreachable"}
 
-    whole = ceil(round(profile.walker * 100, 6))
     for room in scene.rooms:
-        ids, has = missed(whole).get(room.id, ()), profile.walker
-        if room.id in missed(whole):
-            low, high = LEAST_CM - 1, whole
+        ids, has = missed(profile.walker).get(room.id, ()), profile.walker
+        if room.id in missed(profile.walker):
+            low, high = LEAST_CM - 1, ceil(round(profile.walker * 100, 6))
             while high - low > 1:
                 middle = (low + high) // 2
-                low, high = (low, middle) if room.id in missed(middle) else (middle, high)
+                low, high = (low, middle) if room.id in missed(middle / 100) else (middle, high)
             has = low / 100 if low >= LEAST_CM else 0.0
         yield AccessFinding(REACH, room.id, ids[0] if ids else None, profile.says, profile.walker, has)
 
 
 def _about(rule: AccessRule, room: Room) -> bool:
-    return not room.outdoor and room.type not in rule.but and (not rule.rooms or room.type in rule.rooms)
+    return not room.outdoor and rule.is_about(room.type)
 
 
 def _footprint(body: Furniture | Decoration) -> ExactBox:
@@ -147,9 +165,14 @@ def _clear(place: PlacedRoom, world: World) -> ExactBox:
 def _taken(place: PlacedRoom, world: World, but: Sequence[str] = ()) -> list[ExactBox]:
     """Returns what stands on a room's floor, those of some ids left out, and what of its bounds is none of it."""
     bodies: list[Furniture | Decoration] = [*place.room.furniture, *place.room.decorations]
-    standing = [one for one in bodies if one.id not in but and exact(one.height) > FLAT and exact(one.y) < HEADROOM]
+    standing = [one for one in bodies if one.id not in but and exact(one.height) > FLAT and _in_the_way(one)]
     free = [one for one in standing if not getattr(one, "on", None) and not getattr(one, "parent", None)]
     return [*map(_footprint, free), *(box.grown(world.half_wall) for box in place.outline.missing)]
+
+
+def _in_the_way(body: Furniture | Decoration) -> bool:
+    low, thin = PROTRUDES
+    return exact(body.y) < HEADROOM and not (exact(body.y) >= low and exact(body.depth) <= thin)
 
 
 def _turning(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
@@ -161,8 +184,9 @@ def _turning(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[Acce
 
 def _door(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
     for opening in place.room.openings:
-        if opening.kind in DOOR_KINDS:
-            has = round(opening.width - (rule.frame if opening.kind == "door" else 0.0), 4)
+        if opening.kind in DOOR_KINDS and (opening.main_entrance or not rule.main):
+            within = rule.out and opening.kind == "door" and opening.swing == "in"
+            has = 0.0 if within else round(opening.width - (rule.frame if opening.kind == "door" else 0.0), 4)
             yield AccessFinding(rule.what, place.room.id, opening.id, rule.clause, rule.least, has)
 
 

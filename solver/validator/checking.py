@@ -11,8 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Final
 
 from catalogs import Catalogs, load_catalogs
+from solver.demanded import demand
 from solver.scene import Issue, Room, Scene
 from solver.understanding import understood
 from solver.validator.judging import RuleCase
@@ -24,6 +26,11 @@ from solver.validator.world import world_of
 
 _OF_THE_CERTIFICATE = "missing_required"
 """The one rule that reads what is no room: the reasons that the certificate gives."""
+
+ROOM_WORK: Final = 150
+"""What judging a room counts; measured."""
+FINDING_WORK: Final = 10
+"""What putting a finding into words counts, and sending it; measured."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +116,10 @@ def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked
         placed = [(place, known[place.room.id].case.rows if place.room.id in same else room_bytes(world, place, kinds)) for place in places]
         walk = known[places[0].room.id].case.walk if len(known) == len(places) else walk_of(world, placed)
         for place, rows in placed:
-            judged[place.room.id] = _judge(RuleCase(world, walk, place, kinds, rows), known.get(place.room.id))
+            case = RuleCase(world, walk, place, kinds, rows)
+            if not before:
+                demand(ROOM_WORK + FINDING_WORK * case.count_told())
+            judged[place.room.id] = _judge(case, known.get(place.room.id))
     rooms = tuple(judged[place.room.id] for place in world.places)
     found = (issue for one in rooms for rule in CHECKS for issue in one.issues[rule])
     return Checked(scene, (*homeless(scene), *found), kinds, rooms)

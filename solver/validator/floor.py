@@ -9,7 +9,9 @@ from collections.abc import Collection
 from struct import Struct
 from typing import Any, Final
 
+from catalogs import Catalogs, load_catalogs
 from solver.scene import Scene
+from solver.validator.accessibility import turning_squares
 from solver.validator.lattice import ExactBox, metres
 from solver.validator.sent_rooms import ask
 from solver.validator.squares import squares, window_zone
@@ -19,18 +21,21 @@ from solver.validator.world import PlacedRoom, World, world_of
 _NUMBER: Final = Struct("<q")
 
 
-def floors(scene: Scene, rooms: Collection[str] = ()) -> list[dict[str, Any]]:
+def floors(scene: Scene, rooms: Collection[str] = (), catalogs: Catalogs | None = None) -> list[dict[str, Any]]:
     """Says what a person who moves furniture must know of the floor.
 
     Args:
         scene: any scene that could be read.
         rooms: the ids of the rooms wanted; all where none are given.
+        catalogs: where profiles of access are; ours by default.
 
     Returns:
         For each room, in the scene's order: `clear`, its bounds less the walls; `doors`, the squares kept free; `windows`, the
         strips where nothing taller than the sill stands; `free`, what the robot's square covers of the clear floor while it
-        comes from an entrance, in rectangles that do not overlap.
+        comes from an entrance, in rectangles that do not overlap; where its request names a profile of access, `turning`, the square
+        to turn in, and `short`, the largest there is where it is too small and no other room's makes up for it.
     """
+    squares_by_room = _turning(scene, catalogs)
     world = world_of(scene)
     found: dict[str, dict[str, Any]] = {}
     for walk in walks(world):
@@ -39,8 +44,21 @@ def floors(scene: Scene, rooms: Collection[str] = ()) -> list[dict[str, Any]]:
         for place, count in zip(walk.places, told[:at], strict=True):
             free = [[metres(steps) for steps in told[i : i + 4]] for i in range(at, at + 4 * count, 4)]
             at += 4 * count
-            found[place.room.id] = _floor(world, place, free)
+            found[place.room.id] = _floor(world, place, free) | squares_by_room.get(place.room.id, {"turning": [], "short": []})
     return [found[place.room.id] for place in world.places if not rooms or place.room.id in rooms]
+
+
+def _turning(scene: Scene, catalogs: Catalogs | None) -> dict[str, dict[str, list[list[float]]]]:
+    known, name = catalogs or load_catalogs(), (scene.request or {}).get("access")
+    found: dict[str, dict[str, list[list[float]]]] = {}
+    for one in turning_squares(scene, name, known) if isinstance(name, str) and name in known.access else ():
+        west, north, east, south = one.place or (0.0, 0.0, 0.0, 0.0)
+        of_room = found.setdefault(one.room, {"turning": [], "short": []})
+        if one.missing and one.place:
+            of_room["short"].append([west, north, east, south])
+        elif not one.missing:
+            of_room["turning"].append([west, north, round(west + one.needs, 4), round(north + one.needs, 4)])
+    return found
 
 
 def _floor(world: World, place: PlacedRoom, free: list[list[float]]) -> dict[str, Any]:

@@ -6,10 +6,10 @@ Comes in: a room, and what the core found in it. Goes out: to each rule the rows
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from struct import Struct
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from solver.validator.kinds import Kinds
 from solver.validator.sent_rooms import ask
@@ -35,19 +35,31 @@ class Told(NamedTuple):
 
 @dataclass(frozen=True)
 class RuleCase:
-    """A room to be judged: the house it is in, the walk of its storey, what the catalogs say, and the room as the core reads it."""
+    """A room to be judged: the house it is in, the walk of its storey, what the catalogs say, and the room as the core reads it.
+
+    `kept` holds what a rule found and the certificate says as well.
+    """
 
     world: World
     walk: Walk
     room: PlacedRoom
     kinds: Kinds
     rows: bytes
+    kept: dict[str, Any] = field(default_factory=dict, compare=False)
+
+    @cached_property
+    def _found(self) -> bytes:
+        return ask("judge_room", self.rows)
+
+    def count_told(self) -> int:
+        """Returns how often the core finds rules broken."""
+        return len(self._found) // _FINDING.size
 
     @cached_property
     def told(self) -> Mapping[str, Sequence[Told]]:
         """What the core finds in the room, by rule."""
         found: dict[str, list[Told]] = {rule: [] for rule in JUDGED}
-        for rule, *row in _FINDING.iter_unpack(ask("judge_room", self.rows)):
+        for rule, *row in _FINDING.iter_unpack(self._found):
             found[JUDGED[rule]].append(Told(*row))
         return found
 

@@ -5,16 +5,20 @@ Comes in: the catalogs. Goes out: use sides, room types; surfaces and parts as r
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
-from itertools import chain
-from struct import pack
+from struct import Struct, pack
 from typing import Final, NamedTuple, TypeAlias
 
 from catalogs import Catalogs
 from catalogs.dressing import DecorationKind
 from catalogs.fronts import UnitFront, fronts_of
+from catalogs.insides import insides_of
 from catalogs.kind_book import KindBook
 from catalogs.schema import FurnitureSpec, Use
+from catalogs.shapes import Solid
+from catalogs.synonyms import KindSize
+from solver.body_parts import is_round
 from solver.validator.lattice import exact
 
 KindKey: TypeAlias = tuple[str, str, float, float, float, str | None]
@@ -26,7 +30,10 @@ _MOST_KNOWN: Final = 20_000
 
 
 class KindRows(NamedTuple):
-    """A kind as the core reads it: how many surfaces and parts it has; rows (height, inset) in lattice steps, and boxes in shares."""
+    """A kind as the core reads it: how many surfaces and parts it has; rows in lattice steps, and boxes in shares.
+
+    A surface's row is its height, and how far in from the left, right, back and front edge it is.
+    """
 
     surfaces: int
     surface_rows: bytes
@@ -34,6 +41,8 @@ class KindRows(NamedTuple):
     part_rows: bytes
 
 
+_PART: Final = Struct("<6dq")
+_BOX, _BALL = 0, 4
 NO_KIND: Final = KindRows(0, b"", 0, b"")
 """A kind of which nothing is said."""
 
@@ -54,9 +63,10 @@ class Kinds:
         self._fronts: dict[KindKey, tuple[UnitFront, ...]] = {}
         self._named = catalogs.kinds_by_name()
         furniture: list[tuple[str, FurnitureSpec | DecorationKind]] = [(k.name or kind, k) for kind, k in catalogs.furniture.items()]
-        self._surfaces: dict[str, dict[tuple[float, ...], list[tuple[float, float]]]] = {}
+        self._furniture = catalogs.furniture
+        self._surfaces: dict[str, dict[tuple[float, ...], Sequence[tuple[float, ...]]]] = {}
         for name, kind in (*furniture, *catalogs.decorations.items()):
-            found = [(surface.height, surface.inset) for surface in kind.surfaces]
+            found = [(surface.height, *(surface.inset,) * 4) for surface in kind.surfaces]
             self._surfaces.setdefault(name, {}).setdefault(kind.size, found)
 
     def use(self, name: str) -> Use | None:
@@ -86,18 +96,38 @@ class Kinds:
         sort, name, width, depth, height, said = key
         is_person, size = sort == "person", (width, depth, height)
         shape = self._book.living(name, said == SEATED) if is_person else self._book.kind_of(sort, name, size, said)
-        surfaces = [] if is_person else self._surfaces_of(name, size)
+        surfaces = [] if is_person else [*self._surfaces_of(name, size), *self._insides_of(sort, shape, size)]
         solids = self._book.solids(shape)
         heights = [exact(length) for surface in surfaces for length in surface]
-        ends = list(chain.from_iterable((*solid.x, *solid.y, *solid.z) for solid in solids))
-        return KindRows(len(surfaces), pack(f"<{len(heights)}q", *heights), len(solids), pack(f"<{len(ends)}d", *ends))
+        parts = b"".join([_PART.pack(*solid.x, *solid.y, *solid.z, _filled(solid, size)) for solid in solids])
+        return KindRows(len(surfaces), pack(f"<{len(heights)}q", *heights), len(solids), parts)
 
-    def _surfaces_of(self, name: str, size: tuple[float, float, float]) -> list[tuple[float, float]]:
-        """Returns what a piece or decoration carries things on: heights above its underside, and how far in from its edges, m.
+    def _insides_of(self, sort: str, shape: str | None, size: KindSize) -> list[tuple[float, ...]]:
+        """Returns the boards and drawers inside a piece that is as large as its kind."""
+        kind = self._furniture.get(shape or "") if sort == "furniture" else None
+        if kind is None or size != kind.size:
+            return []
+        half_width, half_depth = size[0] / 2, size[1] / 2
+        return [
+            (one.height, half_width + one.x[0], half_width - one.x[1], half_depth + one.z[0], half_depth - one.z[1])
+            for one in insides_of(self._book.solids(shape), size)
+        ]
+
+    def _surfaces_of(self, name: str, size: KindSize) -> Sequence[tuple[float, ...]]:
+        """Returns what a piece or decoration carries things on: heights above its underside, and how far in from its four edges, m.
 
         Where its size is not that of a kind of its name: its top, and every height known for the name, on all of it.
         """
-        known, top = self._surfaces.get(name, {}), (size[2], 0.0)
+        known, top = self._surfaces.get(name, {}), (size[2], 0.0, 0.0, 0.0, 0.0)
         if size in known:
             return known[size] or [top]
-        return [top, *((height, 0.0) for found in known.values() for height, _ in found)]
+        return [top, *((height, 0.0, 0.0, 0.0, 0.0) for found in known.values() for height, *_ in found)]
+
+
+def _filled(solid: Solid, size: KindSize) -> int:
+    """Returns how a solid of a body of some size fills its box, as the core numbers it: as a box, along x, y or z, as a ball."""
+    width, depth, height = size
+    lengths = (solid.x[1] - solid.x[0]) * width, (solid.y[1] - solid.y[0]) * height, (solid.z[1] - solid.z[0]) * depth
+    if solid.form == "ball":
+        return _BALL
+    return 1 + "xyz".index(solid.axis) if is_round(solid.form, solid.axis, lengths) else _BOX

@@ -1,6 +1,6 @@
 """Exact arithmetic: lengths as integers, boxes, and the parts of the plane they cover.
 
-Comes in: metres. Goes out: integers in quarter micrometres. May import: nothing of ours.
+Comes in: metres. Goes out: integers in quarter micrometres. May import: the count of work.
 
 A scene is read to the micrometre. Halving an extent gives half micrometres; one step finer, at a quarter, lies a robot that
 is half a micrometre narrower than asked: it passes a gap of exactly the robot's width, and nothing narrower.
@@ -8,12 +8,17 @@ is half a micrometre narrower than asked: it passes a gap of exactly the robot's
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Final, NamedTuple
 
+from solver.demanded import demand
+
 PER_METRE: Final = 4_000_000
 """Lattice steps in a metre."""
+BOX_WORK: Final = 2
+"""What a box of an outline counts; measured."""
 MICROMETRE: Final = PER_METRE // 1_000_000
 
 
@@ -99,20 +104,40 @@ def outline_of(corners: Sequence[tuple[int, int]]) -> Outline:
     xs = sorted({x for x, _ in corners})
     zs = sorted({z for _, z in corners})
     lines = list(zip(corners, [*corners[1:], corners[0]], strict=True))
-    merged: list[tuple[int, int, list[int]]] = []
-    for x0, x1 in pairwise(xs):
-        spans = _spans(lines, x0, x1)
-        start = merged.pop()[0] if merged and merged[-1][2] == spans else x0
-        merged.append((start, x1, spans))
+    merged: list[_Slab] = []
+    for slab in _slabs(lines, xs):
+        start = merged.pop().x0 if merged and merged[-1].spans == slab.spans else slab.x0
+        merged.append(slab._replace(x0=start))
     inside = tuple(ExactBox(x0, a, x1, b) for x0, x1, spans in merged for a, b in _pairs(spans))
     missing = tuple(ExactBox(x0, a, x1, b) for x0, x1, spans in merged for a, b in _pairs([zs[0], *spans, zs[-1]]) if a < b)
-    edges = tuple(_edge(inside, *line) for line in lines)
+    edges = tuple(_edge(merged, *line) for line in lines)
     return Outline(ExactBox(xs[0], zs[0], xs[-1], zs[-1]), inside, missing, edges)
 
 
-def _spans(lines: Sequence[tuple[tuple[int, int], tuple[int, int]]], x0: int, x1: int) -> list[int]:
-    """Returns where a slab enters and leaves the floor, from north to south."""
-    found = sorted(a[1] for a, b in lines if min(a[0], b[0]) <= x0 and x1 <= max(a[0], b[0]))
+class _Slab(NamedTuple):
+    """A part of an outline from west to east, and where floor begins and ends in it, from north to south."""
+
+    x0: int
+    x1: int
+    spans: list[int]
+
+
+def _slabs(lines: Sequence[tuple[tuple[int, int], tuple[int, int]]], xs: Sequence[int]) -> Iterator[_Slab]:
+    """Yields the slabs between all corners, swept from west to east."""
+    flat = sorted((min(a[0], b[0]), max(a[0], b[0]), a[1]) for a, b in lines if a[0] != b[0])
+    over: list[tuple[int, int, int]] = []
+    begun = 0
+    for x0, x1 in pairwise(xs):
+        over = [line for line in over if line[1] > x0]
+        while begun < len(flat) and flat[begun][0] <= x0:
+            over.append(flat[begun])
+            begun += 1
+        demand(BOX_WORK * len(over))
+        yield _Slab(x0, x1, _crossings(sorted(z for _, _, z in over)))
+
+
+def _crossings(found: Sequence[int]) -> list[int]:
+    """Returns where a slab enters and leaves the floor: lines that run to and fro are none."""
     crossings: list[int] = []
     for z in found:
         if crossings and crossings[-1] == z:
@@ -126,17 +151,22 @@ def _pairs(spans: Sequence[int]) -> list[tuple[int, int]]:
     return list(zip(spans[::2], spans[1::2], strict=True))
 
 
-def _edge(inside: Sequence[ExactBox], a: tuple[int, int], b: tuple[int, int]) -> WallEdge | None:
+def _edge(slabs: Sequence[_Slab], a: tuple[int, int], b: tuple[int, int]) -> WallEdge | None:
     """Finds which wall a line of the outline is, by the side its floor lies on."""
     (x0, z0), (x1, z1) = min(a, b), max(a, b)
     if z0 == z1 and x0 < x1:
-        south, north = (_covered(inside, x0 + 1, z0 + step) for step in (1, -1))
+        south, north = (_covered(slabs, x0 + 1, z0 + step) for step in (1, -1))
         return WallEdge("north" if south else "south", z0, x0, x1) if south != north else None
     if x0 == x1 and z0 < z1:
-        east, west = (_covered(inside, x0 + step, z0 + 1) for step in (1, -1))
+        east, west = (_covered(slabs, x0 + step, z0 + 1) for step in (1, -1))
         return WallEdge("west" if east else "east", x0, z0, z1) if east != west else None
     return None
 
 
-def _covered(inside: Sequence[ExactBox], x: int, z: int) -> bool:
-    return any(box.x0 < x < box.x1 and box.z0 < z < box.z1 for box in inside)
+def _covered(slabs: Sequence[_Slab], x: int, z: int) -> bool:
+    at = bisect_left(slabs, x, key=lambda slab: slab.x0) - 1
+    if at < 0 or x >= slabs[at].x1:
+        return False
+    spans = slabs[at].spans
+    begun = bisect_left(spans, z)
+    return begun % 2 == 1 and z < spans[begun]

@@ -8,7 +8,6 @@ Each front is opened alone, all others shut. People and pets step aside, what li
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
 from itertools import chain
 from struct import Struct, pack
 from typing import Any, Final, NamedTuple
@@ -54,7 +53,7 @@ class FrontTravel(NamedTuple):
 
 def front_blocked(case: RuleCase) -> Iterator[Finding]:
     """A front opens less than half of its way; where its kind says that it must open, that is an error."""
-    for one in travels_of(case.world, case.room, case.kinds, case.rows):
+    for one in travels_in(case):
         if one.share < ENOUGH:
             ids = (one.piece,) if one.meets in (None, WALL) else (one.piece, str(one.meets))
             yield Finding(ids, 0, f"{one.piece}'s {one.front} {_words(one)}", "error" if one.must_open else None)
@@ -66,6 +65,14 @@ def _words(one: FrontTravel) -> str:
     else:
         how = f"opens {one.travel:.0f} of {one.range:.0f} degrees"
     return f"{how}: then it meets {'a wall' if one.meets == WALL else one.meets}"
+
+
+def travels_in(case: RuleCase) -> list[FrontTravel]:
+    """Returns how far every front of a judged room opens; a home's certificate and its issues ask for the same."""
+    if "fronts" not in case.kept:
+        case.kept["fronts"] = travels_of(case.world, case.room, case.kinds, case.rows)
+    found: list[FrontTravel] = case.kept["fronts"]
+    return found
 
 
 def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> list[FrontTravel]:
@@ -80,7 +87,7 @@ def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> li
     fronts = list(fronts_in(place, kinds))
     if not fronts:
         return []
-    told = _opened(front_bytes(fronts, list(shell_of(world, place)), rows))
+    told = ask("open_fronts", front_bytes(fronts, shell_of(world, place), rows))
     return [_travel(place, body, front, row) for (body, front), row in zip(fronts, _OPENED.iter_unpack(told), strict=True)]
 
 
@@ -92,12 +99,6 @@ def front_bytes(fronts: Sequence[tuple[int, UnitFront]], shell: Sequence[ShellBo
         sent.append(_FRONT.pack(body, *front.hinge, front.end, _AXES[front.axis], front.slides, first, len(front.parts)))
         first += len(front.parts)
     return b"".join([*sent, pack(f"<{len(numbers)}q", *numbers)])
-
-
-@lru_cache(maxsize=128)
-def _opened(rows: bytes) -> bytes:
-    """Asks the core; a home's certificate and its issues ask for the same."""
-    return ask("open_fronts", rows)
 
 
 def fronts_in(place: PlacedRoom, kinds: Kinds) -> Iterator[tuple[int, UnitFront]]:

@@ -6,7 +6,7 @@ Comes in: a `World`, and what the catalogs say of kinds. Goes out: bytes for the
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from struct import Struct
 from typing import Final
@@ -51,14 +51,16 @@ def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:
     windows = [_zone(hole, window_zone(hole)) for hole in place.holes if hole.opening.kind == "window"]
     edges = [_edge(edge) for edge in place.edges]
     ways = [_edge(WallEdge(hole.edge.side, hole.edge.line, hole.start, hole.end)) for hole in place.holes if hole.opening.kind in WAYS]
-    numbers, of_kinds = _Numbers(), _KindTable(kinds)
+    numbers: dict[str | None, int] = {None: -1}
+    of_kinds = _KindTable(kinds)
     bodies = _bodies(place, numbers, of_kinds)
     outline = place.outline
     shell = (outline.inside, outline.missing, edges, ways, doors, windows)
-    sizes = (*map(len, shell), *of_kinds.sizes, len(bodies), len(numbers), 0)
+    kinds_sent, kind_sizes = of_kinds.sent()
+    sizes = (*map(len, shell), *kind_sizes, len(bodies), len(numbers), 0)
     head = _ROOM.pack(world.half_wall, *outline.bounds, *sizes)
     boxes = [_BOX.pack(*box) for box in (*outline.inside, *outline.missing)]
-    return b"".join([head, *boxes, *edges, *ways, *doors, *windows, *of_kinds.rows, *bodies])
+    return b"".join([head, *boxes, *edges, *ways, *doors, *windows, kinds_sent, *bodies])
 
 
 def storey_bytes(
@@ -96,28 +98,16 @@ class _KindTable(dict[KindKey, int]):
         self._rows.append(self._kinds.rows(key) if self._kinds else NO_KIND)
         return at
 
-    @property
-    def sizes(self) -> tuple[int, int, int]:
-        """How many kinds, surfaces and parts there are."""
-        return len(self._rows), sum(one.surfaces for one in self._rows), sum(one.parts for one in self._rows)
-
-    @property
-    def rows(self) -> Iterator[bytes]:
-        """The kinds, their surfaces, their parts."""
+    def sent(self) -> tuple[bytes, tuple[int, int, int]]:
+        """Returns the kinds, their surfaces, their parts, and how many of each there are."""
         surfaces = parts = 0
+        rows = []
         for one in self._rows:
-            yield _KIND.pack(surfaces, one.surfaces, parts, one.parts)
+            rows.append(_KIND.pack(surfaces, one.surfaces, parts, one.parts))
             surfaces, parts = surfaces + one.surfaces, parts + one.parts
-        yield from (one.surface_rows for one in self._rows)
-        yield from (one.part_rows for one in self._rows)
-
-
-class _Numbers(dict[str | None, int]):
-    """Ids as numbers: -1 for none, else the same for the same id."""
-
-    def __missing__(self, name: str | None) -> int:
-        at = self[name] = -1 if name is None else len(self)
-        return at
+        rows += [one.surface_rows for one in self._rows]
+        rows += [one.part_rows for one in self._rows]
+        return b"".join(rows), (len(self._rows), surfaces, parts)
 
 
 def _zone(hole: Hole, box: ExactBox) -> bytes:
@@ -128,26 +118,27 @@ def _edge(edge: WallEdge) -> bytes:
     return _BOX.pack(_WALL[edge.side], edge.line, edge.start, edge.end)
 
 
-def _bodies(place: PlacedRoom, numbers: _Numbers, kinds: _KindTable) -> list[bytes]:
-    """Returns the rows of furniture, small things and people."""
-    pack, room, none = _BODY.pack, place.room, numbers[None]
+def _bodies(place: PlacedRoom, numbers: dict[str | None, int], kinds: _KindTable) -> list[bytes]:
+    """Returns the rows of furniture, small things and people; ids are numbered as they come, equal ones alike."""
+    pack, room, none, number = _BODY.pack, place.room, numbers[None], numbers.setdefault
     rows = []
     for piece in room.furniture:
         width, depth, height = piece.width, piece.depth, piece.height
         kind = kinds["furniture", piece.name, width, depth, height, piece.kind]
         place_of = piece.x, piece.y, piece.z, width, depth, height, _turn(piece.rotation)
-        ids = numbers[piece.id], numbers[piece.on], numbers[piece.under]
+        ids = number(piece.id, len(numbers)), number(piece.on, len(numbers)), number(piece.under, len(numbers))
         rows.append(pack(*place_of, _FURNITURE, *ids, _WALL.get(piece.wall, _NO_SUCH_WALL), kind))
     for thing in room.decorations:
         width, depth, height = thing.width, thing.depth, thing.height
         kind = kinds["decoration", thing.name, width, depth, height, thing.kind]
         place_of = thing.x, thing.y, thing.z, width, depth, height, _turn(thing.rotation)
-        ids = numbers[thing.id], numbers[thing.parent], none
+        ids = number(thing.id, len(numbers)), number(thing.parent, len(numbers)), none
         rows.append(pack(*place_of, _DECORATION, *ids, _WALL.get(thing.mounted_on_wall, _NO_SUCH_WALL), kind))
     for person in place.people:
         kind = kinds["person", person.kind, 0.0, 0.0, 0.0, None if person.on is None else SEATED]
         place_of = person.x, person.y, person.z, person.width, person.depth, person.height, _turn(person.rotation)
-        rows.append(pack(*place_of, _PERSON, numbers[person.id], numbers[person.on], none, none, kind))
+        ids = number(person.id, len(numbers)), number(person.on, len(numbers)), none
+        rows.append(pack(*place_of, _PERSON, *ids, none, kind))
     return rows
 
 

@@ -5,7 +5,7 @@ Comes in: a `World` and one of its places. Goes out: boxes. May import: scene, w
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Final, NamedTuple
 
@@ -38,15 +38,16 @@ class _HoleHere(NamedTuple):
     towards: int
 
 
-def shell_of(world: World, place: PlacedRoom) -> Iterator[ShellBox]:
-    """Yields the boxes around a room, in its own frame."""
+def shell_of(world: World, place: PlacedRoom) -> list[ShellBox]:
+    """Returns the boxes around a room, in its own frame."""
     thickness = 2 * metres(world.half_wall)
     holes = list(_holes(world, place))
+    boxes: list[ShellBox] = []
     for edge in place.edges:
-        for bar in _wall(edge, thickness, [one for one in holes if _on(edge, one.edge)]):
-            yield _placed(edge, bar)
+        boxes += _placed(edge, _wall(edge, thickness, [one for one in holes if _on(edge, one.edge)]))
     for one in holes:
-        yield from (_placed(one.edge, bar) for bar in _fitted(one, thickness))
+        boxes += _placed(one.edge, _fitted(one, thickness))
+    return boxes
 
 
 def _holes(world: World, place: PlacedRoom) -> Iterator[_HoleHere]:
@@ -74,14 +75,18 @@ def _on(edge: WallEdge, other: WallEdge) -> bool:
     return edge.runs_east == other.runs_east and edge.line == other.line
 
 
-def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> Iterator[Bar]:
-    """Yields a wall's solid boxes: it goes on by half its thickness beyond its ends."""
+def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> list[Bar]:
+    """Returns a wall's solid boxes: it goes on by half its thickness beyond its ends."""
     half = thickness / 2
     start, end = metres(edge.start) - half, metres(edge.end) + half
+    if not holes:
+        return [Bar((start, end), (0.0, HEIGHT), (-half, half))]
     stops = sorted({start, end, *(at for one in holes for at in one.along if start < at < end)})
+    bars = []
     for low, high in pairwise(stops):
         gaps = sorted(one.up for one in holes if one.along[0] < (low + high) / 2 < one.along[1])
-        yield from (Bar((low, high), up, (-half, half)) for up in between(0.0, HEIGHT, gaps))
+        bars += [Bar((low, high), up, (-half, half)) for up in between(0.0, HEIGHT, gaps)]
+    return bars
 
 
 def _fitted(one: _HoleHere, thickness: float) -> list[Bar]:
@@ -97,7 +102,8 @@ def _fitted(one: _HoleHere, thickness: float) -> list[Bar]:
     return [*door_bars(one.along, head, thickness), *leaf_bars(one.along, head, middle, hinge)]
 
 
-def _placed(edge: WallEdge, bar: Bar) -> ShellBox:
-    (low, high), line = bar.across, metres(edge.line)
-    x, z = (bar.along, (line + low, line + high)) if edge.runs_east else ((line + low, line + high), bar.along)
-    return ShellBox(x[0], bar.up[0], z[0], x[1], bar.up[1], z[1])
+def _placed(edge: WallEdge, bars: Iterable[Bar]) -> list[ShellBox]:
+    line = metres(edge.line)
+    if edge.runs_east:
+        return [ShellBox(x0, y0, line + low, x1, y1, line + high) for (x0, x1), (y0, y1), (low, high), _ in bars]
+    return [ShellBox(line + low, y0, z0, line + high, y1, z1) for (z0, z1), (y0, y1), (low, high), _ in bars]

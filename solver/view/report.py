@@ -72,10 +72,22 @@ def _head(scene: Scene, issues: Sequence[Issue], found: _Findings) -> Iterator[T
     yield TextLine(f"# House: {_size(scene)}walls {_metres(scene.wall_thickness)} m thick")
     yield TextLine(f"# Counts: {_counts(scene)}")
     yield TextLine(f"# Placement: {proofs(scene) or 'nothing is said of optimality'}")
+    yield from _access(scene)
     yield TextLine(f"# Issues: {_tally(issues)}")
     if found.flagged:
         yield TextLine(f"# Flagged: {len(found.flagged)}")
     yield TextLine(f"# {FRAME}")
+
+
+def _access(scene: Scene) -> Iterator[TextLine]:
+    """Yields what the certificate says of the home's profile of access, whatever shape a foreign one has."""
+    told = (scene.certificate or {}).get("access")
+    if not isinstance(told, Mapping):
+        return
+    unmet = told.get("unmet")
+    short = unmet if isinstance(unmet, list | tuple) else ()
+    yield TextLine(f"# Access: {visible(told.get('profile'))}, {'met' if told.get('met') is True else f'{len(short)} unmet'}")
+    yield from (TextLine(f"#   {visible(one)}") for one in short)
 
 
 def _size(scene: Scene) -> str:

@@ -47,6 +47,7 @@ Bytes dress_room(Bytes dressing_rows, Bytes room_rows) {
   hang_free(room);
   lay_on_things(room);
   stand(room);
+  for (i32 k = 0; k < room.pieces.size; k++) fill(room, k);
   AnswerHeader header{room.stream.state(), room.things.size()};
   Writer writer(sizeof(header) + bytes_of(room.things.all()));
   writer.put(Span<AnswerHeader>{&header, 1});

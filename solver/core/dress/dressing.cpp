@@ -40,6 +40,7 @@ static void check_dressing(const Dressing& known) {
     part_of(known.lies, entry.lies);
     part_of(known.hangs, entry.hangs);
     part_of(known.stands, entry.stands);
+    part_of(known.lies, entry.holds);
   }
 }
 

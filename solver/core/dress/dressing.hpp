@@ -14,7 +14,7 @@ constexpr i64 NO_LIMIT = -1;
 // A surface that carries things: above the underside, in from the footprint's edges; the free height above it, or NO_LIMIT.
 struct Surface {
   i64 height;
-  i64 inset;
+  i64 left, right, back, front;
   i64 clearance;
   i64 word;
 };
@@ -51,7 +51,7 @@ struct Row {
   i32 always;
   i32 in_style;
   i32 accent;
-  i32 unused;
+  i32 most;  // of it in one piece, if it is inside
 };
 
 struct Share {
@@ -79,7 +79,7 @@ struct Hangs {
   i64 gap;
 };
 
-enum class Where : i32 { middle = 0, corner = 1, beside = 2, wall = 3, free = 4 };
+enum class Where : i32 { middle = 0, corner = 1, beside = 2, wall = 3, free = 4, under = 5 };
 
 struct Stands {
   Row row;
@@ -94,11 +94,12 @@ struct Stands {
   i64 reach;
 };
 
-// What dresses a name.
+// What dresses a name; what it `holds` are rows of `lies`, too.
 struct Entry {
   Range lies;
   Range hangs;
   Range stands;
+  Range holds;
   i32 together;
   i32 indoor;
 };

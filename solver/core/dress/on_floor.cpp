@@ -12,6 +12,9 @@ constexpr i64 FRONT_MM = 300;
 // How much wider than asked the ways through a room are kept where its furniture leaves them so wide, the widest first: 0.8 m is what a
 // person with a tray or a wheelchair takes, 0.7 m a robot with a margin.
 constexpr i64 WIDER_MM[] = {200, 100, 50};
+// How far rugs that lie under pieces end before walls, and in how many steps they become smaller where the floor ends. Our choice.
+constexpr i64 RUG_OFF_WALL_MM = 100;
+constexpr i64 RUG_PARTS = 4;
 // Places tried for a thing that stands anywhere. Our choice.
 constexpr i32 TRIES = 3;
 
@@ -28,9 +31,12 @@ class Floor {
   explicit Floor(DecoratedRoom& room);
 
   void spread(const Stands& row, const Choice& choice);
+  void lay_under(const Stands& row, const Choice& choice);
   void scatter(const Stands& row, const Turns& turns);
 
  private:
+  const Piece* first_named(const Stands& row) const;
+  bool has_floor(const Rect& place) const;
   List<Spot> spots_of(const Stands& row);
   void add_beside(const Stands& row, List<Spot>& spots);
   Spot at_wall(Wall wall, i64 along) const;
@@ -93,11 +99,46 @@ void Floor::spread(const Stands& row, const Choice& choice) {
   const i64 rotation = wide >= deep ? 0 : 90;
   const Extent extent = room_.bounds_of(size, rotation);
   const Rect place = Rect{0, 0, extent.x, extent.z}.moved(floor_div(wide - extent.x, 2), floor_div(deep - extent.z, 2));
-  if (!clear_.contains(place)) return;
+  if (has_floor(place)) room_.add(choice, row.row, place, 0, size, rotation, NOBODY, Wall::none);
+}
+
+// Tells whether all of a rectangle is floor of the room.
+bool Floor::has_floor(const Rect& place) const {
+  if (!clear_.contains(place)) return false;
   for (const Zone& zone : room_.zones) {
-    if (zone.is_outline && place.overlaps(zone.rect)) return;
+    if (zone.is_outline && place.overlaps(zone.rect)) return false;
   }
-  room_.add(choice, row.row, place, 0, size, rotation, NOBODY, Wall::none);
+  return true;
+}
+
+// The piece that stands on the floor and is named first; none where the room has none that is named.
+const Piece* Floor::first_named(const Stands& row) const {
+  for (const i32 word : part_of(room_.known.words, row.of)) {
+    for (const Piece& piece : room_.pieces) {
+      if (piece.word == word && piece.low == 0) return &piece;
+    }
+  }
+  return nullptr;
+}
+
+// Lays a rug under a piece, so far beyond it on every side as the row reaches and the floor goes; in a corner of a room that is no
+// rectangle a smaller one.
+void Floor::lay_under(const Stands& row, const Choice& choice) {
+  const Piece* piece = first_named(row);
+  if (piece == nullptr) return;
+  const Rect inner = clear_.shrunk(RUG_OFF_WALL_MM);
+  for (i64 part = RUG_PARTS; part > 0; part--) {
+    const Rect grown = piece->rect.shrunk(-floor_div(row.reach * part, RUG_PARTS));
+    Rect place{most(grown.x0, inner.x0), most(grown.z0, inner.z0), least(grown.x1, inner.x1), least(grown.z1, inner.z1)};
+    place.x1 -= floor_mod(place.width(), 10);
+    place.z1 -= floor_mod(place.depth(), 10);
+    if (place.width() <= 0 || place.depth() <= 0 || !has_floor(place)) continue;
+    const i64 height = room_.known.kind_of(choice).size.height;
+    const bool lies_along_x = place.width() >= place.depth();
+    const Size size{most(place.width(), place.depth()), least(place.width(), place.depth()), height};
+    room_.add(choice, row.row, place, 0, size, lies_along_x ? 0 : 90, NOBODY, Wall::none);
+    return;
+  }
 }
 
 Spot Floor::at_wall(Wall wall, i64 along) const {
@@ -231,6 +272,8 @@ static void stand_rows(DecoratedRoom& room, Floor& floor, const Entry& entry) {
     if (turns.choices.size == 0 || least(room.room.width, room.room.depth) < row.min_side) continue;
     if (row.where == Where::middle) {
       floor.spread(row, turns.at(0));
+    } else if (row.where == Where::under) {
+      floor.lay_under(row, turns.at(0));
     } else {
       floor.scatter(row, turns);
     }

@@ -77,6 +77,18 @@ static bool means(const DecoratedRoom& room, const Lies& row, const Carrier& car
   return false;
 }
 
+// Adds a row's places on a surface, as its carrier is turned.
+static void add_places(const DecoratedRoom& room, i64 carrier, const Surface& surface, const Lies& row, List<Spot>& spots) {
+  const i64 rotation = room.carriers[carrier].rotation;
+  const Point ahead = facing(rotation);
+  const f64 dx = static_cast<f64>(ahead.x), dz = static_cast<f64>(ahead.z);
+  for (const Share& at : part_of(room.known.places, row.at)) {
+    const f64 across = at.across - 0.5, along = at.along - 0.5;
+    const Share share{0.5 + (dz * across + dx * along), 0.5 + (dz * along - dx * across)};
+    spots.add({carrier, surface, share, (rotation + row.turn) % 360, false, false, {0, 0}});
+  }
+}
+
 // The places of a row on a carrier, and on what is already on it.
 static Span<Spot> spots_of(const DecoratedRoom& room, i64 carrier, const Lies& row) {
   List<Spot> spots;
@@ -86,14 +98,8 @@ static Span<Spot> spots_of(const DecoratedRoom& room, i64 carrier, const Lies& r
       if (!means(room, row, on, k, below == carrier)) continue;
       if (row.at_seats) {
         add_seats(room, below, on.surfaces[k], spots);
-        continue;
-      }
-      const Point ahead = facing(on.rotation);
-      const f64 dx = static_cast<f64>(ahead.x), dz = static_cast<f64>(ahead.z);
-      for (const Share& at : part_of(room.known.places, row.at)) {
-        const f64 across = at.across - 0.5, along = at.along - 0.5;
-        const Share share{0.5 + (dz * across + dx * along), 0.5 + (dz * along - dx * across)};
-        spots.add({below, on.surfaces[k], share, (on.rotation + row.turn) % 360, false, false, {0, 0}});
+      } else {
+        add_places(room, below, on.surfaces[k], row, spots);
       }
     }
   }
@@ -120,7 +126,7 @@ static Size filled(const Rect& area, const Spot& spot, const Share& fill, const 
 // Puts a thing at a spot or as near as it can; tells whether it found a place.
 static bool put(DecoratedRoom& room, const Spot& spot, const Lies& row, const Choice& choice) {
   const Carrier& carrier = room.carriers[spot.carrier];
-  const Rect area = carrier.rect.shrunk(spot.surface.inset);
+  const Rect area = carrier.area_of(spot.surface);
   const i64 low = carrier.low + spot.surface.height;
   const i64 askew = row.upright ? 0 : room.jitter(room.known.kind_of(choice));
   Span<Size> tried = room.known.sizes_of(choice);
@@ -134,6 +140,7 @@ static bool put(DecoratedRoom& room, const Spot& spot, const Lies& row, const Ch
   List<Rect> blocks;
   room.near(area, {low, low + height}, spot.carrier, blocks);
   for (Rect& rect : blocks) rect = rect.shrunk(-GAP_MM);
+  room.opened_over({low, low + height}, blocks);
   for (const Size& size : tried) {
     for (i32 angle = 0; angle < (askew ? 2 : 1); angle++) {
       const i64 rotation = spot.rotation + (angle == 0 ? askew : 0);
@@ -160,6 +167,33 @@ void lay(DecoratedRoom& room, Span<i64> carriers) {
       for (const Span<Spot>& spots : every) {
         if (k < spots.size && put(room, spots[k], row, turns.at(k))) break;
       }
+    }
+  }
+}
+
+static bool is_asked_for(const DecoratedRoom& room, const Lies& row, const Surface& surface) {
+  for (const i32 word : part_of(room.known.words, row.surface)) {
+    if (word == surface.word) return true;
+  }
+  return false;
+}
+
+void fill(DecoratedRoom& room, i64 piece) {
+  const Entry* entry = room.known.entry_of(room.carriers[piece].word);
+  const Span<Surface> insides = room.known.surfaces_of(room.pieces[static_cast<i32>(piece)].insides);
+  if (entry == nullptr || insides.size == 0) return;
+  for (const Lies& row : part_of(room.known.lies, entry->holds)) {
+    List<Spot> spots;
+    for (const Surface& surface : insides) {
+      if (is_asked_for(room, row, surface)) add_places(room, piece, surface, row, spots);
+    }
+    if (spots.size() == 0) continue;
+    const Turns turns = room.wanted(row.row);
+    if (turns.choices.size == 0) continue;
+    const i32 count = spots.all().size, first = count > 1 ? room.stream.below(count) : 0;
+    i32 laid = 0;
+    for (i32 k = 0; k < count && laid < row.row.most; k++) {
+      if (put(room, spots[(first + k) % count], row, turns.at(laid))) laid++;
     }
   }
 }

@@ -25,6 +25,9 @@ DecoratedRoom::DecoratedRoom(const Dressing& dressing, Bytes rows) : known(dress
     const i64 number = carriers.size();
     carriers.add({piece.rect, piece.low, piece.high, piece.rotation, piece.word, known.surfaces_of(piece.surfaces), NOBODY});
     blocks.add({piece.rect, piece.low, piece.high, number});
+    const Wall ahead = wall_ahead(piece.rotation);
+    const Rect before = strip_at(opposite(ahead), piece.rect.line(ahead), piece.rect.along(ahead), piece.opens);
+    if (piece.opens > 0) opened.add({before, piece.low + piece.opens_above, piece.high, number});
   }
 }
 
@@ -33,6 +36,15 @@ static bool holds(Span<i32> words, i64 word) {
     if (one == word) return true;
   }
   return false;
+}
+
+Rect Carrier::area_of(const Surface& surface) const {
+  const i64 left = surface.left, right = surface.right, back = surface.back, front = surface.front;
+  const Point ahead = facing(rotation);
+  if (ahead.z > 0) return {rect.x0 + left, rect.z0 + back, rect.x1 - right, rect.z1 - front};
+  if (ahead.z < 0) return {rect.x0 + right, rect.z0 + front, rect.x1 - left, rect.z1 - back};
+  if (ahead.x > 0) return {rect.x0 + back, rect.z0 + right, rect.x1 - front, rect.z1 - left};
+  return {rect.x0 + front, rect.z0 + left, rect.x1 - back, rect.z1 - right};
 }
 
 Turns DecoratedRoom::wanted(const Row& row) {
@@ -64,6 +76,12 @@ void DecoratedRoom::near(const Rect& rect, Interval heights, i64 carrier, List<R
     if (block.low >= heights.high || heights.low >= block.high || !block.rect.overlaps(rect)) continue;
     if (carrier != NOBODY && (stands_on(carrier, block.body) || is_sat_under(block.body, root))) continue;
     found.add(block.rect);
+  }
+}
+
+void DecoratedRoom::opened_over(Interval heights, List<Rect>& found) const {
+  for (const Block& one : opened) {
+    if (one.low < heights.high && heights.low < one.high) found.add(one.rect);
   }
 }
 

@@ -27,6 +27,7 @@ struct RoomHeader {
 };
 
 // A piece of furniture. `faced`: one comes to it from its front alone. `in_the_way`: of who walks. `sides`: it is used from, as in Goal.
+// Its fronts come so far before it as they `open`, 0 for none, from `opens_above` its underside on.
 struct Piece {
   Rect rect;
   i64 low;
@@ -34,11 +35,14 @@ struct Piece {
   i32 rotation;
   i32 word;
   Range surfaces;
+  Range insides;
   i32 under;  // the piece it is tucked under
   i32 faced;
   i32 in_the_way;
   i32 sides;
   i32 need_all;
+  i32 opens;
+  i32 opens_above;
   i32 unused;
 };
 
@@ -80,6 +84,9 @@ struct Carrier {
   i64 word;
   Span<Surface> surfaces;
   i64 parent;
+
+  // The rectangle of one of its surfaces.
+  Rect area_of(const Surface& surface) const;
 };
 
 // Kinds that take turns; empty where there are to be none.
@@ -102,6 +109,9 @@ class DecoratedRoom {
 
   // Fills `found` with what shares space with a box, but what a carrier stands in or on and what is tucked under the piece it is all on.
   void near(const Rect& rect, Interval heights, i64 carrier, List<Rect>& found) const;
+
+  // Adds what fronts come into as they open.
+  void opened_over(Interval heights, List<Rect>& found) const;
 
   // Puts a thing into the room, where it may carry others.
   void add(const Choice& choice, const Row& row, const Rect& rect, i64 low, const Size& size, i64 rotation, i64 parent, Wall wall);
@@ -129,6 +139,7 @@ class DecoratedRoom {
     i64 body;
   };
   List<Block> blocks;
+  List<Block> opened;  // what fronts come into as they open
 
  private:
   struct Drawn {

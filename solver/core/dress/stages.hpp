@@ -8,6 +8,9 @@ namespace dress {
 // Lays the rows of their word on carriers of one word; what lies on several, once on the first that takes it.
 void lay(DecoratedRoom& room, Span<i64> carriers);
 
+// Lays the rows of what a piece holds on the boards inside it and in its drawers, from one that is drawn on.
+void fill(DecoratedRoom& room, i64 piece);
+
 // Hangs the rows of a piece on the wall behind it; outdoors, and in rooms that are no rectangles, none.
 void hang(DecoratedRoom& room, i64 piece);
 

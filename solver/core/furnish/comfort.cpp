@@ -11,14 +11,16 @@ constexpr i64 NOTHING_MM = 2;
 constexpr f64 WEIGHT = 0.02;
 // What it costs a required piece that its fronts do not open half of their way.
 constexpr f64 BLOCKED = 12.0;
-// Added to the side of floor that fronts open over.
-constexpr i32 OPENED = 4;
+// Added to the side of floor that fronts open over; of floor that a standard asks for; in place of a side: of a square to turn in.
+constexpr i32 OPENED = 4, ASKED = 8, TURNING = 12;
+// What doing without floor costs that a standard asks for, at a side and to turn in: more than any piece that is not required.
+constexpr f64 UNMET = 40.0, NO_TURNING = 60.0;
 
 namespace {
 
 class Comforted {
  public:
-  explicit Comforted(const RoomType& type, const WantedRows& wanted) : type_(type), wanted_(wanted) {
+  Comforted(const Scope& scope, const RoomType& type, const WantedRows& wanted) : scope_(scope), type_(type), wanted_(wanted) {
     moved_ = reserved<i32>(wanted.pieces.size);
   }
 
@@ -26,22 +28,36 @@ class Comforted {
   void add_required() {
     List<Comfortable> added;
     visit(true, [&](const Comfortable& one, bool) { added.add(one); });
-    for (const Comfortable& one : added) add_opened(one);
+    for (const Comfortable& one : added) {
+      if (is_in_run(pieces_[one.piece])) run_.add(one);
+      else add_opened(one, false);
+    }
+    for (const Comfortable& one : added) add_asked(one);
+    add_turning();
     for (const Comfortable& one : added) add_floors(one, true);
     for (const Comfortable& one : added) add_floors(one, false);
   }
 
   // Adds the optional pieces, each with what its fronts open over, each group with its weighed floor, then the rest of the floor at their
-  // sides.
+  // sides. What the fronts of a run's worktop and its required pieces open over comes when the run is whole: worktop stands without, too.
   void add_optional() {
     List<Comfortable> added;
     i32 done = 0;
     const auto add_weighed = [&] {
-      for (; done < added.size(); done++) add_floors(added[done], true);
+      for (; done < added.size(); done++) {
+        add_asked(added[done]);
+        add_floors(added[done], true);
+      }
     };
+    i32 coming = 0;
+    for (const PieceRow& piece : wanted_.pieces) coming += is_in_run(piece) && !type_.pieces[piece.spec].required;
+    if (coming == 0) add_opened_of_run();
     visit(false, [&](const Comfortable& one, bool with_next) {
       added.add(one);
-      add_opened(one);
+      const bool in_run = is_in_run(pieces_[one.piece]);
+      if (in_run && has_word(type_.worktop, type_.pieces[pieces_[one.piece].spec].word)) run_.add(one);
+      else add_opened(one, false);
+      if (in_run && --coming == 0) add_opened_of_run();
       if (!with_next) add_weighed();
     });
     add_weighed();
@@ -90,12 +106,18 @@ class Comforted {
     return kinds;
   }
 
-  // Adds the floor that the fronts of a piece open over: an optional one stands with it or not at all. Not in rooms with a run: round a
-  // corner it hides some of its own fronts, and what stands about it is as varied as the room only without.
-  void add_opened(const Comfortable& of) {
+  bool is_in_run(const PieceRow& piece) const { return has_word(type_.words, type_.pieces[piece.spec].word); }
+
+  // Adds the floor that the fronts of a run open over, where there is any: its pieces stand without, too.
+  void add_opened_of_run() {
+    for (const Comfortable& one : run_) add_opened(one, true);
+  }
+
+  // Adds the floor that the fronts of a piece open over: an optional one stands with it or not at all, but `in_run`.
+  void add_opened(const Comfortable& of, bool in_run) {
     const Span<Candidate> ways = part_of(wanted_.candidates, of.ways);
     const i32 before = candidates_.size();
-    const bool required = pieces_[of.piece].required;
+    const bool required = pieces_[of.piece].required && !in_run;
     Side side = Side::front;
     i32 opened = 0;
     f64 cost = 0.0;
@@ -106,21 +128,71 @@ class Comforted {
         opens = true;
         side = comfort.side;
         cost = most(cost, comfort.cost);
-        add_strip(of.piece, kind, comfort, comfort.depth, 0.0);
-        if (comfort.half < comfort.depth) add_strip(of.piece, kind, comfort, comfort.half, comfort.cost);
+        add_strip(of.piece, kind, comfort, comfort.side, comfort.depth, 0.0);
+        if (comfort.half < comfort.depth) add_strip(of.piece, kind, comfort, comfort.side, comfort.half, comfort.cost);
       }
       opened += opens;
       if (opens && !required) continue;
       Candidate& without = add_nothing(of.piece, kind, opens ? BLOCKED : 0.0);
       without.bottom = NOWHERE_MM;
     }
-    if (opened == 0 || ways[0].is_on || type_.has_run) {
+    if (opened == 0 || ways[0].is_on) {
       candidates_.cut(before);
       return;
     }
     PieceRow& own = pieces_[of.piece];
-    pieces_.add({own.spec, of.piece, -1, candidates_.size() - before, 0, OPENED + static_cast<i32>(side), required, own.with_next, cost});
-    if (!required) pieces_[of.piece].with_next = true;
+    const i32 ways_opened = candidates_.size() - before;
+    const f64 skipped = in_run ? BLOCKED : cost;
+    pieces_.add({own.spec, of.piece, -1, ways_opened, 0, OPENED + static_cast<i32>(side), required, own.with_next, skipped});
+    if (!required && !in_run) pieces_[of.piece].with_next = true;
+  }
+
+  static bool is_wished(const Comfort& comfort) { return !comfort.opens && comfort.asked == 0; }
+
+  // Adds the strips of floor about a piece that a standard asks for.
+  void add_asked(const Comfortable& of) {
+    const List<i32> kinds = kinds_of(of);
+    i32 last = 0;
+    for (i32 kind : kinds) {
+      for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) last = most(last, comfort.asked);
+    }
+    for (i32 number = 1; number <= last; number++) add_asked(of, kinds, number);
+  }
+
+  void add_asked(const Comfortable& of, const List<i32>& kinds, i32 number) {
+    const i32 before = candidates_.size();
+    const bool required = pieces_[of.piece].required;
+    Side side = Side::front;
+    for (i32 kind : kinds) {
+      bool asks = false;
+      for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) {
+        if (comfort.asked != number) continue;
+        asks = true;
+        side = comfort.side;
+        add_strip(of.piece, kind, comfort, side, comfort.depth, 0.0);
+        if (comfort.other >= 0) add_strip(of.piece, kind, comfort, static_cast<Side>(comfort.other), comfort.depth, 0.0);
+      }
+      if (required || !asks) add_nothing(of.piece, kind, asks ? UNMET : 0.0).bottom = NOWHERE_MM;
+    }
+    const i32 ways = candidates_.size() - before;
+    pieces_.add({pieces_[of.piece].spec, of.piece, -1, ways, 0, ASKED + static_cast<i32>(side), required, 0, UNMET});
+  }
+
+  // Adds the square that stays empty for a person to turn in.
+  void add_turning() {
+    const Rect& clear = scope_.clear;
+    const i64 side = type_.turning;
+    if (side == 0 || wanted_.pieces.size == 0 || least(clear.x1 - clear.x0, clear.z1 - clear.z0) < side) return;
+    Candidate& square = candidates_.add(free_candidate(-1, 0.0));
+    square.anchor = {(clear.x0 + clear.x1) / 2, (clear.z0 + clear.z1) / 2};
+    square.weight = WEIGHT;
+    square.floor = {side, side};
+    Candidate& without = candidates_.add(free_candidate(-1, NO_TURNING));
+    without.anchor = square.anchor;
+    without.bottom = NOWHERE_MM;
+    without.weight = WEIGHT;
+    without.floor = {NOTHING_MM, NOTHING_MM};
+    pieces_.add({wanted_.pieces[0].spec, 0, -1, 2, 0, TURNING, 1, 0, NO_TURNING});
   }
 
   // Adds the floor at the sides of a piece that is worth enough to be weighed, or all other.
@@ -129,7 +201,7 @@ class Comforted {
     List<Side> sides;
     for (i32 kind : kinds) {
       for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) {
-        if (!comfort.opens) add_new(sides, comfort.side);
+        if (is_wished(comfort)) add_new(sides, comfort.side);
       }
     }
     for (Side side : sides) {
@@ -138,7 +210,7 @@ class Comforted {
       const i32 before = candidates_.size();
       for (i32 kind : kinds) {
         for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) {
-          if (comfort.side == side && !comfort.opens) add_strip(of.piece, kind, comfort, comfort.depth, 0.0);
+          if (comfort.side == side && is_wished(comfort)) add_strip(of.piece, kind, comfort, side, comfort.depth, 0.0);
         }
       }
       const bool required = pieces_[of.piece].required && cost >= WEIGHED;
@@ -153,7 +225,7 @@ class Comforted {
     f64 cost = 0.0;
     for (i32 kind : kinds) {
       for (const Comfort& comfort : type_.comforts_of(type_.kinds[kind])) {
-        if (comfort.side == side && !comfort.opens) cost = most(cost, comfort.cost);
+        if (comfort.side == side && is_wished(comfort)) cost = most(cost, comfort.cost);
       }
     }
     return cost;
@@ -171,13 +243,14 @@ class Comforted {
   }
 
   // Adds floor so deep at a side of a piece that stands as that kind.
-  void add_strip(i32 piece, i32 kind, const Comfort& comfort, i64 depth, f64 cost) {
+  void add_strip(i32 piece, i32 kind, const Comfort& comfort, Side side, i64 depth, f64 cost) {
     const Extent own = type_.kinds[kind].size();
-    const bool beside = is_lateral(comfort.side);
-    const i64 width = comfort.opens ? comfort.across.high - comfort.across.low : own.x;
-    const Extent floor = beside ? Extent{depth, own.z - comfort.behind} : Extent{width, depth};
-    const Rect box = at_side(own, floor, comfort.side, {0, 0}, beside ? Align::front : Align::centre);
-    const i64 aside = comfort.opens ? comfort.across.middle() : 0;
+    const bool beside = is_lateral(side);
+    const i64 part = comfort.across.high - comfort.across.low;
+    const i64 width = part > 0 ? part : own.x;
+    const Extent floor = beside ? Extent{depth - comfort.off, own.z - comfort.behind} : Extent{width, depth - comfort.off};
+    const Rect box = at_side(own, floor, side, {comfort.off, comfort.off}, beside ? Align::front : Align::centre);
+    const i64 aside = part > 0 ? comfort.across.middle() : 0;
     Candidate& made = candidates_.add(free_candidate(-1, cost));
     made.parent = piece;
     made.parent_kind = kind;
@@ -195,18 +268,20 @@ class Comforted {
     values.add(value);
   }
 
+  const Scope& scope_;
   const RoomType& type_;
   const WantedRows& wanted_;
   Span<i32> moved_;  // by piece: where it is now
   List<PieceRow> pieces_;
+  List<Comfortable> run_;  // the pieces of the run, so far
   List<Candidate> candidates_;
   List<Link> links_;
 };
 
 }  // namespace
 
-WantedRows with_comfort(const RoomType& type, const WantedRows& wanted) {
-  Comforted found(type, wanted);
+WantedRows with_comfort(const Scope& scope, const RoomType& type, const WantedRows& wanted) {
+  Comforted found(scope, type, wanted);
   found.add_required();
   found.add_optional();
   return found.all();

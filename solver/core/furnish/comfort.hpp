@@ -15,6 +15,7 @@ struct WantedRows {
 // Adds floor to keep free at sides of pieces, as pieces without a body, rigid at theirs: what required pieces, which come first, wish for
 // before the optional pieces, what is worth much right behind its piece, the rest last. Doing without it is always a way, but for floor
 // that the fronts of an optional piece open over: where that is not free for half of their way, the piece is left out.
-WantedRows with_comfort(const RoomType& type, const WantedRows& wanted);
+// So is floor that a standard asks for: strips about pieces, and a square to turn in, which comes behind those of the required pieces.
+WantedRows with_comfort(const Scope& scope, const RoomType& type, const WantedRows& wanted);
 
 }  // namespace furnish

@@ -51,7 +51,7 @@ Wanted wanted_in(const RoomType& type, const RoomHeader& room, const Scope& scop
     const Span<Candidate> run = type.has_run ? planned_run(scope, walls, type, counted, stream) : Span<Candidate>{};
     add_pieces(furnisher, type, counted, run, stream);
   }
-  return {stream.state(), counted, with_comfort(type, {furnisher.pieces.all(), furnisher.candidates.all(), furnisher.links.all()})};
+  return {stream.state(), counted, with_comfort(scope, type, {furnisher.pieces.all(), furnisher.candidates.all(), furnisher.links.all()})};
 }
 
 static Bytes answer(const Wanted& wanted) {

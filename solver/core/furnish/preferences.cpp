@@ -89,14 +89,15 @@ static i32 drawn_count(const PieceSpec& piece, f64 area, Stream& stream) {
   return static_cast<i32>(low + whole(share * static_cast<f64>(high - low + 1)));
 }
 
-// The variants that suit a room of that area; all where none does.
+// The variants that suit a room of that area, but those for corners; all where none does.
 static Span<Variant> suited(const RoomType& type, const PieceSpec& piece, f64 area) {
-  const Span<Variant> all = part_of(type.variants, piece.variants);
-  List<Variant> found;
-  for (const Variant& variant : all) {
+  List<Variant> all, found;
+  for (const Variant& variant : type.variants_of(piece)) {
+    if (variant.corner >= 0) continue;
+    all.add(variant);
     if (variant.min_area <= area) found.add(variant);
   }
-  return found.size() > 0 ? found.all() : all;
+  return found.size() > 0 ? found.all() : all.all();
 }
 
 List<CountedPiece> counted_pieces(const RoomType& type, f64 area, Stream& stream) {

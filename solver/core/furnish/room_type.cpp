@@ -28,13 +28,18 @@ static void check_type(const RoomType& type) {
     for (Side side : part_of(type.sides, kind.use)) check(is_one(side, Side::back));
     for (const Comfort& comfort : type.comforts_of(kind)) {
       check(is_one(comfort.side, Side::back) && comfort.half <= comfort.depth && comfort.across.low <= comfort.across.high);
+      check(comfort.other >= -1 && comfort.other <= static_cast<i32>(Side::back));
+      check(comfort.asked >= 0 && comfort.off >= 0 && comfort.off <= comfort.depth);
     }
   }
-  for (const Variant& variant : type.variants) type.kind(variant.kind);
+  for (const Variant& variant : type.variants) {
+    type.kind(variant.kind);
+    check(variant.corner >= -1 && variant.corner <= static_cast<i32>(Side::right));
+  }
   for (const Rule& rule : type.rules) check_rule(rule, type);
   for (const PieceSpec& piece : type.pieces) {
     check(is_word(piece.word, type) && piece.count >= 0 && piece.count <= MOST_COPIES && piece.variants.count > 0);
-    part_of(type.variants, piece.variants);
+    check(type.variants_of(piece)[0].corner < 0);
     type.rules_of(piece);
     for (Side side : part_of(type.sides, piece.approach)) check(is_one(side, Side::back));
   }
@@ -69,6 +74,8 @@ RoomType read_room_type(u8* data, i64 size) {
   type.triangle = reader.take<i32>(header.triangle);
   type.all_words = header.all_words;
   type.has_run = header.has_run != 0;
+  type.turning = header.turning;
+  check(type.turning >= 0);
   check(type.all_words >= 0 && type.all_words <= 1 << 16);
   check_type(type);
   return type;

@@ -33,7 +33,8 @@ struct Level {
 // Floor that is better kept free at a side of a kind, mm deep; at its left or right not so far from its back. What doing without costs.
 //
 // Where the kind's fronts `open` over it, it is part of that side, from `across.low` to `across.high` of its middle, and nothing that
-// reaches higher than `bottom` may stand there. `half` deep it lets them open half of their way, at the same cost; less is not enough.
+// reaches higher than `bottom` may stand there. `half` deep it lets them open half of their way, at the same cost; less is not enough. Of a
+// strip that a standard asks for `across` is empty where it is as long as the side.
 struct Comfort {
   Side side;
   i32 opens;
@@ -43,6 +44,9 @@ struct Comfort {
   i64 half;
   Interval across;
   i64 bottom;
+  i32 asked;  // 0, or which of the strips it is that a standard asks for: each is a piece of floor of its own
+  i32 other;  // of such a strip: another side that will do, or -1
+  i64 off;  // how far from the side it begins
 };
 
 // The box around a part of a kind: seen from above, and from `low` to `high`, mm.
@@ -70,7 +74,7 @@ struct Kind {
 
 struct Variant {
   i32 kind;
-  i32 unused;
+  i32 corner;  // stands only in the corner of a run, where what stands round it hides its left (0) or right (1) end; -1: elsewhere
   f64 cost;
   f64 min_area;
 };
@@ -127,6 +131,8 @@ struct PieceSpec {
 struct TypeHeader {
   i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, comforts;
   i32 orders, words, worktop, landing, ends, triangle, all_words, has_run;
+  i32 turning;  // the side of a square of floor that stays empty, mm, or 0
+  i32 unused;
 };
 
 struct RoomType {
@@ -148,11 +154,13 @@ struct RoomType {
   Span<i32> triangle;
   i32 all_words;  // how many words are told apart
   bool has_run;
+  i64 turning;  // the side of a square of floor that stays empty, mm, or 0
 
   const Kind& kind(i32 at) const {
     if (at < 0 || at >= kinds.size) fail(Failure::bad_request);
     return kinds.data[at];
   }
+  Span<Variant> variants_of(const PieceSpec& piece) const { return part_of(variants, piece.variants); }
   Span<Rule> rules_of(const PieceSpec& piece) const { return part_of(rules, piece.rules); }
   Span<Name> of(const Rule& rule) const { return part_of(names, rule.of); }
   Span<Level> levels_of(const Kind& kind) const { return part_of(levels, kind.levels); }

@@ -8,24 +8,22 @@ constexpr i32 DRAWS = 6000;
 // or longer than 9 feet), and of the sum of its legs (at most 26 feet; 4 m is what three shortest legs come to).
 constexpr f64 SHORTEST_LEG = 1.2, LONGEST_LEG = 2.7, LEAST_PERIMETER = 4.0, MOST_PERIMETER = 7.9;
 // What a triangle costs that is not within these, and what a metre beyond them.
-constexpr f64 BROKEN_COST = 3.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
+constexpr f64 BROKEN_COST = 5.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
 // What a run without a piece that it could hold costs, and how often one is drawn without it.
-constexpr f64 MISSED_COST = 2.5, MISSED_CHANCE = 0.3;
+constexpr f64 MISSED_COST = 2.0, MISSED_CHANCE = 0.3;
 // How many numbers are drawn of how a run is laid, whatever it holds: wall, ends, stretches, form, cut.
 constexpr i32 LAID_NUMBERS = 8;
 // How often a run goes round a corner it could, and how often another one goes on at the opposite wall.
 constexpr f64 CORNER_CHANCE = 0.6, OPPOSITE_CHANCE = 0.5;
 // What a side without worktop costs where it is wanted (guideline 17: landing area at the cooking surface), and what belongs at an end
 // within the worktop.
-constexpr f64 LANDING_COST = 6.0, END_COST = 4.0;
+constexpr f64 LANDING_COST = 10.0, END_COST = 6.0;
 // Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs.
-constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 1.3;
+constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 2.0;
 // Most that a run costs by the seed alone.
-constexpr f64 PREFERENCE = 0.5;
+constexpr f64 PREFERENCE = 0.9;
 // Pull of a piece to its place in the run, m^-2.
 constexpr f64 FIRM = 20.0;
-// Least width of a piece in a corner: what stands round the corner covers 0.6 m of its front, a person takes half of 0.6 m.
-constexpr i64 CORNER_MM = 900 + 50;
 // Least floor between two opposite rows (guideline 6: work aisle of 42 inches for one cook).
 constexpr i64 AISLE_MM = 1067;
 
@@ -65,7 +63,6 @@ class RunPlanner {
  public:
   RunPlanner(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted);
   Span<Candidate> best(Stream& stream);
-
  private:
   bool draw(Stream& stream, f64 lowest, Drawn& drawn) const;
   void draw_items(Stream& stream, Drawn& drawn) const;
@@ -82,8 +79,7 @@ class RunPlanner {
   f64 row_cost(const Drawn& drawn) const;
   f64 worktop_cost(const Drawn& drawn) const;
   f64 triangle_cost(Span<Candidate> places) const;
-  void clear(Span<Candidate> places) const;
-  bool may_be_in_corner(const Item& item) const;
+  const Variant* in_corner(const Item& item, Side hidden) const;
   bool has(i32 word, Trait trait) const { return (traits_[word] & trait) != 0; }
   i64 length_of(Span<Item> items) const;
 
@@ -119,7 +115,7 @@ RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const Roo
     if (there_[word] == nullptr || known[word]) continue;
     known[word] = true;
     add_effects(word);
-    for (const Variant& variant : there_[word]->variants) look_up(variant.kind);
+    for (const Variant& variant : type.variants_of(type.pieces[there_[word]->spec])) look_up(variant.kind);
   }
 }
 
@@ -150,10 +146,6 @@ void RunPlanner::look_up(i32 kind) {
   }
 }
 
-void RunPlanner::clear(Span<Candidate> places) const {
-  for (Candidate& place : places) place = free_candidate(-1, 0.0);
-}
-
 // Tells whether a piece may stand at a wall from a coordinate on.
 bool RunPlanner::holds(Wall wall, i32 kind, i64 start) const {
   for (const Interval& one : free_[4 * kind + static_cast<i32>(wall)]) {
@@ -162,8 +154,19 @@ bool RunPlanner::holds(Wall wall, i32 kind, i64 start) const {
   return false;
 }
 
-bool RunPlanner::may_be_in_corner(const Item& item) const {
-  return has(item.word, WORKTOP_TRAIT) && type_.kinds[item.kind].width >= CORNER_MM;
+// The variant of an item, as wide as that, that may stand in the corner with that end hidden; none where it has none.
+const Variant* RunPlanner::in_corner(const Item& item, Side hidden) const {
+  if (!has(item.word, WORKTOP_TRAIT)) return nullptr;
+  for (const Variant& one : type_.variants_of(type_.pieces[there_[item.word]->spec])) {
+    if (one.corner == static_cast<i32>(hidden) && type_.kinds[one.kind].width == type_.kinds[item.kind].width) return &one;
+  }
+  return nullptr;
+}
+
+// The end of what stands at a wall that is nearer to the wall's high (low) end.
+static Side end_at(Wall wall, bool high) {
+  const Point left = rotated({-1, 0}, rotation_at(wall));
+  return (left.x + left.z > 0) == high ? Side::left : Side::right;
 }
 
 i64 RunPlanner::length_of(Span<Item> items) const {
@@ -191,7 +194,8 @@ void RunPlanner::draw_items(Stream& stream, Drawn& drawn) const {
   }
 }
 
-// Draws a run: at a wall, round a corner, or with its second part at the opposite wall. Always draws as many numbers; false where what
+// Draws a run: at a wall, round a corner, or with its second part at the opposite wall. What comes behind the corner is no deeper than what
+// stands in it, whose fronts it would come before. Always draws as many numbers; false where what
 // it holds costs too much already.
 bool RunPlanner::draw(Stream& stream, f64 lowest, Drawn& drawn) const {
   draw_items(stream, drawn);
@@ -205,13 +209,20 @@ bool RunPlanner::draw(Stream& stream, f64 lowest, Drawn& drawn) const {
   const bool round = stream.chance(CORNER_CHANCE), across = stream.chance(OPPOSITE_CHANCE);
   const f64 cut = stream.unit();
   const i32 size = drawn.items.size();
-  i32 corners = 0;
-  for (i32 i = 0; round && i + 1 < size; i++) corners += may_be_in_corner(drawn.items[i]);
+  const Side hidden = end_at(drawn.wall, drawn.high[0]);
+  List<i32> corners;
+  for (i32 i = 0; round && i + 1 < size; i++) {
+    const bool deeper = type_.kinds[drawn.items[i + 1].kind].depth > type_.kinds[drawn.items[i].kind].depth;
+    if (!deeper && in_corner(drawn.items[i], hidden) != nullptr) corners.add(i);
+  }
   drawn.first = size;
-  if (corners > 0) {
+  if (corners.size() > 0) {
     drawn.form = Form::corner;
-    i32 before = static_cast<i32>(whole(cut * corners));
-    for (drawn.first = 1; !may_be_in_corner(drawn.items[drawn.first - 1]) || before-- > 0;) drawn.first++;
+    drawn.first = 1 + corners[static_cast<i32>(whole(cut * corners.size()))];
+    Item& item = drawn.items[drawn.first - 1];
+    const Variant& variant = *in_corner(item, hidden);
+    drawn.cost += variant.cost - item.cost;
+    item = {item.word, variant.kind, variant.cost};
   } else if (across && size > 1) {
     drawn.form = Form::opposite;
     drawn.first = 1 + static_cast<i32>(whole(cut * (size - 1)));
@@ -276,13 +287,19 @@ bool RunPlanner::has_aisle(const List<Leg>& legs) const {
   return across >= AISLE_MM;
 }
 
-// Fills in the places of a run's pieces; false where one of them is in the way of an opening or does not fit.
+// Fills in the places of a run's pieces; false where one of them is in the way of an opening or does not fit, as in most runs.
 bool RunPlanner::place(const List<Leg>& legs, Span<Candidate> places) const {
-  clear(places);
   for (const Leg& leg : legs) {
     i64 at = leg.start;
     for (const Item& item : leg.items) {
       if (!holds(leg.wall, item.kind, at)) return false;
+      at += type_.kinds[item.kind].width;
+    }
+  }
+  for (Candidate& place : places) place = free_candidate(-1, 0.0);
+  for (const Leg& leg : legs) {
+    i64 at = leg.start;
+    for (const Item& item : leg.items) {
       const i64 width = type_.kinds[item.kind].width;
       places[item.word] = at_wall(scope_, type_, item.kind, leg.wall, at + floor_div(width, 2), item.cost);
       places[item.word].weight = FIRM;
@@ -355,7 +372,6 @@ f64 RunPlanner::triangle_cost(Span<Candidate> places) const {
 }
 
 Span<Candidate> RunPlanner::best(Stream& stream) {
-  clear(best_);
   f64 lowest = INFINITE;
   for (i32 i = 0; i < DRAWS; i++) {
     arena::Scope scope;

@@ -20,12 +20,14 @@ static f64 slack_at(const Nodes& nodes, const DifferenceRow& row) {
   return j - i - static_cast<f64>(row.s) / 1000;
 }
 
-// How far the option of a choice holds that holds best; of one that holds at all, the first.
+// How far the option of a choice holds that holds best; of a choice that holds at all, some option that does.
 static f64 best_slack(const Work& work, const Nodes& nodes, i64 choice) {
-  f64 slack = -INFINITE;
-  for (i64 k = OPTIONS * choice; k < OPTIONS * choice + work.choice_size[choice]; k++) {
-    slack = most(slack, slack_at(nodes, work.options[k]));
-    if (slack >= -VIOLATED) break;
+  const i64 first = OPTIONS * choice, size = work.choice_size[choice];
+  i64& held = work.held[choice];
+  f64 slack = slack_at(nodes, work.options[first + held]);
+  for (i64 k = 0; k < size && slack < -VIOLATED; k++) {
+    slack = most(slack, slack_at(nodes, work.options[first + k]));
+    held = k;
   }
   return slack;
 }
@@ -85,7 +87,7 @@ static i64 solve_child(const Engine& engine, i64 parent, i64 option, f64 ceiling
   nodes.result->solves++;
   if (!append_row(programs, at, row)) return -1;
   if (state.base[axis] == 0) build_base(Programme(programs, nodes, axis, parent));
-  const i64 slot = nodes.spare[state.spare - 1];
+  const i64 slot = next_slot(nodes);
   const f64 other = nodes.cost.at(parent, 1 - axis);
   copy_axis(nodes, parent, slot, axis, programs.size[axis]);
   Programme own(programs, nodes, axis, slot);
@@ -96,7 +98,7 @@ static i64 solve_child(const Engine& engine, i64 parent, i64 option, f64 ceiling
   nodes.row_count.at(slot, axis)++;
   nodes.last_pick[slot] = option;  // becomes a pick when the child is kept
   nodes.widened[slot] = nodes.widened[parent];
-  state.spare--;
+  take_slot(nodes);
   return slot;
 }
 

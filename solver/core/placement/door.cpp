@@ -29,23 +29,25 @@ EXPORT(new_desk) Desk* door_new_desk(RoomRequest* request) {
 EXPORT(assemble) i32 door_assemble(const Desk* desk) { return assemble(desk->engine.room, desk->engine.work, desk->decisions); }
 
 // A whole room arranged: its desk, whether that was walked in, is complete, proven and best, QPs, the width of wider ways between doors or
-// 0, what is left of the budget, and how many numbers follow: what the pieces and candidates on the desk were numbered in the request (-1:
+// 0, the work that was spent, and how many numbers follow: what the pieces and candidates on the desk were numbered in the request (-1:
 // floor that was added), and of every required piece left out its number and whether it certainly could not stand.
 struct WholeAnswer {
   i64 desk, walk, complete, proven, best, solves, ways;
-  f64 budget;
+  f64 spent;
   i64 pieces, candidates, left_out;
 };
 
 EXPORT(arrange_whole)
 u8* door_arrange_whole(RoomRequest* request, const RoomLimits* limits, f64 budget, i32 walk, i32 wide) {
   const Room room = room_of(request);
-  const WholeRoom found = wide != 0 ? arrange_wide(room, *limits, budget) : arrange_whole(room, *limits, budget, walk != 0);
+  f64 left = budget, spent = 0;
+  const WholeRoom found = wide != 0 ? arrange_wide(room, *limits, budget, spent) : arrange_whole(room, *limits, left, walk != 0);
+  spent += budget - left;
   const Span<i64> pieces = found.asked.pieces, candidates = found.asked.candidates;
   const Span<LeftOut> left_out = found.left_out.all();
   WholeAnswer answer = {
       static_cast<i64>(reinterpret_cast<u64>(found.desk)), found.walk, found.complete, found.proven, found.best, found.solves, found.ways,
-      budget, pieces.size, candidates.size, left_out.size};
+      spent, pieces.size, candidates.size, left_out.size};
   Writer writer(sizeof(WholeAnswer) + bytes_of(pieces) + bytes_of(candidates) + bytes_of(left_out));
   writer.put(Span<WholeAnswer>{&answer, 1});
   writer.put(pieces);

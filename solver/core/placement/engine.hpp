@@ -58,6 +58,7 @@ struct Work {
   Rows<DifferenceRow> rows;
   Rows<Part> parts;
   Span<i64> choice_size;
+  Span<i64> held;  // of a choice: the option that held when it was last looked at, which is looked at first
   Rows<ChoiceParts> choice_parts;
   Rows<DifferenceRow> options;
   Rows<DifferenceRow> wide;  // what widenings ask for; option number options.size + k
@@ -84,6 +85,7 @@ struct Programs {
 
 struct NodesState {
   i64 open, spare, picked;
+  i64 untouched;  // of the spare slots, so many at the bottom were never open: each its own number, not written out
   i64 base[2];  // whether the base of the open node is built along an axis
 };
 
@@ -207,7 +209,8 @@ struct Tree {
   Span<i64> depths;
   Rows<HeapEntry> heap;
   Span<f64> heap_cost;
-  Span<i64> refused;
+  Span<i64> refused, refused_at;  // fingerprints, and where in the table each is
+  Span<i64> refused_table;        // their numbers; a place is taken where the fingerprint of its number is there: nothing is ever cleared
   Span<i64> found;
   Span<f64> found_cost;
   Span<i64> trial;

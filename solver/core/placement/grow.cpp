@@ -39,14 +39,18 @@ static i64 fingerprint(const Room& room, const Decisions& decisions) {
 
 // Tells whether a fingerprint is among the refused; adds it where asked.
 static bool refused(const Tree& tree, i64 number, bool add) {
-  const i64 size = tree.refused.size;
+  const i64 size = tree.refused_table.size;
+  i64& count = tree.counters->refused;
   i64 at = number % size;
-  for (; tree.refused[at] != 0; at = (at + 1) % size) {
-    if (tree.refused[at] == number) return true;
+  for (;; at = (at + 1) % size) {
+    const i64 k = tree.refused_table[at];
+    if (k < 0 || k >= count || tree.refused_at[k] != at) break;
+    if (tree.refused[k] == number) return true;
   }
-  if (add && tree.counters->refused < size / 2) {
-    tree.refused[at] = number;
-    tree.counters->refused++;
+  if (add && count < tree.refused.size) {
+    tree.refused_table[at] = count;
+    tree.refused_at[count] = at;
+    tree.refused[count++] = number;
   }
   return false;
 }
@@ -125,13 +129,11 @@ static bool try_entry(const Engine& engine, i64 entry, const Group& group, const
 // Empties the tree but for what counts over a whole room.
 static void begin(const Tree& tree) {
   const i64 solved = tree.counters->solved_qps, moves = tree.counters->moves_left;
-  const bool untouched = tree.counters->refused == 0;
   *tree.counters.data = {};
   tree.counters->solved_qps = solved;
   tree.counters->moves_left = moves;
   tree.counters->closed = 1;
   tree.counters->best = tree.counters->deepest = tree.counters->incumbent = -1;
-  for (i32 k = 0; k < tree.refused.size && !untouched; k++) tree.refused[k] = 0;
 }
 
 bool best_first(

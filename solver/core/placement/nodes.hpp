@@ -10,6 +10,18 @@ constexpr f64 STEPS = 1e9;
 
 inline i64 in_steps(f64 value) { return whole(value * STEPS); }
 
+// The spare slot on top.
+inline i64 next_slot(const Nodes& nodes) {
+  const i64 top = nodes.state->spare - 1;
+  return top < nodes.state->untouched ? top : nodes.spare[top];
+}
+
+// Takes the spare slot on top.
+inline void take_slot(const Nodes& nodes) {
+  nodes.state->spare--;
+  nodes.state->untouched = least(nodes.state->untouched, nodes.state->spare);
+}
+
 // Copies what a node knows of an axis with n free variables.
 void copy_axis(const Nodes& nodes, i64 parent, i64 slot, i64 axis, i64 n);
 

@@ -59,9 +59,10 @@ static void keep_best(const Work& work, const Programs& programs, const Nodes& n
 static bool open_root(const Work& work, const Programs& programs, const Nodes& nodes) {
   for (i64 c = 0; c < work.counts->choices; c++) {
     if (work.choice_size[c] == 0) return false;
+    work.held[c] = 0;
   }
   if (!prepare(work, programs, nodes)) return false;
-  const i64 slot = nodes.spare[nodes.state->spare - 1];
+  const i64 slot = next_slot(nodes);
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 k = 0; k < programs.size[axis]; k++) nodes.x.at(slot, axis, k) = programs.start.at(axis, k);
     nodes.active_size.at(slot, axis) = nodes.row_count.at(slot, axis) = 0;
@@ -72,7 +73,7 @@ static bool open_root(const Work& work, const Programs& programs, const Nodes& n
   }
   nodes.last_pick[slot] = -1;
   nodes.widened[slot] = 0;
-  nodes.state->spare--;
+  take_slot(nodes);
   nodes.stack[0] = slot;
   nodes.state->open = 1;
   return true;
@@ -112,8 +113,7 @@ static void begin(const Work& work, const Nodes& nodes, f64 ceiling) {
   nodes.result->exhausted = 1;
   nodes.best_cost[0] = ceiling;
   nodes.state->open = nodes.state->picked = 0;
-  nodes.state->spare = nodes.spare.size;
-  for (i64 k = 0; k < nodes.spare.size; k++) nodes.spare[k] = k;
+  nodes.state->spare = nodes.state->untouched = nodes.spare.size;
   work.counts->wide = 0;
 }
 

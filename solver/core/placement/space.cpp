@@ -98,6 +98,7 @@ static Work new_work(const Sizes& sizes) {
   work.rows = reserved_rows<DifferenceRow>(sizes.rows);
   work.parts = reserved_rows<Part>(v);
   work.choice_size = new_span<i64>(c);
+  work.held = new_span<i64>(c);
   work.choice_parts = reserved_rows<ChoiceParts>(c);
   work.options = reserved_rows<DifferenceRow>(OPTIONS * c);
   work.body_part = new_span<i64>(p);
@@ -187,7 +188,9 @@ static Tree new_tree(const Sizes& sizes) {
   tree.depths = new_span<i64>(n);
   tree.heap = reserved_rows<HeapEntry>(heap);
   tree.heap_cost = new_span<f64>(heap);
-  tree.refused = zeroes<i64>(MOST_REFUSED);
+  tree.refused = new_span<i64>(MOST_REFUSED / 2);
+  tree.refused_at = new_span<i64>(MOST_REFUSED / 2);
+  tree.refused_table = new_span<i64>(MOST_REFUSED);
   tree.found = new_span<i64>(sizes.decisions);
   tree.found_cost = new_span<f64>(sizes.decisions);
   tree.trial = new_span<i64>(p);

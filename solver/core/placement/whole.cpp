@@ -128,9 +128,10 @@ static Standing standing_in(const WholeRoom& whole) {
   return found;
 }
 
-WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget) {
+WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f64& spent) {
   f64 left = budget;
   const WholeRoom usual = arrange_whole(room, limits, left, true);
+  spent += budget - left;
   if (room.doors.size < 2 || !usual.walk || !usual.desk->engine.nodes.result->found) return usual;
   const Standing least = standing_in(usual);
   for (const WayMargin& margin : MARGINS) {
@@ -142,6 +143,7 @@ WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget) {
     asked.space.data = space.data;
     left = budget;
     WholeRoom wide = arrange_whole(asked, MARGIN_LIMITS, left, true);
+    spent += budget - left;
     if (wide.walk && wide.desk->engine.nodes.result->found && (wide.proven || !usual.proven)) {
       const Standing standing = standing_in(wide);
       wide.ways = space[0].ways;

@@ -35,7 +35,8 @@ struct WholeRoom {
 WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk);
 
 // The same, walked in, with the widest ways between its doors that do not cost it its furniture; each width may cost the budget.
-WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget);
+// `spent`: the work of all widths is added there.
+WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f64& spent);
 
 // Asks for the same decisions in the same room for another person: `room` is the one first asked for. False where nothing was found.
 bool arrange_again(const Room& room, const WholeRoom& before, i64 limit, WholeRoom& found);

@@ -65,8 +65,8 @@ void* zeroed(i64 bytes) {
 // What the host calls, whatever the stage.
 extern "C" {
 __attribute__((export_name("failure"))) i32 failure() { return failure_code; }
-__attribute__((export_name("mark"))) i32 arena_mark() { return static_cast<i32>(arena::mark()); }
 __attribute__((export_name("release"))) void arena_release(i32 mark) { arena::release(static_cast<u64>(mark)); }
+__attribute__((export_name("top_at"))) i32 arena_top_at() { return static_cast<i32>(reinterpret_cast<u64>(&arena::top)); }
 __attribute__((export_name("reserve"))) i32 arena_reserve(i64 bytes) {
   return static_cast<i32>(reinterpret_cast<u64>(arena::reserve(bytes)));
 }

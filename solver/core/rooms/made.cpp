@@ -14,7 +14,6 @@ using placement::Settled;
 using placement::WholeRoom;
 
 constexpr placement::RoomLimits LIMITS = {3000, 2000, 16, 60, 2, 8, 6000};
-constexpr f64 ROOM_WORK = 400'000.0;  // what a room may cost, in QPs of a small room
 constexpr i64 MARGIN_MM = 2;  // rounding to millimetres moves each of two bodies by less than one
 constexpr i64 NEAR_WALL_MM = 150;  // a companion whose back is this close to its parent's wall counts as standing at it
 
@@ -41,8 +40,8 @@ class Making {
  public:
   Making(const WantingRoom& room, bool tidy) : room_(room), tidy_(tidy) {}
 
-  Bytes answer() {
-    whole_ = placement::arrange_wide(asked_room(room_, room_.header.robot, 0), LIMITS, ROOM_WORK);
+  Bytes answer(f64 budget) {
+    whole_ = placement::arrange_wide(asked_room(room_, room_.header.robot, 0), LIMITS, budget, made_.spent);
     const placement::FinalProblem* problem = nullptr;
     made_.failed = !desk().engine.nodes.result->found;
     if (!made_.failed) {
@@ -174,10 +173,10 @@ class Making {
 
 }  // namespace
 
-Bytes made_room(Bytes type_rows, Bytes room_rows, bool tidy) {
+Bytes made_room(Bytes type_rows, Bytes room_rows, bool tidy, f64 budget) {
   const arena::Mark mark = arena::mark();
   const WantingRoom room = read(type_rows, room_rows);
-  const Bytes answer = Making(room, tidy).answer();
+  const Bytes answer = Making(room, tidy).answer(budget);
   arena::release(mark);  // the answer moves down to where the work began
   u8* kept = static_cast<u8*>(arena::reserve(answer.size));
   __builtin_memmove(kept, answer.data, static_cast<unsigned long>(answer.size));

@@ -21,6 +21,7 @@ struct MadeRoom {
   i64 widened;   // whether what stands is not that optimum: it was found again for a wider person, so that the walk outlasts the snap
   i64 solves;    // QPs
   f64 cost;
+  f64 spent;     // work, in QPs of a small room
 };
 
 // What a wanted piece is called by: see furnish::PieceRow.
@@ -48,6 +49,7 @@ struct LeftOutRow {
 //   type_rows: TypeHeader and its tables (room_type.hpp of furnish).
 //   room_rows: RoomHeader, openings, zones (room.hpp of furnish), PlaceHeader, doorways.
 //   tidy: whether slivers are tidied away.
-Bytes made_room(Bytes type_rows, Bytes room_rows, bool tidy);
+//   budget: work that each width of its ways may cost.
+Bytes made_room(Bytes type_rows, Bytes room_rows, bool tidy, f64 budget);
 
 }  // namespace rooms

@@ -59,6 +59,18 @@ struct Miss {
   i64 worst() const { return most(beside, above); }
 };
 
+// The rectangle of a surface; of a body at another than a right angle, within the rectangle around that, as if it went all round.
+Rect area_of(const Body& carrier, const Surface& one) {
+  const Rect& box = carrier.box;
+  if (carrier.row->turn == Turn::between) return grown(box, -least(least(one.left, one.right), least(one.back, one.front)));
+  switch (carrier.row->quarters) {
+    case 0: return {box.x0 + one.left, box.z0 + one.back, box.x1 - one.right, box.z1 - one.front};
+    case 1: return {box.x0 + one.back, box.z0 + one.right, box.x1 - one.front, box.z1 - one.left};
+    case 2: return {box.x0 + one.right, box.z0 + one.front, box.x1 - one.left, box.z1 - one.back};
+    default: return {box.x0 + one.front, box.z0 + one.left, box.x1 - one.back, box.z1 - one.right};
+  }
+}
+
 // The least miss of a body; the first of those that are alike.
 class LeastMiss {
  public:
@@ -73,7 +85,7 @@ class LeastMiss {
   }
   void try_body(const Room& room, const Body& carrier) {
     for (const Surface& surface : room.surfaces_of(carrier)) {
-      try_support(grown(carrier.box, -surface.inset), carrier.y + surface.height);
+      try_support(area_of(carrier, surface), carrier.y + surface.height);
     }
   }
   bool is_carried() const { return tried_ && least_.worst() == 0; }

@@ -1,12 +1,16 @@
 // How far the fronts of a room's furniture open before a part of one meets something, and what: by small steps, each judged for itself.
-// Everything is in the frame of the furniture, m, x to its right, y up, z to its front; boxes are told apart along the fifteen axes of two.
+// Everything is in the frame of the furniture, m, x to its right, y up, z to its front; boxes are told apart along the fifteen axes of two,
+// round solids along some more: what these do not tell apart meets, by a few mm too soon at most.
 #include "validate/room.hpp"
 
 namespace validate {
 
 constexpr f64 COSINE = 0.99996192306417131, SINE = 0.0087265354983739347;  // of a step of half a degree
+constexpr i32 DIRECTIONS = 16;                                              // across a round solid, within half a turn
+constexpr f64 ACROSS_COSINE = 0.98078528040323043, ACROSS_SINE = 0.19509032201612825;  // from one of them to the next
 constexpr f64 STEP_DEGREES = 0.5, STEP_METRES = 0.0025;
 constexpr f64 TOUCHING_METRES = 0.00025;  // a front is so much smaller at every side: what touches it does not stop it
+constexpr f64 CLEAR_METRES = 0.001;        // boxes whose bounds are that far apart need no closer look
 constexpr f64 FLAT_METRES = 0.03;         // what lies on the floor and is no higher is walked on, and opened over
 constexpr i64 NOTHING = -1, WALL = -2;
 
@@ -19,9 +23,14 @@ struct SolidBox {
   Point at, half;
   Point along[3];  // where its own axes point
   i64 body;
+  Fills fills;
 };
 struct Span3 {
   Point low, high;
+};
+struct Obstacle {
+  SolidBox box;
+  Span3 span;  // wider by CLEAR_METRES at every side
 };
 // A piece of furniture's frame in the room.
 struct Frame {
@@ -36,13 +45,61 @@ static f64 dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + 
 static Point cross(const Point& a, const Point& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 static Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
+// How far a solid reaches from its middle along an axis.
 static f64 reach(const SolidBox& box, const Point& axis) {
-  return box.half.x * absolute(dot(box.along[0], axis)) + box.half.y * absolute(dot(box.along[1], axis)) +
-         box.half.z * absolute(dot(box.along[2], axis));
+  const f64 x = box.half.x * dot(box.along[0], axis), y = box.half.y * dot(box.along[1], axis), z = box.half.z * dot(box.along[2], axis);
+  switch (box.fills) {
+    case Fills::along_x: return absolute(x) + __builtin_sqrt(y * y + z * z);
+    case Fills::along_y: return absolute(y) + __builtin_sqrt(x * x + z * z);
+    case Fills::along_z: return absolute(z) + __builtin_sqrt(x * x + y * y);
+    case Fills::ball: return __builtin_sqrt(x * x + y * y + z * z);
+    default: return absolute(x) + absolute(y) + absolute(z);
+  }
 }
 
 static bool part_along(const SolidBox& a, const SolidBox& b, const Point& way, const Point& axis) {
   return absolute(dot(way, axis)) > reach(a, axis) + reach(b, axis);
+}
+
+// From the nearest point of a solid's box to another's middle.
+static Point away_from(const SolidBox& box, const Point& middle) {
+  const Point way = minus(middle, box.at);
+  const f64 halves[3] = {box.half.x, box.half.y, box.half.z};
+  Point left = way;
+  for (i32 i = 0; i < 3; i++) {
+    const f64 by = most(-halves[i], least(halves[i], dot(way, box.along[i])));
+    left = minus(left, {box.along[i].x * by, box.along[i].y * by, box.along[i].z * by});
+  }
+  return left;
+}
+
+// Where the surface of a ball looks at which a way from its middle meets it, however stretched it is.
+static Point normal_of(const SolidBox& ball, const Point& way) {
+  const f64 halves[3] = {ball.half.x, ball.half.y, ball.half.z};
+  Point found{0, 0, 0};
+  for (i32 i = 0; i < 3; i++) {
+    const f64 by = dot(way, ball.along[i]) / most(halves[i] * halves[i], 1e-9);
+    found = {found.x + ball.along[i].x * by, found.y + ball.along[i].y * by, found.z + ball.along[i].z * by};
+  }
+  return found;
+}
+
+// Whether a round solid is apart from another along an axis across its own, every 11 degrees, or along the shortest way between them; a
+// ball, also along that way as it looks at its surface.
+static bool apart_as_round(const SolidBox& round, const SolidBox& other) {
+  if (round.fills == Fills::box) return false;
+  const Point way = minus(other.at, round.at), shortest = away_from(other, round.at);
+  if (dot(shortest, shortest) > 1e-9 && part_along(round, other, way, shortest)) return true;
+  if (round.fills == Fills::ball) return dot(shortest, shortest) > 1e-9 && part_along(round, other, way, normal_of(round, shortest));
+  const i32 axis = static_cast<i32>(round.fills) - 1;
+  const Point &u = round.along[(axis + 1) % 3], &v = round.along[(axis + 2) % 3];
+  f64 cosine = 1, sine = 0;
+  for (i32 k = 0; k < DIRECTIONS; k++) {
+    if (part_along(round, other, way, {u.x * cosine + v.x * sine, u.y * cosine + v.y * sine, u.z * cosine + v.z * sine})) return true;
+    const f64 turned = cosine * ACROSS_COSINE - sine * ACROSS_SINE;
+    sine = sine * ACROSS_COSINE + cosine * ACROSS_SINE, cosine = turned;
+  }
+  return false;
 }
 
 static bool meet_each_other(const SolidBox& a, const SolidBox& b) {
@@ -56,7 +113,7 @@ static bool meet_each_other(const SolidBox& a, const SolidBox& b) {
       if (dot(axis, axis) > 1e-9 && part_along(a, b, way, axis)) return false;
     }
   }
-  return true;
+  return !apart_as_round(a, b) && !apart_as_round(b, a);
 }
 
 static Span3 span_of(const SolidBox& box) {
@@ -74,13 +131,13 @@ static SolidBox box_of(const BodyRow& row, const UnitBox& part, const Frame& fra
   const Point at = frame.point(row.x + across * row.cosine + along * row.sine, row.y + (part.y0 + part.y1) / 2 * row.height,
                                row.z + along * row.cosine - across * row.sine);
   const Point half{(part.x1 - part.x0) / 2 * row.width, (part.y1 - part.y0) / 2 * row.height, (part.z1 - part.z0) / 2 * row.depth};
-  return {at, half, {frame.turned(row.cosine, 0, -row.sine), {0, 1, 0}, frame.turned(row.sine, 0, row.cosine)}, body};
+  return {at, half, {frame.turned(row.cosine, 0, -row.sine), {0, 1, 0}, frame.turned(row.sine, 0, row.cosine)}, body, part.fills};
 }
 
 static SolidBox wall_of(const ShellBox& box, const Frame& frame) {
   const Point half{(box.x1 - box.x0) / 2, (box.y1 - box.y0) / 2, (box.z1 - box.z0) / 2};
   const Point at = frame.point((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, (box.z0 + box.z1) / 2);
-  return {at, half, {frame.turned(1, 0, 0), {0, 1, 0}, frame.turned(0, 0, 1)}, WALL};
+  return {at, half, {frame.turned(1, 0, 0), {0, 1, 0}, frame.turned(0, 0, 1)}, WALL, Fills::box};
 }
 
 static Point moved_point(const Front& front, const Point& hinge, f64 cosine, f64 sine, f64 way, const Point& p) {
@@ -126,12 +183,15 @@ static Span3 swept(const Front& front, const Point& hinge, const List<SolidBox>&
 
 // The boxes that reach into some room: of other bodies, and walls. A small thing that carries nothing is its whole box; what lies on the
 // furniture itself is taken off before a lid is lifted.
-static List<SolidBox> obstacles(const Room& room, Span<ShellBox> shell, const List<bool>& carries, i64 own, const Frame& frame,
+static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const List<bool>& carries, i64 own, const Frame& frame,
                                 const Span3& within) {
-  constexpr UnitBox whole{0, 1, 0, 1, 0, 1};
-  List<SolidBox> found;
+  constexpr UnitBox whole{0, 1, 0, 1, 0, 1, Fills::box};
+  List<Obstacle> found;
+  const Point wider{CLEAR_METRES, CLEAR_METRES, CLEAR_METRES};
   const auto take = [&](const SolidBox& box) {
-    if (share(span_of(box), within)) found.add(box);
+    const Span3 span = span_of(box);
+    const Point& high = span.high;
+    if (share(span, within)) found.add({box, {minus(span.low, wider), {high.x + wider.x, high.y + wider.y, high.z + wider.z}}});
   };
   for (i32 i = 0; i < room.bodies.size; i++) {
     const BodyRow& row = *room.bodies[i].row;
@@ -162,14 +222,16 @@ static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& c
     parts.add(box);
   }
   const f64 length = absolute(front.slides ? front.end * row.depth : front.end), step = front.slides ? STEP_METRES : STEP_DEGREES;
-  const List<SolidBox> others = obstacles(room, shell, carries, front.body, frame, swept(front, hinge, parts, length));
+  const List<Obstacle> others = obstacles(room, shell, carries, front.body, frame, swept(front, hinge, parts, length));
   f64 cosine = 1, sine = 0, way = 0;
   const f64 by = front.end < 0 ? -SINE : SINE;
-  for (i64 k = 0; k < 2000; k++) {
+  for (i64 k = 0; k < 2000 && others.size() > 0; k++) {
     for (const SolidBox& part : parts) {
       const SolidBox now = moved_box(front, hinge, cosine, sine, front.end < 0 ? -way : way, part);
-      for (const SolidBox& other : others) {
-        if (meet_each_other(now, other)) return {whole(nearest(most(way - step, 0.0) * 1e6)), other.body};
+      const Span3 bounds = span_of(now);
+      for (const Obstacle& other : others) {
+        if (!share(bounds, other.span) || !meet_each_other(now, other.box)) continue;
+        return {whole(nearest(most(way - step, 0.0) * 1e6)), other.box.body};
       }
     }
     if (way >= length) break;

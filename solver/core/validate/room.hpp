@@ -65,15 +65,19 @@ struct Kind {
   i32 first_surface, surfaces, first_part, parts;
 };
 
-// What carries things: how high above the underside, how far in from the edges.
+// What carries things: how high above the underside, how far in from the edges as it is seen from the front's side.
 struct Surface {
   i64 height;
-  i64 inset;
+  i64 left, right, back, front;
 };
+
+// How a part fills the box around it: as a box, a cylinder along x, y or z, or a ball.
+enum class Fills : i64 { box = 0, along_x = 1, along_y = 2, along_z = 3, ball = 4 };
 
 // The box around a part, shares of its body's box.
 struct UnitBox {
   f64 x0, x1, y0, y1, z0, z1;
+  Fills fills;
 };
 
 enum class Sort : i32 { furniture = 0, decoration = 1, person = 2 };

@@ -160,7 +160,7 @@ class _Building:
             return
         one, storey = self.make_one, self.storeys[opening.level]
         frame = _OpeningFrame(opening)
-        items = [one.painted(one.solid(part), paint) for part, paint in frame.filled(leaf, self.model.thickness, storey.Elevation)]
+        items = [one.painted(one.solid(part), paint) for part, paint in frame.filled(leaf, opening.thickness, storey.Elevation)]
         at = one.placed(storey.ObjectPlacement, frame.origin, frame.turn)
         said = {
             "Name": printable(opening.id), "ObjectPlacement": at, "Representation": one.shape(items),

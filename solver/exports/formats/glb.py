@@ -5,7 +5,7 @@ The frame is the scene's own (y up, front towards +z, m). Geometry is written on
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from json.encoder import encode_basestring as quoted
 from math import cos, radians, sin
@@ -18,7 +18,8 @@ from solver.exports.colliders import FLOOR
 from solver.exports.floor_rectangles import FloorRectangle, rectangles_of
 from solver.exports.formats.glb_book import Geometry, GltfBook, geometry_of
 from solver.exports.glb_merging import AssetNodes
-from solver.exports.model import BodyFront, Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, WallBox
+from solver.exports.in_drawers import HeldThing, held_in, held_things
+from solver.exports.model import BodyFront, Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, Point, WallBox
 from solver.exports.paints import PLAIN_CEILING
 from solver.exports.solid_meshes import BoxFace, box_faces, joined, scaled, surface_of
 from solver.exports.writers import ExportSettings, Files
@@ -54,6 +55,8 @@ class _Writer:
     def __init__(self, model: HouseModel) -> None:
         self.book = GltfBook()
         self._model = model
+        self._held: Mapping[str, HeldThing] = held_things(model.bodies)
+        """What lies in drawers, by id."""
         self._shapes: dict[tuple[str, str | None, tuple[float, ...]], tuple[_Group, ...]] = {}
         self._meshes: dict[tuple[object, ...], int] = {}
         self._assets = AssetNodes(self.book, model.assets)
@@ -70,7 +73,8 @@ class _Writer:
         for leaf in model.leaves:
             yield "house/doors", self._door(leaf)
         for body in model.bodies:
-            yield _SORTS[body.sort], self._body(body)
+            if body.id not in self._held:
+                yield _SORTS[body.sort], self._body(body, (body.x, body.y, body.z), body.turn)
 
     def _floor(self, room: FloorPlate) -> Iterator[_Node]:
         """Yields a room's floor, and its ceiling, which is seen from below alone."""
@@ -125,16 +129,16 @@ class _Writer:
         place = f'"translation":[{x},{round(y + lift, 6)},{z}],"rotation":{_turned(leaf.closed + turn)}'
         return f'{{"name":{name},{place},"children":[{child}],"extras":{extras}}}'
 
-    def _body(self, body: ModelBody) -> str:
+    def _body(self, body: ModelBody, at: Point, turn: float) -> str:
+        """Returns the node of a body at a place, turned: in the house, or in the drawer it lies in."""
         name, kind, parent, room = quoted(body.id), _text(body.kind), _text(body.parent), _text(body.room)
         says = f'"id":{name},"sort":"{body.sort}","kind":{kind},"category":{quoted(body.category)},"room":{room},"parent":{parent}'
         extras = f'{{{says},"labels":{_labels(body.labels)},"mass":{body.mass},"fixed":{_flag(body.fixed)}}}'
+        place = f'"translation":[{at[0]},{at[1]},{at[2]}],"rotation":{_turned(turn)}'
         if body.asset:
             fit = fit_of(self._model.assets[body.asset], (body.width, body.depth, body.height))
-            place = f'"translation":[{body.x},{body.y},{body.z}],"rotation":{_turned(body.turn)}'
             return f'{{"name":{name},{place},"children":[{self._assets.below(body.asset, fit)}],"extras":{extras}}}'
         size = f"[{max(1e-6, round(body.width, 6))},{max(1e-6, round(body.height, 6))},{max(1e-6, round(body.depth, 6))}]"
-        place = f'"translation":[{body.x},{body.y},{body.z}],"rotation":{_turned(body.turn)}'
         if not body.fronts:
             return f'{{"name":{name},{place},"scale":{size},"mesh":{self._body_mesh(body, None)},"extras":{extras}}}'
         shape = self.book.node(f'{{"name":{quoted(body.id + "/shape")},"scale":{size},"mesh":{self._body_mesh(body, None)}}}')
@@ -147,12 +151,13 @@ class _Writer:
         name = f"{body.id}/{front.name}"
         back = f'"translation":[{-x},{-y},{-z}],"scale":{size}'
         child = self.book.node(f'{{"name":{quoted(name + "/panel")},{back},"mesh":{self._body_mesh(body, front.name)}}}')
+        inside = [self.book.node(self._body(one.body, one.at, one.turn)) for one in held_in(self._held, body.id, front.name)]
         axis = [int(one == front.axis) for one in "xyz"]
         reach = sorted((0.0, round(front.end, 6)))
         kind, unit = ("prismatic", "m") if front.slides else ("revolute", "degree")
         joint = f'{{"type":"{kind}","axis":{axis},"range":{reach},"unit":"{unit}"}}'
         extras = f'{{"id":{quoted(name)},"front":{quoted(front.name)},"joint":{joint}}}'
-        return self.book.node(f'{{"name":{quoted(name)},"translation":[{x},{y},{z}],"children":[{child}],"extras":{extras}}}')
+        return self.book.node(f'{{"name":{quoted(name)},"translation":[{x},{y},{z}],"children":{[child, *inside]},"extras":{extras}}}')
 
     def _body_mesh(self, body: ModelBody, front: str | None) -> int:
         """Returns the mesh of a body's shape in its paints, or of one of its fronts; what has no shape gets one for its own size."""

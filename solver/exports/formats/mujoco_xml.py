@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from functools import lru_cache
-from typing import Final
+from typing import Final, NamedTuple
 
 from solver.exports.asset_objects import AssetObjects
 from solver.exports.colliders import (
     FLOOR,
     Collider,
+    Triple,
     box_between,
     carriers,
     floor_boxes,
@@ -23,6 +24,7 @@ from solver.exports.colliders import (
     parts_of_hung_leaf,
     z_up,
 )
+from solver.exports.in_drawers import HeldThing, held_in, held_things
 from solver.exports.model import Cuboid, DoorLeaf, HouseModel, ModelBody
 from solver.exports.moving_parts import (
     SLIDE_DAMPING,
@@ -39,9 +41,11 @@ from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_numbers, xml_text
 
+SLEEPS: Final = 0.005
+"""What moves more slowly falls asleep, m/s: what lies on rounded rims rocks at up to 2 mm/s for ever, and keeps all about it awake."""
 _HEAD: Final = f"""\
 <compiler angle="degree"/>
-<option timestep="0.004" integrator="implicitfast"><flag sleep="enable"/></option>
+<option timestep="0.004" integrator="implicitfast" sleep_tolerance="{SLEEPS:g}"><flag sleep="enable"/></option>
 <visual><global offwidth="1920" offheight="1080"/><headlight ambient="0.35 0.35 0.35" diffuse="0.5 0.5 0.5"/></visual>
 <default>
 <default class="visual"><geom type="box" group="2" contype="0" conaffinity="0" mass="0"/></default>
@@ -65,10 +69,12 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     objects = AssetObjects(model.assets, False)
     looks, names = MujocoLooks(objects), SafeNames()
     carry = carriers(model.bodies)
+    held = {name: thing for name, thing in held_things(model.bodies).items() if thing.body.fixed}
+    bodies = _Bodies(looks, names, carry, held, [])
     world = [
         *_house(model, looks),
-        *(_body(body, carry, looks, names) for body in model.bodies),
-        *(_leaf(leaf, looks, names.take(leaf.id)) for leaf in model.leaves),
+        *(bodies.text(body) for body in model.bodies if body.id not in held),
+        *(bodies.leaf(leaf) for leaf in model.leaves),
         *_uses(model),
     ]
     lines = [
@@ -82,7 +88,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
         _SUN,
         *world,
         "</worldbody>",
-        *_contacts(model),
+        *_contacts(bodies.apart),
         f'<keyframe><key name="home" qpos="{_home(model)}"/></keyframe>',
         "</mujoco>",
     ]
@@ -136,54 +142,72 @@ def _ground(model: HouseModel, height: float) -> Collider:
     return box_between(around)
 
 
-def _body(body: ModelBody, carry: Collection[str], looks: MujocoLooks, names: SafeNames) -> str:
-    still, classed = still_part(body, carry), "flat" if body.flat else "collider"
-    friction = f' friction="{xml_numbers(body.friction)}"'
-    touching = touching_geoms(still.solids, still.mass, classed, friction)
-    name = names.take(body.id)
-    joint = "" if body.fixed else f'<freejoint name="{xml_text(name)}"/>'
-    fronts = "".join([_front(one, looks, names.take(one.id), friction) for one in moving_parts(body)])
-    opened = _opened(name, z_up(body.x, body.y, body.z), body.turn)
-    shown = looks.asset(body) if body.asset else looks.parts(still.parts, still.paints)
-    return f"{opened}{joint}{touching}{shown}{fronts}</body>"
+class _Bodies(NamedTuple):
+    """What bodies are written with; `held` are those that do not move by themselves and lie in drawers.
+
+    What is written adds to `apart`: names of bodies that do not touch each other.
+    """
+
+    looks: MujocoLooks
+    names: SafeNames
+    carry: Collection[str]
+    held: Mapping[str, HeldThing]
+    apart: list[tuple[str, str]]
+
+    def text(self, body: ModelBody) -> str:
+        """Returns a body where it stands in the house."""
+        return self._placed(body, z_up(body.x, body.y, body.z), body.turn)
+
+    def _placed(self, body: ModelBody, at: Triple, turn: float) -> str:
+        still, classed = still_part(body, self.carry), "flat" if body.flat else "collider"
+        friction = f' friction="{xml_numbers(body.friction)}"'
+        touching = touching_geoms(still.solids, still.mass, classed, friction)
+        name = self.names.take(body.id)
+        joint = "" if body.fixed else f'<freejoint name="{xml_text(name)}"/>'
+        shown = self._shown(name, self.looks.asset(body) if body.asset else self.looks.parts(still.parts, still.paints))
+        fronts = "".join([self._front(one, name, friction) for one in moving_parts(body)])
+        return f"{_opened(name, at, turn)}{joint}{touching}{shown}{fronts}</body>"
+
+    def _shown(self, name: str, looks: str) -> str:
+        """Returns what a body looks like, as a body in it: MuJoCo bounds all geoms of whatever touches anything in every step."""
+        return f'<body name="{xml_text(self.names.take(f"{name}/looks"))}">{looks}</body>' if looks else ""
+
+    def _front(self, front: MovingPart, body: str, friction: str) -> str:
+        """Returns a front on its joint, in the body of that name, and what is held in it; zero is shut."""
+        name = self.names.take(front.id)
+        self.apart.append((body, name))
+        classed = "slides" if front.slides else "turns"
+        limits = f'axis="{UNIT[front.axis]}" range="{xml_numbers(*front.limits)}"'
+        joint = f'<joint name="{xml_text(name)}/{"slide" if front.slides else "hinge"}" class="{classed}" {limits}/>'
+        touching = touching_geoms(front.solids, front.mass, "collider", friction)
+        inside = "".join(self._placed(one.body, z_up(*one.at), one.turn) for one in held_in(self.held, front.body, front.name))
+        shown = self._shown(name, self.looks.parts(front.parts, front.paints))
+        return f"{_opened(name, front.hinge, 0.0)}{joint}{touching}{shown}{inside}</body>"
+
+    def leaf(self, leaf: DoorLeaf) -> str:
+        """Returns a leaf on its hinge, or a garage door that slides up; zero is closed."""
+        name = self.names.take(leaf.id)
+        if leaf.motion == "swing":
+            ends = sorted((0.0, leaf.swing))
+            joint = f'<joint name="{xml_text(name)}/hinge" class="leaf" axis="0 0 1" range="{xml_numbers(*ends)}"/>'
+        else:
+            joint = f'<joint name="{xml_text(name)}/slide" class="leaf" type="slide" axis="0 0 1" range="{xml_numbers(0, leaf.height)}"/>'
+        touching = touching_geoms(leaf_colliders(leaf), leaf.mass, "leaf")
+        shown = self._shown(name, self.looks.parts(parts_of_hung_leaf(leaf), leaf.paints))
+        return f"{_opened(name, z_up(*leaf.hinge), leaf.closed)}{joint}{touching}{shown}</body>"
 
 
-def _front(front: MovingPart, looks: MujocoLooks, name: str, friction: str) -> str:
-    """Returns a front on its joint, in its body; zero is shut."""
-    classed = "slides" if front.slides else "turns"
-    limits = f'axis="{UNIT[front.axis]}" range="{xml_numbers(*front.limits)}"'
-    joint = f'<joint name="{xml_text(name)}/{"slide" if front.slides else "hinge"}" class="{classed}" {limits}/>'
-    touching = touching_geoms(front.solids, front.mass, "collider", friction)
-    return f"{_opened(name, front.hinge, 0.0)}{joint}{touching}{looks.parts(front.parts, front.paints)}</body>"
-
-
-def _contacts(model: HouseModel) -> Iterator[str]:
+def _contacts(pairs: Collection[tuple[str, str]]) -> Iterator[str]:
     """Yields which bodies do not touch: a front and the body that it is a front of."""
-    names = SafeNames()
-    pairs = []
-    for body in model.bodies:
-        own = names.take(body.id)
-        pairs += [(own, names.take(f"{body.id}/{front.name}")) for front in body.fronts]
     if pairs:
         yield "<contact>"
         yield from (f'<exclude body1="{xml_text(one)}" body2="{xml_text(other)}"/>' for one, other in pairs)
         yield "</contact>"
 
 
-def _opened(name: str, at: tuple[float, float, float], turn: float) -> str:
+def _opened(name: str, at: Triple, turn: float) -> str:
     turned = f' euler="0 0 {xml_numbers(turn)}"' if turn else ""
     return f'<body name="{xml_text(name)}" pos="{xml_numbers(*at)}"{turned}>'
-
-
-def _leaf(leaf: DoorLeaf, looks: MujocoLooks, name: str) -> str:
-    """Returns a leaf on its hinge, or a garage door that slides up; zero is closed."""
-    if leaf.motion == "swing":
-        ends = sorted((0.0, leaf.swing))
-        joint = f'<joint name="{xml_text(name)}/hinge" class="leaf" axis="0 0 1" range="{xml_numbers(*ends)}"/>'
-    else:
-        joint = f'<joint name="{xml_text(name)}/slide" class="leaf" type="slide" axis="0 0 1" range="{xml_numbers(0, leaf.height)}"/>'
-    touching = touching_geoms(leaf_colliders(leaf), leaf.mass, "leaf")
-    return f"{_opened(name, z_up(*leaf.hinge), leaf.closed)}{joint}{touching}{looks.parts(parts_of_hung_leaf(leaf), leaf.paints)}</body>"
 
 
 def _uses(model: HouseModel) -> Iterator[str]:

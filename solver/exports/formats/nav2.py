@@ -15,6 +15,7 @@ import numpy as np
 from solver.exports.floor_cells import largest_stretch, squared_distances
 from solver.exports.floor_grid import FloorGrid, Mask, floor_mask, grid_of, levels_of, obstacles
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
+from solver.exports.plan_storeys import opening_box
 from solver.exports.writers import ExportSettings, Files
 
 RESOLUTION: Final = 0.05
@@ -64,9 +65,7 @@ def _picture(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> byt
             cells[floor_mask(grid, room)] = FREE
     for one in model.openings:
         if one.level == level and one.kind != "window":
-            along, across = (one.start, one.end), (one.line - model.thickness / 2, one.line + model.thickness / 2)
-            (x0, x1), (z0, z1) = (along, across) if one.axis == "x" else (across, along)
-            cells[grid.centred(x0, z0, x1, z1)] = FREE
+            cells[grid.centred(*opening_box(one))] = FREE
     cells[taken] = OCCUPIED
     comments = "".join(f"# {_line(warning)}\n" for warning in model.warnings)
     return f"P5\n{comments}{grid.columns} {grid.rows}\n255\n".encode() + cells.tobytes()

@@ -89,7 +89,7 @@ class _DxfPlan:
 
     def text(self) -> bytes:
         """Returns the file."""
-        storey, half = self.storey, self.model.thickness / 2
+        storey = self.storey
         for number, warning in enumerate(self.model.warnings, 1):
             self.doc.header.custom_vars.append(f"Warning {number}", dxf_text(warning))
         for room in storey.rooms:
@@ -98,7 +98,7 @@ class _DxfPlan:
         for box in storey.railings:
             self._polygon(_corners(box), "RAILINGS")
         for opening in storey.openings:
-            self._opening(opening, half)
+            self._opening(opening)
         for leaf in storey.leaves:
             if leaf.motion == "swing":
                 self._leaf(leaf)
@@ -139,11 +139,11 @@ class _DxfPlan:
             hatch = self.space.add_hatch(color=256, dxfattribs={"layer": "WALLS"})
             hatch.paths.add_polyline_path([_flat(x, z) for x, z in _corners(box)], is_closed=True)
 
-    def _opening(self, opening: PlacedOpening, half: float) -> None:
+    def _opening(self, opening: PlacedOpening) -> None:
         drawn = {"window": ("WINDOWS", (1.0, 0.24)), "garage_door": ("DOORS", (0.4,)), "passage": ("OPENINGS", (1.0,))}
         layer, shares = drawn.get(opening.kind, ("DOORS", ()))
         for share in shares:
-            self._polygon(_corners(opening_box(opening, half * share)), layer)
+            self._polygon(_corners(opening_box(opening, share)), layer)
 
     def _leaf(self, leaf: DoorLeaf) -> None:
         self._polygon(open_leaf(leaf).corners, "DOORS")

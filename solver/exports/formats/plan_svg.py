@@ -1,7 +1,8 @@
 """SVG: a floor plan to scale, a file a storey, as an architect draws it; north is up, a unit is a millimetre of the house.
 
 What a body is stands at its `<use>`: `data-id`, `data-kind`, `data-y` (its underside in the house), `data-mass`; its unrotated size at
-the symbol that it uses (`data-size`: width, depth, height), in m and kg.
+the symbol that it uses (`data-size`: width, depth, height), in m and kg. Rooms say `data-id` and `data-room` (their type); each opening is
+also an invisible line along its wall with `data-opening` (its kind), so that /import reads the plan back.
 """
 
 from __future__ import annotations
@@ -25,29 +26,44 @@ LIGHTER: Final = 0.74
 FLOOR_LIGHTER: Final = 0.86
 
 
-def write(model: HouseModel, _: ExportSettings) -> Files:
+def write(model: HouseModel, settings: ExportSettings) -> Files:
     """Writes `<house>.svg`, or `<house>_level_<n>.svg` where there are several storeys."""
-    return {f"{storey.stem}.svg": "".join(_drawn(model, storey)).encode() for storey in storeys_of(model)}
+    return {f"{storey.stem}.svg": "".join(_drawn(model, storey)).encode() for storey in storeys_of(model, settings.scale)}
 
 
 def _drawn(model: HouseModel, storey: PlanStorey) -> Iterator[str]:
     """Yields a file's text, what lies lowest first."""
-    half = model.thickness / 2
-    yield storey.sheet.opened() + f"<title>{xml_text(words_of(model.name))}</title>\n"
+    yield storey.sheet.opened(_said_of_all(model, storey)) + f"<title>{xml_text(words_of(model.name))}</title>\n"
     yield from (f"<desc>{xml_text(warning)}</desc>\n" for warning in model.warnings)
-    yield from map(_floor, storey.rooms)
+    names = {room.id: str(room.extra["name"]) for room in model.scene.rooms if room.extra.get("name")}
+    yield from (_floor(room, names.get(room.id)) for room in storey.rooms)
     yield from _bodies(storey.bodies)
     yield _path("walls", storey.walls) + _path("opening", storey.railings)
-    yield from (_opening(opening, half) for opening in storey.openings)
+    yield from map(_opening, storey.openings)
+    yield from map(_stated, storey.openings)
     yield from (_leaf(leaf) for leaf in storey.leaves if leaf.motion == "swing")
     yield _dimensions(storey)
     yield from map(room_name, storey.labels)
     yield title(storey.sheet, storey.words) + "</svg>\n"
 
 
-def _floor(room: FloorPlate) -> str:
+def _said_of_all(model: HouseModel, storey: PlanStorey) -> str:
+    """Returns the attributes by which the file's lengths are understood: its unit, the walls', and its storey in that unit."""
+    said = f'data-unit="mm" data-drawn="lines" data-wall-thickness="{model.thickness * 1000:g}"'
+    if not storey.rooms:
+        return said
+    room = storey.rooms[0]
+    height, floor = (room.ceiling - room.elevation) * 1000, room.elevation * 1000
+    return f'{said} data-level="{room.level}" data-elevation="{floor:g}" data-level-height="{height:.10g}"'
+
+
+def _floor(room: FloorPlate, name: str | None) -> str:
     points = " ".join(f"{x * 1000:.0f},{z * 1000:.0f}" for x, z in room.corners)
-    return f'<polygon class="floor" data-id="{xml_text(room.id)}" points="{points}" fill="{light(room.paint.color, FLOOR_LIGHTER)}"/>\n'
+    said = f'data-id="{xml_text(room.id)}" data-room="{xml_text(room.type)}" data-outdoor="{"true" if room.outdoor else "false"}"'
+    called = f' data-name="{xml_text(name)}"' if name else ""
+    outer = " ".join("-" if one is None else f"{one * 1000:.10g}" for one in room.outer)
+    called += f' data-outer-walls="{outer}"' if outer else ""
+    return f'<polygon class="floor" {said}{called} points="{points}" fill="{light(room.paint.color, FLOOR_LIGHTER)}"/>\n'
 
 
 def _bodies(bodies: Sequence[ModelBody]) -> Iterator[str]:
@@ -65,7 +81,8 @@ def _bodies(bodies: Sequence[ModelBody]) -> Iterator[str]:
         kind = f' data-kind="{xml_text(body.kind)}"' if body.kind else ""
         turn = f"rotate({-body.turn:g})" if body.turn else ""
         at = f"translate({body.x * 1000:.10g} {body.z * 1000:.10g}){turn}"
-        said = f'data-id="{xml_text(body.id)}"{kind} data-y="{body.y:g}" data-mass="{body.mass:g}"'
+        said = f'data-id="{xml_text(body.id)}" data-name="{xml_text(body.name)}"{kind} data-sort="{body.sort}"'
+        said += f' data-y="{body.y:g}" data-mass="{body.mass:g}"'
         drawn.append((high, ranks[body.id], f'<use xlink:href="#{symbol}" transform="{at}" {said}/>\n'))
     drawn.sort(key=lambda one: one[:2])
     texts.append("</defs>\n")
@@ -95,13 +112,27 @@ def _shapes(parts: tuple[BodyPart, ...], paints: tuple[Paint, ...]) -> str:
     return "".join(shapes)
 
 
-def _opening(opening: PlacedOpening, half: float) -> str:
+def _opening(opening: PlacedOpening) -> str:
     """Returns a window as its frame and pane, a garage door as its panel, a passage as the dashed edges of what is above."""
     if opening.kind == "window":
-        return _path("opening", [opening_box(opening, half), opening_box(opening, half * 0.24)], opening.id)
+        return _path("opening", [opening_box(opening), opening_box(opening, 0.24)], opening.id)
     if opening.kind == "garage_door":
-        return _path("opening", [opening_box(opening, half * 0.4)], opening.id)
-    return _path("dashed", [opening_box(opening, half)], opening.id) if opening.kind == "passage" else ""
+        return _path("opening", [opening_box(opening, 0.4)], opening.id)
+    return _path("dashed", [opening_box(opening)], opening.id) if opening.kind == "passage" else ""
+
+
+def _stated(opening: PlacedOpening) -> str:
+    """Returns an opening as a line that is not seen, and what cannot be drawn of it."""
+    line, ends = opening.line * 1000, (opening.start * 1000, opening.end * 1000)
+    (x0, z0), (x1, z1) = ((end, line) if opening.axis == "x" else (line, end) for end in ends)
+    said = f'data-id="{xml_text(opening.id)}" data-opening="{opening.kind}" x1="{x0:.10g}" y1="{z0:.10g}" x2="{x1:.10g}" y2="{z1:.10g}"'
+    said += f' data-sill="{opening.sill * 1000:.10g}" data-height="{(opening.head - opening.sill) * 1000:.10g}"'
+    if opening.kind == "door":
+        aim = 1000 * opening.towards
+        x, z = ((x0 + x1) / 2, z0 + aim) if opening.axis == "x" else (x0 + aim, (z0 + z1) / 2)
+        said += f' data-hinge="{opening.hinge}" data-towards="{x:.10g} {z:.10g}"'
+    main = "true" if opening.is_main_entrance else "false"
+    return f'<line {said} data-main-entrance="{main}"/>\n'
 
 
 def _leaf(leaf: DoorLeaf) -> str:

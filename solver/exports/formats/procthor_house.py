@@ -16,6 +16,7 @@ from typing import Any, Final, NamedTuple
 from solver.exports.floor_rectangles import FloorRectangle, rectangles_of
 from solver.exports.model import FloorPlate, HouseModel, ModelBody, PlacedOpening
 from solver.exports.paints import PLAIN_WALL, channels
+from solver.exports.wall_bands import NEGLIGIBLE
 from solver.exports.writers import ExportSettings, Files
 
 SCHEMA: Final = "1.0.0"
@@ -74,7 +75,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
         "windows": [_hole(one, holes[one.id]) for one in model.openings if one.kind == "window" and holes[one.id]],
         "objects": [_object(body, carried) for body in carried.get(None, ())],
         "proceduralParameters": _parameters(model),
-        "metadata": {"schema": SCHEMA, "agent": _agent(model), "compose": {"warnings": model.warnings}},
+        "metadata": {"schema": SCHEMA, "agent": _agent(model), "compose": {"warnings": model.warnings, "wall_thickness": model.thickness}},
     }
     return {f"{model.name}.json": (json.dumps(house, separators=(",", ":")) + "\n").encode()}
 
@@ -104,7 +105,8 @@ def _room(room: FloorPlate) -> HouseJson:
         "floorMaterial": _material(room.paint.color),
         "ceilings": [],
         "children": [],
-        "compose": {"type": room.type, "area": room.area, "outdoor": room.outdoor, "level": room.level},
+        "compose": {"type": room.type, "area": room.area, "outdoor": room.outdoor, "level": room.level}
+        | ({"wall_thickness": list(room.outer)} if room.outer else {}),
     }
 
 
@@ -117,7 +119,8 @@ def _sides(room: FloorPlate, model: HouseModel) -> Iterator[_WallSide]:
         here = [
             one
             for one in model.openings
-            if (one.axis, one.line, one.level) == (axis, line, room.level) and low <= one.start and one.end <= high
+            if (one.axis, one.level) == (axis, room.level) and abs(one.line - line) <= one.thickness / 2 + NEGLIGIBLE
+            if low <= one.start and one.end <= high
         ]
         level = [other for other in model.rooms if other.level == room.level]
         cuts = {low, high} | {at for other in level for at in _ends(other, along, line) if low < at < high}

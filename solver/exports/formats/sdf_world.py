@@ -6,7 +6,7 @@ Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turn
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
 from solver.exports.asset_objects import AssetObjects
@@ -22,6 +22,7 @@ from solver.exports.colliders import (
     parts_of_hung_leaf,
     z_up,
 )
+from solver.exports.in_drawers import HeldThing, held_in, held_things
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import (
     SLIDE_DAMPING,
@@ -74,8 +75,10 @@ class _World:
         yield from (f"<!-- {xml_comment(words)} -->" for words in words_of(model))
         yield f'<world name="{xml_text(model.name)}">{_LIGHT}'
         yield f'<model name="{house}"><static>true</static><link name="link">{"".join(_numbered(self._shell(model)))}</link></model>'
+        held = {name: thing for name, thing in held_things(model.bodies).items() if thing.body.fixed}
         for body in model.bodies:
-            yield self._body(body, still_part(body, carry))
+            if body.id not in held:
+                yield self._body(body, still_part(body, carry), self._held(body, held, carry))
         yield from map(self._leaf, model.leaves)
         yield "</world></sdf>"
 
@@ -93,7 +96,19 @@ class _World:
                 yield _touching(box, WALLS)
                 yield self._seen(box, floor.paint)
 
-    def _body(self, body: ModelBody, still: StillPart) -> str:
+    def _held(self, piece: ModelBody, held: Mapping[str, HeldThing], carry: Collection[str]) -> dict[str, list[tuple[str, str]]]:
+        """Returns what is held in each front of a piece: models within its own, by name."""
+        found: dict[str, list[tuple[str, str]]] = {}
+        for front in piece.fronts:
+            for one in held_in(held, piece.id, front.name):
+                at = tuple(own + hinge for own, hinge in zip(one.at, front.hinge, strict=True))
+                name, opened = self._opened(one.body.id, (at[0], at[1], at[2]), one.turn)
+                bits = None if one.body.flat else BODIES
+                link = self._link("link", still_part(one.body, carry), one.body, bits)
+                found.setdefault(front.name, []).append((name, f"{opened}{link}</model>"))
+        return found
+
+    def _body(self, body: ModelBody, still: StillPart, held: Mapping[str, list[tuple[str, str]]]) -> str:
         """Returns a model, static or free; one with fronts that does not move itself hangs on the world: all of a static model is still."""
         bits = None if body.flat else BODIES
         links = self._link("link", still, body, bits)
@@ -102,8 +117,10 @@ class _World:
         for front in moving_parts(body):
             name = names.take(front.name)
             links += self._link(name, front, body, BODIES, front.hinge) + _front_joint(front, name)
+            links += "".join(model + _held_joint(inside, name) for inside, model in held.get(front.name, ()))
         fixed = '<joint name="fixed" type="fixed"><parent>world</parent><child>link</child></joint>' if body.fronts else STATIC
-        return f"{self._opened(body.id, (body.x, body.y, body.z), body.turn)}{fixed if body.fixed else ''}{links}</model>"
+        _, opened = self._opened(body.id, (body.x, body.y, body.z), body.turn)
+        return f"{opened}{fixed if body.fixed else ''}{links}</model>"
 
     def _link(self, name: str, seen: MovingPart | StillPart, body: ModelBody, bits: int | None, at: Triple = (0.0, 0.0, 0.0)) -> str:
         parts = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(seen.parts, seen.paints, strict=True))
@@ -132,13 +149,13 @@ class _World:
             f'<joint name="{"hinge" if swings else "slide"}" type="{"revolute" if swings else "prismatic"}"><parent>world</parent>'
             f"<child>link</child><axis><xyz>0 0 1</xyz>{limit}{_JOINT}</axis></joint>"
         )
-        return f"{self._opened(leaf.id, leaf.hinge, leaf.closed)}{link}{joint}</model>"
+        return f"{self._opened(leaf.id, leaf.hinge, leaf.closed)[1]}{link}{joint}</model>"
 
-    def _opened(self, called: str, at: tuple[float, float, float], turn: float) -> str:
-        """Returns the begin of a model: its name, its id, where it is."""
+    def _opened(self, called: str, at: Triple, turn: float) -> tuple[str, str]:
+        """Returns the name of a model, and its begin: the name, its id, where it is."""
         name = xml_text(self._models.take(called))
         pose = f"<pose>{xml_numbers(*z_up(*at))} 0 0 {math.radians(turn):.9g}</pose>"
-        return f'<model name="{name}"><compose:id>{xml_text(called)}</compose:id>{pose}'
+        return name, f'<model name="{name}"><compose:id>{xml_text(called)}</compose:id>{pose}'
 
     def _seen(self, form: Collider | StretchedMesh, paint: Paint) -> tuple[str, str]:
         if paint not in self._painted:
@@ -148,6 +165,12 @@ class _World:
             material = f"<material><ambient>{rgb} 1</ambient><diffuse>{rgb} 1</diffuse>{glow}</material>"
             self._painted[paint] = clear + material
         return "visual", _geometry(form) + self._painted[paint]
+
+
+def _held_joint(name: str, front: str) -> str:
+    """Returns what holds a model in the drawer it lies in."""
+    inside = f"<parent>{xml_text(front)}</parent><child>{name}::link</child>"
+    return f'<joint name="{name}_held" type="fixed">{inside}</joint>'
 
 
 def _front_joint(front: MovingPart, name: str) -> str:

@@ -95,7 +95,7 @@ def _home(model: HouseModel, shelf: _Models) -> Iterator[str]:
         yield _piece("pieceOfFurniture", box, words_of(body.name), said)
     leaves = {leaf.id: leaf for leaf in model.leaves}
     for opening in model.openings:
-        yield _opening(opening, leaves.get(opening.id), model.thickness, shelf, level_of.get(opening.level, ""))
+        yield _opening(opening, leaves.get(opening.id), shelf, level_of.get(opening.level, ""))
     yield from _railings(model, shelf, level_of)
     yield from (_wall(panel, level_of.get(panel.level, "")) for panel in model.panels)
     yield from (_room(room, level_of[room.level]) for room in model.rooms)
@@ -136,11 +136,11 @@ def _piece(tag: str, box: _Piece, name: str, said: Mapping[str, str], sash: str 
     )
 
 
-def _opening(opening: PlacedOpening, leaf: DoorLeaf | None, thickness: float, shelf: _Models, level: str) -> str:
+def _opening(opening: PlacedOpening, leaf: DoorLeaf | None, shelf: _Models, level: str) -> str:
     """Returns a door, window or passage: its frame, its leaf or pane, and the sash that the plan draws."""
     turn, middle = (0.0, (opening.start + opening.end) / 2) if opening.axis == "x" else (90.0, (opening.start + opening.end) / 2)
     x, z = (middle, opening.line) if opening.axis == "x" else (opening.line, middle)
-    width, height = opening.end - opening.start, opening.head - opening.sill
+    width, height, thickness = opening.end - opening.start, opening.head - opening.sill, opening.thickness
     box = _Piece(x, opening.sill, z, turn, width, thickness, height, level, "")
     parts, paints = _frame(opening.kind, box)
     sash = ""

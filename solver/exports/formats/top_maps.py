@@ -18,8 +18,9 @@ from PIL import Image
 
 from solver.exports.floor_grid import WALKED_ON, FloorGrid, floor_mask, footprint, grid_of, inside, levels_of, obstacles
 from solver.exports.home_picture import picture_of
-from solver.exports.model import HouseModel, ModelBody, PlacedOpening
+from solver.exports.model import HouseModel, ModelBody
 from solver.exports.paints import channels
+from solver.exports.plan_storeys import covers, opening_box
 from solver.exports.writers import ExportSettings, Files
 
 PIXEL: Final = 0.02
@@ -75,7 +76,7 @@ def _maps(model: HouseModel, level: int, grid: FloorGrid, classes: Mapping[str, 
     for one in model.openings:
         if one.level == level:
             said = "bare_floor" if one.kind == "passage" else "window" if one.kind == "window" else "door"
-            semantic[_hole(grid, one, model.thickness)] = classes[said]
+            semantic[grid.centred(*opening_box(one))] = classes[said]
     numbered = [(body, number) for number, body in enumerate(model.bodies, 1) if levels.get(body.room or "") == level]
     tops = _tops(model.bodies)
     for body, number in sorted(numbered, key=lambda one: tops[one[0].id]):
@@ -84,7 +85,10 @@ def _maps(model: HouseModel, level: int, grid: FloorGrid, classes: Mapping[str, 
 
 
 def _tops(bodies: Sequence[ModelBody]) -> dict[str, float]:
-    """Returns how high each body reaches, m; what is carried a little higher than what carries it, whose back may be the higher."""
+    """Returns how high each body reaches, m; what is carried a little higher than what carries it, whose back may be the higher.
+
+    What lies beneath a part of what carries it, on a shelf or in a drawer, reaches no higher than it does.
+    """
     found: dict[str, float] = {}
     by_id = {body.id: body for body in bodies}
 
@@ -92,7 +96,7 @@ def _tops(bodies: Sequence[ModelBody]) -> dict[str, float]:
         if body.id not in found:
             carrier = by_id.get(body.parent or "")
             found[body.id] = body.y + body.height
-            if carrier and below:
+            if carrier and below and not covers(carrier, body):
                 found[body.id] = max(found[body.id], top(carrier, below - 1) + 0.001)
         return found[body.id]
 
@@ -114,10 +118,6 @@ def _strip(grid: FloorGrid, axis: str, along: tuple[float, float], across: tuple
     (start, end), (line, thickness) = along, across
     low, high = line - thickness / 2, line + thickness / 2
     return grid.centred(start, low, end, high) if axis == "x" else grid.centred(low, start, high, end)
-
-
-def _hole(grid: FloorGrid, one: PlacedOpening, thickness: float) -> tuple[slice, slice]:
-    return _strip(grid, one.axis, (one.start, one.end), (one.line, thickness))
 
 
 def _class_colors(classes: Mapping[str, int]) -> list[str]:

@@ -21,6 +21,7 @@ from solver.exports.colliders import (
     parts_of_hung_leaf,
     z_up,
 )
+from solver.exports.in_drawers import held_things
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import (
     SLIDE_DAMPING,
@@ -59,12 +60,18 @@ class _Robot:
         self.meshes = UnitMeshes()
         self._materials: dict[Paint, str] = {}
         self._links, self._joints = SafeNames(), SafeNames()
+        self._fronts: dict[tuple[str, str], str] = {}
 
     def lines(self, model: HouseModel) -> Iterator[str]:
         """Yields the file's lines."""
         house, carry = self._links.take("house"), carriers(model.bodies)
         links = [f'<link name="{house}">{"".join(self._shell(model))}</link>']
-        links += [self._body(body, house, still_part(body, carry)) for body in model.bodies]
+        held = held_things(model.bodies)
+        for body in sorted(model.bodies, key=lambda one: one.id in held):
+            thing = held.get(body.id)
+            parent = self._fronts[thing.piece, thing.front] if thing else house
+            placed = _origin(z_up(*thing.at), thing.turn) if thing else _origin(z_up(body.x, body.y, body.z), body.turn)
+            links.append(self._body(body, still_part(body, carry), parent, placed))
         links += [self._leaf(leaf, house) for leaf in model.leaves]
         yield '<?xml version="1.0" encoding="utf-8"?>'
         yield f'<robot name="{xml_text(model.name)}">'
@@ -88,17 +95,17 @@ class _Robot:
             for box in floor_boxes(floor):
                 yield self._touching(box) + self._seen(box, floor.paint)
 
-    def _body(self, body: ModelBody, house: str, still: StillPart) -> str:
+    def _body(self, body: ModelBody, still: StillPart, parent: str, placed: str) -> str:
+        """Returns the link of a body, its fixed joint to the house or to the drawer it lies in, and its fronts."""
         link = self._links.take(body.id)
         touching = () if body.flat else (self._touching(self.meshes.touched(solid)) for solid in still.solids)
         made = self._link(link, still.solids, still.mass, (*touching, *self._looks(still)))
-        fixed = _origin(z_up(body.x, body.y, body.z), body.turn)
         fronts = "".join([self._front(front, link) for front in moving_parts(body)])
-        return made + self._joint(f"{body.id}/fixed", "fixed", (house, link), fixed) + fronts
+        return made + self._joint(f"{body.id}/fixed", "fixed", (parent, link), placed) + fronts
 
     def _front(self, front: MovingPart, parent: str) -> str:
         """Returns the link of a front and its joint to its body."""
-        link = self._links.take(front.id)
+        link = self._fronts[front.body, front.name] = self._links.take(front.id)
         touching = (self._touching(self.meshes.touched(solid)) for solid in front.solids)
         made = self._link(link, front.solids, front.mass, (*touching, *self._looks(front)))
         low, high = front.limits if front.slides else map(math.radians, front.limits)

@@ -12,11 +12,12 @@ from solver.exports.asset_layers import AssetLayers
 from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
 from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.formats.usd_packing import packed_stage
+from solver.exports.in_drawers import held_things
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 from solver.exports.moving_parts import moving_parts, still_part
 from solver.exports.paints import PLAIN_CEILING
 from solver.exports.safe_names import SafeNames
-from solver.exports.usd_doors import door_text, front_text
+from solver.exports.usd_doors import door_text, front_text, held_text
 from solver.exports.usd_kinds import body_guides, body_kind, wall_kind
 from solver.exports.usd_text import LOOKS, cube, material_name, material_text, placed, prim, said, stretched, texts
 from solver.exports.writers import ExportSettings, Files
@@ -68,6 +69,12 @@ def prim_paths(model: HouseModel) -> dict[str, str]:
     return {body.id: f"/House/{_SORTS[body.sort]}/{prim_name(body.id, names)}" for body in model.bodies}
 
 
+def front_names(model: HouseModel) -> dict[tuple[str, str], str]:
+    """Returns the name of each front's prim, in /House/Fronts, by body and front."""
+    names = SafeNames(r"[^A-Za-z0-9_]")
+    return {(body.id, front.name): prim_name(f"{body.id}/{front.name}", names) for body in model.bodies for front in body.fronts}
+
+
 def prim_name(wished: str, names: SafeNames) -> str:
     """Returns a name of a prim, which never begins with a digit."""
     return names.take(f"_{wished}" if wished[:1].isdigit() else wished)
@@ -81,6 +88,8 @@ class _Stage:
         self.layers = AssetLayers(model.assets)
         self._carriers = carriers(model.bodies)
         self._names = SafeNames(r"[^A-Za-z0-9_]")
+        self._held: Mapping[str, str] = {}
+        """The joints of what does not move by itself and lies in drawers, by id."""
         self._kinds: dict[tuple[object, ...], str] = {}
         self._kind_texts: list[str] = []
         self._looks: dict[str, str] = {}
@@ -97,11 +106,16 @@ class _Stage:
             **dict.fromkeys(_SORTS.values(), ""),
         }
         bodies: dict[str, list[str]] = {}
-        paths = prim_paths(model)
+        paths, names = prim_paths(model), front_names(model)
+        self._held = {
+            name: held_text(thing, f"/House/Fronts/{names[thing.piece, thing.front]}", paths[name])
+            for name, thing in held_things(model.bodies).items()
+            if thing.body.fixed
+        }
         for body in model.bodies:
             bodies.setdefault(_SORTS[body.sort], []).append(self._body(body, paths[body.id].rpartition("/")[2]))
         groups |= {name: "".join(found) for name, found in bodies.items()}
-        groups["Fronts"] = "".join(self._fronts(paths))
+        groups["Fronts"] = "".join(self._fronts(paths, names))
         inside = "".join(f'def Xform "{name}" (\nkind = "group"\n)\n{{\n{found}}}\n' for name, found in groups.items())
         looks = prim("Scope", "Looks", (), "".join(self._looks.values()))
         kinds = f'class Scope "Kinds"\n{{\n{"".join(self._kind_texts)}}}\n'
@@ -142,14 +156,14 @@ class _Stage:
         if friction not in self._looks:
             self._looks[friction] = _friction(friction, body.friction)
         schemas = ["PhysicsMassAPI", "SemanticsLabelsAPI:class", "MaterialBindingAPI"]
-        if not body.fixed:
+        if not body.fixed or body.id in self._held:
             schemas.insert(0, "PhysicsRigidBodyAPI")
         size = body.width, body.depth, body.height
         words = {"id": body.id, "kind": body.kind, "category": body.category, "room": body.room, "parent": body.parent, "size": size}
         inside = (
             f"rel material:binding:physics = <{LOOKS}/{friction}>\nfloat physics:mass = {still_part(body, self._carriers).mass:.6g}\n"
             f"token[] semantics:labels:class = {texts(body.labels)}\n{placed(z_up(body.x, body.y, body.z), body.turn)}"
-            f"{shape}"
+            f"{shape}{self._held.get(body.id, '')}"
         )
         return said("Xform", name, schemas, words, inside)
 
@@ -190,12 +204,11 @@ class _Stage:
             self._paint(leaf.paints)
             yield door_text(leaf, prim_name(leaf.id, names))
 
-    def _fronts(self, paths: Mapping[str, str]) -> Iterator[str]:
-        names = SafeNames(r"[^A-Za-z0-9_]")
+    def _fronts(self, paths: Mapping[str, str], names: Mapping[tuple[str, str], str]) -> Iterator[str]:
         for body in self._model.bodies:
             for front in moving_parts(body):
                 self._paint(front.paints)
-                yield front_text(front, body, prim_name(front.id, names), paths[body.id])
+                yield front_text(front, body, names[body.id, front.name], paths[body.id])
 
 
 def _friction(name: str, friction: float) -> str:

@@ -7,6 +7,7 @@ at 0, a wing at its offset, negative where it juts out to the north. A wing's ha
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from itertools import product
 from typing import Final, NamedTuple
 
@@ -31,7 +32,8 @@ class Wing(NamedTuple):
         return self.north + HALLWAY_MM + self.south
 
 
-def offsets(outline: str, public: int, wings: Sequence[Wing]) -> list[tuple[int, ...]]:
+@lru_cache(maxsize=1 << 13)
+def offsets(outline: str, public: int, wings: tuple[Wing, ...]) -> tuple[tuple[int, ...], ...]:
     """Returns where wings may begin so that a home has an outline: one offset a wing, mm.
 
     Args:
@@ -40,7 +42,7 @@ def offsets(outline: str, public: int, wings: Sequence[Wing]) -> list[tuple[int,
         wings: the wing beside it, or the two at its ends.
     """
     each = [list(dict.fromkeys(_offsets(public, wing))) for wing in wings]
-    return [chosen for chosen in product(*each) if _outline(_jogs(public, wings, chosen)) == outline]
+    return tuple(chosen for chosen in product(*each) if _outline(_jogs(public, wings, chosen)) == outline)
 
 
 def _offsets(public: int, wing: Wing) -> Iterator[int]:

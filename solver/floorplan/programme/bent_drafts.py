@@ -109,8 +109,8 @@ class BentDrawer(Drawer):
         for k, strip in enumerate(draft.strips):
             draft.depths[k] = draft.depths[k] if strip else 0
 
-    def _offsets(self, draft: Draft) -> list[tuple[int, ...]]:
-        wings = [Wing(*draft.depths[k : k + 2]) for k in range(2, len(draft.depths), 2)]
+    def _offsets(self, draft: Draft) -> tuple[tuple[int, ...], ...]:
+        wings = tuple([Wing(*draft.depths[k : k + 2]) for k in range(2, len(draft.depths), 2)])
         return offsets(self.outline, sum(draft.depths[:2]), wings)
 
     def sheet(self, draft: Draft, stretch: bool = False) -> Sheet | Misfit:

@@ -54,19 +54,20 @@ Covered = dict[int, dict[str, list[tuple[int, int]]]]
 
 
 class HomeVerdict(NamedTuple):
-    """What a home costs; how many of its rooms are short of their limits, cannot be entered as they should, miss the street."""
+    """What a home costs; how many of its rooms are short of their limits, cannot be entered as they should, miss the street, are dark."""
 
     cost: float
     short: int
     unreached: int
     streetless: int
+    dark: int
 
 
 class HomeJudge:
     """Judges the drawings of one programme; it has looked up what each room is once."""
 
-    def __init__(self, planned: Sequence[PlannedRoom], outline: tuple[float, float] = OUTLINE) -> None:
-        self.planned, self.outline = planned, outline
+    def __init__(self, planned: Sequence[PlannedRoom], outline: tuple[float, float] = OUTLINE, dark: float = DARK) -> None:
+        self.planned, self.outline, self.dark = planned, outline, dark
         self.sizes = [one.size for one in planned]
         every = range(len(planned))
 
@@ -97,8 +98,9 @@ class HomeJudge:
         covered = _covered(met)
         streetless = sum("south" in covered.get(i, {}) for i in self.street)
         ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + STREETLESS * streetless
-        cost = sizes + self._outline(sheet, covered) + self._company(beside) + ways
-        return HomeVerdict(cost, short, unreached, streetless)
+        dark = sum(not _lit(sheet.boxes[i], covered.get(i, {})) for i in self.habitable)
+        cost = sizes + (self._outline(sheet) + self.dark * dark) + self._company(beside) + ways
+        return HomeVerdict(cost, short, unreached, streetless, dark)
 
     def _sizes(self, boxes: Sequence[Rect]) -> tuple[float, int]:
         cost, short = 0.0, 0
@@ -113,16 +115,13 @@ class HomeJudge:
                 cost += SHORT * (1.0 + max(size.least / max(area, 1), area / size.most, size.width / max(low, 1)) - 1.0)
         return cost, short
 
-    def _outline(self, sheet: Sheet, covered: Covered) -> float:
+    def _outline(self, sheet: Sheet) -> float:
         ratio, (low, high) = sheet.width / sheet.depth, self.outline
         cost = OUTLINE_COST * max(low - ratio, ratio - high, 0.0)
         walked = sum([(x1 - x0) * (z1 - z0) for x0, z0, x1, z1 in sheet.hallways])
         if walked:
             floor = walked + sum([(x1 - x0) * (z1 - z0) for x0, z0, x1, z1 in sheet.boxes])
             cost += HALLWAY_COST * max(walked / floor - HALLWAY_SHARE, 0.0)
-        for i in self.habitable:
-            if not _lit(sheet.boxes[i], covered.get(i, {})):
-                cost += DARK
         return cost
 
     def _company(self, beside: Sequence[int]) -> float:

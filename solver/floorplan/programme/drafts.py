@@ -47,6 +47,35 @@ class Frame(NamedTuple):
     depth: int = 0
 
 
+class OutlineBlock(NamedTuple):
+    """A rectangle of a given outline, mm, drawn as a house of a kind: with strips along z if `turned`, from its far end if `mirrored`."""
+
+    rect: Rect
+    kind: str
+    turned: bool
+    mirrored: bool
+
+    @property
+    def extents(self) -> tuple[int, int]:
+        """Along its strips and across them, mm."""
+        width, depth = self.rect.width, self.rect.depth
+        return (depth, width) if self.turned else (width, depth)
+
+    @property
+    def strips(self) -> int:
+        """How many strips it has."""
+        return 4 if self.kind == "ranch" else 2
+
+    def placed(self, box: Rect) -> Rect:
+        """Returns where a room drawn in a house of these extents comes to lie."""
+        x0, z0, x1, z1 = box
+        if self.mirrored:
+            along = self.extents[0]
+            x0, x1 = along - x1, along - x0
+        moved = Rect(z0, x0, z1, x1) if self.turned else Rect(x0, z0, x1, z1)
+        return moved.moved(self.rect.x0, self.rect.z0)
+
+
 @dataclass
 class Draft:
     """Rooms dealt to strips.
@@ -54,7 +83,7 @@ class Draft:
     `strips` lie in this order: the northern (western) one before the southern (eastern); a ranch has its public pair first.
     Those of wings begin at the public rooms. `depths` are theirs, mm. `entry` is the room at an axial hallway's end, `garages`
     those at the end of the first wing's. `bend` says how wings lie (None: the outline is a rectangle), `turn` which of several
-    places they or rows have.
+    places they or rows have. `blocks` are the rectangles of a given outline, whose strips follow each other.
     """
 
     kind: str
@@ -64,6 +93,13 @@ class Draft:
     garages: tuple[int, ...] = ()
     bend: int | None = None
     turn: int = 0
+    blocks: tuple[OutlineBlock, ...] = ()
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """Everything its drawing depends on, to look up by."""
+        strips = tuple([tuple(strip) for strip in self.strips])
+        return self.kind, strips, tuple(self.depths), self.entry, self.garages, self.bend, self.turn, self.blocks
 
     def copy(self) -> Draft:
         """Returns a draft that may be changed."""

@@ -7,20 +7,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import accumulate
 from typing import Final
 
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
+from solver.fields import ANY, RECTANGLE
+from solver.floorplan.given import tilings_of
 from solver.floorplan.programme.bent_deal import outlines_for
 from solver.floorplan.programme.drafts import Frame
+from solver.floorplan.programme.given_drafts import GIVEN
+from solver.floorplan.programme.given_search import GivenSearch
 from solver.floorplan.programme.home_search import FoundHome, HomeSearch
 from solver.floorplan.programme.planned_rooms import WALLS_SHARE, PlannedRoom, counts_of, loosened, planned_rooms, spared, types_of
 from solver.floorplan.programme.widths import LATTICE_MM
 from solver.floorplan.programme.yard import PlannedHome, house_frame, with_yard
 from solver.floorplan.tiling import Layout
 from solver.geometry import Rect, to_mm
-from solver.scene import ANY, RECTANGLE, Request
+from solver.scene import Request
 from solver.streams import Stream
 
 SLACKS: Final = (1.15, 1.5, 2.2, 4.0)
@@ -35,6 +40,8 @@ LIVABLE: Final = 0.75
 """Share of its type's least area and width that a room may have in an outline that was asked for."""
 ASTRAY: Final = 0.1
 """Share by which a house may miss the floor wished without its being said."""
+NARROW_MM: Final = 1500
+"""Least width of a part of an outline that is given: a bathroom's. Our choice."""
 HALLWAY: Final = "hallway"
 DRAWN: Final = {"rectangle": 0.5, "L": 0.24, "T": 0.1, "U": 0.16}
 """How often each outline is drawn where any will do. Our choice."""
@@ -62,7 +69,8 @@ def plan_home(request: Request, catalogs: Catalogs) -> PlannedHome:
 class _Plot:
     """What the request says about the house's outline: extents, mm (0: to be chosen), and floor, m2 (None: as typical).
 
-    `yard` tells that some of the extents are the garden's. `outline` is the outline asked for.
+    `yard` tells that some of the extents are the garden's. `outline` is the outline asked for; of a given one, `tilings` are ways to
+    cut it into rectangles.
     """
 
     seed: int
@@ -71,16 +79,22 @@ class _Plot:
     area: float | None
     yard: bool
     outline: str
+    tilings: tuple[tuple[Rect, ...], ...] = ()
+
+    @property
+    def parts(self) -> int:
+        """The fewest rectangles that a given outline is cut into; every one holds a room."""
+        return min((len(tiling) for tiling in self.tilings), default=1)
 
     @property
     def fixed(self) -> bool:
         """Tells whether nothing about the outline is left to choose."""
-        return bool(self.width and self.depth)
+        return bool(self.tilings or (self.width and self.depth))
 
     @property
     def free(self) -> bool:
         """Tells whether nothing about the outline is given."""
-        return not (self.width or self.depth)
+        return not (self.tilings or self.width or self.depth)
 
     def frame(self, kind: str) -> Frame:
         """Returns what is left of the outline for a house of a kind."""
@@ -89,11 +103,15 @@ class _Plot:
     @property
     def floor(self) -> float | None:
         """Floor that the house is to have, m2; None where the outline is chosen for the rooms as they are wished."""
+        if self.tilings:
+            return sum(rect.area_m2 for rect in self.tilings[0])
         frame = self.frame("rows")
         return frame.width * frame.depth / 1e6 if self.fixed else self.area
 
     def says(self) -> str:
         """Names what is given of the outline in words."""
+        if self.tilings:
+            return f"the outline's {self.floor:g} m2"
         if self.fixed:
             return f"{self.width / 1000:g} x {self.depth / 1000:g} m"
         return f"{self.width / 1000:g} m of width" if self.width else f"{self.depth / 1000:g} m of depth"
@@ -107,9 +125,26 @@ def _plot(request: Request) -> _Plot:
         other = max(round(area * 1e6 / (width or depth) / LATTICE_MM) * LATTICE_MM, 2000)
         width, depth = width or other, depth or other
     outline = ANY if request.outline is None else request.outline
+    if not isinstance(outline, str):
+        return _given(request, outline)
     if outline not in (ANY, RECTANGLE) and (width or depth):
         raise RequestError("outline", f"{outline} is given beside width or depth", "an area, or nothing: the extents are chosen to fit")
     return _Plot(request.seed or 0, width, depth, area, request.outdoor, outline)
+
+
+def _given(request: Request, corners: Sequence[tuple[float, float]]) -> _Plot:
+    """Reads an outline's corners, m; extents and area are what they enclose."""
+    for key in ("width", "depth", "area"):
+        if getattr(request, key) is not None:
+            raise RequestError(key, "is given beside the outline's corners", "one of the two")
+    seed = request.seed or 0
+    tilings = tilings_of(corners, Stream(seed, "programme.tilings"))
+    narrow = min(min(rect.width, rect.depth) for rect in tilings[0])
+    if narrow < NARROW_MM:
+        raise RequestError(
+            "outline", f"has a part that is {narrow / 1000:g} m wide", f"parts of at least {NARROW_MM / 1000:g} m for a program"
+        )
+    return _Plot(seed, 0, 0, None, request.outdoor, GIVEN, tilings)
 
 
 @dataclass(frozen=True)
@@ -129,8 +164,9 @@ class _Attempt:
 
     @property
     def livable(self) -> bool:
-        """Tells whether every room can be entered and misses the least area and width of its type by little."""
-        return not self.found.verdict.unreached and all(
+        """Tells whether every room can be entered and misses the least area and width of its type by little, and has light if given."""
+        dark = self.outline == GIVEN and self.found.verdict.dark
+        return not (self.found.verdict.unreached or dark) and all(
             (x1 - x0) * (z1 - z0) >= LIVABLE * one.home.area[0] * 1e6 and min(x1 - x0, z1 - z0) >= LIVABLE * one.home.width * 1000
             for one, (x0, z0, x1, z1) in zip(self.planned, self.found.sheet.boxes, strict=True)
         )
@@ -141,12 +177,19 @@ class _Attempts:
 
     def __init__(self, types: Sequence[str], catalogs: Catalogs, plot: _Plot) -> None:
         self.catalogs, self.plot = catalogs, plot
-        self.programmes: list[tuple[tuple[str, ...], tuple[str, ...]]] = [(tuple(types), ())]
+        self.types = tuple(types)
+
+    @cached_property
+    def programmes(self) -> list[tuple[tuple[str, ...], tuple[str, ...]]]:
         """The types less 0, 1, 2 ... rooms, those first that a home can best do without; and the rooms left out."""
-        left = list(types)
-        while (name := spared(left, catalogs)) is not None:
+        programmes: list[tuple[tuple[str, ...], tuple[str, ...]]] = [(self.types, ())]
+        left, parts = list(self.types), self.plot.parts
+        if len(left) < parts:
+            raise RequestError("outline", f"is made up of {parts} rectangles, more than the program has rooms", f"at most {len(left)}")
+        while (name := spared(left, self.catalogs)) is not None and len(left) > parts:
             del left[len(left) - 1 - left[::-1].index(name)]
-            self.programmes.append((tuple(left), (*self.programmes[-1][1], name)))
+            programmes.append((tuple(left), (*programmes[-1][1], name)))
+        return programmes
 
     def first_sound(self) -> _Attempt:
         """Returns the first home that is sound, else the one with the fewest faults, with fewer rooms if they cannot be lived in."""
@@ -155,22 +198,27 @@ class _Attempts:
             if attempt.sound and attempt.livable:
                 return attempt
             attempts.append(attempt)
-        best = min(attempts, key=lambda attempt: attempt.found.rank)
+        best = min(
+            attempts, key=lambda attempt: (not attempt.livable, attempt.found.rank) if self.plot.tilings else (False, attempt.found.rank)
+        )
         if best.livable or self.plot.free:
             return best
         fewer = range(len(best.left_out) + 1, len(self.programmes))
         smaller = (self._attempt(without, slack) for without in fewer for slack in (1.0, SMALLER_SLACK))
-        return next((attempt for attempt in smaller if attempt.livable), best)
+        found = next((attempt for attempt in smaller if attempt.livable), best)
+        if self.plot.tilings and not found.livable:
+            raise _refused(found, self.plot)
+        return found
 
     def _each(self) -> Iterator[_Attempt]:
-        without, last = 0, len(self.programmes) - 1
-        floor = self.plot.floor if self.plot.fixed else None
-        while floor is not None and without < last and self._floor(without, 0) > floor:
-            without += 1
         if self.plot.free:
             for outline in self._outlines():
                 yield from self._turns(outline)
             return
+        without, last = 0, len(self.programmes) - 1
+        floor = self.plot.floor if self.plot.fixed else None
+        while floor is not None and without < last and self._floor(without, 0) > floor:
+            without += 1
         yield self._attempt(without, 1.0)
         for fewer in range(without + 1, min(without + FEWER, last) + 1):
             if floor is None or self._floor(fewer - 1, 1) <= floor:
@@ -195,29 +243,47 @@ class _Attempts:
 
     def _turns(self, outline: str) -> Iterator[_Attempt]:
         """Yields homes of the whole programme in an outline that is free."""
-        types, left_out = self.programmes[0]
-        planned = planned_rooms(types, self.catalogs, self.plot.floor)
+        planned = planned_rooms(self.types, self.catalogs, self.plot.floor)
         if outline not in outlines_for(planned):
             return
         for turn in range(TURNS):
             found = HomeSearch(planned, self.plot.frame, self.plot.seed, turn, outline).run()
             if found is not None:
-                yield _Attempt(found, planned, left_out, outline)
+                yield _Attempt(found, planned, (), outline)
 
     def _attempt(self, without: int, slack: float) -> _Attempt:
         types, left_out = self.programmes[without]
         planned = planned_rooms(types, self.catalogs, self.plot.floor)
         loose = planned if slack == 1.0 else loosened(planned, slack, self.plot.floor)
-        found = HomeSearch(loose, self.plot.frame, self.plot.seed).run()
+        if self.plot.tilings:
+            found = GivenSearch(loose, self.plot.tilings, self.plot.seed).run()
+        else:
+            found = HomeSearch(loose, self.plot.frame, self.plot.seed).run()
         if found is None:
-            raise ValueError("no rectangle was found")
-        return _Attempt(found, planned, left_out, RECTANGLE)
+            raise RequestError(
+                "outline", f"has no space for {len(planned)} rooms in {self.plot.says()}", "a larger outline, or fewer rooms"
+            )
+        return _Attempt(found, planned, left_out, self.plot.outline if self.plot.tilings else RECTANGLE)
+
+
+def _refused(best: _Attempt, plot: _Plot) -> RequestError:
+    """Says of an outline that holds no home what the nearest one to it misses."""
+    rooms = zip(best.planned, best.found.sheet.boxes, strict=True)
+    missed = [f"a {one.type} {words}" for one, rect in rooms if (words := _missed(one, rect))]
+    narrow = min(min(rect.width, rect.depth) for rect in plot.tilings[0]) / 1000
+    verdict = best.found.verdict
+    why = "rooms cannot be entered" if verdict.unreached else "rooms have no window" if verdict.dark else missed[0]
+    return RequestError(
+        "outline",
+        f"holds no home of this program in {plot.floor:g} m2, its narrowest part {narrow:g} m: at best {why}",
+        "a larger or plainer outline, or fewer rooms",
+    )
 
 
 def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
     """Writes the drawing as a layout, the hallway first, every second house mirrored."""
     sheet = best.found.sheet
-    mirrored = Stream(plot.seed, "programme.mirror").chance(0.5)
+    mirrored = not plot.tilings and Stream(plot.seed, "programme.mirror").chance(0.5)
     boxes = [*sheet.hallways, *sheet.boxes]
     rooms = tuple(Rect(sheet.width - x1, z0, sheet.width - x0, z1) if mirrored else Rect(x0, z0, x1, z1) for x0, z0, x1, z1 in boxes)
     first = len(boxes) - len(sheet.boxes)

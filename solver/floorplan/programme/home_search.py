@@ -9,13 +9,13 @@ from collections.abc import Callable, Iterable, Sequence
 from math import inf
 from typing import Final, NamedTuple
 
+from solver.fields import RECTANGLE
 from solver.floorplan.programme.bent_deal import BentDealer, bent_kinds
 from solver.floorplan.programme.bent_drafts import BentDrawer
 from solver.floorplan.programme.cost import BENT_OUTLINE, HomeJudge, HomeVerdict
 from solver.floorplan.programme.deal import Dealer, kinds_for, moved
 from solver.floorplan.programme.drafts import Draft, Drawer, Frame, Misfit, Sheet
 from solver.floorplan.programme.planned_rooms import PlannedRoom
-from solver.scene import RECTANGLE
 from solver.streams import Stream
 
 TRIES: Final = 3
@@ -57,6 +57,8 @@ NOTHING: Final = _Seen(inf, Draft("", [], []), None, None)
 class HomeSearch:
     """Searches for homes of one programme.
 
+    `moves` is how many a search makes each time.
+
     Args:
         planned: the rooms.
         frame_of: the frame of a house of a kind.
@@ -65,11 +67,14 @@ class HomeSearch:
         outline: RECTANGLE, L, T or U; other than a rectangle only where the frame is free.
     """
 
+    moves = MOVES
+
     def __init__(
         self, planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0, outline: str = RECTANGLE
     ) -> None:
         self.planned, self.seed, self.turn, self.outline = planned, seed, turn, outline
         self.good = GOOD + GOOD_EACH * len(planned)
+        self._looked: dict[tuple[object, ...], _Seen] = {}
         self.drawers: dict[str, Drawer]
         if outline == RECTANGLE:
             self.judge = HomeJudge(planned)
@@ -122,10 +127,9 @@ class HomeSearch:
         return best
 
     def _try(self, kind: str, stream: Stream) -> _Seen:
-        bent = self.outline != RECTANGLE
-        dealer = BentDealer(self.planned, stream, self.outline) if bent else Dealer(self.planned, stream)
+        dealer = self._dealer(stream)
         best = self._cheapest(self._dealt(kind, dealer) for _ in range(DEALS))
-        for _ in range(MOVES):
+        for _ in range(self.moves):
             if best.cost <= self.good:
                 break
             draft = moved(best.draft, stream)
@@ -135,12 +139,23 @@ class HomeSearch:
                 best = seen
         return best
 
+    def _dealer(self, stream: Stream) -> Dealer:
+        if self.outline == RECTANGLE:
+            return Dealer(self.planned, stream)
+        return BentDealer(self.planned, stream, self.outline)
+
     def _dealt(self, kind: str, dealer: Dealer) -> _Seen:
         draft = dealer.deal(kind)
         self.drawers[kind].choose_depths(draft, dealer.stream)
         return self._look(draft)
 
     def _look(self, draft: Draft) -> _Seen:
+        key = draft.key
+        if key not in self._looked:
+            self._looked[key] = self._judged(draft)
+        return self._looked[key]
+
+    def _judged(self, draft: Draft) -> _Seen:
         sheet = self.drawers[draft.kind].sheet(draft)
         if isinstance(sheet, Misfit):
             return _Seen(MISFIT + MISFIT_COLUMN * sheet.columns + sheet.gap / MISFIT_MM, draft, None, None)

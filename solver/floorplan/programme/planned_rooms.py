@@ -92,7 +92,6 @@ def counts_of(request: Request, catalogs: Catalogs) -> dict[str, int]:
     Raises:
         RequestError: an unknown preset or word, too many rooms, or what a programme does not go with.
     """
-    words = words_of(catalogs.rooms)
     if request.force_types:
         raise RequestError("force_types", "says what rooms of a plain request are", "none beside a program or an area")
     program = _preset_for(request, catalogs) if request.program is None else request.program
@@ -100,6 +99,7 @@ def counts_of(request: Request, catalogs: Catalogs) -> dict[str, int]:
         if program not in catalogs.presets:
             raise RequestError("program", f"no preset is called {program!r}", ", ".join(sorted(catalogs.presets)))
         return {word: count for word, count in catalogs.presets[program].rooms.items() if count}
+    words = words_of(catalogs.rooms)
     for word in program:
         if word not in words:
             raise RequestError(f"program.{word}", "is no word for rooms", ", ".join(sorted(words)))

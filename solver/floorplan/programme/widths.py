@@ -86,10 +86,14 @@ def _depths(stack: tuple[RoomSize, ...], width: int) -> list[WidthRange]:
 
 
 def _stands(stack: tuple[RoomSize, ...], width: int, depth: int) -> bool:
-    spans = _depths(stack, width)
-    if any(span.low > span.high for span in spans):
-        return False
-    return sum(span.low for span in spans) <= depth <= sum(span.high for span in spans)
+    least = most = 0
+    for size in stack:
+        low, high = _within(size, width)
+        low = max(low, size.length)
+        if low > high:
+            return False
+        least, most = least + low, most + high
+    return least <= depth <= most
 
 
 @lru_cache(maxsize=1 << 15)

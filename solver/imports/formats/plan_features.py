@@ -37,6 +37,7 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
     openings: list[DrawnOpening] = []
     walls: list[DrawnWall] = []
     pieces: list[DrawnPiece] = []
+    thickness = a_number(document, "wall_thickness", "plan", None)
     for number, feature in enumerate(a_list(document.get("features"), "features")):
         where = f"features[{number}]"
         said = an_object(an_object(feature, where).get("properties") or {}, f"{where}.properties")
@@ -49,10 +50,11 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
         elif form == "Point":
             pieces.append(_piece(said, points[0], where))
         elif kind == "wall":
-            walls += [DrawnWall(a, b, a_number(said, "thickness", where, 0.1), where, _level(said, where)) for a, b in _steps(points)]
+            walls += [
+                DrawnWall(a, b, a_number(said, "thickness", where, thickness or 0.0), where, _level(said, where)) for a, b in _steps(points)
+            ]
         else:
             openings.append(_opening(kind, said, points, where))
-    thickness = a_number(document, "wall_thickness", "plan", None)
     drawn = one_of(document, "drawn", ("lines", "inner"), "plan")
     unit = unit_named(a_text(document, "unit", "plan") or None)
     return DrawnPlan(

@@ -6,11 +6,12 @@ Its frame is left-handed: x east, y up, z north, m; yaw clockwise in degrees, 0 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 
 from solver.errors import FieldError
-from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, OpeningKind, Spot, check_count
+from solver.imports.along_walls import outer_walls
+from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, OpeningKind, Spot, check_count
 from solver.imports.plain_values import a_list, a_number, a_text, an_object
 from solver.scene import OPENING_KINDS
 
@@ -47,7 +48,16 @@ def read_procthor(document: Json) -> DrawnPlan:
     pieces = tuple(_pieces(document.get("objects", []), "objects", 0, ""))
     said = an_object(document.get("metadata") or {}, "metadata").get("compose")
     thickness = a_number(an_object(said, "metadata.compose"), "wall_thickness", "metadata.compose", None) if said else None
-    return DrawnPlan(rooms, tuple(openings), pieces=pieces, wall_thickness=thickness)
+    solid = () if thickness is None else tuple(_outer_walls(document, rooms, thickness))
+    return DrawnPlan(rooms, tuple(openings), pieces=pieces, wall_thickness=thickness, solid=solid)
+
+
+def _outer_walls(document: Json, rooms: Sequence[DrawnRoom], usual: float) -> Iterator[DrawnWall]:
+    """Yields the outer walls of which our own export says how thick they are."""
+    for said, room in zip(document["rooms"], rooms, strict=True):
+        where = f"{room.where}.compose.wall_thickness"
+        numbers = a_list(_ours(said, room.where).get("wall_thickness") or [], where)
+        yield from outer_walls(room, [None if one is None else a_number({"": one}, "", where) for one in numbers], usual)
 
 
 def _ours(said: Json, where: str) -> Json:

@@ -1,0 +1,68 @@
+"""Rooms' edges: the lines of their outlines in the house.
+
+Comes in: rooms. Goes out: `OutlineEdge`s, m. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
+
+from solver.scene import Room
+
+PlanAxis = Literal["x", "z"]
+Line = tuple[int, PlanAxis, float]
+"""A level, an axis and the coordinate across it."""
+
+
+class OutlineEdge(NamedTuple):
+    """One edge of a room's outline in the house, m; `inward` is 1 where the room lies towards greater coordinates.
+
+    `number` counts the room's edges; `thickness` is that of its wall, once it is known.
+    """
+
+    line: Line
+    start: float
+    end: float
+    inward: Literal[1, -1]
+    side: str
+    room: Room
+    number: int = 0
+    thickness: float = 0.0
+
+
+def on_lattice(metres: float) -> float:
+    """Rounds to whole millimetres, which undoes what adding metres in binary does."""
+    return round(metres * 1000) / 1000
+
+
+def corners_of(room: Room) -> tuple[tuple[float, float], ...]:
+    """Returns a room's corners, room-relative, clockwise from the north-west as the room lists them."""
+    if room.outline and len(room.outline) >= 3:
+        return tuple((x, z) for x, z in room.outline)
+    return (0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth)
+
+
+def signed_area(corners: Sequence[tuple[float, float]]) -> float:
+    """Returns the area within corners, m2: negative where they go counter-clockwise seen from above."""
+    following = (*corners[1:], *corners[:1])
+    return sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in zip(corners, following, strict=True)) / 2
+
+
+def edges_of(room: Room) -> list[OutlineEdge]:
+    """Returns a room's edges in the order of its outline's points: north, east, south, west for a rectangle."""
+    corners = corners_of(room)
+    clockwise = signed_area(corners) >= 0
+    pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
+    return [_edge(room, a, b, clockwise)._replace(number=number) for number, (a, b) in enumerate(pairs)]
+
+
+def _edge(room: Room, a: tuple[float, float], b: tuple[float, float], clockwise: bool) -> OutlineEdge:
+    along_x = abs(b[0] - a[0]) >= abs(b[1] - a[1])
+    forwards = (b[0] > a[0] if along_x else b[1] > a[1]) == clockwise
+    origin, across = (room.x, room.z + a[1]) if along_x else (room.z, room.x + a[0])
+    ends = (a[0], b[0]) if along_x else (a[1], b[1])
+    side = ("north" if forwards else "south") if along_x else ("east" if forwards else "west")
+    line: Line = (room.level, "x" if along_x else "z", on_lattice(across))
+    inward: Literal[1, -1] = 1 if side in ("north", "west") else -1
+    return OutlineEdge(line, on_lattice(origin + min(ends)), on_lattice(origin + max(ends)), inward, side, room)

@@ -1,0 +1,176 @@
+"""Keeps walls whole for what stands along them: a bed between its nightstands, the run of a kitchen.
+
+Comes in: all openings as they were placed. Goes out: the same openings, some moved along their walls. May import: the ground floor,
+catalogs, doors and windows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Final, NamedTuple
+
+from catalogs.schema import KeptWall
+from solver.floorplan.doors import JAMB_MM, Cut, Doorways, OpeningSide
+from solver.floorplan.tiling import Joint
+from solver.floorplan.windows import EDGE_MM
+from solver.geometry import Rect, gaps_between, to_mm
+from solver.scene import WALLS
+
+MOVES: Final = 4
+"""Most openings that are moved for one room: a count, so that the same request always ends the same way."""
+
+Shared = Mapping[tuple[int, int], tuple[int, int]]
+"""The stretch of wall that two rooms share, by their indices, mm in the house."""
+
+
+def keep_walls(doorways: Doorways, shared: tuple[Joint, ...]) -> None:
+    """Moves openings to the ends of their walls where a room has no wall as whole as its type's `plan.keeps` asks.
+
+    Args:
+        doorways: all openings; those that move are replaced. None comes to meet another one that it did not meet before, and the way
+            from door to door gets no longer in a room that wins nothing.
+        shared: the walls that two rooms share.
+    """
+    walls = _Walls(doorways, {(joint.a, joint.b): (joint.low, joint.high) for joint in shared})
+    for room in range(len(doorways.layout.rooms)):
+        for _ in range(MOVES):
+            if walls.shortfall(room) == 0 or not walls.move_one(room):
+                break
+
+
+class _Wish(NamedTuple):
+    """A `KeptWall`, mm; `across` is 0 where none is asked for."""
+
+    length: int
+    depth: int
+    under_windows: bool
+    round_corners: bool
+    across: int
+
+
+class _Walls:
+    """The walls of a house and their openings."""
+
+    def __init__(self, doorways: Doorways, shared: Shared) -> None:
+        self.doorways, self.shared = doorways, shared
+        by_type = {name: _wishes(doorways.rooms[name].plan.keeps) for name in set(doorways.types)}
+        self.wishes = [by_type[name] for name in doorways.types]
+        self._known: dict[tuple[int, ...], int] = {}
+
+    def shortfall(self, room: int, cut: Cut | None = None, placed: Cut | None = None) -> int:
+        """Returns by how much a room's longest whole walls are too short for its type, mm, with one opening elsewhere, or without it."""
+        if not self.wishes[room]:
+            return 0
+        sides = self.doorways.sides(room)
+        low = placed.ends[0] if placed is not None else -1
+        key = (room, *[low if side.cut is cut else side.low for side in sides])
+        if key not in self._known:
+            rect = self.doorways.layout.rooms[room]
+            moved = [self.doorways.side(placed, room)] if placed is not None else []
+            sides = [*[side for side in sides if side.cut is not cut], *moved]
+            self._known[key] = sum([max(0, wish.length - _longest(rect, sides, wish)) for wish in self.wishes[room]])
+        return self._known[key]
+
+    def move_one(self, room: int) -> bool:
+        """Moves the opening of a room by which most is won for the rooms it opens on, or the first that will do; windows come first."""
+        short, best = self.shortfall(room), 0
+        move: tuple[Cut, Cut] | None = None
+        cuts = [side.cut for side in self.doorways.sides(room) if side.cut.kind != "garage_door"]
+        for cut in sorted(cuts, key=lambda cut: cut.kind != "window"):
+            now = [self.shortfall(one) for one in cut.sides]
+            without = [self.shortfall(one, cut) for one in cut.sides]
+            if without[cut.sides.index(room)] == short or sum(now) - sum(without) <= best:
+                continue
+            for placed in self._moved(cut):
+                won = self._won(cut, placed, now)
+                if won > best:
+                    best, move = won, (cut, placed)
+            if best >= short:
+                break
+        if move is not None:
+            self.doorways.replace(*move)
+        return move is not None
+
+    def _won(self, cut: Cut, placed: Cut, now: Sequence[int]) -> int:
+        """Returns by how much the walls of its rooms are less short with an opening there; 0 where it is in the way of people."""
+        gains = [short - self.shortfall(room, cut, placed) for room, short in zip(cut.sides, now, strict=True)]
+        won = sum(gains)
+        if won <= 0 or self.doorways.score(placed) > self.doorways.score(cut):
+            return 0
+        longer = any(gain <= 0 and self._way(room, placed) > self._way(room, cut) for room, gain in zip(cut.sides, gains, strict=True))
+        return 0 if longer else won
+
+    def _way(self, room: int, cut: Cut) -> int:
+        """Returns how far an opening is from the others that one walks through, along x and z, mm in all."""
+        own = self.doorways.side(cut, room).square
+        others = [side.square.centre for side in self.doorways.sides(room) if side.square is not None and side.cut.id != cut.id]
+        return sum([abs(own.centre[0] - x) + abs(own.centre[1] - z) for x, z in others]) if own is not None else 0
+
+    def _moved(self, cut: Cut) -> Iterator[Cut]:
+        """Yields an opening at the ends of its stretch of wall."""
+        if cut.other is not None:
+            low, high = self.shared[min(cut.sides), max(cut.sides)]
+        else:
+            stretches = self.doorways.layout.exposed[cut.room][cut.wall]
+            low, high = next(one for one in stretches if one[0] <= cut.centre <= one[1])
+        jamb = EDGE_MM if cut.kind == "window" else min(JAMB_MM, (high - low - cut.width) // 2)
+        for centre in (low + jamb + cut.width // 2, high - jamb - cut.width // 2):
+            if centre != cut.centre and low + jamb <= centre - cut.width // 2 and centre + cut.width // 2 <= high - jamb:
+                yield cut.at(centre)
+
+
+def _wishes(keeps: Sequence[KeptWall]) -> tuple[_Wish, ...]:
+    """Returns what a room type keeps."""
+    return tuple(
+        _Wish(to_mm(one.length), to_mm(one.depth), one.under_windows, one.round_corners, to_mm(one.across or 0.0)) for one in keeps
+    )
+
+
+def _longest(rect: Rect, sides: Sequence[OpeningSide], wish: _Wish) -> int:
+    """Returns the longest stretch of a room's walls as is wished for, mm; the first that is long enough will do."""
+    blocked = _blocked(rect, sides, wish)
+    if 0 < min(rect.width, rect.depth) <= wish.across:
+        pairs = (("north", "south", rect.depth), ("west", "east", rect.width))
+        facing = [[gaps_between(rect.along(wall), blocked[wall]) for wall in pair[:2]] for pair in pairs if pair[2] <= wish.across]
+        return max((min(a[1], b[1]) - max(a[0], b[0]) for one, other in facing for a in one for b in other), default=0)
+    free, longest = {}, 0
+    for wall in WALLS:
+        whole = rect.along(wall)
+        free[wall] = gaps_between(whole, blocked[wall]) if blocked[wall] else [whole]
+        for low, high in free[wall]:
+            longest = max(longest, high - low)
+        if longest >= wish.length:
+            return longest
+    if wish.round_corners:
+        for wall, side in (("north", "west"), ("north", "east"), ("south", "west"), ("south", "east")):
+            round_corner = _to_end(rect, wall, free[wall], side == "east") + _to_end(rect, side, free[side], wall == "south")
+            longest = max(longest, round_corner)
+    return longest
+
+
+def _blocked(rect: Rect, sides: Sequence[OpeningSide], wish: _Wish) -> dict[str, list[tuple[int, int]]]:
+    """Returns what breaks each wall: windows, where they do, and doors' squares on the floor before it."""
+    blocked: dict[str, list[tuple[int, int]]] = {wall: [] for wall in WALLS}
+    depth, under_windows = wish.depth, wish.under_windows
+    x0, z0, x1, z1 = rect.x0 + depth, rect.z0 + depth, rect.x1 - depth, rect.z1 - depth
+    for side in sides:
+        if side.square is None:
+            if not (under_windows and side.cut.kind == "window"):
+                blocked[side.wall].append((side.low, side.high))
+            continue
+        west, north, east, south = side.square
+        if north < z0:
+            blocked["north"].append((west, east))
+        if south > z1:
+            blocked["south"].append((west, east))
+        if west < x0:
+            blocked["west"].append((north, south))
+        if east > x1:
+            blocked["east"].append((north, south))
+    return blocked
+
+
+def _to_end(rect: Rect, wall: str, free: list[tuple[int, int]], high_end: bool) -> int:
+    """Returns how long the stretch is that reaches one end of a wall."""
+    at = rect.along(wall)[high_end]
+    return next((high - low for low, high in free if (high if high_end else low) == at), 0)

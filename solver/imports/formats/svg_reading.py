@@ -1,0 +1,216 @@
+"""SVG: rooms as closed shapes, walls, doors and windows as shapes that are called so; and what `data-` attributes say, as our export does.
+
+Its y points down, as ours points south. Names are ids, classes and labels of shapes and of the groups around them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from statistics import median
+from typing import Final, Literal, NamedTuple
+
+from catalogs import load_catalogs
+from catalogs.room_names import room_names_of
+from solver.errors import FieldError, SyntaxFault
+from solver.imports.along_walls import outer_walls
+from solver.imports.bounded_files import xml_of
+from solver.imports.drawn import DrawnAlong, DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, OpeningKind, Spot
+from solver.imports.formats.svg_elements import (
+    LENGTH,
+    NAMES_APART,
+    PIXELS,
+    SvgElement,
+    drawn_elements,
+    local_name,
+    placed,
+    said_of,
+    view_of,
+)
+from solver.imports.plain_values import a_number, one_of
+from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, UnitTold, plan_of_shapes, sort_within
+from solver.imports.units import DOOR_WIDTHS, unit_named
+
+OPENINGS: Final[tuple[OpeningKind, ...]] = ("door", "window", "passage", "garage_door")
+SCALES: Final = (1, 20, 50, 100, 200, 500)
+"""Of plans on paper, where the file does not say: a scale is told by how wide doors come out."""
+NAMES: Final = ("label", "data-name", "id", "class")
+"""Attributes that call a shape something."""
+START: Final = 4_000
+"""Bytes at a file's beginning in which its root is looked for."""
+
+
+class _Unit(NamedTuple):
+    """The length of the file's unit, m, None where nothing tells; what told it, where the file does not say it in a word."""
+
+    metres: float | None
+    words: str = ""
+
+
+def is_svg(content: bytes) -> bool:
+    """Tells whether a file is SVG."""
+    return b"<svg" in content[:START] and content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<")
+
+
+def read_svg(content: bytes, metres: float | None = None) -> DrawnPlan:
+    """Reads a drawing; `metres` is the length of its unit, where the caller says it.
+
+    Raises:
+        SyntaxFault: it is none, declares entities, or draws more than any plan.
+        FieldError: something in it cannot be read; names its element.
+    """
+    root = xml_of(content)
+    if local_name(root.tag) != "svg":
+        raise SyntaxFault(f"no SVG: its first element is {str(root.tag)!r:.40}")
+    elements, said = list(drawn_elements(root)), said_of(root)
+    openings = [one for element in elements if "data-opening" in element.said for one in _opening(element)]
+    stated = [element for element in elements if "data-room" in element.said]
+    plan = _shapes_plan(elements, bool(stated) and bool(openings), lambda found: metres or _unit_of(said, found).metres)
+    drawn_rooms = [(_room(element, line.points), element) for element in stated for line in element.lines[:1]]
+    rooms = [room for room, _ in drawn_rooms] or list(plan.rooms)
+    openings = openings or list(plan.openings)
+    unit = _unit_of(said, openings)
+    thickness = _attribute(said, "data-wall-thickness", "svg")
+    drawn: DrawnAlong = "inner" if one_of(said, "data-drawn", ("", "lines", "inner"), "svg") == "inner" else "lines"
+    level = int(_attribute(said, "data-level", "svg") or 0)
+    pieces = tuple(_pieces(elements, unit.metres, _attribute(said, "data-elevation", "svg") or 0.0))
+    solid = tuple(wall for room, element in drawn_rooms for wall in outer_walls(room, _outer(element), thickness or 0.0))
+    return DrawnPlan(
+        tuple(rooms), tuple(openings), () if stated else plan.walls, pieces,
+        (DrawnLevel(level, "", _attribute(said, "data-elevation", "svg"), _attribute(said, "data-level-height", "svg")),),
+        metres=unit.metres, drawn=drawn if stated or "data-drawn" in said else plan.drawn,
+        wall_thickness=plan.wall_thickness if thickness is None else thickness, unread=() if stated else plan.unread,
+        unit_words=unit.words, solid=solid or (() if stated else plan.solid),
+    )  # fmt: skip
+
+
+def _attribute(said: Mapping[str, str], key: str, where: str) -> float | None:
+    """Returns an attribute that is a number, None where it is missing.
+
+    Raises:
+        FieldError: it is none.
+    """
+    text = said.get(key)
+    try:
+        value: object = None if text is None else float(text)
+    except ValueError:
+        value = text
+    return a_number({key: value}, key, where, None)
+
+
+def _unit_of(said: Mapping[str, str], openings: Sequence[DrawnOpening]) -> _Unit:
+    """Returns the unit: what `data-unit` says; else paper's millimetres times the scale that makes doors doors."""
+    if said.get("data-unit"):
+        return _Unit(unit_named(said["data-unit"]))
+    found, view = LENGTH.fullmatch(said.get("width", "")), view_of(said)
+    if not found or found[2] not in PIXELS or found[2] in ("", "px"):
+        return _Unit(None)
+    paper = PIXELS[found[2]] / PIXELS["mm"] / 1000 * float(found[1]) / (view[2] if view else float(found[1]) * PIXELS[found[2]])
+    scale = _attribute(said, "data-scale", "svg")
+    doors = [math.dist(one.start, one.end) * paper for one in openings if one.kind == "door"]
+    if scale or not doors:
+        return _Unit(paper * scale if scale else None)
+    told = [one for one in SCALES if DOOR_WIDTHS[0] <= median(doors) * one <= DOOR_WIDTHS[1]]
+    words = (
+        f"the drawing is {found[1]} {found[2]} wide; at 1:{told[0]} its doors' median is {median(doors) * told[0]:.2f} m" if told else ""
+    )
+    return _Unit(paper * told[0] if len(told) == 1 else None, words)
+
+
+def _outer(element: SvgElement) -> list[float | None]:
+    """Returns how thick a room says that its outer walls are, by edge of its outline; None where it says `-`."""
+    words = element.said.get("data-outer-walls", "").split()
+    return [None if word == "-" else _attribute({"data-outer-walls": word}, "data-outer-walls", element.where) for word in words]
+
+
+def _room(element: SvgElement, points: tuple[Spot, ...]) -> DrawnRoom:
+    said = element.said
+    outdoor = one_of(said, "data-outdoor", ("", "true", "false"), element.where)
+    return DrawnRoom(
+        points, said.get("data-name", ""), element.where, said["data-room"], outdoor=outdoor == "true" if outdoor else None,
+        id=said.get("data-id", ""),
+    )  # fmt: skip
+
+
+def _opening(element: SvgElement) -> Iterator[DrawnOpening]:
+    """Yields an opening that a line with `data-opening` draws.
+
+    Raises:
+        FieldError: it is no line, or an attribute of it is wrong.
+    """
+    said, where = element.said, element.where
+    kind = one_of(said, "data-opening", OPENINGS, where, required=True)
+    if len(element.lines) != 1 or len(element.lines[0].points) != 2:
+        raise FieldError(where, "has data-opening and is not one straight line", "a line along its wall")
+    start, end = element.lines[0].points
+    hinge = one_of(said, "data-hinge", ("", "start", "end"), where)
+    main = one_of(said, "data-main-entrance", ("", "true", "false"), where)
+    towards = said.get("data-towards", "").split()
+    try:
+        aim = placed(element.matrix, (float(towards[0]), float(towards[1])), where) if towards else None
+    except (ValueError, IndexError):
+        raise FieldError(
+            f"{where}.data-towards", f"is {said['data-towards']!r:.40}", "two numbers: a point on the side it swings to"
+        ) from None
+    yield DrawnOpening(
+        next(one for one in OPENINGS if one == kind), start, end, where, _attribute(said, "data-height", where),
+        _attribute(said, "data-sill", where), hinge=_end(hinge), towards=aim, main_entrance=main == "true" if main else None,
+        id=said.get("data-id", ""),
+    )  # fmt: skip
+
+
+def _end(word: str) -> Literal["start", "end"] | None:
+    return "start" if word == "start" else "end" if word == "end" else None
+
+
+def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: float) -> Iterator[DrawnPiece]:
+    """Yields the pieces: uses of symbols that say how large they are; sizes and heights in m, as our export says them."""
+    if metres is None:
+        return
+    sizes = {one.said["id"]: one.said["data-size"] for one in elements if "data-size" in one.said and "id" in one.said}
+    for element in elements:
+        said, where = element.said, element.where
+        size = sizes.get(said.get("href", "").strip()[1:])
+        if element.tag != "use" or size is None or said.get("data-sort") == "dynamic":
+            continue
+        try:
+            width, depth, height = (a_number({"": float(one)}, "", where) / metres for one in size.split())
+        except ValueError:
+            raise FieldError(f"{where}.data-size", f"is {size!r:.40}", "width, depth, height in m") from None
+        x, z = placed(element.matrix, (0.0, 0.0), where)
+        turn = -math.degrees(math.atan2(element.matrix[1], element.matrix[0]))
+        y = (_attribute(said, "data-y", where) or 0.0) / metres - elevation
+        name = said.get("data-name") or said.get("data-kind") or "thing"
+        yield DrawnPiece(
+            name, x, z, y, turn, (width, depth, height), where, id=said.get("data-id", ""), decoration=said.get("data-sort") == "decoration"
+        )
+
+
+def _shapes_plan(elements: Sequence[SvgElement], is_stated: bool, metres: UnitTold) -> DrawnPlan:
+    """Returns what shapes draw by their names, as far as attributes do not say it."""
+    texts = [DrawnText(one.words, *one.lines[0].points[0]) for one in elements if one.words]
+    shapes: list[DrawnShape] = []
+    swings: list[DrawnSwing] = []
+    for element in [] if is_stated else elements:
+        sort, label = sort_within(element.names), _label(element)
+        for line in element.lines if element.tag != "text" else ():
+            if sort == "door" and line.swing:
+                swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where))
+                continue
+            is_room = sort == "room" or (sort is None and bool(label) and line.closed)
+            closed = line.closed or (is_room and len(line.points) > 3)
+            shapes.append(DrawnShape("/".join(element.names[:1]), line.points, closed, element.where, "room" if is_room else sort, label))
+    return plan_of_shapes(shapes, texts, swings, metres, ())
+
+
+def _label(element: SvgElement) -> str:
+    """Returns the first of a shape's own names that plainly names a room; of a shape without a name, of the group's around it."""
+    names = room_names_of(load_catalogs())
+    said = [element.said[key] for key in NAMES if element.said.get(key)] or [
+        name for names_of in element.names[-1:] for name in names_of.split(NAMES_APART)
+    ]
+    for name in said:
+        meaning = names.meaning(name)
+        if meaning is not None and meaning.plain:
+            return name
+    return ""

@@ -1,0 +1,169 @@
+"""How thick each wall is: the walls that a file draws tell where a room's inner face is, and how deep the wall behind it.
+
+Comes in: rooms' edges, walls as drawn, mm. Goes out: inner faces; thicknesses of outer walls. May import: drawn, rectilinear.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from solver.geometry import to_m
+from solver.imports.drawn import DrawnWall
+from solver.imports.joining import THICKEST_JOINED
+from solver.imports.rectilinear import PlanEdge
+
+STRAIGHT: Final = 0.02
+"""How much a wall may rise over its length to count as one along an axis."""
+BESIDE: Final = 5
+"""How far beyond its wall's faces an edge may be drawn, mm."""
+ALIKE: Final = 10
+"""Walls that differ by no more, mm, are as thick as one another."""
+LEAST: Final = 100
+"""A wall lies along an edge over at least so much, mm."""
+THINNEST: Final = 40
+THICKEST: Final = 1000
+"""What is thinner or thicker, mm, is no wall."""
+
+
+class WallBand(NamedTuple):
+    """A wall along an axis: its middle line and its thickness, mm."""
+
+    at: float
+    thickness: float
+
+
+class WallDepths:
+    """The walls that a file draws.
+
+    Args:
+        walls: with their thickness, mm; slanted ones are passed over.
+    """
+
+    def __init__(self, walls: Sequence[DrawnWall]) -> None:
+        bands: dict[tuple[int, str], list[tuple[float, float, float, float]]] = defaultdict(list)
+        for wall in walls:
+            run = abs(wall.end[0] - wall.start[0]), abs(wall.end[1] - wall.start[1])
+            along = 0 if run[0] >= run[1] else 1
+            if THINNEST <= wall.thickness <= THICKEST and run[along] > 0 and run[1 - along] <= STRAIGHT * run[along]:
+                low, high = sorted((wall.start[along], wall.end[along]))
+                bands[wall.level, "xz"[along]].append((low, high, (wall.start[1 - along] + wall.end[1 - along]) / 2, wall.thickness))
+        self._bands = {key: np.array(found).T for key, found in bands.items()}
+
+    def __bool__(self) -> bool:
+        return bool(self._bands)
+
+    def behind(self, edge: PlanEdge, level: int, at: float) -> WallBand | None:
+        """Returns the wall that lies at a coordinate across an edge, over most of its length; None where there is none."""
+        if (level, edge.axis) not in self._bands:
+            return None
+        low, high, line, thickness = self._bands[level, edge.axis]
+        common = np.minimum(high, edge.high) - np.maximum(low, edge.low)
+        common[np.abs(line - at) > thickness / 2 + BESIDE] = 0.0
+        most = int(common.argmax())
+        return WallBand(float(line[most]), float(thickness[most])) if common[most] >= min(LEAST, edge.length / 2) else None
+
+    def face(self, edge: PlanEdge, level: int) -> int | None:
+        """Returns where the inner face is of the wall that an edge is drawn in; None where it is drawn in none."""
+        band = self.behind(edge, level, edge.at)
+        return None if band is None else round(band.at - edge.out * band.thickness / 2)
+
+
+def faces_behind(
+    edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], depths: WallDepths, usual: int
+) -> tuple[int, list[list[PlanEdge]] | None]:
+    """Returns how thick walls are, mm, and where rooms that are drawn along their lines have their faces.
+
+    None in place of the faces where all lie half that thickness inside of the lines: the rooms may stay as they are drawn.
+
+    Args:
+        edges: of each room, along lines.
+        levels: of each room.
+        depths: the walls that the file draws.
+        usual: what counts where it draws none, mm.
+    """
+    found = [[depths.face(edge, level) for edge in room] for room, level in zip(edges, levels, strict=True)]
+    inside = sorted(
+        (2 * (edge.at - face) * edge.out, edge.length)
+        for room, own in zip(edges, found, strict=True) for edge, face in zip(room, own, strict=True) if face is not None
+    )  # fmt: skip
+    if not inside:
+        return usual, None
+    middle = sum(length for _, length in inside) / 2
+    thickness = max(0, next(twice for at, (twice, _) in enumerate(inside) if sum(length for _, length in inside[: at + 1]) >= middle))
+    if all(abs(twice - thickness) <= ALIKE for twice, _ in inside):
+        return thickness, None
+    half = thickness // 2
+    return thickness, [
+        [edge._replace(at=edge.at - edge.out * half if face is None else face) for edge, face in zip(room, own, strict=True)]
+        for room, own in zip(edges, found, strict=True)
+    ]
+
+
+def outer_thicknesses(
+    depths: WallDepths, edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], usual: int
+) -> list[tuple[float | None, ...] | None]:
+    """Returns for each room how thick its outer walls are where they are not as the usual, m, by its edges; None where all are.
+
+    Args:
+        depths: the walls that the file draws.
+        edges: of each room, along the lines of its walls.
+        levels: of each room.
+        usual: the scene's thickness, mm.
+    """
+    facing = FacingEdges(edges, levels)
+    found = []
+    for room, level in zip(edges, levels, strict=True):
+        said = tuple(_own(depths, edge, level, usual) if facing.shared(edge, level) < edge.length else None for edge in room)
+        found.append(said if any(one is not None for one in said) else None)
+    return found
+
+
+def _own(depths: WallDepths, edge: PlanEdge, level: int, usual: int) -> float | None:
+    face = edge.at - edge.out * usual / 2
+    band = depths.behind(edge, level, face + edge.out * BESIDE)
+    if band is None or abs(band.thickness - usual) <= ALIKE or abs(band.at - edge.out * band.thickness / 2 - face) > ALIKE:
+        return None
+    return to_m(min(1000, round(band.thickness)))
+
+
+class FacingEdges:
+    """Edges of rooms by what they look at across a wall.
+
+    Args:
+        edges: of each room, along the lines of its walls.
+        levels: of each room.
+    """
+
+    def __init__(self, edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int]) -> None:
+        self._edges: dict[tuple[int, str, int], list[PlanEdge]] = defaultdict(list)
+        for room, level in zip(edges, levels, strict=True):
+            for edge in room:
+                self._edges[level, edge.axis, edge.out].append(edge)
+        for found in self._edges.values():
+            found.sort(key=lambda edge: edge.at)
+        self._places = {key: [edge.at for edge in found] for key, found in self._edges.items()}
+
+    def across(self, edge: PlanEdge, level: int) -> Iterator[tuple[PlanEdge, int]]:
+        """Yields the edges of other rooms on the other side of an edge's wall, and how much of it they share, mm."""
+        key = level, edge.axis, -edge.out
+        low, high = sorted((edge.at, edge.at + edge.out * THICKEST_JOINED))
+        places = self._places.get(key, [])
+        for one in self._edges.get(key, [])[bisect_left(places, low) : bisect_right(places, high)]:
+            common = min(edge.high, one.high) - max(edge.low, one.low)
+            if one.room != edge.room and common > 0:
+                yield one, common
+
+    def shared(self, edge: PlanEdge, level: int) -> int:
+        """Returns how much of an edge has other rooms on the other side of its wall, mm, the walls between those included."""
+        found = sorted((max(one.low, edge.low), min(one.high, edge.high)) for one, _ in self.across(edge, level))
+        length, end = 0, None
+        for low, high in found:
+            start = low if end is None or low - end > THICKEST_JOINED else end
+            length += max(0, high - start)
+            end = high if end is None else max(end, high)
+        return length

@@ -1,0 +1,176 @@
+"""A drawing of walls alone -> rooms: the faces that its wall lines enclose, once the gaps at doors and windows are closed.
+
+Comes in: lines of walls and openings, mm. Goes out: corners of rooms along the faces of their walls. May import: rectilinear, steps inside.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator, Sequence
+from typing import Final, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from solver.imports.drawn import Spot
+from solver.imports.rectilinear import FloorCorners, edges_of_corners
+from solver.imports.steps_inside import outline_of_cells
+
+STRAIGHT: Final = 15
+"""A line may leave its axis by so much from end to end, mm."""
+SAME_LINE: Final = 5
+"""Coordinates no farther apart, mm, are one."""
+CRACK: Final = 150
+"""A gap in a wall's line that is no longer, mm, is none."""
+WIDEST: Final = 1.4
+"""The gap at an opening is at most so many times as wide as the opening is drawn."""
+BESIDE: Final = 450
+"""How far from an opening's line the faces of its wall may lie, mm."""
+NARROWEST: Final = 650
+"""A face into which no square of that side fits, mm, is the inside of a wall."""
+THICKEST: Final = 600
+"""Of a wall, mm."""
+MOST_CELLS: Final = 250_000
+"""Cells that the drawing may be cut into."""
+
+
+class DrawnLine(NamedTuple):
+    """A line along an axis: its coordinate across it, and from where to where it goes, mm."""
+
+    axis: Literal["x", "z"]
+    at: int
+    low: int
+    high: int
+
+
+def line_between(a: Spot, b: Spot) -> DrawnLine | None:
+    """Returns the line between two points in mm; None where it is slanted, or nothing."""
+    wide, high = abs(a[0] - b[0]), abs(a[1] - b[1])
+    if min(wide, high) > STRAIGHT or max(wide, high) < 1:
+        return None
+    axis, along = ("x", 0) if wide >= high else ("z", 1)
+    low, far = sorted((round(a[along]), round(b[along])))
+    return DrawnLine("x" if axis == "x" else "z", round((a[1 - along] + b[1 - along]) / 2), low, far)
+
+
+def faces_between(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[FloorCorners] | None:
+    """Returns the corners of the rooms that walls enclose, from north to south; None where the drawing is too intricate."""
+    lines = _closed(_gathered(walls), openings)
+    xs = _cuts([one.at for one in lines if one.axis == "z"], [end for one in lines if one.axis == "x" for end in (one.low, one.high)])
+    zs = _cuts([one.at for one in lines if one.axis == "x"], [end for one in lines if one.axis == "z" for end in (one.low, one.high)])
+    if len(xs) < 2 or len(zs) < 2:
+        return []
+    if len(xs) * len(zs) * 4 > MOST_CELLS:
+        return None
+    found = [outline_of_cells(cells, xs, zs) for cells in _parts(_free(lines, xs, zs)) if _is_room(cells, xs, zs)]
+    return sorted((one for one in found if one), key=lambda corners: (corners[0][1], corners[0][0]))
+
+
+def _gathered(walls: Sequence[DrawnLine]) -> list[DrawnLine]:
+    """Returns walls with coordinates that nearly meet made one, along and across."""
+    values = sorted({value for one in walls for value in (one.at, one.low, one.high)})
+    first: dict[int, int] = {}
+    for before, value in zip([None, *values], values, strict=False):
+        first[value] = first[before] if before is not None and value - first[before] <= SAME_LINE else value
+    return [DrawnLine(one.axis, first[one.at], first[one.low], first[one.high]) for one in walls]
+
+
+def _closed(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[DrawnLine]:
+    """Returns walls with the lines that close cracks, and gaps at openings."""
+    by_line: dict[tuple[str, int], list[DrawnLine]] = {}
+    for one in walls:
+        by_line.setdefault((one.axis, one.at), []).append(one)
+    made = list(walls)
+    for parts in by_line.values():
+        parts.sort(key=lambda one: (one.low, one.high))
+        end = parts[0].high
+        for one in parts[1:]:
+            gap = DrawnLine(one.axis, one.at, end, one.low)
+            if one.low > end and (one.low - end <= CRACK or any(_fills(opening, gap) for opening in openings)):
+                made.append(gap)
+            end = max(end, one.high)
+    return made
+
+
+def _fills(opening: DrawnLine, gap: DrawnLine) -> bool:
+    """Tells whether an opening lies in a gap of a wall's face, and over most of it."""
+    wide, common = opening.high - opening.low, min(opening.high, gap.high) - max(opening.low, gap.low)
+    length = gap.high - gap.low
+    return opening.axis == gap.axis and abs(opening.at - gap.at) <= BESIDE and length <= WIDEST * wide and common >= length / 2
+
+
+def _cuts(lines: Sequence[int], ends: Sequence[int]) -> NDArray[np.int64]:
+    return np.array(sorted({*lines, *ends}), dtype=np.int64)
+
+
+def _free(lines: Sequence[DrawnLine], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Returns what no wall covers, by column and row: even ones are lines, odd ones the cells between them, and a ring around all."""
+    free = np.ones((2 * len(xs) + 1, 2 * len(zs) + 1), dtype=np.bool_)
+    column, row = ({int(value): 2 * at + 1 for at, value in enumerate(cuts)} for cuts in (xs, zs))
+    for one in lines:
+        if one.axis == "x":
+            free[column[one.low] : column[one.high] + 1, row[one.at]] = False
+        else:
+            free[column[one.at], row[one.low] : row[one.high] + 1] = False
+    return free
+
+
+def _parts(free: NDArray[np.bool_]) -> Iterator[NDArray[np.bool_]]:
+    """Yields the connected parts that do not reach the ring: which cells each covers."""
+    left = free.copy()
+    _taken(left, (0, 0))
+    while left.any():
+        first = np.unravel_index(int(left.argmax()), left.shape)
+        part = np.zeros_like(left)
+        for spot in _taken(left, (int(first[0]), int(first[1]))):
+            part[spot] = True
+        yield part[2:-1:2, 2:-1:2]
+
+
+def _taken(left: NDArray[np.bool_], first: tuple[int, int]) -> list[tuple[int, int]]:
+    """Takes a connected part away; returns its places."""
+    found, ahead = [first], deque([first])
+    left[first] = False
+    while ahead:
+        column, row = ahead.popleft()
+        for x, z in ((column + 1, row), (column - 1, row), (column, row + 1), (column, row - 1)):
+            if 0 <= x < left.shape[0] and 0 <= z < left.shape[1] and left[x, z]:
+                left[x, z] = False
+                found.append((x, z))
+                ahead.append((x, z))
+    return found
+
+
+def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> bool:
+    """Tells whether a square of NARROWEST fits into cells."""
+    for start in np.flatnonzero(cells.any(axis=1)).tolist():
+        end = int(np.searchsorted(xs, xs[start] + NARROWEST))
+        if end >= len(xs):
+            return False
+        long = 0
+        for row, covered in enumerate(np.all(cells[start:end], axis=0)):
+            long = long + int(zs[row + 1] - zs[row]) if covered else 0
+            if long >= NARROWEST:
+                return True
+    return False
+
+
+def thickness_about(rooms: Sequence[FloorCorners], walls: Sequence[DrawnLine]) -> int | None:
+    """Returns how far behind rooms' faces the other faces of their walls are drawn, mm, at most of their length; None without such."""
+    found: list[tuple[int, int]] = []
+    for edge in (edge for number, corners in enumerate(rooms) for edge in edges_of_corners(number, corners)):
+        behind = [
+            (one.at - edge.at) * edge.out
+            for one in walls
+            if one.axis == edge.axis
+            and SAME_LINE < (one.at - edge.at) * edge.out <= THICKEST
+            and 2 * (min(one.high, edge.high) - max(one.low, edge.low)) > edge.length
+        ]
+        if behind:
+            found.append((min(behind), edge.length))
+    half, total = sum(length for _, length in found) / 2, 0
+    for thickness, length in sorted(found):
+        total += length
+        if total >= half:
+            return thickness
+    return None
