@@ -10,11 +10,14 @@ WORKERS = auto
 PYTEST_ARGS =
 BENCH_ARGS =
 FUZZ_ARGS =
+HOSTILE_ARGS =
+LOAD_ARGS =
+LEADERBOARD_ARGS =
 
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets bench fuzz lint format core page page-bench pictures gallery chromium pins wheel clean
+.PHONY: help run test targets bench leaderboard fuzz hostile load lint format core page page-bench pictures gallery chromium pins audit wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -24,7 +27,7 @@ export NUMEXPR_NUM_THREADS = 1
 export PYTHONUTF8 = 1
 export UV_NO_PROGRESS = 1
 export PIP_ROOT_USER_ACTION = ignore
-unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
+unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME PYTHONDONTWRITEBYTECODE
 
 PY = .venv/bin/python
 PINS = pyproject.toml constraints.txt
@@ -51,8 +54,17 @@ bench: .venv/dev.stamp core ## measure placement against exact oracles and OSQP 
 	$(PY) -m tests.bench $(BENCH_ARGS)
 	$(PY) -m tests.bench.flow
 
+leaderboard: .venv/dev.stamp core ## judge our answers to the published benchmark, or a system's: LEADERBOARD_ARGS='--foreign DIR'
+	$(PY) -m tests.leaderboard $(LEADERBOARD_ARGS)
+
 fuzz: .venv/dev.stamp core ## place 100,000 random rooms and check each in exact integers
 	$(PY) -m tests.bench.fuzz $(FUZZ_ARGS)
+
+hostile: .venv/dev.stamp core ## look for the requests that cost most, and for texts that are answered by a fault
+	$(PY) -m tests.hostile $(HOSTILE_ARGS)
+
+load: .venv/dev.stamp core page ## load a service: 32 clients, 20,000 requests, callers that leave or dribble
+	$(PY) -m tests.load $(LOAD_ARGS)
 
 lint: .venv/dev.stamp ## check style and types: ruff, mypy, tsc
 	$(PY) -m ruff check .
@@ -87,6 +99,10 @@ pins: ## write constraints.txt anew from pyproject.toml
 	  $(UV) pip compile --quiet --universal --python-version 3.11 --group dev \
 	    --no-header --no-annotate pyproject.toml; } > constraints.txt.new
 	mv constraints.txt.new constraints.txt
+
+audit: ## ask for known weaknesses of everything that is pinned, where the network allows
+	$(UV) tool run --quiet pip-audit==2.10.1 --requirement constraints.txt --no-deps --disable-pip
+	cd web && npm audit
 
 wheel: .venv/python.stamp ## build the wheel, with the core and the page in it, into dist/
 	$(UV) build --quiet --wheel --python $(PY)

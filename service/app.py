@@ -5,27 +5,42 @@ The functions declare what a call takes and answers, and FastAPI describes it; `
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Callable, Collection, Coroutine
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from typing import Annotated, Any, Final
 
-from fastapi import FastAPI, Path, Request
-from fastapi.routing import APIRoute, APIRouter
+from anyio import create_task_group
+from fastapi import FastAPI, Path
+from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
-from starlette.responses import Response
+from starlette.middleware.cors import CORSMiddleware
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
 
 from catalogs import Catalogs, load_catalogs
 from service import calls, contract, page, problems
+from service.admission import FOR_OTHER_PAGES, Admission, Admitted
+from service.admitting import admitted_of
 from service.callers import ANY, Callers
+from service.connections import Connections
+from service.described import Answering, DescribedCalls
 from service.docs import docs
+from service.effort import Terms
 from service.guard import Guard
+from service.homes import homes, store_limiter
+from service.jobs import Runner, jobs
+from service.kept_store import NONE, TEMPORARY, KeptStore
+from service.measures import Measures, Observed, metrics
 from service.openapi import completed, refusals
-from service.refusals import NoSuchFormat
+from service.packed_catalogs import mark_of, packed, warm
+from service.refusals import Busy, NoSuchFormat
+from service.service_settings import Settings
+from service.store.saved_homes import SavedHomes
 from service.wire import body_of, format_sent, format_wanted, written
-from service.work import Failure, Job, UnknownCatalogs, do_alone, mark_of, packed, warm
-from service.workers import Workers
+from service.work import Failure, Job, UnknownCatalogs, do_alone
+from service.workers import Workers, unless_left
 from solver.explained import Explained
 from solver.guessed import FurnishedPlan
 from solver.imported import PlanImport
@@ -36,47 +51,40 @@ from solver.version import VERSION
 DESCRIPTION: Final = "Lays out whole furnished homes and proves they work. JSON and YAML, in by Content-Type and out by Accept."
 
 
-class WorkerRoute(APIRoute):
-    """A call that a worker makes: it reads the body, so that FastAPI does not."""
-
-    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Returns what answers a request."""
-
-        async def answer(request: Request) -> Response:
-            format = request.path_params.get("format")
-            if format not in (None, *calls.EXPORT_FORMATS):
-                raise NoSuchFormat("format", f"unknown format {format!r:.60}", ", ".join(calls.EXPORT_FORMATS))
-            app: ComposeApp = request.app
-            sent = format_sent(request, takes_files=self.name == "import")
-            job = Job(self.name, await body_of(request), sent, format or format_wanted(request), app.mark)
-            done = await app.workers.run(do_alone, job)
-            if isinstance(done, UnknownCatalogs):  # a process that was started since
-                done = await app.workers.run(do_alone, replace(job, catalogs=app.packed_catalogs))
-            if not isinstance(done, Response):
-                raise RuntimeError(f"/{self.name} failed in its worker:\n{done.trace if isinstance(done, Failure) else done}")
-            return done
-
-        return answer
+EMBEDDED: Final = Settings(allow_host=(ANY,), store=TEMPORARY)
+"""The settings of an application that another server runs."""
 
 
-class PlainRoute(APIRoute):
-    """A call that takes no body and no time."""
+def _in_worker(name: str) -> Answering:
+    """Returns what has a worker make a call; it reads the body, too."""
 
-    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Returns what answers a request."""
+    async def answer(request: Request) -> Response:
+        format = request.path_params.get("format")
+        if format not in (None, *calls.EXPORT_FORMATS):
+            raise NoSuchFormat("format", f"unknown format {format!r:.60}", ", ".join(calls.EXPORT_FORMATS))
+        app: ComposeApp = request.app
+        sent = format_sent(request, takes_files=name == "import")
+        body = await body_of(request, app.settings.body_seconds)
+        return await unless_left(request.receive, app.make(name, body, sent, format or format_wanted(request)))
 
-        async def answer(request: Request) -> Response:
-            app: ComposeApp = request.app
-            wanted = format_wanted(request)
-            return await run_in_threadpool(lambda: written(calls.QUESTIONS[self.name](app.catalogs), wanted))
+    return answer
 
-        return answer
+
+def _at_once(name: str) -> Answering:
+    """Returns what answers a call that takes no body and no time."""
+
+    async def answer(request: Request) -> Response:
+        app: ComposeApp = request.app
+        wanted = format_wanted(request)
+        return await run_in_threadpool(lambda: written(calls.QUESTIONS[name](app.catalogs), wanted))
+
+    return answer
 
 
 FormatName = Annotated[str, Path(json_schema_extra={"enum": list(calls.EXPORT_FORMATS)})]
 
-posts = APIRouter(route_class=WorkerRoute, responses=refusals(400, 403, 405, 408, 413, 415, 421, 422, 500, 503))
-gets = APIRouter(route_class=PlainRoute, responses=refusals(405, 421, 500))
+posts = DescribedCalls(_in_worker, responses=refusals(400, 401, 403, 405, 408, 413, 415, 421, 422, 429, 500, 503, 504))
+gets = DescribedCalls(_at_once, responses=refusals(401, 405, 421, 429, 500))
 
 
 @posts.post("/generate")
@@ -154,56 +162,134 @@ def healthz() -> contract.Health:  # type: ignore[empty-body]
     """Answers at once while the service lives."""
 
 
-class ComposeApp(FastAPI):
+CALLS: Final = (posts, gets, homes, jobs)
+
+
+class ComposeApp(Starlette):
     """The application with what its calls share.
 
     Args:
         catalogs: the data to serve.
+        settings: its limits.
     """
 
-    def __init__(self, catalogs: Catalogs) -> None:
-        super().__init__(
-            title="Compose", version=VERSION, description=DESCRIPTION,
-            docs_url=None, redoc_url=None, redirect_slashes=False, lifespan=_started,
-        )  # fmt: skip
+    def __init__(self, catalogs: Catalogs, settings: Settings) -> None:
+        super().__init__(routes=[route for declared in CALLS for route in declared.routes()], lifespan=_started)
+        self.router.redirect_slashes = False
         self.catalogs = catalogs
         self.packed_catalogs = packed(catalogs)
         self.mark = mark_of(self.packed_catalogs)
-        self.workers = Workers()
+        self.settings = settings
+        self.terms = Terms(settings.work, settings.most_effort, settings.judging)
+        self.workers = Workers(settings)
+        self.connections = Connections(settings)
+        self.store = KeptStore(settings)
+        self.store_threads = store_limiter()
+        self.runner = Runner(self)
+        self.measures = Measures(self.workers, self.connections)
+        self.is_ready = False
+        self._document: dict[str, Any] | None = None
+
+    def kept_homes(self) -> SavedHomes:
+        """Returns what asks the store for homes.
+
+        Raises:
+            StoreAway: it does not answer, or there is none.
+        """
+        return self.store.open()
+
+    async def make(self, call: str, body: bytes, sent: str, wanted: str) -> Response:
+        """Makes a call in a worker.
+
+        Args:
+            call: one of `calls.CALLS`.
+            body: the request's body.
+            sent: its format.
+            wanted: the answer's.
+
+        Raises:
+            Busy: too many calls wait.
+            TooLong: it took too long.
+            RuntimeError: a fault of ours.
+        """
+        is_light = call in calls.LIGHT and len(body) <= self.settings.light_bytes
+        job = Job(call, body, sent, wanted, self.mark, self.terms)
+        done = await self.workers.run(do_alone, job, is_light=is_light)
+        if isinstance(done, UnknownCatalogs):  # a process that was started since
+            done = await self.workers.run(do_alone, replace(job, catalogs=self.packed_catalogs), is_light=is_light)
+        if not isinstance(done, Response):
+            raise RuntimeError(f"/{call} failed in its worker:\n{done.trace if isinstance(done, Failure) else done}")
+        return done
 
     def openapi(self) -> dict[str, Any]:
         """Returns the OpenAPI document."""
-        self.openapi_schema = self.openapi_schema or completed(super().openapi(), self.catalogs)
-        return self.openapi_schema
+        if self._document is None:
+            described = FastAPI(title="Compose", version=VERSION, description=DESCRIPTION)
+            for declared in CALLS:
+                described.include_router(declared.described())
+            self._document = completed(described.openapi(), self.catalogs)
+        return self._document
 
 
 @asynccontextmanager
 async def _started(app: ComposeApp) -> AsyncIterator[None]:
     await app.workers.start(warm, app.packed_catalogs)
-    yield
+    app.is_ready = True
+    async with create_task_group() as group:
+        if app.settings.store != NONE:
+            group.start_soon(app.runner.run, app.store.is_temporary)
+        yield
+        group.cancel_scope.cancel()
+    app.is_ready = False
+    app.store.close()
 
 
-def create_app(catalogs: Catalogs | None = None, hosts: Collection[str] = (ANY,)) -> ComposeApp:
+async def openapi(request: Request) -> Response:
+    """Answers with the OpenAPI document."""
+    return JSONResponse(await run_in_threadpool(request.app.openapi))
+
+
+async def readyz(request: Request) -> Response:
+    """Tells balancers whether more calls are welcome: the processes are started, and not all places in the line are taken."""
+    app: ComposeApp = request.app
+    app.workers.heavy.check()
+    if not app.is_ready:
+        raise Busy("service", "is starting", "another try in a moment")
+    return written({"status": "ready"}, "json")
+
+
+def create_app(catalogs: Catalogs | None = None, settings: Settings = EMBEDDED, admitted: Admitted | None = None) -> ComposeApp:
     """Makes the application.
 
     Args:
         catalogs: the data to serve; by default our own.
-        hosts: the names that it answers to; by default all, for whoever runs it within a server that looks after that.
+        settings: its limits and names; by default all names are answered to, for whoever runs it within a server that looks after that.
+        admitted: who may ask, and how much; by default what the settings say.
 
     Raises:
         CatalogError: our own catalogs cannot be read.
+        FieldError: a key or an origin of the settings cannot be one.
+        OSError: the file of keys cannot be read.
     """
-    app = ComposeApp(catalogs or load_catalogs())
-    for kind in problems.STATUS:
+    admitted = admitted or admitted_of(settings)
+    app = ComposeApp(catalogs or load_catalogs(), settings)
+    for kind in problems.ALL_STATUS:
         app.add_exception_handler(kind, problems.of_error)
     app.add_exception_handler(HTTPException, problems.of_http)
-    app.include_router(posts)
-    app.include_router(gets)
-    app.add_route("/", page.index, include_in_schema=False)
-    app.add_route("/core.wasm", page.core, include_in_schema=False)
-    app.add_route("/asset/{name}", page.asset, include_in_schema=False)
-    app.add_route("/docs", docs, include_in_schema=False)
+    app.add_route("/openapi.json", openapi)
+    app.add_route("/", page.index)
+    app.add_route("/embed", page.embed)
+    app.add_route("/core.wasm", page.core)
+    app.add_route("/asset/{name}", page.asset)
+    app.add_route("/docs", docs)
+    app.add_route("/readyz", readyz)
+    if settings.metrics:
+        app.add_route("/metrics", metrics)
     app.mount("/assets", page.Assets())
-    app.add_middleware(Callers, hosts)
+    app.add_middleware(Admission, admitted)
+    app.add_middleware(Callers, settings.allow_host, admitted.origins)
+    if admitted.origins:
+        app.add_middleware(CORSMiddleware, allow_origins=admitted.origins, **FOR_OTHER_PAGES)
     app.add_middleware(Guard)
+    app.add_middleware(Observed, app.measures)
     return app

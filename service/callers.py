@@ -17,6 +17,8 @@ from service.problems import problem
 
 LOOPBACK: Final = frozenset({"localhost", "127.0.0.1", "::1"})
 """The names that a service on one's own machine answers to. A page elsewhere that has its own name point here is turned away by them."""
+READING: Final = frozenset({"GET", "HEAD", "OPTIONS"})
+"""Methods that change nothing and cost little."""
 ANY: Final = "*"
 """As a host that is allowed: all are."""
 
@@ -27,10 +29,12 @@ class Callers:
     Args:
         app: the routes.
         hosts: the names of this service, without ports; with `ANY` among them every name is right.
+        origins: other places whose pages may ask, such as https://homes.example.
     """
 
-    def __init__(self, app: ASGIApp, hosts: Collection[str]) -> None:
+    def __init__(self, app: ASGIApp, hosts: Collection[str], origins: Collection[str] = ()) -> None:
         self._app, self._hosts = app, frozenset(host.lower() for host in hosts)
+        self._places = frozenset(_place(origin) for origin in origins)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answers one request; HEAD as GET, without the body."""
@@ -52,7 +56,7 @@ class Callers:
             allowed = ", ".join(sorted(self._hosts))
             return _refused(421, "The service has another name", "Host", f"{host!r:.80} is no name of this service", allowed)
         origin = headers.get("origin")
-        if method == "POST" and origin is not None and _place(origin) != headers.get("host", "").lower():
+        if method not in READING and origin is not None and _place(origin) not in {headers.get("host", "").lower(), *self._places}:
             return _refused(
                 403, "The page that asks is not this service's", "Origin", f"{origin!r:.80} is another place", "pages of this service"
             )

@@ -29,7 +29,8 @@ from service.contract import (
     ValidateBody,
     ViewBody,
 )
-from service.generating import draw_seed, generate_house
+from service.effort import limited_to
+from service.generating import check_size, draw_seed, generate_house
 from solver import explain, export, fix, place, prepare_drag, validate
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, scene_schema, write, write_scene
@@ -62,12 +63,14 @@ def furnish_plan(document: object, catalogs: Catalogs) -> Document:
         FieldError: a field is wrong.
     """
     body = read(FurnishBody, document)
+    check_size(body.scene)
     seed = draw_seed() if body.seed is None and body.scene.seed is None else body.seed
-    made = furnish(
-        body.scene, tuple(dict.fromkeys(body.rooms)), keep=body.keep, types=body.types, program=body.program, style=body.style,
-        decorate=body.decorate, seed=seed, catalogs=catalogs, clock=perf_counter,
-    )  # fmt: skip
-    return write(made)
+    with limited_to(body.effort) as work:
+        made = furnish(
+            body.scene, tuple(dict.fromkeys(body.rooms)), keep=body.keep, types=body.types, program=body.program, style=body.style,
+            decorate=body.decorate, access=body.access, seed=seed, catalogs=catalogs, clock=perf_counter,
+        )  # fmt: skip
+    return write(replace(made, limited=work.limited()))
 
 
 def fix_scene(document: object, catalogs: Catalogs) -> Document:
@@ -81,11 +84,13 @@ def fix_scene(document: object, catalogs: Catalogs) -> Document:
         FieldError: a field is wrong.
     """
     body = read(FixBody, document)
-    fixed = fix(
-        body.scene, locked=tuple(dict.fromkeys(body.locked)), moved=tuple(dict.fromkeys(body.moved)), on_conflict=body.on_conflict,
-        previous=body.previous, dragging=body.dragging, catalogs=catalogs, clock=perf_counter,
-    )  # fmt: skip
-    return write(fixed)
+    check_size(body.scene)
+    with limited_to(body.effort) as work:
+        fixed = fix(
+            body.scene, locked=tuple(dict.fromkeys(body.locked)), moved=tuple(dict.fromkeys(body.moved)), on_conflict=body.on_conflict,
+            previous=body.previous, dragging=body.dragging, catalogs=catalogs, clock=perf_counter,
+        )  # fmt: skip
+    return write(replace(fixed, limited=work.limited()))
 
 
 def take_in_hand(document: object, catalogs: Catalogs) -> Document:
@@ -101,7 +106,8 @@ def take_in_hand(document: object, catalogs: Catalogs) -> Document:
     body = read(DragBody, document)
     check_ids("id", (body.id,), body_ids(body.scene))
     check_ids("locked", body.locked, body_ids(body.scene))
-    taken = prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
+    with limited_to():
+        taken = prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
     return write(DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies))
 
 
@@ -117,15 +123,16 @@ def place_pieces(document: object, catalogs: Catalogs, engine: str = "osqp") -> 
         FieldError: a field is wrong.
     """
     body = read_place(document)
-    answer = place(
-        body.room, body.pieces, alternatives=body.alternatives, wall_thickness=body.wall_thickness, robot_width=body.robot_width,
-        catalogs=catalogs, engine=engine, clock=perf_counter,
-    )  # fmt: skip
+    with limited_to(body.effort) as work:
+        answer = place(
+            body.room, body.pieces, alternatives=body.alternatives, wall_thickness=body.wall_thickness, robot_width=body.robot_width,
+            catalogs=catalogs, engine=engine, clock=perf_counter,
+        )  # fmt: skip
     best = answer.best
     return write(
         PlaceAnswer(
             best.scene, best.relations, best.unplaced, answer.alternatives, answer.conflicts, best.issues, answer.timing_ms,
-            answer.understood_as,
+            answer.understood_as, work.limited(),
         )
     )  # fmt: skip
 
@@ -189,7 +196,8 @@ def explain_place(document: object, catalogs: Catalogs) -> Document:
         FieldError: a field is wrong.
     """
     body = read(ExplainBody, document)
-    return write(explain(body.scene, body.id, catalogs=catalogs))
+    with limited_to():
+        return write(explain(body.scene, body.id, catalogs=catalogs))
 
 
 def import_file(document: object, catalogs: Catalogs) -> Document:
@@ -224,18 +232,19 @@ def import_content(content: object, catalogs: Catalogs, settings: ImportSettings
     return write(import_plan(content, name, settings, catalogs=catalogs))
 
 
-def floor_of(document: object, _: Catalogs | None = None) -> Document:
+def floor_of(document: object, catalogs: Catalogs | None = None) -> Document:
     """Says where the floor of rooms is clear, kept free, and free to come to.
 
     Args:
         document: a `FloorBody`.
+        catalogs: where profiles of access are; ours by default.
 
     Raises:
         FieldError: a field is wrong.
     """
     body = read(FloorBody, document)
     check_ids("rooms", body.rooms, [room.id for room in body.scene.rooms])
-    return write(FloorAnswer(tuple(floors(body.scene, body.rooms))))
+    return write(FloorAnswer(tuple(floors(body.scene, body.rooms, catalogs))))
 
 
 def export_scene(document: object, catalogs: Catalogs) -> Document:
@@ -271,7 +280,7 @@ def export_files(document: object, catalogs: Catalogs, format: str) -> Files:
         FieldError: a field is wrong, or the format's library is not installed.
     """
     body = _sent(document)
-    return export(body.scene, format, free=cast(Freedom, body.free), strict=body.strict, catalogs=catalogs)
+    return export(body.scene, format, free=cast(Freedom, body.free), strict=body.strict, scale=body.scale, catalogs=catalogs)
 
 
 def export_one(document: object, catalogs: Catalogs, format: str) -> ExportedFile:
@@ -312,6 +321,8 @@ CALLS: Final[Mapping[str, Call]] = {
     "import": import_file,
 }  # fmt: skip
 """The calls that take a body, by the names of their routes."""
+LIGHT: Final = frozenset({"drag", "floor", "validate", "view"})
+"""Those that are quickly done where the body is small: they have a lane of their own."""
 MAY_BE_EMPTY: Final = frozenset({"generate"})
 """Those whose body may be left out: it asks for all defaults then."""
 QUESTIONS: Final[Mapping[str, Callable[[Catalogs], Document]]] = {

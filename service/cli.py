@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import os
+import sys
 from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _SubParsersAction
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from importlib import import_module
 from typing import Any, Final, TypeAlias
 
+from service.effort import EFFORTS, NORMAL
+
 Commands: TypeAlias = "_SubParsersAction[ArgumentParser]"
 
 THREADED: Final = ("OMP", "OPENBLAS", "MKL", "NUMEXPR")
 """Libraries below numpy whose threads would only cost on small matrices, and whose sums must not depend on the machine."""
-STATUSES: Final = "Exit status: 0 clean, 1 errors found in the scene, 2 bad use."
+STATUSES: Final = "Exit status: 0 clean, 1 errors found in the scene, 2 bad use, 130 ended by Ctrl-C."
+INTERRUPTED: Final = 130
+"""What shells call a program that Ctrl-C ended."""
 
 
 def forced(text: str) -> tuple[str, str]:
@@ -45,6 +50,16 @@ def program(text: str) -> str | dict[str, int]:
     return counts
 
 
+def outline(text: str) -> str | list[list[float]]:
+    """Reads a word, or corners such as "0,0 8,0 8,6 0,6"."""
+    if "," not in text:
+        return text
+    try:
+        return [[float(x), float(z)] for x, z in (corner.split(",") for corner in text.split())]
+    except ValueError:
+        raise ArgumentTypeError(f"{text!r:.60} is no word and not corners, such as '0,0 8,0 8,6 0,6'") from None
+
+
 def _whole(least: int, most: int) -> Callable[[str], int]:
     """Returns what reads a whole number from `least` to `most`."""
 
@@ -57,6 +72,26 @@ def _whole(least: int, most: int) -> Callable[[str], int]:
 
 
 _COUNT: Final = _whole(1, 10**9)
+
+
+def seeds(text: str) -> tuple[int, int]:
+    """Reads the first and the last seed of a range, such as 0-999."""
+    first, dash, last = text.partition("-")
+    if not (first.isdecimal() and dash and last.isdecimal() and len(last) <= 16 and int(first) <= int(last) < 2**53):
+        raise ArgumentTypeError(f"{text!r} is not A-B, such as 0-999, from 0 to 2^53-1")
+    return int(first), int(last)
+
+
+def _listed(words: Any) -> Callable[[str], tuple[str, ...]]:
+    """Returns what reads several words of some, with commas between."""
+
+    def read(text: str) -> tuple[str, ...]:
+        given = tuple(dict.fromkeys(text.split(",")))
+        if unknown := [word for word in given if word not in words]:
+            raise ArgumentTypeError(f"{unknown[0]!r} is none of {', '.join(words)}")
+        return given
+
+    return read
 
 
 def _command(commands: Commands, name: str, words: str) -> ArgumentParser:
@@ -101,30 +136,44 @@ def _add_workers(command: ArgumentParser) -> None:
     command.add_argument("--workers", type=_COUNT, default=os.cpu_count() or 1, metavar="N", help="processes for many houses (one a core)")
 
 
+def _add_effort(command: ArgumentParser) -> None:
+    command.add_argument("--effort", choices=tuple(EFFORTS), default=NORMAL, help="how much work the search may do (normal)")
+
+
 def _add_scene(command: ArgumentParser) -> None:
     command.add_argument("scene", nargs="?", default="-", metavar="SCENE", help="a scene, YAML or JSON (standard input)")
 
 
 def _add_request(command: ArgumentParser) -> None:
     """Adds the request file and an option for each field of `Request`, under the field's name."""
+    command.add_argument("request", nargs="?", metavar="REQUEST", help="a request, YAML or JSON; - for standard input")
+    _add_request_keys(command)
+
+
+def _add_request_keys(command: ArgumentParser) -> None:
     add = command.add_argument
-    add("request", nargs="?", metavar="REQUEST", help="a request, YAML or JSON; - for standard input")
     add("--seed", type=int, metavar="N", help="0 ... 2^53-1; drawn when there is none")
     add("--program", type=program, metavar="PRESET|WORD=N,...", help="the rooms of a home: family; bedrooms=3,bathrooms=2")
     add("--area", type=float, metavar="N", help="of the house's floor, m2: a home is planned for it")
-    add("--outline", metavar="WHICH", help="of a planned home: rectangle, L, T, U or any (any)")
+    add(
+        "--outline",
+        type=outline,
+        metavar="WHICH",
+        help="of a planned home: rectangle, L, T, U or any (any); or corners: x,z x,z ...",
+    )
     add("--width", type=float, metavar="N", help="of the house, m (20, or what the programme needs)")
     add("--depth", type=float, metavar="N", help="of the house, m (15, or what the programme needs)")
     add("--style", metavar="NAME", help="the style of the house")
     add("--min-room-size", type=float, metavar="N", help="shortest side of a room, m (3)")
     add("--max-depth", type=int, metavar="N", help="how often the plan is split (5)")
-    add("--access", metavar="PROFILE", help="a standard to judge by: none, din_18040_2, din_18040_2_r, ada (none)")
+    add("--access", metavar="PROFILE", help="a standard that the home is made for: none, din_18040_2, din_18040_2_r, ada (none)")
     add("--robot-width", type=float, metavar="N", help="of what must be able to walk everywhere, m (0.6)")
     add("--force-type", dest="force_types", action="append", type=forced, metavar="INDEX=TYPE", help="a room's type")
     switch = partial(add, action=BooleanOptionalAction)
     switch("--use-spine", help="a hallway through the house (on)")
     switch("--outdoor", help="turn rooms at the outside into a backyard and a patio (off)")
     switch("--decorate", help="decorate surfaces, walls and floors (off)")
+    switch("--people", help="people and pets, as the catalogs say (on)")
 
 
 def _add_generate(commands: Commands) -> None:
@@ -149,6 +198,12 @@ def _add_furnish(commands: Commands) -> None:
     add("--style", metavar="NAME", help="the style of the home")
     add("--seed", type=int, metavar="N", help="0 ... 2^53-1; the plan's own, else drawn")
     add("--decorate", action=BooleanOptionalAction, help="decorate surfaces, walls and floors (as the plan says, else off)")
+    add(
+        "--access",
+        metavar="PROFILE",
+        help="furnish as a standard asks: none, din_18040_2, din_18040_2_r, ada (as the plan says, else none)",
+    )
+    _add_effort(command)
     _add_output(command, "the scene")
     _add_catalog(command)
 
@@ -161,6 +216,7 @@ def _add_fix(commands: Commands) -> None:
     )
     command.add_argument("--moved", action="append", default=[], metavar="ID", help="a body that was just moved; may be repeated")
     command.add_argument("--on-conflict", choices=("report", "remove"), default="report", help="what becomes of what cannot stand")
+    _add_effort(command)
     _add_output(command, "the scene")
     _add_catalog(command)
 
@@ -169,6 +225,7 @@ def _add_place(commands: Commands) -> None:
     command = _command(commands, "place", "Place a list of pieces in a room; writes the placement with its relations and reasons.")
     command.add_argument("request", nargs="?", default="-", metavar="REQUEST", help="room and pieces, YAML or JSON (standard input)")
     command.add_argument("-n", "--alternatives", type=_COUNT, metavar="N", help="find up to N truly different placements")
+    command.add_argument("--effort", choices=tuple(EFFORTS), help="how much work the search may do (what the request says, else normal)")
     _add_engine(command)
     _add_output(command, "the answer")
     _add_catalog(command)
@@ -200,6 +257,7 @@ def _add_readers(commands: Commands) -> None:
     add("-f", "--format", metavar="FORMAT", choices=formats, help="%(choices)s; by default that of the output's name, else yaml")
     freedoms: Any = _ExportWords("FREEDOMS")
     add("--free", metavar="WHAT", choices=freedoms, default="light", help="what a simulator may move: %(choices)s (light)")
+    export.add_argument("--scale", metavar="N", type=int, help="of an SVG plan, 1 to so much (the largest that A3 holds)")
     export.add_argument("--strict", action="store_true", help="refuse a scene with errors; else the files say them")
     _add_catalog(export)
 
@@ -215,13 +273,22 @@ def _add_import(commands: Commands) -> None:
     _add_catalog(command)
 
 
-def _add_serve(commands: Commands) -> None:
+def _add_serve(commands: Commands, everything: bool) -> None:
     command = _command(commands, "serve", "Answer over HTTP, with the page at /.")
-    command.add_argument("--host", default="127.0.0.1", help="address to listen at (127.0.0.1)")
-    words = "a name that it answers to, beside --host and those of this machine's own loop; * for any; may be given several times"
-    command.add_argument("--allow-host", metavar="NAME", action="append", default=[], help=words)
-    command.add_argument("--port", type=_whole(0, 65535), default=8000, help="port to listen at; 0 for any free one (8000)")
-    _add_catalog(command)
+    if everything:
+        _add_settings(command)
+        _add_catalog(command)
+
+
+def _add_settings(command: ArgumentParser) -> None:
+    from service.service_settings import FILE, PREFIX, all_settings  # the help of the other commands needs none of it
+
+    words = f"a file of these settings, request_seconds: 5 for --request-seconds 5; or in the environment, {PREFIX}REQUEST_SECONDS=5"
+    command.add_argument(f"--{FILE}", metavar="FILE", help=words)
+    for one in all_settings():
+        default = "" if one.default in ((), None) else f" ({one.default})"
+        words = one.words + ("; may be given several times" if one.is_list else default)
+        command.add_argument(one.option, metavar="VALUE", action="append" if one.is_list else "store", help=words)
 
 
 def _add_tellers(commands: Commands) -> None:
@@ -252,8 +319,35 @@ def _add_stats(commands: Commands) -> None:
     _add_catalog(command)
 
 
-def parser() -> ArgumentParser:
-    """Returns the parser of the whole command line, the commands in the order of their use: what takes long comes last."""
+def _add_dataset(commands: Commands) -> None:
+    words = "Make homes by the thousand in files that training reads; make one of them again; check that all is as it was made."
+    command = _command(commands, "dataset", words)
+    add = command.add_argument
+    add("task", nargs="?", choices=("make", "check"), help="make: one home of DIR again, by --seed; check: all of DIR (neither: make DIR)")
+    add("folder", nargs="?", metavar="DIR", help="of the task: a dataset")
+    add("--out", metavar="DIR", help="where the dataset is made, or gone on with")
+    add("--seeds", type=seeds, metavar="A-B", help="the first and the last seed")
+    formats: Any = _ExportWords("EXPORTERS", "json")
+    add("--formats", type=_listed(formats), default=("json",), metavar="F,...", help="json, and formats of export (json)")
+    add("--request", metavar="FILE", help="a request, YAML or JSON; options win over it")
+    _add_request_keys(command)
+    add("--vary", metavar="FILE", help="how requests differ: weights by key, YAML or JSON (docs/datasets.md)")
+    add("--shard-size", type=_whole(1, 100_000), default=250, metavar="N", help="homes that are made and written together (250)")
+    _add_workers(command)
+    add("--ray", nargs="?", const="local", metavar="ADDRESS", help="spread over a Ray cluster (this machine's own)")
+    add("--sample", type=_COUNT, metavar="N", help="of check: homes that are made again and validated (100)")
+    add("--all", action="store_true", help="of check: every home")
+    add("-o", "--output", metavar="FILE", default="-", help="of make: where to write the scene (standard output)")
+    add("-f", "--format", choices=("yaml", "json"), help="of make: of the scene (by the output's name, else json)")
+    _add_catalog(command)
+
+
+def parser(everything: bool = True) -> ArgumentParser:
+    """Returns the parser of the whole command line, the commands in the order of their use: what takes long comes last.
+
+    Args:
+        everything: whether `serve` has its options, too, for which types must be loaded.
+    """
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
@@ -264,10 +358,11 @@ def parser() -> ArgumentParser:
         _add_place,
         _add_readers,
         _add_import,
-        _add_serve,
+        partial(_add_serve, everything=everything),
         _add_tellers,
         _add_assets,
         _add_stats,
+        _add_dataset,
     ):
         add(commands)
     return whole
@@ -280,11 +375,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: the words after the program's name; by default the process's own.
 
     Returns:
-        The exit status: 0 clean, 1 errors found, 2 bad use.
+        The exit status: 0 clean, 1 errors found, 2 bad use, 130 ended by Ctrl-C.
     """
-    options = parser().parse_args(arguments)
+    words = sys.argv[1:] if arguments is None else arguments
+    options = parser("serve" in words).parse_args(words)
     for library in THREADED:
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
-    from service.commands import run  # --help needs none of it
+    try:
+        from service.commands import run  # --help needs none of it
 
-    return run(options)
+        return run(options)
+    except KeyboardInterrupt:
+        from service.standard_streams import give_up_output, say
+
+        give_up_output()
+        say("compose: ended")
+        return INTERRUPTED

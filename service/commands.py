@@ -6,13 +6,14 @@ A command imports what it needs when it runs: `compose schema` starts without th
 from __future__ import annotations
 
 import os
-import sys
 from argparse import Namespace
 from collections.abc import Callable, Mapping
 from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
+from service.service_settings import settings_of
+from service.standard_streams import give_up_output, read_standard_input, say, write_standard_output
 from solver.errors import ComposeError, FieldError, SyntaxFault
 from solver.exchange import dump_plain, dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema
 from solver.export_formats import EXPORTERS
@@ -37,10 +38,15 @@ def run(options: Namespace) -> int:
     try:
         return COMMANDS[options.command](options)
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        give_up_output()
         return BAD_USE
     except (ComposeError, OSError) as error:
-        _say(f"compose: {error}")
+        if isinstance(error, OSError):
+            give_up_output()
+        say(f"compose: {error}")
+        return BAD_USE
+    except MemoryError:
+        say("compose: there is not enough memory for it")
         return BAD_USE
 
 
@@ -94,25 +100,26 @@ def _answer(options: Namespace, **more: object) -> Document:
 
 
 def _furnish(options: Namespace) -> int:
-    given = {name: getattr(options, name) for name in ("program", "style", "decorate", "seed")}
+    given = {name: getattr(options, name) for name in ("program", "style", "decorate", "access", "seed")}
     more = {name: value for name, value in given.items() if value is not None}
-    answer = _answer(options, rooms=options.rooms, keep=options.keep, types=dict(options.types), **more)
+    answer = _answer(options, rooms=options.rooms, keep=options.keep, types=dict(options.types), effort=options.effort, **more)
     _write(answer["scene"], options)
     for guess in answer["guesses"]:
-        _say(f"guessed {guess['message']}" + (f"; else {guess['instead']}" if guess["instead"] else ""))
+        say(f"guessed {guess['message']}" + (f"; else {guess['instead']}" if guess["instead"] else ""))
     if answer["entrance"]:
-        _say(answer["entrance"]["message"])
+        say(answer["entrance"]["message"])
+    _told_limited(answer)
     for room, reason in answer["left"].items():
-        _say(f"left {room}: {reason}")
+        say(f"left {room}: {reason}")
     return _judged(answer["issues"])
 
 
 def _fix(options: Namespace) -> int:
-    answer = _answer(options, locked=options.locked, moved=options.moved, on_conflict=options.on_conflict)
+    answer = _answer(options, locked=options.locked, moved=options.moved, on_conflict=options.on_conflict, effort=options.effort)
     _write(answer["scene"], options)
-    _say(f"{len(answer['moves'])} moved, {len(answer['removed'])} removed, {len(answer['conflicts'])} in conflict")
+    say(f"{len(answer['moves'])} moved, {len(answer['removed'])} removed, {len(answer['conflicts'])} in conflict")
     for entry in answer["removed"]:
-        _say(f"removed {entry['id']}: {entry['reason']}")
+        say(f"removed {entry['id']}: {entry['reason']}")
     _contested(answer)
     return _judged(answer["issues"])
 
@@ -121,15 +128,16 @@ def _place(options: Namespace) -> int:
     from service import calls
 
     given = _read(options.request)
-    more = {} if options.alternatives is None else {"alternatives": options.alternatives}
+    given_here = {"alternatives": options.alternatives, "effort": options.effort}
+    more = {name: value for name, value in given_here.items() if value is not None}
     body = {**given, **more} if isinstance(given, dict) else given
     answer = _checked(options.request, lambda: calls.place_pieces(body, _catalogs(options), options.engine))
     _write(answer, options)
     for relation in answer["relations"]:
         if not relation["held"]:
-            _say(f"not held: {relation['piece']} {relation['type']} {relation['of'] or ''}".rstrip())
+            say(f"not held: {relation['piece']} {relation['type']} {relation['of'] or ''}".rstrip())
     for entry in answer["unplaced"]:
-        _say(f"unplaced {entry['id']}: {entry['reason']}")
+        say(f"unplaced {entry['id']}: {entry['reason']}")
     return max(_judged(answer["issues"]), _contested(answer))
 
 
@@ -141,7 +149,7 @@ def _validate(options: Namespace) -> int:
         _write(answer, options)
     unmet = answer.get("access", {}).get("unmet", ())
     for words in unmet:
-        _say(f"access {options.access}: {words}")
+        say(f"access {options.access}: {words}")
     return max(_judged(answer["issues"]), ERRORS_FOUND if unmet else CLEAN)
 
 
@@ -162,7 +170,7 @@ def _export(options: Namespace) -> int:
     if format not in EXPORTERS:
         _write(_answer(options), options)
         return CLEAN
-    body = {"scene": _scene(options), "free": options.free, "strict": options.strict}
+    body = {"scene": _scene(options), "free": options.free, "strict": options.strict, "scale": options.scale}
     files = _checked(options.scene, lambda: export_files(body, _catalogs(options), format))
     _put_files(files, options.output)
     return CLEAN
@@ -172,7 +180,7 @@ def _import(options: Namespace) -> int:
     from service.calls import import_content
     from solver.imported import ImportSettings
 
-    content = sys.stdin.buffer.read() if options.plan == STREAM else Path(options.plan).read_bytes()
+    content = read_standard_input() if options.plan == STREAM else Path(options.plan).read_bytes()
     settings, name = (
         ImportSettings(options.level, options.unit, options.furniture == "keep"),
         "" if options.plan == STREAM else options.plan,
@@ -182,13 +190,13 @@ def _import(options: Namespace) -> int:
     told = {key: answer[key] for key in ("format", "changes", "guesses", "unread", "understood_as")}
     if options.report is not None:
         _put(dump_text(told, format_of_name(options.report) or "yaml"), options.report)
-    _say(f"read as {told['format']}: {len(answer['scene']['rooms'])} rooms")
+    say(f"read as {told['format']}: {len(answer['scene']['rooms'])} rooms")
     for change in told["changes"]:
-        _say(f"changed {change['of']}: {change['message']}")
+        say(f"changed {change['of']}: {change['message']}")
     for guess in told["guesses"]:
-        _say(f"guessed {guess['what']} of {guess['of']}: {guess['taken']}: {guess['message']}")
+        say(f"guessed {guess['what']} of {guess['of']}: {guess['taken']}: {guess['message']}")
     for left in told["unread"]:
-        _say(f"left out {left['place']}: {left['reason']}")
+        say(f"left out {left['place']}: {left['reason']}")
     return _judged([issue for issue in answer["issues"] if issue["severity"] == "error"])
 
 
@@ -214,7 +222,7 @@ def _put_files(files: Mapping[str, bytes], name: str) -> None:
         target = Path(name, path)
         target.parent.mkdir(parents=True, exist_ok=True)
         write_whole(target, content)
-    _say(f"wrote {', '.join(str(Path(name, path)) for path in list(files)[:6])}{', ...' if len(files) > 6 else ''}")
+    say(f"wrote {', '.join(str(Path(name, path)) for path in list(files)[:6])}{', ...' if len(files) > 6 else ''}")
 
 
 def _catalog(options: Namespace) -> int:
@@ -235,29 +243,31 @@ def _assets(options: Namespace) -> int:
     found = checked_folder(Path(options.folder), _catalogs(options), levels_of if options.surfaces else None)
     _put(found.text.encode(), options.output)
     for words in found.notes:
-        _say(words)
+        say(words)
     for file, reason in found.refused.items():
-        _say(f"refused {file}: {reason}")
-    _say(f"{len(found.entries)} assets, {len(found.refused)} refused, {found.guessed} with something guessed")
+        say(f"refused {file}: {reason}")
+    say(f"{len(found.entries)} assets, {len(found.refused)} refused, {found.guessed} with something guessed")
     return ERRORS_FOUND if found.refused else CLEAN
+
+
+def _dataset(options: Namespace) -> int:
+    from service.dataset.dataset_commands import run_dataset
+
+    return run_dataset(options, _catalogs(options), {"decorate": True, **_request(options)})
 
 
 def _serve(options: Namespace) -> int:
     from service.server import serve
 
-    serve(options.host, options.port, _catalogs(options), options.allow_host)
+    serve(settings_of(vars(options), os.environ), _catalogs(options))
     return CLEAN
 
 
 COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
     "generate": _generate, "furnish": _furnish, "fix": _fix, "place": _place, "validate": _validate, "view": _view,
     "explain": _explain, "export": _export, "serve": _serve, "catalog": _catalog, "schema": _schema, "stats": _stats,
-    "assets": _assets, "import": _import,
+    "assets": _assets, "import": _import, "dataset": _dataset,
 }  # fmt: skip
-
-
-def _say(words: str) -> None:
-    print(words, file=sys.stderr)
 
 
 def _catalogs(options: Namespace) -> Catalogs:
@@ -278,7 +288,7 @@ def _catalogs(options: Namespace) -> Catalogs:
 
 def _read(name: str) -> object:
     """Reads a file or standard input, by its name's ending or else by how it begins."""
-    content = sys.stdin.buffer.read() if name == STREAM else Path(name).read_bytes()
+    content = read_standard_input() if name == STREAM else Path(name).read_bytes()
     return _checked(name, lambda: load_text(content, format_of_file(name, content)))
 
 
@@ -326,21 +336,27 @@ def _put(content: bytes, name: str) -> None:
     if name != STREAM:
         write_whole(name, content)
         return
-    sys.stdout.buffer.write(content)
-    sys.stdout.buffer.flush()
+    write_standard_output(content)
 
 
 def _contested(answer: Mapping[str, Any]) -> int:
     """Says what cannot stand together and returns the exit status."""
+    _told_limited(answer)
     for conflict in answer["conflicts"]:
-        _say(f"conflict {', '.join(conflict['ids'])}: {conflict['message']}")
+        say(f"conflict {', '.join(conflict['ids'])}: {conflict['message']}")
     return ERRORS_FOUND if answer["conflicts"] else CLEAN
+
+
+def _told_limited(answer: Mapping[str, Any]) -> None:
+    """Says where the limit of work ended a search."""
+    if "limited" in answer:
+        say(answer["limited"]["message"])
 
 
 def _judged(issues: list[Document], prefix: str = "") -> int:
     """Says what breaks the rules and returns the exit status."""
     for issue in issues:
-        _say(f"{prefix}{issue['severity']} {issue['rule']} {issue['room'] or ''}: {issue['message']}")
+        say(f"{prefix}{issue['severity']} {issue['rule']} {issue['room'] or ''}: {issue['message']}")
     return _exit_status(issues)
 
 

@@ -8,7 +8,8 @@ from typing import Annotated, Any, ClassVar
 
 from annotated_types import Ge, Le, MaxLen, MinLen
 
-from solver.answers import ON_CONFLICT
+from service.effort import EFFORTS, NORMAL
+from solver.answers import ON_CONFLICT, Limited
 from solver.exchange import SentRoom, SentScene
 from solver.export_formats import FREEDOMS
 from solver.fields import OMITTED, WHOLE, Counted, Flag, Free, Like, OneOf, Record, Says, Text, Whole
@@ -18,6 +19,7 @@ from solver.requested import MOST_ALTERNATIVES, MOST_PIECES, Held, PieceRequest,
 from solver.scene import MAX_COUNT, ROBOT_WIDTH, Conflict, Issue, Pose, RobotWidth, Scene, Seed, WallThickness
 
 Ids = Annotated[tuple[Text, ...], Says("ids")]
+Effort = Annotated[str, OneOf(*EFFORTS), Says("how much work the call may do")]
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,7 @@ class RerollBody(Record):
     scene: SentScene
     reroll: Annotated[tuple[Text, ...], MinLen(1), Says("ids of the rooms to furnish anew")]
     seed: Annotated[Seed | None, Says("drawn where there is none")] = None
+    effort: Effort = NORMAL
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,9 @@ class FurnishBody(Record):
     program: Annotated[Mapping[str, int] | str | None, Counted(MAX_COUNT), Says("what rooms the home has, to guess by")] = None
     style: Text | None = None
     decorate: Annotated[Flag | None, Says("as the scene's request says where there is none")] = None
+    access: Annotated[Text | None, Says("a profile of access.yaml, or none; as the scene's request says where there is none")] = None
     seed: Annotated[Seed | None, Says("the scene's own where there is none, else drawn")] = None
+    effort: Effort = NORMAL
 
 
 @dataclass(frozen=True)
@@ -70,6 +75,7 @@ class FixBody(Record):
     on_conflict: Annotated[str, OneOf(*ON_CONFLICT)] = ON_CONFLICT[0]
     previous: tuple[Pose, ...] = ()
     dragging: Flag = False
+    effort: Effort = NORMAL
 
 
 @dataclass(frozen=True)
@@ -115,6 +121,7 @@ class PlaceBody(Record):
     alternatives: Annotated[int, Ge(1), Le(MOST_ALTERNATIVES), WHOLE] = 1
     wall_thickness: WallThickness = 0.0
     robot_width: RobotWidth = ROBOT_WIDTH
+    effort: Effort = NORMAL
 
 
 @dataclass(frozen=True)
@@ -162,6 +169,7 @@ class ExportBody(Record):
     scene: SentScene
     free: Annotated[str, OneOf(*FREEDOMS)] = "light"
     strict: Flag = False
+    scale: Annotated[Annotated[int, Ge(20), Le(2000), WHOLE] | None, Says("of an svg plan, 1 to so much")] = None
     issues: Any = None
     timing_ms: Any = None
     understood_as: Any = None
@@ -208,6 +216,7 @@ class PlaceAnswer(Record):
     issues: tuple[Issue, ...]
     timing_ms: Mapping[str, float]
     understood_as: Mapping[str, str]
+    limited: Limited | None = field(default=None, metadata={OMITTED: True})
 
 
 @dataclass(frozen=True)
@@ -234,13 +243,18 @@ Rectangle = Annotated[tuple[float, float, float, float], Says("west, north, east
 
 @dataclass(frozen=True)
 class RoomFloor(Record):
-    """A room's floor: what is clear of walls, kept free before doors and windows, and free to come to."""
+    """A room's floor: what is clear of walls, kept free before doors and windows, and free to come to.
+
+    Where the scene's request names a profile of access, `turning` is the square to turn in, `short` the largest where it is too small.
+    """
 
     room: str
     clear: Rectangle
     doors: tuple[Rectangle, ...]
     windows: tuple[Rectangle, ...]
     free: tuple[Rectangle, ...]
+    turning: tuple[Rectangle, ...]
+    short: tuple[Rectangle, ...]
 
 
 @dataclass(frozen=True)

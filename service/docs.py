@@ -8,6 +8,7 @@ from hashlib import sha256
 from html import escape
 from typing import Any, Final
 
+from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
@@ -33,7 +34,8 @@ POLICY: Final = (
 
 async def docs(request: Request) -> Response:
     """Serves the page."""
-    html = _page(request.app.openapi(), str(request.base_url))
+    document = await run_in_threadpool(request.app.openapi)
+    html = _page(document, str(request.base_url))
     return HTMLResponse(html, headers={"Content-Security-Policy": POLICY})
 
 
@@ -52,11 +54,13 @@ def _page(document: dict[str, Any], base: str) -> str:
 def _call(path: str, verb: str, call: dict[str, Any], base: str) -> str:
     takes = _linked(_first_schema(call["requestBody"]["content"])) if "requestBody" in call else "nothing"
     rows = "".join(
-        f"<tr><td>{escape(status)}</td><td>{escape(answer['description'])}</td><td>{_linked(_first_schema(answer['content']))}</td></tr>"
+        f"<tr><td>{escape(status)}</td><td>{escape(answer['description'])}</td><td>{_answered(answer)}</td></tr>"
         for status, answer in call["responses"].items()
     )
-    sent = f" -d '{_shown(_example(call['requestBody']))}'" if "requestBody" in call else ""
-    example = f"curl{sent} {base}{path.removeprefix('/')}\n\n{_shown(_example(call['responses']['200']))}"
+    asked = _example(call["requestBody"]) if "requestBody" in call else None
+    sent = {"get": "", "post": ""}.get(verb, f" -X {verb.upper()}") + (f" -d '{_shown(asked)}'" if asked is not None else "")
+    shown = _example(next(answer for status, answer in call["responses"].items() if status.startswith("2")))
+    example = f"curl{sent} {base}{path.removeprefix('/')}" + (f"\n\n{_shown(shown)}" if shown is not None else "")
     return (
         f"<h2><b>{escape(verb.upper())}</b> {escape(path)}</h2><p>{escape(call.get('description', ''))}</p>"
         f"<pre>{escape(example)}</pre><p>Takes {takes}.</p><table>{rows}</table>"
@@ -93,7 +97,12 @@ def _linked(schema: dict[str, Any]) -> str:
 
 
 def _example(part: dict[str, Any]) -> Any:
-    return next(iter(part["content"].values()))["example"]
+    first: dict[str, Any] = next(iter(part.get("content", {}).values()), {})
+    return first.get("example")
+
+
+def _answered(answer: dict[str, Any]) -> str:
+    return _linked(_first_schema(answer["content"])) if answer.get("content") else "nothing"
 
 
 def _shown(example: Any) -> str:
@@ -101,4 +110,4 @@ def _shown(example: Any) -> str:
 
 
 def _first_schema(content: dict[str, Any]) -> dict[str, Any]:
-    return dict(next(iter(content.values()))["schema"])
+    return dict(next(iter(content.values())).get("schema", {}))

@@ -6,12 +6,14 @@ import secrets
 from collections.abc import Mapping
 from dataclasses import replace
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
+from service.effort import limited_to
 from solver import generate, reroll, restyle
+from solver.errors import FieldError
 from solver.exchange import read, read_request, write
 from solver.plain import Document
-from solver.scene import MAX_SEED
+from solver.scene import MAX_SEED, Scene
 
 if TYPE_CHECKING:
     from catalogs import Catalogs
@@ -32,21 +34,41 @@ def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -
         from service.contract import RestyleBody  # noqa: PLC0415 - the bodies of all calls
 
         wish = read(RestyleBody, document)
+        check_size(wish.scene)
         return write(restyle(wish.scene, style=wish.style, decorate=wish.decorate, catalogs=catalogs, clock=perf_counter))
     if isinstance(document, Mapping) and not {"scene", "reroll"}.isdisjoint(document):
         from service.contract import RerollBody  # noqa: PLC0415 - the bodies of all calls
 
         body = read(RerollBody, document)
+        check_size(body.scene)
         rooms, seed = tuple(dict.fromkeys(body.reroll)), draw_seed() if body.seed is None else body.seed
-        return write(reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter))
+        with limited_to(body.effort) as work:
+            made = reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter)
+        return write(replace(made, limited=work.limited()))
     request = read_request(document, "body")
     seeded = request if request.seed is not None else replace(request, seed=draw_seed())
-    return write(generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter))
+    with limited_to() as work:
+        house = generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter)
+    return write(replace(house, limited=work.limited()))
 
 
 def _is_restyling(document: object) -> bool:
     named = set(document) if isinstance(document, Mapping) else set()
     return "scene" in named and "reroll" not in named and not named.isdisjoint(("style", "decorate"))
+
+
+MOST_ROOMS: Final = 1000
+"""Rooms of a scene that is furnished or repaired in one call. Our choice: each takes milliseconds even where nothing is to be done."""
+
+
+def check_size(scene: Scene) -> None:
+    """Lets through a scene that one call can work on.
+
+    Raises:
+        FieldError: it has more than MOST_ROOMS rooms.
+    """
+    if len(scene.rooms) > MOST_ROOMS:
+        raise FieldError("scene.rooms", f"are {len(scene.rooms)}", f"at most {MOST_ROOMS} in one call")
 
 
 def draw_seed() -> int:

@@ -18,6 +18,8 @@ PAGE_POLICY: Final = (
 """What the page may load: its own files, nothing inline, nothing from elsewhere. Pictures within assets are `blob:`s of the page's own."""
 WORKER_POLICY: Final = PAGE_POLICY.replace("script-src 'self'", "script-src 'self' 'wasm-unsafe-eval'")
 """What the page's worker may load besides: the core, which is compiled there and nowhere else."""
+EMBED_POLICY: Final = PAGE_POLICY.replace("frame-ancestors 'none'", "frame-ancestors *").replace("worker-src 'self'", "worker-src 'none'")
+"""What the page of a frame may load: no more than the page; other places may show it, as nothing can be changed in it."""
 HEADERS: Final = {
     "Content-Security-Policy": PAGE_POLICY,
     "Cross-Origin-Opener-Policy": "same-origin",
@@ -50,6 +52,8 @@ class Guard:
                 headers = MutableHeaders(scope=message)
                 for name, value in HEADERS.items():
                     headers.setdefault(name, value)
+                if headers["Content-Security-Policy"] == EMBED_POLICY:
+                    del headers["X-Frame-Options"]
             await send(message)
 
         try:

@@ -7,11 +7,10 @@ they were made from; so the same command goes on where it was ended.
 from __future__ import annotations
 
 import json
-import multiprocessing
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+from itertools import tee
 from pathlib import Path
 from typing import Any, Final, TypeVar
 
@@ -19,7 +18,8 @@ from tqdm import tqdm
 
 from catalogs import Catalogs
 from service.generating import generate_house
-from service.work import packed, unpacked, warm
+from service.packed_catalogs import packed, unpacked, warm
+from service.pool import spread
 from solver.errors import ComposeError, FieldError
 from solver.exchange import dump_plain
 from solver.plain import Document
@@ -63,33 +63,25 @@ class HouseSet:
         return (json.dumps(said, indent=2, sort_keys=True) + "\n").encode()
 
 
-def in_processes(make: Callable[[bytes, Asked], Made], jobs: Sequence[Asked], workers: int, catalogs: Catalogs) -> Iterator[Made]:
+def in_processes(
+    make: Callable[[bytes, Asked], Made], jobs: Iterable[Asked], count: int, workers: int, catalogs: Catalogs
+) -> Iterator[Made]:
     """Yields what a function of a module makes of each job, in their order, with a bar on a terminal.
+
+    Jobs are taken as they are needed, so that there may be any number of them.
 
     Args:
         make: takes the catalogs, packed, and a job; can be sent to a process.
         jobs: what it is given.
+        count: how many there are, at most.
         workers: processes; with one all is done in this one.
         catalogs: to furnish with.
     """
     known = packed(catalogs)
-    with tqdm(total=len(jobs), unit="house", disable=None) as bar:
-        for made in _made(partial(make, known), jobs, workers, known):
+    with tqdm(total=count, unit="house", disable=None) as bar:
+        for made in spread(partial(make, known), jobs, min(workers, count), partial(warm, known), BATCH):
             bar.update()
             yield made
-
-
-def _made(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: int, catalogs: bytes) -> Iterator[Made]:
-    if min(workers, len(jobs)) <= 1:
-        warm(catalogs)
-        yield from map(make, jobs)
-        return
-    # Processes start empty: one that is a copy of this one would share whatever its threads hold.
-    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), warm, (catalogs,))
-    try:
-        yield from pool.map(make, jobs, chunksize=BATCH)
-    finally:
-        pool.shutdown(cancel_futures=True)
 
 
 def into_folder(houses: HouseSet, seeds: range, catalogs: Catalogs, workers: int) -> Iterator[tuple[int, list[Document]]]:
@@ -105,8 +97,8 @@ def into_folder(houses: HouseSet, seeds: range, catalogs: Catalogs, workers: int
         FieldError: a request is wrong, no house can meet it, or the folder's houses were made from something else.
     """
     _claim(houses.folder, houses.made_from(catalogs))
-    todo = [seed for seed in (seed % (MAX_SEED + 1) for seed in seeds) if not houses.file(seed).exists()]
-    for seed, made in zip(todo, in_processes(partial(_file_made, houses), todo, workers, catalogs), strict=True):
+    todo, asked = tee(seed for seed in (seed % (MAX_SEED + 1) for seed in seeds) if not houses.file(seed).exists())
+    for seed, made in zip(todo, in_processes(partial(_file_made, houses), asked, len(seeds), workers, catalogs), strict=True):
         if isinstance(made, ComposeError):
             raise made
         yield seed, made

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from catalogs import Catalogs
 from service.contract import ProblemDocument
-from service.problems import MEDIA_TYPE, STATUS
+from service.problems import KEPT_STATUS, MEDIA_TYPE, STATUS
 from service.wire import MEDIA_TYPES
 from solver.exchange import load_text
 from solver.export_formats import EXPORTERS
@@ -17,7 +17,7 @@ from solver.export_formats import EXPORTERS
 REFERENCES: Final = "#/components/schemas/"
 EXAMPLES: Final = Path(__file__).parent / "examples.yaml"
 JSON: Final = "application/json"
-TITLES: Final = dict(STATUS.values())
+TITLES: Final = {**dict(KEPT_STATUS.values()), **dict(STATUS.values())}
 
 
 def refusals(*statuses: int) -> dict[int | str, dict[str, Any]]:
@@ -35,22 +35,26 @@ def examples() -> dict[str, Any]:
 def completed(document: dict[str, Any], catalogs: Catalogs) -> dict[str, Any]:
     """Completes the document that FastAPI made."""
     for path, verbs in document["paths"].items():
-        for call in verbs.values():
-            _complete(call, examples().get(path, {}))
+        for verb, call in verbs.items():
+            _complete(call, examples().get(f"{verb.upper()} {path}") or examples().get(path, {}))
     _export_answers(document["paths"]["/export/{format}"]["post"]["responses"]["200"]["content"])
     _name_words(document["components"]["schemas"], catalogs)
     return document
 
 
 def _complete(call: dict[str, Any], example: dict[str, Any]) -> None:
-    if "requestBody" in call:
+    if JSON in call.get("requestBody", {}).get("content", ()):
         sent = call["requestBody"]
         options = [option for option in sent["content"][JSON]["schema"].get("anyOf", ()) if option != {"type": "null"}]
         schema = {"anyOf": options} if options else sent["content"][JSON]["schema"]
         sent["content"] = {media_type: {"schema": schema, "example": example["body"]} for media_type in MEDIA_TYPES}
     for status, answer in call["responses"].items():
-        media = answer["content"][JSON]
-        if status == "200":
+        media = answer.get("content", {}).get(JSON)
+        if media is None:
+            continue
+        if status.startswith("2") and "answer" not in example:
+            continue  # files
+        if status.startswith("2"):
             answer["content"] = {media_type: {**media, "example": example["answer"]} for media_type in MEDIA_TYPES}
         else:
             answer["content"] = {MEDIA_TYPE: media}
@@ -71,5 +75,6 @@ def _name_words(schemas: dict[str, Any], catalogs: Catalogs) -> None:
             for part in schemas[body]["properties"][name]["anyOf"]:
                 if part["type"] == "string":
                     part["enum"] = words[name]
-    (access,) = (part for part in schemas["Request"]["properties"]["access"]["anyOf"] if part["type"] == "string")
-    access["enum"] = ["none", *words["access"]]
+    for body in ("Request", "FurnishBody"):
+        (access,) = (part for part in schemas[body]["properties"]["access"]["anyOf"] if part["type"] == "string")
+        access["enum"] = ["none", *words["access"]]

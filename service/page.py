@@ -1,7 +1,8 @@
-"""The built page: `static/index.html` and the files it loads."""
+"""The built page, `static/index.html`, the page of frames, `static/embed.html`, and the files they load."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -10,7 +11,7 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, PlainTextResponse, Response
 from starlette.staticfiles import StaticFiles
 
-from service.guard import WORKER_POLICY
+from service.guard import EMBED_POLICY, WORKER_POLICY
 from solver.core import WASM
 
 STATIC: Final = Path(__file__).parent / "static"
@@ -21,10 +22,19 @@ NOT_BUILT: Final = "The page is not built here (`make run` builds it). The calls
 
 async def index(_: Request) -> Response:
     """Serves the page; looks for it at every call, so that building it needs no restart."""
-    built = STATIC / "index.html"
+    return _built("index.html")
+
+
+async def embed(_: Request) -> Response:
+    """Serves the page that others show in a frame: it changes and keeps nothing."""
+    return _built("embed.html", {"Content-Security-Policy": EMBED_POLICY})
+
+
+def _built(name: str, headers: Mapping[str, str] = {}) -> Response:
+    built = STATIC / name
     if not built.is_file():
         return PlainTextResponse(NOT_BUILT, 503)
-    return FileResponse(built, headers={"Cache-Control": "no-cache"})
+    return FileResponse(built, headers={"Cache-Control": "no-cache", **headers})
 
 
 async def core(_: Request) -> Response:

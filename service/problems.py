@@ -11,8 +11,21 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.refusals import Busy, NoSuchFormat, TooLarge, TooMuch, TooSlow, WrongMediaType
-from solver.errors import ComposeError, FieldError, SyntaxFault
+from service.refusals import (
+    Busy,
+    ChangedMeanwhile,
+    NoRoom,
+    NoSuchFormat,
+    NoSuchThing,
+    StoreAway,
+    TooLarge,
+    TooLong,
+    TooManyKept,
+    TooSlow,
+    UnnamedRevision,
+    WrongMediaType,
+)
+from solver.errors import ComposeError, FieldError, SyntaxFault, TooMuch
 
 MEDIA_TYPE: Final = "application/problem+json"
 
@@ -24,9 +37,20 @@ STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
     WrongMediaType: (415, "The body's format is not read here"),
     TooMuch: (422, "The work is too much"),
     FieldError: (422, "A field is wrong"),
+    TooLong: (504, "The call took too long"),
     Busy: (503, "The service is busy"),
 }
 """Status and title of every error a caller can bring about; a class stands for its children too."""
+KEPT_STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
+    NoSuchThing: (404, "There is no such thing here"),
+    TooManyKept: (409, "No more may be kept"),
+    ChangedMeanwhile: (412, "It was changed meanwhile"),
+    UnnamedRevision: (428, "The revision has to be named"),
+    StoreAway: (503, "The store does not answer"),
+    NoRoom: (507, "The store is full"),
+}
+"""The same, of the calls that keep something."""
+ALL_STATUS: Final = {**STATUS, **KEPT_STATUS}
 
 RETRY_AFTER_S: Final = 2
 """When to come back to a busy service, s. Our choice: a house takes a fraction of that."""
@@ -52,7 +76,7 @@ def _entry(field: str, what: str, allowed: str = "") -> dict[str, str]:
 
 def of_error(_: Request | None, error: Exception) -> Response:
     """Turns an error of the table into its problem document."""
-    status, title = next(STATUS[kind] for kind in type(error).__mro__ if kind in STATUS)
+    status, title = next(ALL_STATUS[kind] for kind in type(error).__mro__ if kind in ALL_STATUS)
     if isinstance(error, FieldError):
         entries = [_entry(error.field, error.problem, error.allowed), *(_entry(*one) for one in error.more)]
     else:

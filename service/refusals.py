@@ -19,10 +19,10 @@ class WrongMediaType(FieldError):
     """A body in a format that is not read here."""
 
 
-class TooMuch(FieldError):
-    """Work that is not finished within this service's bounds."""
+class TooLong(FieldError):
+    """A call that ran longer than a call may."""
 
-    SMALLER: Final = "a smaller house or scene; the command line has no such bound"
+    SMALLER: Final = "a smaller house or scene, less effort; the command line has no such bound"
 
 
 class Busy(FieldError):
@@ -31,3 +31,27 @@ class Busy(FieldError):
 
 class NoSuchFormat(FieldError):
     """An export in a format that there is not."""
+
+
+class StoreAway(FieldError):
+    """A store of homes that does not answer, or that there is none of."""
+
+
+class NoRoom(FieldError):
+    """A store whose disk is full."""
+
+
+class TooManyKept(FieldError):
+    """More than an owner may keep."""
+
+
+class NoSuchThing(FieldError):
+    """Something that is not kept, or is another owner's."""
+
+
+class ChangedMeanwhile(FieldError):
+    """A change of something that somebody else has changed since it was read."""
+
+
+class UnnamedRevision(FieldError):
+    """A change that does not say of which revision."""

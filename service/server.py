@@ -2,42 +2,42 @@
 
 from __future__ import annotations
 
+import math
 import socket
 import sys
-from collections.abc import Collection
-from typing import Final
+from dataclasses import replace
 
 from uvicorn import Config, Server
 
 from catalogs import Catalogs
-from service.app import create_app
+from service.app import ComposeApp, create_app
 from service.callers import LOOPBACK
+from service.kept_store import NONE
+from service.measures import log_access
+from service.service_settings import Settings
+from solver.errors import ComposeError
 
-CONNECTIONS: Final = 512
-"""Open connections; a further one is turned away. Our choice."""
-GRACE_S: Final = 5
-"""How long running calls may go on when the service is told to stop, s. Our choice."""
 
-
-def serve(host: str, port: int, catalogs: Catalogs, hosts: Collection[str] = ()) -> None:
+def serve(settings: Settings, catalogs: Catalogs) -> None:
     """Answers until the process is told to stop, and says on standard error where.
 
     Args:
-        host: the address to listen at.
-        port: the port; 0 for any free one.
+        settings: where it listens, and its limits.
         catalogs: the data to serve.
-        hosts: the names it answers to, beside the address and those of this machine's own loop.
 
     Raises:
         OSError: the address cannot be listened at.
     """
-    app = create_app(catalogs, {*hosts, host, *LOOPBACK})
-    with listening(host, port) as listener:
+    if settings.access_log == "json":
+        log_access()
+    app = create_app(catalogs, replace(settings, allow_host=(*settings.allow_host, settings.host, *LOOPBACK)))
+    _open_store(app, settings)
+    with listening(settings.host, settings.port, settings.connections) as listener:
         config = Config(
-            app, http="h11", ws="none", lifespan="on", log_level="warning", server_header=False,
-            limit_concurrency=CONNECTIONS, timeout_graceful_shutdown=GRACE_S,
+            app, http=app.connections.protocol, ws="none", lifespan="on", log_level="warning", server_header=False,  # type: ignore[arg-type]
+            timeout_keep_alive=math.ceil(settings.idle_seconds), timeout_graceful_shutdown=math.ceil(settings.grace_seconds),
         )  # fmt: skip
-        shown = f"[{host}]" if listener.family == socket.AF_INET6 else host
+        shown = f"[{settings.host}]" if listener.family == socket.AF_INET6 else settings.host
         print(f"Compose answers at http://{shown}:{listener.getsockname()[1]}/ (Ctrl+C stops it)", file=sys.stderr, flush=True)
         try:
             Server(config).run(sockets=[listener])
@@ -45,7 +45,19 @@ def serve(host: str, port: int, catalogs: Catalogs, hosts: Collection[str] = ())
             print("Compose has stopped.", file=sys.stderr)
 
 
-def listening(host: str, port: int) -> socket.socket:
+def _open_store(app: ComposeApp, settings: Settings) -> None:
+    """Opens the store, so that a wrong one ends the start; without the default one the service runs, and says so."""
+    if settings.store == NONE:
+        return
+    try:
+        app.store.open()
+    except ComposeError as error:
+        if settings.store is not None:
+            raise
+        print(f"Compose keeps no homes: {error} (--store names another place)", file=sys.stderr)
+
+
+def listening(host: str, port: int, backlog: int = 512) -> socket.socket:
     """Returns a socket that listens, whose connections send what is written at once.
 
     An answer is written in two parts; the second would wait for the caller to confirm the first, which takes 40 ms.
@@ -54,6 +66,6 @@ def listening(host: str, port: int) -> socket.socket:
         OSError: the address cannot be listened at.
     """
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    listener = socket.create_server((host, port), family=family, backlog=CONNECTIONS)
+    listener = socket.create_server((host, port), family=family, backlog=backlog)
     listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # connections take it over
     return listener

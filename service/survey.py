@@ -8,7 +8,7 @@ from typing import Any
 
 from catalogs import Catalogs
 from service.many import in_processes
-from service.work import unpacked
+from service.packed_catalogs import unpacked
 from solver import generate
 from solver.exchange import read_request
 from solver.plain import Document
@@ -30,8 +30,8 @@ def survey(requests: Sequence[Mapping[str, Any]], count: int, workers: int, cata
         FieldError: a request is wrong, or no house can meet it.
     """
     read = [read_request(request) for request in requests]
-    jobs = [replace(one, seed=((one.seed or 0) + k) % (MAX_SEED + 1)) for one in read for k in range(count)]
-    houses = list(in_processes(_house, jobs, workers, catalogs))
+    jobs = (replace(one, seed=((one.seed or 0) + k) % (MAX_SEED + 1)) for one in read for k in range(count))
+    houses = list(in_processes(_house, jobs, len(read) * count, workers, catalogs))
     sets = []
     for k, request in enumerate(requests):
         shown = {name: value for name, value in request.items() if name != "seed"}

@@ -18,8 +18,6 @@ BODY_LIMIT: Final = 8 * 1024 * 1024
 """Largest body, bytes. Our choice: a furnished house of 30 x 20 m is 0.1 MB."""
 DRAIN_LIMIT: Final = 4 * BODY_LIMIT
 """How much of a too large body is read and dropped, bytes, so that its sender hears the answer before the line closes."""
-BODY_SECONDS: Final = 30.0
-"""How long a body may take to arrive, s. Our choice."""
 MEDIA_TYPES: Final = tuple(format.media_type for format in FORMATS.values())
 _TEXTS: Final = {
     **{format.media_type: name for name, format in FORMATS.items()},
@@ -86,22 +84,26 @@ def _quality(parameters: str) -> float:
     return 1.0
 
 
-async def body_of(request: Request) -> bytes:
+async def body_of(request: Request, seconds: float) -> bytes:
     """Reads a request's body.
+
+    Args:
+        request: the request.
+        seconds: how long it may take to arrive.
 
     Raises:
         TooLarge: it holds, or says it holds, more than BODY_LIMIT bytes.
-        TooSlow: it did not arrive in BODY_SECONDS.
+        TooSlow: it did not arrive in time.
     """
     announced = request.headers.get("content-length", "")
     large = announced.isdecimal() and (len(announced) > 18 or int(announced) > BODY_LIMIT)
     if large and (len(announced) > 18 or int(announced) > DRAIN_LIMIT or "expect" in request.headers):
         raise _too_large()
     try:
-        async with asyncio.timeout(BODY_SECONDS):
+        async with asyncio.timeout(seconds):
             return await _received(request)
     except TimeoutError:
-        raise TooSlow("body", f"did not arrive in {BODY_SECONDS:.0f} s") from None
+        raise TooSlow("body", f"did not arrive in {seconds:g} s") from None
 
 
 async def _received(request: Request) -> bytes:

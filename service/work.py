@@ -2,28 +2,34 @@
 
 from __future__ import annotations
 
-import gc
-import pickle
+import ctypes
+import os
+import signal
 import sys
-from dataclasses import dataclass
+from collections import Counter
+from dataclasses import dataclass, field
 from functools import lru_cache
-from hashlib import sha256
 from traceback import format_exc
-from typing import Final, cast
+from typing import Final
 
 from starlette.responses import Response
 
 from catalogs import Catalogs
 from service import calls, problems
-from service.refusals import TooMuch
+from service.effort import USUAL, Terms, on_terms
+from service.measures import ISSUES_HEADER, RETRIED_HEADER, WORK_HEADER
+from service.packed_catalogs import KNOWN, unpacked
 from service.wire import FILE, attached, written
-from solver.core import load_core
-from solver.errors import ComposeError
+from solver.core import CoreFailed, CoreFull
+from solver.demanded import demanding_at_most
+from solver.errors import ComposeError, TooMuch
 from solver.exchange import FORMATS, GLB, load_text
 
 if sys.platform != "win32":
     import resource
 
+PR_SET_PDEATHSIG: Final = 1
+"""Of Linux: a process chooses the signal it gets when its parent ends."""
 MEMORY_LIMIT: Final = 2 << 30
 """Memory that a worker may write to, bytes; the core only reserves address space beyond that. A house takes less than a tenth of it."""
 
@@ -38,6 +44,8 @@ class Job:
         sent: the body's format.
         wanted: the answer's format.
         catalogs: the catalogs, packed by `packed`; or their mark (`mark_of`), where the process may know them.
+        terms: how much work it may do.
+        service: the process that the caller waits at: where it has ended, nobody does.
     """
 
     call: str
@@ -45,6 +53,8 @@ class Job:
     sent: str
     wanted: str
     catalogs: bytes | str
+    terms: Terms = USUAL
+    service: int = field(default_factory=os.getpid)
 
 
 @dataclass(frozen=True)
@@ -59,43 +69,13 @@ class Failure:
     trace: str
 
 
-def packed(catalogs: Catalogs) -> bytes:
-    """Packs catalogs for the way to a worker."""
-    return pickle.dumps(catalogs, pickle.HIGHEST_PROTOCOL)
-
-
-_known: Final[dict[str, Catalogs]] = {}
-"""The last catalogs that were sent to this process, by their mark."""
-
-
-def mark_of(catalogs: bytes) -> str:
-    """Returns a mark of packed catalogs: it is sent in their place, as they are large beside a request."""
-    return sha256(catalogs).hexdigest()
-
-
-@lru_cache(maxsize=1)
-def unpacked(catalogs: bytes) -> Catalogs:
-    """Unpacks catalogs; those of the last call are kept."""
-    found = cast(Catalogs, pickle.loads(catalogs))
-    _known.clear()
-    _known[mark_of(catalogs)] = found
-    return found
-
-
 def do(job: Job) -> Response | Failure | UnknownCatalogs:
     """Makes a call; what is wrong with the request becomes a problem document."""
-    if isinstance(job.catalogs, str) and job.catalogs not in _known:
+    if isinstance(job.catalogs, str) and job.catalogs not in KNOWN:
         return UnknownCatalogs()
-    catalogs = _known[job.catalogs] if isinstance(job.catalogs, str) else unpacked(job.catalogs)
+    catalogs = KNOWN[job.catalogs] if isinstance(job.catalogs, str) else unpacked(job.catalogs)
     try:
-        if job.sent in (FILE, GLB) and job.call == "import":
-            return written(calls.import_content(job.body, catalogs), job.wanted)
-        document = load_text(job.body, job.sent) if job.body.strip() or job.call not in calls.MAY_BE_EMPTY else {}
-        if job.sent == GLB:
-            document = {"scene": document}
-        if job.call == "export" and job.wanted not in FORMATS:
-            return attached(calls.export_one(document, catalogs, job.wanted))
-        return written(calls.CALLS[job.call](document, catalogs), job.wanted)
+        return _measured(job, catalogs)
     except ComposeError as error:
         return problems.of_error(None, error)
     except MemoryError:
@@ -104,17 +84,57 @@ def do(job: Job) -> Response | Failure | UnknownCatalogs:
         return Failure(format_exc())
 
 
+def _measured(job: Job, catalogs: Catalogs) -> Response:
+    """Answers, and says in headers what it took; once more on a fresh instance where the core ended in a trap."""
+    with on_terms(job.terms) as done:
+        try:
+            answer, retried = _answered(job, catalogs), False
+        except CoreFull:
+            raise
+        except CoreFailed:
+            answer, retried = _answered(job, catalogs), True
+    answer.headers[WORK_HEADER] = str(round(sum(done)))
+    if retried:
+        answer.headers[RETRIED_HEADER] = "1"
+    return answer
+
+
+def _answered(job: Job, catalogs: Catalogs) -> Response:
+    with demanding_at_most(job.terms.judging):
+        return _asked(job, catalogs)
+
+
+def _asked(job: Job, catalogs: Catalogs) -> Response:
+    if job.sent in (FILE, GLB) and job.call == "import":
+        return written(calls.import_content(job.body, catalogs), job.wanted)
+    document = load_text(job.body, job.sent) if job.body.strip() or job.call not in calls.MAY_BE_EMPTY else {}
+    if job.sent == GLB:
+        document = {"scene": document}
+    if job.call == "export" and job.wanted not in FORMATS:
+        return attached(calls.export_one(document, catalogs, job.wanted))
+    made = calls.CALLS[job.call](document, catalogs)
+    answer = written(made, job.wanted)
+    if found := Counter(issue["severity"] for issue in made.get("issues", ())):
+        answer.headers[ISSUES_HEADER] = ",".join(f"{severity}={number}" for severity, number in sorted(found.items()))
+    return answer
+
+
 def do_alone(job: Job) -> Response | Failure | UnknownCatalogs:
     """Makes a call in a process that does nothing else, with bounded memory."""
     if sys.platform != "win32":
         _, most = resource.getrlimit(resource.RLIMIT_DATA)
         resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_LIMIT, most))  # not RLIMIT_AS: the core reserves addresses that it never uses
+    _end_with(job.service)
     return do(job)
 
 
-def warm(catalogs: bytes) -> None:
-    """Does nothing but load what calls need; the collector of cycles leaves that alone from then on."""
-    unpacked(catalogs)
-    load_core()
-    gc.collect()
-    gc.freeze()
+@lru_cache(maxsize=1)
+def _end_with(service: int) -> None:
+    """Has this process ended when the service is, however that ends; elsewhere than on Linux it ends after its call.
+
+    A service that was gone before this process could say so sends no signal: then it has another parent by now.
+    """
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if service not in (os.getpid(), os.getppid()):
+            os.kill(os.getpid(), signal.SIGKILL)

@@ -1,0 +1,89 @@
+"""A dataset made from end to end: claimed, its shards made by processes or by a cluster, counted and described.
+
+Comes in: a plan, a range of seeds. Goes out: a folder; the manifest. May import: the solver.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+from time import process_time
+from typing import NamedTuple
+
+from tqdm import tqdm
+
+from service.dataset.card import write_card
+from service.dataset.dataset_plan import DatasetPlan, Shard, known_catalogs
+from service.dataset.manifest import claim, is_done, records_of, sweep, widened, write_manifest
+from service.dataset.shards import make_shard, record_path
+from service.dataset.varied_requests import OURS
+from service.packed_catalogs import ready
+from service.pool import spread
+from solver.errors import ComposeError
+from solver.plain import Document
+
+
+class Built(NamedTuple):
+    """A dataset's manifest; how many homes were made now, and the CPU seconds of their processes while they were at them."""
+
+    manifest: Document
+    homes: int
+    cpu_s: float
+
+
+def build(plan: DatasetPlan, seeds: tuple[int, int], workers: int, address: str | None = None) -> Built:
+    """Makes what of a dataset is not there yet.
+
+    Args:
+        plan: what to make.
+        seeds: the first and the last.
+        workers: processes of this machine; of a local cluster.
+        address: of a Ray cluster, or `local`; None: processes of this machine, without Ray.
+
+    Raises:
+        FieldError: the folder holds something else, or cannot be written to.
+        OSError: it cannot be made.
+    """
+    claim(plan)
+    sweep(plan.folder)
+    wanted = plan.shards(*seeds)
+    todo = [widened(plan, shard) for shard in wanted if not is_done(plan, shard)]
+    for shard in todo:
+        record_path(plan.folder, shard).unlink(missing_ok=True)
+    homes, left = (sum(len(shard.seeds) for shard in shards) for shards in (wanted, todo))
+    with tqdm(total=max(homes, left), initial=max(homes - left, 0), unit="home", disable=None) as bar:
+        spent = 0.0
+        for record, cpu_s in _made(plan, todo, workers, address):
+            spent += cpu_s
+            bar.update(record["last"] - record["first"] + 1)
+    sweep(plan.folder)  # a process that was killed leaves what it was writing
+    manifest = write_manifest(plan.folder, plan.identity, records_of(plan.folder))
+    write_card(plan.folder, manifest)
+    return Built(manifest, left, spent)
+
+
+def _made(plan: DatasetPlan, todo: Sequence[Shard], workers: int, address: str | None) -> Iterator[tuple[Document, float]]:
+    make = partial(_shard, plan)
+    if address is None:
+        made = spread(make, todo, min(workers, len(todo)), partial(_warm, plan.catalogs[OURS]))
+    else:
+        from service.dataset.on_ray import on_cluster  # noqa: PLC0415 - an extra
+
+        made = on_cluster(make, todo, workers, address)
+    for done in made:
+        if isinstance(done, ComposeError):
+            raise done
+        yield done
+
+
+def _warm(catalogs: bytes) -> None:
+    known_catalogs(catalogs)
+    ready()
+
+
+def _shard(plan: DatasetPlan, shard: Shard) -> tuple[Document, float] | ComposeError:
+    start = process_time()
+    try:
+        return make_shard(plan, shard), process_time() - start
+    except ComposeError as error:
+        return error

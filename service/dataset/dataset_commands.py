@@ -1,0 +1,129 @@
+"""What `compose dataset` does: makes a dataset, one of its homes again, or checks it.
+
+Comes in: the options of the command line, catalogs, a request. Goes out: files, words on standard error, an exit status.
+"""
+
+from __future__ import annotations
+
+import sys
+from argparse import Namespace
+from collections.abc import Mapping
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any, Final
+
+from catalogs import Catalogs, load_catalogs
+from service.dataset.dataset_plan import DatasetPlan, again, made_home, packed_all, scene_text
+from service.dataset.varied_requests import OURS, check_names, varied
+from solver.errors import FieldError
+from solver.exchange import dump_text, format_of_file, format_of_name, load_text, read_request, write_scene
+from solver.export_formats import EXPORTERS
+from solver.whole_files import write_whole
+
+CLEAN: Final = 0
+ERRORS_FOUND: Final = 1
+
+
+def run_dataset(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) -> int:
+    """Runs the task that the options name and returns the exit status: 1 where homes have errors or what is checked is not as it was.
+
+    Raises:
+        FieldError: an option is missing or wrong, or the folder holds something else.
+        OSError: a file cannot be read or written.
+    """
+    _need("pyarrow", "dataset", "the tables of datasets")
+    if options.task == "make":
+        return _make_again(options, catalogs)
+    if options.task == "check":
+        return _check(options, catalogs)
+    return _build(options, catalogs, request)
+
+
+def _build(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) -> int:
+    from service.dataset.building import build
+
+    for name in ("out", "seeds"):
+        if getattr(options, name) is None:
+            raise FieldError(f"--{name}", "is missing", {"out": "a folder", "seeds": "the first and the last, such as 0-999"}[name])
+    if options.ray is not None:
+        _need("ray", "ray", "--ray")
+    for name in options.formats:
+        needs = EXPORTERS[name].needs if name in EXPORTERS else None
+        if needs:
+            _need(*needs, f"the format {name}")
+    built = build(plan_of(options, catalogs, request), options.seeds, options.workers, options.ray)
+    manifest = built.manifest
+    told = ", ".join(f"{number:,} {status}" for status, number in manifest["status"].items())
+    spent = f"; {built.homes:,} made now, {1000 * built.cpu_s / built.homes:.1f} ms of CPU each" if built.homes else ""
+    print(f"{manifest['homes']:,} homes in {options.out}: {told}; digest {manifest['digest'][:16]}{spent}", file=sys.stderr)
+    return CLEAN if set(manifest["status"]) <= {"clean"} else ERRORS_FOUND
+
+
+def plan_of(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) -> DatasetPlan:
+    """Returns what the options ask for.
+
+    Raises:
+        FieldError: the request, or how requests differ, is wrong.
+    """
+    document = None if options.vary is None else _document(options.vary)
+    read_request(request, "request")
+    requests = varied({name: value for name, value in request.items() if name != "seed"}, document or {})
+    known = {name: catalogs if name == OURS else load_catalogs(name) for name in requests.catalogs}
+    check_names(requests, known.values())
+    return DatasetPlan(
+        folder=Path(options.out).absolute(),
+        requests=requests,
+        formats=tuple(options.formats),
+        shard_size=options.shard_size,
+        catalogs=packed_all(known),
+        fingerprints={name: one.fingerprint for name, one in known.items()},
+        vary=document,
+    )
+
+
+def _make_again(options: Namespace, catalogs: Catalogs) -> int:
+    """Makes one home of a dataset again from its row, and refuses to give another one out for it."""
+    from service.dataset.dataset_reading import row_of
+
+    if options.folder is None or options.seed is None:
+        raise FieldError("--seed" if options.folder else "DIR", "is missing", "compose dataset make DIR --seed N")
+    row = row_of(Path(options.folder), options.seed)
+    home = made_home(*again(row, catalogs))
+    if home.scene is None:
+        raise FieldError("--seed", f"the home of seed {options.seed} was refused: {home.refused}", "that of another seed")
+    if home.digest != row["digest"]:
+        raise FieldError("--seed", f"the home of seed {options.seed} is not the one of the row", "the version and catalogs of the dataset")
+    format = options.format or format_of_name(options.output) or "json"
+    content = scene_text(home.scene) if format == "json" else dump_text(write_scene(home.scene), format)
+    if options.output == "-":
+        sys.stdout.buffer.write(content)
+        sys.stdout.buffer.flush()
+    else:
+        write_whole(options.output, content)
+    return CLEAN if row["status"] == "clean" else ERRORS_FOUND
+
+
+def _check(options: Namespace, catalogs: Catalogs) -> int:
+    from service.dataset.dataset_check import check_dataset
+
+    if options.folder is None:
+        raise FieldError("DIR", "is missing", "compose dataset check DIR")
+    found = check_dataset(Path(options.folder), catalogs, None if options.all else options.sample or 100)
+    for fault in found.faults:
+        print(f"wrong: {fault}", file=sys.stderr)
+    said = "nothing is wrong" if not found.faults else f"{len(found.faults)} things are wrong"
+    print(f"{found.homes:,} homes, {found.files:,} files, {found.made:,} homes made again and validated: {said}", file=sys.stderr)
+    return ERRORS_FOUND if found.faults else CLEAN
+
+
+def _document(name: str) -> Any:
+    content = Path(name).read_bytes()
+    try:
+        return load_text(content, format_of_file(name, content))
+    except FieldError as error:
+        raise FieldError(f"{name}: {error.field}", error.problem, error.allowed) from None
+
+
+def _need(module: str, extra: str, what: str) -> None:
+    if find_spec(module) is None:
+        raise FieldError(what, f"needs {module}, which is not installed", f"pip install 'compose-homes[{extra}]'")

@@ -1,0 +1,168 @@
+"""One shard of a dataset: its homes made and written, as tables a split and as archives, each file whole or not there.
+
+Comes in: a plan and a shard. Goes out: files, last of all the shard's record, by which it is known to be done. May import: the solver.
+
+A home's rows and files depend on the plan and its seed alone, so that it makes no difference who makes the shard, or how often.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import tarfile
+from collections import Counter
+from contextlib import ExitStack
+from functools import partial
+from hashlib import sha256
+from pathlib import Path
+from typing import Final
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from service.dataset.dataset_plan import DatasetPlan, MadeHome, Shard, known_catalogs, split_of
+from service.dataset.house_rows import house_row, members_of
+from service.dataset.table_schemas import SCHEMAS
+from solver.errors import FieldError
+from solver.exports.table_rows import Row, rows_of
+from solver.plain import Document
+
+RECORDS: Final = "shards"
+"""The folder of the shards' records."""
+TABLES: Final = "tables"
+ARCHIVES: Final = "archives"
+PART: Final = ".part"
+"""What the name of a file ends with that is being written."""
+ROW_GROUP: Final = 50
+"""Homes whose rows are written at a time: memory does not grow with the shard."""
+
+
+def record_path(folder: Path, shard: Shard) -> Path:
+    """Returns where a shard's record is."""
+    return folder / RECORDS / f"{shard.name}.json"
+
+
+def table_path(table: str, split: str, shard: Shard) -> str:
+    """Returns where a shard's rows of a table are, within the dataset."""
+    return f"{TABLES}/{table}/{split}-{shard.name}.parquet"
+
+
+def make_shard(plan: DatasetPlan, shard: Shard) -> Document:
+    """Makes a shard and returns its record, which tells its seeds, digests, files and what is in them.
+
+    Raises:
+        FieldError: a file cannot be written; says which and why.
+    """
+    files = _ShardFiles(plan, shard)
+    try:
+        for seed in shard.seeds:
+            files.add(plan.home(seed))
+        record = files.finished()
+        _write(record_path(plan.folder, shard), (json.dumps(record, separators=(",", ":")) + "\n").encode())
+    except OSError as error:
+        problem = f"cannot be written: {error.strerror or error}"
+        raise FieldError("--out", f"{error.filename or plan.folder} {problem}", "what is done is kept: the same command goes on") from None
+    finally:
+        files.close()
+    return record
+
+
+class _ShardFiles:
+    """The files of a shard while they are written."""
+
+    def __init__(self, plan: DatasetPlan, shard: Shard) -> None:
+        self.plan, self.shard = plan, shard
+        self._waiting: dict[tuple[str, str], list[Row]] = {}
+        self._tables: dict[str, pq.ParquetWriter] = {}
+        self._archives: dict[str, tarfile.TarFile] = {}
+        self._parts: dict[str, Path] = {}
+        self._open = ExitStack()
+        self._digests: dict[int, str] = {}
+        self._counts: dict[str, Counter[str]] = {"rows": Counter(), "splits": Counter(), "status": Counter()}
+
+    def add(self, home: MadeHome) -> None:
+        """Takes a home's rows and files."""
+        seed = home.request.seed or 0
+        split = split_of(seed)
+        row = house_row(self.plan, home, split)
+        tables = {"houses": [row]}
+        if home.scene is not None:
+            catalogs = known_catalogs(self.plan.catalogs[home.catalog])
+            tables |= rows_of(home.scene, catalogs)
+            if self.plan.exported:
+                archive = self._archive(split)
+                for info, content in members_of(self.plan, home):
+                    archive.addfile(info, content)
+        for table, rows in tables.items():
+            self._waiting.setdefault((table, split), []).extend(rows)
+            self._counts["rows"][table] += len(rows)
+        self._digests[seed] = home.digest
+        self._counts["splits"][split] += 1
+        self._counts["status"][row["status"]] += 1
+        if len(self._digests) % ROW_GROUP == 0:
+            self._flush()
+
+    def finished(self) -> Document:
+        """Puts all files under their names and returns the shard's record."""
+        self._flush()
+        self._open.close()
+        files = {}
+        for name, part in sorted(self._parts.items()):
+            with part.open("rb+") as file:
+                digest = sha256()
+                while content := file.read(1 << 20):
+                    digest.update(content)
+                os.fsync(file.fileno())
+            files[name] = {"sha256": digest.hexdigest(), "bytes": part.stat().st_size}
+            part.replace(self.plan.folder / name)
+        self._parts.clear()
+        counts = {name: dict(sorted(found.items())) for name, found in self._counts.items()}
+        digests = {str(seed): digest for seed, digest in self._digests.items()}
+        return {"first": self.shard.first, "last": self.shard.last, **counts, "files": files, "digests": digests}
+
+    def close(self) -> None:
+        """Removes what is not finished."""
+        for part in self._parts.values():
+            part.unlink(missing_ok=True)
+        self._open.pop_all()
+
+    def _flush(self) -> None:
+        for (table, split), rows in self._waiting.items():
+            name = table_path(table, split, self.shard)
+            if name not in self._tables:
+                opened = partial(pq.ParquetWriter, schema=SCHEMAS[table], compression="zstd")
+                self._tables[name] = self._open.enter_context(opened(self._part(name)))
+            self._tables[name].write_table(pa.Table.from_pylist(rows, schema=SCHEMAS[table]))
+        self._waiting.clear()
+
+    def _archive(self, split: str) -> tarfile.TarFile:
+        name = f"{ARCHIVES}/{split}-{self.shard.name}.tar"
+        if name not in self._archives:
+            opened = partial(tarfile.open, mode="w", format=tarfile.USTAR_FORMAT)
+            self._archives[name] = self._open.enter_context(opened(self._part(name)))
+        return self._archives[name]
+
+    def _part(self, name: str) -> Path:
+        path = self.plan.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        self._parts[name] = part = part_of(path)
+        return part
+
+
+def part_of(path: Path) -> Path:
+    """Returns the name of a file while it is written: that of no other process, on no other machine."""
+    return path.with_name(f"{path.name}.{socket.gethostname()}.{os.getpid()}{PART}")
+
+
+def _write(path: Path, content: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    part = part_of(path)
+    try:
+        with part.open("wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)

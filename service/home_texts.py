@@ -1,0 +1,83 @@
+"""Homes between what is sent and what is kept: read, packed, and written again. The first runs in a worker.
+
+Comes in: bodies; rows of the store. Goes out: packed scenes, documents, JSON texts. May import: the contract, the store's rows.
+"""
+
+from __future__ import annotations
+
+import json
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import Any
+
+from starlette.responses import Response
+
+from service import problems
+from service.kept_contract import HomeBody, HomeChange
+from service.store.saved_homes import PackedScene, SavedHome
+from solver.errors import ComposeError, FieldError
+from solver.exchange import GLB, dump_plain, load_text, read, write_scene
+from solver.plain import Document
+from solver.scene import Scene
+
+
+@dataclass(frozen=True)
+class HomeSent:
+    """What a body says of a home: texts by name, and its scene."""
+
+    texts: Mapping[str, Any]
+    scene: PackedScene | None
+
+
+def read_home(body: bytes, sent: str, is_change: bool) -> HomeSent | Response:
+    """Reads the body of a home, or of a change of one; what is wrong with it becomes a problem document.
+
+    Args:
+        body: as it was sent.
+        sent: its format.
+        is_change: whether it is a change.
+    """
+    try:
+        document = load_text(body, sent)
+        document = {"scene": document} if sent == GLB else document
+        found: HomeBody | HomeChange = read(HomeChange, document) if is_change else read(HomeBody, document)
+        texts = {name: getattr(found, name) for name in ("name", "notes", "tags") if getattr(found, name) is not None}
+        if is_change and not texts and found.scene is None:
+            raise FieldError("body", "changes nothing", "at least one of name, notes, tags and scene")
+        if "tags" in texts:
+            texts["tags"] = tuple(dict.fromkeys(texts["tags"]))
+        return HomeSent(texts, None if found.scene is None else packed_scene(found.scene))
+    except ComposeError as error:
+        return problems.of_error(None, error)
+
+
+def packed_scene(scene: Scene) -> PackedScene:
+    """Packs a scene as it is kept."""
+    return PackedScene(zlib.compress(dump_plain(write_scene(scene), "json"), 6), len(scene.rooms))
+
+
+def head_document(home: SavedHome) -> Document:
+    """Returns what is said of a home beside its scene."""
+    return {
+        "id": home.id, "name": home.name, "notes": home.notes, "tags": list(home.tags), "created": moment(home.created),
+        "changed": moment(home.changed), "revision": home.revision, "version": home.version, "rooms": home.rooms,
+        "link": f"./?home={home.id}",
+    }  # fmt: skip
+
+
+def moment(microseconds: int) -> str:
+    """Writes a time by RFC 3339."""
+    return datetime.fromtimestamp(microseconds / 1e6, UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+
+
+def home_text(home: SavedHome, scene: bytes) -> bytes:
+    """Writes a home with its packed scene as JSON; the scene is not read for it."""
+    head = json.dumps(head_document(home), ensure_ascii=False).encode()
+    return head[:-1] + b', "scene": ' + zlib.decompress(scene).strip() + b"}"
+
+
+def as_yaml(text: bytes) -> bytes:
+    """Writes a JSON document as YAML."""
+    return dump_plain(json.loads(text), "yaml")

@@ -1,0 +1,256 @@
+"""The calls about long work, declared as in `homes`; and the runner, which makes the calls of one job after another in the workers.
+
+Comes in: requests; jobs of the store. Goes out: answers, events, results.
+What was done is kept call by call: a job goes on where it was ended.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import re
+import secrets
+import zlib
+from collections.abc import AsyncIterator, Callable
+from functools import partial
+from typing import Annotated, Any, Final
+
+import anyio
+from anyio import to_thread
+from fastapi import Path
+from fastapi.sse import EventSourceResponse, format_sse_event
+from starlette.requests import Request
+from starlette.responses import Response
+
+from service import problems
+from service.admission import owner_of
+from service.described import DescribedCalls
+from service.home_texts import moment
+from service.homes import HANDLERS, HOME, by_name
+from service.job_contract import JobBody, JobHead, JobList
+from service.openapi import refusals
+from service.refusals import Busy, NoSuchThing, StoreAway
+from service.store.saved_jobs import DONE, LEASE_S, JobResult, SavedJob, SavedJobs
+from service.wire import body_of, format_sent, format_wanted, written
+from solver.errors import ComposeError
+from solver.exchange import load_text, read
+
+POLL_S: Final = 0.5
+"""How often a job is looked at while somebody listens, s."""
+IDLE_S: Final = 5.0
+"""How often a runner without work looks for some of other services', s."""
+SILENCE_S: Final = 15.0
+"""How long a stream of events is silent, s: what lies between would close it."""
+_log = logging.getLogger("compose.service")
+
+
+def job_document(job: SavedJob) -> dict[str, Any]:
+    """Returns what is said of a job."""
+    told = {name: getattr(job, name) for name in ("id", "call", "state", "count", "done", "refused")}
+    return {**told, "created": moment(job.created), "changed": moment(job.changed)}
+
+
+def asked_of(body: bytes, sent: str) -> tuple[str, bytes, int]:
+    """Reads a job's body: its call, the bodies of its calls packed, and how many they are.
+
+    Raises:
+        FieldError: a field is wrong.
+        SyntaxFault: it is no document.
+    """
+    found = read(JobBody, load_text(body, sent))
+    bodies = [dict(found.body)] if found.seeds is None else [{**found.body, "seed": seed} for seed in dict.fromkeys(found.seeds)]
+    return found.call, zlib.compress(json.dumps(bodies).encode()), len(bodies)
+
+
+async def _of_store(request: Request, question: Callable[[SavedJobs, str], Any]) -> Any:
+    def ask() -> Any:
+        return question(request.app.store.jobs(), owner_of(request.scope))
+
+    return await to_thread.run_sync(ask, limiter=request.app.store_threads)
+
+
+def _id(request: Request) -> str:
+    job: str = request.path_params["job"]
+    if not HOME.fullmatch(job):
+        raise NoSuchThing("job", f"there is no {job!r:.40}", "the id of a job of yours")
+    return job
+
+
+async def _add_job(request: Request) -> Response:
+    body, sent = await body_of(request, request.app.settings.body_seconds), format_sent(request)
+    call, asked, count = await to_thread.run_sync(asked_of, body, sent, limiter=request.app.store_threads)
+    job = await _of_store(request, lambda jobs, owner: jobs.add(owner, call, asked, count))
+    request.app.runner.wake()
+    answer = written(job_document(job), format_wanted(request))
+    answer.status_code = 202
+    answer.headers["Location"] = f"{request.scope.get('root_path', '')}/jobs/{job.id}"
+    return answer
+
+
+async def _list_jobs(request: Request) -> Response:
+    found = await _of_store(request, lambda jobs, owner: jobs.list(owner))
+    return written({"jobs": [job_document(job) for job in found]}, format_wanted(request))
+
+
+async def _read_job(request: Request) -> Response:
+    id_of = _id(request)
+    return written(job_document(await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))), format_wanted(request))
+
+
+async def _remove_job(request: Request) -> Response:
+    id_of = _id(request)
+    await _of_store(request, lambda jobs, owner: jobs.remove(owner, id_of))
+    return Response(status_code=204)
+
+
+async def _read_result(request: Request) -> Response:
+    id_of, number = _id(request), request.path_params["number"]
+    if not re.fullmatch(r"[0-9]{1,9}", number):
+        raise NoSuchThing("result", f"{number!r:.40} is no number", "the number of a call that has been made, from 0")
+    found: JobResult = await _of_store(request, lambda jobs, owner: jobs.result(owner, id_of, int(number)))
+    headers = {"X-Call-Status": str(found.status), "Cache-Control": "private, no-cache"}
+    return Response(zlib.decompress(found.content), media_type=found.media_type, headers=headers)
+
+
+async def _job_events(request: Request) -> Response:
+    id_of = _id(request)
+    first = await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))
+
+    async def events() -> AsyncIterator[bytes]:
+        job, told, silent = first, None, 0.0
+        while True:
+            if job != told:
+                told, silent = job, 0.0
+                event = "done" if job.state == DONE else "progress"
+                yield format_sse_event(data_str=json.dumps(job_document(job)), event=event, id=str(job.done))
+            if job.state == DONE:
+                return
+            await anyio.sleep(POLL_S)
+            silent += POLL_S
+            if silent >= SILENCE_S:
+                silent = 0.0
+                yield b": still there\n\n"
+            try:
+                job = await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))
+            except NoSuchThing:
+                yield format_sse_event(data_str="{}", event="removed")
+                return
+            except StoreAway:
+                continue
+
+    return EventSourceResponse(events(), headers={"Cache-Control": "no-cache", "X-Accel-Buffering": "no"})
+
+
+class Runner:
+    """Makes the calls of jobs, one after another; what interactive calls need is left to them, since it takes one process at most.
+
+    Args:
+        app: the application.
+    """
+
+    def __init__(self, app: Any) -> None:
+        self._app = app
+        self._name = secrets.token_hex(8)
+        self._woken = anyio.Event()
+
+    def wake(self) -> None:
+        """Says that there is work."""
+        self._woken.set()
+
+    async def run(self, is_first_asked: bool) -> None:
+        """Runs until it is cancelled.
+
+        Args:
+            is_first_asked: whether to wait for the first job that is asked for here, since nobody else has the store.
+        """
+        while True:
+            if not is_first_asked:
+                await self._work_off()
+            is_first_asked = False
+            with anyio.move_on_after(IDLE_S if not self._app.store.is_temporary else None):
+                await self._woken.wait()
+            self._woken = anyio.Event()
+
+    async def _work_off(self) -> None:
+        try:
+            while (taken := await self._in_thread(lambda jobs: jobs.take(self._name))) is not None:
+                await self._make(*taken)
+        except ComposeError as error:
+            _log.info("jobs wait: %s", error)
+        except Exception:
+            _log.exception("a job failed")
+
+    async def _make(self, job: SavedJob, asked: bytes) -> None:
+        bodies = json.loads(zlib.decompress(asked))
+        async with anyio.create_task_group() as group:
+            group.start_soon(self._live, job.id, group.cancel_scope)
+            for number in range(job.done, job.count):
+                result = await self._result(job.call, json.dumps(bodies[number]).encode())
+                if not await self._in_thread(partial(SavedJobs.put, runner=self._name, job=job.id, number=number, result=result)):
+                    break
+            else:
+                await self._in_thread(lambda jobs: jobs.finish(self._name, job.id))
+            group.cancel_scope.cancel()
+
+    async def _live(self, job: str, scope: anyio.CancelScope) -> None:
+        """Says that the runner lives; ends the job where it was removed or is another's."""
+        while await self._in_thread(lambda jobs: jobs.beat(self._name, job)):
+            await anyio.sleep(min(LEASE_S / 10, 2.0))
+        scope.cancel()
+
+    async def _result(self, call: str, body: bytes) -> JobResult:
+        while True:
+            try:
+                answer = await self._app.make(call, body, "json", "json")
+            except Busy:
+                await anyio.sleep(POLL_S)
+                continue
+            except ComposeError as error:
+                answer = problems.of_error(None, error)
+            except RuntimeError:
+                _log.exception("a call of a job failed")
+                answer = problems.unexpected()
+            return JobResult(answer.status_code, str(answer.media_type), zlib.compress(bytes(answer.body)))
+
+    async def _in_thread(self, question: Callable[[SavedJobs], Any]) -> Any:
+        return await to_thread.run_sync(lambda: question(self._app.store.jobs()), limiter=self._app.store_threads)
+
+
+HANDLERS.update({
+    "add_job": _add_job, "list_jobs": _list_jobs, "read_job": _read_job, "remove_job": _remove_job, "read_result": _read_result,
+    "job_events": _job_events,
+})  # fmt: skip
+
+JobId = Annotated[str, Path(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9_-]+$", description="of a job of yours")]
+EVENTS: Final[dict[int | str, dict[str, Any]]] = {200: {"content": {"text/event-stream": {"schema": {"type": "string"}}}}}
+jobs = DescribedCalls(by_name, responses=refusals(401, 403, 405, 421, 422, 429, 500, 503, 504, 507), prefix="/jobs")
+
+
+@jobs.post("", status_code=202, responses=refusals(400, 408, 409, 413, 415))
+def add_job(body: JobBody) -> JobHead:  # type: ignore[empty-body]
+    """Takes on long work: a call, or a call of many seeds; answers at once where it is to be found."""
+
+
+@jobs.get("")
+def list_jobs() -> JobList:  # type: ignore[empty-body]
+    """Lists jobs, the newest first."""
+
+
+@jobs.get("/{job}", responses=refusals(404))
+def read_job(job: JobId) -> JobHead:  # type: ignore[empty-body]
+    """Says how far a job is."""
+
+
+@jobs.get("/{job}/events", response_class=Response, responses=refusals(404) | EVENTS)
+def job_events(job: JobId) -> Response:  # type: ignore[empty-body]
+    """Says how far a job is, each time that changes, as server-sent events, until it is done."""
+
+
+@jobs.get("/{job}/results/{number}", response_class=Response, responses=refusals(404) | {200: {"content": {"application/json": {}}}})
+def read_result(job: JobId, number: Annotated[int, Path(ge=0, le=999_999_999)]) -> Response:  # type: ignore[empty-body]
+    """Returns what one of a job's calls was answered by; `X-Call-Status` is its status."""
+
+
+@jobs.delete("/{job}", status_code=204, responses=refusals(404))
+def remove_job(job: JobId) -> None:
+    """Ends a job and removes it with its results."""

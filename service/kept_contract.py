@@ -1,0 +1,107 @@
+"""What the calls about homes that are kept take and answer: declared once, as in `contract`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Final
+
+from annotated_types import Ge, Le, MaxLen, MinLen
+
+from solver.exchange import SentScene
+from solver.fields import STRICT, WHOLE, Matching, Name, Record, Says, Text, Whole
+from solver.scene import Scene
+
+MOST_NAME: Final = 200
+MOST_NOTES: Final = 10_000
+MOST_TAG: Final = 50
+MOST_TAGS: Final = 20
+MOST_LISTED: Final = 100
+"""Homes of one page."""
+LISTED: Final = 20
+"""Homes of one page where no number is named."""
+AFTER: Final = r"^([0-9]{1,18}-[A-Za-z0-9_-]{1,40})?$"
+"""How `after` looks: the time and the id of a page's last home."""
+LINE: Final = Matching(r"^[^\x00-\x1f\x7f]+$")
+LINES: Final = Matching(r"^[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f]*$")
+
+HomeName = Annotated[str, MinLen(1), MaxLen(MOST_NAME), LINE, STRICT, Says("one line")]
+HomeNotes = Annotated[str, MaxLen(MOST_NOTES), LINES, STRICT]
+HomeTag = Annotated[str, MinLen(1), MaxLen(MOST_TAG), LINE, STRICT]
+HomeTags = Annotated[tuple[HomeTag, ...], MaxLen(MOST_TAGS), Says("each is kept once, in their order")]
+
+
+@dataclass(frozen=True)
+class HomeBody(Record):
+    """A home to keep."""
+
+    scene: SentScene
+    name: HomeName = "Home"
+    notes: HomeNotes = ""
+    tags: HomeTags = ()
+
+
+@dataclass(frozen=True)
+class HomeChange(Record):
+    """What changes of a home that is kept; a scene becomes its next version."""
+
+    scene: SentScene | None = None
+    name: HomeName | None = None
+    notes: HomeNotes | None = None
+    tags: HomeTags | None = None
+
+
+@dataclass(frozen=True)
+class HomeHead(Record):
+    """A home that is kept, without its scene; `revision` counts every change, `version` those of the scene. Times are of RFC 3339, UTC."""
+
+    id: Name
+    name: Text
+    notes: Text
+    tags: tuple[Text, ...]
+    created: Annotated[Text, Says("when it was kept first")]
+    changed: Annotated[Text, Says("when it was changed last")]
+    revision: Whole
+    version: Whole
+    rooms: Annotated[Whole, Says("how many rooms it has")]
+    link: Annotated[Text, Says("opens it on the page, relative to the service's address")]
+
+
+@dataclass(frozen=True)
+class KeptHome(HomeHead):
+    """A home that is kept, with its scene."""
+
+    scene: Scene
+
+
+@dataclass(frozen=True)
+class HomeList(Record):
+    """One page of homes, the last changed first; how many there are in all; and what asks for the next page, null on the last one."""
+
+    homes: tuple[HomeHead, ...]
+    total: Whole
+    after: Text | None = None
+
+
+@dataclass(frozen=True)
+class HomeVersion(Record):
+    """A version of a home."""
+
+    number: Whole
+    made: Annotated[Text, Says("when, RFC 3339, UTC")]
+
+
+@dataclass(frozen=True)
+class HomeVersions(Record):
+    """The versions of a home that are kept, the last first."""
+
+    versions: tuple[HomeVersion, ...]
+
+
+@dataclass(frozen=True)
+class HomeQuery(Record):
+    """Which homes are listed."""
+
+    search: Annotated[str, MaxLen(MOST_NAME), LINES, STRICT] = ""
+    tag: Annotated[tuple[HomeTag, ...], MaxLen(MOST_TAGS)] = ()
+    limit: Annotated[int, Ge(1), Le(MOST_LISTED), WHOLE] = LISTED
+    after: Annotated[str, Matching(AFTER), STRICT] = ""

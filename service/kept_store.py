@@ -1,0 +1,94 @@
+"""The store of one service: opened when it is first needed, or at the start, where whoever runs it hears what is wrong.
+
+Comes in: `Settings`. Goes out: what asks the store. May import: service_settings, store.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from threading import Lock
+from typing import TYPE_CHECKING, Final
+
+from service.refusals import StoreAway
+from service.service_settings import Settings
+
+if TYPE_CHECKING:
+    from service.store.database import Database
+    from service.store.saved_homes import SavedHomes
+    from service.store.saved_jobs import SavedJobs
+
+NONE: Final = "none"
+TEMPORARY: Final = "temporary"
+FILE_NAME: Final = "homes.sqlite"
+
+
+class KeptStore:
+    """The store that the settings name, not yet opened.
+
+    Args:
+        settings: `store`: a file, a URL, NONE, or TEMPORARY for one that goes with the service; and how much each owner may keep.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._lock = Lock()
+        self._folder: TemporaryDirectory[str] | None = None
+        self._database: Database | None = None
+        self._homes: SavedHomes | None = None
+
+    def open(self) -> SavedHomes:
+        """Opens the store where it is not yet open, and returns what asks it for homes.
+
+        Raises:
+            StoreAway: it does not answer, or there is none.
+            NoRoom: its disk is full.
+            FieldError: its place cannot be one.
+        """
+        with self._lock:
+            if self._homes is None:
+                self._homes = self._opened()
+            return self._homes
+
+    @property
+    def is_temporary(self) -> bool:
+        """Whether it goes with the service, so that nobody else has it."""
+        return self._settings.store == TEMPORARY
+
+    def jobs(self) -> SavedJobs:
+        """Opens the store where it is not yet open, and returns what asks it for jobs. Raises as `open`."""
+        from service.store.saved_jobs import SavedJobs  # noqa: PLC0415
+
+        self.open()
+        if self._database is None:
+            raise StoreAway("store", "is closed", "another try in a moment")
+        return SavedJobs(self._database)
+
+    def _opened(self) -> SavedHomes:
+        from service.store.database import Database  # noqa: PLC0415 - who keeps nothing loads no database
+        from service.store.saved_homes import Keeping, SavedHomes  # noqa: PLC0415
+
+        place = self._settings.store or str(default_place(os.environ))
+        if place == NONE:
+            raise StoreAway("store", "is not there: this service keeps no homes", "a service that keeps homes (compose serve --store)")
+        if place == TEMPORARY:
+            self._folder = TemporaryDirectory(prefix="compose-")
+            place = str(Path(self._folder.name) / FILE_NAME)
+        self._database = Database(place)
+        return SavedHomes(self._database, Keeping(self._settings.homes_each, self._settings.megabytes_each * 1_000_000))
+
+    def close(self) -> None:
+        """Closes the store; it is opened anew when it is needed again."""
+        with self._lock:
+            if self._database is not None:
+                self._database.close()
+            if self._folder is not None:
+                self._folder.cleanup()
+            self._database = self._homes = self._folder = None
+
+
+def default_place(environment: Mapping[str, str]) -> Path:
+    """Returns the file that homes are kept in where no other place is named: in the user's folder for data."""
+    return Path(environment.get("XDG_DATA_HOME") or "~/.local/share").expanduser() / "compose-homes" / FILE_NAME

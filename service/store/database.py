@@ -1,0 +1,154 @@
+"""Opens a store, brings its tables up to date, and runs transactions in it.
+
+Comes in: a file's name, or the URL of a database. Goes out: `Database`. May import: refusals, store_tables.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Final
+
+from sqlalchemy import Connection, Engine, create_engine, event, inspect, text
+from sqlalchemy.engine import URL, make_url
+from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError
+
+from service.refusals import NoRoom, StoreAway
+from solver.errors import FieldError
+
+HEAD: Final = "0002"
+"""The last step of `migrations`."""
+WRITING: Final = "writing"
+LOCK: Final = 0x436F6D70
+"""Any number: whoever brings a PostgreSQL store up to date holds the advisory lock of that number."""
+WAIT_S: Final = 5
+"""How long a transaction waits for another one, and a connection for the database, s. Our choice."""
+FULL: Final = ("disk is full", "53100")
+"""How SQLite (in words) and PostgreSQL (by SQLSTATE) say that no room is left."""
+
+
+class Database:
+    """A store that is up to date.
+
+    Args:
+        place: the name of an SQLite file, whose folder is made; or a URL, `postgresql://...` or `sqlite:///...`.
+
+    Raises:
+        FieldError: it is no place for a store, or a later version of Compose made it; says why, and no password.
+        StoreAway: it cannot be reached.
+        NoRoom: its disk is full.
+    """
+
+    def __init__(self, place: str) -> None:
+        url = _url(place)
+        try:
+            self.engine = _engine(url)
+        except (NoSuchModuleError, ImportError, ArgumentError) as error:
+            raise FieldError("store", f"cannot be opened: {error}", "a file's name, or postgresql:// with the extra `postgresql`") from None
+        with self.writing() as connection:
+            _bring_up_to_date(connection)
+
+    @contextmanager
+    def reading(self) -> Iterator[Connection]:
+        """Runs a transaction that changes nothing.
+
+        Raises:
+            StoreAway: the database does not answer.
+        """
+        with _in_words(), self.engine.connect() as connection:
+            yield connection
+
+    @contextmanager
+    def writing(self) -> Iterator[Connection]:
+        """Runs a transaction: all of it is kept once the block has ended, or nothing.
+
+        Raises:
+            StoreAway: the database does not answer, or others kept it busy for WAIT_S.
+            NoRoom: its disk is full.
+        """
+        with _in_words(), self.engine.connect().execution_options(**{WRITING: True}) as connection, connection.begin():
+            yield connection
+
+    def close(self) -> None:
+        """Lets its connections go."""
+        self.engine.dispose()
+
+
+def _url(place: str) -> URL:
+    try:
+        url = make_url(place) if "://" in place else URL.create("sqlite", database=str(Path(place).expanduser().absolute()))
+    except ArgumentError:
+        raise FieldError("store", "is no URL of a database", "a file's name, postgresql://user:password@host/name") from None
+    if url.get_backend_name() == "postgresql":
+        return url.set(drivername="postgresql+psycopg")
+    if url.get_backend_name() != "sqlite" or not url.database:
+        raise FieldError("store", f"is of a kind that is not kept in: {url.drivername}", "a file's name, or postgresql://")
+    return url
+
+
+def _engine(url: URL) -> Engine:
+    if url.get_backend_name() == "postgresql":
+        return create_engine(url, pool_pre_ping=True, connect_args={"connect_timeout": WAIT_S}, pool_timeout=WAIT_S)
+    try:
+        Path(str(url.database)).parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FieldError("store", f"cannot be opened: {error}", "a file in a folder that can be written to") from None
+    engine = create_engine(url, connect_args={"timeout": WAIT_S}, pool_timeout=WAIT_S)
+    event.listen(engine, "connect", _set_sqlite_up)
+    event.listen(engine, "begin", _begin_sqlite)
+    return engine
+
+
+def _set_sqlite_up(connection: sqlite3.Connection, _: object) -> None:
+    """What is acknowledged is on the disk; LIKE tells small letters from large, as PostgreSQL does."""
+    connection.isolation_level = None  # the module's own BEGINs come too late to keep others from writing between
+    for name, value in {"journal_mode": "WAL", "synchronous": "FULL", "foreign_keys": "ON", "case_sensitive_like": "ON"}.items():
+        connection.execute(f"PRAGMA {name}={value}")
+
+
+def _begin_sqlite(connection: Connection) -> None:
+    connection.exec_driver_sql("BEGIN IMMEDIATE" if connection.get_execution_options().get(WRITING) else "BEGIN")
+
+
+@contextmanager
+def _in_words() -> Iterator[None]:
+    """Turns what a database refuses into what the service answers; faults of ours stay what they are."""
+    try:
+        yield
+    except DBAPIError as error:
+        said = f"{error.orig} {getattr(error.orig, 'sqlstate', '')}"
+        if any(words in said for words in FULL):
+            raise NoRoom("store", "has no room left", "less, or another try when there is room") from error
+        if error.connection_invalidated or type(error).__name__ in ("OperationalError", "InterfaceError"):
+            raise StoreAway("store", "does not answer", "another try in a moment") from error
+        raise
+    except TimeoutError as error:
+        raise StoreAway("store", "does not answer", "another try in a moment") from error
+
+
+def _bring_up_to_date(connection: Connection) -> None:
+    if connection.dialect.name == "postgresql":
+        connection.execute(text("SELECT pg_advisory_xact_lock(:lock)"), {"lock": LOCK})
+    if _found(connection) == HEAD:
+        return
+    # alembic takes as long to import as all else of a start, and there is seldom something to do.
+    from alembic import command  # noqa: PLC0415
+    from alembic.config import Config  # noqa: PLC0415
+    from alembic.util import CommandError  # noqa: PLC0415
+
+    config: Any = Config()
+    config.set_main_option("script_location", str(Path(__file__).parent / "migrations").replace("%", "%%"))
+    config.attributes["connection"] = connection
+    try:
+        command.upgrade(config, "head")
+    except CommandError:
+        raise FieldError("store", "was made by a later version of Compose", f"that version, or a store up to {HEAD}") from None
+
+
+def _found(connection: Connection) -> str | None:
+    if not inspect(connection).has_table("alembic_version"):
+        return None
+    found: str | None = connection.scalar(text("SELECT version_num FROM alembic_version"))
+    return found

@@ -1,0 +1,283 @@
+"""Homes in a store: every question names an owner, and finds that one's homes alone.
+
+Comes in: an owner, and what to keep or change. Goes out: `SavedHome`. May import: database, store_tables, refusals.
+"""
+
+from __future__ import annotations
+
+import secrets
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from sqlalchemy import ColumnElement, Connection, Row, and_, delete, func, insert, or_, select, update
+from sqlalchemy.dialects import postgresql, sqlite
+
+from service.refusals import ChangedMeanwhile, NoSuchThing, TooManyKept, UnnamedRevision
+from service.store.database import Database
+from service.store.store_tables import HOMES, OWNERS, VERSIONS
+
+KEPT_VERSIONS: Final = 50
+"""Versions of a home; the oldest go when there are more. Our choice."""
+ANY_REVISION: Final = -1
+"""In place of a revision: whichever there is."""
+SHOWN: Final = tuple(column for column in HOMES.c if column.name not in ("picture", "words", "owner"))
+
+
+@dataclass(frozen=True)
+class Keeping:
+    """How much each owner may keep.
+
+    Args:
+        homes: how many homes.
+        bytes: of all their versions, packed, and their pictures.
+    """
+
+    homes: int = 1000
+    bytes: int = 500_000_000
+
+
+@dataclass(frozen=True)
+class SavedHome:
+    """A home without its scene; times are microseconds since 1970, UTC."""
+
+    id: str
+    name: str
+    notes: str
+    tags: tuple[str, ...]
+    created: int
+    changed: int
+    revision: int
+    version: int
+    rooms: int
+    picture_type: str | None
+
+
+@dataclass(frozen=True)
+class PackedScene:
+    """A scene as it is kept: its JSON, packed by zlib; and how many rooms it has."""
+
+    content: bytes
+    rooms: int
+
+
+@dataclass(frozen=True)
+class PageOfHomes:
+    """One page of homes, the last changed first; how many there are in all; and what asks for the next page, if there is one."""
+
+    homes: tuple[SavedHome, ...]
+    total: int
+    after: str | None
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """Which homes: those with all these words somewhere and all these tags; `after` is of the page before."""
+
+    search: str = ""
+    tags: tuple[str, ...] = ()
+    after: tuple[int, str] | None = None
+    limit: int = 20
+
+
+class SavedHomes:
+    """The homes of a store.
+
+    Args:
+        database: the store.
+        keeping: how much each owner may keep.
+        clock: nanoseconds since 1970, UTC.
+    """
+
+    def __init__(self, database: Database, keeping: Keeping | None = None, clock: Callable[[], int] = time.time_ns) -> None:
+        self._database, self._keeping, self._clock = database, keeping or Keeping(), clock
+
+    def add(self, owner: str, texts: Mapping[str, Any], scene: PackedScene) -> SavedHome:
+        """Keeps a new home.
+
+        Args:
+            owner: whose it is.
+            texts: `name`, `notes` and `tags`.
+            scene: its first version.
+
+        Raises:
+            TooManyKept: the owner has no room for it.
+        """
+        home, now = secrets.token_urlsafe(12), self._clock() // 1000
+        row = {
+            **_written(texts),
+            "id": home,
+            "owner": owner,
+            "created": now,
+            "changed": now,
+            "revision": 1,
+            "version": 1,
+            "rooms": scene.rooms,
+        }
+        with self._database.writing() as connection:
+            self._take(connection, owner, 1, len(scene.content))
+            connection.execute(insert(HOMES), row)
+            connection.execute(insert(VERSIONS), {"home": home, "number": 1, "made": now, "scene": scene.content})
+            return _found(connection, owner, home)
+
+    def get(self, owner: str, home: str, version: int | None = None) -> tuple[SavedHome, bytes]:
+        """Returns a home and its packed scene; of a version, where one is named.
+
+        Raises:
+            NoSuchThing: this owner has no such home, or it has no such version any more.
+        """
+        with self._database.reading() as connection:
+            found = _found(connection, owner, home)
+            number = found.version if version is None else version
+            scene = connection.scalar(select(VERSIONS.c.scene).where(VERSIONS.c.home == home, VERSIONS.c.number == number))
+            if scene is None:
+                raise NoSuchThing("version", f"{number} of this home is not kept", f"one of GET /homes/{home}/versions")
+            return found, scene
+
+    def change(self, owner: str, home: str, revision: int | None, texts: Mapping[str, Any], scene: PackedScene | None) -> SavedHome:
+        """Changes a home.
+
+        Args:
+            owner: whose it is.
+            home: its id.
+            revision: the one that the change was made from; or ANY_REVISION.
+            texts: those of `name`, `notes` and `tags` that change.
+            scene: a further version.
+
+        Raises:
+            NoSuchThing: this owner has no such home.
+            UnnamedRevision: no revision is named.
+            ChangedMeanwhile: it has another one by now.
+            TooManyKept: the owner has no room for another version.
+        """
+        now = self._clock() // 1000
+        with self._database.writing() as connection:
+            before = _held(connection, owner, home, revision)
+            kept = {"name": before.name, "notes": before.notes, "tags": before.tags, **texts}
+            new: dict[str, Any] = {**_written(kept), "changed": max(now, before.changed + 1), "revision": before.revision + 1}
+            if scene is not None:
+                self._add_version(connection, owner, before, scene, now)
+                new |= {"version": before.version + 1, "rooms": scene.rooms}
+            connection.execute(update(HOMES).where(HOMES.c.id == home).values(new))
+            return _found(connection, owner, home)
+
+    def _add_version(self, connection: Connection, owner: str, before: SavedHome, scene: PackedScene, now: int) -> None:
+        old = and_(VERSIONS.c.home == before.id, VERSIONS.c.number <= before.version + 1 - KEPT_VERSIONS)
+        gone = connection.scalar(select(func.coalesce(func.sum(func.length(VERSIONS.c.scene)), 0)).where(old)) or 0
+        self._take(connection, owner, 0, len(scene.content) - int(gone))
+        connection.execute(delete(VERSIONS).where(old))
+        row = {"home": before.id, "number": before.version + 1, "made": now, "scene": scene.content}
+        connection.execute(insert(VERSIONS), row)
+
+    def remove(self, owner: str, home: str, revision: int | None) -> None:
+        """Removes a home with all its versions.
+
+        Raises:
+            NoSuchThing, UnnamedRevision, ChangedMeanwhile: as `change`.
+        """
+        with self._database.writing() as connection:
+            _held(connection, owner, home, revision)
+            sizes = connection.scalar(select(func.sum(func.length(VERSIONS.c.scene))).where(VERSIONS.c.home == home)) or 0
+            picture = connection.scalar(select(func.length(HOMES.c.picture)).where(HOMES.c.id == home)) or 0
+            connection.execute(delete(VERSIONS).where(VERSIONS.c.home == home))
+            connection.execute(delete(HOMES).where(HOMES.c.id == home))
+            self._take(connection, owner, -1, -int(sizes) - int(picture))
+
+    def list(self, owner: str, wanted: Wanted) -> PageOfHomes:
+        """Returns one page of an owner's homes."""
+        fits = and_(HOMES.c.owner == owner, *_matching(wanted))
+        page = select(*SHOWN).where(fits).order_by(HOMES.c.changed.desc(), HOMES.c.id.desc()).limit(wanted.limit + 1)
+        if wanted.after is not None:
+            changed, home = wanted.after
+            page = page.where(or_(HOMES.c.changed < changed, and_(HOMES.c.changed == changed, HOMES.c.id < home)))
+        with self._database.reading() as connection:
+            rows = connection.execute(page).all()
+            total = connection.scalar(select(func.count()).select_from(HOMES).where(fits)) or 0
+        homes = tuple(_read(row) for row in rows[: wanted.limit])
+        return PageOfHomes(homes, total, f"{homes[-1].changed}-{homes[-1].id}" if len(rows) > wanted.limit else None)
+
+    def versions(self, owner: str, home: str) -> Sequence[tuple[int, int]]:
+        """Returns the number and the time of each version that is kept, the last first.
+
+        Raises:
+            NoSuchThing: this owner has no such home.
+        """
+        with self._database.reading() as connection:
+            _found(connection, owner, home)
+            asked = select(VERSIONS.c.number, VERSIONS.c.made).where(VERSIONS.c.home == home).order_by(VERSIONS.c.number.desc())
+            return [(number, made) for number, made in connection.execute(asked)]
+
+    def picture(self, owner: str, home: str) -> tuple[bytes, str] | None:
+        """Returns a home's picture and its media type, or None where none was given.
+
+        Raises:
+            NoSuchThing: this owner has no such home.
+        """
+        asked = select(HOMES.c.picture, HOMES.c.picture_type).where(HOMES.c.id == home, HOMES.c.owner == owner)
+        with self._database.reading() as connection:
+            row = connection.execute(asked).first()
+        if row is None:
+            raise _no_such(home)
+        return None if row.picture is None else (row.picture, row.picture_type)
+
+    def put_picture(self, owner: str, home: str, content: bytes, media_type: str) -> None:
+        """Gives a home another picture; that is no change of the home.
+
+        Raises:
+            NoSuchThing: this owner has no such home.
+            TooManyKept: the owner has no room for it.
+        """
+        with self._database.writing() as connection:
+            _held(connection, owner, home, ANY_REVISION)
+            before = connection.scalar(select(func.length(HOMES.c.picture)).where(HOMES.c.id == home)) or 0
+            self._take(connection, owner, 0, len(content) - int(before))
+            connection.execute(update(HOMES).where(HOMES.c.id == home).values(picture=content, picture_type=media_type))
+
+    def _take(self, connection: Connection, owner: str, homes: int, size: int) -> None:
+        """Counts what an owner has more, or less; refuses what is too much. The row is held until the transaction ends."""
+        dialect = postgresql if connection.dialect.name == "postgresql" else sqlite
+        connection.execute(dialect.insert(OWNERS).values(name=owner, homes=0, bytes=0).on_conflict_do_nothing())
+        fits = [OWNERS.c.homes + homes <= self._keeping.homes] * (homes > 0) + [OWNERS.c.bytes + size <= self._keeping.bytes] * (size > 0)
+        more = {"homes": OWNERS.c.homes + homes, "bytes": OWNERS.c.bytes + size}
+        if connection.execute(update(OWNERS).where(OWNERS.c.name == owner, *fits).values(more)).rowcount == 0:
+            most = f"{self._keeping.homes} homes, of {self._keeping.bytes // 1_000_000} MB together"
+            raise TooManyKept("homes", "are as many as may be kept, or as large", f"{most}; remove some first")
+
+
+def _written(texts: Mapping[str, Any]) -> dict[str, str]:
+    tags: tuple[str, ...] = tuple(texts["tags"])
+    words = "\n".join([texts["name"], texts["notes"], *tags]).casefold()
+    return {"name": texts["name"], "notes": texts["notes"], "tags": "".join(f"\n{tag}" for tag in tags) + "\n", "words": words}
+
+
+def _read(row: Row[Any]) -> SavedHome:
+    values = row._asdict()
+    return SavedHome(**{**values, "tags": tuple(tag for tag in values["tags"].split("\n") if tag)})
+
+
+def _matching(wanted: Wanted) -> list[ColumnElement[bool]]:
+    words = [HOMES.c.words.contains(word, autoescape=True) for word in wanted.search.casefold().split()]
+    return [*words, *(HOMES.c.tags.contains(f"\n{tag}\n", autoescape=True) for tag in wanted.tags)]
+
+
+def _found(connection: Connection, owner: str, home: str, for_change: bool = False) -> SavedHome:
+    asked = select(*SHOWN).where(HOMES.c.id == home, HOMES.c.owner == owner)
+    row = connection.execute(asked.with_for_update() if for_change else asked).first()
+    if row is None:
+        raise _no_such(home)
+    return _read(row)
+
+
+def _held(connection: Connection, owner: str, home: str, revision: int | None) -> SavedHome:
+    """Returns a home that nobody else changes until the transaction ends, if it is of that revision."""
+    found = _found(connection, owner, home, for_change=True)
+    if revision is None:
+        raise UnnamedRevision("If-Match", "is missing", "the ETag that the home was read with, or * for whichever there is")
+    if revision not in (ANY_REVISION, found.revision):
+        raise ChangedMeanwhile("If-Match", "is of another revision: somebody has changed the home since", f'"{found.revision}"')
+    return found
+
+
+def _no_such(home: str) -> NoSuchThing:
+    return NoSuchThing("home", f"there is no {home!r:.40}", "the id of a home of yours")
