@@ -5,7 +5,10 @@ const STATIC_DIRECTORY = "../service/static";
 
 /** For `npm run dev`: the running service that answers the page's calls. */
 const SERVICE = "http://127.0.0.1:8000";
-const CALLS = ["/generate", "/furnish", "/import", "/fix", "/drag", "/core.wasm", "/validate", "/view", "/floor", "/export", "/catalog", "/asset", "/schema", "/healthz"];
+const CALLS = [
+  "/generate", "/furnish", "/import", "/fix", "/place", "/explain", "/drag", "/core.wasm", "/validate", "/view", "/floor", "/export", "/catalog", "/asset", "/schema",
+  "/healthz", "/homes",
+];
 
 const GUARD_MS = 600_000;
 
@@ -14,7 +17,9 @@ export default defineConfig({
   build: {
     outDir: STATIC_DIRECTORY,
     emptyOutDir: true,
+    rolldownOptions: { input: ["index.html", "embed.html"] },
     target: "es2022",
+    cssTarget: ["chrome123", "firefox120", "safari17.5"], // those that know light-dark()
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 900,

@@ -1,7 +1,7 @@
 /** The page's address holds the request, so a link is a house. */
 import type { Counts, HouseRequest, Typed } from "./contract";
 
-/** What a bare address asks for: the service's own defaults with outdoor rooms on, and one fixed house. */
+/** A plain request: the service's own defaults with outdoor rooms on, and one fixed house. */
 export const DEFAULTS: Readonly<HouseRequest> = {
   seed: 42,
   width: 20,
@@ -12,9 +12,14 @@ export const DEFAULTS: Readonly<HouseRequest> = {
   outdoor: true,
 };
 
+/** What a bare address asks for. */
+export const FIRST: Readonly<HouseRequest> = { seed: 42, program: "family", outdoor: true, decorate: true };
+
 export const NUMBERS = ["seed", "width", "depth", "min_room_size", "max_depth", "area", "robot_width"] as const;
-export const SWITCHES = ["use_spine", "outdoor", "decorate"] as const;
-export const TEXTS = ["program", "style"] as const;
+export const SWITCHES = ["use_spine", "outdoor", "decorate", "people"] as const;
+export const TEXTS = ["program", "style", "access"] as const;
+/** Switches that say nothing where they stand at the service's own default, which is so for good. */
+const UNSAID: Readonly<Partial<Record<string, boolean>>> = { decorate: false, people: true };
 /** What speaks of plain requests alone. */
 export const OF_PLAIN_PLANS = ["min_room_size", "max_depth", "use_spine"] as const;
 /** Mappings are written one entry a word: `program.bedrooms=3`. */
@@ -63,6 +68,7 @@ export function isPlanned(request: HouseRequest): boolean {
 /** Reads a request from an address's query; what the query does not say is the default. */
 export function requestFromQuery(query: string): HouseRequest {
   const given = new URLSearchParams(query);
+  if (![...NUMBERS, ...SWITCHES, ...TEXTS].some((name) => textOf(given, name) !== null) && MAPPINGS.every((name) => !mappingOf(given, name))) return { ...FIRST };
   const program = programOf(given);
   const planned = program !== undefined || (given.get("area") ?? "") !== "";
   const request: HouseRequest = planned ? { seed: DEFAULTS.seed, outdoor: DEFAULTS.outdoor, program } : { ...DEFAULTS };
@@ -75,6 +81,7 @@ export function requestFromQuery(query: string): HouseRequest {
     if (text) request[name] = switchOrText(text);
   }
   request.style = given.get("style") || undefined;
+  request.access = given.get("access") || undefined;
   request.force_types = mappingOf(given, "force_types") ?? undefined;
   if (planned) for (const name of OF_PLAIN_PLANS) delete request[name];
   return withoutGaps(request);
@@ -82,7 +89,7 @@ export function requestFromQuery(query: string): HouseRequest {
 
 /** Leaves out what says nothing: no value, or a switch at the service's own default for good. */
 export function withoutGaps(request: HouseRequest): HouseRequest {
-  const kept = Object.entries(request).filter(([name, value]) => value !== undefined && !(name === "decorate" && value === false));
+  const kept = Object.entries(request).filter(([name, value]) => value !== undefined && UNSAID[name] !== value);
   return Object.fromEntries(kept) as unknown as HouseRequest;
 }
 

@@ -1,7 +1,7 @@
 /** What the page takes and sends: the service's own types (served.ts), and where the page knows more than they say. */
 import type * as Served from "./served";
 
-export type { Conflict, DragAnswer, Explained, FieldProblem, FloorAnswer, Hold, Level, RoomFloor, Sides } from "./served";
+export type { Conflict, DragAnswer, Explained, FieldProblem, FloorAnswer, Hold, Level, OtherWay, RoomFloor, Sides } from "./served";
 export type { Lines as ViewAnswer, Material as CatalogMaterial } from "./served";
 
 /** A document of which some keys are never null: the service makes it so, or `drawable` has completed it. */
@@ -49,6 +49,12 @@ interface CertifiedRoom {
   readonly notes?: readonly string[];
 }
 
+/** What a certificate says of the profile of access that a home is made for. */
+interface CertifiedAccess {
+  readonly profile?: string;
+  readonly unmet?: readonly string[];
+}
+
 /** A scene that can be drawn; of its request and its certificate the page reads the style, what was proven and what fell short. */
 export interface Scene extends Pick<Served.Scene, "wall_thickness" | "levels"> {
   readonly seed: number;
@@ -57,13 +63,19 @@ export interface Scene extends Pick<Served.Scene, "wall_thickness" | "levels"> {
   readonly size: Served.Size;
   readonly rooms: readonly Room[];
   readonly dynamic: readonly Dynamic[];
-  readonly certificate?: { readonly notes?: readonly string[]; readonly rooms?: Named<CertifiedRoom> } | null;
+  readonly certificate?: { readonly notes?: readonly string[]; readonly rooms?: Named<CertifiedRoom>; readonly access?: CertifiedAccess } | null;
 }
 
 type About<Answer> = Omit<Answer, "scene" | "issues" | "timing_ms"> & { readonly scene: Scene };
 type Made<Answer> = About<Answer> & { readonly issues: readonly Issue[]; readonly timing_ms: number | Served.Generated["timing_ms"] };
 export type GenerateAnswer = Made<Served.Generated>;
 export type FixAnswer = Made<Served.Fixed>;
+/** One way to stand a list of pieces in a room, and who is missing. */
+interface Placement {
+  readonly scene: Scene;
+  readonly unplaced: Served.PlaceAnswer["unplaced"];
+}
+export type PlaceAnswer = Placement & { readonly alternatives: readonly Placement[] };
 /** What a file was read as: its home, and what was changed, guessed and left out. */
 export type ImportAnswer = Omit<Served.PlanImport, "scene" | "issues"> & { readonly scene: Scene; readonly issues: readonly Issue[] };
 export type FixRequest = About<Served.FixBody>;
@@ -83,7 +95,7 @@ export type HouseRequest = { seed: Typed } & { -readonly [Key in Exclude<keyof S
 
 type Named<Thing> = Readonly<Record<string, Thing>>;
 export type CatalogPart = Open<Served.Solid, "axis" | "taper">;
-export type CatalogKind = Partial<Pick<Served.FurnitureSpec, "name" | "category" | "color">> & Pick<Served.FurnitureSpec, "size">;
+export type CatalogKind = Partial<Pick<Served.FurnitureSpec, "name" | "category" | "color" | "variants" | "stands">> & Pick<Served.FurnitureSpec, "size">;
 
 export type CatalogAsset = Pick<Served.Asset, "kinds" | "front" | "size" | "low" | "high" | "bytes" | "triangles" | "license">;
 
@@ -97,4 +109,5 @@ export interface Catalog {
   readonly styles?: Named<{ readonly materials?: Named<Partial<Served.Material>>; readonly walls?: Named<readonly Pick<Served.WallPaint, "type">[]> }>;
   readonly rooms?: Named<{ readonly accent: string; readonly home?: { readonly word?: string | null } | null }>;
   readonly presets?: Named<Served.Preset>;
+  readonly access?: Named<{ readonly says: string }>;
 }

@@ -1,9 +1,10 @@
 /** The page, wired together: a request goes to the service, its answer to the canvas, the text and the status bar. */
-import { anotherSeed, DEFAULTS, queryFromRequest, requestFromQuery, withoutGaps } from "./address";
+import { anotherSeed, FIRST, queryFromRequest, requestFromQuery, withoutGaps } from "./address";
 import { Asking } from "./asking";
-import type { HouseRequest, Scene } from "./contract";
+import type { GenerateAnswer, HouseRequest, Scene } from "./contract";
 import { drawable } from "./house/drawable";
 import { Drawing } from "./draw/drawing";
+import { OtherRooms } from "./edit/others";
 import { Workbench } from "./edit/workbench";
 import { carriedIn, carriedTo, linkTo } from "./memory/carrying";
 import { Entries, entry } from "./memory/entries";
@@ -17,17 +18,23 @@ import { Issues } from "./panel/issues";
 import { Keys } from "./panel/keys";
 import { Legend } from "./panel/legend";
 import { Link } from "./panel/link";
+import { Menu } from "./panel/menu";
 import { foldForNarrow } from "./panel/narrow";
 import { Progress } from "./panel/progress";
 import { Reading } from "./panel/reading";
 import { RoomPanel } from "./panel/room";
 import { ShortfallPanel } from "./panel/shortfalls";
 import { showShown } from "./panel/status";
-import { catalog, furnish, generate, isAbort, readFile, report, reroll, restyle, ServiceProblem, view, type GivenFile } from "./service";
+import { PlanFiles } from "./plan/plan_files";
+import { catalog, furnish, generate, isAbort, readFile, report, reroll, restyle, ServiceProblem, view, type GivenFile, type Look } from "./service";
 import { listenToSkips } from "./panel/skips";
+import { listenToPreferences, turnOver } from "./panel/preferences";
 import { isTyped } from "./panel/typing";
+import { Tour } from "./panel/tour";
+import { SavedPanel } from "./saved/saved_panel";
 import { Stage } from "./stage";
 import { Home, type Showing, type Shown } from "./state/home";
+import { say, speak } from "./words/language";
 
 type History = "push" | "keep";
 
@@ -51,12 +58,20 @@ class Page {
   readonly #stage = new Stage(element("stage"));
   readonly #diagnose = new Diagnose(this.#home);
   readonly #keys = new Keys();
+  readonly #others = new OtherRooms(element("others"), {
+    ask: (scene, room, seed, signal) => reroll(scene, [room], signal, seed),
+    portray: (scene, into) => this.#stage.portrayRoom(scene, into),
+    take: (answer, before) => this.#take(answer, before),
+    failed: (reason) => this.#asking.notice.show(reason),
+  });
   readonly #imported = new ImportReport(element("imported"), element("imported_list"));
   readonly #drawing: Drawing;
   readonly #entries = new Entries();
   readonly #keeping: Keeping;
+  readonly #saved: SavedPanel;
   readonly #workbench: Workbench;
   #wanted: HouseRequest = requestFromQuery(location.search);
+  #look: Look = {};
   #learnt = false;
   #written = new AbortController();
   #reads: Promise<void> = Promise.resolve();
@@ -65,17 +80,30 @@ class Page {
     this.#keeping = new Keeping(this.#home, this.#stage.viewport, element("recent")); // the first to hear what is shown
     this.#keeping.onLead = (id) => this.#openKept(id, "push", (kept) => this.#keeping.homes.follow(kept));
     this.#keeping.onOpen = (id) => this.#openKept(id, "push");
+    this.#saved = new SavedPanel(element<HTMLDetailsElement>("saved"), {
+      scene: () => this.#home.settled?.scene ?? null,
+      picture: async () => this.#keeping.homes.current && this.#keeping.store.picture(this.#keeping.homes.current),
+    });
+    this.#saved.onOpen = (name, scene) => this.#openFile({ name, content: JSON.stringify(scene) }, "push");
+    this.#home.on("shown", (how) => { if (how === "new") this.#saved.shows(); });
+    this.#saved.onFailure = (reason) => this.#asking.notice.show(reason);
     this.#controls.onRestyle = (wish) => this.#restyle(wish);
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
-    this.#reading.onChoose = (id) => this.#chooseInText(id);
+    this.#reading.onChoose = (id, adds) => this.#chooseInText(id, adds);
     this.#reading.onFlag = (id) => this.#home.toggleFlag(id);
     this.#issues.onChoose = (id) => this.#goTo(id);
     this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#diagnose.onChoose = (id) => this.#goTo(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
+    this.#stage.onFailure = (reason) => this.#asking.notice.show(reason);
+    new PlanFiles(() => this.#stage.planned(this.#home.settled?.scene ?? null), (reason) => this.#asking.notice.show(reason));
+    element("picture").addEventListener("click", () => void this.#stage.savePicture());
     this.#stage.onSelect = (id) => this.#home.select(id);
+    this.#stage.onAlso = (id) => this.#home.toggleChosen(id);
     this.#stage.onRoom = (id) => this.#home.selectRoom(id);
     this.#rooms.onReroll = (id) => this.#reroll(id);
+    this.#rooms.onOthers = (id) => { if (this.#home.settled) void this.#others.show(this.#home.settled.scene, id); };
+    this.#home.on("shown", () => this.#others.hide());
     this.#files.onOpen = (file) => this.#openFile(file, "push");
     this.#files.onFailure = (reason, again) => this.#asking.notice.show(reason, again);
     this.#files.onSaved = () => this.#asking.notice.hide();
@@ -84,20 +112,29 @@ class Page {
     this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
     this.#home.on("shown", (how) => this.#show(how));
     this.#home.on("selected", (id) => this.#select(id));
-    this.#workbench = new Workbench(this.#home, this.#stage, {
+    this.#home.on("also", (also) => this.#stage.select(this.#home.selected, also));
+    this.#workbench = new Workbench(this.#home, this.#stage, this.#keeping.store, {
       busy: (busy) => { element("stage").dataset.editing = String(busy); },
       failed: (reason) => this.#asking.notice.show(reason),
     });
-    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("reading")], (reason) => this.#asking.notice.show(reason));
+    new Menu(element("tools"), element("said"));
+    new Tour(element("tour"), element("tour_again"), (greet) => this.#home.on("shown", greet));
+    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], (reason) => this.#asking.notice.show(reason));
     this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
     this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
     element("furnish_now").addEventListener("click", () => this.#furnish());
     element("draw_new").addEventListener("click", () => this.#drawing.open(null));
     element("draw_this").addEventListener("click", () => this.#drawing.open(this.#home.settled?.scene ?? null));
+    for (const link of element("starts").querySelectorAll("a")) {
+      link.addEventListener("click", (event) => {
+        event.preventDefault();
+        this.#submit(requestFromQuery(link.search));
+      });
+    }
     element("random").addEventListener("click", () => this.#random());
     element("decorate_now").addEventListener("click", () => this.#restyle({ decorate: true }));
     element("save_instead").addEventListener("click", () => element("download_json").click());
-    element("reset").addEventListener("click", () => this.#submit(DEFAULTS));
+    element("reset").addEventListener("click", () => this.#submit(FIRST));
     window.addEventListener("popstate", () => this.#openAddress());
     document.addEventListener("keydown", (event) => this.#key(event));
   }
@@ -105,6 +142,7 @@ class Page {
   /** Opens the house that the address holds. */
   open(): void {
     globalThis.compose = this.#stage;
+    listenToPreferences();
     foldForNarrow();
     listenToSkips();
     this.#openAddress();
@@ -120,7 +158,9 @@ class Page {
 
   #openRequest(): void {
     const { file } = entry();
+    const saved = new URLSearchParams(location.search).get("home");
     const request = requestFromQuery(location.search);
+    if (!file && saved !== null) return void this.#saved.open(saved);
     if (!file) this.#controls.show(request);
     if (file) this.#openFile(file, "keep");
     else void this.#ask(request, "keep", carriedIn(location.hash));
@@ -128,7 +168,7 @@ class Page {
 
   /** Shows a home that the browser keeps, as it was left; where it does not, what the address asks for. */
   #openKept(id: string, history: History, open = (kept: LeftHome): void => this.#keeping.homes.open(kept)): void {
-    void this.#asking.run("Opening the home", async (signal) => {
+    void this.#asking.run(say("Opening the home"), async (signal) => {
       const [kept] = await Promise.all([this.#keeping.homes.read(id), this.#learn(signal)]);
       if (signal.aborted) return;
       this.#entries.expect(history === "push");
@@ -158,7 +198,11 @@ class Page {
       1: () => this.#stage.look("walk"),
       2: () => this.#stage.look("top"),
       3: () => this.#stage.look("corner"),
-      l: () => this.#stage.toggleNames(),
+      4: () => this.#stage.look("plan"),
+      5: () => this.#stage.beside?.toggle(),
+      l: () => this.#stage.toggleNames(event.shiftKey),
+      "[": () => turnOver("controls"),
+      "]": () => turnOver("reading"),
       "?": () => this.#keys.open(),
       Escape: () => this.#home.select(null),
     };
@@ -168,7 +212,7 @@ class Page {
   /** Asks for a house, and shows it with the changes that a link carried. */
   #ask(request: HouseRequest, history: History, carried: string | null = null): Promise<void> {
     this.#wanted = request;
-    return this.#asking.run("Laying out the house", async (signal) => {
+    return this.#asking.run(say("Laying out the house"), async (signal) => {
       const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal)]);
       this.#entries.expect(history === "push");
       this.#home.select(null);
@@ -182,7 +226,7 @@ class Page {
   async #change(made: Scene, carried: string, signal: AbortSignal): Promise<void> {
     try {
       const content = JSON.stringify(await carriedTo(carried, made));
-      const { scene, issues } = await readFile({ name: "The link", content }, signal);
+      const { scene, issues } = await readFile({ name: say("The link"), content }, signal);
       this.#home.show({ scene, issues, conflicts: [], timing: 0 }, "step");
     } catch (reason) {
       if (isAbort(reason)) throw reason;
@@ -198,15 +242,16 @@ class Page {
   }
 
   /** Gives the home that is shown another style or other decorations, in turn with the edits; the furniture stays. */
-  #restyle(wish: { readonly style?: string; readonly decorate?: boolean }): void {
+  #restyle(wish: Look): void {
     if (!this.#home.settled) return;
-    void this.#asking.run("Changing style and decorations", async (signal) => {
+    const look = (this.#look = { ...this.#look, ...wish }); // a choice withdraws the question before it, and not what that asked for
+    void this.#asking.run(say("Changing style and decorations"), async (signal) => {
       await this.#workbench.editor.inTurn(async () => {
         const before = this.#home.settled;
         if (!before || signal.aborted) return;
-        const { scene, issues, timing_ms: timing } = await restyle(before.scene, wish, signal);
-        this.#home.show({ scene, issues, conflicts: [], timing, made: before.made ? withoutGaps({ ...before.made, ...wish }) : null }, "step");
-      });
+        const { scene, issues, timing_ms: timing } = await restyle(before.scene, look, signal);
+        this.#home.show({ scene, issues, conflicts: [], timing, made: before.made ? withoutGaps({ ...before.made, ...look }) : null }, "step");
+      }).finally(() => { if (this.#look === look) this.#look = {}; });
       await this.#reads;
     });
   }
@@ -218,6 +263,7 @@ class Page {
       const known = await catalog(signal);
       this.#learnt = true;
       this.#stage.dress(known);
+      this.#workbench.learn(known);
       this.#controls.offer(known);
     } catch (reason) {
       if (isAbort(reason)) throw reason;
@@ -226,7 +272,7 @@ class Page {
 
   /** Furnishes a room anew, in turn with the edits: none made before or meanwhile is lost. */
   #reroll(room: string): void {
-    void this.#asking.run("Furnishing the room anew", async (signal) => {
+    void this.#asking.run(say("Furnishing the room anew"), async (signal) => {
       await this.#workbench.editor.inTurn(async () => {
         const before = this.#home.settled?.scene;
         if (!before || signal.aborted) return;
@@ -237,8 +283,16 @@ class Page {
     });
   }
 
+  /** Shows a room as it was chosen among others, unless the home has changed since. */
+  #take({ scene, issues, timing_ms: timing }: GenerateAnswer, before: Scene): void {
+    void this.#workbench.editor.inTurn(() => {
+      if (this.#home.settled?.scene === before) this.#home.show({ scene, issues, conflicts: [], timing }, "step");
+      return Promise.resolve();
+    });
+  }
+
   #openFile(file: GivenFile, history: History): void {
-    void this.#asking.run(`Reading ${file.name}`, async (signal) => {
+    void this.#asking.run(say("Reading {file}", { file: file.name }), async (signal) => {
       const [read] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
       this.#entries.expect(history === "push", file);
       this.#home.select(null);
@@ -250,7 +304,7 @@ class Page {
 
   /** Furnishes the rooms that stand empty, in turn with the edits. */
   #furnish(): void {
-    void this.#asking.run("Furnishing empty rooms", async (signal) => {
+    void this.#asking.run(say("Furnishing empty rooms"), async (signal) => {
       await this.#workbench.editor.inTurn(async () => {
         const before = this.#home.settled;
         if (!before || signal.aborted) return;
@@ -263,7 +317,7 @@ class Page {
 
   /** Shows a home that was drawn, as a step from what was shown before; its empty rooms furnished first, if that is wished. */
   #showDrawn(drawn: Scene, isToBeFurnished: boolean): void {
-    void this.#asking.run(isToBeFurnished ? "Furnishing the plan" : "Looking at the plan", async (signal) => {
+    void this.#asking.run(isToBeFurnished ? say("Furnishing the plan") : say("Looking at the plan"), async (signal) => {
       const made = isToBeFurnished ? await furnish(drawn, [], signal) : { scene: drawn, timing_ms: 0 };
       const { issues } = await report(made.scene, [], signal);
       this.#drawing.close();
@@ -279,7 +333,7 @@ class Page {
     this.#link.opens(query);
     this.#link.edited(this.#home.isEdited);
     element<HTMLButtonElement>("decorate_now").disabled = false;
-    if (how === "new") document.title = `Compose: ${file ?? `house ${scene.seed}`}`;
+    if (how === "new") document.title = file === null ? say("Compose: house {seed}", { seed: scene.seed }) : say("Compose: {file}", { file });
     if (made && how === "new") this.#controls.show((this.#wanted = made));
     else this.#controls.showFurnishing(made ?? { style: scene.request?.style ?? undefined, decorate: scene.request?.decorate === true });
   }
@@ -290,7 +344,7 @@ class Page {
     if (!shown || how === "live") return;
     this.#asking.notice.hide();
     this.#stage.show(shown.scene, shown.issues);
-    this.#stage.select(this.#home.selected);
+    this.#stage.select(this.#home.selected, this.#home.also);
     if (how === "new") this.#imported.show(null);
     element<HTMLButtonElement>("furnish_now").disabled = shown.scene.rooms.every((room) => room.furniture.length > 0);
     this.#issues.show(shown.issues);
@@ -319,13 +373,14 @@ class Page {
   }
 
   /** What is chosen already is gone to: in the text arrows go from line to line, in the house they move the piece. */
-  #chooseInText(id: string): void {
+  #chooseInText(id: string, adds: boolean): void {
+    if (adds) return this.#home.toggleChosen(id);
     if (this.#home.selected === id) element("stage").focus();
     this.#home.select(id);
   }
 
   #select(id: string | null): void {
-    this.#stage.select(id);
+    this.#stage.select(id, this.#home.also);
     this.#reading.select(id);
   }
 
@@ -338,7 +393,8 @@ class Page {
 
 declare global {
   /** What is shown, for tests and the curious; nothing of the page reads it. */
-  var compose: Pick<Stage, "state" | "whereIs" | "measure" | "rebuild" | "scene" | "places">;
+  var compose: Pick<Stage, "state" | "whereIs" | "whereAt" | "measure" | "rebuild" | "scene" | "places">;
 }
 
+speak();
 new Page().open();

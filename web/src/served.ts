@@ -17,7 +17,14 @@ export interface Asset {
   readonly triangles: number;
 }
 
-/** Floor at a side of a piece that is better kept free: `depth` m; at its left and right all but `behind` m from its back on. */
+/** The door that was chosen as the main entrance of a home that had none, and its room. */
+export interface ChosenEntrance {
+  readonly id: string;
+  readonly room: string;
+  readonly message: string;
+}
+
+/** Floor at a side of a piece that is better kept free: `depth` m, all but `behind` m. */
 export interface Comfort {
   readonly depth: number;
   readonly behind?: number;
@@ -73,7 +80,7 @@ export interface Dynamic {
   readonly on?: string | null;
 }
 
-/** Why a piece stands where it does: where it was wished, what holds it back from there, and what is to be said besides. */
+/** Why a piece stands where it does: where it was wished, what holds it back from there, and how else it could stand. */
 export interface Explained {
   readonly id: string;
   readonly room: string;
@@ -82,6 +89,7 @@ export interface Explained {
   readonly wished: readonly [number, number] | null;
   readonly holds: readonly Hold[];
   readonly notes: readonly string[];
+  readonly ways: readonly OtherWay[];
 }
 
 /** A field that is wrong: where, how, and what would be right (empty where there is nothing to say). */
@@ -102,6 +110,8 @@ export interface FixBody {
   readonly on_conflict?: "report" | "remove" | null;
   readonly previous?: readonly Pose[] | null;
   readonly dragging?: boolean | null;
+  /** how much work the call may do */
+  readonly effort?: "quick" | "normal" | "thorough" | null;
 }
 
 /** The answer of fix. */
@@ -113,6 +123,7 @@ export interface Fixed {
   readonly issues: readonly Issue[];
   readonly timing_ms: Readonly<Record<string, number>>;
   readonly understood_as: Readonly<Record<string, string>>;
+  readonly limited?: Limited | null;
 }
 
 /** The floor of rooms. */
@@ -134,6 +145,18 @@ export interface Freed {
   readonly dx: number;
   readonly dz: number;
   readonly rotation: number;
+}
+
+/** The answer of furnish: the scene, what was guessed, which rooms could not be furnished and why, issues, and stage times in ms. */
+export interface FurnishedPlan {
+  readonly scene: Scene;
+  readonly guesses: readonly RoomGuess[];
+  readonly entrance: ChosenEntrance | null;
+  /** by room id, why a room that was asked for was left as it was */
+  readonly left: Readonly<Record<string, string>>;
+  readonly issues: readonly Issue[];
+  readonly timing_ms: Readonly<Record<string, number>>;
+  readonly limited?: Limited | null;
 }
 
 /** A piece of furniture: full unrotated extents, m; `width` is across its front, `depth` front to back. */
@@ -181,6 +204,15 @@ export interface Generated {
   readonly scene: Scene;
   readonly issues: readonly Issue[];
   readonly timing_ms: Readonly<Record<string, number>>;
+  readonly limited?: Limited | null;
+}
+
+/** What became of one relation: the piece's id, the relation, what it was to (None: the room), and whether it is held. */
+export interface Held {
+  readonly piece: string;
+  readonly type: string;
+  readonly of: string | null;
+  readonly held: boolean;
 }
 
 /** What keeps a piece from going on in one direction, and what a metre more room there would save. */
@@ -190,6 +222,43 @@ export interface Hold {
   readonly towards: "north" | "east" | "south" | "west";
   readonly cost_per_m: number;
   readonly message: string;
+}
+
+/** A home that is kept, without its scene; `revision` counts every change, `version` those of the scene. Times are of RFC 3339, UTC. */
+export interface HomeHead {
+  readonly id: string;
+  readonly name: string;
+  readonly notes: string;
+  readonly tags: readonly string[];
+  /** when it was kept first */
+  readonly created: string;
+  /** when it was changed last */
+  readonly changed: string;
+  readonly revision: number;
+  readonly version: number;
+  /** how many rooms it has */
+  readonly rooms: number;
+  /** opens it on the page, relative to the service's address */
+  readonly link: string;
+}
+
+/** One page of homes, the last changed first; how many there are in all; and what asks for the next page, null on the last one. */
+export interface HomeList {
+  readonly homes: readonly HomeHead[];
+  readonly total: number;
+  readonly after: string | null;
+}
+
+/** A version of a home. */
+export interface HomeVersion {
+  readonly number: number;
+  /** when, RFC 3339, UTC */
+  readonly made: string;
+}
+
+/** The versions of a home that are kept, the last first. */
+export interface HomeVersions {
+  readonly versions: readonly HomeVersion[];
 }
 
 /** Something that is not as it was drawn: in which step, of what (a room's or opening's id, or `plan`), by how much, m. */
@@ -218,6 +287,44 @@ export interface Issue {
   readonly message: string;
 }
 
+/** A job: `done` of its `count` calls have been made, of which `refused` were refused. */
+export interface JobHead {
+  readonly id: string;
+  readonly call: string;
+  readonly state: "waiting" | "running" | "done";
+  readonly count: number;
+  readonly done: number;
+  readonly refused: number;
+  /** RFC 3339, UTC */
+  readonly created: string;
+  /** RFC 3339, UTC */
+  readonly changed: string;
+}
+
+/** Jobs, the newest first. */
+export interface JobList {
+  readonly jobs: readonly JobHead[];
+}
+
+/** A home that is kept, with its scene. */
+export interface KeptHome {
+  readonly id: string;
+  readonly name: string;
+  readonly notes: string;
+  readonly tags: readonly string[];
+  /** when it was kept first */
+  readonly created: string;
+  /** when it was changed last */
+  readonly changed: string;
+  readonly revision: number;
+  readonly version: number;
+  /** how many rooms it has */
+  readonly rooms: number;
+  /** opens it on the page, relative to the service's address */
+  readonly link: string;
+  readonly scene: Scene;
+}
+
 /** A repair: the scene without the body. */
 export interface LeftOut {
   readonly action: "leave_out";
@@ -229,6 +336,13 @@ export interface Level {
   readonly index: number;
   readonly elevation: number;
   readonly height: number;
+}
+
+/** The limit of the call's work ended a search: what stands is sound, but more may be found with more work. */
+export interface Limited {
+  readonly effort: string;
+  readonly work: number;
+  readonly message: string;
 }
 
 /** Text, and for each of its lines the id of the body it speaks of, or null. */
@@ -256,6 +370,18 @@ export interface Move {
   readonly rotation: number;
 }
 
+/** How a piece would stand: its footprint's centre in the room, m, its rotation, degrees, and its kind, perhaps another size of it. */
+export interface MovedPiece {
+  readonly id: string;
+  readonly kind: string;
+  readonly x: number;
+  readonly z: number;
+  readonly rotation: number;
+  readonly width: number;
+  readonly depth: number;
+  readonly height: number;
+}
+
 /** A door, garage door, passage or window in a wall. */
 export interface Opening {
   /** made up where it is absent, alike each time */
@@ -273,6 +399,38 @@ export interface Opening {
   readonly render_panel: boolean;
   readonly edge?: number | null;
   readonly open?: number | null;
+}
+
+/** Another way to stand: at which wall and how it is turned, and what the room would have cost more with it; null: it could not. */
+export interface OtherWay {
+  readonly wall: "north" | "east" | "south" | "west" | null;
+  readonly rotation: number;
+  readonly cost: number | null;
+  readonly moves: readonly MovedPiece[];
+  readonly left_out: readonly string[];
+  readonly message: string;
+}
+
+/** The best placement, the others by rank, why required pieces are missing, issues, and stage times in ms. */
+export interface PlaceAnswer {
+  readonly scene: Scene;
+  readonly relations: readonly Held[];
+  readonly unplaced: readonly Unplaced[];
+  readonly alternatives: readonly Placement[];
+  readonly conflicts: readonly Conflict[];
+  readonly issues: readonly Issue[];
+  readonly timing_ms: Readonly<Record<string, number>>;
+  readonly understood_as: Readonly<Record<string, string>>;
+  readonly limited?: Limited | null;
+}
+
+/** One placement: the scene, which relations it holds, who is missing, what the relations it misses are worth, and issues. */
+export interface Placement {
+  readonly scene: Scene;
+  readonly relations: readonly Held[];
+  readonly unplaced: readonly Unplaced[];
+  readonly cost: number;
+  readonly issues: readonly Issue[];
 }
 
 /** A foreign plan as a scene; `format` is what the file was read as. */
@@ -337,9 +495,12 @@ export interface Request {
   readonly program?: string | Readonly<Record<string, number>> | null;
   readonly area?: number | null;
   readonly style?: "classic" | "industrial" | "mid_century" | "modern" | "rustic" | "scandi" | null;
-  readonly outline?: "rectangle" | "L" | "T" | "U" | "any" | null;
+  /** of a planned home, any by default; or of any home its corners, m */
+  readonly outline?: "rectangle" | "L" | "T" | "U" | "any" | readonly (readonly [number, number])[] | null;
   /** a profile of access.yaml, or none */
   readonly access?: "none" | "ada" | "din_18040_2" | "din_18040_2_r" | null;
+  /** false: nobody is there */
+  readonly people?: boolean | null;
 }
 
 /** A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner. */
@@ -358,6 +519,7 @@ export interface Room {
   readonly flooring: Flooring | null;
   readonly accent: string | null;
   readonly walls?: WallFinish | null;
+  readonly wall_thickness?: readonly (number | null)[] | null;
   readonly exterior_walls: Sides | null;
   readonly wall_flags: Sides | null;
   readonly openings: readonly Opening[];
@@ -373,6 +535,19 @@ export interface RoomFloor {
   readonly doors: readonly (readonly [number, number, number, number])[];
   readonly windows: readonly (readonly [number, number, number, number])[];
   readonly free: readonly (readonly [number, number, number, number])[];
+  readonly turning: readonly (readonly [number, number, number, number])[];
+  readonly short: readonly (readonly [number, number, number, number])[];
+}
+
+/** The type that a room was given: what it was called, what told the type, and the type that would suit it next, if any. */
+export interface RoomGuess {
+  readonly room: string;
+  readonly type: string;
+  readonly by: "name" | "pieces" | "form";
+  readonly sent: string;
+  /** the room type that suits next best, where the room's form told the type */
+  readonly instead: string | null;
+  readonly message: string;
 }
 
 /** A whole house: the document of /generate, /fix and /validate. */
@@ -453,6 +628,12 @@ export interface Unlocked {
   readonly dx: number;
   readonly dz: number;
   readonly rotation: number;
+}
+
+/** A piece that is not in the scene, and why. */
+export interface Unplaced {
+  readonly id: string;
+  readonly reason: string;
 }
 
 /** Something that was left out: its place in the file, and why. */

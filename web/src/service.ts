@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, GenerateAnswer, HouseRequest, ImportAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
+import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, Furniture, GenerateAnswer, HouseRequest, ImportAnswer, PlaceAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 
 /** What is known of a refusal beside its words. */
 interface Refusal {
@@ -80,7 +80,8 @@ function withKey(headers: HeadersInit | undefined): Headers {
   return all;
 }
 
-async function askFor<Answer>(read: (response: Response) => Promise<Answer>, call: string, init: RequestInit): Promise<Answer> {
+/** Asks, and reads the answer; what is refused is thrown in words. */
+export async function askFor<Answer>(read: (response: Response) => Promise<Answer>, call: string, init: RequestInit): Promise<Answer> {
   let response: Response;
   try {
     response = await fetch(new URL(call, document.baseURI), { ...init, headers: withKey(init.headers) });
@@ -121,8 +122,8 @@ export function generate(request: HouseRequest, signal: AbortSignal): Promise<Ge
 }
 
 /** Furnishes rooms of a scene anew; without a seed the service draws one. */
-export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<GenerateAnswer> {
-  return post("generate", { scene, reroll: rooms }, signal);
+export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSignal, seed?: number): Promise<GenerateAnswer> {
+  return post("generate", { scene, reroll: rooms, ...(seed === undefined ? {} : { seed }) }, signal);
 }
 
 /** Furnishes rooms of a plan, all where none are named; what stands in them is kept. */
@@ -135,8 +136,11 @@ export function explain(scene: Scene, id: string, signal: AbortSignal): Promise<
   return post("explain", { scene, id }, signal);
 }
 
+/** What a home is to look like: a style, and whether it is decorated. */
+export type Look = Pick<HouseRequest, "style" | "decorate">;
+
 /** A home in another style, or with other decorations; its furniture stays where it stands. */
-export function restyle(scene: Scene, wish: { readonly style?: string; readonly decorate?: boolean }, signal: AbortSignal): Promise<GenerateAnswer> {
+export function restyle(scene: Scene, wish: Look, signal: AbortSignal): Promise<GenerateAnswer> {
   return post("generate", { scene, ...wish }, signal);
 }
 
@@ -164,6 +168,12 @@ export async function exportedFile(scene: Scene, format: string, signal: AbortSi
   }, `export/${format}`, init);
 }
 
+/** The plan of a scene as SVG, at 1 to a scale; at what fits its paper where none is given. */
+export function planOf(scene: Scene, scale: number | null, signal: AbortSignal): Promise<string> {
+  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene, ...(scale === null ? {} : { scale }) }), signal };
+  return askFor((response) => response.text(), "export/svg", init);
+}
+
 /** The whole scene as a file's text. */
 export function exported(scene: Scene, format: FileFormat, signal: AbortSignal): Promise<string> {
   const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene }), signal };
@@ -188,6 +198,17 @@ export async function readFile({ name, content }: GivenFile, signal: AbortSignal
 
 export function fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer> {
   return post("fix", request, signal);
+}
+
+/** How a piece of a kind would stand in a room beside what stands there: the places that are found, the best first. */
+export async function placesFor(scene: Scene, roomId: string, kind: { readonly key: string; readonly size: readonly [number, number, number] }, id: string, alternatives: number): Promise<Furniture[]> {
+  const room = scene.rooms.find((one) => one.id === roomId);
+  const [width, depth, height] = kind.size;
+  const pieces = [{ id, name: kind.key, width, depth, height }];
+  const { signal } = new AbortController();
+  const answer = await post<PlaceAnswer>("place", { room, pieces, alternatives, wall_thickness: scene.wall_thickness }, signal);
+  const scenes = [answer, ...answer.alternatives].filter(({ unplaced }) => unplaced.length === 0).map((one) => one.scene);
+  return scenes.flatMap((one) => one.rooms.flatMap(({ furniture }) => furniture.filter((piece) => piece.id === id)));
 }
 
 /** Prepares the room of a piece that is taken in hand. */

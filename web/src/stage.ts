@@ -6,8 +6,13 @@ import { drawable } from "./house/drawable";
 import { House, type Hit } from "./house/house";
 import { rehearse, rehearseKinds } from "./house/rehearsal";
 import { ShapeBook } from "./house/shapes";
+import { styleOf } from "./house/frame";
+import { kindSitter, roomSitter, type Looks } from "./house/sitters";
+import { save } from "./panel/files";
 import { showAssetCount } from "./panel/asset_count";
-import { assetFile } from "./service";
+import { PlanBeside } from "./plan/plan_beside";
+import { PlanSheet } from "./plan/plan_sheet";
+import { assetFile, exportedFile, floor } from "./service";
 import { timed } from "./timing";
 import type { PresetName } from "./view/cameras";
 import { doorInView } from "./view/door_in_view";
@@ -16,7 +21,13 @@ import { Looking } from "./view/looking";
 import { marksOf } from "./view/mark_words";
 import { listenToPointer } from "./view/pointer";
 import { listenToViewKeys } from "./view/view_keys";
+import { Storeys } from "./view/storeys";
 import { Viewport } from "./view/viewport";
+
+/** A picture's width and height [pixels]. */
+const PICTURE = [3840, 2160] as const;
+/** Who walks opens a cupboard that is this near [m]. */
+const WITHIN_REACH = 1.8;
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -26,29 +37,71 @@ export class Stage {
   /** How many rectangles of free and kept floor are drawn. */
   floorZones = 0;
   #scene: Scene | null = null;
+  #issues: readonly Issue[] = [];
   /** Called with the body clicked, or null for a click beside all. */
   onSelect: (id: string | null) => void = () => undefined;
+  /** Called with the body that was clicked with Shift. */
+  onAlso: (id: string) => void = () => undefined;
+  /** Told of a click first; true where that is all that comes of it. */
+  takesClick: (hit: Hit | null) => boolean = () => false;
   /** Called with the room whose floor was clicked, or null for a click beside all. */
   onRoom: (id: string | null) => void = () => undefined;
   readonly #viewport: Viewport;
   readonly #labels: Labels;
+  /** Which storey is looked at. */
+  readonly storeys = new Storeys(within("storey"));
   readonly #looking: Looking;
+  /** Told when the same home is drawn anew: another storey is looked at. */
+  onRedrawn: () => void = () => undefined;
+  /** Told why a plan was not drawn. */
+  onFailure: (reason: unknown) => void = () => undefined;
+  readonly sheet: PlanSheet;
+  /** Null where the page has no place for it, as in a frame. */
+  readonly beside: PlanBeside | null;
   #house: House | null = null;
   #catalog: Catalog | null = null;
   #book = new ShapeBook(null);
   #library: AssetLibrary | null = null;
   #selected: string | null = null;
+  #isPlan = false;
 
   constructor(readonly host: HTMLElement) {
     this.#viewport = new Viewport(host);
     this.#labels = new Labels(within("labels"), this.#viewport);
-    this.#looking = new Looking(this.#viewport, this.#labels);
-    this.#viewport.onFrame(() => this.#turnCompass());
+    this.#looking = new Looking(this.#viewport, this.#labels, async (scene, signal) => (await floor(scene, [], signal)).rooms);
+    this.#looking.onFailure = (reason) => this.onFailure(reason);
+    const draw = async (scene: Scene, signal: AbortSignal): Promise<string> => (await exportedFile(this.storeys.planned(scene), "svg", signal)).content.text();
+    this.sheet = new PlanSheet(this.#viewport, draw, (reason) => this.onFailure(reason));
+    const place = document.getElementById("beside");
+    this.beside = place && new PlanBeside(place, within("camera_split"), draw, (reason) => this.onFailure(reason));
+    if (this.beside) {
+      this.beside.onSelect = (id) => this.onSelect(id);
+      this.beside.onAlso = (id) => this.onAlso(id);
+      this.beside.onWished = () => { if (this.#isPlan) this.look("corner"); }; // not two plans
+    }
+    this.#looking.onPlan = (isPlan) => { this.#turnPlan(isPlan); };
+    this.#viewport.onFrame(() => { this.#turnCompass(); this.#placeSheets(); });
     listenToPointer(this.#viewport.canvas, {
-      click: (x, y) => this.#click(x, y),
+      click: (x, y, adds) => this.#click(x, y, adds),
       over: (at) => this.#point(at && this.#hitAt(at.clientX, at.clientY)),
     });
+    this.storeys.onChoose = () => this.#changeStorey();
     this.#listenToKeys();
+  }
+
+  #redraw(): void {
+    if (this.#scene) this.show(this.#scene, this.#issues);
+    this.onRedrawn();
+  }
+
+  #changeStorey(): void {
+    this.#redraw();
+    this.onSelect(null);
+  }
+
+  /** Moves on the sheets what an edit under way moves. */
+  #placeSheets(): void {
+    for (const sheet of [this.sheet, this.beside]) sheet?.place(this.#house?.bodies ?? []);
   }
 
   #listenToKeys(): void {
@@ -56,20 +109,42 @@ export class Stage {
       hasChosen: () => this.#selected !== null,
       orbit: (step) => this.#viewport.orbit(step),
       toggleAll: () => { this.#toggleFronts(null); },
-      toggleDoor: () => this.#selected !== null && this.#toggleFronts(this.#selected) ? undefined : this.#toggleDoor(this.#house ? doorInView(this.#house, this.#viewport, (id) => this.whereIs(id) !== null) : undefined),
+      toggleDoor: () => this.#toggleAhead(),
     });
   }
 
+  /** Opens or shuts the fronts of the chosen piece, to who walks what is looked at within reach, else the door in view. */
+  #toggleAhead(): void {
+    const { pose } = this.#viewport;
+    if (this.#selected !== null && this.#toggleFronts(this.#selected)) return;
+    const hit = pose ? this.#house?.hit(this.#viewport.rayAhead()) : null;
+    const isNear = pose && hit?.kind === "body" && Math.hypot(hit.at[0] - pose.eye[0], hit.at[2] - pose.eye[2]) < WITHIN_REACH;
+    if (isNear && this.#toggleFronts(hit.body.id)) return;
+    this.#toggleDoor(this.#house ? doorInView(this.#house, this.#viewport, (id) => this.whereIs(id) !== null) : undefined);
+  }
+
   show(shown: Scene, issues: readonly Issue[]): void {
-    this.#scene = shown;
-    const scene = drawable(shown, this.#catalog);
+    [this.#scene, this.#issues] = [shown, issues];
+    const whole = drawable(shown, this.#catalog);
+    this.storeys.learn(whole);
+    const scene = this.storeys.drawn(whole);
+    this.#looking.rise = this.storeys.riseIn(whole);
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
     const house = this.#build(scene);
     house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
     within("no_rooms").hidden = scene.rooms.length > 0;
     this.#labels.show(house);
     this.#labels.showMarks(marksOf(issues));
-    this.#looking.show(house, !sameSize);
+    this.#looking.show(house, shown, !sameSize);
+    this.sheet.show(shown);
+    this.beside?.show(shown);
+  }
+
+  #turnPlan(isPlan: boolean): void {
+    this.#isPlan = isPlan;
+    this.sheet.turn(isPlan);
+    this.#house?.showSolids(!isPlan);
+    this.#viewport.invalidate();
   }
 
   #build(scene: Scene): House {
@@ -77,7 +152,8 @@ export class Stage {
       this.#house?.dispose();
       const house = (this.#house = new House(scene, this.#book, this.#shownAssets));
       this.#viewport.add(house.root, house.bounds, house.outline);
-      house.cutAt(this.#looking.height);
+      house.cutAt(this.#looking.cut);
+      house.showSolids(!this.#isPlan);
       return house;
     });
   }
@@ -99,6 +175,16 @@ export class Stage {
     this.#library = new AssetLibrary(catalog.assets ?? {}, assetFile);
     this.#library.onCount = (count) => showAssetCount(within("assets_shown"), count);
     if (!this.#house) rehearseKinds(catalog);
+  }
+
+  /** Draws a kind onto a small canvas, as it looks in the style of the house shown. */
+  portrayKind(kind: Looks, into: HTMLCanvasElement): void {
+    this.#viewport.portray(() => kindSitter(kind, this.#book, this.#scene ? styleOf(this.#scene) : null), into);
+  }
+
+  /** Draws a scene of one room onto a small canvas. */
+  portrayRoom(scene: Scene, into: HTMLCanvasElement): void {
+    this.#viewport.portray(() => roomSitter(drawable(scene, this.#catalog), this.#book), into);
   }
 
   look(way: PresetName | "walk"): void {
@@ -125,9 +211,19 @@ export class Stage {
     return this.#viewport;
   }
 
+  /** Saves what is in view as a 4K picture; of the plan, the plan at its scale. */
+  async savePicture(): Promise<void> {
+    if (this.#isPlan) {
+      within("plan_png").click();
+      return;
+    }
+    const made = await this.#viewport.picture(...PICTURE);
+    if (made) save(made, `compose-${this.#scene?.seed ?? "home"}.png`);
+  }
+
   /** Names all pieces, or again only those pointed at and chosen. */
-  toggleNames(): void {
-    this.#looking.toggleNames();
+  toggleNames(withDecorations: boolean): void {
+    this.#looking.toggleNames(withDecorations);
   }
 
   /** Brings a body into the middle of the canvas. */
@@ -136,22 +232,42 @@ export class Stage {
     if (body) this.#viewport.centre([body.x, body.y, body.z]);
   }
 
-  select(id: string | null): void {
+  /** Shows what is chosen: the body in hand, and others beside it. */
+  select(id: string | null, also: ReadonlySet<string> = new Set()): void {
     this.#selected = id;
-    this.#house?.mark("selected", id === null ? [] : [id]);
+    if (id !== null) this.#comeTo(id);
+    this.#house?.mark("selected", id === null ? [] : [id, ...also]);
+    this.beside?.select(id === null ? [] : [id, ...also]);
     this.#labels.choose(id);
     this.#viewport.invalidate();
+  }
+
+  /** What a plan of a scene shows: the storey that is looked at. */
+  planned(scene: Scene | null): Scene | null {
+    return scene && this.storeys.planned(scene);
+  }
+
+  /** Looks at the storey that a body is on. */
+  #comeTo(id: string): void {
+    const room = this.#scene?.rooms.find(({ furniture, decorations }) => [...furniture, ...decorations].some((one) => one.id === id));
+    if (room && this.storeys.goTo(room.level ?? 0)) this.#redraw();
   }
 
   #hitAt(clientX: number, clientY: number): Hit | null {
     return this.#house?.hit(this.#viewport.rayAt(clientX, clientY)) ?? null;
   }
 
-  #click(clientX: number, clientY: number): void {
+  #click(clientX: number, clientY: number, adds: boolean): void {
     const hit = this.#hitAt(clientX, clientY);
-    const floor = this.#house?.floorOf(hit);
-    if (floor && this.#looking.goTo(floor[0], floor[2])) return;
+    if (this.takesClick(hit)) return;
+    if (adds) {
+      if (hit?.kind === "body") this.onAlso(hit.body.id);
+      return;
+    }
+    const ground = this.#house?.floorOf(hit);
+    if (ground && this.#looking.goTo(ground[0], ground[2])) return;
     if (hit?.kind === "door") this.#toggleDoor(hit.index);
+    else if (this.#viewport.pose && hit?.kind === "body" && hit.front !== undefined) this.#toggleFronts(hit.body.id, hit.front);
     else if (hit?.kind === "body" && hit.front !== undefined && hit.body.id === this.#selected) this.#toggleFronts(hit.body.id, hit.front);
     else this.onSelect(hit?.kind === "body" ? hit.body.id : null);
     if (hit === null || hit.kind === "room") this.onRoom(hit?.room.id ?? null);
@@ -200,6 +316,13 @@ export class Stage {
     return null;
   }
 
+  /** Where in the window a place of the ground floor is seen [CSS pixels]. */
+  whereAt(x: number, z: number): { x: number; y: number } | null {
+    const seen = this.#viewport.project(new Vector3(x, 0, z));
+    const { left, top } = this.host.getBoundingClientRect();
+    return seen && { x: seen.x + left, y: seen.y + top };
+  }
+
   /** Builds the shown house anew; returns how long the script took [ms]. */
   rebuild(): number {
     const start = performance.now();
@@ -223,6 +346,8 @@ export class Stage {
       ...this.#viewport.state,
       selected: this.#selected,
       walls: this.#looking.height,
+      lowered: this.#looking.lowered,
+      knowsFloor: this.#looking.knowsFloor,
       openDoors: this.#house?.doors.open ?? [],
       openFronts: this.#house?.openFronts ?? [],
       doors: this.#house?.doors.leaves.map((leaf) => leaf.id) ?? [],

@@ -1,5 +1,5 @@
 /** How long the page's own steps take, told to the browser's performance tools: a mark at both ends and a measure between. */
-export type Step = "house built" | "house drawn" | "text shown" | "frame answered";
+export type Step = "house built" | "house drawn" | "text shown" | "frame answered" | "drag followed";
 
 export function timed<Made>(step: Step, take: () => Made): Made {
   const [start, end] = [`${step}: start`, `${step}: end`];

@@ -1,10 +1,11 @@
 import { describe, expect, it } from "vitest";
 import { drawing, randomRequest } from "./random_requests";
-import { anotherSeed, DEFAULTS, numberOrText, queryFromRequest, requestFromQuery } from "../src/address";
+import { anotherSeed, DEFAULTS, FIRST, numberOrText, queryFromRequest, requestFromQuery } from "../src/address";
 
 describe("the address", () => {
   it("when bare asks for the defaults, spine and outdoor on", () => {
-    expect(requestFromQuery("")).toEqual(DEFAULTS);
+    expect(requestFromQuery("")).toEqual(FIRST);
+    expect(requestFromQuery("?seed=42")).toEqual(DEFAULTS);
     expect(DEFAULTS).toMatchObject({ use_spine: true, outdoor: true, width: 20, depth: 15, min_room_size: 3, max_depth: 5 });
   });
 
@@ -40,7 +41,7 @@ describe("the address", () => {
   });
 
   it("ignores what it does not know", () => {
-    expect(requestFromQuery("?colour=red&__proto__=x")).toEqual(DEFAULTS);
+    expect(requestFromQuery("?colour=red&__proto__=x")).toEqual(FIRST);
   });
 });
 

@@ -8,6 +8,7 @@ import { AssetMeshes, boxMatrix, MOST_DRAWN } from "../src/house/asset_meshes";
 import { MOST_PARTS, partsOf, unitOf, type AssetPart } from "../src/house/asset_model";
 import { BodyMeshes } from "../src/house/body_meshes";
 import type { PlacedBody } from "../src/house/frame";
+import { cutAll } from "../src/house/wall_cut";
 import { wordsOf } from "../src/panel/asset_count";
 
 function asset(more: Partial<CatalogAsset> = {}): CatalogAsset {
@@ -94,9 +95,9 @@ describe("bodies shown as assets", () => {
     expect(at(0)).toEqual(rounded(boxMatrix(bodies[0] as PlacedBody)));
     const moved = meshes.place("one", { x: 5, z: 1 }) as PlacedBody;
     expect(at(0)).toEqual(rounded(boxMatrix(moved)));
-    meshes.cutAt(1.5);
+    meshes.cutAt(cutAll(1.5));
     expect(at(1).slice(0, 15).every((value) => value === 0)).toBe(true);
-    meshes.cutAt(3);
+    meshes.cutAt(cutAll(3));
     expect(at(1)).toEqual(rounded(boxMatrix(bodies[2] as PlacedBody)));
   });
 

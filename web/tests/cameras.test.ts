@@ -24,6 +24,13 @@ describe("a preset", () => {
     }
   });
 
+  it("leaves room around the house for the dimensions of its plan", () => {
+    for (const aspect of [0.5, 1, 1.8]) {
+      const widest = Math.max(...seen("plan", aspect).flatMap(({ x, y }) => [Math.abs(x), Math.abs(y)]));
+      expect(1 / widest, `${aspect}`).toBeCloseTo(1.3, 1);
+    }
+  });
+
   it("leaves as much beside the house on both sides, and nothing of it under what lies over the top", () => {
     for (const aspect of [0.5, 1, 1.8]) {
       const at = seen("corner", aspect, 0.08);

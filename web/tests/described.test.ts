@@ -6,23 +6,25 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { expect, it } from "vitest";
 import type { Catalog, Scene } from "../src/contract";
+import { clearFloorOf } from "../src/house/clear_floor";
 import { leavesOf } from "../src/house/door_leaves";
 import { partsOfLeaf } from "../src/house/door_shapes";
 import { drawable } from "../src/house/drawable";
 import { bodiesOf, storeysOf, styleOf } from "../src/house/frame";
 import { openingsOf } from "../src/house/openings";
-import { runsOf } from "../src/house/plan";
 import { ShapeBook } from "../src/house/shapes";
+import { runsOf } from "../src/house/wall_runs";
 import { fittingsOf, wallPanelsOf, type WallPlan } from "../src/house/walls";
 
 const given = process.env.COMPOSE_DESCRIBE;
 
 function described(scene: Scene, book: ShapeBook): unknown {
   const plan: WallPlan = {
-    runs: runsOf(scene.rooms), openings: openingsOf(scene.rooms), storeys: storeysOf(scene), thickness: scene.wall_thickness, rooms: scene.rooms,
+    runs: runsOf(scene.rooms, scene.wall_thickness), openings: openingsOf(scene.rooms, scene.wall_thickness), storeys: storeysOf(scene), rooms: scene.rooms,
   };
   const paints = book.doorPaints(styleOf(scene));
   return {
+    floors: scene.rooms.map((room) => clearFloorOf(room, plan.runs)),
     panels: wallPanelsOf(plan),
     fittings: fittingsOf(plan),
     openings: plan.openings,

@@ -4,12 +4,12 @@ import { leavesOf, type Leaf } from "../src/house/door_leaves";
 import { partsOfLeaf } from "../src/house/door_shapes";
 import { bodyOfLeaf, Doors, shownOfLeaf } from "../src/house/doors";
 import { openingsOf } from "../src/house/openings";
-import { runsOf } from "../src/house/plan";
+import { runsOf } from "../src/house/wall_runs";
 import { opening, room } from "./rooms";
 
 function leafOf(more: Partial<Opening>): Leaf {
   const rooms = [room("a", [10, 20, 4, 4], { openings: [opening(more)] })];
-  const [leaf] = leavesOf({ runs: runsOf(rooms), openings: openingsOf(rooms), storeys: new Map(), thickness: 0.1 });
+  const [leaf] = leavesOf({ runs: runsOf(rooms, 0.1), openings: openingsOf(rooms, 0.1), storeys: new Map() });
   if (!leaf) throw new Error("no leaf");
   return leaf;
 }
@@ -104,14 +104,14 @@ describe("a leaf", () => {
     const rooms = [room("a", [0, 0, 4, 4], { openings: [door] }), room("b", [4, 0, 4, 4], {
       outdoor: true, openings: [opening({ id: "gate", wall: "east" })],
     })];
-    const leaves = leavesOf({ runs: runsOf(rooms), openings: openingsOf(rooms), storeys: new Map(), thickness: 0.1, rooms });
+    const leaves = leavesOf({ runs: runsOf(rooms, 0.1), openings: openingsOf(rooms, 0.1), storeys: new Map(), rooms });
     expect(leaves.map(({ look }) => look)).toEqual(["glazed", "gate"]);
     expect(partsOfLeaf(leaves[0] as Leaf).some(({ paint }) => paint.opacity < 1)).toBe(true);
   });
 
   it("is not in a passage or a window", () => {
     const rooms = [room("a", [0, 0, 4, 4], { openings: [opening({ kind: "passage" }), opening({ id: "w", kind: "window" })] })];
-    expect(leavesOf({ runs: runsOf(rooms), openings: openingsOf(rooms), storeys: new Map(), thickness: 0.1 })).toEqual([]);
+    expect(leavesOf({ runs: runsOf(rooms, 0.1), openings: openingsOf(rooms, 0.1), storeys: new Map() })).toEqual([]);
   });
 });
 

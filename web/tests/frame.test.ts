@@ -5,6 +5,7 @@ import { bodiesOf, words, type PlacedBody } from "../src/house/frame";
 import { shade } from "../src/house/paints";
 import { writePlace } from "../src/house/part_batches";
 import { ShapeBook } from "../src/house/shapes";
+import { cutAll } from "../src/house/wall_cut";
 import { piece, room, scene } from "./rooms";
 
 const placed = (rotation: number): PlacedBody => {
@@ -48,9 +49,9 @@ describe("the frame", () => {
     const bodies = bodiesOf(scene([room("a", [0, 0, 4, 4], { decorations: [book, shelf, vase] })]));
     expect(bodies.map((body) => body.hung)).toEqual([1.6, 1.6, undefined]);
     const meshes = new BodyMeshes(bodies);
-    meshes.cutAt(1.4);
+    meshes.cutAt(cutAll(1.4));
     expect(bodies.map(({ id }) => meshes.isDrawn(id))).toEqual([false, false, true]);
-    meshes.cutAt(2.8);
+    meshes.cutAt(cutAll(2.8));
     expect(bodies.map(({ id }) => meshes.isDrawn(id))).toEqual([true, true, true]);
   });
 

@@ -1,6 +1,8 @@
 // @vitest-environment happy-dom
 import { describe, expect, it } from "vitest";
-import { footprint, GapPanel, gapsOf, lengthWords } from "../src/edit/gaps";
+import { GapPanel } from "../src/edit/gap_panel";
+import { footprint, gapsOf } from "../src/edit/gaps";
+import { lengthWords } from "../src/edit/lengths";
 import { drawing } from "./random_requests";
 import { piece, room, scene } from "./rooms";
 
@@ -43,11 +45,11 @@ describe("distances around a piece", () => {
     const host = document.querySelector("section") as HTMLElement;
     const panel = new GapPanel(host);
     const home = scene([room("den", [0, 0, 5, 4], { furniture: [OWN, piece("x", { name: "<b>x</b>", x: 4, z: 1.5, width: 0.5, depth: 0.5 })] })]);
-    panel.show(home, "own");
+    panel.show(home, home.rooms[0], "own");
     expect([host.hidden, host.textContent]).toEqual([false, "north1.15 m to the walleast2.45 m to the wall, 1.25 m to <b>x</b>south2.15 m to the wallwest1.45 m to the wall"]);
-    panel.show(home, "own", { ...OWN, x: 2.003 });
+    panel.show(home, home.rooms[0], "own", { ...OWN, x: 2.003 });
     expect(host.textContent).toContain("west1.453 m to the wall");
-    panel.show(home, "gone");
+    panel.show(home, home.rooms[0], "gone");
     expect([host.hidden, lengthWords(1450), lengthWords(0)]).toEqual([true, "1.45 m", "0.00 m"]);
   });
 });

@@ -1,15 +1,15 @@
 import { Raycaster, Vector3 } from "three";
-import { describe, expect, it } from "vitest";
-import { Hand, type Point } from "../src/edit/hand";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { Hand, LONG_PRESS, type Point } from "../src/edit/hand";
 
 /** A canvas seen from straight above, a hundred pixels a metre, and what a hand on it says. */
-function table(locked = false) {
+function table(locked = false, isChosen = false) {
   const host = new EventTarget();
   const canvas = Object.assign(new EventTarget(), { parentElement: host, setPointerCapture: () => undefined });
   const said: string[] = [];
   const wanted: Point[] = [];
   const hand = new Hand(canvas as unknown as HTMLCanvasElement, {
-    grasp: (x) => (x < 300 && !locked ? { id: "sofa", at: { x: 1, z: 1 }, height: 0.4 } : null),
+    grasp: (x) => (x < 300 && !locked ? { id: "sofa", at: { x: 1, z: 1 }, height: 0.4, isChosen } : null),
     rayAt: (x, y) => new Raycaster(new Vector3(x / 100, 10, y / 100), new Vector3(0, -1, 0)),
     hold: (held) => said.push(held ? "hold" : "free"),
     lift: (id) => said.push(`lift ${id}`),
@@ -77,5 +77,60 @@ describe("a hand", () => {
     pointer("pointermove", 220, 160, { pointerId: 8 });
     pointer("pointerup", 220, 160, { pointerId: 8 });
     expect([said, wanted]).toEqual([["hold"], []]);
+  });
+});
+
+describe("a finger", () => {
+  beforeEach(() => { vi.useFakeTimers(); });
+  afterEach(() => { vi.useRealTimers(); });
+  const finger = { pointerType: "touch" };
+
+  it("turns the house where it moves on from a piece, and clicks where it does not stay", () => {
+    for (const to of [160, 122]) {
+      const { said, pointer } = table();
+      pointer("pointerdown", 120, 110, finger);
+      pointer("pointermove", to, 110, finger);
+      if (to === 122) pointer("pointerup", to, 110, finger);
+      vi.advanceTimersByTime(2 * LONG_PRESS);
+      expect(said).toEqual([]);
+    }
+  });
+
+  it("takes hold of a piece that it stays on, and drags it", () => {
+    const { said, wanted, pointer } = table();
+    pointer("pointerdown", 120, 110, finger);
+    vi.advanceTimersByTime(LONG_PRESS - 1);
+    expect(said).toEqual([]);
+    vi.advanceTimersByTime(1);
+    expect(said).toEqual(["hold", "lift sofa"]);
+    pointer("pointermove", 220, 160, finger);
+    expect(wanted).toEqual([{ x: expect.closeTo(2, 9), z: expect.closeTo(1.5, 9) }]);
+    pointer("pointerup", 220, 160, finger);
+    expect(said).toEqual(["hold", "lift sofa", "free", "drop"]);
+  });
+
+  it("drags what is chosen at once, and moves nothing that is only taken up", () => {
+    const chosen = table(false, true);
+    chosen.pointer("pointerdown", 120, 110, finger);
+    chosen.pointer("pointermove", 220, 160, finger);
+    expect(chosen.said).toEqual(["hold", "lift sofa"]);
+    const { said, pointer } = table();
+    pointer("pointerdown", 120, 110, finger);
+    vi.advanceTimersByTime(LONG_PRESS);
+    pointer("pointerup", 121, 110, finger);
+    expect(said).toEqual(["hold", "lift sofa", "free", "cancel"]);
+  });
+
+  it("gives up what it waits for, or holds, to a second finger", () => {
+    const waits = table();
+    waits.pointer("pointerdown", 120, 110, finger);
+    waits.pointer("pointerdown", 220, 110, { ...finger, isPrimary: false, pointerId: 8 });
+    vi.advanceTimersByTime(2 * LONG_PRESS);
+    expect(waits.said).toEqual([]);
+    const holds = table(false, true);
+    holds.pointer("pointerdown", 120, 110, finger);
+    holds.pointer("pointermove", 220, 160, finger);
+    holds.pointer("pointerdown", 220, 110, { ...finger, isPrimary: false, pointerId: 8 });
+    expect(holds.said).toEqual(["hold", "lift sofa", "free", "cancel"]);
   });
 });

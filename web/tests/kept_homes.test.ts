@@ -2,6 +2,7 @@ import { IDBFactory } from "fake-indexeddb";
 import { beforeAll, describe, expect, it, vi } from "vitest";
 import * as fake from "fake-indexeddb";
 import type { HouseRequest, Scene } from "../src/contract";
+import { aligned, changedPiece, clipped, pasted, shifted, transferred } from "../src/edit/many_edits";
 import { KeptHomes, keptStep, stepsOf } from "../src/memory/kept_homes";
 import { Store } from "../src/memory/store";
 import { Home, type Shown } from "../src/state/home";
@@ -24,8 +25,27 @@ function made(seed: number, style?: string): Shown {
   return JSON.parse(JSON.stringify({ scene: { ...house(seed), style: style ?? null }, issues: [], conflicts: [], timing: { total: seed + 0.25 }, made: request, file: null })) as Shown;
 }
 
+const pick = <Of>(draw: Draw, from: readonly Of[]): Of => from[Math.floor(draw() * from.length)] as Of;
+
+/** What a person does to several pieces at once, as the page wishes for it. */
+function act(scene: Scene, draw: Draw): Scene {
+  const all = scene.rooms.flatMap((one) => one.furniture.map(({ id }) => id));
+  const some = all.filter(() => draw() < 0.1);
+  const [first] = some;
+  const room = pick(draw, scene.rooms).id;
+  const acts: readonly (() => Scene)[] = [
+    () => shifted(scene, some, Math.round(draw() * 1000) / 1000, 0.05),
+    () => aligned(scene, some, pick(draw, ["west", "east", "north", "south", "across", "along"] as const)),
+    () => pasted(scene, room, clipped(scene, some), 0.1, 0).scene,
+    () => (first === undefined ? scene : transferred(scene, first, room)),
+    () => (first === undefined ? scene : changedPiece(scene, first, { width: 1 + Math.round(draw() * 100) / 100, color: "#123456" })),
+  ];
+  return JSON.parse(JSON.stringify(pick(draw, acts)())) as Scene;
+}
+
 /** Some pieces moved, one gone or come, as an answer of the service would have it: all parsed anew. */
 function edit(scene: Scene, draw: Draw): Scene {
+  if (draw() < 0.4) return act(scene, draw);
   const rooms = scene.rooms.map((one) => ({
     ...one, furniture: one.furniture.filter(() => draw() > 0.03).map((body) => (draw() < 0.1 ? { ...body, x: Math.round(draw() * 4000) / 1000 } : body)),
   }));

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { keptInside, layOut } from "../src/view/label_layout";
+import { clearest, keptInside, layOut } from "../src/view/label_layout";
 
 const wish = (x: number, y: number, importance: number) => ({ x, y, width: 80, height: 20, importance });
 
@@ -57,5 +57,23 @@ describe("a layout of many labels", () => {
     for (const [i, a] of placed.entries()) {
       for (const b of placed.slice(i + 1)) expect(Math.abs(a.x - b.x) >= 80 || Math.abs(a.y - b.y) >= 20).toBe(true);
     }
+  });
+});
+
+describe("a name that may be in several places", () => {
+  const label = { width: 60, height: 20 };
+  const places = [{ x: 100, y: 100 }, { x: 160, y: 100 }, { x: 100, y: 40 }];
+  const sofa = { x: 100, y: 110, width: 40, height: 30 };
+
+  it("takes the nearest that covers nothing, the least covered where all cover something", () => {
+    expect(clearest(label, places, [])).toBe(places[0]);
+    expect(clearest(label, places, [sofa])).toBe(places[1]);
+    expect(clearest(label, places, [sofa, { x: 150, y: 100, width: 300, height: 300 }])).toBe(places[1]);
+    expect(clearest(label, [], [sofa])).toBeUndefined();
+  });
+
+  it("stays where it was while no other place is better", () => {
+    expect(clearest(label, places, [], places[2])).toBe(places[2]);
+    expect(clearest(label, places, [sofa], places[0])).toBe(places[1]);
   });
 });

@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Catalog } from "../src/contract";
+import { Favourites } from "../src/edit/favourites";
 import { Palette } from "../src/edit/palette";
 
 const CATALOG = { furniture: { sofa: { category: "seating", size: [2, 0.9, 0.8] } }, decorations: {} } as unknown as Catalog;
@@ -28,7 +29,7 @@ describe("the palette", () => {
     come(CATALOG);
     await filled;
     expect(said()).toBe("");
-    expect(host.querySelectorAll("li button")).toHaveLength(1);
+    expect(host.querySelectorAll("li button[data-kind]")).toHaveLength(1);
     const search = host.querySelector("input") as HTMLInputElement;
     search.value = "piano";
     search.dispatchEvent(new Event("input"));
@@ -52,5 +53,32 @@ describe("the palette", () => {
     for (let i = 0; i < 3; i += 1) expect(await catalog(signal)).toEqual(CATALOG);
     expect(fetched).toHaveBeenCalledTimes(2);
     vi.unstubAllGlobals();
+  });
+
+  it("shows the kinds of a category, and those that are liked, which are kept", async () => {
+    const words = new Map<string, string>();
+    const keeper = { keepWord: (name: string, word: string) => Promise.resolve(void words.set(name, word)), word: (name: string) => Promise.resolve(words.get(name) ?? null) };
+    const shown = () => [...host.querySelectorAll<HTMLElement>("li")].filter((item) => !item.hidden).map((item) => item.querySelector<HTMLElement>("[data-kind]")?.dataset.kind);
+    const known = { furniture: { sofa: { category: "seating", size: [2, 0.9, 0.8] }, desk: { category: "table", size: [1.2, 0.6, 0.8] } }, decorations: {} } as unknown as Catalog;
+    const filled = async () => {
+      const favourites = new Favourites(keeper);
+      await favourites.read();
+      await new Palette(host, { favourites, portray: () => undefined, over: () => undefined, drop: () => undefined }).await(Promise.resolve(known));
+    };
+    const press = (selector: string) => host.querySelector<HTMLElement>(selector)?.click();
+    await filled();
+    expect(shown()).toEqual(["desk", "sofa"]);
+    press("[data-category=seating]");
+    expect(shown()).toEqual(["sofa"]);
+    press("[data-category=all]");
+    press("[aria-label='Favourite: desk']");
+    press("[data-category=favourites]");
+    expect(shown()).toEqual(["desk"]);
+    await filled();
+    press("[data-category=favourites]");
+    expect(shown()).toEqual(["desk"]);
+    press("[aria-label='Favourite: desk']");
+    press("[data-category=favourites]");
+    expect([shown(), said()]).toEqual([[], "No such kind."]);
   });
 });

@@ -1,10 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { edgesOf, runsOf, type Run } from "../src/house/plan";
+import { edgesOf } from "../src/house/plan";
 import { slab, stripsOf } from "../src/house/slab";
+import { runsOf, type Run } from "../src/house/wall_runs";
 import { room } from "./rooms";
 
 const brief = (run: Run): string => `${run.axis}@${run.line} ${run.from}-${run.to} ${run.kind}`;
-const runs = (...rooms: Parameters<typeof runsOf>[0]): string[] => runsOf(rooms).map(brief).sort();
+const runs = (...rooms: Parameters<typeof runsOf>[0][number][]): string[] => runsOf(rooms, 0.1).map(brief).sort();
 
 describe("edges of a room", () => {
   it("are its four walls, each facing inwards", () => {

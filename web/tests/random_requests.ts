@@ -34,5 +34,6 @@ export function randomRequest(draw: () => number): HouseRequest {
     ...(chance(0.5) ? { decorate: true } : {}),
     ...(chance(0.5) ? { style: pick(["scandi", "ma façon"]) } : {}),
     ...(chance(0.3) ? { robot_width: metres(1) } : {}),
+    ...(chance(0.3) ? { people: false } : {}),
   };
 }

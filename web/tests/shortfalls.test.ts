@@ -16,7 +16,7 @@ describe("what fell short", () => {
   it("is nothing where all was met, or nothing is known", () => {
     for (const certificate of [null, {}, { notes: [], rooms: { k: { proven: true, left_out: [] } } }]) {
       const found = shortfallsOf(home(certificate));
-      expect([found, shortfallLine(found)]).toEqual([{ asked: [], leftOut: [], pieces: 0 }, ""]);
+      expect([found, shortfallLine(found)]).toEqual([{ asked: [], leftOut: [], pieces: 0, spare: 0 }, ""]);
     }
   });
 
@@ -34,8 +34,13 @@ describe("what fell short", () => {
       ["Bedroom 2: full enough without plant and dining chair.", 2], ["Bedroom 2: no place found for desk and second armchair.", 2],
     ]);
     expect(found.leftOut[1]?.whys[0]).toBe("Desk: none of the ways to stand it leaves the room valid and walkable; the smallest, small desk, needs 1.00 x 0.50 m.");
-    expect(shortfallLine(found)).toBe("The house has 111 m², not 40: its rooms would be too small. And 3 more. 4 pieces left out.");
+    expect(shortfallLine(found)).toBe("The house has 111 m², not 40: its rooms would be too small. And 3 more. 2 more pieces were tried and found no place.");
     expect(sentence("beside it each half would be 2.85 m deep, less than min_room_size 3.0")).toBe("Beside it each half would be 2.85 m deep, less than the smallest room side of 3.0.");
+  });
+
+  it("is said without alarm where rooms are only full enough", () => {
+    const found = shortfallsOf(home({ rooms: { k: { proven: true, left_out: [{ piece: "plant_1", reason: FULL }] } } }));
+    expect([found.pieces, found.spare, shortfallLine(found)]).toEqual([0, 1, "The rooms are furnished as fully as wished."]);
   });
 
   it("is shown as text, leads to its room, and is hidden where there is nothing", () => {
@@ -45,7 +50,7 @@ describe("what fell short", () => {
     const chosen: string[] = [];
     panel.onChooseRoom = (id) => chosen.push(id);
     panel.show(home({ notes: ["<img src=x>"], rooms: { k: { left_out: [{ piece: "<b>_1", reason: NONE }] } } }));
-    expect([section.hidden, line.hidden, list.querySelector("img, b"), line.textContent]).toEqual([false, false, null, "<img src=x>. 1 piece left out."]);
+    expect([section.hidden, line.hidden, list.querySelector("img, b"), line.textContent]).toEqual([false, false, null, "<img src=x>. 1 more piece was tried and found no place."]);
     line.click();
     expect([section.open, document.activeElement?.tagName]).toEqual([true, "SUMMARY"]);
     list.querySelector("button")?.click();

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { OpeningKind } from "../src/contract";
 import { openingsOf } from "../src/house/openings";
-import { runsOf } from "../src/house/plan";
+import { runsOf } from "../src/house/wall_runs";
 import { liesFlat } from "../src/house/room_at";
 import { isInSight } from "../src/house/sight";
 import type { Point } from "../src/house/wall_faces";
@@ -12,7 +12,7 @@ import { opening, room } from "./rooms";
 function sightWith(kind: OpeningKind, more: object = {}, open: readonly string[] = []): (from: Point, to: Point) => boolean {
   const rooms = [room("a", [0, 0, 4, 4], { openings: [opening({ kind, wall: "east", position: 2, ...more })] }), room("b", [4, 0, 4, 4])];
   const storeys = new Map([[0, { elevation: 0, height: 2.8 }]]);
-  const walled = { runs: runsOf(rooms), openings: openingsOf(rooms), storeys, isOpen: (id: string) => open.includes(id) };
+  const walled = { runs: runsOf(rooms, 0.1), openings: openingsOf(rooms, 0.1), storeys, isOpen: (id: string) => open.includes(id) };
   return (from, to) => isInSight(from, to, walled);
 }
 

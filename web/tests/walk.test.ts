@@ -11,7 +11,7 @@ const still = { ahead: 0, aside: 0, hurried: false };
 
 function entered(wall: "north" | "south" | "east" | "west"): Pose {
   const rooms = [room("a", [0, 0, 4, 3], { openings: [opening({ wall, position: 1.5, main_entrance: true, connects_to: null })] })];
-  const [door] = openingsOf(rooms);
+  const [door] = openingsOf(rooms, 0.1);
   if (!door) throw new Error("no door");
   return firstPose({ opening: door, inward: inwardOf(rooms, door) }, BOUNDS);
 }

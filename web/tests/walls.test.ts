@@ -1,16 +1,19 @@
+import { Box3 } from "three";
 import { describe, expect, it } from "vitest";
-import type { Room } from "../src/contract";
+import type { Room, Side } from "../src/contract";
 import { clipBelow } from "../src/house/boxes";
-import { finishOf } from "../src/house/finishes";
+import { finishOf, outerPiecesOf } from "../src/house/finishes";
 import { openingsOf } from "../src/house/openings";
-import { runsOf } from "../src/house/plan";
+import { runsOf } from "../src/house/wall_runs";
+import { heightAt, LOW, sidesBefore, sidesOf } from "../src/house/wall_cut";
 import { facesOf, type Face } from "../src/house/wall_faces";
+import { Walls } from "../src/house/wall_meshes";
 import type { WallPanel } from "../src/house/wall_panel";
 import { between, fittingsOf, wallPanelsOf, type WallPlan } from "../src/house/walls";
 import { opening, room } from "./rooms";
 
 function planOf(...rooms: Room[]): WallPlan {
-  return { runs: runsOf(rooms), openings: openingsOf(rooms), storeys: new Map([[0, { elevation: 0, height: 2.8 }]]), thickness: 0.1 };
+  return { runs: runsOf(rooms, 0.1), openings: openingsOf(rooms, 0.1), storeys: new Map([[0, { elevation: 0, height: 2.8 }]]) };
 }
 
 function panelOn(plan: WallPlan, axis: "x" | "z", line: number): WallPanel {
@@ -33,7 +36,7 @@ describe("openings", () => {
   const b = room("b", [4, 1, 4, 3], { openings: [opening({ wall: "west", position: 0.5, swing: "out", hinge: "end", render_panel: true })] });
 
   it("listed by both rooms are placed once, as the room that draws the leaf tells it", () => {
-    const [door, ...others] = openingsOf([a, b]);
+    const [door, ...others] = openingsOf([a, b], 0.1);
     expect(others).toEqual([]);
     expect(door).toMatchObject({ axis: "z", line: 4, from: 1.05, to: 1.95, hinge: "end", opensTowards: -1 });
   });
@@ -43,14 +46,14 @@ describe("openings", () => {
       outline: [[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]],
       openings: [opening({ wall: null, edge: 3, position: 1 })],
     });
-    expect(openingsOf([l])[0]).toMatchObject({ axis: "z", line: 12, from: 2.55, to: 3.45 });
+    expect(openingsOf([l], 0.1)[0]).toMatchObject({ axis: "z", line: 12, from: 2.55, to: 3.45 });
   });
 
   it.each([[false], [true]])("on a wall lie on its outermost edge at their position, whichever way round the outline runs", (reversed) => {
     const corners: [number, number][] = [[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]];
     const at = (wall: "east" | "south", position: number): object | undefined => openingsOf([room("l", [10, 20, 4, 4], {
       outline: reversed ? [...corners].reverse() : corners, openings: [opening({ wall, position })],
-    })])[0];
+    })], 0.1)[0];
     expect(at("east", 1)).toMatchObject({ axis: "z", line: 14, from: 20.55, to: 21.45 });
     expect(at("east", 3)).toMatchObject({ axis: "z", line: 12, from: 22.55, to: 23.45 });
     expect(at("south", 3)).toMatchObject({ axis: "x", line: 22, from: 12.55, to: 13.45 });
@@ -79,6 +82,16 @@ describe("wall panels", () => {
     const plan = planOf(room("a", [0, 0, 4, 3]), room("b", [4, 0, 4, 3]));
     expect(panelOn(plan, "x", 0).along).toEqual({ from: -0.05, to: 8.05 });
     expect(panelOn(plan, "z", 4)).toMatchObject({ along: { from: 0, to: 3 }, openStart: false, openEnd: false });
+  });
+
+  it("look outside where one side is indoors and the other is not: beside a yard, and past the end of a room next door", () => {
+    const [den, hall] = [room("den", [0, 0, 4, 3]), room("hall", [4, 0, 4, 5])];
+    const plan = { ...planOf(den, hall), rooms: [den, hall, room("yard", [0, 3, 4, 2], { outdoor: true })] };
+    const outwards = (axis: "x" | "z", line: number): unknown[] => outerPiecesOf(panelOn(plan, axis, line), plan.rooms)
+      .map(({ along, outward }) => [along.from, along.to, outward]);
+    expect(outwards("z", 4)).toEqual([[0, 3, null], [3, 5, "west"]]);
+    expect(outwards("x", 0)).toEqual([[-0.05, 8.05, "north"]]);
+    expect(outwards("x", 3)).toEqual([[-0.05, 4, "south"]]);
   });
 
   it("have a hole for each opening on them", () => {
@@ -132,6 +145,27 @@ describe("faces of a panel", () => {
   it("of an uncut wall mark no cut, of a storey above the cut are none", () => {
     expect(facesOf(panel, 2.8).some((face) => face.cut)).toBe(false);
     expect(facesOf({ ...panel, elevation: 3 }, 1.2)).toEqual([]);
+  });
+});
+
+describe("walls before the viewer", () => {
+  it("are those that look outside towards the eye, none from above", () => {
+    expect([...sidesOf(sidesBefore({ x: 1, y: 2, z: 2 }))]).toEqual(["east", "south"]);
+    expect([...sidesOf(sidesBefore({ x: -0.1, y: 1, z: -1 }))]).toEqual(["north"]);
+    expect(sidesBefore({ x: 0, y: 10, z: 0.001 })).toBe(0);
+  });
+
+  it("are low with their windows and what hangs on them; others and doors stay", () => {
+    const cut = { height: 1.2, before: new Set(["south"] as const) };
+    expect([heightAt(cut, "south", 0), heightAt(cut, "north", 0), heightAt(cut, null, 0), heightAt(cut, "south", 2)]).toEqual([LOW, 1.2, 1.2, 1.2]);
+    const den = room("den", [0, 0, 4, 3], { openings: [opening({ id: "w", kind: "window", position: 2, width: 1.2, height: 1.4, sill: 0.9 })] });
+    const walls = new Walls({ ...planOf(den), rooms: [den] });
+    const tops = (before: readonly Side[]): number[] => walls.meshes({ height: 1.2, before: new Set(before) }).children.map((mesh) => {
+      const { max } = new Box3().setFromObject(mesh);
+      return Math.round(1000 * max.y) / 1000;
+    });
+    expect(tops([])).toEqual([1.2, 1.2]);
+    expect(tops(["north", "east", "south", "west"])).toEqual([LOW, Number.NEGATIVE_INFINITY]);
   });
 });
 

@@ -14,6 +14,7 @@ import { Reflow } from "./reflow";
 import { atOrigin, draftOf, sceneOf, UNTYPED } from "./scene_draft";
 import { Sheet } from "./sheet";
 import { FINE, GRID } from "./snapping";
+import { say, type Words } from "../words/language";
 
 /** A room that is not drawn with the pointer [mm]. */
 const NEW_ROOM = { width: 4000, depth: 3000 } as const;
@@ -59,7 +60,7 @@ export class Board {
     const [tools, side, inspected] = [document.createElement("div"), document.createElement("div"), document.createElement("div")];
     tools.className = "tools drawing-tools";
     tools.setAttribute("role", "toolbar");
-    tools.setAttribute("aria-label", "Drawing tools");
+    tools.setAttribute("aria-label", say("Drawing tools"));
     side.className = "drawing-side";
     this.#said.setAttribute("role", "status");
     this.#said.className = "drawing-said";
@@ -125,7 +126,7 @@ export class Board {
   }
 
   #tools(): Tool[] {
-    const use = (name: ToolName, words: string, sign: string, keys: string): Tool => ({ name, words, sign, keys, act: () => this.#use(name) });
+    const use = (name: ToolName, words: Words, sign: Words, keys: string): Tool => ({ name, words, sign, keys, act: () => this.#use(name) });
     return [
       use("choose", "Choose and move", "Choose", "V"), use("room", "Draw a room", "Room", "B"),
       use("add", "Add area to the chosen room", "Add area", "U"), use("cut", "Cut area from the chosen room", "Cut area", "X"),
@@ -170,7 +171,7 @@ export class Board {
   /** What was lost with a wall, in words. */
   #lost(before: Draft, after: Draft): string {
     if (after.rooms.length < before.rooms.length || after.openings.length >= before.openings.length - 1) return "";
-    return `${before.openings.length - after.openings.length} doors or windows no longer fit and are gone; undo brings them back.`;
+    return say("{count} doors or windows no longer fit and are gone; undo brings them back.", { count: before.openings.length - after.openings.length });
   }
 
   #judged(issues: readonly Issue[]): void {
@@ -186,7 +187,7 @@ export class Board {
     this.#toolbar.enable("redo", this.#plan.canRedo);
     for (const name of ["furnish", "show"]) this.#toolbar.enable(name, isPlan);
     this.#inspector.show([this.#beneath()]);
-    const head = this.#issues.length === 0 ? (isPlan ? "Nothing is wrong with the plan" : "Nothing is drawn yet") : `${this.#issues.length} to look at`;
+    const head = this.#issues.length === 0 ? (isPlan ? say("Nothing is wrong with the plan") : say("Nothing is drawn yet")) : say("{count} to look at", { count: this.#issues.length });
     this.#found.replaceChildren(group(head, ...this.#issues.map((issue) => button(issue.message, () => this.#plan.choose({ room: issue.room ?? null }), { className: `issue issue-${issue.severity}` }))));
     this.#draw();
   }
@@ -209,22 +210,22 @@ export class Board {
     const chooser = document.createElement("input");
     chooser.type = "file";
     chooser.accept = "image/*";
-    chooser.setAttribute("aria-label", "A picture to trace");
+    chooser.setAttribute("aria-label", say("A picture to trace"));
     chooser.addEventListener("change", () => void this.#lay(chooser.files?.[0]));
-    if (!this.#picture.picture) return group("Picture beneath", chooser, hint("A scan or photograph of a plan, to draw over."));
+    if (!this.#picture.picture) return group(say("Picture beneath"), chooser, hint(say("A scan or photograph of a plan, to draw over.")));
     const fade = document.createElement("input");
     Object.assign(fade, { type: "range", min: "0.1", max: "1", step: "0.05", value: String(this.#picture.picture.opacity) });
-    fade.setAttribute("aria-label", "How strongly the picture is seen");
+    fade.setAttribute("aria-label", say("How strongly the picture is seen"));
     fade.addEventListener("input", () => { this.#picture.fade(fade.valueAsNumber); this.#draw(); });
     const [a, b] = this.#picture.measured;
     const drawn = a && b ? Math.hypot(a.x - b.x, a.z - b.z) : 0;
-    const scale = lengthField("That is, m", drawn, (length) => {
+    const scale = lengthField(say("That is, m"), drawn, (length) => {
       const isSet = this.#picture.setScale(length);
       this.#redraw();
       return isSet;
     });
-    return group("Picture beneath", fade, row(button("Measure a known length", () => { this.#use("measure"); this.#say("Click the two ends of a length that you know."); })),
-      ...(drawn > 0 ? [scale] : []), row(button("Remove the picture", () => { this.#picture.remove(); this.#redraw(); })));
+    return group(say("Picture beneath"), fade, row(button(say("Measure a known length"), () => { this.#use("measure"); this.#say(say("Click the two ends of a length that you know.")); })),
+      ...(drawn > 0 ? [scale] : []), row(button(say("Remove the picture"), () => { this.#picture.remove(); this.#redraw(); })));
   }
 
   async #lay(file: File | undefined): Promise<void> {

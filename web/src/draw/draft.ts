@@ -38,6 +38,8 @@ export const EMPTY: Draft = { rooms: [], openings: [] };
 /** The least side of a room, and how near to a corner an opening may come [mm]. */
 const LEAST_SIDE = 500;
 const JAMB = 50;
+/** How far apart the lines of two rooms may be that have a wall in common [mm]. */
+const THICKEST = 600;
 
 /** Sizes of what is put into a wall [mm]. */
 export const OPENING_SIZES: Readonly<Record<OpeningKind, { readonly width: number; readonly height: number; readonly sill: number }>> = {
@@ -62,9 +64,17 @@ function isOnSameLine(a: Stretch, b: Stretch): boolean {
   return a.axis === b.axis && a.line === b.line;
 }
 
-/** The walls that an opening is in: of one room, or of two. */
+/** The walls that an opening is in: of one room, or of two, on its line or beyond a wall as thick as the lines lie apart. */
 export function wallsAt(draft: Draft, opening: Stretch): RoomWall[] {
-  return allWalls(draft).filter((wall) => isOnSameLine(wall, opening) && wall.from <= opening.from && opening.to <= wall.to);
+  const along = allWalls(draft).filter((wall) => wall.axis === opening.axis && wall.from <= opening.from && opening.to <= wall.to);
+  const here = along.filter((wall) => isOnSameLine(wall, opening));
+  const [only, other] = here;
+  if (!only || other) return here;
+  const [beyond] = along
+    .map((wall) => ({ wall, gap: (only.line - wall.line) * only.inward }))
+    .filter(({ wall, gap }) => wall.inward === -only.inward && wall.room.id !== only.room.id && gap > 0 && gap <= THICKEST)
+    .sort((a, b) => a.gap - b.gap);
+  return beyond ? [only, beyond.wall] : here;
 }
 
 /** Whether the sides of a room are long enough for one, and no two rooms share floor. */

@@ -8,12 +8,13 @@ import type { DrawnPlan } from "./drawn_plan";
 import { button, choiceField, group, hint, lengthField, row, switchField } from "./elements";
 import { UNTYPED } from "./scene_draft";
 import { inMetres } from "./sheet";
+import { say, type Words } from "../words/language";
 
 const SQUARE_METRE = 1e6;
-const GUESS = "Guess it";
+const GUESS = say("Guess it");
 
-const WALL_WORDS: Readonly<Record<string, string>> = { "x1": "north", "x-1": "south", "z1": "west", "z-1": "east" };
-const KIND_WORDS: readonly (readonly [OpeningKind, string])[] = [["door", "door"], ["passage", "passage"], ["window", "window"], ["garage_door", "garage door"]];
+const WALL_WORDS: Readonly<Record<string, Words>> = { "x1": "north", "x-1": "south", "z1": "west", "z-1": "east" };
+const KIND_WORDS: readonly (readonly [OpeningKind, string])[] = [["door", say("Door")], ["passage", say("Passage")], ["window", say("Window")], ["garage_door", say("Garage door")]];
 
 /** What each room is called: its type, numbered where there are several of it. */
 export function draftNames({ rooms }: Draft): ReadonlyMap<string, string> {
@@ -23,10 +24,10 @@ export function draftNames({ rooms }: Draft): ReadonlyMap<string, string> {
 /** The walls of a room with words for them: where there are several on a side, numbered. */
 function namedWalls({ corners }: DraftRoom): { readonly wall: Wall; readonly words: string }[] {
   const walls = wallsOf(corners);
-  const side = (wall: Wall): string => WALL_WORDS[`${wall.axis}${wall.inward}`] ?? "";
+  const side = (wall: Wall): string => say(WALL_WORDS[`${wall.axis}${wall.inward}`] ?? "north");
   return walls.map((wall) => {
     const same = walls.filter((other) => side(other) === side(wall));
-    return { wall, words: `${side(wall)} wall${same.length > 1 ? ` ${same.indexOf(wall) + 1}` : ""}` };
+    return { wall, words: same.length > 1 ? say("{side} wall {number}", { side: side(wall), number: same.indexOf(wall) + 1 }) : say("{side} wall", { side: side(wall) }) };
   });
 }
 
@@ -72,16 +73,16 @@ export class Inspector {
     const types = [["", GUESS] as const, ...this.types.map((type) => [type, inWords(type)] as const)];
     const title = `${capital(name)}, ${(areaOf(room.corners) / SQUARE_METRE).toFixed(1)} m²`;
     return [group(title,
-      choiceField("Type", types, room.type ?? "", (type) => this.plan.step(withType(this.plan.settled, room.id, type || null))),
+      choiceField(say("Type"), types, room.type ?? "", (type) => this.plan.step(withType(this.plan.settled, room.id, type || null))),
       ...namedWalls(room).map(({ wall, words }) => this.#wall(room, wall, words)),
-      row(button("Delete the room", () => this.plan.step(withoutRoom(this.plan.settled, room.id)))),
+      row(button(say("Delete the room"), () => this.plan.step(withoutRoom(this.plan.settled, room.id)))),
     )];
   }
 
   #wall(room: DraftRoom, wall: Wall, words: string): HTMLElement {
     const take = (length: number): boolean => this.#take(
-      wallLengthened(this.plan.settled, room.id, wall.index, length), "The wall cannot be so long: rooms would meet, or nothing would be left.");
-    const puts = (["door", "window"] as const).map((kind) => button(capital(kind), () => this.#put(kind, wall), { label: `Add a ${kind} to the ${words}` }));
+      wallLengthened(this.plan.settled, room.id, wall.index, length), say("The wall cannot be so long: rooms would meet, or nothing would be left."));
+    const puts = (["door", "window"] as const).map((kind) => button(say(kind === "door" ? "Door" : "Window"), () => this.#put(kind, wall), { label: say(`Add a ${kind} to the {wall}`, { wall: words }) }));
     return row(lengthField(capital(words), wall.to - wall.from, take), ...puts);
   }
 
@@ -93,28 +94,27 @@ export class Inspector {
     const [best] = cuts.slice(1).map((to, i) => ({ from: cuts[i] as number, to })).sort((a, b) => b.to - b.from - (a.to - a.from));
     const middle = Math.round(((best?.from ?? wall.from) + (best?.to ?? wall.to)) / 2);
     const put = withOpening(before, kind, wall.axis === "x" ? { x: middle, z: wall.line } : { x: wall.line, z: middle }, 1);
-    if (!this.#take(put?.draft ?? null, `The wall is too short for a ${kind}.`) || !put) return;
+    if (!this.#take(put?.draft ?? null, say("The wall is too short for it.")) || !put) return;
     this.plan.choose({ opening: put.id });
   }
 
   #opening(opening: DraftOpening): HTMLElement[] {
     const { id, kind, axis, from, to } = opening;
     const change = (more: Partial<DraftOpening>): boolean => this.#take(
-      withOpeningChanged(this.plan.settled, id, more), "It would leave its wall, or meet another opening.");
+      withOpeningChanged(this.plan.settled, id, more), say("It would leave its wall, or meet another opening."));
     const [wall] = wallsAt(this.plan.draft, opening);
     const corner = wall?.from ?? from;
-    const end = axis === "x" ? "west" : "north";
     const isDoor = kind === "door";
-    return [group(`${capital(inWords(kind))}, ${inMetres(to - from)} m`,
-      choiceField("Kind", KIND_WORDS, kind, (other) => this.#changeKind(opening, other as OpeningKind)),
-      lengthField("Width, m", to - from, (width) => width > 0 && change({ to: from + width })),
-      lengthField("Height, m", opening.height, (height) => height > 0 && change({ height })),
-      ...(kind === "window" ? [lengthField("Sill, m", opening.sill, (sill) => sill >= 0 && change({ sill }))] : []),
-      lengthField(`From the ${end} corner, m`, from - corner, (off) => change({ from: corner + off, to: corner + off + to - from })),
-      ...(isDoor ? [row(button("Hinge at the other end", () => change({ hinge: opening.hinge === "start" ? "end" : "start" })),
-        button("Opens to the other side", () => change({ swing: opening.swing === 1 ? -1 : 1 })))] : []),
-      ...(isDoor ? [switchField("Main entrance", opening.isMainEntrance, (isMainEntrance) => change({ isMainEntrance }))] : []),
-      row(button(`Delete the ${inWords(kind)}`, () => this.plan.step(withoutOpening(this.plan.settled, id)))),
+    return [group(`${KIND_WORDS.find(([one]) => one === kind)?.[1] ?? kind}, ${inMetres(to - from)} m`,
+      choiceField(say("Kind"), KIND_WORDS, kind, (other) => this.#changeKind(opening, other as OpeningKind)),
+      lengthField(say("Width, m"), to - from, (width) => width > 0 && change({ to: from + width })),
+      lengthField(say("Height, m"), opening.height, (height) => height > 0 && change({ height })),
+      ...(kind === "window" ? [lengthField(say("Sill, m"), opening.sill, (sill) => sill >= 0 && change({ sill }))] : []),
+      lengthField(say(axis === "x" ? "From the west corner, m" : "From the north corner, m"), from - corner, (off) => change({ from: corner + off, to: corner + off + to - from })),
+      ...(isDoor ? [row(button(say("Hinge at the other end"), () => change({ hinge: opening.hinge === "start" ? "end" : "start" })),
+        button(say("Opens to the other side"), () => change({ swing: opening.swing === 1 ? -1 : 1 })))] : []),
+      ...(isDoor ? [switchField(say("Main entrance"), opening.isMainEntrance, (isMainEntrance) => change({ isMainEntrance }))] : []),
+      row(button(say("Delete it"), () => this.plan.step(withoutOpening(this.plan.settled, id)))),
     )];
   }
 
@@ -133,7 +133,7 @@ export class Inspector {
       choose.setAttribute("aria-pressed", String(this.plan.chosen.room === id));
       return choose;
     }));
-    const words = draft.rooms.length === 0 ? "Draw a rectangle for each room, or press N for one of 4 by 3 m." : "A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.";
-    return group(`${draft.rooms.length} rooms, ${total.toFixed(1)} m²`, list, hint(words));
+    const words = draft.rooms.length === 0 ? say("Draw a rectangle for each room, or press N for one of 4 by 3 m.") : say("A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.");
+    return group(say("{count} rooms, {area} m²", { count: draft.rooms.length, area: total.toFixed(1) }), list, hint(words));
   }
 }

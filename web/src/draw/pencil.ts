@@ -5,6 +5,7 @@ import { openingMoved, reshaped, roomMoved, wallMoved, withOpening, withRoom, ty
 import type { DrawnPlan } from "./drawn_plan";
 import type { Sheet } from "./sheet";
 import { linesOf, snapped, snappedPoint, snappedShift } from "./snapping";
+import { say } from "../words/language";
 
 export type ToolName = "choose" | "room" | "add" | "cut" | "measure" | OpeningKind;
 
@@ -154,7 +155,7 @@ export class Pencil {
   #put(kind: OpeningKind, event: PointerEvent): Stroke | null {
     const put = withOpening(this.plan.settled, kind, this.#alongWall(event), 2 * this.#reach());
     if (!put) {
-      this.words.said("There is no wall here that is long and free enough for it.");
+      this.words.said(say("There is no wall here that is long and free enough for it."));
       return null;
     }
     this.plan.step(put.draft);
@@ -193,7 +194,7 @@ export class Pencil {
     if (how === "room") {
       const drawn = withRoom(this.plan.settled, cornersOfBox(box));
       if (!drawn) {
-        this.words.said("A room is at least 0.5 m by 0.5 m and shares no floor with another.");
+        this.words.said(say("A room is at least 0.5 m by 0.5 m and shares no floor with another."));
         return;
       }
       this.plan.step(drawn.draft);
@@ -202,7 +203,7 @@ export class Pencil {
     }
     const shape = room === null ? null : reshaped(this.plan.settled, room, box, how);
     if (shape) this.plan.step(shape);
-    else this.words.said(room === null ? "Choose a room first." : "That would leave no single floor, or meet another room.");
+    else this.words.said(room === null ? say("Choose a room first.") : say("That would leave no single floor, or meet another room."));
   }
 
   #measure(event: PointerEvent): Stroke | null {

@@ -1,6 +1,7 @@
 /** A picture beneath the plan, to trace: scaled by one length that is known. */
 import type { Point } from "./corners";
 import type { Picture } from "./sheet";
+import { say } from "../words/language";
 
 /** How wide a plan in a picture is taken to be until its scale is set [mm]. */
 const LIKELY_WIDTH = 12_000;
@@ -23,7 +24,7 @@ export class PictureBeneath {
       await image.decode();
     } catch {
       URL.revokeObjectURL(url);
-      throw new Error(`${file.name} is no picture that can be shown.`);
+      throw new Error(say("{file} is no picture that can be shown.", { file: file.name }));
     }
     this.remove();
     this.#picture = { url, width: image.naturalWidth, height: image.naturalHeight, scale: LIKELY_WIDTH / image.naturalWidth, opacity: OPACITY };

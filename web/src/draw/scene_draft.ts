@@ -51,7 +51,7 @@ export function draftOf(scene: Scene): Draft {
     return corners ? [{ room, corners }] : [];
   });
   const rooms = drawn.map(({ room, corners }): DraftRoom => ({ id: room.id, type: room.type === UNTYPED ? null : room.type, corners, from: room }));
-  const draft = { rooms, openings: openingsOf(drawn.map(({ room }) => room)).map(draftOpening) };
+  const draft = { rooms, openings: openingsOf(drawn.map(({ room }) => room), null).map(draftOpening) };
   return { ...draft, openings: draft.openings.filter((opening) => wallsAt(draft, opening).length > 0) };
 }
 
@@ -89,8 +89,9 @@ function roomOf(draft: Draft, room: DraftRoom): Room {
   const outline = room.corners.length === 4 ? null : room.corners.map((corner) => [metres(corner.x - x0), metres(corner.z - z0)] as const);
   const { from } = room;
   const plain = { flooring: null, accent: null, wall_flags: null, exterior_walls: null, outdoor: false, level: 0 };
+  const sameWalls = from && cornersOf(from).length === room.corners.length;
   return {
-    ...plain, ...from, id: room.id, type: room.type ?? UNTYPED, x, z, width: metres(x1 - x0), depth: metres(z1 - z0), outline,
+    ...plain, ...from, ...(sameWalls ? {} : { wall_thickness: null }), id: room.id, type: room.type ?? UNTYPED, x, z, width: metres(x1 - x0), depth: metres(z1 - z0), outline,
     exterior_walls: null, wall_flags: null,
     openings: draft.openings.flatMap((opening) => listed(draft, opening, room) ?? []),
     furniture: from?.furniture.map((piece) => relative(piece, dx, dz)) ?? [],

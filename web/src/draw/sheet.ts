@@ -2,6 +2,7 @@
 import type { Room } from "../contract";
 import { areaOf, boxOf, wallsOf, type Box, type Corners, type Point } from "./corners";
 import type { Draft, DraftOpening, DraftRoom } from "./draft";
+import { say } from "../words/language";
 
 const SVG = "http://www.w3.org/2000/svg";
 /** How thick a wall is drawn [mm]; what is nearer than that to a line of the sheet is on it. */
@@ -71,7 +72,7 @@ function nameAt(corners: Corners): Point & { readonly width: number } {
 }
 
 export class Sheet {
-  readonly svg = make("svg", { class: "sheet", tabindex: 0, role: "application", "aria-label": "The plan that is drawn" }) as SVGSVGElement;
+  readonly svg = make("svg", { class: "sheet", tabindex: 0, role: "application", "aria-label": say("The plan that is drawn") }) as SVGSVGElement;
   /** The point in the middle, and how much a pixel shows [mm]. */
   #middle: Point = { x: 5 * METRE, z: 4 * METRE };
   #perPixel = 16;

@@ -2,6 +2,7 @@
 import type { Repair } from "../contract";
 import type { Refusal } from "./editor";
 import { repairWords } from "./words";
+import { say } from "../words/language";
 
 const MOST_REPAIRS = 6;
 
@@ -22,7 +23,7 @@ export class ConflictPanel {
       return words;
     });
     const heading = document.createElement("strong");
-    heading.textContent = refusal.live ? "It cannot stand there" : "That cannot be, so all stays as it was";
+    heading.textContent = refusal.live ? say("It cannot stand there") : say("That cannot be, so all stays as it was");
     return [heading, ...said, ...(refusal.live ? [] : [this.#repairs(refusal)])];
   }
 
@@ -31,7 +32,7 @@ export class ConflictPanel {
     row.className = "repairs";
     const offered = refusal.conflicts.flatMap(({ repairs }) => repairs).slice(0, MOST_REPAIRS);
     row.append(...offered.map((repair) => this.#button(repairWords(repair), () => this.onTake(refusal, repair))));
-    row.append(this.#button("Close", () => this.show(null)));
+    row.append(this.#button(say("Close"), () => this.show(null)));
     return row;
   }
 

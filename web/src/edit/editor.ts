@@ -1,9 +1,13 @@
 /** Edits of the home: each is wished for, judged by the service, and shown as one step that can be undone. */
-import type { Conflict, FixAnswer, FixRequest, Pose, Repair, Room, Scene } from "../contract";
+import type { Conflict, FixAnswer, FixRequest, Repair, Room, Scene } from "../contract";
 import type { Home, Shown } from "../state/home";
-import { answerOf, drawn, samePlaces, type Frames, type TakeInHand } from "./frames";
+import { roomHolding } from "../house/room_at";
+import { answerOf, drawn, samePlaces, type TakeInHand } from "./frames";
+import { conflictsIn } from "./judging";
 import { Live } from "./live";
-import { added, alone, locked, moved, posesOf, repaired, withRoom, without, type FurnitureKind, type Wish } from "./scene_edits";
+import { shifted, transferred } from "./many_edits";
+import { added, alone, locked, moved, posesOf, repaired, withRoom, without, type FurnitureKind } from "./scene_edits";
+import { within, type Draft, type Held, type Question, type Shift } from "./wishes";
 
 export type Fix = (request: FixRequest, signal: AbortSignal) => Promise<FixAnswer>;
 
@@ -32,60 +36,7 @@ export interface EditorWords {
   settled(): void;
 }
 
-interface Held {
-  readonly id: string;
-  readonly room: Room;
-  /** The room before the drag, alone. */
-  readonly base: Scene;
-  wish: Wish;
-  previous: readonly Pose[];
-  /** Who answers frames in the page, once it is ready. */
-  frames: Frames | null;
-}
-
-interface Question {
-  readonly held: Held;
-  readonly request: FixRequest;
-  /** The last of a drag, for the whole house. */
-  readonly last: boolean;
-  /** How often it was asked before. */
-  readonly round: number;
-}
-
-interface Draft {
-  readonly scene: Scene;
-  readonly id: string;
-  readonly room: string;
-  readonly locked?: readonly string[];
-  readonly moved?: readonly string[];
-}
-
-/** How far a piece is moved [m] and turned, counter-clockwise seen from above [degrees]. */
-interface Shift {
-  readonly id: string;
-  dx: number;
-  dz: number;
-  degrees: number;
-}
-
 const NEVER = new AbortController().signal;
-
-function within(value: number, extent: number, whole: number): number {
-  return Math.max(Math.min(extent, whole) / 2, Math.min(whole - Math.min(extent, whole) / 2, value));
-}
-
-/** The conflicts of a room; its errors, where nothing says which pieces are in conflict. */
-export function conflictsIn(answer: FixAnswer, room: string, before: Shown): readonly Conflict[] {
-  const own = answer.conflicts.filter(({ ids }) => ids.some((id) => isIn(answer.scene, room, id)));
-  if (own.length > 0) return own;
-  const known = new Set(before.issues.map((issue) => issue.message));
-  const errors = answer.issues.filter((issue) => issue.severity === "error" && issue.room === room && !known.has(issue.message));
-  return errors.map(({ ids, message }) => ({ ids, message, repairs: [] }));
-}
-
-function isIn(scene: Scene, room: string, id: string): boolean {
-  return scene.rooms.some((one) => one.id === room && one.furniture.some((piece) => piece.id === id));
-}
 
 export class Editor {
   readonly #live: Live<Question, FixAnswer>;
@@ -122,33 +73,60 @@ export class Editor {
     return this.#held !== null && !this.#dropped;
   }
 
-  lift(id: string): boolean {
+  /** Takes a piece in hand, and others that go along; what is locked stays. */
+  lift(id: string, others: readonly string[] = []): boolean {
     const found = this.home.find(id);
     const before = this.home.settled;
     if (!found || !before || this.busy || found.piece.locked) return false;
     const { room, piece } = found;
+    const going = others.flatMap((one) => { const other = this.home.find(one); return other && one !== id && !other.piece.locked ? [other] : []; });
+    const group = going.map((other) => other.piece.id);
     const wish = { x: piece.x, z: piece.z, rotation: piece.rotation ?? 0 };
-    const held: Held = { id, room, base: alone(before.scene, room.id), wish, previous: posesOf(before.scene, room.id), frames: null };
+    const held: Held = {
+      id, room, group, rooms: [...new Set([room.id, ...going.map((other) => other.room.id)])], whole: before.scene,
+      base: group.length > 0 ? before.scene : alone(before.scene, room.id), wish, previous: posesOf(before.scene, room.id), frames: null,
+    };
     this.#held = held;
     this.#dropped = false;
-    const inHand = moved(held.base, id, wish);
-    this.takeInHand(inHand, id).then((frames) => { held.frames = frames; }, () => undefined); // the service is asked instead
+    if (group.length === 0) this.#prepare(held);
     this.words.refused(null);
     return true;
   }
 
-  /** Wishes for the held piece's centre somewhere in the house; it stays in its room. */
+  #prepare(held: Held): void {
+    const { base } = held;
+    this.takeInHand(moved(base, held.id, held.wish), held.id).then((frames) => { if (held.base === base) held.frames = frames; }, () => undefined); // the service is asked instead
+  }
+
+  /** Wishes for the held piece's centre somewhere in the house; dragged into another room of its storey it belongs there. */
   drag(at: { readonly x: number; readonly z: number }): void {
-    const held = this.#held;
-    if (!held || this.#dropped) return;
-    const piece = held.room.furniture.find((one) => one.id === held.id);
+    const [held, before] = [this.#held, this.home.settled];
+    if (!held || !before || this.#dropped) return;
+    const there = roomHolding(before.scene.rooms, held.room.level, at.x, at.z);
+    if (there && there.id !== held.room.id && held.group.length === 0) this.#enter(held, transferred(before.scene, held.id, there.id), there.id);
+    const { room, wish: { rotation } } = held;
+    const piece = room.furniture.find((one) => one.id === held.id);
     if (!piece) return;
-    const [across, along] = held.wish.rotation % 180 === 0 ? [piece.width, piece.depth] : [piece.depth, piece.width];
-    const { room } = held;
-    held.wish = { ...held.wish, x: within(at.x - room.x, across, room.width), z: within(at.z - room.z, along, room.depth) };
-    const scene = moved(held.base, held.id, held.wish);
+    const [across, along] = rotation % 180 === 0 ? [piece.width, piece.depth] : [piece.depth, piece.width];
+    held.wish = { rotation, x: within(at.x - room.x, across, room.width), z: within(at.z - room.z, along, room.depth) };
+    const scene = this.#wishedIn(held, held.base);
     this.words.lifted(held.id, scene);
-    this.#live.want({ held, last: false, round: 0, request: this.#wishFor(held, scene) });
+    if (held.group.length === 0) this.#live.want({ held, last: false, round: 0, request: this.#wishFor(held, scene) });
+  }
+
+  /** The held piece has come into another room. */
+  #enter(held: Held, whole: Scene, roomId: string): void {
+    const room = whole.rooms.find((one) => one.id === roomId);
+    if (!room) return;
+    this.#live.stop();
+    Object.assign(held, { whole, room, base: alone(whole, roomId), previous: posesOf(whole, roomId), frames: null } satisfies Partial<Held>);
+    this.#prepare(held);
+  }
+
+  /** A scene with what is held where it is wished. */
+  #wishedIn({ id, group, room, wish }: Held, scene: Scene): Scene {
+    const piece = room.furniture.find((one) => one.id === id);
+    return group.length > 0 && piece ? shifted(scene, [id, ...group], wish.x - piece.x, wish.z - piece.z) : moved(scene, id, wish);
   }
 
   /** Asks the core in the page for a frame, the service where there is none, and for what a piece let go becomes. */
@@ -164,7 +142,7 @@ export class Editor {
   }
 
   #wishFor(held: Held, scene: Scene): FixRequest {
-    return { scene, moved: [held.id], on_conflict: "report", previous: held.previous };
+    return { scene, moved: [held.id, ...held.group], on_conflict: "report", previous: held.previous };
   }
 
   /** Lets the held piece go: the whole house is judged, and what stands is one step. */
@@ -173,7 +151,7 @@ export class Editor {
     if (!held || !before) return;
     this.#dropped = true;
     void this.#enqueue(() => (this.#held ? new Promise((landed) => { this.#landed = landed; }) : Promise.resolve()));
-    this.#live.want({ held, last: true, round: 0, request: this.#wishFor(held, moved(before.scene, held.id, held.wish)) });
+    this.#live.want({ held, last: true, round: 0, request: this.#wishFor(held, this.#wishedIn(held, held.whole)) });
   }
 
   /** Puts the held piece back. */
@@ -210,8 +188,8 @@ export class Editor {
     const { held, request, last } = question;
     const before = this.home.settled;
     if (held !== this.#held || !before) return;
-    const conflicts = conflictsIn(answer, held.room.id, before);
-    const refusal: Refusal = { sent: request.scene, moved: [held.id], room: held.room.id, conflicts, live: !last };
+    const conflicts = conflictsIn(answer, [held.room.id, ...held.rooms], before);
+    const refusal: Refusal = { sent: request.scene, moved: [held.id, ...held.group], room: held.room.id, conflicts, live: !last };
     this.words.refused(conflicts.length > 0 ? refusal : null);
     if (last) {
       if (conflicts.length > 0) this.#goBack();
@@ -221,7 +199,7 @@ export class Editor {
       const goesOn = held.frames !== null && question.round < MOST_ROUNDS && !samePlaces(held.previous, poses);
       held.previous = poses;
       this.words.answered(held.id, answer.scene);
-      this.home.show({ ...before, scene: withRoom(before.scene, answer.scene) }, "live");
+      this.home.show({ ...before, scene: withRoom(held.whole, answer.scene) }, "live");
       if (goesOn && !this.#live.waits && !this.#dropped) this.#live.want({ ...question, round: question.round + 1 });
     }
   }
@@ -270,6 +248,11 @@ export class Editor {
       });
     });
     this.#shifted = more;
+  }
+
+  /** Makes any other change, in turn with the others; null: none is wished. */
+  change(make: (scene: Scene) => Draft | null): void {
+    this.#edit(() => (this.home.settled ? make(this.home.settled.scene) : null));
   }
 
   toggleLock(id: string): void {
@@ -362,13 +345,14 @@ export class Editor {
     const before = this.home.settled;
     if (!draft || !before) return;
     const answer = await this.#judge(draft, before);
-    const conflicts = conflictsIn(answer, draft.room, before);
+    const conflicts = conflictsIn(answer, [draft.room, ...(draft.rooms ?? [])], before);
     if (this.home.settled !== before) return;
     const { scene: sent, room, id } = draft;
-    this.words.refused(conflicts.length > 0 ? { sent, room, conflicts, moved: [id], live: false } : null);
+    this.words.refused(conflicts.length > 0 ? { sent, room, conflicts, moved: draft.moved?.length ? draft.moved : [id], live: false } : null);
     if (conflicts.length > 0) return;
     this.#show(answer);
-    if (this.home.find(id)) this.home.select(id);
+    if (draft.chosen) this.home.choose(draft.chosen);
+    else if (this.home.find(id) && !this.home.chosen.includes(id)) this.home.select(id);
   }
 
   /** Asks with the draft's own locks first, then without. */
@@ -376,7 +360,7 @@ export class Editor {
     const request: FixRequest = { scene, moved: ids, on_conflict: "report", previous: posesOf(before.scene, room) };
     if (held) {
       const answer = await this.fix({ ...request, locked: held }, NEVER);
-      if (conflictsIn(answer, room, before).length === 0) return answer;
+      if (conflictsIn(answer, [room], before).length === 0) return answer;
     }
     return this.fix(request, NEVER);
   }

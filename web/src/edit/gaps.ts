@@ -1,29 +1,29 @@
 /** How far a piece stands from the walls and from what is next to it, in whole millimetres: what the scene's own numbers say. */
-import type { Furniture, Room, Scene, Side } from "../contract";
+import type { Body, Furniture, Room, Scene, Side } from "../contract";
 
 export interface Gap {
   readonly side: Side;
   /** To the face of the wall; null where there is none on that side. */
   readonly wall: number | null;
-  /** To the nearest piece before the wall. */
-  readonly piece: { readonly mm: number; readonly name: string } | null;
+  /** To the nearest piece before the wall; `at`: the middle of the stretch along which they face each other. */
+  readonly piece: { readonly mm: number; readonly name: string; readonly at: number } | null;
 }
 
 /** From west to east, from north to south [mm]. */
-interface Span {
+export interface Span {
   readonly x: readonly [number, number];
   readonly z: readonly [number, number];
 }
 
 /** Each side: along which axis it lies, and whether towards its lower end. */
-const SIDES: readonly (readonly [Side, "x" | "z", boolean])[] = [["north", "z", true], ["east", "x", false], ["south", "z", false], ["west", "x", true]];
+export const SIDES: readonly (readonly [Side, "x" | "z", boolean])[] = [["north", "z", true], ["east", "x", false], ["south", "z", false], ["west", "x", true]];
 
 function mm(metres: number): number {
   return Math.round(metres * 1000);
 }
 
 /** A piece's footprint; of one at an odd angle the rectangle around it. */
-export function footprint({ x, z, width, depth, rotation }: Furniture): Span {
+export function footprint({ x, z, width, depth, rotation }: Pick<Body, "x" | "z" | "width" | "depth" | "rotation">): Span {
   const turn = ((rotation ?? 0) * Math.PI) / 180;
   const isSquare = (rotation ?? 0) % 90 === 0;
   const [cos, sin] = isSquare ? [Math.abs(Math.round(Math.cos(turn))), Math.abs(Math.round(Math.sin(turn)))] : [Math.abs(Math.cos(turn)), Math.abs(Math.sin(turn))];
@@ -35,8 +35,16 @@ function overlap(a: readonly [number, number], b: readonly [number, number]): bo
   return a[0] < b[1] && b[0] < a[1];
 }
 
+/** A wall's face: `isLow` where the room lies on the side of greater coordinates. */
+export interface Face {
+  readonly axis: "x" | "z";
+  readonly at: number;
+  readonly isLow: boolean;
+  readonly reach: readonly [number, number];
+}
+
 /** The faces of a room's walls, each a line at a place along one axis, with its reach along the other [mm]. */
-function facesOf(room: Room, thickness: number): { axis: "x" | "z"; at: number; isLow: boolean; reach: readonly [number, number] }[] {
+export function facesOf(room: Room, thickness: number): Face[] {
   const { width, depth } = room;
   const corners = room.outline && room.outline.length > 2 ? room.outline : [[0, 0], [width, 0], [width, depth], [0, depth]] as const;
   const area = corners.reduce((sum, [x, z], i) => { const [nextX, nextZ] = corners[(i + 1) % corners.length] ?? [x, z]; return sum + x * nextZ - nextX * z; }, 0);
@@ -49,6 +57,11 @@ function facesOf(room: Room, thickness: number): { axis: "x" | "z"; at: number; 
     const ends = isAlongX ? [x, nextX] : [z, nextZ];
     return [{ axis: isAlongX ? "z" as const : "x" as const, at: mm(line + (isLow ? thickness : -thickness) / 2), isLow, reach: [mm(Math.min(...ends)), mm(Math.max(...ends))] as const }];
   });
+}
+
+/** The middle of what two stretches have in common. */
+function middle(a: readonly [number, number], b: readonly [number, number]): number {
+  return (Math.max(a[0], b[0]) + Math.min(a[1], b[1])) / 2;
 }
 
 /** How far a piece is from what is around it in its room, side by side. */
@@ -67,35 +80,8 @@ export function gapsOf(scene: Pick<Scene, "wall_thickness">, room: Room, piece: 
     const near = others.flatMap((one) => {
       const span = footprint(one);
       const gap = to(span[axis][isLow ? 1 : 0]);
-      return overlap(span[across], own[across]) && gap >= 0 && (wall === null || gap < wall) ? [{ mm: gap, name: one.name.replaceAll("_", " ") }] : [];
+      return overlap(span[across], own[across]) && gap >= 0 && (wall === null || gap < wall) ? [{ mm: gap, name: one.name.replaceAll("_", " "), at: middle(span[across], own[across]) }] : [];
     });
     return { side, wall, piece: near.sort((a, b) => a.mm - b.mm)[0] ?? null };
   });
-}
-
-/** A length as it is read: metres, to the millimetre where it is not of whole centimetres. */
-export function lengthWords(gap: number): string {
-  return `${(gap / 1000).toFixed(gap % 10 === 0 ? 2 : 3)} m`;
-}
-
-export class GapPanel {
-  readonly #rows: HTMLElement;
-
-  constructor(readonly host: HTMLElement) {
-    this.#rows = host.querySelector("dl") as HTMLElement;
-  }
-
-  /** Shows the distances around a piece of a scene, `held` where it is in hand; hides them where the scene has none of that id. */
-  show(scene: Scene | null, id: string | null, held: Furniture | null = null): void {
-    const room = scene?.rooms.find((one) => one.furniture.some((piece) => piece.id === id));
-    const piece = held ?? room?.furniture.find((one) => one.id === id);
-    this.host.hidden = !room || !piece;
-    if (scene && room && piece) this.#rows.replaceChildren(...gapsOf(scene, room, piece).flatMap((gap) => this.#row(gap)));
-  }
-
-  #row({ side, wall, piece }: Gap): HTMLElement[] {
-    const said = [...(wall === null ? [] : [`${lengthWords(wall)} to the wall`]), ...(piece ? [`${lengthWords(piece.mm)} to ${piece.name}`] : [])];
-    const term = Object.assign(document.createElement("dt"), { textContent: side });
-    return [term, Object.assign(document.createElement("dd"), { textContent: said.join(", ") || "open" })];
-  }
 }

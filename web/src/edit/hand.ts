@@ -11,6 +11,8 @@ export interface Grasp {
   readonly id: string;
   readonly at: Point;
   readonly height: number;
+  /** Whether it is chosen: a finger drags it at once. */
+  readonly isChosen: boolean;
 }
 
 export interface HandWords {
@@ -20,14 +22,17 @@ export interface HandWords {
   /** The house must not turn meanwhile. */
   hold(held: boolean): void;
   lift(id: string): void;
-  /** Where the held piece's centre is wanted, in the house. */
-  drag(at: Point): void;
+  /** Where the held piece's centre is wanted, in the house; `isFree`: with Alt, lined up with nothing. */
+  drag(at: Point, isFree: boolean): void;
   drop(): void;
   cancel(): void;
 }
 
-/** Further than this [CSS pixels] a press is a drag, as for clicks. */
+/** Further than this [CSS pixels] a press is a drag, as for clicks; fingers are less still. */
 const STILL = 5;
+const FINGER_STILL = 12;
+/** A finger that stays this long on a piece that is not chosen takes hold of it; before, it turns the house [ms]. */
+export const LONG_PRESS = 450;
 
 interface Grip {
   readonly id: string;
@@ -37,10 +42,13 @@ interface Grip {
   /** From the point held to the piece's centre. */
   readonly offset: Point;
   lifted: boolean;
+  moved: boolean;
 }
 
 export class Hand {
   #grip: Grip | null = null;
+  /** A finger that may become a hold: where it is, and what ends the wait. */
+  #waiting: { readonly event: PointerEvent; readonly timer: ReturnType<typeof setTimeout> } | null = null;
 
   constructor(readonly canvas: HTMLCanvasElement, readonly words: HandWords) {
     // Before the canvas' own listeners: they must not begin to turn the house.
@@ -57,22 +65,50 @@ export class Hand {
 
   /** Lets go and puts everything back. */
   cancel(): void {
-    if (this.#end()) this.words.cancel();
+    this.#wait(null);
+    if (this.#end()?.lifted) this.words.cancel();
   }
 
   #press(event: PointerEvent): void {
+    const isFinger = event.pointerType === "touch";
+    if (isFinger && !event.isPrimary) this.cancel(); // two fingers are for the camera
     if (event.target !== this.canvas || event.button !== 0 || !event.isPrimary || event.shiftKey || event.ctrlKey) return;
     const held = this.words.grasp(event.clientX, event.clientY);
     if (!held) return;
+    if (isFinger && !held.isChosen) this.#wait(event, () => this.#pick(event));
+    else this.#hold(event, held);
+  }
+
+  /** Waits with a finger, or no longer. */
+  #wait(event: PointerEvent | null, then: () => void = () => undefined): void {
+    if (this.#waiting) clearTimeout(this.#waiting.timer);
+    this.#waiting = event && { event, timer: setTimeout(then, LONG_PRESS) };
+  }
+
+  /** Takes up what a finger has stayed on. */
+  #pick(event: PointerEvent): void {
+    this.#waiting = null;
+    const held = this.words.grasp(event.clientX, event.clientY);
+    if (held && this.#hold(event, held)) this.#lift();
+  }
+
+  #lift(): void {
+    if (!this.#grip) return;
+    this.#grip.lifted = true;
+    this.words.lift(this.#grip.id);
+  }
+
+  #hold(event: PointerEvent, held: Grasp): boolean {
     const plane = new Plane(new Vector3(0, 1, 0), -held.height);
     const point = this.#onPlane(event, plane);
-    if (!point) return;
+    if (!point) return false;
     this.#grip = {
       id: held.id, pointer: event.pointerId, from: { x: event.clientX, y: event.clientY }, plane,
-      offset: { x: held.at.x - point.x, z: held.at.z - point.z }, lifted: false,
+      offset: { x: held.at.x - point.x, z: held.at.z - point.z }, lifted: false, moved: false,
     };
     this.words.hold(true);
     this.canvas.setPointerCapture(event.pointerId);
+    return true;
   }
 
   #onPlane(event: PointerEvent, plane: Plane): Point | null {
@@ -80,27 +116,32 @@ export class Hand {
   }
 
   #move(event: PointerEvent): void {
-    const grip = this.#grip;
+    const [grip, waiting] = [this.#grip, this.#waiting?.event];
+    if (waiting && Math.hypot(event.clientX - waiting.clientX, event.clientY - waiting.clientY) > FINGER_STILL) this.#wait(null);
     if (!grip || event.pointerId !== grip.pointer) return;
-    if (!grip.lifted) {
-      if (Math.hypot(event.clientX - grip.from.x, event.clientY - grip.from.y) <= STILL) return;
-      grip.lifted = true;
-      this.words.lift(grip.id);
+    if (!grip.moved) {
+      const still = event.pointerType === "touch" ? FINGER_STILL : STILL;
+      if (Math.hypot(event.clientX - grip.from.x, event.clientY - grip.from.y) <= still) return;
+      grip.moved = true;
+      if (!grip.lifted) this.#lift();
     }
     const point = this.#onPlane(event, grip.plane);
-    if (point) this.words.drag({ x: point.x + grip.offset.x, z: point.z + grip.offset.z });
+    if (point) this.words.drag({ x: point.x + grip.offset.x, z: point.z + grip.offset.z }, event.altKey);
   }
 
   #release(event: PointerEvent): void {
-    if (event.pointerId === this.#grip?.pointer && this.#end()) this.words.drop();
+    this.#wait(null);
+    if (event.pointerId !== this.#grip?.pointer) return;
+    const grip = this.#end();
+    if (grip?.moved) this.words.drop();
+    else if (grip?.lifted) this.words.cancel(); // taken up and let go: chosen, not moved
   }
 
-  /** Lets go; tells whether anything was lifted. */
-  #end(): boolean {
+  /** Lets go of what is held. */
+  #end(): Grip | null {
     const grip = this.#grip;
     this.#grip = null;
-    if (!grip) return false;
-    this.words.hold(false);
-    return grip.lifted;
+    if (grip) this.words.hold(false);
+    return grip;
   }
 }

@@ -1,17 +1,37 @@
 /** All kinds of furniture the service knows, to search and to choose from. */
 import type { Catalog } from "../contract";
 import { words } from "../house/frame";
+import type { Favourites } from "./favourites";
 import type { FurnitureKind } from "./scene_edits";
+import { say } from "../words/language";
 
 interface Entry {
+  readonly key: string;
   readonly kind: FurnitureKind;
   readonly text: string;
-  readonly button: HTMLButtonElement;
+  readonly item: HTMLElement;
+  readonly picture: HTMLCanvasElement;
 }
 
-const LOADING = "Loading…";
-const NOT_LOADED = "The kinds could not be loaded.";
-const NONE = "No such kind.";
+/** What the palette needs of others: favourites that are kept, pictures, and where a kind is dragged. */
+export interface PaletteWords {
+  readonly favourites: Pick<Favourites, "has" | "toggle">;
+  /** Draws a kind's picture, once it is seen. */
+  portray(kind: FurnitureKind, into: HTMLCanvasElement): void;
+  /** A kind is dragged over a point of the window; null: it is not any more. */
+  over(kind: FurnitureKind, at: { readonly x: number; readonly y: number } | null): void;
+  drop(kind: FurnitureKind, at: { readonly x: number; readonly y: number }): void;
+}
+
+const ALL = "all";
+const LIKED = "favourites";
+/** A picture's size [pixels]. */
+const PICTURE = { width: 96, height: 72 } as const;
+/** Further than this [CSS pixels] a press on a kind drags it. */
+const STILL = 6;
+const LOADING = say("Loading…");
+const NOT_LOADED = say("The kinds could not be loaded.");
+const NONE = say("No such kind.");
 /** What lives in a house is no piece of furniture. */
 const LIVING = "dynamic";
 
@@ -36,36 +56,44 @@ export function kindsOf(catalog: Catalog): { readonly key: string; readonly kind
   })).sort((a, b) => a.key.localeCompare(b.key));
 }
 
+/** Nothing beside the kinds. */
+const ALONE: PaletteWords = { favourites: { has: () => false, toggle: () => undefined }, portray: () => undefined, over: () => undefined, drop: () => undefined };
+
 export class Palette {
   onChoose: (kind: FurnitureKind) => void = () => undefined;
   readonly #search = document.createElement("input");
+  readonly #categories = document.createElement("div");
   readonly #list = document.createElement("ul");
   readonly #nothing = document.createElement("p");
+  /** Pictures are drawn of what has come into view. */
+  readonly #seen: IntersectionObserver | null;
   #entries: Entry[] = [];
+  #category = ALL;
   /** What had the focus before. */
   #before: Element | null = null;
 
-  constructor(readonly host: HTMLElement) {
+  constructor(readonly host: HTMLElement, readonly others: PaletteWords = ALONE) {
     const label = document.createElement("label");
-    label.textContent = "Add a piece";
+    label.textContent = say("Add a piece");
     label.htmlFor = "palette_search";
     this.#search.id = "palette_search";
     this.#search.type = "search";
-    this.#search.placeholder = "sofa, lamp, desk…";
+    this.#search.placeholder = say("sofa, lamp, desk…");
     this.#search.addEventListener("input", () => this.#filter());
     this.#search.addEventListener("keydown", (event) => this.#enter(event));
+    this.#categories.className = "palette-categories";
+    this.#categories.setAttribute("role", "group");
+    this.#categories.setAttribute("aria-label", say("Categories"));
     this.#nothing.textContent = LOADING;
     this.#nothing.className = "hint";
-    host.replaceChildren(this.#head(label), this.#search, this.#list, this.#nothing);
+    this.#seen = typeof IntersectionObserver === "undefined" ? null : new IntersectionObserver((all) => this.#portray(all), { root: host, rootMargin: "80px" });
+    host.replaceChildren(this.#head(label), this.#search, this.#categories, this.#list, this.#nothing);
     host.addEventListener("keydown", (event) => this.#escape(event));
   }
 
   #head(label: HTMLElement): HTMLElement {
-    const [head, close] = [document.createElement("div"), document.createElement("button")];
+    const [head, close] = [document.createElement("div"), button("✕", say("Close"))];
     head.className = "palette-head";
-    close.type = "button";
-    close.textContent = "✕";
-    close.setAttribute("aria-label", "Close");
     close.addEventListener("click", () => this.open(false));
     head.append(label, close);
     return head;
@@ -85,12 +113,21 @@ export class Palette {
   #fill(catalog: Catalog): void {
     this.#nothing.textContent = NONE;
     this.#entries = [...ownKindsOf(catalog), ...kindsOf(catalog)].map(({ key, kind }) => this.#entry(key, kind));
-    this.#list.replaceChildren(...this.#entries.map(({ button }) => {
-      const item = document.createElement("li");
-      item.append(button);
-      return item;
-    }));
+    this.#list.replaceChildren(...this.#entries.map(({ item }) => item));
+    const categories = [...new Set(this.#entries.map(({ kind }) => kind.category).filter((category) => category !== ""))].sort();
+    this.#categories.replaceChildren(...[ALL, LIKED, ...categories].map((category) => this.#chip(category)));
+    for (const { picture } of this.#entries) this.#seen?.observe(picture);
     this.#filter();
+  }
+
+  #chip(category: string): HTMLElement {
+    const chip = button(words(category));
+    chip.dataset.category = category;
+    chip.addEventListener("click", () => {
+      this.#category = category;
+      this.#filter();
+    });
+    return chip;
   }
 
   get isOpen(): boolean {
@@ -105,29 +142,86 @@ export class Palette {
     if (!isOpen && held && this.#before instanceof HTMLElement) this.#before.focus();
     if (!isOpen) return;
     this.#search.value = "";
+    this.#category = ALL;
     this.#filter();
     this.#search.focus();
   }
 
   #entry(key: string, kind: FurnitureKind): Entry {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.dataset.kind = key;
-    const size = document.createElement("small");
+    const [item, choose, picture, size] = [document.createElement("li"), button(), document.createElement("canvas"), document.createElement("small")];
+    choose.dataset.kind = key;
+    Object.assign(picture, PICTURE);
+    picture.setAttribute("aria-hidden", "true");
     size.textContent = `${kind.size.map((metres) => metres.toFixed(2)).join(" × ")} m`;
-    button.append(words(key), " ", size);
-    button.addEventListener("click", () => this.onChoose(kind));
-    return { kind, button, text: `${words(key)} ${words(kind.name)} ${kind.category}`.toLowerCase() };
+    choose.append(picture, words(key), " ", size);
+    this.#listen(choose, kind);
+    item.append(choose, this.#star(key));
+    return { key, kind, item, picture, text: `${words(key)} ${words(kind.name)} ${kind.category}`.toLowerCase() };
+  }
+
+  #star(key: string): HTMLElement {
+    const star = button("★", say("Favourite: {piece}", { piece: words(key) }));
+    star.className = "star";
+    star.setAttribute("aria-pressed", String(this.others.favourites.has(key)));
+    star.addEventListener("click", () => {
+      this.others.favourites.toggle(key);
+      star.setAttribute("aria-pressed", String(this.others.favourites.has(key)));
+    });
+    return star;
+  }
+
+  /** A click chooses the kind; pulled out with a mouse it is dragged into the house. */
+  #listen(choose: HTMLElement, kind: FurnitureKind): void {
+    let from: { readonly x: number; readonly y: number } | null = null;
+    let isDragged = false;
+    const at = (event: PointerEvent): { x: number; y: number } => ({ x: event.clientX, y: event.clientY });
+    choose.addEventListener("click", () => {
+      if (!isDragged) this.onChoose(kind);
+      isDragged = false;
+    });
+    choose.addEventListener("pointerdown", (event) => {
+      isDragged = false;
+      from = event.button === 0 && event.pointerType !== "touch" ? at(event) : null;
+    });
+    choose.addEventListener("pointermove", (event) => {
+      if (!from || (!isDragged && Math.hypot(event.clientX - from.x, event.clientY - from.y) <= STILL)) return;
+      isDragged = true;
+      this.host.classList.add("aside");
+      choose.setPointerCapture(event.pointerId);
+      this.others.over(kind, at(event));
+    });
+    choose.addEventListener("pointerup", (event) => {
+      if (from && isDragged && this.isOpen) this.others.drop(kind, at(event));
+      else if (from && isDragged) this.others.over(kind, null);
+      this.host.classList.remove("aside");
+      from = null;
+    });
+    choose.addEventListener("pointercancel", () => {
+      from = null;
+      this.host.classList.remove("aside");
+      this.others.over(kind, null);
+    });
+  }
+
+  #portray(all: readonly IntersectionObserverEntry[]): void {
+    for (const { target, isIntersecting } of all) {
+      const entry = isIntersecting ? this.#entries.find(({ picture }) => picture === target) : undefined;
+      if (!entry) continue;
+      this.#seen?.unobserve(target);
+      this.others.portray(entry.kind, entry.picture);
+    }
   }
 
   #filter(): void {
     const wanted = this.#search.value.trim().toLowerCase().replaceAll("_", " ");
-    for (const { text, button } of this.#entries) if (button.parentElement) button.parentElement.hidden = !text.includes(wanted);
+    const isOf = ({ key, kind }: Entry): boolean => this.#category === ALL || kind.category === this.#category || (this.#category === LIKED && this.others.favourites.has(key));
+    for (const entry of this.#entries) entry.item.hidden = !entry.text.includes(wanted) || !isOf(entry);
+    for (const chip of this.#categories.querySelectorAll<HTMLElement>("button")) chip.setAttribute("aria-pressed", String(chip.dataset.category === this.#category));
     this.#nothing.hidden = this.#shown().length > 0;
   }
 
   #shown(): Entry[] {
-    return this.#entries.filter(({ button }) => !button.parentElement?.hidden);
+    return this.#entries.filter(({ item }) => !item.hidden);
   }
 
   #escape(event: KeyboardEvent): void {
@@ -141,4 +235,12 @@ export class Palette {
     const [first] = this.#shown();
     if (event.key === "Enter" && first) this.onChoose(first.kind);
   }
+}
+
+function button(sign = "", label = ""): HTMLButtonElement {
+  const made = document.createElement("button");
+  made.type = "button";
+  made.textContent = sign;
+  if (label !== "") made.setAttribute("aria-label", label);
+  return made;
 }

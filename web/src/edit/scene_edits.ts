@@ -146,8 +146,9 @@ export function added(scene: Scene, roomId: string, kind: FurnitureKind): { read
   return { id, scene: mapRoom(scene, roomId, (old) => ({ ...old, furniture: [...old.furniture, piece] })) };
 }
 
-function freshId(scene: Scene, stem: string): string {
-  const taken = new Set(scene.rooms.flatMap((room) => [...room.furniture, ...room.decorations].map((body) => body.id)));
+/** An id that no body has, and that is none of some others. */
+export function freshId(scene: Scene, stem: string, besides: ReadonlySet<string> = new Set()): string {
+  const taken = new Set([...besides, ...scene.rooms.flatMap((room) => [...room.furniture, ...room.decorations].map((body) => body.id))]);
   for (let number = 1; ; number += 1) if (!taken.has(`${stem}_${number}`)) return `${stem}_${number}`;
 }
 

@@ -1,9 +1,10 @@
 /** The row of buttons over the canvas: what can be done to the piece in hand, and to the home. */
 
+import { say, type Words } from "../words/language";
 export interface Tool {
   readonly name: string;
-  readonly words: string;
-  readonly sign: string;
+  readonly words: Words;
+  readonly sign: Words;
   /** As `aria-keyshortcuts` wants it. */
   readonly keys?: string;
   /** It speaks of the piece in hand. */
@@ -24,11 +25,12 @@ export class Toolbar {
     const button = document.createElement("button");
     button.type = "button";
     button.dataset.tool = tool.name;
-    button.title = tool.keys ? `${tool.words} (${tool.keys.split(" ")[0] ?? ""})` : tool.words;
-    button.setAttribute("aria-label", tool.words);
+    const words = say(tool.words);
+    button.title = tool.keys ? `${words} (${tool.keys.split(" ")[0] ?? ""})` : words;
+    button.setAttribute("aria-label", words);
     if (tool.keys) button.setAttribute("aria-keyshortcuts", tool.keys);
     const sign = document.createElement("span");
-    sign.textContent = tool.sign;
+    sign.textContent = say(tool.sign);
     sign.setAttribute("aria-hidden", "true");
     button.append(sign);
     button.addEventListener("click", () => tool.act());

@@ -1,12 +1,19 @@
 /** Why the chosen piece stands where it does: what holds it back from where it was wished, in the service's words. */
-import type { Explained, Hold, Scene } from "../contract";
+import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { isAbort } from "../service";
 import { pieceWords } from "./words";
+import { say } from "../words/language";
 
 export type AskWhy = (scene: Scene, id: string, signal: AbortSignal) => Promise<Explained>;
 
 export class WhyPanel {
   onChoose: (id: string) => void = () => undefined;
+  /** Called with what is shown; null: nothing any more. */
+  onShow: (answer: Explained | null) => void = () => undefined;
+  /** Called with a way to stand that is pointed at, to be framed; null: none is. */
+  onPreview: (way: OtherWay | null, room: string) => void = () => undefined;
+  /** Called with a way that was chosen. */
+  onTake: (way: OtherWay, room: string) => void = () => undefined;
   #pending = new AbortController();
 
   constructor(readonly host: HTMLElement, readonly ask: AskWhy, readonly failed: (reason: unknown) => void) {}
@@ -19,6 +26,7 @@ export class WhyPanel {
       const answer = await this.ask(scene, id, signal);
       this.host.replaceChildren(...this.#contents(answer));
       this.host.hidden = false;
+      this.onShow(answer);
     } catch (reason) {
       if (!isAbort(reason)) this.failed(reason);
     }
@@ -27,13 +35,15 @@ export class WhyPanel {
   hide(): void {
     this.#pending.abort();
     this.#pending = new AbortController();
+    const was = !this.host.hidden;
     this.host.hidden = true;
     this.host.replaceChildren();
+    if (was) this.onShow(null);
   }
 
   #contents(answer: Explained): HTMLElement[] {
     const heading = document.createElement("strong");
-    heading.textContent = `Why the ${pieceWords(answer.id)} stands here`;
+    heading.textContent = say("Why the {piece} stands here", { piece: pieceWords(answer.id) });
     const notes = [...wishOf(answer), ...answer.notes].map((note) => {
       const words = document.createElement("p");
       words.textContent = `${note.charAt(0).toUpperCase()}${note.slice(1)}.`;
@@ -41,8 +51,30 @@ export class WhyPanel {
     });
     const list = document.createElement("ul");
     list.append(...answer.holds.map((hold) => this.#line(hold)));
-    const close = button("Close", () => this.hide());
-    return [heading, ...notes, ...(answer.holds.length > 0 ? [list] : []), close];
+    const close = button(say("Close"), () => this.hide());
+    return [heading, ...notes, ...(answer.holds.length > 0 ? [list] : []), ...this.#ways(answer), close];
+  }
+
+  /** How else it could stand, and what that would have cost; each can be taken. */
+  #ways({ ways, room }: Explained): HTMLElement[] {
+    if (ways.length === 0) return [];
+    const [heading, list] = [document.createElement("strong"), document.createElement("ul")];
+    heading.textContent = say("How else it could stand");
+    list.className = "ways";
+    list.append(...ways.map((way) => {
+      const line = document.createElement("li");
+      const said = wayWords(way);
+      if (way.cost === null) {
+        line.textContent = said;
+        return line;
+      }
+      const take = button(said, () => this.onTake(way, room));
+      for (const event of ["pointerenter", "focus"]) take.addEventListener(event, () => this.onPreview(way, room));
+      for (const event of ["pointerleave", "blur"]) take.addEventListener(event, () => this.onPreview(null, room));
+      line.append(take);
+      return line;
+    }));
+    return [heading, list];
   }
 
   /** What holds it; a piece that does can be chosen. */
@@ -56,10 +88,17 @@ export class WhyPanel {
   }
 }
 
+/** A way's words, its pieces called as people call them. */
+function wayWords({ message, moves, left_out: gone }: OtherWay): string {
+  const ids = [...moves.map(({ id }) => id), ...gone].sort((a, b) => b.length - a.length);
+  const said = ids.reduce((text, id) => text.replaceAll(id, `the ${pieceWords(id)}`), message);
+  return said.charAt(0).toUpperCase() + said.slice(1);
+}
+
 /** How far it stands from where it was wished. */
 function wishOf({ wished, stands }: Explained): string[] {
   const away = wished ? Math.hypot(wished[0] - stands[0], wished[1] - stands[1]) : 0;
-  return away >= 0.02 ? [`it was wished ${away.toFixed(2)} m from here`] : [];
+  return away >= 0.02 ? [say("it was wished {length} m from here", { length: away.toFixed(2) })] : [];
 }
 
 function button(words: string, act: () => void): HTMLButtonElement {

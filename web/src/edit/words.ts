@@ -1,20 +1,21 @@
 /** Words for what is edited and repaired. */
 import type { Repair } from "../contract";
+import { say, sayName } from "../words/language";
 
 /** A piece's id as a person calls it: its kind, and its number where it is not the first. */
 export function pieceWords(id: string): string {
   const name = id.split("/").at(-1) ?? id;
   const [, kind = name, number = "1"] = /^(.*?)_(\d+)$/.exec(name) ?? [];
-  return number === "1" ? kind.replaceAll("_", " ") : `${kind.replaceAll("_", " ")} ${number}`;
+  return number === "1" ? sayName(kind) : `${sayName(kind)} ${number}`;
 }
 
 export function repairWords(repair: Repair): string {
-  const piece = `the ${pieceWords(repair.id)}`;
+  const piece = pieceWords(repair.id);
   switch (repair.action) {
-    case "move": return `Let ${piece} stand away from its wall`;
-    case "unlock": return `Unlock ${piece}`;
-    case "turn": return `Turn ${piece} to ${repair.rotation}°`;
-    case "shrink": return `Shrink ${piece} to ${repair.width.toFixed(2)} × ${repair.depth.toFixed(2)} m`;
-    case "leave_out": return `Leave out ${piece}`;
+    case "move": return say("Let the {piece} stand away from its wall", { piece });
+    case "unlock": return say("Unlock the {piece}", { piece });
+    case "turn": return say("Turn the {piece} to {angle}°", { piece, angle: repair.rotation });
+    case "shrink": return say("Shrink the {piece} to {width} × {depth} m", { piece, width: repair.width.toFixed(2), depth: repair.depth.toFixed(2) });
+    case "leave_out": return say("Leave out the {piece}", { piece });
   }
 }

@@ -1,20 +1,25 @@
 /** Editing wired to the canvas, the keys and the panels. */
-import type { Furniture, Scene } from "../contract";
+import type { Catalog, OtherWay, Scene } from "../contract";
 import { CoreThread } from "../core/core_thread";
 import { LocalDrag } from "../core/local_drag";
-import { bodiesOf, type PlacedBody } from "../house/frame";
+import { bodiesOf, isOver, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
 import { catalog, coreUrl, drag, explain, fix, floor } from "../service";
 import type { Stage } from "../stage";
+import { timed } from "../timing";
 import type { Home, Showing } from "../state/home";
+import { Acts } from "./acts";
+import { Adding } from "./adding";
 import { ConflictPanel } from "./conflict_panel";
 import { Editor, type Refusal } from "./editor";
+import type { Keeper } from "./favourites";
 import { FloorZones } from "./floor";
-import { GapPanel } from "./gaps";
-import { Hand, type Grasp } from "./hand";
-import { Palette } from "./palette";
-import { carriedBy, companionsOf, keptCompanions, without, type FurnitureKind } from "./scene_edits";
+import { Hand, type Grasp, type Point } from "./hand";
+import { stoodSo } from "./many_edits";
+import { Numbers, type InHand } from "./numbers";
+import { carriedBy, companionsOf, keptCompanions, without } from "./scene_edits";
 import { Slide, spotOf } from "./slide";
+import { ThingDrag } from "./thing_drag";
 import { Toolbar, type Tool } from "./toolbar";
 import { WhyPanel } from "./why_panel";
 
@@ -40,24 +45,25 @@ export class Workbench {
   readonly #hand: Hand;
   readonly #slide = new Slide((id, spot) => this.stage.house?.place(id, spot));
   readonly #conflicts = new ConflictPanel(within("conflict"));
-  readonly #palette = new Palette(within("palette"));
   readonly #toolbar: Toolbar;
   readonly #floor: FloorZones;
   readonly #why: WhyPanel;
-  readonly #gaps = new GapPanel(within("gaps"));
+  readonly #acts: Acts;
+  readonly #numbers: Numbers;
+  readonly #thing: ThingDrag;
+  readonly #adding: Adding;
   readonly #floorSwitch = within("show_floor") as HTMLInputElement;
   /** The house last drawn: from its places bodies slide to those of the next. */
   #drawn: House | null = null;
   #sliding = false;
   #refused: Refusal | null = null;
   /** The piece in hand, where it is wished. */
-  #wished: Furniture | null = null;
-  #filled = false;
+  #wished: InHand | null = null;
   #core: CoreThread | null = null;
   /** Who goes along with the piece in hand, as far as the service leaves them to it. */
   #along: ReadonlySet<string> = new Set();
 
-  constructor(readonly home: Home, readonly stage: Stage, readonly words: WorkbenchWords) {
+  constructor(readonly home: Home, readonly stage: Stage, keeper: Keeper, readonly words: WorkbenchWords) {
     this.editor = new Editor(home, fix, {
       busy: (busy) => words.busy(busy),
       failed: (reason) => words.failed(reason),
@@ -66,19 +72,39 @@ export class Workbench {
       answered: (id, scene) => this.#frameGoal(id, scene),
       settled: () => this.#settled(),
     }, (scene, id) => this.#frames(scene, id));
+    this.#acts = new Acts(home, this.editor);
+    this.#thing = new ThingDrag(home, stage, this.#acts);
+    const hosts = { gaps: within("gaps"), piece: within("piece") as HTMLDetailsElement, tape: within("tape") };
+    this.#numbers = new Numbers(home, stage, this.editor, this.#acts, hosts);
+    this.#adding = new Adding(home, stage, this.editor, { palette: within("palette"), places: within("places") }, keeper, {
+      room: () => this.#roomMeant(),
+      failed: (reason) => words.failed(reason),
+    });
     this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason));
     this.#why = new WhyPanel(within("why"), explain, (reason) => words.failed(reason));
     this.#why.onChoose = (id) => home.select(id);
+    this.#why.onShow = (answer) => {
+      this.#numbers.explain(answer);
+      this.#previewWay(null);
+    };
+    this.#why.onPreview = (way) => this.#previewWay(way);
+    this.#why.onTake = (way, room) => { if (home.selected !== null) this.#acts.stand(home.selected, way, room); };
     this.#floorSwitch.addEventListener("change", () => this.#showFloor());
     this.#toolbar = new Toolbar(within("tools"), this.#tools());
     this.#hand = this.#grasping();
     this.#conflicts.onTake = (refusal, repair) => this.editor.take(refusal, repair);
-    this.#palette.onChoose = (kind) => this.#add(kind);
     home.on("shown", (how) => this.#shown(how));
+    stage.onRedrawn = () => this.#shown("live");
     home.on("beyond", () => this.#offer());
-    home.on("selected", () => { this.#why.hide(); this.#offer(); this.#measure(); });
+    home.on("selected", (id) => { this.#why.hide(); this.#offer(); this.#measure(); this.#numbers.chosen(id); });
+    home.on("also", () => { this.#offer(); this.#measure(); });
     document.addEventListener("keydown", (event) => this.#key(event));
     this.#offer();
+  }
+
+  /** Learns what the service knows of kinds. */
+  learn(known: Catalog): void {
+    this.#numbers.learn(known);
   }
 
   #grasping(): Hand {
@@ -87,10 +113,22 @@ export class Workbench {
       rayAt: (x, y) => this.stage.viewport.rayAt(x, y),
       hold: (held) => this.stage.viewport.hold(held),
       lift: (id) => this.#lift(id),
-      drag: (at) => this.editor.drag(at),
-      drop: () => this.editor.drop(),
-      cancel: () => this.editor.cancel(),
+      drag: (at, isFree) => this.#drag(at, isFree),
+      drop: () => (this.#thing.dragged === null ? this.editor.drop() : this.#thing.drop()),
+      cancel: () => (this.#thing.dragged === null ? this.editor.cancel() : this.#thing.cancel()),
     });
+  }
+
+  #drag(at: Point, isFree: boolean): void {
+    const id = this.editor.dragged;
+    if (id === null) this.#thing.drag(at, this.#under(at));
+    else timed("drag followed", () => this.editor.drag(this.#numbers.brought(id, at, isFree)));
+  }
+
+  /** The piece of furniture over a place of the house, the highest. */
+  #under({ x, z }: Point): string | null {
+    const over = (this.stage.house?.bodies ?? []).filter((body) => body.kind === "furniture" && isOver(body, x, z));
+    return over.sort((a, b) => b.y + b.height - a.y - a.height)[0]?.id ?? null;
   }
 
   /** Who answers the frames of a drag in the page; null where the service has to. */
@@ -101,11 +139,17 @@ export class Workbench {
 
   /** Takes a piece in hand, and shows the floor it may go to: as if it were not there. */
   #lift(id: string): void {
+    if (!this.home.find(id)) {
+      this.#thing.lift(id);
+      return;
+    }
+    const others = this.home.chosen.includes(id) ? this.home.chosen.filter((one) => one !== id) : [];
     const room = this.home.find(id)?.room.id;
     const { scene } = this.home;
-    if (!this.editor.lift(id)) return;
+    if (!this.editor.lift(id, others)) return;
     this.#along = scene ? companionsOf(scene, id) : new Set();
-    this.home.select(id);
+    this.home.choose([id, ...others]);
+    for (const other of scene ? others : []) this.#along = new Set([...this.#along, ...carriedBy(scene as Scene, other), ...companionsOf(scene as Scene, other)]);
     if (scene && room !== undefined) void this.#floor.show(without(scene, id), [room]);
   }
 
@@ -127,12 +171,13 @@ export class Workbench {
     const hit = this.stage.house?.hit(this.stage.viewport.rayAt(x, y));
     const held = hit?.kind === "body" ? this.#carrierOf(hit.body) : null;
     if (!held || this.editor.busy || this.home.locked.has(held.id)) return null;
-    return { id: held.id, at: { x: held.x, z: held.z }, height: held.y + held.height / 2 };
+    return { id: held.id, at: { x: held.x, z: held.z }, height: held.y + held.height / 2, isChosen: this.home.chosen.includes(held.id) };
   }
 
   /** The piece of furniture that a body is, or lies on. */
   #carrierOf(body: PlacedBody): PlacedBody | null {
     if (body.kind === "furniture") return body;
+    if (body.kind === "decoration" && body.id === this.home.selected) return body;
     const room = this.home.scene?.rooms.find((one) => one.decorations.some((piece) => piece.id === body.id));
     if (body.kind !== "decoration" || body.hung !== undefined || !room || !this.home.scene) return null;
     const scene = this.home.scene;
@@ -143,7 +188,8 @@ export class Workbench {
   /** Shows what is in hand where it is wished, at once. */
   #carry(id: string, scene: Scene): void {
     const carried = this.#inHand(scene, id);
-    this.#wished = scene.rooms.flatMap((room) => room.furniture).find((piece) => piece.id === id) ?? null;
+    const wished = scene.rooms.flatMap((room) => room.furniture.map((piece) => ({ piece, room: room.id }))).find(({ piece }) => piece.id === id);
+    this.#wished = wished ?? null;
     this.#measure();
     for (const body of bodiesOf(scene)) if (carried.has(body.id)) this.stage.house?.place(body.id, spotOf(body));
     this.stage.viewport.castShadows();
@@ -202,13 +248,17 @@ export class Workbench {
 
   #tools(): Tool[] {
     const onPiece = (act: (id: string) => void) => () => { if (this.home.selected !== null) act(this.home.selected); };
+    const acts = this.#acts;
     return [
+      { name: "menu", words: "Menu", sign: "☰", act: () => undefined }, // panel/menu.ts opens it
       { name: "undo", words: "Undo", sign: "↶", keys: "Control+Z", act: () => this.editor.undo() },
       { name: "redo", words: "Redo", sign: "↷", keys: "Control+Shift+Z Control+Y", act: () => this.editor.redo() },
-      { name: "left", words: "Turn left", sign: "⟲", keys: "Q", ofPiece: true, act: onPiece((id) => this.editor.rotate(id, 90)) },
-      { name: "right", words: "Turn right", sign: "⟳", keys: "E", ofPiece: true, act: onPiece((id) => this.editor.rotate(id, -90)) },
+      { name: "left", words: "Turn left", sign: "⟲", keys: "Q", ofPiece: true, act: () => acts.turn(90) },
+      { name: "right", words: "Turn right", sign: "⟳", keys: "E", ofPiece: true, act: () => acts.turn(-90) },
       { name: "lock", words: "Lock", sign: "Lock", keys: "K", ofPiece: true, act: onPiece((id) => this.editor.toggleLock(id)) },
-      { name: "delete", words: "Delete", sign: "Delete", keys: "Delete", ofPiece: true, act: onPiece((id) => this.editor.remove(id)) },
+      { name: "delete", words: "Delete", sign: "Delete", keys: "Delete", ofPiece: true, act: () => acts.remove() },
+      { name: "duplicate", words: "Copy beside", sign: "Copy", keys: "Control+D", ofPiece: true, act: () => acts.duplicate() },
+      { name: "tape", words: "Tape measure", sign: "Tape", keys: "M", act: () => this.#measureWithTape() },
       { name: "why", words: "Why here?", sign: "Why?", keys: "H", ofPiece: true, act: () => this.#explain() },
       { name: "add", words: "Add a piece", sign: "+ Add", keys: "A", act: () => this.#openPalette() },
     ];
@@ -217,7 +267,16 @@ export class Workbench {
   /** Says how far the chosen piece is from what is around it. */
   #measure(): void {
     const dragged = this.editor.dragged;
-    this.#gaps.show(this.home.scene, dragged ?? this.home.selected, dragged === null ? null : this.#wished);
+    this.#numbers.show(dragged === null ? null : this.#wished);
+  }
+
+  #openPalette(): void {
+    this.#adding.toggle(() => catalog(NEVER));
+  }
+
+  #measureWithTape(isOut = !this.#numbers.tape.isOut): void {
+    this.#numbers.tape.toggle(isOut);
+    this.#toolbar.press("tape", isOut);
   }
 
   /** Offers what can be done now. */
@@ -226,9 +285,19 @@ export class Workbench {
     const isLocked = found?.piece.locked === true;
     this.#toolbar.enable("undo", this.home.canUndo);
     this.#toolbar.enable("redo", this.home.canRedo);
-    for (const name of ["left", "right", "delete"]) this.#toolbar.enable(name, found !== null && !isLocked);
+    for (const name of ["left", "right", "delete"]) this.#toolbar.enable(name, this.#acts.canChange);
+    this.#toolbar.enable("duplicate", this.home.selected !== null);
     for (const name of ["lock", "why"]) this.#toolbar.enable(name, found !== null);
     this.#toolbar.press("lock", isLocked);
+  }
+
+  /** Frames where all would stand in another way. */
+  #previewWay(way: OtherWay | null): void {
+    const { scene } = this.home;
+    const ids = new Set(way?.moves.map(({ id }) => id));
+    const framed = way && scene ? bodiesOf(stoodSo(scene, way.moves, way.left_out)).filter(({ id }) => ids.has(id)) : [];
+    this.stage.house?.frame("settles", framed);
+    this.stage.viewport.invalidate();
   }
 
   /** Says why the chosen piece stands where it does. */
@@ -237,22 +306,10 @@ export class Workbench {
     if (scene && id !== null && this.home.find(id)) void this.#why.show(scene, id);
   }
 
-  #openPalette(): void {
-    if (!this.#filled) {
-      this.#filled = true;
-      this.#palette.await(catalog(new AbortController().signal)).catch((reason: unknown) => {
-        this.#filled = false;
-        this.words.failed(reason);
-      });
-    }
-    this.#palette.open(!this.#palette.isOpen);
-  }
-
-  #add(kind: FurnitureKind): void {
-    const { scene } = this.home;
-    const room = this.home.room ?? this.home.find(this.home.selected)?.room.id ?? this.#roomInView() ?? scene?.rooms[0]?.id;
-    this.#palette.open(false);
-    if (room !== undefined) this.editor.add(room, kind);
+  /** The room that is chosen, that of what is chosen, or the one in view. */
+  #roomMeant(): string | undefined {
+    const { room, selected, scene } = this.home;
+    return room ?? this.home.find(selected)?.room.id ?? this.#acts.thing(selected)?.room.id ?? this.#roomInView() ?? scene?.rooms[0]?.id;
   }
 
   /** The room in the middle of the view. */
@@ -274,21 +331,30 @@ export class Workbench {
 
   #travelKey(event: KeyboardEvent): (() => void) | null {
     const key = event.key.toLowerCase();
+    const isText = !(getSelection()?.isCollapsed ?? true);
+    if (key === "d" && this.home.selected !== null) return () => this.#acts.duplicate();
+    if (key === "c" && this.home.selected !== null && !isText) return () => { this.#acts.copy(); };
+    if (key === "v") return () => this.#acts.paste(this.#roomMeant());
     if (key === "y" || (key === "z" && event.shiftKey)) return () => this.editor.redo();
     return key === "z" ? () => this.editor.undo() : null;
   }
 
   #pieceKey(event: KeyboardEvent): (() => void) | null {
     if (event.key === "Escape" && this.editor.dragged !== null) return () => { this.#hand.cancel(); this.editor.cancel(); };
+    if (event.key === "Escape" && this.#thing.dragged !== null) return () => this.#hand.cancel();
+    if (event.key === "Escape" && this.#numbers.cancel()) return () => undefined;
+    if (event.key === "Escape" && this.#adding.hide()) return () => undefined;
+    if (event.key === "Escape" && this.#numbers.tape.isOut) return () => this.#measureWithTape(false);
     if (event.key === "Escape" && this.#refused) return () => this.#refuse(null);
     if (event.key === "Escape" && !this.#why.host.hidden) return () => this.#why.hide();
     if (event.key.toLowerCase() === "a") return () => this.#openPalette();
+    if (event.key.toLowerCase() === "m") return () => this.#measureWithTape();
     if (event.key.toLowerCase() === "o") return () => this.#floorSwitch.click();
     const id = this.home.selected;
     if (id === null) return null;
     const acts: Readonly<Record<string, () => void>> = {
-      q: () => this.editor.rotate(id, 90), e: () => this.editor.rotate(id, -90), k: () => this.editor.toggleLock(id), h: () => this.#explain(),
-      Delete: () => this.editor.remove(id), Backspace: () => this.editor.remove(id),
+      q: () => this.#acts.turn(90), e: () => this.#acts.turn(-90), k: () => this.editor.toggleLock(id), h: () => this.#explain(),
+      Delete: () => this.#acts.remove(), Backspace: () => this.#acts.remove(),
     };
     return acts[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
   }
@@ -300,6 +366,6 @@ export class Workbench {
     if (way === undefined || id === null || target?.closest(".yaml")) return null;
     const quarters = way + Math.round(this.stage.viewport.heading / QUARTER);
     const step = event.shiftKey ? SMALL_STEP : STEP;
-    return () => this.editor.nudge(id, -Math.round(Math.sin(quarters * QUARTER)) * step, -Math.round(Math.cos(quarters * QUARTER)) * step);
+    return () => this.#acts.nudge(-Math.round(Math.sin(quarters * QUARTER)) * step, -Math.round(Math.cos(quarters * QUARTER)) * step);
   }
 }

@@ -10,6 +10,7 @@ import { OpenFronts } from "./open_fronts";
 import { PartBatches } from "./part_batches";
 import type { Part } from "./parts";
 import { ShapeBook } from "./shapes";
+import { cutAll, type WallCut } from "./wall_cut";
 
 const UP = new Vector3(0, 1, 0);
 
@@ -41,7 +42,7 @@ export class BodyMeshes {
   readonly #fronts: OpenFronts;
   /** What lies on each piece, by the piece's number. */
   readonly #carried = new Map<number, number[]>();
-  #cut = Number.POSITIVE_INFINITY;
+  #cut = cutAll(Number.POSITIVE_INFINITY);
 
   constructor(
     bodies: readonly PlacedBody[], book: ShapeBook = new ShapeBook(null), style: string | null = null, assets: ShownAssets | null = null,
@@ -105,9 +106,9 @@ export class BodyMeshes {
     this.#assets?.dispose();
   }
 
-  /** Hides what hangs on walls where they are cut below its middle: nothing hangs in the air. */
-  cutAt(height: number): void {
-    this.#cut = height;
+  /** Hides what hangs on walls where they are cut below its middle, or lower than others: nothing hangs in the air. */
+  cutAt(cut: WallCut): void {
+    this.#cut = cut;
     this.#bodies.forEach((body, i) => {
       if (body.hung !== undefined) this.#write(i);
     });
@@ -136,7 +137,7 @@ export class BodyMeshes {
   }
 
   #hidden(body: PlacedBody): boolean {
-    return body.hung !== undefined && body.hung > this.#cut;
+    return body.hung !== undefined && (body.hung > this.#cut.height || (body.outward !== undefined && this.#cut.before.has(body.outward)));
   }
 
   #partsShown(number: number): readonly Part[] {

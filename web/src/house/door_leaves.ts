@@ -52,7 +52,7 @@ function leafOf(opening: PlacedOpening, plan: WallPlan): Leaf {
   const fromStart = !swings || opening.hinge === "start";
   const along = fromStart ? 1 : -1;
   const at = fromStart ? from + FRAME : to - FRAME;
-  const offset = swings ? opensTowards * Math.max(0, plan.thickness / 2 - LEAF_THICKNESS / 2) : 0;
+  const offset = swings ? opensTowards * Math.max(0, opening.thickness / 2 - LEAF_THICKNESS / 2) : 0;
   const closed = axis === "x" ? angleTowards(along, 0) : angleTowards(0, along);
   const open = axis === "x" ? angleTowards(0, opensTowards) : angleTowards(opensTowards, 0);
   const elevation = plan.storeys.get(opening.level)?.elevation ?? 0;

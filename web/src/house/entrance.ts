@@ -4,14 +4,15 @@ import type { PlacedOpening } from "./openings";
 import { roomHolding } from "./room_at";
 
 /** How far before a wall one asks for the room [m]. */
-const BEFORE = 0.2;
+const BEFORE = 0.15;
 
 /** The rooms before an opening: towards greater coordinates of its line, then towards smaller. */
-export function roomsBeside(rooms: readonly Room[], { axis, line, from, to, level }: PlacedOpening): [Room | undefined, Room | undefined] {
+export function roomsBeside(rooms: readonly Room[], { axis, line, thickness, from, to, level }: PlacedOpening): [Room | undefined, Room | undefined] {
   const middle = (from + to) / 2;
   const at = (across: number): Room | undefined =>
     axis === "x" ? roomHolding(rooms, level, middle, across) : roomHolding(rooms, level, across, middle);
-  return [at(line + BEFORE), at(line - BEFORE)];
+  const away = thickness / 2 + BEFORE;
+  return [at(line + away), at(line - away)];
 }
 
 /** The side of an opening's line, 1 towards greater coordinates, that lies in a room under a roof. */

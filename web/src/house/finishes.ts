@@ -1,12 +1,15 @@
 /** What the faces of walls are finished with: that of the room that a face looks into. Pure. */
-import type { Room } from "../contract";
+import type { Room, Side } from "../contract";
 import type { Span } from "./boxes";
 import { cornersOf } from "./plan";
+import { sideBeyond } from "./wall_cut";
 import type { Face } from "./wall_faces";
 import type { WallPanel } from "./wall_panel";
 
 /** How far before a face the room is that it belongs to [m]. */
 const BEFORE = 0.02;
+/** How far a wall reaches at most into the one that it meets [m]. */
+const REACH = 0.45;
 
 interface Outline {
   readonly corners: readonly (readonly [number, number])[];
@@ -48,6 +51,37 @@ function endsOf(rooms: readonly Room[]): Ends {
 /** Where along a panel the finish may change: at the corners of rooms [m]. */
 export function seamsOf(rooms: readonly Room[], axis: WallPanel["axis"], along: Span): number[] {
   return endsOf(rooms)[axis].filter((end) => along.from < end && end < along.to);
+}
+
+/** Towards which side a wall looks outside at a place along it [m]: one side of it is indoors, the other is not; else null. */
+export function outwardOf({ axis, across, level }: Pick<WallPanel, "axis" | "across" | "level">, at: number, rooms: readonly Room[]): Side | null {
+  const isIndoors = (beyond: number): boolean => {
+    const [x, z] = axis === "x" ? [at, beyond] : [beyond, at];
+    return rooms.some((room) => room.level === level && !room.outdoor && holds(room, x, z));
+  };
+  const [lower, greater] = [isIndoors(across.from - BEFORE), isIndoors(across.to + BEFORE)];
+  return lower === greater ? null : sideBeyond(axis, lower ? 1 : -1);
+}
+
+/** A wall that looks outside towards one side, or nowhere. */
+export interface OuterPanel extends WallPanel {
+  readonly outward: Side | null;
+}
+
+/** A wall by its pieces that look outside to one side each, or to none. */
+export function outerPiecesOf(panel: WallPanel, rooms: readonly Room[]): OuterPanel[] {
+  const { axis, along } = panel;
+  const corners = rooms.flatMap((room) => outlineOf(room).corners.map(([x, z]) => (axis === "x" ? x : z)));
+  const inner = [...new Set(corners)].filter((corner) => along.from + REACH < corner && corner < along.to - REACH).sort((a, b) => a - b);
+  const pieces: OuterPanel[] = [];
+  for (const [i, to] of [...inner, along.to].entries()) {
+    const from = inner[i - 1] ?? along.from;
+    const outward = outwardOf(panel, (from + to) / 2, rooms);
+    const last = pieces.at(-1);
+    if (last?.outward === outward) pieces[pieces.length - 1] = { ...last, along: { from: last.along.from, to } };
+    else pieces.push({ ...panel, along: { from, to }, outward });
+  }
+  return pieces;
 }
 
 /** Whether a point of the plan [m] is within a room's outline. */

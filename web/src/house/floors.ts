@@ -1,6 +1,6 @@
-/** Floors, one mesh a flooring type, and the accents of rooms inside as a thin line along their walls. */
+/** Floors, one mesh a flooring type; ceilings; and the accents of rooms inside as a thin line along their walls. */
 import {
-  BufferGeometry, Color, Float32BufferAttribute, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, ShapeUtils, Vector2,
+  BackSide, BufferGeometry, Color, Float32BufferAttribute, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, ShapeUtils, Vector2,
 } from "three";
 import type { Room } from "../contract";
 import { floorTexture, TEXTURE_SPAN } from "./floor_textures";
@@ -8,6 +8,9 @@ import { keptMaterial } from "./kept";
 import { cornersOf } from "./plan";
 import type { Storey } from "./walls";
 
+const CEILING = "#f6f3ec";
+/** What falls onto ceilings from the floor and from lamps: the sky above does not light them. */
+const LAMPLIGHT = "#8f8b84";
 const ACCENT_INSET = 0.14;
 const ACCENT_WIDTH = 0.035;
 const ACCENT_RISE = 0.004;
@@ -89,4 +92,14 @@ export function floorMeshes(rooms: readonly Room[], storeys: ReadonlyMap<number,
   }
   group.add(new Mesh(accents.build(), keptMaterial("accent", () => new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.75 }))));
   return group;
+}
+
+/** The ceilings of the rooms inside, seen only from below. */
+export function ceilingMesh(rooms: readonly Room[], storeys: ReadonlyMap<number, Storey>): Mesh {
+  const draft = new FloorDraft();
+  for (const room of rooms) {
+    const storey = storeys.get(room.level);
+    if (!room.outdoor && storey) draft.add(outlineOf(room), storey.elevation + storey.height, CEILING);
+  }
+  return new Mesh(draft.build(), keptMaterial("ceiling", () => new MeshStandardMaterial({ vertexColors: true, roughness: 1, emissive: LAMPLIGHT, side: BackSide })));
 }

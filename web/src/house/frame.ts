@@ -2,8 +2,9 @@
  * The coordinate frame. The scene's is three.js's own: right-handed, x east, y up, z south, so a rotation in
  * degrees about +y needs only radians. Bodies are room-relative; here they get their place in the house.
  */
-import type { Body, Decoration, Dynamic, Room, Scene } from "../contract";
+import type { Body, Decoration, Dynamic, Room, Scene, Side } from "../contract";
 import type { Storey } from "./walls";
+import { sayName } from "../words/language";
 
 export type BodyKind = "furniture" | "decoration" | "dynamic";
 
@@ -26,6 +27,8 @@ export interface PlacedBody {
   readonly color: string;
   /** It hangs on a wall, or lies on what does: its middle or its carrier's, above the ground [m]. */
   readonly hung?: number;
+  /** Towards which side the wall looks outside that it hangs on; none between rooms. */
+  readonly outward?: Side;
   /** It sits, so high above the floor [m]. */
   readonly seat?: number;
   /** The accent of its room. */
@@ -40,7 +43,7 @@ export function radians(degrees: number): number {
 
 /** Words for an identifier: `dining_table` reads as "dining table". */
 export function words(name: string): string {
-  return name.replaceAll("_", " ");
+  return sayName(name);
 }
 
 /** Each level's floor height and storey height [m]. */
@@ -86,7 +89,10 @@ function placeDecoration(piece: Decoration, others: ReadonlyMap<string, Decorati
   for (let step = 0; carrier && !carrier.mounted_on_wall && step < room.decorations.length; step += 1) {
     carrier = others.get(carrier.parent ?? "");
   }
-  return carrier?.mounted_on_wall ? { ...body, hung: elevation + carrier.y + carrier.height / 2 } : body;
+  const wall = carrier?.mounted_on_wall;
+  if (!carrier || !wall) return body;
+  const hung = { ...body, hung: elevation + carrier.y + carrier.height / 2 };
+  return room.exterior_walls?.[wall] ? { ...hung, outward: wall } : hung;
 }
 
 function placeDecorations(room: Room, elevation: number): PlacedBody[] {
@@ -111,4 +117,10 @@ export function bodiesOf(scene: Scene): PlacedBody[] {
     return [body.on ? { ...placed, seat: body.y } : placed];
   });
   return [...standing, ...living];
+}
+
+/** Whether a place of the house is over a body's footprint [m]. */
+export function isOver({ x, z, turn, width, depth }: PlacedBody, atX: number, atZ: number): boolean {
+  const [cos, sin, dx, dz] = [Math.cos(turn), Math.sin(turn), atX - x, atZ - z];
+  return Math.abs(dx * cos - dz * sin) <= width / 2 && Math.abs(dx * sin + dz * cos) <= depth / 2;
 }

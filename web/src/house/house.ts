@@ -2,23 +2,25 @@
 import { Box3, Group, Mesh, Vector3, type Intersection, type Raycaster } from "three";
 import type { Room, Scene } from "../contract";
 import { BodyMeshes, type BodyPose, type ShownAssets } from "./body_meshes";
+import { Contacts } from "./contacts";
 import { disposeOf } from "./dispose";
 import { inwardOf } from "./entrance";
 import { leavesOf } from "./door_leaves";
 import { Doors } from "./doors";
-import { floorMeshes } from "./floors";
+import { ceilingMesh, floorMeshes } from "./floors";
 import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
 import { outlineOf, PLOT } from "./house_outline";
 import { openingsOf, type PlacedOpening } from "./openings";
 import { outlinesOf } from "./outlines";
-import { runsOf } from "./plan";
 import { floorUnder, liesFlat } from "./room_at";
 import { isInSight } from "./sight";
 import { ShapeBook } from "./shapes";
 import { slab, SLAB_MARGIN } from "./slab";
 import type { Point } from "./wall_faces";
 import { Walls } from "./wall_meshes";
+import type { WallCut } from "./wall_cut";
 import type { Storey, WallPlan } from "./walls";
+import { runsOf, type Run } from "./wall_runs";
 
 export type Mark = "selected" | "pointed" | "error" | "locked" | "conflict" | "settles";
 
@@ -41,10 +43,14 @@ function boundsOf(scene: Scene, height: number): Box3 {
 /** Builds a scene's meshes; `dispose` gives them back. */
 export class House {
   readonly root = new Group();
+  /** What the house is made of; frames and marks are beside it. */
+  readonly #solids = new Group();
   readonly doors: Doors;
   readonly bounds: Box3;
   readonly #bodyMeshes: BodyMeshes;
   readonly #walls: Walls;
+  readonly #contacts: Contacts;
+  readonly #ceiling: Mesh;
   readonly #marked = new Map<Mark, { readonly mesh: Mesh; readonly ids: readonly string[] }>();
   readonly #storeys: ReadonlyMap<number, Storey>;
   readonly #plan: WallPlan;
@@ -54,29 +60,42 @@ export class House {
   constructor(readonly scene: Scene, book: ShapeBook = new ShapeBook(null), assets: ShownAssets | null = null) {
     const storeys = (this.#storeys = storeysOf(scene));
     const plan: WallPlan = (this.#plan = {
-      runs: runsOf(scene.rooms),
-      openings: openingsOf(scene.rooms),
+      runs: runsOf(scene.rooms, scene.wall_thickness ?? 0),
+      openings: openingsOf(scene.rooms, scene.wall_thickness ?? 0),
       storeys,
-      thickness: scene.wall_thickness ?? 0,
       rooms: scene.rooms,
     });
     this.bounds = boundsOf(scene, 1);
     this.#bodies = bodiesOf(scene);
     this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene), assets, scene);
     this.#walls = new Walls(plan);
+    this.#contacts = new Contacts(plan, this.#bodies);
+    this.#ceiling = ceilingMesh(scene.rooms, storeys);
     this.doors = new Doors(leavesOf(plan), book.doorPaints(styleOf(scene)));
     const ground = slab(scene.rooms, this.bounds.min.y);
-    if (ground) this.root.add(ground);
-    this.root.add(floorMeshes(scene.rooms, storeys), this.doors.root, this.#bodyMeshes.root);
+    if (ground) this.#solids.add(ground);
+    this.root.add(this.#solids);
+    this.#solids.add(floorMeshes(scene.rooms, storeys), this.#ceiling, this.#contacts.root, this.doors.root, this.#bodyMeshes.root);
   }
 
-  /** Cuts walls, doors and what hangs on walls at a height above the ground [m]. */
-  cutAt(height: number): void {
+  get runs(): readonly Run[] {
+    return this.#plan.runs;
+  }
+
+  /** Cuts walls, doors and what hangs on walls; doors stay in walls that are lower, to be opened. */
+  cutAt(cut: WallCut): void {
+    const { height } = cut;
     if (this.#wallMeshes) disposeOf(this.#wallMeshes);
-    this.#wallMeshes = this.#walls.meshes(height);
-    this.root.add(this.#wallMeshes);
+    this.#wallMeshes = this.#walls.meshes(cut);
+    this.#solids.add(this.#wallMeshes);
     this.doors.cutAt(height);
-    this.#bodyMeshes.cutAt(height);
+    this.#bodyMeshes.cutAt(cut);
+    this.#ceiling.visible = height >= this.wallTop;
+  }
+
+  /** Its walls and openings. */
+  get plan(): WallPlan {
+    return this.#plan;
   }
 
   /** The main entrance and on which side of it the house is; null where there is none. */
@@ -119,8 +138,14 @@ export class House {
   place(id: string, pose: BodyPose): void {
     const placed = this.#bodyMeshes.place(id, pose);
     if (!placed) return;
+    this.#contacts.place(placed);
     this.#bodies = this.#bodies.map((body) => (body.id === id ? placed : body));
     for (const [mark, { ids }] of [...this.#marked]) if (mark !== "settles" && ids.includes(id)) this.mark(mark, ids);
+  }
+
+  /** Draws the house itself, or only what frames and marks it. */
+  showSolids(isShown: boolean): void {
+    this.#solids.visible = isShown;
   }
 
   /** Frames the bodies with these ids in the colour of a mark, in place of those framed so before. */

@@ -2,14 +2,16 @@
 import type { Opening, OpeningKind, Room, Side } from "../contract";
 import type { Axis } from "./boxes";
 import { edgesOf, onLattice, type Edge } from "./plan";
+import { thick, WallBands } from "./wall_bands";
 
-/** An opening on a wall line [m]. */
+/** An opening on the middle line of a wall so thick [m]. */
 export interface PlacedOpening {
   readonly id: string;
   readonly kind: OpeningKind;
   readonly level: number;
   readonly axis: Axis;
   readonly line: number;
+  readonly thickness: number;
   readonly from: number;
   readonly to: number;
   readonly sill: number;
@@ -48,15 +50,17 @@ function onWall(room: Room, edges: readonly Edge[], wall: Side, position: number
   return { edge: outermost ?? rectangle, start };
 }
 
-function place({ edge, start }: Spot, opening: Opening, id: string): PlacedOpening {
+function place({ edge, start }: Spot, opening: Opening, id: string, bands: WallBands | null): PlacedOpening {
   const outward = edge.inward === 1 ? -1 : 1;
   const centre = start + opening.position;
+  const wall = bands?.at(edge, centre) ?? { line: edge.line, thickness: 0 };
   return {
     id,
     kind: opening.kind,
     level: edge.level,
     axis: edge.axis,
-    line: edge.line,
+    line: wall.line,
+    thickness: thick(wall.thickness),
     from: onLattice(centre - opening.width / 2),
     to: onLattice(centre + opening.width / 2),
     sill: opening.kind === "window" ? (opening.sill ?? 0) : 0,
@@ -70,9 +74,11 @@ function place({ edge, start }: Spot, opening: Opening, id: string): PlacedOpeni
 
 /**
  * Every opening of a house once. Of the entries under one id the one that draws the leaf is kept:
- * hinge and swing are told from its room.
+ * hinge and swing are told from its room. `thickness` is the scene's [m]; with null they
+ * lie on the line of the room that draws them, not in the middle of its wall.
  */
-export function openingsOf(rooms: readonly Room[]): PlacedOpening[] {
+export function openingsOf(rooms: readonly Room[], thickness: number | null): PlacedOpening[] {
+  const bands = thickness === null ? null : new WallBands(rooms, thickness);
   const kept = new Map<string, { placed: PlacedOpening; drawsLeaf: boolean }>();
   for (const room of rooms) {
     const edges = edgesOf(room);
@@ -81,7 +87,7 @@ export function openingsOf(rooms: readonly Room[]): PlacedOpening[] {
       if (!spot) continue;
       const id = opening.id ?? `${room.id}/opening_${i}`;
       const drawsLeaf = opening.render_panel !== false;
-      if (!kept.has(id) || (drawsLeaf && !kept.get(id)?.drawsLeaf)) kept.set(id, { placed: place(spot, opening, id), drawsLeaf });
+      if (!kept.has(id) || (drawsLeaf && !kept.get(id)?.drawsLeaf)) kept.set(id, { placed: place(spot, opening, id, bands), drawsLeaf });
     }
   }
   return [...kept.values()].map((entry) => entry.placed);

@@ -1,9 +1,4 @@
-/**
- * Wall lines of a house: every room's edges, and from them the runs to draw, each once.
- *
- * A room's wall may be shared piece by piece with several rooms, so the walls are the union of all rooms' edges
- * on a line; `wall_flags` only takes away what no room on either side wants drawn.
- */
+/** Rooms' edges: the lines of their outlines in the house. Pure. */
 import type { Room, Side } from "../contract";
 import type { Axis } from "./boxes";
 
@@ -19,18 +14,8 @@ export interface Edge {
   readonly inward: 1 | -1;
   readonly side: Side;
   readonly room: Room;
-}
-
-export type RunKind = "wall" | "railing";
-
-/** A stretch of wall of one kind on one line. */
-export interface Run {
-  readonly level: number;
-  readonly axis: Axis;
-  readonly line: number;
-  readonly from: number;
-  readonly to: number;
-  readonly kind: RunKind;
+  /** Which of the room's edges it is, in the order of its outline's points. */
+  readonly number: number;
 }
 
 /** Millimetres are the lattice of every plan; rounding to it undoes what adding metres in binary does. */
@@ -58,7 +43,7 @@ export function areaOf(room: Room): number {
   return Math.abs(signedArea(cornersOf(room)));
 }
 
-function edgeBetween(room: Room, a: readonly [number, number], b: readonly [number, number], clockwise: boolean): Edge {
+function edgeBetween(room: Room, a: readonly [number, number], b: readonly [number, number], clockwise: boolean, number: number): Edge {
   const alongX = Math.abs(b[0] - a[0]) >= Math.abs(b[1] - a[1]);
   const forwards = (alongX ? b[0] > a[0] : b[1] > a[1]) === clockwise;
   const [origin, across] = alongX ? [room.x, room.z + a[1]] : [room.z, room.x + a[0]];
@@ -73,6 +58,7 @@ function edgeBetween(room: Room, a: readonly [number, number], b: readonly [numb
     inward: side === "north" || side === "west" ? 1 : -1,
     side,
     room,
+    number,
   };
 }
 
@@ -80,7 +66,7 @@ function edgeBetween(room: Room, a: readonly [number, number], b: readonly [numb
 export function edgesOf(room: Room): Edge[] {
   const corners = cornersOf(room);
   const clockwise = signedArea(corners) >= 0;
-  return corners.map((corner, i) => edgeBetween(room, corner, corners[(i + 1) % corners.length] ?? corner, clockwise));
+  return corners.map((corner, i) => edgeBetween(room, corner, corners[(i + 1) % corners.length] ?? corner, clockwise, i));
 }
 
 export function lineKey(on: { level: number; axis: Axis; line: number }): string {
@@ -96,33 +82,4 @@ export function byLine<T extends { level: number; axis: Axis; line: number }>(th
     else groups.set(lineKey(thing), [thing]);
   }
   return groups;
-}
-
-/** What stands between two neighbouring cuts of a line, given the edges that cover that stretch. */
-function kindOf(covering: readonly Edge[]): RunKind | null {
-  if (!covering.some((edge) => edge.room.wall_flags[edge.side] !== false)) return null;
-  const shared = covering.some((edge) => edge.inward === 1) && covering.some((edge) => edge.inward === -1);
-  return !shared && covering.every((edge) => edge.room.outdoor) ? "railing" : "wall";
-}
-
-function runsOnLine(edges: readonly Edge[]): Run[] {
-  const cuts = [...new Set(edges.flatMap((edge) => [edge.from, edge.to]))].sort((a, b) => a - b);
-  const runs: Run[] = [];
-  for (const [i, from] of cuts.entries()) {
-    const to = cuts[i + 1];
-    if (to === undefined) break;
-    const covering = edges.filter((edge) => edge.from <= from && to <= edge.to);
-    const [first] = covering;
-    const kind = first ? kindOf(covering) : null;
-    if (!first || !kind) continue;
-    const last = runs.at(-1);
-    if (last && last.to === from && last.kind === kind) runs[runs.length - 1] = { ...last, to };
-    else runs.push({ level: first.level, axis: first.axis, line: first.line, from, to, kind });
-  }
-  return runs;
-}
-
-/** All stretches of wall and railing of a house, each once, longest possible. */
-export function runsOf(rooms: readonly Room[]): Run[] {
-  return [...byLine(rooms.flatMap(edgesOf)).values()].flatMap(runsOnLine);
 }

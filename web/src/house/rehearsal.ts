@@ -8,6 +8,7 @@ import { FLOOR_TYPES, floorTexture } from "./floor_textures";
 import { House } from "./house";
 import { makeNextPattern } from "./patterns";
 import { ShapeBook } from "./shapes";
+import { cutAll } from "./wall_cut";
 
 const SIDE = 10;
 const HEIGHT = 2.8;
@@ -44,7 +45,7 @@ export function rehearsalOf(catalog: Catalog): Scene {
 
 function houseOf(catalog: Catalog): House {
   const house = new House(rehearsalOf(catalog), new ShapeBook(catalog));
-  house.cutAt(HEIGHT / 2);
+  house.cutAt(cutAll(HEIGHT / 2));
   return house;
 }
 

@@ -1,6 +1,6 @@
 /** Whether walls hide one point from another. Pure. */
 import type { PlacedOpening } from "./openings";
-import type { Run } from "./plan";
+import type { Run } from "./wall_runs";
 import type { Point } from "./wall_faces";
 import type { Storey } from "./walls";
 

@@ -3,11 +3,12 @@ import { Group, Mesh, MeshStandardMaterial } from "three";
 import { clipBelow } from "./boxes";
 import { mergeQuads, quadsOf, type ColoredQuad } from "./quad_mesh";
 import type { Room } from "../contract";
-import { finishOf, type Finish } from "./finishes";
+import { finishOf, outerPiecesOf, type Finish, type OuterPanel } from "./finishes";
 import { keptMaterial } from "./kept";
 import { facesOf, SKIRTING, type Face } from "./wall_faces";
 import { wallMaterial } from "./wall_shader";
 import type { WallPanel } from "./wall_panel";
+import { heightAt, type WallCut } from "./wall_cut";
 import { fittingsOf, wallPanelsOf, type Surface, type WallPart, type WallPlan } from "./walls";
 
 /** Outside, and where a room does not say. */
@@ -25,7 +26,7 @@ const FINISHES: Readonly<Record<string, { readonly pattern: string; readonly rou
   concrete: { pattern: "cast", roughness: 0.9, skirted: false },
 };
 /** The cut through a wall is drawn darker than its face, as in a section drawing. */
-const CUT = "#454b55";
+const CUT = "#5b5f66";
 const COLORS: Readonly<Record<Surface, string>> = { railing: "#8a7a66", frame: "#f1ede4", threshold: "#8a7152", glass: "#9fd0ee" };
 
 function glass(): MeshStandardMaterial {
@@ -35,23 +36,26 @@ function glass(): MeshStandardMaterial {
 /** A house's walls, to be drawn at any height. */
 export class Walls {
   readonly #rooms: readonly Room[];
-  readonly #panels: readonly WallPanel[];
+  readonly #panels: readonly OuterPanel[];
   readonly #fittings: readonly WallPart[];
 
   constructor(plan: WallPlan) {
     this.#rooms = plan.rooms ?? [];
-    this.#panels = wallPanelsOf(plan);
+    this.#panels = wallPanelsOf(plan).flatMap((panel) => outerPiecesOf(panel, this.#rooms));
     this.#fittings = fittingsOf(plan);
   }
 
-  /** Meshes of the walls up to `height` [m] above the ground: what is solid, then the glass. The caller disposes of them. */
-  meshes(height: number): Group {
-    const stone = this.#panels.flatMap((panel) => facesOf(panel, height).map((face) => this.#colored(face, panel)));
-    const solid = new Mesh(mergeQuads([...stone, ...this.#boxes(height, ["railing", "frame", "threshold"])]), wallMaterial());
+  /** Meshes of the walls as they are cut: what is solid, then the glass. The caller disposes of them. */
+  meshes(cut: WallCut): Group {
+    // Where a wall is lower than the one that it runs into, or than its next piece, its end is seen.
+    const ends = cut.before.size > 0 ? { openStart: true, openEnd: true } : {};
+    const stone = this.#panels.flatMap((panel) => facesOf({ ...panel, ...ends }, heightAt(cut, panel.outward, panel.elevation))
+      .map((face) => this.#colored(face, panel)));
+    const solid = new Mesh(mergeQuads([...stone, ...this.#boxes(cut, ["railing", "frame", "threshold"])]), wallMaterial());
     solid.castShadow = true;
     solid.receiveShadow = true;
     const panes = new Mesh(
-      mergeQuads(this.#boxes(height, ["glass"])),
+      mergeQuads(this.#boxes(cut, ["glass"])),
       keptMaterial("glass", glass),
     );
     return new Group().add(solid, panes);
@@ -69,9 +73,9 @@ export class Walls {
     return look ? { corners, normal, color: finish.color, pattern: look.pattern, roughness: look.roughness } : { corners, normal, color: finish.color };
   }
 
-  #boxes(height: number, surfaces: readonly Surface[]): ColoredQuad[] {
-    return this.#fittings.filter(({ surface }) => surfaces.includes(surface)).flatMap(({ surface, box }) => {
-      const low = clipBelow(box, height);
+  #boxes(cut: WallCut, surfaces: readonly Surface[]): ColoredQuad[] {
+    return this.#fittings.filter(({ surface }) => surfaces.includes(surface)).flatMap(({ surface, box, window }) => {
+      const low = clipBelow(box, heightAt(cut, window?.outward, window?.elevation ?? 0));
       return low ? quadsOf(low, COLORS[surface]) : [];
     });
   }

@@ -1,9 +1,11 @@
 /** Walls as upright panels with holes, and what is fitted to them as boxes: frames, sill boards, glass, railings. */
-import type { Room } from "../contract";
-import { boxOnLine, type Axis, type Box, type Span } from "./boxes";
-import { seamsOf } from "./finishes";
+import type { Room, Side } from "../contract";
+import { boxOnLine, type Box, type Span } from "./boxes";
+import { outwardOf, seamsOf } from "./finishes";
 import type { PlacedOpening } from "./openings";
-import { byLine, lineKey, type Run } from "./plan";
+import { byLine, lineKey } from "./plan";
+import { NEGLIGIBLE } from "./wall_bands";
+import type { Run } from "./wall_runs";
 import type { WallPanel } from "./wall_panel";
 
 export type Surface = "railing" | "frame" | "threshold" | "glass";
@@ -11,6 +13,8 @@ export type Surface = "railing" | "frame" | "threshold" | "glass";
 export interface WallPart {
   readonly surface: Surface;
   readonly box: Box;
+  /** Of a window: the floor of its storey [m], and towards which side its wall looks outside. */
+  readonly window?: { readonly elevation: number; readonly outward: Side | null };
 }
 
 /** What a level's walls stand on and reach to [m]. */
@@ -23,14 +27,11 @@ export interface WallPlan {
   readonly runs: readonly Run[];
   readonly openings: readonly PlacedOpening[];
   readonly storeys: ReadonlyMap<number, Storey>;
-  readonly thickness: number;
   /** Whose finishes the walls have; none where they are all alike. */
   readonly rooms?: readonly Room[];
 }
 
 export const RAILING_HEIGHT = 0.6;
-/** Scenes that say no thickness have walls of none; a line must still be seen. */
-const THINNEST = 0.02;
 const RAILING_BAR = 0.05;
 const POST_SPACING = 1.2;
 /** How wide a frame's bars are [m]: a leaf that stands open, with its handle, is then no wider than its opening. */
@@ -60,15 +61,16 @@ interface End {
  * Walls end at the line of the wall they meet, inside it; at a corner the one along x fills the square.
  * Railings stop at the wall's face.
  */
-function endOf(run: Run, end: number, lines: ReadonlyMap<string, Run[]>, half: number): End {
-  const crossing = { level: run.level, axis: (run.axis === "x" ? "z" : "x") as Axis, line: end };
-  const walls = (lines.get(lineKey(crossing)) ?? []).filter(
-    (other) => other.kind === "wall" && other.from <= run.line && run.line <= other.to,
-  );
-  if (walls.length === 0) return { reach: 0, inWall: false };
-  if (run.kind === "railing") return { reach: -half, inWall: true };
-  const goesOn = walls.length > 1 || walls.some((other) => other.from < run.line && run.line < other.to);
-  return run.axis === "x" && !goesOn ? { reach: half, inWall: false } : { reach: 0, inWall: true };
+function endOf(run: Run, end: number, onward: 1 | -1, runs: readonly Run[]): End {
+  const walls = runs.filter((other) => other.kind === "wall" && other.level === run.level && other.axis !== run.axis
+    && Math.abs(other.line - end) <= other.shift + NEGLIGIBLE && other.from <= run.line + run.shift && run.line - run.shift <= other.to);
+  const [first] = walls;
+  if (!first) return { reach: 0, inWall: false };
+  const middle = (other: Run): number => (other.line - end) * onward;
+  if (run.kind === "railing") return { reach: Math.min(...walls.map((other) => middle(other) - other.thickness / 2)), inWall: true };
+  const goesOn = walls.length > 1 || walls.some((other) => other.from + run.shift < run.line && run.line < other.to - run.shift);
+  if (run.axis === "x" && !goesOn) return { reach: middle(first) + first.thickness / 2, inWall: false };
+  return { reach: Math.min(Math.max(...walls.map(middle)), ...walls.map((other) => middle(other) + other.thickness / 2)), inWall: true };
 }
 
 /** The stretches of [from, to] that no gap covers. */
@@ -83,8 +85,8 @@ export function between(from: number, to: number, gaps: readonly Span[]): Span[]
   return solid;
 }
 
-function windowParts(opening: PlacedOpening, thickness: number, elevation: number): WallPart[] {
-  const { axis, line, from, to, sill, head } = opening;
+function windowParts(opening: PlacedOpening, elevation: number): WallPart[] {
+  const { axis, line, thickness, from, to, sill, head } = opening;
   const frame = around(line, Math.min(thickness, 0.06));
   const bar = (along: Span, up: Span, across: Span = frame, surface: Surface = "frame"): WallPart => ({
     surface,
@@ -102,22 +104,27 @@ function windowParts(opening: PlacedOpening, thickness: number, elevation: numbe
   ];
 }
 
-function doorFrame(opening: PlacedOpening, thickness: number, elevation: number): WallPart[] {
-  const { axis, line, from, to, head } = opening;
+/** The board in an opening, where two floors meet. */
+function threshold({ axis, line, thickness }: PlacedOpening, along: Span, elevation: number): WallPart {
+  return { surface: "threshold", box: boxOnLine(axis, along, around(line, thickness), shifted({ from: -0.01, to: THRESHOLD }, elevation)) };
+}
+
+function doorFrame(opening: PlacedOpening, elevation: number): WallPart[] {
+  const { axis, line, thickness, from, to, head } = opening;
   const across = around(line, thickness + 2 * FRAME_PROUD);
   const bar = (along: Span, up: Span): WallPart => ({ surface: "frame", box: boxOnLine(axis, along, across, shifted(up, elevation)) });
   return [
     bar({ from, to: from + FRAME }, { from: 0, to: head }),
     bar({ from: to - FRAME, to }, { from: 0, to: head }),
     bar({ from, to }, { from: head, to: head + FRAME }),
-    { surface: "threshold", box: boxOnLine(axis, { from: from + FRAME, to: to - FRAME }, around(line, thickness), shifted({ from: -0.01, to: THRESHOLD }, elevation)) },
+    threshold(opening, { from: from + FRAME, to: to - FRAME }, elevation),
   ];
 }
 
-function fittings(opening: PlacedOpening, thickness: number, elevation: number): WallPart[] {
-  if (opening.kind === "window") return windowParts(opening, thickness, elevation);
-  if (opening.kind === "passage") return [];
-  return doorFrame(opening, thickness, elevation);
+function fittings(opening: PlacedOpening, run: Run, elevation: number): WallPart[] {
+  if (opening.kind === "window") return windowParts(opening, elevation);
+  if (opening.kind === "passage") return run.shift > 0 ? [threshold(opening, opening, elevation)] : [];
+  return doorFrame(opening, elevation);
 }
 
 function railingParts(run: Run, along: Span, openings: readonly PlacedOpening[], elevation: number): WallPart[] {
@@ -145,11 +152,9 @@ interface Stretch {
 }
 
 function stretchesOf(plan: WallPlan): Stretch[] {
-  const lines = byLine(plan.runs);
   const openings = byLine(plan.openings);
-  const half = wallThickness(plan) / 2;
   return plan.runs.map((run) => {
-    const ends = [endOf(run, run.from, lines, half), endOf(run, run.to, lines, half)] as const;
+    const ends = [endOf(run, run.from, -1, plan.runs), endOf(run, run.to, 1, plan.runs)] as const;
     return {
       run,
       ends,
@@ -160,17 +165,12 @@ function stretchesOf(plan: WallPlan): Stretch[] {
   });
 }
 
-/** How thick the walls are drawn [m]. */
-export function wallThickness(plan: WallPlan): number {
-  return Math.max(plan.thickness, THINNEST);
-}
-
 /** The walls of a house, without its railings. */
 export function wallPanelsOf(plan: WallPlan): WallPanel[] {
   return stretchesOf(plan).filter(({ run }) => run.kind === "wall").map(({ run, along, ends, openings, storey }) => ({
     axis: run.axis,
     along,
-    across: around(run.line, wallThickness(plan)),
+    across: around(run.line, run.thickness),
     elevation: storey.elevation,
     height: storey.height,
     level: run.level,
@@ -183,7 +183,11 @@ export function wallPanelsOf(plan: WallPlan): WallPanel[] {
 
 /** What is fitted to a house's walls, and its railings. */
 export function fittingsOf(plan: WallPlan): WallPart[] {
-  return stretchesOf(plan).flatMap(({ run, along, openings, storey }) => (run.kind === "railing"
-    ? railingParts(run, along, openings, storey.elevation)
-    : openings.flatMap((opening) => fittings(opening, wallThickness(plan), storey.elevation))));
+  return stretchesOf(plan).flatMap(({ run, along, openings, storey: { elevation } }) => (run.kind === "railing"
+    ? railingParts(run, along, openings, elevation)
+    : openings.flatMap((opening) => {
+      const parts = fittings(opening, run, elevation);
+      const window = { elevation, outward: outwardOf({ ...run, across: around(run.line, run.thickness) }, (opening.from + opening.to) / 2, plan.rooms ?? []) };
+      return opening.kind === "window" ? parts.map((part) => ({ ...part, window })) : parts;
+    })));
 }

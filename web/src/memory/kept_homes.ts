@@ -3,6 +3,7 @@ import { queryFromRequest } from "../address";
 import type { Beyond, Home, Shown, Showing } from "../state/home";
 import { changeBetween, changed, type Change } from "./changes";
 import type { Head, KeptStep, Store } from "./store";
+import { say, sayName } from "../words/language";
 
 /** Homes that were never edited are kept up to this many: each can be made again. Our choice. */
 const MOST_PLAIN = 60;
@@ -36,15 +37,16 @@ export interface LeftHome {
 /** What a home is called in a list. */
 export function titleOf({ scene, file, made }: Shown): string {
   if (file) return file;
-  if (!made) return "a plan of your own";
-  const planned = typeof made.program === "string" ? `${made.program.replaceAll("_", " ")}, ` : "";
-  return `${planned}seed ${scene.seed}`;
+  if (!made) return say("a plan of your own");
+  const { program } = made;
+  const { seed } = scene;
+  return typeof program === "string" ? say("{program}, seed {seed}", { program: sayName(program), seed }) : say("seed {seed}", { seed });
 }
 
 function sizeOf({ scene }: Shown): string {
   const { size, rooms } = scene;
   const outer = size ? `${Number(size.width.toFixed(1))} × ${Number(size.depth.toFixed(1))} m, ` : "";
-  return `${outer}${rooms.length} ${rooms.length === 1 ? "room" : "rooms"}`;
+  return outer + (rooms.length === 1 ? say("1 room") : say("{count} rooms", { count: rooms.length }));
 }
 
 export class KeptHomes {

@@ -33,7 +33,7 @@ export interface KeptHome {
 }
 
 const NAME = "compose";
-const VERSION = 1;
+const VERSION = 2;
 const STORES = ["homes", "steps", "pictures"] as const;
 
 function asked<Result>(request: IDBRequest<Result>): Promise<Result> {
@@ -52,9 +52,10 @@ function opened(factory: IDBFactory | undefined): Promise<IDBDatabase> {
   if (!factory) return Promise.reject(new Error("this browser has no IndexedDB"));
   const request = factory.open(NAME, VERSION);
   request.onupgradeneeded = () => {
-    request.result.createObjectStore("homes", { keyPath: "id" });
-    request.result.createObjectStore("steps", { keyPath: ["home", "number"] });
-    request.result.createObjectStore("pictures");
+    const known = request.result.objectStoreNames;
+    if (!known.contains("homes")) request.result.createObjectStore("homes", { keyPath: "id" });
+    if (!known.contains("steps")) request.result.createObjectStore("steps", { keyPath: ["home", "number"] });
+    for (const name of ["pictures", "words"]) if (!known.contains(name)) request.result.createObjectStore(name);
   };
   return asked(request);
 }
@@ -80,6 +81,7 @@ export class Store {
   readonly #heads = new Map<string, Head>();
   readonly #steps = new Map<string, Map<number, KeptStep>>();
   readonly #pictures = new Map<string, string>();
+  readonly #words = new Map<string, string>();
 
   constructor(factory: IDBFactory | undefined = factoryOf(globalThis)) {
     const open = Promise.resolve().then(() => opened(factory)).then((database) => {
@@ -169,6 +171,20 @@ export class Store {
     const kept = this.#pictures.get(id);
     if (kept !== undefined || !this.#database) return kept ?? null;
     return (await asked<string | undefined>(this.#database.transaction("pictures").objectStore("pictures").get(id))) ?? null;
+  }
+
+  /** Keeps a word under a name, whatever home is shown. One that cannot be kept is none once the page is left. */
+  async keepWord(name: string, word: string): Promise<void> {
+    await this.settled();
+    this.#words.set(name, word);
+    if (this.#database) await asked(this.#database.transaction("words", "readwrite").objectStore("words").put(word, name)).catch(() => undefined);
+  }
+
+  async word(name: string): Promise<string | null> {
+    await this.settled();
+    const kept = this.#words.get(name);
+    if (kept !== undefined || !this.#database) return kept ?? null;
+    return (await asked<string | undefined>(this.#database.transaction("words").objectStore("words").get(name))) ?? null;
   }
 
   /** Forgets homes; undo of one that came from them goes on to where they came from. */

@@ -1,28 +1,34 @@
 /** The form: reads and shows a request, and says beside a field what the service says of it. */
+import type { Look } from "../service";
 import { anotherSeed, DEFAULTS, numberOrText, NUMBERS, OF_PLAIN_PLANS, SWITCHES, withoutGaps } from "../address";
 import type { Catalog, FieldProblem, HouseRequest, Typed } from "../contract";
 import { besideField, fieldOf, formWords } from "./field_words";
 import { asNumber } from "./number_text";
+import { readWish } from "./plain_wishes";
 import { inWords, Programme } from "./programme";
+import { say } from "../words/language";
 
 export class Controls {
   onGenerate: (request: HouseRequest) => void = () => undefined;
   /** Called with a style, or whether to decorate, for the home that is shown. */
-  onRestyle: (wish: { readonly style?: string; readonly decorate?: boolean }) => void = () => undefined;
+  onRestyle: (wish: Look) => void = () => undefined;
   readonly #programme: Programme;
   /** What only an address can ask for. */
   #forced: HouseRequest["force_types"];
   #catalog: Catalog | null = null;
+  /** The line of plain words that the form shows already. */
+  #asked = "";
 
   constructor(readonly form: HTMLFormElement) {
     this.#programme = new Programme(form);
     this.#programme.onPlanned = (planned) => this.#fitOutline(planned);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      this.onGenerate(this.read());
+      if (this.#takeAsked()) this.onGenerate(this.read());
     });
     this.#input("style").addEventListener("change", () => this.#chooseStyle());
     this.#input("decorate").addEventListener("change", () => this.onRestyle({ decorate: this.#input("decorate").checked }));
+    this.#find("#asked").addEventListener("change", () => this.#takeAsked());
     for (const slider of form.querySelectorAll<HTMLInputElement>("input[data-for]")) this.#tie(slider);
   }
 
@@ -31,6 +37,7 @@ export class Controls {
     this.#catalog = catalog;
     this.#programme.offer(catalog);
     for (const name of Object.keys(catalog.styles ?? {})) this.#offerStyle(name);
+    for (const [name, { says }] of Object.entries(catalog.access ?? {})) this.#offerAccess(name, says);
     this.#sayStyle();
   }
 
@@ -41,23 +48,26 @@ export class Controls {
     for (const name of SWITCHES) request[name] = this.#input(name).checked;
     if (planned) for (const name of OF_PLAIN_PLANS) delete request[name];
     const forced = planned ? undefined : this.#forced;
-    return withoutGaps({ ...request, ...this.#programme.read(), style: this.#input("style").value || undefined, force_types: forced });
+    return withoutGaps({ ...request, ...this.#programme.read(), ...this.#readFurnishing(), force_types: forced });
   }
 
   show(request: HouseRequest): void {
     this.#programme.show(request);
+    this.#find<HTMLInputElement>("#asked").value = this.#asked = "";
     const shown = { ...DEFAULTS, width: undefined, depth: undefined, ...request };
     for (const name of NUMBERS) this.#write(name, String(shown[name] ?? ""));
-    for (const name of SWITCHES) this.#input(name).checked = shown[name] === true;
+    for (const name of SWITCHES) this.#input(name).checked = (shown[name] ?? name === "people") === true;
     if (request.style !== undefined) this.#offerStyle(request.style);
     this.#input("style").value = request.style ?? "";
+    if (typeof request.access === "string") this.#offerAccess(request.access, inWords(request.access));
+    this.#input("access").value = request.access ?? "";
     this.#forced = request.force_types;
     this.#sayStyle();
     this.showProblems([]);
   }
 
   /** Shows the style and the decorations of the home that is shown; what else is typed stays. */
-  showFurnishing({ style, decorate }: Pick<HouseRequest, "style" | "decorate">): void {
+  showFurnishing({ style, decorate }: Look): void {
     if (style !== undefined) this.#offerStyle(style);
     this.#input("style").value = style ?? "";
     this.#input("decorate").checked = decorate === true;
@@ -83,6 +93,26 @@ export class Controls {
   /** All that is wrong in the form's own words, a line a field; null where it is not of the form alone. */
   inWords(problems: readonly FieldProblem[]): readonly string[] | null {
     return formWords(this.form, problems);
+  }
+
+  /** Shows in the form what the line of plain words asks for; false where it cannot be read. */
+  #takeAsked(): boolean {
+    const field = this.#find<HTMLInputElement>("#asked");
+    const text = field.value.trim();
+    const read = this.#catalog && text !== this.#asked && text !== "" ? readWish(text, this.#catalog) : null;
+    const unread = read && "unread" in read ? read.unread : null;
+    field.setAttribute("aria-invalid", String(unread !== null));
+    this.#find("#asked_problem").textContent = unread === null ? "" : say("\"{words}\" is neither an area nor rooms that are known. Say for example: 3 bedrooms, 2 bathrooms, 120 m².", { words: unread });
+    if (unread !== null) field.focus();
+    if (!read || "unread" in read) return unread === null;
+    this.#asked = text;
+    this.#programme.show(read.wish);
+    this.#fitOutline(true);
+    return true;
+  }
+
+  #find<Found extends HTMLElement>(selector: string): Found {
+    return this.form.querySelector<Found>(selector) as Found;
   }
 
   /** A home that is planned chooses its own outline; a plain plan needs one. */
@@ -112,6 +142,18 @@ export class Controls {
     if (style && ![...style.options].some((option) => option.value === name)) style.append(new Option(inWords(name), name));
   }
 
+  #readFurnishing(): Pick<HouseRequest, "style" | "access"> {
+    return { style: this.#input("style").value || undefined, access: this.#input("access").value || undefined };
+  }
+
+  /** A standard of access in the words of its profile; one that the service does not know is shown too, so that it can be refused in sight. */
+  #offerAccess(name: string, says: string): void {
+    const choice = this.form.querySelector<HTMLSelectElement>("#access");
+    const known = choice && [...choice.options].find((option) => option.value === name);
+    if (known) known.text = says;
+    else choice?.append(new Option(says, name));
+  }
+
   /** The home that is shown takes a style that is named; the seed's own is for the next one. */
   #chooseStyle(): void {
     this.#sayStyle();
@@ -123,7 +165,7 @@ export class Controls {
     const style = this.#catalog?.styles?.[this.#input("style").value];
     const place = this.form.querySelector<HTMLElement>("#style_words");
     const walls = new Set(Object.values(style?.walls ?? {}).flatMap((finishes) => finishes.map(({ type }) => type)));
-    if (place) place.textContent = walls.size > 0 ? `Walls of ${[...walls].join(", ")}; colours, floors and decorations to match.` : "";
+    if (place) place.textContent = walls.size > 0 ? say("Walls of {walls}; colours, floors and decorations to match.", { walls: [...walls].join(", ") }) : "";
   }
 
   #input(name: string): HTMLInputElement {

@@ -5,6 +5,7 @@ import type { Home } from "../state/home";
 import { fixWords } from "./fix_words";
 import { LineList } from "./line_list";
 import { reportLines } from "./report_lines";
+import { say, sayAny } from "../words/language";
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -71,7 +72,7 @@ export class Diagnose {
     if (!scene) return;
     this.#repair.abort();
     const { signal } = (this.#repair = new AbortController());
-    this.#say(["Fixing…"]);
+    this.#say([say("Fixing…")]);
     this.#fix.disabled = true;
     try {
       const answer = await fix({ scene, on_conflict: onConflict }, signal);
@@ -100,7 +101,7 @@ export class Diagnose {
   #explain(reason: unknown): void {
     if (isAbort(reason)) return;
     this.#dialog.setAttribute("aria-busy", "false");
-    this.#say(reason instanceof ServiceProblem ? [reason.title, reason.detail] : [String(reason)]);
+    this.#say(reason instanceof ServiceProblem ? [sayAny(reason.title), sayAny(reason.detail)] : [String(reason)]);
   }
 
   #say(words: readonly string[]): void {
@@ -115,10 +116,10 @@ export class Diagnose {
   async #copy(): Promise<void> {
     try {
       await navigator.clipboard.writeText(this.#text);
-      this.#say(["Copied."]);
+      this.#say([say("Copied.")]);
     } catch {
       window.getSelection()?.selectAllChildren(this.#list.host);
-      this.#say(["The browser does not let the page copy. The report is selected: press Ctrl+C."]);
+      this.#say([say("The browser does not let the page copy. The report is selected: press Ctrl+C.")]);
     }
   }
 }

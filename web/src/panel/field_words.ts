@@ -1,5 +1,6 @@
 /** What the service says of wrong fields, in the form's words: by the field's label, and what to enter. */
 import type { FieldProblem } from "../contract";
+import { say, sayAny } from "../words/language";
 
 const NUMBER = /^(a (?:whole )?number(?: [^:]*)?)(?::|$)/;
 
@@ -17,11 +18,17 @@ function calledIn(form: HTMLFormElement, field: Field): { readonly name: string;
   return { name: whole.replace(unit, "").trim(), unit: /^(m²?)(?![\w²])/.exec(unit.trim())?.[1] ?? "" };
 }
 
+/** What number a field takes, as the service says it. */
+function numberWords(number: string): string {
+  const [, kind, from, to] = /^(a (?:whole )?number) from (\S+) to (\S+)$/.exec(number) ?? [];
+  return from === undefined || to === undefined ? sayAny(number) : sayAny(`${kind} from {from} to {to}`, { from, to });
+}
+
 /** What to say beside a field. */
 export function fieldWords({ problem, allowed }: FieldProblem, unit = ""): string {
   const number = NUMBER.exec(allowed)?.[1];
-  if (number !== undefined) return `Enter ${number}${unit ? ` ${unit}` : ""}`;
-  return !allowed || problem.includes(allowed) ? problem : `${problem}; allowed: ${allowed}`;
+  if (number !== undefined) return say("Enter {number}", { number: `${numberWords(number)}${unit ? ` ${unit}` : ""}` });
+  return !allowed || problem.includes(allowed) ? problem : say("{problem}; allowed: {allowed}", { problem, allowed });
 }
 
 /** The field of the form that a problem is about. */

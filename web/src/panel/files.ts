@@ -6,7 +6,7 @@ export function fileName(scene: Scene, format: FileFormat): string {
   return `compose-${scene.seed}.${format}`;
 }
 
-function save(content: Blob, name: string): void {
+export function save(content: Blob, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(content);
   link.download = name;

@@ -1,12 +1,13 @@
 /** What became of a file that was read: what was changed, guessed and left out, each in the service's words. */
 import type { ImportAnswer } from "../contract";
+import { say } from "../words/language";
 
 /** The list's parts, those with nothing to say left out. */
 export function importLines({ changes, guesses, unread }: ImportAnswer): { readonly title: string; readonly lines: readonly string[] }[] {
   const parts = [
-    { title: "Guessed", lines: guesses.map(({ of, what, taken, message }) => `${of}, ${what}: ${taken}; ${message}`) },
-    { title: "Left out", lines: unread.map(({ place, reason }) => `${place}: ${reason}`) },
-    { title: "Changed", lines: changes.map(({ of, message }) => (message.split(" ").includes(of) || of === "plan" ? message : `${of}: ${message}`)) },
+    { title: say("Guessed"), lines: guesses.map(({ of, what, taken, message }) => `${of}, ${what}: ${taken}; ${message}`) },
+    { title: say("Left out"), lines: unread.map(({ place, reason }) => `${place}: ${reason}`) },
+    { title: say("Changed"), lines: changes.map(({ of, message }) => (message.split(" ").includes(of) || of === "plan" ? message : `${of}: ${message}`)) },
   ];
   return parts.filter(({ lines }) => lines.length > 0);
 }

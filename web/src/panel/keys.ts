@@ -1,13 +1,28 @@
 /** The keys, told in a dialog. */
+import { KEY_LIST } from "./key_list";
+import { say, type Words } from "../words/language";
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
+}
+
+function made<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, ...children: (Node | string)[]): HTMLElementTagNameMap[Tag] {
+  const element = document.createElement(tag);
+  element.append(...children);
+  return element;
+}
+
+/** A line of the list: its keys, parted by spaces, and what they do. */
+function lineOf([keys, does]: readonly [string, Words]): HTMLElement {
+  const pressed = keys.split(" ").flatMap((key, place) => (place > 0 ? [" ", made("kbd", key)] : [made("kbd", key)]));
+  return made("div", made("dt", ...pressed), made("dd", say(does)));
 }
 
 export class Keys {
   readonly #dialog = within<HTMLDialogElement>("keys_dialog");
 
   constructor() {
+    within("keys_list").replaceChildren(...KEY_LIST.map(([heading, lines]) => made("section", made("h3", say(heading)), made("dl", ...lines.map(lineOf)))));
     within("keys").addEventListener("click", () => this.open());
     within("keys_close").addEventListener("click", () => this.#dialog.close());
     // Keys pressed in the dialog are no shortcuts of the page behind it.

@@ -4,11 +4,12 @@ import { ZONE_COLORS } from "../edit/floor";
 import { ENTRANCE_COLOR } from "../house/door_shapes";
 import { MARK_COLORS } from "../house/house";
 import { inWords } from "./programme";
+import { say, type Words } from "../words/language";
 
 /** How a colour is drawn: as a frame around a body, or as a surface. */
 type Drawn = "frame" | "zone" | "surface";
 
-const MARKS: readonly (readonly [string, Drawn, string])[] = [
+const MARKS: readonly (readonly [string, Drawn, Words])[] = [
   [MARK_COLORS.selected, "frame", "Selected"],
   [MARK_COLORS.error, "frame", "Has an issue, or is in conflict"],
   [MARK_COLORS.locked, "frame", "Locked: stays where it is"],
@@ -16,6 +17,8 @@ const MARKS: readonly (readonly [string, Drawn, string])[] = [
   [ZONE_COLORS.free, "zone", "Floor that is free"],
   [ZONE_COLORS.doors, "zone", "Before a door: kept clear"],
   [ZONE_COLORS.windows, "zone", "Before a window: only what is low"],
+  [ZONE_COLORS.turning, "zone", "Space to turn in, as the access profile asks"],
+  [ZONE_COLORS.short, "zone", "The largest space there is to turn in: too small"],
   [ENTRANCE_COLOR, "surface", "Main entrance"],
 ];
 
@@ -44,7 +47,7 @@ export function roomColors(scene: Scene): RoomColors[] {
 
 export class Legend {
   constructor(marks: HTMLElement, readonly rooms: HTMLElement) {
-    marks.replaceChildren(...MARKS.map(([color, drawn, words]) => item(drawn, words, drawn === "frame" ? "" : color, color)));
+    marks.replaceChildren(...MARKS.map(([color, drawn, words]) => item(drawn, say(words), drawn === "frame" ? "" : color, color)));
   }
 
   show(scene: Scene): void {

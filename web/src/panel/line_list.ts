@@ -29,8 +29,8 @@ function button(): HTMLButtonElement {
 }
 
 export class LineList {
-  /** Called with the id of the body whose line was chosen. */
-  onChoose: (id: string) => void = () => undefined;
+  /** Called with the id of the body whose line was chosen; `adds`: with Shift, to what is chosen already. */
+  onChoose: (id: string, adds: boolean) => void = () => undefined;
   #lines: readonly Line[] = [];
   #elements: HTMLElement[] = [];
   #buttons: HTMLButtonElement[] = [];
@@ -39,7 +39,7 @@ export class LineList {
   readonly #button = button();
 
   constructor(readonly host: HTMLElement) {
-    host.addEventListener("click", (event) => this.#choose(event.target));
+    host.addEventListener("click", (event) => this.#choose(event.target, event.shiftKey));
     host.addEventListener("keydown", (event) => this.#step(event));
   }
 
@@ -87,9 +87,9 @@ export class LineList {
     return line;
   }
 
-  #choose(target: EventTarget | null): void {
+  #choose(target: EventTarget | null, adds: boolean): void {
     const id = target instanceof Element ? target.closest<HTMLElement>("button[data-id]")?.dataset.id : undefined;
-    if (id !== undefined) this.onChoose(id);
+    if (id !== undefined) this.onChoose(id, adds);
   }
 
   #step(event: KeyboardEvent): void {

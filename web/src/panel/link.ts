@@ -1,10 +1,12 @@
 /** The link to what is shown, copied; and what it cannot hold. */
+import { frameLine } from "../embed/embed_address";
 import { LONGEST_LINK, type Found } from "../memory/carrying";
+import { say } from "../words/language";
 
-const COPIED = "Link copied: it opens this house.";
-const WITH_EDITS = "Link copied: it opens this house with your changes.";
-const UNKNOWN = "Link copied: it opens the house as it was made; your changes go with a saved file.";
-const OF_FILE = "No link holds a scene from a file: save it and send the file.";
+const COPIED = say("Link copied: it opens this house.");
+const WITH_EDITS = say("Link copied: it opens this house with your changes.");
+const UNKNOWN = say("Link copied: it opens the house as it was made; your changes go with a saved file.");
+const OF_FILE = say("No link holds a scene from a file: save it and send the file.");
 
 /** Copies by the old way, which also works where the clipboard is not given to pages. */
 function copyBySelection(text: string): boolean {
@@ -29,17 +31,22 @@ export async function copy(text: string): Promise<boolean> {
 
 /** What is said of a link that is too long for what it should hold. */
 function tooLong(length: number): string {
-  return `Your changes make a link of ${length.toLocaleString("en")} letters; ${LONGEST_LINK.toLocaleString("en")} go everywhere. Send a file instead. `
-    + "The link that was copied opens the house as it was made.";
+  const values = { length: length.toLocaleString("en"), most: LONGEST_LINK.toLocaleString("en") };
+  return say("Your changes make a link of {length} letters; {most} go everywhere. Send a file instead. The link that was copied opens the house as it was made.", values);
 }
 
 export class Link {
   #isEdited = false;
   #query: string | null | undefined;
 
+  /** Copies the line of HTML that shows the home in another page. */
+  readonly framing = document.getElementById("copy_frame") as HTMLButtonElement | null;
+
   /** `find` makes the link to a home that was changed; `saving` saves it as a file. */
   constructor(readonly button: HTMLButtonElement, readonly said: HTMLElement, readonly saving: HTMLButtonElement, readonly find: () => Promise<Found>) {
     button.disabled = true;
+    if (this.framing) this.framing.disabled = true;
+    this.framing?.addEventListener("click", () => void this.#copyFrame());
     button.addEventListener("click", () => void this.#copy());
   }
 
@@ -48,6 +55,7 @@ export class Link {
     if (query === this.#query) return;
     this.#query = query;
     this.button.disabled = query === null;
+    if (this.framing) this.framing.disabled = query === null;
     this.#say(query === null ? OF_FILE : "");
   }
 
@@ -57,11 +65,28 @@ export class Link {
     this.#isEdited = isEdited;
   }
 
+  get #plain(): string {
+    return new URL(this.#query ?? "", location.href.replace(/#.*/, "")).href;
+  }
+
+  /** The link to what is shown; null where that of the changes could not be made. */
+  async #found(): Promise<Found | null> {
+    const plain = this.#plain;
+    return this.#isEdited ? this.find().catch(() => null) : { link: plain, isWhole: true, length: plain.length };
+  }
+
+  async #copyFrame(): Promise<void> {
+    const found = await this.#found();
+    const line = frameLine(found?.link ?? this.#plain);
+    if (!(await copy(line))) this.#say(say("Copy this line: {line}", { line }));
+    else if (found && !found.isWhole) this.#say(tooLong(found.length), true);
+    else this.#say(say("Copied: a line of HTML that shows this house in your page."));
+  }
+
   async #copy(): Promise<void> {
-    const plain = new URL(this.#query ?? "", location.href.replace(/#.*/, "")).href;
-    const found = this.#isEdited ? await this.find().catch(() => null) : { link: plain, isWhole: true, length: plain.length };
+    const [plain, found] = [this.#plain, await this.#found()];
     const link = found?.link ?? plain;
-    if (!(await copy(link))) this.#say(`Copy this link: ${link}`);
+    if (!(await copy(link))) this.#say(say("Copy this link: {link}", { link }));
     else if (found && !found.isWhole) this.#say(tooLong(found.length), true);
     else this.#say(found ? (this.#isEdited ? WITH_EDITS : COPIED) : UNKNOWN, !found);
     this.button.focus();

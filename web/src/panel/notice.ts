@@ -1,11 +1,16 @@
 /** What the service refuses, or that it is gone, in words over the canvas. */
 import { ServiceProblem } from "../service";
+import { say, sayAny } from "../words/language";
 
 /** Does again what was refused. */
 export type Again = () => void;
 
-function secondsInWords(seconds: number): string {
-  return seconds === 1 ? "1 second" : `${seconds} seconds`;
+function againIn(seconds: number): string {
+  return seconds === 1 ? say("Try again in 1 second") : say("Try again in {count} seconds", { count: seconds });
+}
+
+function wrongFields(count: number): string {
+  return count === 1 ? say("A field needs another value") : say("{count} fields need another value", { count });
 }
 
 export class Notice {
@@ -31,10 +36,10 @@ export class Notice {
   /** Says what went wrong; without `again` a person does it again by hand. */
   show(reason: unknown, again: Again | null = null): void {
     this.#retry = again;
-    const problem = reason instanceof ServiceProblem ? reason : new ServiceProblem("The page failed", String(reason));
+    const problem = reason instanceof ServiceProblem ? reason : new ServiceProblem(say("The page failed"), String(reason));
     const lines = this.inWords(problem);
-    this.#title.textContent = lines ? `${lines.length === 1 ? "A field needs" : `${lines.length} fields need`} another value` : problem.title;
-    this.#detail.textContent = lines ? lines.join("\n") : problem.detail;
+    this.#title.textContent = lines ? wrongFields(lines.length) : sayAny(problem.title);
+    this.#detail.textContent = lines ? lines.join("\n") : sayAny(problem.detail);
     this.#key.hidden = problem.status !== 401;
     const passes = problem.fields.length === 0 || problem.status === 503 || problem.status === 429;
     this.#again.hidden = !again || !passes || problem.status === 401 || problem.status === 413;
@@ -52,14 +57,14 @@ export class Notice {
   #countDown(seconds: number): void {
     clearInterval(this.#counting);
     let left = seconds;
-    const say = (): void => {
+    const tick = (): void => {
       this.#again.disabled = left > 0;
-      this.#again.textContent = left > 0 ? `Try again in ${secondsInWords(left)}` : "Try again";
+      this.#again.textContent = left > 0 ? againIn(left) : say("Try again");
       if (left <= 0) clearInterval(this.#counting);
       left -= 1;
     };
-    if (left > 0) this.#counting = window.setInterval(say, 1000);
-    say();
+    if (left > 0) this.#counting = window.setInterval(tick, 1000);
+    tick();
   }
 
   #field(): HTMLInputElement {

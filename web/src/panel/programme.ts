@@ -2,6 +2,7 @@
 import { numberOrText } from "../address";
 import type { Catalog, Counts, HouseRequest } from "../contract";
 import { asNumber } from "./number_text";
+import { say, sayName } from "../words/language";
 
 const PLAIN = "";
 const BY_AREA = "by_area";
@@ -10,7 +11,7 @@ const PRESET = "preset:";
 
 /** A name of the catalogs as a person says it. */
 export function inWords(name: string): string {
-  const words = name.replaceAll("_", " ");
+  const words = sayName(name);
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
@@ -64,7 +65,7 @@ export class Programme {
     return { program: choice === OWN ? this.#readCounts() : choice.slice(PRESET.length), area };
   }
 
-  show({ program, area }: HouseRequest): void {
+  show({ program, area }: Pick<HouseRequest, "program" | "area">): void {
     this.#area.value = asNumber(String(area ?? ""));
     if (typeof program === "string") this.#choice.value = this.#presetOption(program).value;
     else if (program) this.#choice.value = OWN;
@@ -96,7 +97,7 @@ export class Programme {
     const label = document.createElement("label");
     label.htmlFor = id;
     label.textContent = inWords(word);
-    if (word === "garage") label.append(Object.assign(document.createElement("span"), { className: "unit", textContent: " cars" }));
+    if (word === "garage") label.append(Object.assign(document.createElement("span"), { className: "unit", textContent: ` ${say("cars")}` }));
     const input = Object.assign(document.createElement("input"), { id, name: `program.${word}`, type: "number", inputMode: "numeric", placeholder: "–" });
     input.setAttribute("aria-describedby", `${id}_problem`);
     const problem = Object.assign(document.createElement("p"), { id: `${id}_problem`, className: "problem" });
@@ -132,14 +133,14 @@ export class Programme {
     this.#within("#area_field").hidden = !this.planned;
     this.#within("#cuts_words").hidden = !this.planned;
     this.#within<HTMLFieldSetElement>("#cuts").disabled = this.planned;
-    for (const name of ["width", "depth"]) this.#within<HTMLInputElement>(`#${name}`).placeholder = this.planned ? "to fit" : "";
+    for (const name of ["width", "depth"]) this.#within<HTMLInputElement>(`#${name}`).placeholder = this.planned ? say("to fit") : "";
     this.#within("#program_words").textContent = this.#saidOf(choice);
   }
 
   #saidOf(choice: string): string {
     if (choice === PLAIN) return "";
-    if (choice === BY_AREA) return "The service takes the programme that suits the area.";
-    if (choice === OWN) return "What is left empty is the service's choice.";
+    if (choice === BY_AREA) return say("The service takes the programme that suits the area.");
+    if (choice === OWN) return say("What is left empty is the service's choice.");
     const says = this.#catalog?.presets?.[choice.slice(PRESET.length)]?.says;
     return says ? `${inWords(says)}.` : "";
   }

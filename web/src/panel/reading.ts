@@ -4,6 +4,7 @@ import { timed } from "../timing";
 import { writeHighlighted } from "./highlight";
 import { LineList } from "./line_list";
 import { bringIntoView } from "./scroll_within";
+import { say } from "../words/language";
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -31,7 +32,7 @@ function problematic(): HTMLElement {
 
 export class Reading {
   /** Called with the id of the body whose line was chosen. */
-  onChoose: (id: string) => void = () => undefined;
+  onChoose: (id: string, adds: boolean) => void = () => undefined;
   /** Called with the id of the body to flag, or not any longer. */
   onFlag: (id: string) => void = () => undefined;
   readonly #list: LineList;
@@ -45,7 +46,7 @@ export class Reading {
 
   constructor(readonly host: HTMLElement) {
     this.#list = new LineList(host);
-    this.#list.onChoose = (id) => this.onChoose(id);
+    this.#list.onChoose = (id, adds) => this.onChoose(id, adds);
     host.addEventListener("scroll", () => this.#colourSoon(), { passive: true });
     new ResizeObserver(() => this.#colourSoon()).observe(host);
     this.#flag.addEventListener("click", () => this.flagSelected());
@@ -138,7 +139,7 @@ export class Reading {
     this.#found = wanted === "" ? [] : this.#list.buttons.filter(holds);
     for (const button of this.#found) button.classList.add("found");
     if (this.#found[0]) bringIntoView(this.host, this.#found[0]);
-    within("find_words").textContent = wanted === "" ? "" : `${this.#found.length} found`;
+    within("find_words").textContent = wanted === "" ? "" : say("{count} found", { count: this.#found.length });
   }
 
   /** Enter goes from one piece found to the next; keys typed here are no shortcuts. */
@@ -151,7 +152,7 @@ export class Reading {
     if (event.key !== "Enter" || this.#found.length === 0) return;
     const at = this.#found.findIndex((button) => button.dataset.id === this.#selected);
     const next = this.#found[(at + (event.shiftKey ? this.#found.length - 1 : 1)) % this.#found.length];
-    if (next?.dataset.id !== undefined) this.onChoose(next.dataset.id);
+    if (next?.dataset.id !== undefined) this.onChoose(next.dataset.id, false);
   }
 
   /** On a narrow screen the text can be folded away. */

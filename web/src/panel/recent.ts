@@ -1,5 +1,6 @@
 /** The homes that the browser keeps: each with its picture, opened as it was left; and forgotten, where that is wished. */
 import type { Head } from "../memory/store";
+import { say } from "../words/language";
 
 const MOST_SHOWN = 24;
 const MINUTE = 60_000;
@@ -7,15 +8,17 @@ const MINUTE = 60_000;
 /** How long ago, in words. */
 export function agoWords(ms: number): string {
   const minutes = Math.floor(ms / MINUTE);
-  if (minutes < 1) return "just now";
-  const [count, unit] = minutes < 60 ? [minutes, "minute"] : minutes < 1440 ? [Math.floor(minutes / 60), "hour"] : [Math.floor(minutes / 1440), "day"];
-  return `${count} ${unit}${count === 1 ? "" : "s"} ago`;
+  if (minutes < 1) return say("just now");
+  const [hours, days] = [Math.floor(minutes / 60), Math.floor(minutes / 1440)];
+  if (hours < 1) return minutes === 1 ? say("1 minute ago") : say("{count} minutes ago", { count: minutes });
+  if (days < 1) return hours === 1 ? say("1 hour ago") : say("{count} hours ago", { count: hours });
+  return days === 1 ? say("1 day ago") : say("{count} days ago", { count: days });
 }
 
 /** How far a home was edited, in words. */
 export function changesWords({ count }: Head): string {
-  if (count === 1) return "as it was made";
-  return count === 2 ? "1 change" : `${count - 1} changes`;
+  if (count === 1) return say("as it was made");
+  return count === 2 ? say("1 change") : say("{count} changes", { count: count - 1 });
 }
 
 /** The homes worth listing: of those never edited that one address makes, the newest. */
@@ -63,7 +66,7 @@ export class Recent {
 
   /** The browser keeps nothing beyond this page. */
   sayLost(): void {
-    this.#said.textContent = "This browser keeps no homes beyond this page, or is full: what you change here is lost when you leave. Save it as a file.";
+    this.#said.textContent = say("This browser keeps no homes beyond this page, or is full: what you change here is lost when you leave. Save it as a file.");
   }
 
   /** Forgets all but the home shown, once that is said twice. */
@@ -74,7 +77,7 @@ export class Recent {
 
   #ask(isAsked: boolean): void {
     this.#isAsked = isAsked;
-    this.#clear.textContent = isAsked ? `Really forget ${this.#heads.length - 1}?` : "Forget all but this one";
+    this.#clear.textContent = isAsked ? say("Really forget {count}?", { count: this.#heads.length - 1 }) : say("Forget all but this one");
   }
 
   #refresh(): void {
@@ -109,7 +112,7 @@ export class Recent {
     open.append(image, words);
     open.addEventListener("click", () => this.onOpen(head.id));
     const forget = Object.assign(document.createElement("button"), { type: "button", className: "recent-forget", textContent: "✕", disabled: isCurrent });
-    forget.setAttribute("aria-label", `Forget ${head.title}`);
+    forget.setAttribute("aria-label", say("Forget {home}", { home: head.title }));
     forget.addEventListener("click", () => this.onForget(new Set([head.id])));
     item.append(open, forget);
     return item;

@@ -1,25 +1,19 @@
 /** The room in hand: what it is, what is in it, and furnishing it anew. */
 import type { Home } from "../state/home";
 import type { Opening, Room, Scene } from "../contract";
+import { clearFloorOf } from "../house/clear_floor";
+import { drawable } from "../house/drawable";
+import { runsOf } from "../house/wall_runs";
 import { inWords } from "./programme";
+import { say, sayName } from "../words/language";
 
 function metres(length: number): string {
   return `${Number(length.toFixed(2))} m`;
 }
 
-/** The floor between a room's wall lines [m²]: of its outline, where it is not its rectangle. */
-export function floorArea({ outline, width, depth }: Room): number {
-  if (!outline || outline.length < 3) return width * depth;
-  const doubled = outline.reduce((sum, [x, z], i) => {
-    const [nextX, nextZ] = outline[(i + 1) % outline.length] ?? [x, z];
-    return sum + x * nextZ - nextX * z;
-  }, 0);
-  return Math.abs(doubled) / 2;
-}
-
 function leadsTo({ connects_to: to, kind }: Opening, names: ReadonlyMap<string, string>): string {
-  const goal = !to || to === "EXTERIOR" ? "outside" : (names.get(to) ?? to);
-  return kind === "door" ? goal : `${goal} (${kind.replaceAll("_", " ")})`;
+  const goal = !to || to === "EXTERIOR" ? say("outside") : (names.get(to) ?? to);
+  return kind === "door" ? goal : `${goal} (${sayName(kind)})`;
 }
 
 /** What to call each room: its type, numbered where there are several of it. */
@@ -36,35 +30,41 @@ export function roomNames(scene: { readonly rooms: readonly Pick<Room, "id" | "t
 /** What there is to say of a room, as pairs of a word and what it is. */
 export function factsOf(room: Room, scene: Scene): [string, string][] {
   const names = roomNames(scene);
+  const clear = clearFloorOf(room, runsOf(scene.rooms, scene.wall_thickness));
   const windows = room.openings.filter(({ kind }) => kind === "window").length;
   const doors = room.openings.filter(({ kind }) => kind !== "window").map((door) => leadsTo(door, names));
   const people = scene.dynamic.filter((body) => body.room === room.id).map((body) => body.kind);
   const facts: [string, string][] = [
-    ["Type", inWords(room.type)],
-    ["Size", `${metres(room.width)} × ${metres(room.depth)}`],
-    ["Area", `${floorArea(room).toFixed(1)} m²`],
-    ["Floor", room.flooring?.type ?? "not said"],
-    ["Doors", doors.length > 0 ? `to ${doors.join(", ")}` : "none"],
-    ["Windows", String(windows)],
-    ["Furniture", String(room.furniture.length)],
-    ["Decorations", String(room.decorations.length)],
+    [say("Type"), inWords(room.type)],
+    [say("Size"), `${metres(clear.width)} × ${metres(clear.depth)}`],
+    [say("Area"), `${clear.area.toFixed(1)} m²`],
+    [say("Floor"), room.flooring?.type ?? say("not said")],
+    [say("Doors"), doors.length > 0 ? say("to {rooms}", { rooms: doors.join(", ") }) : say("none")],
+    [say("Windows"), String(windows)],
+    [say("Furniture"), String(room.furniture.length)],
+    [say("Decorations"), String(room.decorations.length)],
   ];
-  if (room.walls) facts.splice(4, 0, ["Walls", room.walls.type]);
-  if (people.length > 0) facts.push(["At home", people.join(", ")]);
+  if (room.walls) facts.splice(4, 0, [say("Walls"), room.walls.type]);
+  if (people.length > 0) facts.push([say("At home"), people.join(", ")]);
   return facts;
 }
 
 export class RoomPanel {
   /** Called with the id of the room to furnish anew. */
   onReroll: (id: string) => void = () => undefined;
+  /** Called with the id of the room of which other arrangements are wished. */
+  onOthers: (id: string) => void = () => undefined;
   readonly #choice: HTMLSelectElement;
   readonly #facts: HTMLElement;
   readonly #reroll: HTMLButtonElement;
+  readonly #others: HTMLButtonElement | null;
 
   constructor(host: HTMLElement, readonly home: Home) {
     this.#choice = host.querySelector("#room_choice") as HTMLSelectElement;
     this.#facts = host.querySelector("#room_facts") as HTMLElement;
     this.#reroll = host.querySelector("#reroll") as HTMLButtonElement;
+    this.#others = host.querySelector("#others_now");
+    this.#others?.addEventListener("click", () => { if (home.room !== null) this.onOthers(home.room); });
     this.#choice.addEventListener("change", () => home.selectRoom(this.#choice.value || null));
     this.#reroll.addEventListener("click", () => { if (home.room !== null) this.onReroll(home.room); });
     home.on("shown", (how) => { if (how !== "live") this.#list(); });
@@ -74,15 +74,17 @@ export class RoomPanel {
   #list(): void {
     const { scene } = this.home;
     const rooms = scene ? [...roomNames(scene)].sort(([, a], [, b]) => a.localeCompare(b, "en", { numeric: true })) : [];
-    this.#choice.replaceChildren(new Option("None chosen", ""), ...rooms.map(([id, name]) => new Option(name, id)));
+    this.#choice.replaceChildren(new Option(say("None chosen"), ""), ...rooms.map(([id, name]) => new Option(name, id)));
     this.#tell();
   }
 
   #tell(): void {
-    const { scene, room: id } = this.home;
+    const { scene: said, room: id } = this.home;
+    const scene = said && drawable(said);
     const room = scene?.rooms.find((one) => one.id === id);
     this.#choice.value = room?.id ?? "";
     this.#reroll.disabled = !room;
+    if (this.#others) this.#others.disabled = !room;
     this.#facts.hidden = !room;
     this.#facts.replaceChildren(...(room && scene ? factsOf(room, scene).flatMap(([word, what]) => this.#fact(word, what)) : []));
   }

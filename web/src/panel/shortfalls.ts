@@ -1,6 +1,7 @@
 /** What fell short of what was asked or wished, in plain words: of the plan, of rooms that are not proven, of pieces that were left out. */
 import type { LeftOut, Scene } from "../contract";
 import { roomNames } from "./room";
+import { say } from "../words/language";
 
 /** One thing that fell short: in words, why for each piece, and the room it is about. */
 export interface Shortfall {
@@ -14,8 +15,9 @@ export interface Shortfalls {
   readonly asked: readonly Shortfall[];
   /** What stands in no room for want of space, or because the room was full enough. */
   readonly leftOut: readonly Shortfall[];
-  /** How many pieces those are. */
+  /** How many of those found no place, and how many a room that is full enough does without. */
   readonly pieces: number;
+  readonly spare: number;
 }
 
 /** How a certificate begins to say that a room needed no more. */
@@ -36,31 +38,45 @@ function pieceWords({ piece, reason }: LeftOut): string {
 }
 
 function listed(words: readonly string[]): string {
-  return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1) ?? ""}`;
+  return words.length < 2 ? words.join("") : say("{some} and {last}", { some: words.slice(0, -1).join(", "), last: words.at(-1) ?? "" });
 }
 
 export function shortfallsOf(scene: Scene): Shortfalls {
   const names = roomNames(scene);
   const rooms = Object.entries(scene.certificate?.rooms ?? {}).map(([id, said]) => ({ id, name: names.get(id) ?? id, said }));
   const notes = (scene.certificate?.notes ?? []).map((note) => ({ words: sentence(note), whys: [], room: null }));
+  const { profile = "", unmet = [] } = scene.certificate?.access ?? {};
+  const access = unmet.map((one) => ({ words: say("Access, {profile}: {said}", { profile: profile.replaceAll("_", " "), said: sentence(one) }), whys: [], room: null }));
   const ofRooms = rooms.flatMap(({ id, name, said }) => (said.notes ?? []).map((note) => ({ words: `${name}: ${sentence(note)}`, whys: [], room: id })));
   const open = rooms.filter(({ said }) => said.proven === false).map(({ id, name }) => ({
-    words: `${name}: not proven to be the best. The search ended at its limit; there may be a better arrangement.`, whys: [], room: id,
+    words: say("{name}: not proven to be the best. The search ended at its limit; there may be a better arrangement.", { name }), whys: [], room: id,
   }));
   const leftOut = rooms.flatMap(({ id, name, said }) => [true, false].flatMap((isFull) => {
     const pieces = (said.left_out ?? []).filter(({ reason }) => reason.startsWith(FULL) === isFull);
     const things = listed(pieces.map(pieceWords));
-    const words = isFull ? `${name}: full enough without ${things}.` : `${name}: no place found for ${things}.`;
+    const words = isFull ? say("{name}: full enough without {things}.", { name, things }) : say("{name}: no place found for {things}.", { name, things });
     return pieces.length > 0 ? [{ words, whys: pieces.map((one) => sentence(`${pieceWords(one)}: ${one.reason}`)), room: id }] : [];
   }));
-  return { asked: [...notes, ...ofRooms, ...open], leftOut, pieces: leftOut.reduce((sum, { whys }) => sum + whys.length, 0) };
+  const all = rooms.flatMap(({ said }) => said.left_out ?? []);
+  const spare = all.filter(({ reason }) => reason.startsWith(FULL)).length;
+  return { asked: [...notes, ...access, ...ofRooms, ...open], leftOut, pieces: all.length - spare, spare };
 }
 
-/** All in one line: what was asked in full, what was left out by its number; empty where nothing fell short. */
-export function shortfallLine({ asked, pieces }: Shortfalls): string {
+/** What became of the pieces that do not stand, by their numbers: some were tried in vain, of others there is enough. */
+function piecesLine({ pieces, spare }: Shortfalls): string[] {
+  return [
+    ...(pieces === 1 ? [say("1 more piece was tried and found no place.")] : []),
+    ...(pieces > 1 ? [say("{count} more pieces were tried and found no place.", { count: pieces })] : []),
+    ...(spare > 0 && pieces === 0 ? [say("The rooms are furnished as fully as wished.")] : []),
+  ];
+}
+
+/** All in one line: what was asked in full, then of the pieces; empty where there is nothing to say. */
+export function shortfallLine(found: Shortfalls): string {
+  const { asked } = found;
   const [first, ...more] = asked;
-  const said = first ? [first.words + (more.length > 0 ? ` And ${more.length} more.` : "")] : [];
-  return [...said, ...(pieces > 0 ? [`${pieces} ${pieces === 1 ? "piece" : "pieces"} left out.`] : [])].join(" ");
+  const said = first ? [first.words + (more.length > 0 ? ` ${say("And {count} more.", { count: more.length })}` : "")] : [];
+  return [...said, ...piecesLine(found)].join(" ");
 }
 
 export class ShortfallPanel {
@@ -102,7 +118,7 @@ export class ShortfallPanel {
 
   #whys(whys: readonly string[]): HTMLElement {
     const details = document.createElement("details");
-    details.append(Object.assign(document.createElement("summary"), { textContent: "Why" }));
+    details.append(Object.assign(document.createElement("summary"), { textContent: say("Why") }));
     details.append(...whys.map((why) => Object.assign(document.createElement("p"), { className: "hint", textContent: why })));
     return details;
   }

@@ -1,6 +1,7 @@
 /** The status bar: how much there is of what, how many issues, how long it took. */
 import type { GenerateAnswer, Issue, Scene } from "../contract";
 import type { Shown } from "../state/home";
+import { say } from "../words/language";
 
 export interface Counts {
   readonly rooms: number;
@@ -43,12 +44,13 @@ export function optimalityOf({ certificate }: Scene): { readonly short: string; 
   if (rooms.length === 0) return null;
   const named = (wanted: boolean | undefined): string => rooms.filter(([, { proven }]) => proven === wanted).map(([id]) => id).join(", ");
   const [open, changed] = [named(false), named(undefined)];
-  const proven = `${rooms.filter(([, room]) => room.proven).length} of ${rooms.length}`;
-  const best = "No other placement of the pieces comes closer to what the room's rules want";
-  const said = [open || changed ? `${best}: proven for ${proven} rooms.` : `${best}: proven for every room.`];
-  if (open) said.push(`The search ended at its limit in ${open}.`);
-  if (changed) said.push(`Changed since: ${changed}.`);
-  return { short: `proven optimal in ${proven} rooms`, full: said.join(" ") };
+  const counts = { proven: rooms.filter(([, room]) => room.proven).length, rooms: rooms.length };
+  const said = [open || changed
+    ? say("No other placement of the pieces comes closer to what the room's rules want: proven for {proven} of {rooms} rooms.", counts)
+    : say("No other placement of the pieces comes closer to what the room's rules want: proven for every room.")];
+  if (open) said.push(say("The search ended at its limit in {rooms}.", { rooms: open }));
+  if (changed) said.push(say("Changed since: {rooms}.", { rooms: changed }));
+  return { short: say("proven optimal in {proven} of {rooms} rooms", counts), full: said.join(" ") };
 }
 
 function showOptimality(host: HTMLElement, scene: Scene): void {

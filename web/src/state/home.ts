@@ -32,6 +32,8 @@ export interface Changes {
   selected: string | null;
   room: string | null;
   flagged: ReadonlySet<string>;
+  /** The bodies chosen beside the one in hand. */
+  also: ReadonlySet<string>;
   /** What lies before and after the home has changed. */
   beyond: null;
 }
@@ -46,9 +48,10 @@ export class Home {
   #future: Shown[] = [];
   #beyond: () => Beyond = () => ({ back: null, forth: null });
   #selected: string | null = null;
+  #also: ReadonlySet<string> = new Set();
   #room: string | null = null;
   #flagged: ReadonlySet<string> = new Set();
-  readonly #listeners: { [Change in keyof Changes]: Listener<Change>[] } = { shown: [], selected: [], room: [], flagged: [], beyond: [] };
+  readonly #listeners: { [Change in keyof Changes]: Listener<Change>[] } = { shown: [], selected: [], also: [], room: [], flagged: [], beyond: [] };
 
   /** Calls a listener after every change of a kind. */
   on<Change extends keyof Changes>(change: Change, listener: Listener<Change>): void {
@@ -160,6 +163,8 @@ export class Home {
   /** What is no longer there is no longer selected. */
   #forgetMissing(): void {
     if (this.#selected !== null && !this.#bodyIds().has(this.#selected)) this.select(null);
+    const also = [...this.#also].filter((id) => this.#bodyIds().has(id));
+    if (also.length < this.#also.size) this.#chooseAlso(new Set(also));
     if (this.#room !== null && !this.scene?.rooms.some((room) => room.id === this.#room)) this.selectRoom(null);
     const kept = [...this.#flagged].filter((id) => this.#bodyIds().has(id));
     if (kept.length < this.#flagged.size) this.#flag(new Set(kept));
@@ -177,9 +182,39 @@ export class Home {
   }
 
   select(id: string | null): void {
-    if (id === this.#selected || (id !== null && !this.#bodyIds().has(id))) return;
+    if (id !== null && !this.#bodyIds().has(id)) return;
+    if (this.#also.size > 0) this.#chooseAlso(new Set());
+    if (id === this.#selected) return;
     this.#selected = id;
     this.#tell("selected", id);
+  }
+
+  /** The ids of the bodies chosen beside the one in hand. */
+  get also(): ReadonlySet<string> {
+    return this.#also;
+  }
+
+  /** The ids of all that is chosen, the body in hand first. */
+  get chosen(): readonly string[] {
+    return this.#selected === null ? [] : [this.#selected, ...this.#also];
+  }
+
+  /** Chooses several bodies; the first is the one in hand. */
+  choose(ids: readonly string[]): void {
+    const [first = null, ...others] = ids;
+    this.select(first);
+    if (others.length > 0) this.#chooseAlso(new Set(others.filter((id) => id !== first && this.#bodyIds().has(id))));
+  }
+
+  /** Adds a body to those chosen, or takes it out. */
+  toggleChosen(id: string): void {
+    const chosen = this.chosen;
+    this.choose(chosen.includes(id) ? chosen.filter((one) => one !== id) : [...chosen, id]);
+  }
+
+  #chooseAlso(ids: ReadonlySet<string>): void {
+    this.#also = ids;
+    this.#tell("also", ids);
   }
 
   /** The id of the room in hand. */

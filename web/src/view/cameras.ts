@@ -6,9 +6,11 @@ export type Vector = readonly [number, number, number];
 export interface Preset {
   readonly from: readonly Vector[];
   readonly fov: number;
+  /** How much wider the view is than the house. */
+  readonly margin?: number;
 }
 
-export type PresetName = "top" | "corner";
+export type PresetName = "top" | "corner" | "plan";
 
 /** A direction by how far it is turned from the south to the east, and its height over the horizon [deg]. */
 function towards(turn: number, height: number): Vector {
@@ -19,6 +21,9 @@ function towards(turn: number, height: number): Vector {
 export const PRESETS: Readonly<Record<PresetName, Preset>> = {
   // A hair off the vertical, so that north is up; a narrow view from afar, so that walls hardly lean.
   top: { from: [[0, 1, 0.0001]], fov: 12 },
+  // From so far that heights move nothing aside: what is drawn on the ground lies under what is pointed at.
+  // Around the house the sheet has its dimensions and its title.
+  plan: { from: [[0, 1, 0.0001]], fov: 1, margin: 1.3 },
   // The first is looked from unless another one shows the house clearly larger in the window as it is.
   corner: { from: [24, 40, 58].flatMap((turn) => [44, 50].map((height) => towards(turn, height))), fov: 30 },
 };
@@ -72,9 +77,9 @@ interface Fitted {
 }
 
 /** The nearest place from which all points are seen within the planes that bound the view; what is left over is left on both sides. */
-function fitted(points: readonly Vector[], from: Vector, fov: number, { aspect, covered = 0 }: Window): Fitted {
+function fitted(points: readonly Vector[], from: Vector, { fov, margin = MARGIN }: Preset, { aspect, covered = 0 }: Window): Fitted {
   const { right, up, back } = axesOf(from);
-  const slope = Math.tan((fov * Math.PI) / 360) / MARGIN;
+  const slope = Math.tan((fov * Math.PI) / 360) / margin;
   const seen = points.map((point) => [dot(point, right), dot(point, up), dot(point, back)] as const);
   const reach = (k: 0 | 1, side: 1 | -1, steep: number): number => Math.max(...seen.map((at) => side * at[k] + steep * at[2]));
   const [aside, above] = [slope * aspect, slope * (1 - 2 * covered)];
@@ -88,7 +93,7 @@ function fitted(points: readonly Vector[], from: Vector, fov: number, { aspect, 
 
 /** Places a camera so that the points fill the view. */
 export function frame(points: readonly Vector[], preset: Preset, window: Window): Framing {
-  const ways = preset.from.map((from) => fitted(points, from, preset.fov, window));
+  const ways = preset.from.map((from) => fitted(points, from, preset, window));
   return ways.reduce((best, way) => (way.distance < best.distance * (best === ways[0] ? CLEARLY : 1) ? way : best)).framing;
 }
 

@@ -1,9 +1,9 @@
-/** The sun with its shadows, the light of the sky, and the ground around the house. */
+/** The sun with its shadows, the light of the sky, and the ground around the house: grass to who walks, else the shadows alone. */
 import {
-  BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Group, HemisphereLight, Mesh, MeshLambertMaterial, Vector3, type Box3,
+  BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Group, HemisphereLight, Mesh, MeshLambertMaterial, ShadowMaterial, Vector3, type Box3,
 } from "three";
 
-export const SKY = "#b9c8d6";
+export const SKY = new Color("#b9c8d6");
 const GRASS = "#8a9d74";
 const SUN = new Vector3(-0.55, 1, 0.5).normalize();
 const SHADOW_PIXELS = 2048;
@@ -37,7 +37,9 @@ function groundGeometry(): BufferGeometry {
 export class Daylight {
   readonly root = new Group();
   readonly #sun = new DirectionalLight("#fff4e2", 2.2);
-  readonly #ground = new Mesh(groundGeometry(), new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+  readonly #grass = new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false });
+  readonly #shadows = new ShadowMaterial({ opacity: 0.22, depthWrite: false });
+  readonly #ground: Mesh<BufferGeometry, MeshLambertMaterial | ShadowMaterial> = new Mesh(groundGeometry(), this.#shadows);
 
   constructor() {
     const { shadow } = this.#sun;
@@ -49,6 +51,16 @@ export class Daylight {
     this.#ground.receiveShadow = true;
     this.#ground.renderOrder = -1;
     this.root.add(new HemisphereLight("#f4f6ff", "#b8aea2", 2.5), this.#sun, this.#sun.target, fill, this.#ground);
+  }
+
+  /** Shows the ground, or light alone. */
+  showGround(isShown: boolean): void {
+    this.#ground.visible = isShown;
+  }
+
+  /** Lays grass around the house, or only the shadows that fall there. */
+  sow(isGrass: boolean): void {
+    this.#ground.material = isGrass ? this.#grass : this.#shadows;
   }
 
   /** Lights a house and lays the ground around it. */

@@ -48,3 +48,15 @@ export function layOut(wishes: readonly LabelWish[], kept: readonly Kept[] = [])
   }
   return places;
 }
+
+/** Of the places where a label may be, nearest first, the one at which it covers least of what lies there; `before`, where that is one of the best. */
+export function clearest<Place extends LabelPlace>(
+  { width, height }: Pick<Kept, "width" | "height">, places: readonly Place[], covered: readonly Kept[], before?: Place,
+): Place | undefined {
+  const near = (place: Place, other: Kept): boolean =>
+    Math.abs(place.x - other.x) < (width + other.width) / 2 && Math.abs(place.y - other.y) < (height + other.height) / 2;
+  const counted = (place: Place): number => covered.filter((other) => near(place, other)).length;
+  const counts = new Map(places.map((place) => [place, counted(place)]));
+  const least = Math.min(...counts.values());
+  return before && counts.get(before) === least ? before : places.find((place) => counts.get(place) === least);
+}

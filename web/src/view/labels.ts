@@ -13,7 +13,7 @@ import type { Viewport } from "./viewport";
 type Named = LabelElement & { readonly id: string };
 
 /** What lies over the canvas and over labels. */
-const OVERLAYS = "#tools, #walk_leave, #compass";
+const OVERLAYS = "#tools, #walk_leave, #compass, #minimap, .views, .fold";
 const TIP_LIFT = 22;
 const MARK_LIFT = 12;
 /** Who walks reads the names of the pieces this near [m]. */
@@ -38,6 +38,7 @@ export class Labels {
   #pointed: string | null = null;
   #house: House | null = null;
   #all = false;
+  #withDecorations = false;
   #kept: readonly Kept[] = [];
   #bodies: ReadonlyMap<string, PlacedBody> = new Map();
 
@@ -64,9 +65,9 @@ export class Labels {
     this.point(null);
   }
 
-  /** Names every piece of furniture, or only those pointed at and chosen. */
-  nameAll(all: boolean): void {
-    this.#all = all;
+  /** Names every piece of furniture, with decorations where wished, or only those pointed at and chosen. */
+  nameAll(all: boolean, withDecorations = false): void {
+    [this.#all, this.#withDecorations] = [all || withDecorations, withDecorations];
     this.#rename();
     this.viewport.invalidate();
   }
@@ -76,12 +77,14 @@ export class Labels {
     this.#kept = overlays.map((element) => element.getBoundingClientRect())
       .map(({ x, y, width, height }) => ({ x: x - left + width / 2, y: y - top + height / 2, width, height }))
       .filter(({ width }) => width > 0);
-    this.viewport.invalidate();
+    this.#follow(); // the house behind them need not be drawn again
   }
 
   #rename(): void {
-    const furniture = this.#all ? (this.#house?.bodies.filter(({ kind }) => kind === "furniture") ?? []) : [];
-    this.#pieces = this.#exchange(this.#pieces, furniture.map((body) => ({ id: body.id, words: words(body.name) })), "piece-label");
+    const named = this.#all ? (this.#house?.bodies.filter(({ kind }) => kind === "furniture" || (this.#withDecorations && kind === "decoration")) ?? []) : [];
+    this.#pieces = this.#exchange(this.#pieces, named.map((body) => ({ id: body.id, words: words(body.name) })), "piece-label");
+    const categories = new Map(this.#house?.scene.rooms.flatMap((room) => room.furniture.map((piece) => [piece.id, piece.category] as const)));
+    for (const { id, element } of this.#pieces) element.dataset.category = categories.get(id) ?? (categories.has(id) ? "misc" : "decoration");
   }
 
   /** Labels for these in place of the old; those that say the same are kept. */

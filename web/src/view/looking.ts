@@ -1,10 +1,17 @@
-/** The controls of the view: camera presets, walking, how high the walls are cut, all names. */
+/** The controls of the view: camera presets, walking, how high the walls are cut, which are lower, all names. */
+import type { RoomFloor, Scene, Side } from "../contract";
 import type { House } from "../house/house";
+import { sidesBefore, sidesOf, type WallCut } from "../house/wall_cut";
+import { remember, remembered } from "../panel/preferences";
+import { isAbort } from "../service";
 import type { PresetName } from "./cameras";
 import type { Labels } from "./labels";
+import { Minimap } from "./minimap";
 import type { Viewport } from "./viewport";
 import { firstPose } from "./walk";
+import { WalkFloor } from "./walk_floor";
 import { WalkMode } from "./walk_mode";
+import { say } from "../words/language";
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -12,21 +19,46 @@ function within<T extends HTMLElement>(id: string): T {
 
 type Way = PresetName | "walk";
 
-const BUTTONS: Readonly<Record<Way, string>> = { top: "camera_top", corner: "camera_corner", walk: "camera_walk" };
+const BUTTONS: Readonly<Record<Way, string>> = { top: "camera_top", corner: "camera_corner", walk: "camera_walk", plan: "camera_plan" };
+
+/** Says which floor of a scene is free to go on. */
+export type AskWalk = (scene: Scene, signal: AbortSignal) => Promise<readonly RoomFloor[]>;
 
 export class Looking {
   readonly #walk: WalkMode;
   readonly #cut = within<HTMLInputElement>("cut");
+  readonly #lowers = within<HTMLInputElement>("lower_walls");
+  /** The sides that walls were last lowered on, as bits. */
+  #before = 0;
   readonly #names = within<HTMLInputElement>("all_labels");
+  readonly #things = within<HTMLInputElement>("decoration_labels");
   /** Over the canvas: on a narrow screen the other buttons are far below it. */
   readonly #leave = within<HTMLButtonElement>("walk_leave");
+  /** Told whether the plan is looked at. */
+  onPlan: (isPlan: boolean) => void = () => undefined;
+  /** Told why the floor is not known: one then walks through everything. */
+  onFailure: (reason: unknown) => void = () => undefined;
+  readonly #map: Minimap;
+  /** How high the floor of the storey that is looked at lies [m]. */
+  rise = 0;
   #house: House | null = null;
+  /** The scene as it was sent: the floor is asked of it. */
+  #scene: Scene | null = null;
+  #pending = new AbortController();
 
-  constructor(readonly viewport: Viewport, readonly labels: Labels) {
+  constructor(readonly viewport: Viewport, readonly labels: Labels, readonly askFloor: AskWalk) {
+    this.#map = new Minimap(within("minimap"));
+    this.#map.onPlace = (x, z) => { this.goTo(x, z); };
+    viewport.onFrame(() => { this.#map.follow(this.#walk.pose); this.#followView(); });
     this.#walk = new WalkMode(viewport);
     this.#walk.onLeave = () => this.look("corner");
     this.#cut.addEventListener("input", () => this.cutWalls());
-    this.#names.addEventListener("change", () => this.#nameAll());
+    this.#lowers.checked = remembered("lower_walls") !== "no";
+    this.#lowers.addEventListener("change", () => {
+      remember("lower_walls", this.#lowers.checked ? "yes" : "no");
+      this.cutWalls();
+    });
+    for (const names of [this.#names, this.#things]) names.addEventListener("change", () => this.#nameAll());
     for (const way of Object.keys(BUTTONS) as Way[]) within(BUTTONS[way]).addEventListener("click", () => this.look(way));
     this.#leave.addEventListener("click", () => this.look("corner"));
     labels.onNamed = (named) => this.#tellNamed(named);
@@ -34,11 +66,14 @@ export class Looking {
   }
 
   /** Another house: `jump` looks at it anew, else one looks on from where one was. */
-  show(house: House, jump: boolean): void {
-    this.#house = house;
+  show(house: House, scene: Scene, jump: boolean): void {
+    [this.#house, this.#scene] = [house, scene];
     this.labels.raiseTo(this.height);
+    this.#map.show(house);
     if (this.#walk.pose && jump) this.#enter();
+    else if (this.#walk.pose) void this.#learnFloor();
     else if (jump) this.look("corner", true);
+    this.#followView();
   }
 
   /** Walks to a place of the plan [m]; tells whether one walks at all. */
@@ -48,6 +83,9 @@ export class Looking {
   }
 
   look(way: Way, jump = false): void {
+    this.viewport.flatten(way === "plan");
+    this.onPlan(way === "plan");
+    this.viewport.host.dataset.view = way;
     if (way === "walk") this.#enter();
     else this.#leaveFor(way, jump);
     for (const [name, id] of Object.entries(BUTTONS)) within(id).setAttribute("aria-pressed", String(name === way));
@@ -66,24 +104,68 @@ export class Looking {
     const area = { min: bounds.min.toArray(), max: bounds.max.toArray() };
     this.#walk.start(firstPose(entrance, area), area);
     this.cutWalls();
+    void this.#learnFloor();
+  }
+
+  /** Asks what may be walked on; one stands still until that is known. */
+  async #learnFloor(): Promise<void> {
+    this.#pending.abort();
+    const { signal } = (this.#pending = new AbortController());
+    const [house, scene] = [this.#house, this.#scene];
+    if (!house || !scene) return;
+    this.#walk.walkOn("awaited");
+    try {
+      const floors = await this.askFloor(scene, signal);
+      this.#walk.walkOn(new WalkFloor(scene, floors, house.plan, (id) => house.doors.open.includes(id)));
+    } catch (reason) {
+      if (isAbort(reason)) return;
+      this.#walk.walkOn(null);
+      this.onFailure(reason);
+    }
   }
 
   #leaveFor(preset: PresetName, jump: boolean): void {
     const walked = this.#walk.pose !== null;
+    this.#pending.abort();
     this.#walk.stop();
     this.viewport.look(preset, jump);
     if (walked) this.cutWalls();
   }
 
+  /** Whether it is known what one may walk on. */
+  get knowsFloor(): boolean {
+    return this.#walk.knowsFloor;
+  }
+
   /** How high the walls are drawn [m]: all of them to who walks. */
   get height(): number {
     const whole = this.#house?.wallTop ?? Number(this.#cut.max);
-    return this.#walk.pose ? whole : Number(this.#cut.value);
+    return this.#walk.pose ? whole : this.rise + Number(this.#cut.value);
+  }
+
+  /** How the walls are drawn: those before the viewer lower, unless one walks or wants them whole. */
+  get cut(): WallCut {
+    this.#before = this.#sidesBefore();
+    return { height: this.height, before: sidesOf(this.#before) };
+  }
+
+  /** The sides whose walls are lower. */
+  get lowered(): readonly Side[] {
+    return [...sidesOf(this.#before)];
+  }
+
+  #sidesBefore(): number {
+    return this.#walk.pose || !this.#lowers.checked ? 0 : sidesBefore(this.viewport.seenFrom);
+  }
+
+  /** Lowers other walls once the view has turned. */
+  #followView(): void {
+    if (this.#house && this.#sidesBefore() !== this.#before) this.cutWalls();
   }
 
   cutWalls(): void {
     this.#cutWords();
-    this.#house?.cutAt(this.height);
+    this.#house?.cutAt(this.cut);
     this.labels.raiseTo(this.height);
     this.viewport.castShadows();
   }
@@ -92,17 +174,19 @@ export class Looking {
     within("cut_words").textContent = `${Number(this.#cut.value).toFixed(1)} m`;
   }
 
-  toggleNames(): void {
-    this.#names.checked = !this.#names.checked;
+  /** Names the furniture, or with decorations all, or neither again. */
+  toggleNames(withDecorations = false): void {
+    const names = withDecorations ? this.#things : this.#names;
+    names.checked = !names.checked;
     this.#nameAll();
   }
 
   #nameAll(): void {
-    this.labels.nameAll(this.#names.checked);
+    this.labels.nameAll(this.#names.checked, this.#things.checked);
   }
 
   #tellNamed(named: { shown: number; of: number } | null): void {
-    const words = named && named.shown < named.of ? `${named.shown} of ${named.of} fit` : "";
+    const words = named && named.shown < named.of ? say("{shown} of {of} fit", named) : "";
     const told = within("labels_words");
     if (told.textContent !== words) told.textContent = words;
   }

@@ -1,7 +1,8 @@
 /** Tells a click on the canvas from the start of an orbit, and what the pointer is over. */
 
 export interface PointerWords {
-  click(clientX: number, clientY: number): void;
+  /** `adds`: with Shift, to what is chosen already. */
+  click(clientX: number, clientY: number, adds: boolean): void;
   /** At most once a frame; null when the pointer has left. */
   over(at: { clientX: number; clientY: number } | null): void;
 }
@@ -9,7 +10,11 @@ export interface PointerWords {
 /** Further than this [CSS pixels] a press is a drag; fingers are less still. */
 const STILL = { touch: 12, other: 5 } as const;
 
+/** A finger that stays longer takes hold of a piece, and clicks nothing [ms]. */
+const TAP = 450;
+
 function isStill(from: PointerEvent, to: PointerEvent): boolean {
+  if (to.pointerType === "touch" && to.timeStamp - from.timeStamp >= TAP) return false;
   const reach = Math.hypot(to.clientX - from.clientX, to.clientY - from.clientY);
   return reach <= (to.pointerType === "touch" ? STILL.touch : STILL.other);
 }
@@ -17,12 +22,13 @@ function isStill(from: PointerEvent, to: PointerEvent): boolean {
 export function listenToPointer(canvas: HTMLCanvasElement, say: PointerWords): void {
   let pressed: PointerEvent | null = null;
   let latest: PointerEvent | null = null;
-  canvas.addEventListener("pointerdown", (event) => { pressed = event; });
+  // A second finger makes both of them the camera's.
+  canvas.addEventListener("pointerdown", (event) => { pressed = event.isPrimary ? event : null; });
   canvas.addEventListener("pointerup", (event) => {
     const from = pressed;
     pressed = null;
     if (!from || event.button !== 0) return;
-    if (isStill(from, event)) say.click(event.clientX, event.clientY);
+    if (isStill(from, event)) say.click(event.clientX, event.clientY, event.shiftKey);
   });
   canvas.addEventListener("pointermove", (event) => {
     if (pressed) return;

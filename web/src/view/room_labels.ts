@@ -1,12 +1,14 @@
 /** Names of rooms with their areas: over the middle of each; who walks reads those near and ahead. */
 import { Vector3 } from "three";
 import type { Room } from "../contract";
-import { storeysOf, words } from "../house/frame";
+import { storeysOf, words, type PlacedBody } from "../house/frame";
 import { holds } from "../house/finishes";
 import type { House } from "../house/house";
-import { areaOf, cornersOf } from "../house/plan";
+import { clearFloorOf } from "../house/clear_floor";
+import { cornersOf } from "../house/plan";
 import type { Point } from "../house/wall_faces";
 import { hang, labelElement, type LabelElement } from "./label_elements";
+import { clearest, type Kept } from "./label_layout";
 import { RANK, roomsAhead, type Asked } from "./label_wishes";
 import type { Viewport } from "./viewport";
 
@@ -15,7 +17,19 @@ interface RoomLabel extends LabelElement {
   readonly elevation: number;
   readonly area: number;
   readonly at: Point;
+  /** Where over its floor the name may be, the middle first: shares of its sides. */
+  readonly spots: readonly Spot[];
+  /** Where it was last. */
+  spot: Spot;
 }
+
+type Spot = readonly [number, number];
+/** Tried beside the middle, in shares of a room's sides. */
+const SHARES = [0.5, 0.35, 0.65, 0.2, 0.8];
+const SPOTS = SHARES.flatMap((across) => SHARES.map((along): Spot => [across, along]))
+  .sort((a, b) => Math.hypot(a[0] - 0.5, a[1] - 0.5) - Math.hypot(b[0] - 0.5, b[1] - 0.5));
+/** What is lower is no piece that a name hides [m]. */
+const LOWEST = 0.1;
 
 /** Over the heads of who walks [m]. */
 const WALK_HEIGHT = 2.2;
@@ -30,15 +44,17 @@ export class RoomLabels {
   constructor(readonly layer: HTMLElement, readonly viewport: Viewport) {}
 
   show(house: House): void {
-    const { rooms } = house.scene;
     const storeys = storeysOf(house.scene);
+    const highest = Math.max(...house.scene.rooms.map(({ level }) => storeys.get(level)?.elevation ?? 0));
+    const rooms = house.scene.rooms.filter(({ level }) => (storeys.get(level)?.elevation ?? 0) === highest); // those beneath are not looked at
     this.#house = house;
     for (const { element } of this.#labels) element.remove();
     this.#labels = rooms.map((room) => {
-      const area = areaOf(room);
+      const { area } = clearFloorOf(room, house.runs);
       const label = labelElement("room-label", words(room.type), { dot: room.accent, second: `${area.toFixed(1)} m²` });
       const elevation = storeys.get(room.level)?.elevation ?? 0;
-      return Object.assign(label, { room, elevation, area, at: [room.x + room.width / 2, elevation, room.z + room.depth / 2] as Point });
+      const spots = SPOTS.filter(([u, v]) => holds(room, room.x + u * room.width, room.z + v * room.depth));
+      return Object.assign(label, { room, elevation, area, spots, spot: SPOTS[0] as Spot, at: [room.x + room.width / 2, elevation, room.z + room.depth / 2] as Point });
     });
     hang(this.layer, this.#labels);
   }
@@ -61,18 +77,49 @@ export class RoomLabels {
   /** The names wished for in this frame. */
   asked(): Asked[] {
     const { pose } = this.viewport;
+    const pieces = pose ? [] : (this.#house?.bodies ?? []).flatMap((body) => this.#seenOf(body));
     const shown = pose ? roomsAhead(pose, this.#labels, (label) => this.#isSeen(pose.eye, label)) : this.#labels;
     return shown.flatMap((label, i) => {
       const [x, , z] = label.at;
-      const seen = this.viewport.project(new Vector3(x, this.#heightOf(label), z));
+      const seen = pose ? this.viewport.project(new Vector3(x, this.#heightOf(label), z)) : this.#clearPlace(label, pieces);
       if (!seen) return [];
       const whole = this.#widthSeen(label) * SHARE > label.width;
       if (label.second) label.second.hidden = !whole;
       return [{
-        label, ...seen, width: label.width - (whole ? 0 : label.spare), height: label.height,
+        label, x: seen.x, y: seen.y, width: label.width - (whole ? 0 : label.spare), height: label.height,
         importance: RANK.room + (pose ? shown.length - i : label.area), keepsDot: !pose,
       }];
     });
+  }
+
+  /** How a piece of furniture lies on the canvas, about. */
+  #seenOf(body: PlacedBody): Kept[] {
+    if (body.kind !== "furniture" || body.height < LOWEST) return [];
+    const [cos, sin] = [Math.cos(body.turn), Math.sin(body.turn)];
+    const seen = [0, body.height].flatMap((up) => [-1, 1].flatMap((i) => [-1, 1].flatMap((j) => {
+      const [across, along] = [(i * body.width) / 2, (j * body.depth) / 2];
+      return this.viewport.project(new Vector3(body.x + across * cos + along * sin, body.y + up, body.z - across * sin + along * cos)) ?? [];
+    })));
+    const [xs, ys] = [seen.map(({ x }) => x), seen.map(({ y }) => y)];
+    if (seen.length === 0) return [];
+    const [west, east, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+    return [{ x: (west + east) / 2, y: (top + bottom) / 2, width: east - west, height: bottom - top }];
+  }
+
+  /** Where a room's name covers no piece of furniture, or the fewest; it stays where it was while that is as good. */
+  #clearPlace(label: RoomLabel, pieces: readonly Kept[]): { x: number; y: number } | null {
+    const { room: { x, z, width, depth } } = label;
+    const y = this.#heightOf(label);
+    const places = label.spots.flatMap((spot) => {
+      const seen = this.viewport.project(new Vector3(x + spot[0] * width, y, z + spot[1] * depth));
+      return seen ? [{ ...seen, spot }] : [];
+    });
+    const [west, east] = this.#acrossSeen(label);
+    const within = places.filter((place) => place.x - label.width / 2 >= west && place.x + label.width / 2 <= east);
+    const tried = within.length > 0 ? within : places.slice(0, 1); // too narrow: the middle
+    const found = clearest(label, tried, pieces, tried.find(({ spot }) => spot === label.spot));
+    if (found) label.spot = found.spot;
+    return found ?? null;
   }
 
   /** Names are not seen through walls; that of the room one is in always is. */
@@ -86,8 +133,14 @@ export class RoomLabels {
   }
 
   #widthSeen(label: RoomLabel): number {
+    const [west, east] = this.#acrossSeen(label);
+    return east - west;
+  }
+
+  /** From where to where a room reaches across the canvas [CSS pixels]. */
+  #acrossSeen(label: RoomLabel): readonly [number, number] {
     const y = this.#heightOf(label);
     const xs = cornersOf(label.room).flatMap(([x, z]) => this.viewport.project(new Vector3(label.room.x + x, y, label.room.z + z))?.x ?? []);
-    return xs.length < 2 ? 0 : Math.max(...xs) - Math.min(...xs);
+    return xs.length < 2 ? [0, 0] : [Math.min(...xs), Math.max(...xs)];
   }
 }

@@ -1,12 +1,14 @@
 /** The canvas: renderer, lights, camera. Draws a frame only when something asks for one. */
 import {
-  Box3, Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D,
+  Box3, Color, MOUSE, NeutralToneMapping, PerspectiveCamera, Raycaster, Scene, TOUCH, Vector2, Vector3, type Object3D, type WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { timed } from "../timing";
 import { blend, frame, plus, PRESETS, type Framing, type PresetName, type Vector } from "./cameras";
 import { Daylight, GROUND_REACH, SKY } from "./daylight";
 import { Orbiting, type OrbitStep } from "./orbiting";
+import { Portraits, type Sitter } from "./portraits";
+import { rendererForMachine } from "./renderer";
 import { gazeOf, type Pose } from "./walk";
 
 /** Moves something by the seconds since the last frame; false when it has arrived. */
@@ -25,6 +27,8 @@ const WALK_FOV = 65;
 const WALK_NEAR = 0.05;
 /** Who walks looks at what is this far ahead [m]; leaving, the camera turns about it. */
 const WALK_REACH = 3;
+/** How far a sheet is moved where a house would be turned [CSS pixels/rad]. */
+const FLAT_STEP = 350;
 /** How near the camera comes to what it turns about [m], and how far it goes, in house radii. */
 const NEAREST = 0.5;
 const FARTHEST = 100;
@@ -41,17 +45,24 @@ export class Viewport {
   readonly #controls: OrbitControls;
   readonly #orbiting: Orbiting;
   readonly #daylight = new Daylight();
+  readonly #portraits: Portraits;
   readonly #motions = new Set<Motion>();
   readonly #afterFrame: (() => void)[] = [];
   /** What a preset brings into view. */
   #outline: readonly Vector[] = [[0, 0, 0], [20, 1, 15]];
   #bounds = new Box3(new Vector3(0, 0, 0), new Vector3(20, 1, 15));
   #preset: PresetName | null = "corner";
+  #isFlat = false;
   /** Where the last flight leads. */
   #goal: Framing | null = null;
   /** Who walks; the camera is theirs. */
   #walker: Pose | null = null;
   #size = { width: 1, height: 1 };
+  readonly #from = new Vector3();
+  /** Of the window, when the canvas was last fitted to it. */
+  #ratio = 0;
+  /** Whether there has been anything to draw. */
+  #isEmpty = true;
   /** Frames drawn since the page was opened: an idle page draws none. */
   #frames = 0;
   #asked = false;
@@ -62,17 +73,16 @@ export class Viewport {
   #new = false;
 
   constructor(readonly host: HTMLElement) {
-    this.#renderer = new WebGLRenderer({ antialias: true, powerPreference: "low-power" });
+    this.#renderer = rendererForMachine();
     // Asking for a shader's log waits until it is made.
     this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.#renderer.toneMapping = NeutralToneMapping;
     this.#renderer.toneMappingExposure = 1;
     this.#renderer.shadowMap.enabled = true;
-    this.#renderer.shadowMap.type = PCFShadowMap;
     this.#renderer.shadowMap.autoUpdate = false;
+    this.#portraits = new Portraits(this.#renderer, this.#daylight);
     this.canvas = this.#renderer.domElement;
     host.prepend(this.canvas);
-    this.#scene.background = new Color(SKY);
     this.#scene.add(this.#daylight.root);
     this.camera.rotation.order = "YXZ";
     this.#controls = this.#orbit();
@@ -102,11 +112,23 @@ export class Viewport {
   orbit(step: OrbitStep): void {
     if (this.#walker) return;
     [this.#preset, this.#goal] = [null, null];
-    if (this.#orbiting.ask(step)) this.move(this.#orbits);
+    const { right = 0, up = 0, ...aside } = step;
+    const asked = this.#isFlat ? { east: right * FLAT_STEP, north: up * FLAT_STEP, ...aside } : step;
+    if (this.#orbiting.ask(asked)) this.move(this.#orbits);
   }
 
   /** One for all steps: a motion asked for again goes on. */
   readonly #orbits: Motion = (seconds) => this.#orbiting.step(calm() ? Number.POSITIVE_INFINITY : seconds);
+
+  /** Looks at a sheet that lies beneath: drags move it, nothing turns, and no ground hides it. */
+  flatten(isFlat: boolean): void {
+    this.#isFlat = isFlat;
+    this.#controls.enableRotate = !isFlat;
+    this.#controls.mouseButtons.LEFT = isFlat ? MOUSE.PAN : MOUSE.ROTATE;
+    this.#controls.touches.ONE = isFlat ? TOUCH.PAN : TOUCH.ROTATE;
+    this.#daylight.showGround(!isFlat);
+    this.castShadows();
+  }
 
   /** Shows something new, of which presets show these points; the shadows are cast anew. */
   add(root: Object3D, bounds: Box3, outline: readonly Vector[]): void {
@@ -115,13 +137,19 @@ export class Viewport {
     this.#outline = outline;
     this.#controls.maxDistance = FARTHEST * bounds.getSize(new Vector3()).length();
     this.#daylight.around(bounds);
-    this.#new = true;
+    [this.#new, this.#isEmpty] = [true, false];
     this.castShadows();
   }
 
   /** Has the shaders made with which something will be drawn, without waiting for them. */
   prepare(root: Object3D): void {
     this.#renderer.compile(root, this.camera, this.#scene);
+  }
+
+  /** Draws something by itself onto a small canvas, before one of the next frames. */
+  portray(make: () => Sitter | null, into: HTMLCanvasElement): void {
+    this.#portraits.want(make, into);
+    this.invalidate();
   }
 
   /** Keeps the camera still while something is held. */
@@ -159,7 +187,7 @@ export class Viewport {
     const from = this.#framing;
     this.#orbiting.stop();
     this.#goal = goal;
-    this.#walker = null;
+    this.#surround(null);
     this.#controls.enabled = true;
     if (jump || calm()) {
       this.#aim(goal);
@@ -177,13 +205,20 @@ export class Viewport {
   /** Looks from where somebody stands; a preset leaves. */
   stand(pose: Pose): void {
     this.#takeOver();
-    this.#walker = pose;
+    this.#surround(pose);
     this.#controls.enabled = false;
     this.camera.fov = WALK_FOV;
     this.camera.position.set(...pose.eye);
     this.camera.rotation.set(pose.pitch, pose.yaw, 0);
     this.#controls.target.copy(this.camera.position).addScaledVector(new Vector3(...gazeOf(pose)), WALK_REACH);
     this.invalidate();
+  }
+
+  /** Who walks sees sky and grass through the windows; from outside a house stands on the page. */
+  #surround(walker: Pose | null): void {
+    this.#walker = walker;
+    this.#scene.background = walker ? SKY : null;
+    this.#daylight.sow(walker !== null);
   }
 
   #aim(framing: Framing): void {
@@ -214,6 +249,7 @@ export class Viewport {
   }
 
   #draw(now: number): void {
+    if (this.#new) this.#resize(); // what is said of a new home may have moved the canvas: found out after this frame, that would take another
     this.#asked = false;
     const seconds = this.#resting ? SHORT_STEP : Math.min(LONGEST_STEP, Math.max(0, (now - this.#last) / 1000));
     this.#last = now;
@@ -221,10 +257,12 @@ export class Viewport {
     for (const motion of this.#motions) if (!motion(seconds)) this.#motions.delete(motion);
     if (!this.#walker) this.#controls.update();
     this.#clip();
-    this.#render();
+    const isDrawnOver = this.#portraits.waits;
+    this.#portraits.take();
+    if (isDrawnOver || !this.#isEmpty) this.#render();
     this.#frames += 1;
     for (const listener of this.#afterFrame) listener();
-    if (this.#motions.size > 0) this.invalidate();
+    if (this.#motions.size > 0 || this.#portraits.waits) this.invalidate();
     this.#resting = !this.#asked;
   }
 
@@ -248,8 +286,9 @@ export class Viewport {
 
   #resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || (width === this.#size.width && height === this.#size.height && window.devicePixelRatio === this.#ratio)) return;
     this.#size = { width, height };
+    this.#ratio = window.devicePixelRatio;
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.#renderer.setSize(width, height);
     this.camera.aspect = width / height;
@@ -277,11 +316,38 @@ export class Viewport {
     return ray;
   }
 
+  /** The ray in the middle of the view. */
+  rayAhead(): Raycaster {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(0, 0), this.camera);
+    return ray;
+  }
+
   /** Where a point of the house is seen [CSS pixels of the host], or null behind the camera. */
   project(point: Vector3): { x: number; y: number } | null {
     const seen = point.clone().project(this.camera);
     if (seen.z > 1) return null;
     return { x: ((seen.x + 1) / 2) * this.#size.width, y: ((1 - seen.y) / 2) * this.#size.height };
+  }
+
+  /** What is in view as a picture of its own size, PNG; what the canvas shows is all in it. */
+  picture(width: number, height: number): Promise<Blob | null> {
+    const [ratio, { aspect, fov }] = [this.#renderer.getPixelRatio(), this.camera];
+    const narrower = Math.max(1, (aspect * height) / width);
+    this.#renderer.setPixelRatio(1);
+    this.#renderer.setSize(width, height, false);
+    Object.assign(this.camera, { aspect: width / height, fov: (Math.atan(Math.tan((fov * Math.PI) / 360) * narrower) * 360) / Math.PI });
+    this.camera.updateProjectionMatrix();
+    this.#scene.background ??= new Color(getComputedStyle(this.host).backgroundColor);
+    this.#renderer.render(this.#scene, this.camera);
+    this.#surround(this.#walker);
+    const made = new Promise<Blob | null>((done) => { this.canvas.toBlob(done, "image/png"); });
+    this.#renderer.setPixelRatio(ratio);
+    this.#renderer.setSize(this.#size.width, this.#size.height);
+    Object.assign(this.camera, { aspect, fov });
+    this.camera.updateProjectionMatrix();
+    this.invalidate();
+    return made;
   }
 
   /** Draws a frame with its shadows and one without them; returns what each costs. */
@@ -294,6 +360,11 @@ export class Viewport {
     };
     const [all, shown] = [drawn(true), drawn(false)];
     return { drawCalls: shown.calls, triangles: shown.triangles, shadowCalls: all.calls - shown.calls };
+  }
+
+  /** The way from what is looked at to the eye [m]. */
+  get seenFrom(): Vector3 {
+    return this.#from.subVectors(this.camera.position, this.#controls.target);
   }
 
   /** How far north is turned clockwise from the top of the screen [rad]. */

@@ -1,4 +1,4 @@
-/** Walking through a house at eye height: where one stands, turns and goes. Pure; nothing is bumped into. */
+/** Walking through a house at eye height: where one stands, turns and wishes to go. Pure; what is in the way is walk_floor's. */
 import type { PlacedOpening } from "../house/openings";
 import type { Bounds, Vector } from "./cameras";
 
@@ -35,11 +35,11 @@ const FIRST_PITCH = -0.12;
 
 const clamp = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
 
-/** Just within the main entrance, looking in; without one, at a corner of the house, looking at its middle. */
+/** Just within the main entrance, looking in; without one, in a corner of the house, looking at its middle. */
 export function firstPose(entrance: Entrance | null, bounds: Bounds): Pose {
   if (!entrance) {
     const middle: Vector = [(bounds.min[0] + bounds.max[0]) / 2, 0, (bounds.min[2] + bounds.max[2]) / 2];
-    const eye: Vector = [bounds.min[0], EYE_HEIGHT, bounds.max[2]];
+    const eye: Vector = [bounds.min[0] + INSIDE, EYE_HEIGHT, bounds.max[2] - INSIDE];
     return { eye, yaw: Math.atan2(eye[0] - middle[0], eye[2] - middle[2]), pitch: FIRST_PITCH };
   }
   const { opening, inward } = entrance;

@@ -1,5 +1,7 @@
-/** Walking: keys held down or a floor clicked move the eyes, a drag on the canvas turns them, Escape ends it. */
+/** Walking: keys held down or a floor clicked move the eyes where the floor is free, a drag on the canvas turns them, Escape ends it. */
 import { turned, walked, walkedTo, type Pose, type Stride } from "./walk";
+import type { Place, WalkFloor } from "./walk_floor";
+import { routeOver } from "./walk_route";
 import type { Bounds } from "./cameras";
 import type { Viewport } from "./viewport";
 
@@ -22,6 +24,13 @@ function summed(codes: ReadonlySet<string>): [number, number, number] {
   return [sum(0), sum(1), sum(2)];
 }
 
+/** Less than this [m] in a frame is no way: who goes to a place and is stopped stays. */
+const STOPPED = 1e-4;
+
+function placeOf({ eye }: Pose): Place {
+  return [eye[0], eye[2]];
+}
+
 export class WalkMode {
   /** Called with Escape. */
   onLeave: () => void = () => undefined;
@@ -33,7 +42,12 @@ export class WalkMode {
   #hurried = false;
   #moving = false;
   #dragged: PointerEvent | null = null;
-  #goal: readonly [number, number] | null = null;
+  /** The corners of the way to a place that was clicked. */
+  #route: readonly Place[] = [];
+  /** What one walks on; null where it is not known: then nothing is in the way. */
+  #floor: WalkFloor | null = null;
+  /** Until the floor is known one stays where one is. */
+  #awaits = false;
 
   constructor(readonly viewport: Viewport) {
     const { canvas } = viewport;
@@ -57,10 +71,17 @@ export class WalkMode {
   }
 
   start(pose: Pose, bounds: Bounds): void {
-    this.#goal = null;
+    this.#route = [];
     this.#bounds = bounds;
     this.#letGo();
     this.#stand(pose);
+  }
+
+  /** Learns what one walks on: `awaited` before it is asked for. */
+  walkOn(floor: WalkFloor | null | "awaited"): void {
+    this.#awaits = floor === "awaited";
+    this.#floor = floor === "awaited" ? null : floor;
+    if (this.#pose && this.#floor) this.#stand(this.#at(this.#pose, this.#floor.nearest(placeOf(this.#pose))));
   }
 
   stop(): void {
@@ -68,20 +89,41 @@ export class WalkMode {
     this.#letGo();
   }
 
+  get knowsFloor(): boolean {
+    return this.#floor !== null;
+  }
+
   #letGo(): void {
     this.#held.clear();
     this.#pressed.clear();
   }
 
-  /** Goes to a place of the plan [m], unless a key or another place is asked for on the way. */
-  goTo(place: readonly [number, number]): void {
-    this.#goal = place;
+  /** Goes to a place of the plan [m], around what is in the way, unless a key or another place is asked for meanwhile. */
+  goTo(place: Place): void {
+    if (!this.#pose || this.#awaits) return;
+    const route = this.#floor ? routeOver(this.#floor.rectangles, placeOf(this.#pose), place) : [place];
+    this.#route = route;
+    let corner = 0;
     this.viewport.move((seconds) => {
-      if (!this.#pose || this.#goal !== place) return false;
-      const { pose, arrived } = walkedTo(this.#pose, place, seconds);
-      this.#stand(pose);
-      return !arrived;
+      const next = route[corner];
+      if (!this.#pose || this.#route !== route || !next) return false;
+      const { pose, arrived } = walkedTo(this.#pose, next, seconds);
+      if (arrived) corner += 1;
+      return this.#go(pose) > STOPPED || arrived;
     });
+  }
+
+  /** Goes towards where one wishes to be, as far as one comes; returns how far [m]. */
+  #go(wished: Pose): number {
+    if (!this.#pose) return 0;
+    const from = placeOf(this.#pose);
+    const to = this.#floor ? this.#floor.step(from, placeOf(wished)) : placeOf(wished);
+    this.#stand(this.#at(wished, to));
+    return Math.hypot(to[0] - from[0], to[1] - from[1]);
+  }
+
+  #at(pose: Pose, [x, z]: Place): Pose {
+    return { ...pose, eye: [x, pose.eye[1], z] };
   }
 
   #stand(pose: Pose): void {
@@ -101,7 +143,7 @@ export class WalkMode {
   }
 
   #hold(code: string): void {
-    this.#goal = null;
+    this.#route = [];
     this.#held.add(code);
     this.#pressed.add(code);
     if (this.#moving) return;
@@ -117,7 +159,9 @@ export class WalkMode {
     if (!this.#pose || !this.#moving) return false;
     const [ahead, aside, left] = summed(asked);
     const stride: Stride = { ahead, aside, hurried: this.#hurried };
-    this.#stand(turned(walked(this.#pose, stride, seconds, this.#bounds), left * TURNING * seconds, 0));
+    const aim = turned(this.#pose, left * TURNING * seconds, 0);
+    if (this.#awaits) this.#stand(aim);
+    else this.#go({ ...walked(this.#pose, stride, seconds, this.#bounds), yaw: aim.yaw });
     return true;
   }
 

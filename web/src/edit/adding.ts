@@ -1,0 +1,100 @@
+/** New pieces: the palette, dragged into the house or put where they belong; and other arrangements of a room. */
+import type { Catalog, Scene } from "../contract";
+import { bodiesOf } from "../house/frame";
+import { roomHolding } from "../house/room_at";
+import { placesFor } from "../service";
+import type { Stage } from "../stage";
+import type { Home } from "../state/home";
+import { Plane, Vector3 } from "three";
+import type { Editor } from "./editor";
+import { Favourites, type Keeper } from "./favourites";
+import { Palette } from "./palette";
+import { PLACES, Places } from "./places";
+import { added, moved, type FurnitureKind } from "./scene_edits";
+
+type WindowPoint = { readonly x: number; readonly y: number };
+
+/** A house with a piece that is not there yet. */
+interface Wished {
+  readonly scene: Scene;
+  readonly id: string;
+  readonly room: string;
+}
+
+export interface AddingWords {
+  /** The room that a piece is added to. */
+  room(): string | undefined;
+  failed(reason: unknown): void;
+}
+
+export class Adding {
+  readonly #palette: Palette;
+  readonly #places: Places;
+  readonly #favourites: Favourites;
+  #isFilled = false;
+
+  constructor(readonly home: Home, readonly stage: Stage, readonly editor: Editor, hosts: { readonly palette: HTMLElement; readonly places: HTMLElement }, keeper: Keeper, readonly say: AddingWords) {
+    this.#favourites = new Favourites(keeper);
+    this.#palette = new Palette(hosts.palette, {
+      favourites: this.#favourites,
+      portray: (kind, into) => stage.portrayKind(kind, into),
+      over: (kind, at) => this.#preview(at && this.#wishedAt(kind, at)),
+      drop: (kind, at) => this.#drop(kind, at),
+    });
+    this.#places = new Places(hosts.places, editor, (scene, room, kind, id) => placesFor(scene, room, kind, id, PLACES));
+    this.#palette.onChoose = (kind) => this.#choose(kind);
+    home.on("shown", () => this.#places.shown(home.scene));
+    home.on("selected", (id) => { if (id !== null) this.#places.shown(home.scene); });
+  }
+
+  /** Opens or closes the palette; asked for first, it is filled. */
+  toggle(coming: () => Promise<Catalog>): void {
+    if (!this.#isFilled) {
+      this.#isFilled = true;
+      const all = Promise.all([coming(), this.#favourites.read().catch(() => undefined)]).then(([catalog]) => catalog);
+      this.#palette.await(all).catch((reason: unknown) => {
+        this.#isFilled = false;
+        this.say.failed(reason);
+      });
+    }
+    this.#palette.open(!this.#palette.isOpen);
+  }
+
+  /** Offers no other places any more. Tells whether any were. */
+  hide(): boolean {
+    return this.#places.hide();
+  }
+
+  #choose(kind: FurnitureKind): void {
+    const room = this.say.room();
+    this.#palette.open(false);
+    if (room !== undefined) this.#places.add(room, kind).catch((reason: unknown) => this.say.failed(reason));
+  }
+
+  /** A new piece on the floor under a point of the window; null where there is none. */
+  #wishedAt(kind: FurnitureKind, at: WindowPoint): Wished | null {
+    const scene = this.home.settled?.scene;
+    const { storeys } = this.stage;
+    const floor = new Plane(new Vector3(0, 1, 0), scene ? -storeys.riseIn(scene) : 0);
+    const spot = this.stage.viewport.rayAt(at.x, at.y).ray.intersectPlane(floor, new Vector3());
+    const under = document.elementFromPoint(at.x, at.y);
+    const room = scene && spot && under === this.stage.viewport.canvas ? roomHolding(scene.rooms, storeys.chosen, spot.x, spot.z) : undefined;
+    if (!scene || !spot || !room) return null;
+    const made = added(scene, room.id, kind);
+    return { id: made.id, room: room.id, scene: moved(made.scene, made.id, { x: spot.x - room.x, z: spot.z - room.z, rotation: 0 }) };
+  }
+
+  #preview(wished: Wished | null): void {
+    this.stage.house?.frame("settles", wished ? bodiesOf(wished.scene).filter(({ id }) => id === wished.id) : []);
+    this.stage.viewport.invalidate();
+  }
+
+  #drop(kind: FurnitureKind, at: WindowPoint): void {
+    const wished = this.#wishedAt(kind, at);
+    this.#preview(null);
+    if (!wished) return;
+    this.#palette.open(false);
+    this.#places.hide();
+    this.editor.change(() => ({ ...wished, moved: [wished.id], chosen: [wished.id] }));
+  }
+}

@@ -1,0 +1,101 @@
+/** Lines and words drawn over the house: distances, guides, a tape, arrows. They follow the camera and cost no draw call. */
+import { Vector3 } from "three";
+import type { Viewport } from "../view/viewport";
+
+export type RulerLook = "gap" | "guide" | "tape" | "hold" | "wish";
+type Spot = readonly [number, number, number];
+
+/** A line in the house [m], and what is written at a place along it. */
+export interface RulerLine {
+  readonly look: RulerLook;
+  readonly from: Spot;
+  readonly to: Spot;
+  readonly words?: string;
+  /** Where along the line the words are, from 0 to 1. */
+  readonly at?: number;
+  /** What a click on the words does. */
+  readonly act?: () => void;
+}
+
+/** Words of a distance whose line is seen shorter than this would hide it [CSS pixels]: they are beside the house only. */
+const SHORTEST = 26;
+
+interface Drawn {
+  readonly line: RulerLine;
+  readonly stroke: SVGLineElement;
+  readonly label: HTMLElement | null;
+}
+
+const SVG = "http://www.w3.org/2000/svg";
+
+function svg<Name extends "svg" | "line">(name: Name, attributes: Readonly<Record<string, string>> = {}): SVGElementTagNameMap[Name] {
+  const made = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  return made;
+}
+
+/** The heads of arrows, one a look that has them. */
+function heads(): SVGElement {
+  const all = document.createElementNS(SVG, "defs");
+  const marker = document.createElementNS(SVG, "marker");
+  for (const [key, value] of Object.entries({ id: "ruler_head", viewBox: "0 0 8 8", refX: "7", refY: "4", markerWidth: "7", markerHeight: "7", orient: "auto-start-reverse" })) marker.setAttribute(key, value);
+  const path = document.createElementNS(SVG, "path");
+  path.setAttribute("d", "M0 0 8 4 0 8z");
+  marker.append(path);
+  all.append(marker);
+  return all;
+}
+
+export class Rulers {
+  readonly #layer = document.createElement("div");
+  readonly #strokes = svg("svg", { "aria-hidden": "true" });
+  #drawn: readonly Drawn[] = [];
+  readonly #groups = new Map<string, readonly RulerLine[]>();
+
+  constructor(host: HTMLElement, readonly viewport: Viewport) {
+    this.#layer.className = "rulers";
+    this.#layer.setAttribute("aria-hidden", "true");
+    this.#strokes.append(heads());
+    this.#layer.append(this.#strokes);
+    host.append(this.#layer);
+    viewport.onFrame(() => this.#place());
+  }
+
+  /** Shows a group's lines in place of those it had. */
+  show(group: string, lines: readonly RulerLine[]): void {
+    if (lines.length === 0 && !this.#groups.has(group)) return;
+    if (lines.length > 0) this.#groups.set(group, lines);
+    else this.#groups.delete(group);
+    for (const { stroke, label } of this.#drawn) { stroke.remove(); label?.remove(); }
+    this.#drawn = [...this.#groups.values()].flat().map((line) => this.#draw(line));
+    this.#place();
+  }
+
+  #draw(line: RulerLine): Drawn {
+    const stroke = svg("line", { class: `ruler-${line.look}` });
+    this.#strokes.append(stroke);
+    if (line.words === undefined) return { line, stroke, label: null };
+    const label = document.createElement(line.act ? "button" : "span");
+    label.className = `ruler-words ruler-words-${line.look}`;
+    label.textContent = line.words;
+    if (label instanceof HTMLButtonElement) [label.type, label.tabIndex] = ["button", -1];
+    if (line.act) label.addEventListener("click", line.act);
+    this.#layer.append(label);
+    return { line, stroke, label };
+  }
+
+  #place(): void {
+    for (const { line, stroke, label } of this.#drawn) {
+      const [from, to] = [line.from, line.to].map((spot) => this.viewport.project(new Vector3(...spot)));
+      const isSeen = from !== null && to !== null && from !== undefined && to !== undefined;
+      stroke.style.display = isSeen ? "" : "none";
+      if (label) label.hidden = !isSeen;
+      if (!isSeen) continue;
+      for (const [key, value] of Object.entries({ x1: from.x, y1: from.y, x2: to.x, y2: to.y })) stroke.setAttribute(key, value.toFixed(1));
+      if (label && line.look === "gap") label.hidden = Math.hypot(to.x - from.x, to.y - from.y) < SHORTEST;
+      const at = line.at ?? 0.5;
+      const [x, y] = [from.x + (to.x - from.x) * at, from.y + (to.y - from.y) * at];
+      if (label) label.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    }
+  }
+}

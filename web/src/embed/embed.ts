@@ -1,0 +1,63 @@
+/** A home in a frame of somebody else's page: looked at and walked through, never changed, and nothing of it is kept. */
+import { requestFromQuery } from "../address";
+import type { Scene } from "../contract";
+import { carriedTo } from "../memory/carrying";
+import { catalog, generate, readFile, ServiceProblem } from "../service";
+import { Stage } from "../stage";
+import { framedIn, pageOf, type Framed } from "./embed_address";
+
+function within<T extends HTMLElement>(id: string): T {
+  return document.getElementById(id) as T;
+}
+
+class Frame {
+  readonly #stage = new Stage(within("stage"));
+  readonly #said = within("embed_said");
+  readonly #known = this.#learn();
+  #pending = new AbortController();
+
+  constructor() {
+    globalThis.compose = this.#stage;
+    this.#stage.onSelect = (id) => this.#stage.select(id);
+    this.#stage.onFailure = (reason) => this.#tell(reason);
+    window.addEventListener("hashchange", () => void this.open());
+  }
+
+  async #learn(): Promise<void> {
+    // Without the catalog bodies are shown as boxes.
+    await catalog(new AbortController().signal).then((known) => this.#stage.dress(known), () => undefined);
+  }
+
+  /** Shows the home that the address asks for. */
+  async open(): Promise<void> {
+    this.#pending.abort();
+    const { signal } = (this.#pending = new AbortController());
+    const framed = framedIn(location.hash);
+    within<HTMLAnchorElement>("whole").href = pageOf(framed);
+    this.#stage.host.ariaBusy = "true";
+    try {
+      const [{ scene, issues }] = await Promise.all([this.#made(framed, signal), this.#known]);
+      if (signal.aborted) return;
+      this.#said.textContent = "";
+      this.#stage.show(scene, issues);
+      this.#stage.look(framed.view);
+    } catch (reason) {
+      if (!signal.aborted) this.#tell(reason);
+    } finally {
+      if (!signal.aborted) this.#stage.host.ariaBusy = "false";
+    }
+  }
+
+  async #made({ query, changes }: Framed, signal: AbortSignal) {
+    const made = await generate(requestFromQuery(query), signal);
+    if (changes === null) return made;
+    const content = JSON.stringify(await carriedTo(changes, made.scene as Scene));
+    return readFile({ name: "The link", content }, signal);
+  }
+
+  #tell(reason: unknown): void {
+    this.#said.textContent = reason instanceof ServiceProblem ? `${reason.title}. ${reason.detail}` : "The home cannot be shown here.";
+  }
+}
+
+void new Frame().open();

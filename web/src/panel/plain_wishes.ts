@@ -1,0 +1,52 @@
+/** What home a line of plain words asks for: "3 bedrooms, 2 baths, 120 m²", "studio", "90 m2". Pure. */
+import type { Catalog, Counts, HouseRequest } from "../contract";
+import { wordsOf } from "./programme";
+
+const AREA = /^(\d+(?:[.,]\d+)?)\s*(m²|m2|sqm|qm|square met(?:re|er)s?|quadratmeter|ft²|ft2|sq\.?\s*ft|sqft|square feet)$/;
+const COUNTED = /^(\d+|(?:an?|one|two|three|four|five|eine?|zwei|drei|vier|fünf)\b)\s*[x×]?\s*([^\d].*)$/;
+const NUMBERS: Readonly<Record<string, number>> = { a: 1, an: 1, one: 1, two: 2, three: 3, four: 4, five: 5, ein: 1, eine: 1, zwei: 2, drei: 3, vier: 4, fünf: 5 };
+/** How people shorten, or say in German, what the catalogs call otherwise. */
+const SHORT: Readonly<Record<string, string>> = {
+  bed: "bedroom", br: "bedroom", bath: "bathroom", ba: "bathroom", wc: "toilet", loo: "toilet", schlafzimmer: "bedroom", bad: "bathroom", bäder: "bathroom", badezimmer: "bathroom",
+  küche: "kitchen", wohnzimmer: "living_room", esszimmer: "dining_room", diele: "foyer", waschküche: "laundry", büro: "office", arbeitszimmer: "office", werkstatt: "workshop",
+};
+const M2_OF_FT2 = 0.09290304;
+
+export type PlainWish = Pick<HouseRequest, "program" | "area">;
+
+/** The wish, or the words that could not be read. */
+export type ReadWish = { readonly wish: PlainWish } | { readonly unread: string };
+
+/** A noun without its plural and its spaces, to compare. */
+function bare(noun: string): string {
+  const one = noun.trim().replace(/[\s-]+/g, "_").replace(/s$/, "");
+  return SHORT[one] ?? one;
+}
+
+function areaIn(part: string): number | null {
+  const [, number, unit] = AREA.exec(part) ?? [];
+  if (number === undefined || unit === undefined) return null;
+  const area = Number(number.replace(",", "."));
+  return /f/.test(unit) ? Math.round(area * M2_OF_FT2 * 10) / 10 : area;
+}
+
+/** Reads a line with the words that the service's catalog knows. */
+export function readWish(text: string, catalog: Catalog): ReadWish {
+  const words = new Map(wordsOf(catalog).map((word) => [bare(word), word]));
+  const presets = new Map(Object.keys(catalog.presets ?? {}).map((name) => [bare(name), name]));
+  const counts: Record<string, number> = {};
+  let [preset, area]: [string | undefined, number | undefined] = [undefined, undefined];
+  for (const part of text.toLowerCase().split(/,(?!\d)|;|\+|\b(?:and|with|und|mit)\b/).map((one) => one.trim()).filter(Boolean)) {
+    const square = areaIn(part);
+    const [, number = "1", noun = part] = COUNTED.exec(part) ?? [];
+    const word = words.get(bare(noun));
+    const named = presets.get(bare(part.replace(/\b(home|house|flat|apartment)\b/, "")));
+    if (square !== null) area = square;
+    else if (named !== undefined) preset = named;
+    else if (word !== undefined) counts[word] = NUMBERS[number] ?? Number(number);
+    else return { unread: part };
+  }
+  const program: string | Counts | undefined = Object.keys(counts).length > 0 ? { ...(preset ? catalog.presets?.[preset]?.rooms : {}), ...counts } : preset;
+  if (program === undefined && area === undefined) return { unread: text.trim() };
+  return { wish: { ...(program === undefined ? {} : { program }), ...(area === undefined ? {} : { area }) } };
+}

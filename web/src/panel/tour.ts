@@ -1,0 +1,99 @@
+/** A tour of four steps over the house: shown by itself on a first visit that asks for no home of its own, started again by a button. */
+import { say, type Words } from "../words/language";
+import { remember, remembered } from "./preferences";
+
+interface Step {
+  readonly title: Words;
+  readonly words: Words;
+  /** What of the page the step speaks of. */
+  readonly of: string;
+}
+
+const NAME = "tour";
+const STEPS: readonly [Step, ...Step[]] = [
+  { title: "Ask for a home", words: "Say rooms and area, or begin with one of the three pictures. Random draws another.", of: "#starts" },
+  { title: "Look around", words: "Drag to turn, scroll or pinch to come nearer. Here are the plan, 3D and a walk.", of: ".views" },
+  { title: "Change it", words: "Click a piece and drag it: what stands beside it gives way, and a line says why where it cannot. + adds a piece.", of: "#tools" },
+  { title: "Keep it", words: "Every step is kept in this browser. The menu saves, prints, shares and exports; this tour is in it, too.", of: "[data-tool=menu]" },
+];
+
+/** Whether somebody comes for the first time, to the page itself and not by a link to a home. */
+function isFirstVisit(address: Pick<Location, "search" | "hash">): boolean {
+  return remembered(NAME) === null && address.search === "" && address.hash === "";
+}
+
+export class Tour {
+  readonly #title = document.createElement("h2");
+  readonly #words = document.createElement("p");
+  readonly #back = this.#button("Back", () => this.#show(this.#at - 1));
+  readonly #next = this.#button("Next", () => this.#show(this.#at + 1));
+  readonly #skip = this.#button("Skip the tour", () => this.#end());
+  #at = 0;
+
+  /** `host` shows it, `again` starts it; `onShown` is given what to call whenever a home is shown. */
+  constructor(readonly host: HTMLElement, again: HTMLElement, onShown: (greet: () => void) => void) {
+    let greets = isFirstVisit(location);
+    onShown(() => {
+      if (greets) this.start();
+      greets = false;
+    });
+    const told = document.createElement("div");
+    told.setAttribute("aria-live", "polite");
+    told.append(this.#title, this.#words);
+    this.#title.tabIndex = -1;
+    const buttons = document.createElement("div");
+    buttons.className = "buttons";
+    buttons.append(this.#skip, this.#back, this.#next);
+    host.append(told, buttons);
+    host.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      event.stopPropagation();
+      this.#end();
+    });
+    again.addEventListener("click", () => {
+      this.start();
+      this.#title.focus();
+    });
+  }
+
+  #button(words: Words, act: () => void): HTMLButtonElement {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = say(words);
+    button.addEventListener("click", act);
+    return button;
+  }
+
+  /** Shows the first step; whatever has the focus keeps it. */
+  start(): void {
+    remember(NAME, "seen");
+    this.host.hidden = false;
+    this.#show(0);
+  }
+
+  #show(at: number): void {
+    const step = STEPS[at];
+    if (!step) return this.#end();
+    this.#at = at;
+    this.#mark(step.of);
+    this.#title.textContent = `${at + 1}/${STEPS.length} · ${say(step.title)}`;
+    this.#words.textContent = say(step.words);
+    if (at === 0 && document.activeElement === this.#back) this.#next.focus();
+    this.#back.hidden = at === 0;
+    this.#skip.hidden = at === STEPS.length - 1;
+    this.#next.textContent = at === STEPS.length - 1 ? say("Done") : say("Next");
+  }
+
+  #mark(selector: string | null): void {
+    for (const marked of document.querySelectorAll("[data-toured]")) marked.removeAttribute("data-toured");
+    if (selector !== null) document.querySelector(selector)?.setAttribute("data-toured", "");
+  }
+
+  /** Puts the tour away; the focus, if the tour had it, goes to the house. */
+  #end(): void {
+    const hadFocus = this.host.contains(document.activeElement);
+    this.host.hidden = true;
+    this.#mark(null);
+    if (hadFocus) (this.host.closest("main") ?? document.body).focus({ preventScroll: true });
+  }
+}

@@ -1,0 +1,113 @@
+/** The service's drawing of a storey, as SVG in a root of its own: asked for again with each state of the home, moved along with an edit. */
+import type { Scene } from "../contract";
+import type { PlacedBody } from "../house/frame";
+import { isAbort } from "../service";
+
+/** Asks for a scene's plan as SVG text, in millimetres of the house. */
+export type DrawPlan = (scene: Scene, signal: AbortSignal) => Promise<string>;
+
+const MM = 1000;
+const SVG = "http://www.w3.org/2000/svg";
+const RULES = ":host{position:absolute;inset:0}svg{display:block;width:100%;height:100%;pointer-events:none}use[data-id]{pointer-events:auto;cursor:pointer}"
+  + ".chosen{fill:#ffb000;fill-opacity:.18;stroke:#b36b00;stroke-width:3;vector-effect:non-scaling-stroke}";
+
+/** The `transform` of a body on the sheet. */
+export function transformOf({ x, z, turn }: Pick<PlacedBody, "x" | "z" | "turn">): string {
+  const rounded = (value: number): number => Math.round(value * 10) / 10;
+  return `translate(${rounded(x * MM)} ${rounded(z * MM)})rotate(${rounded((-turn * 180) / Math.PI)})`;
+}
+
+export class DrawnSheet {
+  readonly root: ShadowRoot;
+  readonly host = document.createElement("div");
+  /** Told when another drawing is there. */
+  onDrawn: () => void = () => undefined;
+  #drawn: SVGSVGElement | null = null;
+  #bodies: ReadonlyMap<string, SVGElement> = new Map();
+  #frames: ReadonlyMap<string, SVGElement> = new Map();
+  #asked = new AbortController();
+  #scene: Scene | null = null;
+  #isShown = false;
+  #text = "";
+
+  constructor(readonly draw: DrawPlan, readonly failed: (reason: unknown) => void) {
+    this.host.className = "plan-sheet";
+    this.host.setAttribute("aria-hidden", "true");
+    this.host.hidden = true;
+    this.root = this.host.attachShadow({ mode: "open" });
+  }
+
+  turn(isShown: boolean): void {
+    this.#isShown = isShown;
+    this.host.hidden = !isShown;
+    if (isShown && this.#scene) this.show(this.#scene);
+  }
+
+  /** Another state of the home: it is drawn when it is looked at. */
+  show(scene: Scene): void {
+    this.#scene = scene;
+    if (!this.#isShown) return;
+    this.#asked.abort();
+    const { signal } = (this.#asked = new AbortController());
+    this.host.ariaBusy = "true";
+    this.draw(scene, signal).then((text) => { if (!signal.aborted) this.#take(text); }, (reason: unknown) => {
+      if (!isAbort(reason)) this.failed(reason);
+    }).finally(() => { if (!signal.aborted) this.host.ariaBusy = "false"; });
+  }
+
+  /** Asks for the same home again: it is to be drawn otherwise. */
+  again(): void {
+    if (this.#scene) this.show(this.#scene);
+  }
+
+  /** Moves what an edit under way moves. */
+  place(bodies: readonly PlacedBody[]): void {
+    if (!this.#isShown) return;
+    for (const body of bodies) {
+      const transform = transformOf(body);
+      for (const drawn of [this.#bodies.get(body.id), this.#frames.get(body.id)]) {
+        if (drawn && drawn.getAttribute("transform") !== transform) drawn.setAttribute("transform", transform);
+      }
+    }
+  }
+
+  /** Frames what is chosen. */
+  mark(ids: readonly string[]): void {
+    for (const frame of this.#frames.values()) frame.remove();
+    this.#frames = new Map(ids.flatMap((id) => {
+      const body = this.#bodies.get(id);
+      return body instanceof SVGGraphicsElement ? [[id, this.#framed(body)] as const] : [];
+    }));
+  }
+
+  /** The drawing, once it is there and looked at. */
+  get shown(): SVGSVGElement | null {
+    return this.#isShown ? this.#drawn : null;
+  }
+
+  #framed(body: SVGGraphicsElement): SVGElement {
+    const { x, y, width, height } = body.getBBox();
+    const frame = document.createElementNS(SVG, "rect");
+    const said = { class: "chosen", "data-of": body.dataset.id ?? "", transform: body.getAttribute("transform") ?? "", x, y, width, height };
+    for (const [name, value] of Object.entries(said)) frame.setAttribute(name, String(value));
+    this.#drawn?.append(frame);
+    return frame;
+  }
+
+  #take(text: string): void {
+    if (text === this.#text && this.#drawn) return;
+    this.#text = text;
+    const [style = "", own = ""] = /<style>([^<]*)<\/style>/.exec(text) ?? []; // parsed with it, the page's policy would refuse it aloud
+    const read = new DOMParser().parseFromString(text.replace(style, ""), "image/svg+xml").documentElement;
+    if (!(read instanceof SVGSVGElement)) return;
+    const rules = new CSSStyleSheet();
+    rules.replaceSync(`${RULES}${own}`);
+    read.removeAttribute("width");
+    read.removeAttribute("height");
+    this.root.adoptedStyleSheets = [rules];
+    this.root.replaceChildren(read);
+    this.#drawn = read;
+    this.#bodies = new Map([...read.querySelectorAll<SVGElement>("use[data-id]")].map((use) => [use.dataset.id ?? "", use]));
+    this.onDrawn();
+  }
+}

@@ -1,0 +1,29 @@
+/** The plan as an architect draws it, beneath a canvas that shows only what is in hand: the service's sheet, moved with the camera. */
+import { Vector3 } from "three";
+import type { Viewport } from "../view/viewport";
+import { DrawnSheet, type DrawPlan } from "./drawn_sheet";
+
+const MM = 1000;
+/** Between these two places of the ground the camera's scale is measured [m]. */
+const MEASURED = 10;
+
+export class PlanSheet extends DrawnSheet {
+  constructor(readonly viewport: Viewport, draw: DrawPlan, failed: (reason: unknown) => void) {
+    super(draw, failed);
+    viewport.canvas.before(this.host);
+    viewport.onFrame(() => this.#follow());
+    this.onDrawn = () => viewport.invalidate();
+  }
+
+  /** Shows the part of the sheet that the camera sees. */
+  #follow(): void {
+    const drawn = this.shown;
+    if (!drawn) return;
+    const [from, to] = [this.viewport.project(new Vector3(0, 0, 0)), this.viewport.project(new Vector3(MEASURED, 0, 0))];
+    if (!from || !to || to.x <= from.x) return;
+    const scale = (MEASURED * MM) / (to.x - from.x);
+    const { width, height } = this.viewport.size;
+    const box = [-from.x * scale, -from.y * scale, width * scale, height * scale].map((value) => value.toFixed(1)).join(" ");
+    if (drawn.getAttribute("viewBox") !== box) drawn.setAttribute("viewBox", box);
+  }
+}

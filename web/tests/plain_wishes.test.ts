@@ -1,0 +1,31 @@
+import { describe, expect, it } from "vitest";
+import type { Catalog } from "../src/contract";
+import { readWish } from "../src/panel/plain_wishes";
+
+const CATALOG = {
+  presets: { family: { rooms: { bedrooms: 3, bathrooms: 2 } }, one_bed: { rooms: { bedrooms: 1 } } },
+  rooms: { bedroom: { home: { word: "bedrooms" } }, bathroom: { home: { word: "bathrooms" } }, office: { home: {} }, laundry_room: { home: {} }, hallway: {} },
+} as unknown as Catalog;
+
+describe("a line of plain words", () => {
+  it.each([
+    ["3 bedrooms, 2 baths, 120 m²", { program: { bedrooms: 3, bathrooms: 2 }, area: 120 }],
+    ["two bedrooms and an office", { program: { bedrooms: 2, office: 1 } }],
+    ["Laundry room + 1 bed", { program: { laundry_room: 1, bedrooms: 1 } }],
+    ["90,5 m2", { area: 90.5 }],
+    ["1000 sq ft", { area: 92.9 }],
+    ["Family home, 140 sqm", { program: "family", area: 140 }],
+    ["one bed", { program: "one_bed" }],
+    ["1 bed", { program: { bedrooms: 1 } }],
+    ["family with 5 bedrooms", { program: { bedrooms: 5, bathrooms: 2 } }],
+    ["4x bedrooms; ", { program: { bedrooms: 4 } }],
+    ["zwei Schlafzimmer, ein Bad und Arbeitszimmer, 90 Quadratmeter", { program: { bedrooms: 2, bathrooms: 1, office: 1 }, area: 90 }],
+    ["3 Schlafzimmer, 120 m²", { program: { bedrooms: 3 }, area: 120 }],
+  ])("%s", (text, wish) => {
+    expect(readWish(text, CATALOG)).toEqual({ wish });
+  });
+
+  it.each([["3 swimming halls", "3 swimming halls"], ["2 bedrooms, a hallway", "a hallway"], ["<b>", "<b>"], ["12", "12"], ["3 m", "3 m"], [",", ","]])("%s is not understood", (text, unread) => {
+    expect(readWish(text, CATALOG)).toEqual({ unread });
+  });
+});
