@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+import signal
 from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
+from hypothesis.internal.constants_ast import Constants
 
 if TYPE_CHECKING:
     from starlette.testclient import TestClient
@@ -19,6 +22,13 @@ SLOW = [HealthCheck.too_slow]
 settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=60, database=None, suppress_health_check=SLOW)
 settings.register_profile("targets", deadline=None, max_examples=2000, suppress_health_check=SLOW)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeatable"))
+
+NO_CONSTANTS = Constants()
+"""Hypothesis mixes in constants of the modules loaded so far, which other tests of a worker decide: then examples would not repeat."""
+providers._get_local_constants = lambda: NO_CONSTANTS
+
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and `&` leave it: what tests start would never hear Ctrl-C
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 BROWSERS = 2
 """Workers with a Chromium and a service of their own; each takes memory, and draws without a graphics card."""
@@ -34,6 +44,11 @@ def client() -> Iterator[TestClient]:
 
     with TestClient(create_app(), raise_server_exceptions=False) as client:
         yield client
+
+
+def pytest_xdist_auto_num_workers() -> int:
+    """A worker more than cores: those of the browser's and the service's tests wait for other processes much of their time."""
+    return (os.cpu_count() or 1) + 1
 
 
 @pytest.hookimpl(wrapper=True)

@@ -1,7 +1,7 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
     python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|engines|drags|
-        thrown|sweeps]
+        thrown|access|sweeps]
         [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
@@ -28,6 +28,7 @@ from catalogs import load_catalogs
 from solver import Request, generate
 from solver.scene import Generated, Room
 from tests.core.engines import engines
+from tests.dataset.targets import datasets
 from tests.decorations.targets import homes
 from tests.exports.agreement_targets import formats_agree
 from tests.exports.drawing_targets import drawings, sweet_homes
@@ -39,6 +40,7 @@ from tests.fix_sweep.ruler import thrown_about
 from tests.floorplan.homes import programme_table
 from tests.floorplan.targets import floorplan_table
 from tests.library.targets import imports
+from tests.pipeline.access_targets import accessible_homes
 from tests.pipeline.drag_targets import drags
 from tests.pipeline.forced import Case, cases
 
@@ -53,7 +55,7 @@ SETS: Mapping[str, tuple[dict[str, object], int]] = {
 """Request by name, and by how much fewer seeds than the defaults it gets."""
 UNASKED = (
     "imports", "floorplan", "rooms", "houses", "calls", "nav2", "physics", "glb", "usd", "agree", "plans", "sh3d", "engines", "drags",
-    "thrown", "sweeps",
+    "thrown", "access", "sweeps",
 )  # fmt: skip
 """What is measured where nothing is asked for."""
 PRESET_SETS: Mapping[str, dict[str, object]] = {name: {"program": name} for name in ("studio", "one_bed", "family", "large")}
@@ -231,7 +233,9 @@ def main() -> int:
         "agree": lambda: formats_agree(min(asked.seeds, 100), asked.workers),
         "plans": lambda: drawings(min(asked.seeds, 100), asked.workers),
         "sh3d": sweet_homes,
+        "datasets": lambda: datasets(min(asked.seeds, 500)),
         "engines": lambda: engines(min(asked.seeds, 300)),
+        "access": lambda: accessible_homes(min(asked.seeds, 120), asked.workers),
         "thrown": lambda: thrown_about(min(asked.seeds, 200), asked.workers),
     }
     if unknown := set(asked.what) - set(measurements):

@@ -23,6 +23,7 @@ GROUND_FLOOR = {
     "understanding",
     "named_assets",
     "export_formats",
+    "demanded",
     "imported",
     "body_parts",
     "answers",

@@ -1,4 +1,4 @@
-"""Nothing grows long: files, functions; and nothing is named for what it is not."""
+"""Nothing grows long: files, functions; nothing is named for what it is not, or lies where it does not belong."""
 
 from __future__ import annotations
 
@@ -17,6 +17,11 @@ WRITTEN_BY_OTHERS = frozenset({"CHANGELOG.md", "served.ts"})
 """Files that grow with each release, or that a script writes."""
 COUNTED = (".py", ".ts", ".css", ".html", ".md", ".cpp", ".hpp")
 CORE_FUNCTION = re.compile(r" *(?!(?:if|for|while|switch|else|do|struct|class|enum|union)\b)[\w~:].*\) ?(?:const |override |noexcept )*\{")
+TOP_LEVEL = {
+    *(".ci", ".gitignore", ".pre-commit-config.yaml", "Makefile", "hatch_build.py", "pyproject.toml", "constraints.txt"),
+    *("catalogs", "compose_homes", "docs", "scripts", "service", "solver", "tests", "web"),
+    *("ARCHITECTURE.md", "BENCHMARKS.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "README.md", "SECURITY.md"),
+}
 EMPTY_NAMES = {"util", "utils", "helper", "helpers", "manager", "handler", "handlers", "data", "info", "misc", "common"}
 
 Function = ast.FunctionDef | ast.AsyncFunctionDef
@@ -46,6 +51,11 @@ def length(node: Function) -> int:
     documented = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant) and isinstance(first.value.value, str)
     docstring = (first.end_lineno or 0) - first.lineno + 1 if documented else 0
     return (node.end_lineno or 0) - node.lineno + 1 - docstring
+
+
+def test_nothing_else_lies_at_the_top() -> None:
+    """As what a command of the documents once left there did."""
+    assert {path.relative_to(ROOT).parts[0] for path in files()} == TOP_LEVEL
 
 
 def test_no_file_is_long() -> None:

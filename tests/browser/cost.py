@@ -20,10 +20,12 @@ LEAST = 150
 WARM_UPS = 3
 IDLE_FRAMES = 60
 MAX_DRAW_CALLS = 400
-MAX_SCRIPT_BYTES = 250 * 1024
+MAX_DRAW_CALLS_EDITING = 60
+"""While a piece is dragged, with its frame and the floor it may go to."""
+MAX_SCRIPT_BYTES = 320 * 1024
 ASSETS = ROOT / "service" / "static" / "assets"
 
-BUILT, DRAWN, WRITTEN = "house built", "house drawn", "text shown"
+BUILT, DRAWN, WRITTEN, FOLLOWED = "house built", "house drawn", "text shown", "drag followed"
 """The steps whose ends the page marks for the browser's performance tools (web/src/timing.ts)."""
 
 

@@ -7,14 +7,16 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-from PIL import Image
-from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
+from PIL import Image, ImageOps
+from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
 
 from tests.browser.service_process import ROOT, running
 from tests.browser.visit import Visit
 from tests.chromium import FLAGS, bring
 
 FOLDER = ROOT / "web" / "pictures"
+STARTS = ROOT / "web" / "src" / "starts"
+START_PIXELS = (204, 138)
 HOUSE = "?program=family&decorate=true&style=scandi&seed=11"
 ROOM = "?program=one_bed&decorate=true&style=mid_century&seed=12"
 PAGE_SIZE: ViewportSize = {"width": 1440, "height": 860}
@@ -42,6 +44,21 @@ def house(browser: Browser, address: str, to: Path) -> None:
     page.close()
 
 
+def starts(browser: Browser, address: str) -> None:
+    """Takes the homes that the page offers to begin with, small, each as its link asks for it."""
+    page = browser.new_page(viewport={"width": 1100, "height": 640}, color_scheme="light")
+    visit = Visit(page, address)
+    visit.open(ROOM)
+    for link in page.locator("#starts a").all():
+        visit.after(link.click)
+        page.locator("#stage > :not(canvas)").evaluate_all("all => all.forEach(one => { one.style.visibility = 'hidden'; })")
+        seen = Image.open(BytesIO(page.locator("#stage > canvas").screenshot())).convert("RGB")
+        name = str(link.get_attribute("href")).partition("program=")[2].partition("&")[0]
+        around = ImageOps.fit(seen, START_PIXELS, centering=(0.5, 0.5))
+        around.save(STARTS / f"{name}.webp", quality=82, method=6)
+    page.close()
+
+
 def drag(browser: Browser, address: str, to: Path) -> None:
     """Takes a drag of a sofa through its room, a frame a step."""
     page = browser.new_page(viewport=DRAG_SIZE)
@@ -59,7 +76,6 @@ def drag(browser: Browser, address: str, to: Path) -> None:
         page.wait_for_timeout(ANSWERED_MS)
         frames.append(_frame(page))
     page.mouse.up()
-    expect(page.locator("#stage[data-editing=true]")).to_have_count(0)
     visit.settle()
     frames.append(_frame(page))
     pauses = [PAUSE_MS, *[FRAME_MS] * (len(frames) - 2), PAUSE_MS]
@@ -98,14 +114,17 @@ def _pixels_a_metre(visit: Visit, scene: dict[str, Any]) -> float:
 def main() -> None:
     """Takes the pictures, or those that are named."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("name", nargs="?", choices=["house", "drag"], help="which one; by default both")
+    parser.add_argument("name", nargs="?", choices=["house", "starts", "drag"], help="which; by default all")
     name = parser.parse_args().name
     FOLDER.mkdir(exist_ok=True)
+    STARTS.mkdir(exist_ok=True)
     executable = bring()
     with running() as service, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=executable, args=FLAGS)
         if name in (None, "house"):
             house(browser, service.address, FOLDER / "house.webp")
+        if name in (None, "starts"):
+            starts(browser, service.address)
         if name in (None, "drag"):
             drag(browser, service.address, FOLDER / "drag.webp")
         browser.close()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -37,7 +38,8 @@ def running(port: int = 0, *more: str) -> Iterator[ServiceProcess]:
     if not PAGE.exists():
         subprocess.run([sys.executable, str(ROOT / "scripts" / "page.py"), "build"], check=True)
     command = [sys.executable, "-m", "service", "serve", "--port", str(port), *more]
-    with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
+    environment = {"COMPOSE_HOMES_STORE": "temporary", **os.environ}
+    with subprocess.Popen(command, cwd=ROOT, env=environment, stderr=subprocess.PIPE, text=True) as process:
         try:
             yield ServiceProcess(process, _said_address(process))
         finally:

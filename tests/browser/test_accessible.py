@@ -48,6 +48,10 @@ def test_the_house_in_all_its_states(visit: Visit) -> None:
     page.get_by_role("button", name="Walk through").click()
     visit.settle()
     found["walking"] = violations(visit)
+    page.emulate_media(color_scheme="dark")
+    page.get_by_role("button", name="Split").click()
+    visit.settle()
+    found["the plan beside, dark"] = violations(visit)
     assert {state: wrong for state, wrong in found.items() if wrong} == {}
 
 

@@ -111,11 +111,12 @@ def test_dragging_turns_the_house_and_the_compass(visit: Visit) -> None:
     visit.open(SMALL.format(40))
     eye = visit.state()["eye"]
     compass = visit.page.locator("#compass").evaluate("compass => compass.style.transform")
-    box = visit.page.locator("#stage canvas").bounding_box()
+    box = visit.page.locator("#stage > canvas").bounding_box()
     assert box
-    visit.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    beside = box["x"] + 0.95 * box["width"], box["y"] + 0.6 * box["height"]  # on a piece it would move that
+    visit.page.mouse.move(*beside)
     visit.page.mouse.down()
-    visit.page.mouse.move(box["x"] + box["width"] / 2 + 160, box["y"] + box["height"] / 2, steps=4)
+    visit.page.mouse.move(beside[0] - 160, beside[1], steps=4)
     visit.page.mouse.up()
     visit.settle()
     assert visit.state()["eye"] != eye
@@ -124,11 +125,11 @@ def test_dragging_turns_the_house_and_the_compass(visit: Visit) -> None:
 
 def test_the_cut_changes_what_is_seen(visit: Visit) -> None:
     visit.open(SMALL.format(40))
-    low = visit.page.locator("#stage canvas").screenshot()
+    low = visit.page.locator("#stage > canvas").screenshot()
     visit.page.get_by_label("Walls up to").fill("2.8")
     visit.settle()
     expect(visit.page.locator("#cut_words")).to_have_text("2.8 m")
-    assert visit.page.locator("#stage canvas").screenshot() != low
+    assert visit.page.locator("#stage > canvas").screenshot() != low
 
 
 def test_every_control_has_a_name(visit: Visit) -> None:

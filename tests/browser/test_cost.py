@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from tests.browser.cost import (
+    FOLLOWED,
     HOME,
     LEAST,
     MAX_DRAW_CALLS,
+    MAX_DRAW_CALLS_EDITING,
     MAX_SCRIPT_BYTES,
     cpu,
     measured,
@@ -15,6 +17,7 @@ from tests.browser.cost import (
 from tests.browser.visit import Visit
 
 TIMES = 5
+MOVES = 14
 READINGS = 50
 """A rebuild takes the processor at most as long as reading the scene's JSON so often."""
 
@@ -52,6 +55,30 @@ def test_a_large_decorated_home_is_cheap(visit: Visit) -> None:
     with traced(visit.page) as trace:
         visit.page.evaluate(READ)
     assert 0 < cpu(cost.rebuilds).median_ms <= READINGS * cpu(trace.steps["scene read"]).median_ms / 10
+
+
+def test_a_drag_in_a_dense_room_is_cheap(visit: Visit) -> None:
+    """Following the pointer, with distances and guides, takes the processor less than reading the scene's JSON ten times."""
+    scene = visit.open(HOME)["scene"]
+    page = visit.page
+    page.keyboard.press("2")
+    visit.settle()
+    dense = max(scene["rooms"], key=lambda room: len(room["furniture"]) / (room["width"] * room["depth"]))
+    seen = [piece["id"] for piece in dense["furniture"] if not piece["on"] and page.evaluate("id => compose.whereIs(id)", piece["id"])]
+    at = page.evaluate("id => compose.whereIs(id)", seen[0])
+    with traced(page) as trace:
+        page.mouse.move(at["x"], at["y"])
+        page.mouse.down()
+        for step in range(1, MOVES + 1):
+            page.mouse.move(at["x"] + step % 20, at["y"] + step % 11)
+        page.evaluate(READ)
+    cost = page.evaluate("compose.measure(0)")
+    page.keyboard.press("Escape")
+    page.mouse.up()
+    frames = trace.steps[FOLLOWED]
+    assert len(frames) > MOVES // 2
+    assert 0 < cpu(frames).median_ms <= cpu(trace.steps["scene read"]).median_ms
+    assert cost["drawCalls"] <= MAX_DRAW_CALLS_EDITING
 
 
 def test_the_script_is_small() -> None:

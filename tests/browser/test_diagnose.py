@@ -7,7 +7,7 @@ from typing import Any
 
 from playwright.sync_api import Locator, Route, expect
 
-from tests.browser.visit import SMALL, Document, Visit, furniture_of, sent_by
+from tests.browser.visit import SMALL, Document, Visit, furniture_of, said, sent_by
 
 QUERY = SMALL.format(4)
 
@@ -226,7 +226,7 @@ def test_the_search_finds_pieces_and_goes_from_one_to_the_next(visit: Visit) -> 
     scene = visit.open(QUERY)["scene"]
     name = scene["rooms"][0]["furniture"][0]["name"]
     asked = len(visit.requests)
-    visit.page.get_by_role("searchbox", name="Find a piece").fill(name.replace("_", " "))
+    visit.page.get_by_role("searchbox", name="Find a piece").fill(said(name))
     found = visit.page.locator(".yaml-line.found")
     ids = found.evaluate_all("lines => lines.map(line => line.dataset.id)")
     assert ids

@@ -9,10 +9,10 @@ from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from tests.browser.service_process import ROOT
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, poses
-from tests.browser.visit import SMALL, Document, Visit, sent_by
+from tests.browser.visit import SMALL, Document, Visit, said, sent_by
 
 PHONE: ViewportSize = {"width": 390, "height": 800}
-DEFAULTS = {"seed": 42, "width": 20, "depth": 15, "min_room_size": 3, "max_depth": 5, "use_spine": True, "outdoor": True}
+FIRST = {"seed": 42, "program": "family", "outdoor": True, "decorate": True}
 
 
 class Asked:
@@ -47,28 +47,43 @@ def test_every_field_of_the_form_is_asked_for_and_reset_takes_all_back(visit: Vi
         page.locator(f"#{name}").fill(text)
     page.get_by_label("Smallest room side, slider").fill("2.6")
     page.get_by_label("Depth of cuts, slider").fill("4")
-    for label in ("Hallway spine", "Outdoor rooms"):
+    for label in ("Hallway spine", "Outdoor rooms", "People and pets"):
         page.get_by_label(label).uncheck()
     page.get_by_label("Decorations", exact=True).check()
     page.locator("#style").select_option("rustic")
     expect(page.locator("#style_words")).to_contain_text("Walls of")
     page.locator("#generate").click()
     plan = {"width": 13.5, "depth": 8, "min_room_size": 2.6, "max_depth": 4, "use_spine": False}
-    others = {"seed": 7, "outdoor": False, "decorate": True, "style": "rustic", "robot_width": 0.5}
+    others = {"seed": 7, "outdoor": False, "decorate": True, "style": "rustic", "robot_width": 0.5, "people": False}
     assert asked.last(visit) == {**plan, **others}
     page.locator("#program").select_option("by_area")
     page.locator("#area").fill("75")
     page.locator("#area").press("Enter")
     assert asked.last(visit) == {**others, "area": 75, "width": 13.5, "depth": 8}
     page.get_by_role("button", name="Reset").click()
-    assert asked.last(visit) == DEFAULTS
+    assert asked.last(visit) == FIRST
     expect(page.locator("#style")).to_have_value("")
-    expect(page.get_by_label("Decorations", exact=True)).not_to_be_checked()
+    expect(page.get_by_label("Decorations", exact=True)).to_be_checked()
     page.locator("#seed").fill("")
     page.locator("#generate").click()
     drawn = asked.last(visit)["seed"]
     assert isinstance(drawn, int)
     expect(page.locator("#seed")).to_have_value(str(drawn))
+
+
+def test_a_choice_of_looks_keeps_the_one_whose_answer_it_did_not_await(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    held: list[Route] = []
+    visit.page.route("**/generate", lambda route: held.append(route) if not held else route.continue_())
+    with visit.page.expect_request("**/generate"):
+        visit.page.get_by_label("Decorations", exact=True).check()
+    with visit.page.expect_request("**/generate") as second:
+        visit.page.locator("#style").select_option("rustic")
+    visit.settle()
+    sent: Document = second.value.post_data_json  # type: ignore[assignment]
+    assert {"style": "rustic", "decorate": True}.items() <= sent.items()
+    expect(visit.page.get_by_label("Decorations", exact=True)).to_be_checked()
+    expect(visit.page.locator("#style")).to_have_value("rustic")
 
 
 def test_groups_fold_by_click_and_by_key(visit: Visit) -> None:
@@ -154,13 +169,13 @@ def test_the_legend_has_the_colours_that_rooms_are_drawn_with(visit: Visit) -> N
         })"""
     )
     drawn = {
-        (room["type"].replace("_", " ").capitalize(), rgb(visit, room["flooring"]["color"]), rgb(visit, room["accent"]))
+        (said(room["type"])[0].upper() + said(room["type"])[1:], rgb(visit, room["flooring"]["color"]), rgb(visit, room["accent"]))
         for room in scene["rooms"]
     }
     assert sorted(map(tuple, shown)) == sorted(drawn)
     dots = visit.page.locator(".room-label .dot").evaluate_all("all => all.map(one => getComputedStyle(one).backgroundColor)")
     assert set(dots) == {accent for _, _, accent in drawn}
-    assert visit.page.locator("#legend_marks li").count() == 8
+    assert visit.page.locator("#legend_marks li").count() == 10
 
 
 def test_an_issue_of_a_room_takes_the_room_in_hand(visit: Visit) -> None:
@@ -262,10 +277,10 @@ def test_keys_alone_make_a_house_move_and_lock_a_piece_and_read_the_diagnosis(vi
     before = page.evaluate("id => compose.places[id]", piece)
     with page.expect_response(lambda response: response.url.endswith("/fix")):
         press("ArrowDown")
-    _edited(visit)
+    visit.settle()
     assert page.evaluate("id => compose.places[id]", piece) != before
     press("k")
-    _edited(visit)
+    visit.settle()
     assert visit.state()["marks"]["locked"] == [piece]
     dialog = page.get_by_role("dialog", name="Diagnosis")
     press("d")
@@ -275,13 +290,8 @@ def test_keys_alone_make_a_house_move_and_lock_a_piece_and_read_the_diagnosis(vi
     expect(dialog).to_be_hidden()
     press("Control+z")
     press("Control+z")
-    _edited(visit)
-    assert page.evaluate("id => compose.places[id]", piece) == before
-
-
-def _edited(visit: Visit) -> None:
-    expect(visit.page.locator("#stage")).not_to_have_attribute("data-editing", "true")
     visit.settle()
+    assert page.evaluate("id => compose.places[id]", piece) == before
 
 
 def _movable(scene: Document) -> str:

@@ -25,11 +25,6 @@ def held(page: Page, call: str, act: Callable[[], object]) -> Route:
     return routes[0]
 
 
-def at_rest(visit: Visit) -> None:
-    expect(visit.page.locator("#stage")).not_to_have_attribute("data-editing", "true")
-    visit.settle()
-
-
 def shown(visit: Visit) -> dict[str, Document]:
     """The furniture of the shown scene by its id."""
     scene = visit.page.evaluate("compose.scene")
@@ -51,7 +46,7 @@ def test_a_skip_link_moves_the_focus_and_keeps_what_was_edited(visit: Visit) -> 
         visit.page.get_by_role("link", name=name).focus()
         visit.page.keyboard.press("Enter")
         expect(visit.page.locator(f"#{region}")).to_be_focused()
-    at_rest(visit)
+    visit.settle()
     assert (len(visit.requests), visit.page.url, piece in shown(visit)) == (asked, address, False)
     expect(visit.page.get_by_role("button", name="Undo")).to_be_enabled()
 
@@ -68,13 +63,13 @@ def test_a_room_furnished_anew_and_an_edit_of_another_room_both_stay(visit: Visi
     visit.page.keyboard.press("Delete")
     waiting.continue_()
     expect(visit.line_of(gone)).to_have_count(0)
-    at_rest(visit)
+    visit.settle()
     assert shown(visit)[locked]["locked"]
     anew = {id_of: (piece["x"], piece["z"]) for id_of, piece in shown(visit).items() if id_of.startswith(f"{one['id']}/")}
     assert anew != {piece["id"]: (piece["x"], piece["z"]) for piece in one["furniture"]}
     for _ in range(3):
         visit.page.keyboard.press("Control+z")
-    at_rest(visit)
+    visit.settle()
     assert visit.page.evaluate("compose.scene") == answer["scene"]
     expect(visit.page.get_by_role("button", name="Undo")).to_be_disabled()
 
@@ -84,9 +79,11 @@ def test_what_was_asked_of_a_house_is_not_done_to_the_next(visit: Visit) -> None
     visit.line_of(piece).click()
     waiting = held(visit.page, "fix", lambda: visit.page.keyboard.press("e"))
     visit.page.keyboard.press("Delete")
-    visit.after(visit.page.get_by_role("button", name="Generate").click)
+    with visit.page.expect_response(lambda response: response.url.endswith("/generate")):
+        visit.page.get_by_role("button", name="Generate").click()
+    expect(visit.page.locator("#stage")).to_have_attribute("aria-busy", "false")
     waiting.continue_()
-    at_rest(visit)
+    visit.settle()
     expect(visit.line_of(piece)).to_be_visible()
     assert piece in shown(visit)
     expect(visit.page.get_by_role("button", name="Undo")).to_be_disabled()
@@ -114,7 +111,7 @@ def test_a_key_that_is_held_asks_once(visit: Visit) -> None:
     for _ in range(5):
         visit.page.keyboard.down("r")
     visit.page.keyboard.up("r")
-    at_rest(visit)
+    visit.settle()
     assert sum(url.endswith("/generate") for url in visit.requests) == before + 1
 
 

@@ -32,6 +32,32 @@ def test_a_floor_clicked_tells_its_room(visit: Visit) -> None:
     assert visit.page.evaluate("told") == clicked
 
 
+def test_walls_before_the_viewer_are_low_unless_they_are_wanted_whole(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    page, lowers = visit.page, visit.page.get_by_label("Lower the walls before me")
+    expect(lowers).to_be_checked()
+    assert visit.state()["lowered"] == ["east", "south"]
+    visit.held("ArrowRight")
+    eye, target = visit.state()["eye"], visit.state()["target"]
+    ahead = {"north": target[2] - eye[2], "east": eye[0] - target[0], "south": eye[2] - target[2], "west": target[0] - eye[0]}
+    assert {side for side in ahead if side in visit.state()["lowered"]} >= {max(ahead, key=lambda side: ahead[side])}
+    assert all(ahead[side] > 0 for side in visit.state()["lowered"])
+    page.keyboard.press("2")
+    visit.settle()
+    assert visit.state()["lowered"] == []
+    page.keyboard.press("3")
+    lowers.uncheck()
+    visit.settle()
+    assert visit.state()["lowered"] == []
+    visit.reopened(page.reload)
+    expect(lowers).not_to_be_checked()
+    assert visit.state()["lowered"] == []
+    lowers.check()
+    visit.settle()
+    assert visit.state()["lowered"] == ["east", "south"]
+    assert visit.idle() == 0
+
+
 def test_a_walk_begins_within_the_entrance_and_goes_where_the_keys_say(visit: Visit) -> None:
     answer = visit.open(SMALL.format(4))
     visit.page.keyboard.press("1")
@@ -42,11 +68,14 @@ def test_a_walk_begins_within_the_entrance_and_goes_where_the_keys_say(visit: Vi
     assert start[1] == EYE_HEIGHT
     assert holds(entrance_of(answer), start)
     ahead = [state["target"][i] - start[i] for i in (0, 2)]
-    for key in ("w", "ArrowUp"):
+    visit.page.wait_for_function("() => compose.state.knowsFloor")
+    reached = start
+    for key, way in (("w", 1), ("ArrowDown", -1)):  # on and back: a wall may be near
+        before = reached
         visit.held(key)
-    reached = visit.state()["eye"]
-    assert (reached[0] - start[0]) * ahead[0] + (reached[2] - start[2]) * ahead[1] > 0
-    assert reached[1] == EYE_HEIGHT
+        reached = visit.state()["eye"]
+        assert ((reached[0] - before[0]) * ahead[0] + (reached[2] - before[2]) * ahead[1]) * way > 0
+        assert reached[1] == EYE_HEIGHT
     visit.page.keyboard.press("Escape")
     visit.settle()
     assert not visit.state()["walking"]
@@ -62,7 +91,7 @@ def test_keys_in_a_field_do_not_walk_and_a_drag_looks_around(visit: Visit) -> No
     visit.page.locator("#seed").press("ArrowUp")
     visit.settle()
     assert visit.state()["eye"] == before["eye"]
-    box = visit.page.locator("#stage canvas").bounding_box()
+    box = visit.page.locator("#stage > canvas").bounding_box()
     assert box
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     visit.page.mouse.move(x, y)
@@ -99,7 +128,7 @@ def test_all_pieces_are_named_on_demand_and_no_name_covers_another(visit: Visit)
 
 def test_walls_are_drawn_as_high_as_the_slider_says_and_whole_to_who_walks(visit: Visit) -> None:
     visit.open(SMALL.format(4))
-    canvas = visit.page.locator("#stage canvas")
+    canvas = visit.page.locator("#stage > canvas")
     low, height = canvas.screenshot(), visit.state()["walls"]
     visit.page.locator("#cut").fill("2.8")
     visit.settle()
@@ -119,6 +148,7 @@ def test_a_tap_on_the_floor_goes_there_and_only_names_in_sight_are_shown(visit: 
     answer = visit.open(SMALL.format(4))
     rooms = answer["scene"]["rooms"]
     visit.page.keyboard.press("1")
+    visit.page.wait_for_function("() => compose.state.knowsFloor")
     visit.settle()
     start = visit.state()["eye"]
     shown = visit.page.locator(".room-label:visible .words").all_text_contents()
@@ -137,7 +167,7 @@ def test_the_whole_house_is_in_view_in_windows_of_any_shape(visit: Visit) -> Non
     for width, height in ((390, 800), (1600, 700), (1000, 700)):
         visit.page.set_viewport_size({"width": width, "height": height})
         scene = visit.open(SMALL.format(8))["scene"]
-        canvas = visit.page.locator("#stage canvas").bounding_box()
+        canvas = visit.page.locator("#stage > canvas").bounding_box()
         assert canvas
         ends = [(room, i, j) for room in scene["rooms"] for i in (0, 1) for j in (0, 1)]
         corners = [[room["x"] + i * room["width"], 0, room["z"] + j * room["depth"]] for room, i, j in ends]

@@ -51,7 +51,7 @@ def test_the_way_out_of_a_walk_is_over_the_house_for_finger_and_key(visit: Visit
     visit.page.set_viewport_size(PHONE)
     visit.open(SMALL.format(4))
     leave = visit.page.get_by_role("button", name="Leave the walk")
-    canvas = visit.page.locator("#stage canvas").bounding_box()
+    canvas = visit.page.locator("#stage > canvas").bounding_box()
     assert canvas
     expect(leave).to_be_hidden()
     for act in (leave.click, lambda: visit.page.keyboard.press("Enter"), lambda: visit.page.keyboard.press("Escape")):

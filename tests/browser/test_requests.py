@@ -30,7 +30,7 @@ def test_a_preset_by_the_form_and_by_its_link(visit: Visit) -> None:
     expect(visit.page.locator("#cuts_words")).to_be_visible()
     scene = generate(visit)
     assert scene["request"]["program"] == "one_bed"
-    assert asked(visit) == {"seed": "42", "outdoor": "true", "program": "one_bed"}
+    assert asked(visit) == {"seed": "42", "outdoor": "true", "decorate": "true", "program": "one_bed"}
     assert visit.reopened(visit.page.reload) == scene
     expect(visit.page.locator("#program")).to_have_value("preset:one_bed")
 

@@ -42,7 +42,8 @@ def test_a_room_is_told_and_furnished_anew_alone(visit: Visit) -> None:
     chosen = choose(visit, scene, "living_room")
     room = next(one for one in scene["rooms"] if one["id"] == chosen)
     facts = visit.page.locator("#room_facts")
-    expect(facts).to_contain_text(f"{room['width'] * room['depth']:.1f} m²")
+    wall = scene["wall_thickness"]
+    expect(facts).to_contain_text(f"{(room['width'] - wall) * (room['depth'] - wall):.1f} m²")
     expect(facts).to_contain_text(room["flooring"]["type"])
     others = {one["id"]: one["furniture"] for one in scene["rooms"] if one["id"] != chosen}
     after = visit.after(lambda: visit.page.locator("#reroll").click())["scene"]
@@ -160,7 +161,7 @@ def test_a_scene_of_others_is_drawn_and_its_names_are_text(visit: Visit) -> None
         visit.page.keyboard.press(key)
     visit.page.keyboard.press("d")
     expect(visit.page.locator("#report")).to_contain_text(f"{TRAP} (")
-    assert visit.page.locator("img").count() == 0
+    assert visit.page.locator("img:not(#plan_print, #starts *)").count() == 0
     assert visit.console == []
 
 
@@ -205,7 +206,7 @@ def test_a_dropped_plan_is_told_of_and_furnished(visit: Visit) -> None:
     expect(page.get_by_role("button", name="Furnish empty rooms")).to_be_disabled()
     visit.settle()
     assert [room["type"] for room in page.evaluate("compose.scene.rooms")] == ["bedroom", "living_room"]
-    assert visit.count("furniture") > 8
+    assert min(page.evaluate("compose.scene.rooms.map(room => room.furniture.length)")) > 1, "of a seed that the page draws"
     page.keyboard.press("Control+z")
     visit.settle()
     assert visit.count("furniture") == 0

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from playwright.sync_api import Route, expect
 
-from tests.browser.visit import SMALL, Visit, furniture_of
+from tests.browser.visit import SMALL, Visit, furniture_of, said
 
 
 def test_a_click_opens_a_door_and_another_closes_it(visit: Visit) -> None:
     visit.open(SMALL.format(4))
-    closed = visit.page.locator("#stage canvas").screenshot()
+    closed = visit.page.locator("#stage > canvas").screenshot()
     doors = visit.state()["doors"]
     clicked = next(door for door in doors if visit.click_on(door))
     visit.settle()
     assert visit.state()["openDoors"] == [clicked]
-    assert visit.page.locator("#stage canvas").screenshot() != closed
+    assert visit.page.locator("#stage > canvas").screenshot() != closed
     assert visit.click_on(clicked)
     visit.settle()
     assert visit.state()["openDoors"] == []
@@ -55,7 +55,7 @@ def test_a_body_pointed_at_is_named_with_its_sizes(visit: Visit) -> None:
     at = visit.page.evaluate("id => compose.whereIs(id)", piece["id"])
     visit.page.mouse.move(at["x"], at["y"])
     expect(tip).to_be_visible()
-    expect(tip).to_contain_text(piece["name"].replace("_", " "))
+    expect(tip).to_contain_text(said(piece["name"]))
     expect(tip).to_contain_text(" × ".join(f"{piece[side]:g}" for side in ("width", "depth", "height")))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from playwright.sync_api import expect
 
+from tests.browser.test_accessible import violations
 from tests.browser.visit import SMALL, Document, Visit, furniture_of
 
 
@@ -24,9 +25,11 @@ def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
     held, by = next((piece, hold) for piece, answer in answers.items() for hold in answer["holds"] if hold["what"] == "piece")
     assert asked(visit, held) == answers[held]
     expect(panel).to_be_visible()
-    expect(panel.get_by_role("listitem")).to_have_text([hold["message"] for hold in answers[held]["holds"]])
+    expect(panel.locator("ul:not(.ways) li")).to_have_text([hold["message"] for hold in answers[held]["holds"]])
     for note in answers[held]["notes"]:
         expect(panel).to_contain_text(note[1:])
+    expect(page.locator(".ruler-hold")).to_have_count(len(answers[held]["holds"]))
+    assert violations(visit) == []
     panel.get_by_role("button", name=by["message"]).click()
     assert visit.state()["selected"] == by["by"]
     expect(panel).to_be_hidden()
@@ -34,4 +37,32 @@ def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
     expect(panel).to_be_visible()
     page.keyboard.press("Escape")
     expect(panel).to_be_hidden()
+    assert visit.console == []
+
+
+def test_another_way_to_stand_is_shown_and_taken(visit: Visit) -> None:
+    """Of the ways that leave nothing out: the room becomes what the service says it would be, as one step."""
+    made, page = visit.open(SMALL.format(4)), visit.page
+    ways = {}
+    for piece in furniture_of(made)[:12]:
+        answer = asked(visit, piece)
+        kept = [way for way in answer["ways"] if way["cost"] is not None and not way["left_out"]]
+        if kept:
+            ways[piece] = kept[0]
+    assert ways
+    piece, way = next(iter(ways.items()))
+    answer = asked(visit, piece)
+    expect(page.locator("#why .ways li")).to_have_count(len(answer["ways"]))
+    take = page.locator("#why .ways button").first
+    take.focus()
+    expect(page.locator("#why")).to_be_visible()
+    take.press("Enter")
+    visit.settle()
+    shown = page.evaluate("compose.scene")
+    stands = {one["id"]: (one["x"], one["z"], one["rotation"]) for room in shown["rooms"] for one in room["furniture"]}
+    (own,) = [move for move in way["moves"] if move["id"] == piece]
+    assert stands[piece] == (own["x"], own["z"], own["rotation"])
+    page.keyboard.press("Control+z")
+    visit.settle()
+    assert page.evaluate("compose.scene") == made["scene"]
     assert visit.console == []

@@ -42,7 +42,7 @@ def test_a_scene_without_rooms_is_ground_seen_from_above_and_says_so(visit: Visi
         state = visit.state()
         assert state["eye"][1] > 5
         assert state["eye"][1] > state["target"][1] + 5
-    canvas = visit.page.locator("#stage canvas").bounding_box()
+    canvas = visit.page.locator("#stage > canvas").bounding_box()
     [seen] = visit.page.evaluate(PROJECTED, [[6, 0, 4.5]])
     assert canvas
     assert seen["x"] == pytest.approx(canvas["width"] / 2, abs=canvas["width"] / 10)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
 from playwright.sync_api import Locator, Page, Request, Response, expect
+
+from tests.architecture.tree import ROOT
 
 Document: TypeAlias = dict[str, Any]
 
@@ -13,10 +16,20 @@ ANSWER_MS = 240_000
 """A guard against a page that never answers: far beyond a busy machine, below the time after which pytest shows where a test hangs."""
 POLL_MS = 40
 FRAMES = "count => new Promise(done => { const next = () => count-- > 0 ? requestAnimationFrame(next) : done(); next(); })"
+IN_WORK = "#stage[data-editing=true], .plan-sheet[aria-busy=true]:not([hidden])"
+"""What the page shows while an edit is carried out, or the plan is drawn again."""
 MARK_LEFT = "() => { globalThis.left = compose.scene; }"
 MOVED = "before => JSON.stringify([compose.state.eye, compose.state.target]) !== JSON.stringify(before)"
+TURNED = """([eye, target, least]) => {
+    const now = compose.state;
+    const [was, is] = [[eye, target], [now.eye, now.target]].map(([from, to]) => Math.atan2(to[0] - from[0], to[2] - from[2]));
+    return Math.abs(Math.atan2(Math.sin(is - was), Math.cos(is - was))) * 180 / Math.PI >= least;
+}"""
+"""Whether one has turned by so many degrees at least, fewer than 180, since one looked so."""
 DRIVER = "GL Driver Message (OpenGL, Performance"
 """What a software renderer says of its own pace, mostly when the machine is busy: no word of the page's."""
+SAID: dict[str, str] = json.loads((ROOT / "web" / "src" / "words" / "names.en.json").read_text(encoding="utf-8"))
+"""Names that are said otherwise than they are written."""
 SMALL = "?width=12&depth=9&seed={}"
 """A house that is made and drawn fast, by its seed."""
 
@@ -62,8 +75,9 @@ class Visit:
         return scene
 
     def settle(self) -> None:
-        """Wait until no call is under way and nothing moves."""
+        """Wait until no call and no edit is under way, the plan is drawn and nothing moves."""
         expect(self.page.locator("#stage")).to_have_attribute("aria-busy", "false", timeout=ANSWER_MS)
+        expect(self.page.locator(IN_WORK)).to_have_count(0, timeout=ANSWER_MS)
         for _ in range(ANSWER_MS // POLL_MS):
             if not self.state()["moving"]:
                 return
@@ -77,11 +91,15 @@ class Visit:
         after: int = self.state()["frames"]
         return after - before
 
-    def held(self, key: str) -> None:
-        """Hold a key until what one looks from or at has changed."""
+    def held(self, key: str, turn: float | None = None) -> None:
+        """Hold a key until what one looks from or at has changed; or, where it is given, until one has turned by so many degrees."""
         before = self.state()
+        seen = [before["eye"], before["target"]]
         self.page.keyboard.down(key)
-        self.page.wait_for_function(MOVED, arg=[before["eye"], before["target"]])
+        if turn is None:
+            self.page.wait_for_function(MOVED, arg=seen)
+        else:
+            self.page.wait_for_function(TURNED, arg=[*seen, turn])
         self.page.keyboard.up(key)
         self.settle()
 
@@ -109,6 +127,11 @@ class Visit:
     def line_of(self, id_of: str) -> Locator:
         """The line of the readable YAML that speaks of a body."""
         return self.page.locator(f'#yaml button[data-id="{id_of}"]').first
+
+
+def said(name: str) -> str:
+    """A name of the catalogs as the page says it."""
+    return SAID.get(name, name.replace("_", " "))
 
 
 def furniture_of(answer: Document) -> list[str]:

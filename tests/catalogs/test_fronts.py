@@ -46,6 +46,28 @@ def test_every_kind_opens_or_it_is_said_why_not() -> None:
     assert len(OPENING) >= 29
 
 
+def test_nothing_lies_on_a_lid_that_opens() -> None:
+    lids = {
+        KNOWN.name_of(kind): KNOWN.shapes[kind][front.parts[0]]
+        for kind, fronts in OPENING.items()
+        for front in fronts
+        if front.opens == "lid"
+    }
+    assert {"toy_chest", "garden_box", "grill", "toilet"} <= set(lids)
+    on_top = {name for name, lid in lids.items() if lid.y[1] >= 1.0 and KNOWN.dressing.get(name) and KNOWN.dressing[name].lies}
+    assert on_top == set()
+
+
+def test_a_lid_is_flat_or_hinged_at_something() -> None:
+    """Open, the panel stands at its hinge: what is below the hinge there, shut, holds it."""
+    for kind, fronts in OPENING.items():
+        for front in fronts:
+            lid, size = KNOWN.shapes[kind][front.parts[0]], KNOWN.furniture[kind].size
+            thick = (lid.y[1] - lid.y[0]) * size[2]
+            behind = any(one.front is None and one.y[1] >= lid.y[1] and one.z[1] <= lid.z[0] + 0.01 for one in KNOWN.shapes[kind])
+            assert front.opens != "lid" or thick < 0.05 or behind, kind
+
+
 def test_what_is_labelled_openable_opens() -> None:
     assert {kind for kind, entry in KNOWN.furniture.items() if "openable" in entry.labels} <= set(OPENING)
 

@@ -8,6 +8,8 @@ import pytest
 
 from catalogs import load_catalogs
 from catalogs.fronts import floor_before, fronts_of
+from solver.furnish.floor_about import floors_about
+from solver.wall_fittings import FRAME_PROUD
 
 KNOWN = load_catalogs()
 
@@ -16,7 +18,7 @@ def test_doors_come_out_by_their_width_and_drawers_by_their_travel() -> None:
     spec, solids = KNOWN.furniture["medium_wardrobe"], KNOWN.shapes["medium_wardrobe"]
     found = floor_before(solids, spec.size)
     assert found is not None
-    width = 0.49 * spec.size[0]
+    width = 0.482 * spec.size[0]
     behind = (1 - 0.955) * spec.size[1]
     assert width - behind <= found.depth <= hypot(width, 0.04) - behind
     drawers = KNOWN.furniture["nightstand"], KNOWN.shapes["nightstand"]
@@ -39,3 +41,23 @@ def test_half_open_takes_less_than_open() -> None:
             assert 0 < found.half <= found.depth, name
             assert -spec.size[0] / 2 <= found.left < found.right <= spec.size[0] / 2, name
             assert 0 <= found.above < spec.size[2], name
+
+
+@pytest.mark.parametrize("name", [name for name in KNOWN.furniture if any(one.slides for one in fronts_of(KNOWN.shapes.get(name, ())))])
+def test_drawers_pass_the_frame_of_a_door_in_the_wall_beside_them(name: str) -> None:
+    """A piece may stand flush with the wall at its side, and the frame of a door there stands out of it."""
+    for front in fronts_of(KNOWN.shapes[name]):
+        if front.slides:
+            panel = KNOWN.shapes[name][front.parts[0]]
+            assert min(panel.x[0], 1 - panel.x[1]) * KNOWN.furniture[name].size[0] > FRAME_PROUD + 0.0005
+
+
+def test_the_floor_that_fronts_open_over_lies_exactly_before_them_on_whole_millimetres() -> None:
+    """No wider than its piece, so that this may stand in a corner; as wide as an even number of mm, so that its middle is one."""
+    for name, spec in KNOWN.furniture.items():
+        found = floor_before(KNOWN.shapes.get(name, ()), spec.size)
+        for one in floors_about(spec, KNOWN.shapes.get(name, ())):
+            if found is not None and one.opens:
+                assert one.left <= found.left * 1000 + 1e-6 and found.right * 1000 - 1e-6 <= one.right, name
+                assert (one.right - one.left) % 2 == 0, name
+                assert -one.left <= round(spec.size[0] * 500) >= one.right, name

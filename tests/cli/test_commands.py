@@ -197,7 +197,7 @@ def test_standard_input_is_named_and_its_format_found(monkeypatch: pytest.Monkey
 
 UNKNOWN = [
     [], ["paint"], ["tidy"], ["generate", "--bedrooms", "3"], ["generate", "--seed", "x"], ["generate", "-n", "0"],
-    ["generate", "--force-type", "kitchen"], ["generate", "--engine", "magic"], ["serve", "--port", "99999"], ["fix", "--on-conflict", "x"],
+    ["generate", "--force-type", "kitchen"], ["generate", "--engine", "magic"], ["fix", "--on-conflict", "x"], ["fix", "--effort", "much"],
 ]  # fmt: skip
 
 

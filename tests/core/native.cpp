@@ -49,14 +49,14 @@ static bool arrange_next(FILE* file) {
   const arena::Scope scope;
   i64 size, walk, wide;
   RoomLimits limits;
-  f64 budget;
+  f64 budget, spent = 0;
   if (!read(file, &size, 1)) return false;
   u8* request = static_cast<u8*>(arena::reserve(size));
   if (!read(file, request, size) || !read(file, &limits, 1) || !read(file, &walk, 1) || !read(file, &wide, 1) || !read(file, &budget, 1)) {
     fail(Failure::bad_request);
   }
   const Room room = room_of(reinterpret_cast<RoomRequest*>(request));
-  const WholeRoom whole = wide != 0 ? arrange_wide(room, limits, budget) : arrange_whole(room, limits, budget, walk != 0);
+  const WholeRoom whole = wide != 0 ? arrange_wide(room, limits, budget, spent) : arrange_whole(room, limits, budget, walk != 0);
   const Desk* desk = whole.desk;
   const Engine& engine = desk->engine;
   write(desk->decisions.data, desk->decisions.size);

@@ -10,7 +10,7 @@ static bool make_next(FILE* file) {
   const arena::Scope scope;
   const Bytes type = read_bytes(file);
   if (type.data == nullptr) return false;
-  const Bytes answer = rooms::made_room(type, read_bytes(file), true);
+  const Bytes answer = rooms::made_room(type, read_bytes(file), true, 400'000);
   fwrite(answer.data, 1, static_cast<unsigned long>(answer.size), stdout);
   return true;
 }

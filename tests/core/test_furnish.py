@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "4cd224facbe863f68e38db28ab357c669e2336a2c38491546e4071e18be35d85"
+GOLDEN = "5619d0569eab70c5a9bd122d3dae57893a97ab1cf6d57e93a9308d2261e87336"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

@@ -55,7 +55,7 @@ def test_a_trap_is_an_exception_and_ends_the_instance() -> None:
 
 def test_what_is_not_exported_cannot_be_called() -> None:
     instance = CoreInstance()
-    for name, arguments in (("nothing", ()), ("memory", ()), ("mark", (1,))):
+    for name, arguments in (("nothing", ()), ("memory", ()), ("failure", (1,))):
         with pytest.raises(CoreFailed, match="no such function"):
             instance.call(name, *arguments)
     assert instance.mark() == 0

@@ -24,7 +24,7 @@ def request(seed: int) -> tuple[bytes, bytes]:
     """Returns a random room with our dressing or a random one, as rows."""
     settings = random_settings(Random(f"native dressing {seed // 20}"), KNOWN)
     room, known = furnished(Random(f"native {seed}"), KNOWN), compiled_dressing(settings)
-    return known.data, decorated_rows(room, space_of(room, 0.1), known, settings.height, seed)
+    return known.data, decorated_rows(room, space_of(room, 0.1), known, settings, seed)
 
 
 def answer(known: bytes, room: bytes) -> bytes:

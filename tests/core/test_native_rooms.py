@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from solver.core import CoreFailed, borrowed
+from solver.placement import ROOM_WORK
 from tests.architecture.tree import ROOT
 from tests.furnish.wanting_rooms import wanting_room
 from tests.sweeps import seeds
@@ -25,7 +26,7 @@ def request(seed: int) -> tuple[bytes, bytes]:
 def answer(known: bytes, room: bytes) -> bytes:
     """Returns what the core as it is built says."""
     with borrowed() as core:
-        packed = core.call("make_room", core.write(known), len(known), core.write(room), len(room), 1)
+        packed = core.call("make_room", core.write(known), len(known), core.write(room), len(room), 1, ROOM_WORK)
         return core.read(packed & 0xFFFFFFFF, packed >> 32)
 
 

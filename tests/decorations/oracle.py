@@ -5,6 +5,7 @@ Footprints are turned rectangles, as their poses say, compared by separating axe
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -15,6 +16,8 @@ from solver.scene import Decoration, Furniture, Room, Scene
 
 CLOSE = 1e-4
 """Half of the last decimal of a pose, and a little."""
+ROUNDED = 1.1e-3
+"""Heights inside furniture are rounded up to whole mm."""
 Point = tuple[float, float]
 Body = Furniture | Decoration
 
@@ -84,6 +87,25 @@ def surfaces(body: Body) -> list[tuple[float, Turned]]:
     return [(body.y + one.height, turned(body, one.inset)) for one in (entries[0] if entries else ())]
 
 
+def boards(body: Body) -> list[tuple[float, Turned]]:
+    """Returns heights and extents of the boards of a piece's carcass and of its drawers' trays, as its shape has them."""
+    known, angle = load_catalogs(), math.radians(body.rotation)
+    if isinstance(body, Decoration):
+        return []
+    found = []
+    size = body.width, body.depth, body.height
+    kinds = [kind for kind, entry in known.furniture.items() if known.name_of(kind) == body.name and entry.size == size]
+    for solid in known.shapes.get(body.kind or next(iter(kinds), ""), ()):
+        if solid.board is not None:
+            corners = [((x - 0.5) * body.width, (z - 0.5) * body.depth) for x, z in itertools.product(solid.x, solid.z)]
+            spun = [
+                (body.x + x * math.cos(angle) + z * math.sin(angle), body.z - x * math.sin(angle) + z * math.cos(angle)) for x, z in corners
+            ]
+            top = body.y + solid.y[1] * body.height
+            found.append((top, Turned((spun[0], spun[1], spun[3], spun[2]), body.y + solid.y[0] * body.height, top)))
+    return found
+
+
 def _unsupported(room: Room, half: float) -> Iterator[str]:
     bodies: dict[str, Body] = {body.id: body for group in (room.furniture, room.decorations) for body in group}
     for thing in room.decorations:
@@ -102,6 +124,7 @@ def _unsupported(room: Room, half: float) -> Iterator[str]:
                 yield f"{thing.id} stands on nothing"
         else:
             carriers = [area for height, area in surfaces(bodies[thing.parent]) if abs(height - thing.y) < CLOSE]
+            carriers += [area for height, area in boards(bodies[thing.parent]) if -CLOSE < thing.y - height < ROUNDED]
             if not any(_within(turned(thing).corners, area.corners) for area in carriers):
                 yield f"{thing.id} does not lie wholly on {thing.parent}"
 

@@ -45,13 +45,15 @@ def random_settings(rng: Random, catalogs: Catalogs) -> DecorationSettings:
 
 def random_dressing(rng: Random, catalogs: Catalogs) -> dict[str, Dressing]:
     """Returns rows of every sort for random names."""
-    names = [*{catalogs.name_of(kind) for kind in sorted(catalogs.furniture)}, *catalogs.decorations, *catalogs.rooms]
+    furniture = {catalogs.name_of(kind) for kind in catalogs.furniture}
+    names = [*furniture, *catalogs.decorations, *catalogs.rooms]
     chosen = rng.sample(sorted(names), len(names) // 2)
     rows = {"lies": _lies, "hangs": _hangs, "stands": _stands}
     entries: dict[str, dict[str, Any]] = {}
     for name in chosen:
         entries[name] = {sort: [make(rng, catalogs) for _ in range(rng.randint(0, 3))] for sort, make in rows.items()}
-    for entry in entries.values():
+    for name, entry in entries.items():
+        entry["holds"] = [_holds(rng, catalogs) for _ in range(rng.randint(0, 2))] if name in furniture else []
         entry.update({"together": rng.random() < 0.2, "indoor": rng.random() < 0.8})
     return {name: Dressing.model_validate(entry) for name, entry in (entries | {INDOOR: {"stands": [_stands(rng, catalogs)]}}).items()}
 
@@ -80,19 +82,27 @@ def _lies(rng: Random, catalogs: Catalogs) -> dict[str, Any]:
     return _row(rng, catalogs, more)
 
 
+def _holds(rng: Random, catalogs: Catalogs) -> dict[str, Any]:
+    more: dict[str, Any] = {
+        "at": [(round(rng.random(), 2), round(rng.random(), 2)) for _ in range(rng.randint(1, 4))], "turn": rng.choice((0, 90, 180, 270)),
+        "upright": rng.random() < 0.3, "most": rng.randint(1, 8), "reach": rng.choice((0.0, 0.1, 0.5)),
+    }  # fmt: skip
+    return _row(rng, catalogs, more) | {"surface": rng.choice((["shelves"], ["drawers"], ["shelves", "drawers"]))}
+
+
 def _hangs(rng: Random, catalogs: Catalogs) -> dict[str, Any]:
     row = _row(rng, catalogs, {"at": [round(rng.random(), 2) for _ in range(rng.randint(1, 3))], "gap": rng.random()})
     return row | {"height": rng.choice((0.9, 1.3, 1.75))}
 
 
 def _stands(rng: Random, catalogs: Catalogs) -> dict[str, Any]:
-    where = rng.choice(("middle", "corner", "beside", "wall", "free"))
+    where = rng.choice(("middle", "corner", "beside", "wall", "free", "under"))
     more: dict[str, Any] = {
         "count": rng.randint(1, 4), "per_area": rng.uniform(1, 9), "min_side": rng.choice((0.0, 2.0)),
         "reach": rng.choice((0.0, 0.3, 2.0)),
     }  # fmt: skip
     row = _row(rng, catalogs, more) | {"where": where}
-    if where == "beside":
+    if where in ("beside", "under"):
         row["of"] = rng.sample(sorted({catalogs.name_of(kind) for kind in catalogs.furniture}), 9)
     if where == "middle" and rng.random() < 0.7:
         row |= {"fill": round(rng.uniform(0.2, 0.9), 2)} | ({"widest": 1.4} if rng.random() < 0.5 else {})

@@ -12,6 +12,7 @@ from catalogs import load_catalogs
 from solver import Request, generate, reroll
 from solver.exchange import dump_text, write_scene
 from solver.scene import Room, Scene
+from solver.validator.opening import front_travels
 from solver.view import view
 from tests.decorations.oracle import complaints, shares, turned
 
@@ -35,6 +36,13 @@ def pair(request: pytest.FixtureRequest) -> tuple[Scene, Scene]:
 
 def test_plane_geometry_finds_nothing_wrong(pair: tuple[Scene, Scene]) -> None:
     assert list(complaints(pair[0])) == []
+
+
+def test_no_thing_keeps_a_front_from_opening(pair: tuple[Scene, Scene]) -> None:
+    fronts = [one for several in front_travels(pair[0], KNOWN).values() for one in several]
+    things = {thing.id for room in pair[0].rooms for thing in room.decorations}
+    assert len(fronts) > 20
+    assert [one for one in fronts if one.meets in things and one.share < 0.95] == []
 
 
 def test_furniture_is_the_same_with_and_without(pair: tuple[Scene, Scene]) -> None:

@@ -8,7 +8,7 @@ from catalogs import load_catalogs
 from solver.scene import Decoration, Opening, Room, Scene
 from solver.validator import validate
 from tests.decorations.oracle import complaints
-from tests.decorations.rooms import DOOR, SIDE, THICKNESS, at_wall, decorate, on_floor, room
+from tests.decorations.rooms import DOOR, SIDE, THICKNESS, at_wall, decorate, on_floor, piece, room
 
 KNOWN = load_catalogs()
 INDOORS = sorted(name for name, kind in KNOWN.rooms.items() if not kind.outdoor)
@@ -34,6 +34,31 @@ def test_every_indoor_room_has_a_rug_of_four_fifths_of_its_size(name: str, size:
     assert [rug.x, rug.z] == pytest.approx([side / 2 for side in size], abs=0.01)
     assert rug.height <= 0.02 and rug.color == "#123456"
     assert errors(done) == []
+
+
+GROUPS = {"living_room": ("coffee_table", 0.7), "dining_room": ("dining_table", 0.7), "bedroom": ("bed", 0.6)}
+
+
+@pytest.mark.parametrize("name", sorted(GROUPS))
+@pytest.mark.parametrize("at", [(2.5, 2.0), (0.8, 2.0), (4.3, 3.2)])
+def test_with_a_style_a_rug_is_as_large_as_what_it_lies_under_and_a_little_more(name: str, at: tuple[float, float]) -> None:
+    kind, beyond = GROUPS[name]
+    holder = piece(kind, *at)
+    bare = room(holder, type=name, width=5.0, depth=4.0)
+    (rug,) = rugs(decorate(bare, style=KNOWN.styles["scandi"], style_name="scandi"))
+    wide, deep = (rug.width, rug.depth) if rug.rotation % 180 == 0 else (rug.depth, rug.width)
+    least, gap = THICKNESS / 2 + 0.1, 0.011
+    for middle, extent, own, side in ((rug.x, wide, (at[0], holder.width), 5.0), (rug.z, deep, (at[1], holder.depth), 4.0)):
+        low, high = own[0] - own[1] / 2 - beyond, own[0] + own[1] / 2 + beyond
+        assert middle - extent / 2 == pytest.approx(max(low, least), abs=gap)
+        assert middle + extent / 2 == pytest.approx(min(high, side - least), abs=gap)
+    assert rug.color in KNOWN.styles["scandi"].palette["rug"]
+    assert [one.name for one in rugs(decorate(bare))] == ["rug"]
+
+
+@pytest.mark.parametrize("name", ["garage", "kitchen", "living_room"])
+def test_with_a_style_a_room_without_a_group_has_no_rug(name: str) -> None:
+    assert rugs(decorate(room(type=name), style=KNOWN.styles["scandi"], style_name="scandi")) == []
 
 
 def test_a_room_narrower_than_a_metre_and_a_half_has_no_rug() -> None:

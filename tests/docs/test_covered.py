@@ -118,14 +118,14 @@ def test_every_category_form_type_style_and_preset_is_named(word: str) -> None:
 
 def test_every_call_is_explained() -> None:
     calls = {f"{method.upper()} {path}" for path, item in create_app().openapi()["paths"].items() for method in item}
-    headings = set(re.findall(r"^## ((?:GET|POST) .+)$", text_of("api.md"), re.MULTILINE))
+    headings = set(re.findall(r"^## ((?:GET|POST|PATCH|PUT|DELETE) .+)$", text_of("api.md") + text_of("kept.md"), re.MULTILINE))
     assert headings == calls
 
 
 def test_every_key_of_a_request_is_explained_with_its_default() -> None:
     told = {name: cells for cells in rows(section("api.md", "POST /generate")) for name in words(cells[0])}
     declared = {field.name: field for field in fields(scene.Request)}
-    assert set(told) - {"scene", "reroll"} == set(declared)
+    assert set(told) - {"scene", "reroll", "effort"} == set(declared)
 
 
 def test_every_command_and_option_is_explained() -> None:

@@ -11,7 +11,7 @@ import yaml
 from hypothesis import given, settings
 from jsonschema import Draft202012Validator
 
-from solver.errors import FieldError, SceneError
+from solver.errors import FieldError, SceneError, SyntaxFault
 from solver.exchange import (
     FORMATS,
     adapter,
@@ -168,11 +168,25 @@ def test_numbers_are_written_shortest_and_right_angles_whole() -> None:
 def test_yaml_reads_well() -> None:
     document = write_scene(read_scene(scene(room(piece(color="#2e8b57"), id="den"), adjacency=[[0, 1]])))
     lines = dump_text(document, "yaml").decode().splitlines()
-    assert lines[0] == "format: compose-scene/1"
+    assert (lines[0], lines[-1]) == ("format: compose-scene/1 # the last line is ...", "...")
     assert "adjacency: [[0, 1]]" in lines
     assert "- id: den" in lines
     start = "  - {id: den/sofa_1, name: sofa, category: null, x: 1.0, y: 0.0, z: 1.0, rotation: 0, width: 1.0, depth: 1.0, "
     assert start + 'height: 1.0, color: "#2e8b57", wall: null, under: null, "on": null, locked: false}' in lines
+
+
+def test_a_scene_that_was_cut_off_is_refused_wherever_it_was_cut() -> None:
+    document = write_scene(read_scene(scene(room(piece(id="a"), piece(id="b"), id="den"), room(id="hall"))))
+    for format in FORMATS:
+        whole = dump_text(document, format)
+        assert load_text(whole, format) == load_text(whole.rstrip(), format) == document
+        for end in range(len(whole.rstrip())):
+            with pytest.raises((SyntaxFault, SceneError, FieldError)):
+                read_scene(load_text(whole[:end], format))
+
+
+def test_a_scene_that_says_nothing_of_its_end_is_read() -> None:
+    assert load_text("format: compose-scene/1\nrooms: []\n", "yaml") == {"format": "compose-scene/1", "rooms": []}
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, {1, 2}, b"x", "\ud800", {"a": [{"b": math.nan}]}])

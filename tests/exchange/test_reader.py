@@ -7,13 +7,14 @@ import time
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.errors import FieldError, RequestError, SceneError
 from solver.exchange import read_request, read_scene, write_scene
 from solver.scene import MAX_SEED, Request, Scene, Sides
 from tests.exchange.documents import PLAIN, piece, room, scene
+from tests.sweeps import examples
 
 
 def refused(document: object) -> SceneError:
@@ -242,7 +243,7 @@ WHOLE_SCENE = write_scene(
 JUNK = PLAIN | st.sampled_from([math.nan, math.inf, -1, 0, 1e9, 10**400, True, "\ud800", b"", (), set(), object()])
 
 
-@settings(max_examples=600)
+@examples(250)
 @given(st.sampled_from(nodes(WHOLE_SCENE)), JUNK)
 def test_a_scene_with_anything_anywhere_is_read_or_refused(path: tuple[Any, ...], junk: Any) -> None:
     """Never another error; and what is refused is named at the place, or inside it."""

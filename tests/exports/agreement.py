@@ -15,6 +15,7 @@ MM: Final = 0.001
 DEGREE: Final = 0.1
 NOT_READ: Final[Mapping[str, str]] = {
     "nav2": "a map of cells: its own tests walk it",
+    "tasks": "poses and paths: their own tests walk them",
     "png": "pictures: their own tests look at them",
 }
 """Formats that hold no bodies."""

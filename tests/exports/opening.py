@@ -78,7 +78,8 @@ def _driven(world: Any, state: Any, one: FrontTravel, near: Near, leaves: Collec
     if one.meets is not None:
         past = [min(one.travel + share * slack, one.range) for share in (0.25, 0.5, 0.75, 1.0, 1.25, 1.5)]
         found: set[str] = set().union(*map(met_at, past))
-        if one.meets not in found and not (one.meets == WALL and found & set(leaves)):
+        nearly_whole = not found and one.range - one.travel <= slack
+        if one.meets not in found and not nearly_whole and not (one.meets == WALL and found & set(leaves)):
             yield f"{name} does not meet {one.meets} at {past[-1]:.3f} of {one.range:.3f}, but {sorted(found)}"
     state.qpos[joint.qposadr[0]] = 0.0
     mujoco.mj_kinematics(world, state)

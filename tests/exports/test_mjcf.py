@@ -51,6 +51,18 @@ def test_rugs_and_looks_touch_nothing(home: str) -> None:
         assert touches == (world.geom_group[geom] == 3 and int(world.geom_bodyid[geom]) not in flat)
 
 
+def test_what_touches_has_its_looks_in_a_body_that_does_not() -> None:
+    """In every step MuJoCo bounds all geoms of the bodies that touch anything."""
+    world, _ = started(mjcf(described("family")))
+    looks = [geom for geom in range(world.ngeom) if world.geom_group[geom] == 2 and world.geom_bodyid[geom]]
+    assert len(looks) > 1000
+    for geom in looks:
+        body = int(world.geom_bodyid[geom])
+        own = world.body(int(world.body_parentid[body])).name
+        assert world.body(body).name == f"{own}/looks"
+        assert not world.body_contype[body] and not world.body_conaffinity[body]
+
+
 def test_the_key_home_is_where_things_stand() -> None:
     world, state = started(mjcf(described("own")))
     assert abs(state.qpos - world.qpos0).max() < 1e-5
@@ -109,6 +121,20 @@ def test_things_of_a_home_stay_where_they_are() -> None:
     done = settle(mjcf(described("family")))
     assert done.free > 200
     assert done.moved == []
+
+
+def test_a_home_comes_to_rest_and_what_is_lifted_then_falls() -> None:
+    world, state = started(mjcf(described("family")))
+    mujoco.mj_step(world, state, nstep=1250)
+    asleep = [body for body in range(world.nbody) if world.body_treeid[body] >= 0 and not state.tree_awake[world.body_treeid[body]]]
+    assert len(asleep) > 200
+    assert not state.tree_awake.any()
+    lifted = next(number for number in range(world.njnt) if world.jnt_type[number] == mujoco.mjtJoint.mjJNT_FREE)
+    height = world.jnt_qposadr[lifted] + 2
+    lies = float(state.qpos[height])
+    state.qpos[height] += 0.02
+    mujoco.mj_step(world, state, nstep=250)
+    assert abs(float(state.qpos[height]) - lies) < 0.005
 
 
 def test_a_thing_that_stands_in_another_is_seen_to_move() -> None:

@@ -1,6 +1,6 @@
 """The page and the exports build the same house: walls, fittings, leaves and parts agree to a millimetre, paints to a shade.
 
-The page's own functions, in TypeScript, write down what they build of five homes; the description must say the same.
+The page's own functions, in TypeScript, write down what they build of six homes; the description must say the same.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from solver.body_parts import BodyPart
 from solver.exchange import write_scene
 from solver.exports import HouseModel, describe
 from solver.exports.model import Cuboid, Paint
+from solver.exports.plan_rooms import area_of, clear_corners
 from solver.named_kinds import with_kinds
 from tests.architecture.tree import ROOT
 
@@ -62,11 +63,26 @@ dynamic:
 - {id: p, kind: person, room: den, "on": s, x: 1.2, y: 0.45, z: 1.0, rotation: 30, width: 0.46, depth: 0.5, height: 0.9}
 """
 
+THICK_WALLS = """
+wall_thickness: 0.1
+rooms:
+- {id: a, x: 0.0, z: 0.0, width: 3.0, depth: 4.0, wall_thickness: [0.4, null, 0.3, 0.36], openings: [
+    {id: ab, kind: door, wall: east, position: 1.5, connects_to: b},
+    {id: front, kind: door, wall: north, position: 1.0, connects_to: EXTERIOR, main_entrance: true},
+    {id: pane, kind: window, wall: west, position: 2.0, width: 1.2, height: 1.2, sill: 0.9}]}
+- {id: b, x: 3.25, z: 0.0, width: 3.0, depth: 4.0, wall_thickness: [0.4, 0.4], openings: [
+    {id: ab, kind: door, wall: west, position: 1.5, connects_to: a, render_panel: false},
+    {id: bc, kind: passage, wall: south, position: 1.0, width: 1.2, connects_to: c}]}
+- {id: c, x: 0.0, z: 4.14, width: 8.25, depth: 4.0, outline: [[0, 0], [6.25, 0], [6.25, 1], [8.25, 1], [8.25, 4], [0, 4]],
+   wall_thickness: [null, 0.4, 0.4, 0.4, 0.4, 0.2],
+   openings: [{id: bc, kind: passage, edge: 0, position: 4.25, width: 1.2, connects_to: b}]}
+"""
+
 
 @pytest.fixture(scope="module")
 def homes() -> list[Scene]:
     made = [generate(Request(**wish)).scene for wish in REQUESTS]
-    return [*made, with_kinds(load(L_SHAPED), load_catalogs())]
+    return [*made, *(with_kinds(load(text), load_catalogs()) for text in (L_SHAPED, THICK_WALLS))]
 
 
 @pytest.fixture(scope="module")
@@ -132,6 +148,15 @@ def test_walls_agree(models: list[HouseModel], built: list[dict[str, Any]]) -> N
             assert close(ours.seams, theirs["seams"])
 
 
+def test_clear_floors_agree(models: list[HouseModel], built: list[dict[str, Any]]) -> None:
+    for model, page in zip(models, built, strict=True):
+        assert len(model.rooms) == len(page["floors"]) > 0
+        for plate, theirs in zip(model.rooms, page["floors"], strict=True):
+            corners = clear_corners(plate, model.panels)
+            extents = [max(ends) - min(ends) for ends in zip(*corners, strict=True)]
+            assert close((area_of(corners), *extents), (theirs["area"], theirs["width"], theirs["depth"])), plate.id
+
+
 def test_fittings_agree(models: list[HouseModel], built: list[dict[str, Any]]) -> None:
     for model, page in zip(models, built, strict=True):
         assert len(model.fittings) == len(page["fittings"]) > 5
@@ -172,7 +197,8 @@ def test_openings_agree(models: list[HouseModel], built: list[dict[str, Any]]) -
                 theirs["id"], theirs["kind"], theirs["axis"], theirs["hinge"], theirs["opensTowards"], theirs["mainEntrance"],
             )  # fmt: skip
             assert close(
-                (ours.line, ours.start, ours.end, ours.sill, ours.head), [theirs[k] for k in ("line", "from", "to", "sill", "head")]
+                (ours.line, ours.thickness, ours.start, ours.end, ours.sill, ours.head),
+                [theirs[k] for k in ("line", "thickness", "from", "to", "sill", "head")],
             )
 
 

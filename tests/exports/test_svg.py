@@ -111,6 +111,16 @@ def test_the_plan_is_to_scale() -> None:
     assert storey.sheet.scale == 50
 
 
+def test_a_scale_that_is_asked_for_is_kept() -> None:
+    model = homes.described("family")
+    for scale in (100, 200):
+        files = written_as(model, ExportSettings("svg", scale=scale))
+        (root,) = svg.plans(files)
+        _, _, wide, _ = map(float, root.attrib["viewBox"].split())
+        assert float(root.attrib["width"].removesuffix("mm")) == pytest.approx(wide / scale, abs=0.01)
+        assert any(f"Scale 1:{scale} " in "".join(text.itertext()) for text in root.iter(f"{svg.SVG}text"))
+
+
 def test_words_are_never_on_dark_furniture() -> None:
     """Relative luminance of every fill under a name at least 0.45: a contrast of 7:1 with the black of the names (WCAG AAA)."""
     text = written(homes.described("family"))["house_2024.svg"].decode()

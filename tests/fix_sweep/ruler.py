@@ -10,13 +10,13 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import partial
-from unittest import mock
+from math import inf
 
 from tqdm import tqdm
 
 from catalogs import load_catalogs
 from solver import fix
-from solver.placement.budget import Budget
+from solver.placement import work_of_call
 from solver.scene import WALLS, Fixed
 from tests.fix_sweep.judge import faults, off_wall, shapes
 from tests.fix_sweep.thrown import PRESETS, WAYS, Thrown, thrown
@@ -82,9 +82,9 @@ def thrown_about(  # noqa: PLR0913 - the command's options
 def measured(on_conflict: str, job: Job) -> Tally:
     """Repairs one home and counts."""
     case = thrown(*job)
-    with spent() as budgets:
+    with work_of_call(inf) as work:
         fixed = fix(case.scene, locked=case.locked, on_conflict=on_conflict)
-    found = Tally(1, qps=[sum(before - budget.left for before, budget in budgets)])
+    found = Tally(1, qps=[work.done])
     name = f"{job[1]} {job[2]}, {job[0]}, {case.room}"
     errors = [issue.message for issue in fixed.issues if issue.severity == "error"]
     found.clean = int(not errors)
@@ -115,22 +115,3 @@ def _at_walls(fixed: Fixed, case: Thrown, found: Tally) -> None:
             found.wall_pieces += 1
             if min(off_wall(room, piece, wall) for wall in WALLS) >= FAR_M:
                 found.far += 1
-
-
-class spent:
-    """Gathers the budgets that a block makes, each with what it had at first."""
-
-    def __enter__(self) -> list[tuple[float, Budget]]:
-        budgets: list[tuple[float, Budget]] = []
-        plain = Budget.__init__
-
-        def noted(own: Budget, *left: float) -> None:
-            plain(own, *left)
-            budgets.append((own.left, own))
-
-        self.patch = mock.patch.object(Budget, "__init__", noted)
-        self.patch.start()
-        return budgets
-
-    def __exit__(self, *_: object) -> None:
-        self.patch.stop()

@@ -33,7 +33,7 @@ def _piece(rng: Random, so: tuple[str, Sequence[str]], kinds: list[str], names: 
     variants = [{"kind": kind, "cost": rng.choice(COSTS), "min_area": rng.choice((0.0, 0.0, 12.0))} for kind in rng.choices(kinds, k=3)]
     piece: dict[str, Any] = {
         "piece": name,
-        "kinds": variants[: rng.randint(1, 3)],
+        "kinds": variants[: rng.randint(1, 3)] + (_in_corners(rng, [one["kind"] for one in variants]) if rng.random() < 0.3 else []),
         "required": rng.random() < 0.3,
         "count": rng.randint(1, 4),
     }
@@ -42,6 +42,10 @@ def _piece(rng: Random, so: tuple[str, Sequence[str]], kinds: list[str], names: 
     piece["rules"] = [_rule(rng, names, words) for _ in range(rng.randint(0, 4))]
     more = {"among": rng.choice(("these", "those")), "approach": rng.sample(SIDES, 2), "with_next": True, "without": ("kitchen",)}
     return piece | {key: value for key, value in more.items() if rng.random() < (0.5 if key == "among" else 0.15)}
+
+
+def _in_corners(rng: Random, kinds: list[Any]) -> list[dict[str, Any]]:
+    return [{"kind": rng.choice(kinds), "cost": rng.choice(COSTS), "corner": side} for side in ("left", "right", "left")]
 
 
 def _rule(rng: Random, names: list[str], words: Sequence[str]) -> dict[str, Any]:

@@ -10,7 +10,9 @@ import pytest
 from catalogs import load_catalogs
 from solver import generate
 from solver.guessing import guessed_types
-from solver.scene import Furniture, Opening, Request, Room, Scene
+from solver.guessing.room_marks import marks_of
+from solver.guessing.suiting import Suiting
+from solver.scene import EXTERIOR, Furniture, Opening, Request, Room, Scene
 from tests.guessing.plans import as_plan
 from tests.sweeps import seeds
 
@@ -80,3 +82,29 @@ def test_the_same_plan_gives_the_same_guesses() -> None:
 def test_rooms_of_no_size_and_of_any_get_a_type(size: tuple[float, float]) -> None:
     rooms = (Room("a", width=size[0], depth=size[1]), Room("b", x=1001.0, width=4.0, depth=3.0))
     assert {*types(Scene(rooms=rooms))} >= {"b"}
+
+
+def around(middle: Room, others: dict[str, tuple[float, float]]) -> Scene:
+    """Returns a home whose other rooms lie behind one door each in the middle room."""
+    doors = {name: Opening(f"to {name}", "door", "north", 1.0, 0.9, 2.0, connects_to=name) for name in others}
+    back = {name: replace(door, connects_to=middle.id) for name, door in doors.items()}
+    rooms = [Room(name, width=width, depth=depth, openings=(back[name],)) for name, (width, depth) in others.items()]
+    return Scene(rooms=(replace(middle, openings=(*middle.openings, *doors.values())), *rooms))
+
+
+FRONT = Opening("front", "door", "south", 1.0, 0.9, 2.0, connects_to=EXTERIOR, main_entrance=True)
+
+
+def test_one_neither_dines_nor_lives_behind_the_only_door_of_a_room() -> None:
+    home = around(Room("hall", width=6, depth=4, openings=(FRONT,)), {"a": (3.4, 3.3), "b": (3.4, 3.4), "c": (3.8, 3.8), "d": (2, 2.2)})
+    found = types(home)
+    assert found["d"] == "bathroom"
+    assert not {"dining_room", "living_room"} & {found[name] for name in "abc"}
+
+
+@pytest.mark.parametrize("outdoor", [False, True])
+def test_only_rooms_indoors_count_as_those_a_hallway_leads_to(outdoor: bool) -> None:
+    home = around(Room("middle", width=3, depth=2.4), {"a": (3.4, 3.3), "b": (3, 1.2)})
+    last = replace(home.rooms[2], outdoor=outdoor)
+    leading, shut = (Suiting(marks_of(rooms), KNOWN).alone(0, "hallway") for rooms in ((*home.rooms[:2], last), home.rooms[:2]))
+    assert (leading == shut) == outdoor

@@ -15,6 +15,7 @@ from zipfile import ZIP_DEFLATED, ZipFile
 
 import pytest
 
+from catalogs import load_catalogs
 from solver.errors import ComposeError, FieldError
 from tests.imports.plans import Feature, box, collection, line, piece, polygon, read
 from tests.imports.test_foreign_formats import apartment, packed, sweet_home
@@ -65,6 +66,15 @@ IFC = (
 CORNERS = [{"x": x, "z": z} for x, z in ((0, 0), (4, 0), (4, 4))]
 XXE = b"<!DOCTYPE home [<!ENTITY x SYSTEM 'file:///etc/passwd'>]><home name='&x;'></home>"
 XML_ROOM = "<room name='Kitchen'><point x='0' y='0'/><point x='400' y='0'/><point x='400' y='300'/></room>"
+
+
+def svg(*elements: str, more: str = "") -> bytes:
+    return f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='m' {more}>{''.join(elements)}</svg>".encode()
+
+
+SVG_ROOM = "<rect id='kitchen' width='4' height='3'/>"
+DOUBLED = "<use href='#a{0}'/><use href='#a{0}'/>"
+SVG_DOOR = "<line data-opening='door' x1='1' y1='0' x2='1.9' y2='0' {}/>"
 
 REFUSED: dict[str, bytes] = {
     "empty": b"",
@@ -129,12 +139,38 @@ REFUSED: dict[str, bytes] = {
     "ifc of noise": IFC.replace(b"#1=", b"#1=#1=((("),
     "dxf that is cut off": b"  0\nSECTION\n  2\nENTITIES\n  0\nLWPOLYLINE\n 10\n",
     "dxf of noise": b"  0\nSECTION\n  2\nENTITIES\nxx\nyy\n",
+    "svg that laughs": f"<!DOCTYPE svg [{LAUGHS}]><svg><text>&a9;</text></svg>".encode(),
+    "svg that reads files": b"<!DOCTYPE svg [<!ENTITY x SYSTEM 'file:///etc/passwd'>]><svg><text>&x;</text></svg>",
+    "svg that is cut off": svg(SVG_ROOM)[:-9],
+    "svg without rooms": svg("<rect width='4' height='3'/>"),
+    "svg of a million points": svg(f"<polygon class='room' points='{'1,1 ' * 1_000_000}'/>"),
+    "svg of a million segments": svg(f"<path class='room' d='M0 0{'h1v1' * 500_000}'/>"),
+    "svg of many elements": svg(SVG_ROOM, "<g/>" * 300_000),
+    "svg of many rooms": svg("<rect class='room' width='4' height='3'/>" * 1_000),
+    "svg that draws itself": svg(SVG_ROOM, "<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>"),
+    "svg whose uses double": svg("<defs>", *(f"<g id='a{at}'>{DOUBLED.format(at - 1) if at else SVG_ROOM}</g>" for at in range(40)),
+                                 "</defs><use href='#a39'/>"),
+    "svg that uses what is not there": svg(SVG_ROOM, "<use href='#nothing'/>"),
+    "svg that uses another file": svg(SVG_ROOM, "<use href='http://localhost/a.svg#a'/>"),
+    "svg that is nested deeply": svg("<g>" * 1_000 + SVG_ROOM + "</g>" * 1_000),
+    "svg of an endless scale": svg(f"<g transform='scale(1e300)'><g transform='scale(1e300)'>{SVG_ROOM}</g></g>"),
+    "svg of an unknown transform": svg(f"<g transform='spin(3)'>{SVG_ROOM}</g>"),
+    "svg of a transform without numbers": svg(f"<g transform='translate(nan, inf)'>{SVG_ROOM}</g>"),
+    "svg with a path of noise": svg("<path class='room' d='M 0 0 L nan 4 z'/>"),
+    "svg with a far path": svg("<path class='room' d='M 0 0 L 1e400 4 L 3 3 z'/>"),
+    "svg with an unknown unit": svg(SVG_ROOM).replace(b"data-unit='m'", b"data-unit='furlong'"),
+    "svg with a thickness that is none": svg(SVG_ROOM, more="data-wall-thickness='nan'"),
+    "svg with an unknown opening": svg(SVG_ROOM, SVG_DOOR.format("").replace("'door'", "'moat'")),
+    "svg with an opening that is no line": svg(SVG_ROOM, "<rect data-opening='door' width='1' height='1'/>"),
+    "svg with an opening towards nothing": svg(SVG_ROOM, SVG_DOOR.format("data-towards='1'")),
+    "svg with a height that is none": svg(SVG_ROOM, SVG_DOOR.format("data-height='high'")),
     "glb that is none": b"glTF" + bytes(40),
 }  # fmt: skip
 
 
 def bounded(work: Callable[[], Any], watched: bool = False) -> Any:
     """Does some work within a number of Python's calls and, where it is watched, an amount of memory."""
+    load_catalogs()  # once for all work
     calls = 0
 
     def count(_frame: object, event: str, _argument: object) -> None:
@@ -183,6 +219,9 @@ MENDED: dict[str, bytes] = {
     "a sofa without a size": spoilt(lambda plan: plan["features"][2]["properties"].pop("width")),
     "a sofa of no size": spoilt(lambda plan: plan["features"][2]["properties"].update(width=0)),
     "a sofa as large as a town": spoilt(lambda plan: plan["features"][2]["properties"].update(width=5000)),
+    "svg with a room of no size": svg(SVG_ROOM, "<rect class='room'/>", "<polygon class='room' points=''/>", "<path class='room' d=''/>"),
+    "svg with half a point": svg("<polygon id='kitchen' points='0,0 4,0 4,3 0,3 7'/>"),
+    "svg with a room that is hidden": svg(SVG_ROOM, "<rect class='room' width='40' height='30' style='display: none'/>"),
     "a thousand rooms on each other": many(400, lambda at: polygon("Kitchen", (0, 0), (4, 0), (4, 3), (0, 3))),
 }  # fmt: skip
 

@@ -42,7 +42,7 @@ def openings_of(scene: Scene, swings: bool) -> set[tuple[object, ...]]:
 
 
 @pytest.mark.parametrize("program", PROGRAMMES)
-@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc"])
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
 def test_a_house_reads_back(program: str, format: str) -> None:
     before, answer = home(program), again(program, format)
     after = answer.scene
@@ -63,7 +63,7 @@ def test_a_house_reads_back(program: str, format: str) -> None:
 
 
 @pytest.mark.parametrize("program", PROGRAMMES)
-@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc"])
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
 def test_its_furniture_reads_back(program: str, format: str) -> None:
     before, after = (
         {piece.id: piece for room in scene.rooms for piece in room.furniture} for scene in (home(program), again(program, format).scene)

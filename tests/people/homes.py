@@ -40,8 +40,8 @@ def house(number: int) -> Scene:
 def household(number: int, seed: int) -> Scene:
     """The same house with who is there for a seed."""
     scene = house(number)
-    spaces = {room.id: space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms) for room in scene.rooms}
-    return replace(scene, dynamic=peopled(scene.rooms, Household(seed, load_catalogs(), spaces)))
+    known = Household(seed, load_catalogs(), lambda room: space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms))
+    return replace(scene, dynamic=peopled(scene.rooms, known))
 
 
 def bounds(body: Furniture | Decoration | Dynamic) -> tuple[float, float, float, float]:

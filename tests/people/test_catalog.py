@@ -15,8 +15,7 @@ from tests.people.homes import house
 def drawn(known: Catalogs, seed: int) -> tuple[Dynamic, ...]:
     """Who is in a house for a seed, by some catalogs."""
     scene = house(0)
-    spaces = {room.id: space_of(room, scene.wall_thickness, 0.6, scene.rooms) for room in scene.rooms}
-    return peopled(scene.rooms, Household(seed, known, spaces))
+    return peopled(scene.rooms, Household(seed, known, lambda room: space_of(room, scene.wall_thickness, 0.6, scene.rooms)))
 
 
 def with_people(folder: Path, text: str) -> Catalogs:

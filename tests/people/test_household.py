@@ -32,8 +32,8 @@ def least_major(scene: Scene, number: int) -> Scene:
 
 
 def drawn(scene: Scene, seed: int) -> Scene:
-    spaces = {room.id: space_of(room, scene.wall_thickness, 0.6, scene.rooms) for room in scene.rooms}
-    return replace(scene, dynamic=peopled(scene.rooms, Household(seed, load_catalogs(), spaces)))
+    home = Household(seed, load_catalogs(), lambda room: space_of(room, scene.wall_thickness, 0.6, scene.rooms))
+    return replace(scene, dynamic=peopled(scene.rooms, home))
 
 
 def test_three_in_ten_major_rooms_have_a_person_and_seven_in_ten_houses_a_pet() -> None:

@@ -91,3 +91,16 @@ def test_never_more_than_four_people_and_the_pet_stays_in_the_house() -> None:
         assert [(one.id, one.kind, one.color) for one in after.dynamic if one.kind != "person"] == [(pet.id, pet.kind, pet.color)]
         certificate: Any = after.certificate
         assert certificate["counts"]["dynamic"] == len(after.dynamic)
+
+
+def test_nobody_comes_where_the_request_says_so() -> None:
+    scene = house(False)
+    request = {**(scene.request or {}), "people": False}
+    asked = Request(seed=scene.seed, width=16, depth=12, outdoor=True, people=False)
+    empty = generate(asked).scene
+    counts = (empty.certificate or {})["counts"]
+    assert empty == replace(scene, request=request, dynamic=(), certificate={**(scene.certificate or {}), "counts": counts})
+    assert not reroll(empty, named(scene), seed=2).scene.dynamic
+    chosen = str(scene.dynamic[0].room)
+    others = [one for one in scene.dynamic if one.room != chosen]
+    assert list(reroll(replace(scene, request=request), [chosen], seed=2).scene.dynamic) == others

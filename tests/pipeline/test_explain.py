@@ -6,11 +6,16 @@ from dataclasses import replace
 
 import pytest
 
-from compose_homes import Explained, Request, Scene, SceneError, explain, generate
+from compose_homes import Explained, Request, Scene, SceneError, explain, generate, validate
 from solver.explained import HOLDERS
+from solver.geometry import Rect
+from solver.pieces import Candidate, Piece, Space
 from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED
+from solver.pipeline.other_ways import AsFurnished, other_ways
+from solver.placement import arrange
 from solver.scene import Furniture, Room
 
+POSE = ("kind", "x", "z", "rotation", "width", "depth", "height")
 TOUCHING = 0.015
 """A piece at its wish is this close to it, m: the solve is rounded to millimetres, and slivers are tidied away since."""
 
@@ -78,3 +83,77 @@ def test_another_version_made_it(home: Scene) -> None:
 def test_an_unknown_id_is_named(home: Scene) -> None:
     with pytest.raises(SceneError, match="no_such"):
         explain(home, "no_such")
+
+
+def named(message: str) -> set[str]:
+    """The ids that a way's message names."""
+    return {word.rstrip(",;") for word in message.split() if "/" in word}
+
+
+def test_other_ways_are_at_other_walls_or_turned_otherwise(
+    answers: list[tuple[Room, Furniture, Explained]],
+) -> None:
+    ways = [(piece, way) for _, piece, answer in answers for way in answer.ways]
+    assert len(ways) > 40
+    for _, piece, answer in answers:
+        costs = [way.cost for way in answer.ways if way.cost is not None]
+        assert costs == sorted(costs)
+        assert len({(way.wall, way.rotation) for way in answer.ways}) == len(answer.ways)
+        assert all((way.wall, way.rotation) != (piece.wall, piece.rotation) for way in answer.ways)
+    for piece, way in ways:
+        own = [move for move in way.moves if move.id == piece.id]
+        assert [move.rotation for move in own] == ([] if way.cost is None else [way.rotation])
+        assert (way.cost is None) == way.message.endswith("no place was found for it so")
+        assert all(name in way.message for name in way.left_out)
+        assert all(name in {move.id for move in way.moves} | set(way.left_out) for name in named(way.message))
+
+
+def test_what_would_stand_elsewhere_can(home: Scene, answers: list[tuple[Room, Furniture, Explained]]) -> None:
+    """The validator, which knows nothing of placement, finds no fault in the rooms that the ways make."""
+    tried = 0
+    for room, _, answer in answers:
+        for way in [way for way in answer.ways if way.cost is not None][:2]:
+            at = {move.id: move for move in way.moves}
+            furniture = tuple(
+                replace(one, wall=None, **{key: getattr(at[one.id], key) for key in POSE}) if one.id in at else one
+                for one in room.furniture
+                if one.id not in way.left_out
+            )
+            bare = replace(room, furniture=furniture, decorations=())
+            house = replace(home, rooms=tuple(bare if one.id == room.id else one for one in home.rooms), dynamic=())
+            found = [issue for issue in validate(house) if issue.severity == "error" and issue.room == room.id]
+            assert [issue for issue in found if issue.rule != "missing_required"] == []
+            tried += 1
+    assert tried > 20
+
+
+def at_wall(label: str, *ways: tuple[str, int, float], width: int = 1000) -> Piece:
+    """A required piece of that width, 0.5 m deep: walls with the x or z that is wished there and what it costs."""
+    turn = {"north": 0, "south": 180, "west": 90}
+    spot = {"north": (0, 280), "south": (0, 2720), "west": (280, 0)}
+    candidates = [
+        Candidate(label, (width, 500, 800), turn[wall], wall, (spot[wall][0] or wish, spot[wall][1] or wish), cost=cost)
+        for wall, wish, cost in ways
+    ]
+    return Piece(label, True, tuple(candidates))
+
+
+def test_what_a_way_costs_is_what_one_reckons_by_hand() -> None:
+    """At the south wall two pieces wished at one place stand 1 m apart: 0.5 squared twice. At the west wall nothing is in the way."""
+    space = Space("den", Rect(0, 0, 4000, 3000), (), ())
+    pieces = (at_wall("bed", ("south", 2000, 0.0)), at_wall("desk", ("north", 2000, 0.0), ("south", 2000, 1.25), ("west", 1200, 3.0)))
+    room = AsFurnished(space, pieces, arrange(space, pieces), {"bed": "den/bed", "desk": "den/desk"})
+    assert [(way.wall, way.cost) for way in other_ways(room, "desk")] == [("south", 1.75), ("west", 3.0)]
+    south, west = other_ways(room, "desk")
+    assert {move.id: abs(move.x - 2) for move in south.moves} == {"den/bed": pytest.approx(0.5), "den/desk": pytest.approx(0.5)}
+    assert [move.id for move in west.moves] == ["den/desk"]
+    assert "den/bed would stand elsewhere" in south.message
+    assert other_ways(room, "bed") == ()
+
+
+def test_a_way_for_which_there_is_no_room_has_no_cost() -> None:
+    space = Space("den", Rect(0, 0, 4000, 1500), (), ())
+    pieces = (at_wall("bed", ("south", 2000, 0.0), width=2500), at_wall("desk", ("north", 2000, 0.0), ("south", 2000, 0.0), width=2000))
+    room = AsFurnished(space, pieces, arrange(space, pieces), {"bed": "den/bed", "desk": "den/desk"})
+    (way,) = other_ways(room, "desk")
+    assert (way.wall, way.cost, way.moves) == ("south", None, ())

@@ -62,6 +62,17 @@ def test_every_repair_can_be_applied_and_ends_its_conflict(seed: int) -> None:
                 assert len(fixed.conflicts) > 1 or errors(again.scene) == [], repair
 
 
+def test_without_repairs_the_same_scene_and_conflicts_are_answered() -> None:
+    offered = 0
+    for seed in range(0, 24, 2):
+        whole, bare = fix(room(seed)), fix(room(seed), repairs=False)
+        offered += sum(bool(conflict.repairs) for conflict in whole.conflicts)
+        assert bare.scene == whole.scene
+        assert [conflict.ids for conflict in bare.conflicts] == [conflict.ids for conflict in whole.conflicts]
+        assert not any(conflict.repairs for conflict in bare.conflicts)
+    assert offered > 3
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_an_answer_is_repaired_to_itself_and_the_locked_stay(seed: int) -> None:
     scene = room(seed)

@@ -240,3 +240,13 @@ def test_nothing_is_placed_beyond_the_walls_of_a_room_that_is_too_small(width: f
     assert {one.id for one in answer.best.unplaced} == {"bed", "table"} - set(there)
     assert {label for conflict in answer.conflicts for label in conflict.ids} == {"bed", "table"} - set(there)
     assert {issue.rule for issue in answer.best.issues} <= {"unreachable"}
+
+
+def test_a_thing_on_the_floor_that_is_in_the_way_is_named_with_its_size() -> None:
+    spots = [(0.5 + 0.85 * (k % 5), 0.5 + 0.8 * (k // 5)) for k in range(25)]
+    plant = Decoration("plant", "plant", None, None, x=0.0, y=0.0, z=0.0, width=0.4, depth=0.4, height=1.0)
+    things = tuple(replace(plant, id=f"plant_{k}", x=x, z=z) for k, (x, z) in enumerate(spots))
+    answer = place(replace(ROOM, decorations=things), [block("piano", size=(1.6, 0.7, 1.2))])
+    said = " ".join(conflict.message for conflict in answer.conflicts)
+    assert answer.conflicts
+    assert "0.40 x 0.40 m" in said or "plant" not in said

@@ -15,6 +15,7 @@ from catalogs import load_catalogs
 from service.calls import read_place
 from solver import place
 from solver.pipeline.frames import frame_of
+from solver.pipeline.place_task import task_of
 from solver.requested import Answered
 from solver.scene import Furniture, Opening, Room
 from tests.pipeline.place_lists import drawn
@@ -78,6 +79,25 @@ def of_seed(seed: int) -> tuple[Request, Verdict]:
 def test_a_room_told_otherwise_is_the_same_room(seed: int) -> None:
     request, own = of_seed(seed)
     assert [verdict(told(request)) for told in TOLD_OTHERWISE] == [own] * len(TOLD_OTHERWISE)
+
+
+def test_a_fourth_of_the_rooms_is_proven_best() -> None:
+    verdicts = [of_seed(seed)[1] for seed in range(0, 1000, 40)]
+    assert sum(own.proven and own.best for own in verdicts) >= len(verdicts) / 4
+
+
+def test_lists_with_too_many_ways_are_searched_among_the_likeliest_only() -> None:
+    tables: list[dict[str, Any]] = [{"id": f"table_{k}", "name": "dining_table", "relations": []} for k in range(6)]
+    at = [table["id"] for table in tables]
+    relations = [{"type": "around", "of": at}, {"type": "near", "of": at}, {"type": "facing", "of": at[0]}, {"type": "in_corner"}]
+    chairs = [{"id": f"chair_{k}", "name": "dining_chair", "relations": relations} for k in range(4)]
+    room = {"id": "room", "width": 9.0, "depth": 8.0, "openings": []}
+    ways = []
+    for pieces in ([*tables, *chairs], tables[:1]):
+        body = read_place({"room": room, "pieces": pieces})
+        ways.append(task_of(body.room, body.pieces, CATALOGS, (0.1, 0.6, "osqp")).nearly_all)
+    assert ways[0] is None
+    assert ways[1] is not None
 
 
 @pytest.mark.parametrize("seed", seeds(range(1000), 40))

@@ -11,6 +11,7 @@ from starlette.testclient import TestClient
 
 from service.app import create_app
 from service.callers import host_name
+from service.service_settings import Settings
 from tests.browser.service_process import running
 
 ASKED = b'{"seed": 1, "width": 6, "depth": 5}'
@@ -19,7 +20,7 @@ ASKED = b'{"seed": 1, "width": 6, "depth": 5}'
 @pytest.fixture(scope="module")
 def named() -> TestClient:
     """A client of a service that has two names."""
-    return TestClient(create_app(hosts=("localhost", "homes.example")), base_url="http://homes.example:8000")
+    return TestClient(create_app(settings=Settings(allow_host=("localhost", "homes.example"))), base_url="http://homes.example:8000")
 
 
 @pytest.mark.parametrize("host", ["localhost", "LOCALHOST:8000", "homes.example", "homes.example:443"])

@@ -35,6 +35,7 @@ def built(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> TestClient:
     """A client of an application whose page is built."""
     (tmp_path / "assets").mkdir()
     (tmp_path / "index.html").write_text(HTML)
+    (tmp_path / "embed.html").write_text(HTML)
     (tmp_path / "assets" / "index-1a2b.js").write_text("export const house = 1;\n")
     monkeypatch.setattr(page, "STATIC", tmp_path)
     return TestClient(create_app())
@@ -81,6 +82,22 @@ def test_every_answer_carries_the_security_headers(built: TestClient, path: str)
     assert policy["frame-ancestors"] == "'none'"
     assert "unsafe" not in headers["content-security-policy"]
     assert "http" not in headers["content-security-policy"]
+
+
+def test_other_places_show_the_page_of_frames_alone(built: TestClient) -> None:
+    answer, page_itself = built.get("/embed"), built.get("/")
+    assert (answer.status_code, answer.text) == (200, HTML)
+    assert "x-frame-options" not in answer.headers
+    policy, whole = answer.headers["content-security-policy"].split("; "), page_itself.headers["content-security-policy"].split("; ")
+    assert sorted(set(policy) ^ set(whole)) == ["frame-ancestors 'none'", "frame-ancestors *", "worker-src 'none'", "worker-src 'self'"]
+    others = {
+        name: value
+        for name, value in page_itself.headers.items()
+        if name in answer.headers and name.startswith(("x-c", "ref", "perm", "cross"))
+    }
+    assert len(others) == 4
+    assert {name: answer.headers[name] for name in others} == others
+    assert built.get("/embed/x").headers["x-frame-options"] == "DENY"
 
 
 def test_the_page_may_run_its_own_scripts_only(built: TestClient) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Awaitable, Callable, MutableMapping
+from dataclasses import replace
 from typing import Any
 
 import anyio
@@ -11,13 +12,14 @@ import pytest
 from starlette.requests import Request
 
 from service import wire
-from service.app import create_app
+from service.app import EMBEDDED, create_app
+from service.service_settings import Settings
 from tests.service import apart
 
 Message = MutableMapping[str, Any]
 
 
-def spoken(receive: Callable[[], Awaitable[Message]], **headers: str) -> tuple[list[Message], list[Message]]:
+def spoken(receive: Callable[[], Awaitable[Message]], settings: Settings = EMBEDDED, **headers: str) -> tuple[list[Message], list[Message]]:
     """Posts to /validate; returns what was received and what was answered."""
     received: list[Message] = []
     answered: list[Message] = []
@@ -34,7 +36,7 @@ def spoken(receive: Callable[[], Awaitable[Message]], **headers: str) -> tuple[l
     scope |= {"http_version": "1.1", "scheme": "http", "server": ("127.0.0.1", 80), "client": ("127.0.0.1", 9), "root_path": ""}
 
     async def call() -> None:
-        await create_app()(scope, counted, send)
+        await create_app(settings=settings)(scope, counted, send)
 
     apart.run(call)
     return received, answered
@@ -66,14 +68,12 @@ def test_a_caller_that_asks_first_is_told_at_once() -> None:
     assert (status_and_document(answered)[0], received) == (413, [])
 
 
-def test_a_body_that_never_comes_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(wire, "BODY_SECONDS", 0.05)
-
+def test_a_body_that_never_comes_is_refused() -> None:
     async def never() -> Message:
         await anyio.sleep_forever()
         return await million()
 
-    _, answered = spoken(never)
+    _, answered = spoken(never, replace(EMBEDDED, body_seconds=0.05))
     status, document = status_and_document(answered)
     assert (status, document["errors"][0]["field"]) == (408, "body")
 
@@ -93,4 +93,4 @@ def test_a_length_that_is_no_number_is_let_be(length: str) -> None:
         return {"type": "http.request", "body": b"{}", "more_body": False}
 
     lines = [(b"content-length", length.encode("latin-1"))]
-    assert apart.run(wire.body_of, Request({"type": "http", "headers": lines}, small)) == b"{}"
+    assert apart.run(wire.body_of, Request({"type": "http", "headers": lines}, small), EMBEDDED.body_seconds) == b"{}"

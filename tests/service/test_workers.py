@@ -10,20 +10,30 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import anyio
 import pytest
+from starlette.requests import ClientDisconnect
 from starlette.responses import Response
 from starlette.testclient import TestClient
+from starlette.types import Message
 
 from catalogs import load_catalogs
-from service import calls, work, workers
-from service.refusals import Busy, TooMuch
+from service import calls, workers
+from service.app import ComposeApp
+from service.packed_catalogs import mark_of, packed, unpacked
+from service.refusals import Busy, TooLong
 from service.server import listening
-from service.work import Failure, Job, UnknownCatalogs, do, mark_of, packed
-from service.workers import RUNNING, Workers
+from service.service_settings import Settings
+from service.work import Failure, Job, UnknownCatalogs, do
+from service.workers import Workers, unless_left
 from tests.service import apart, heavy
 from tests.service.problems import entry_of, problem_of
+
+SETTINGS = Settings(waiting=1)
+RUNNING = SETTINGS.running()
+LIGHT = SETTINGS.light_processes
 
 
 class Limit:
@@ -34,7 +44,7 @@ class Limit:
 
     @contextmanager
     def after(self, seconds: float) -> Iterator[None]:
-        assert seconds == workers.SECONDS
+        assert seconds == SETTINGS.request_seconds
         with anyio.fail_after(math.inf) as scope:
             self.scopes.append(scope)
             yield
@@ -50,6 +60,11 @@ def limit(monkeypatch: pytest.MonkeyPatch) -> Limit:
     limit = Limit()
     monkeypatch.setattr(workers, "fail_after", limit.after)
     return limit
+
+
+def app_of(client: TestClient) -> ComposeApp:
+    assert isinstance(client.app, ComposeApp)
+    return client.app
 
 
 async def until(condition: Callable[[], bool]) -> None:
@@ -70,12 +85,11 @@ def _is_gone(process: int) -> bool:
     return False
 
 
-def test_as_many_run_as_may_the_next_waits_and_one_more_is_turned_away(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workers, "WAITING", 1)
+def test_as_many_run_as_may_the_next_waits_and_one_more_is_turned_away(tmp_path: Path) -> None:
     processes: list[int] = []
 
     async def scene() -> None:
-        bench = Workers()
+        bench = Workers(SETTINGS)
 
         async def call() -> None:
             processes.append(await bench.run(heavy.process, str(tmp_path)))
@@ -102,12 +116,12 @@ def test_what_takes_too_long_is_ended_and_the_next_call_runs(tmp_path: Path, lim
         limit.passes()
 
     async def scene() -> None:
-        bench = Workers()
+        bench = Workers(SETTINGS)
         (tmp_path / "gate").touch()
         first = await bench.run(heavy.process, str(tmp_path))
         async with anyio.create_task_group() as group:
             group.start_soon(end_it_once_it_runs)
-            with pytest.raises(TooMuch, match=f"longer than {workers.SECONDS:g} s"):
+            with pytest.raises(TooLong, match=f"longer than {SETTINGS.request_seconds:g} s"):
                 await bench.run(heavy.endless, str(note))
         assert await bench.run(heavy.process, str(tmp_path)) != first == int(note.read_text())
 
@@ -117,7 +131,7 @@ def test_what_takes_too_long_is_ended_and_the_next_call_runs(tmp_path: Path, lim
 
 def test_memory_is_bounded() -> None:
     async def scene() -> str:
-        return await Workers().run(heavy.hungry)
+        return await Workers(SETTINGS).run(heavy.hungry)
 
     assert apart.run(scene) == "200 refused"
 
@@ -133,16 +147,125 @@ def test_the_service_answers_while_all_workers_are_busy(client: TestClient, limi
         assert not any(call.done() for call in running)
         client.portal.call(limit.passes)
         for call in running:
-            assert f"{workers.SECONDS:g} s" in entry_of(call.result(), 422)["problem"]
+            assert f"{SETTINGS.request_seconds:g} s" in entry_of(call.result(), 504)["problem"]
     assert client.post("/view", json={"scene": {"rooms": []}}).status_code == 200
 
 
-def test_a_busy_service_says_when_to_come_back(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workers, "RUNNING", 0)
-    monkeypatch.setattr(workers, "WAITING", 0)
-    refused = client.post("/view", json={"scene": {"rooms": []}})
+def test_a_busy_service_says_when_to_come_back(client: TestClient, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    bench = app_of(client).workers
+    monkeypatch.setattr(bench, "light", bench.light._replace(waiting=0))
+    monkeypatch.setattr("service.app.do_alone", heavy.held)
+    with ThreadPoolExecutor(LIGHT) as callers:
+        running = [callers.submit(client.post, "/view", content=str(tmp_path)) for _ in range(LIGHT)]
+        apart.run(until, lambda: len(list(tmp_path.glob("inside-*"))) == LIGHT)
+        refused = client.post("/view", content=str(tmp_path))
+        (tmp_path / "gate").touch()
+        assert [call.result().status_code for call in running] == [400] * LIGHT
     assert entry_of(refused, 503)["field"] == "service"
     assert int(refused.headers["retry-after"]) >= 1
+
+
+def test_what_is_quickly_done_does_not_wait_behind_what_is_not(client: TestClient, tmp_path: Path) -> None:
+    both = RUNNING + 2
+    with ThreadPoolExecutor(both) as callers, pytest.MonkeyPatch.context() as patch:
+        patch.setattr("service.app.do_alone", heavy.held)
+        running = [callers.submit(client.post, "/generate", content=str(tmp_path)) for _ in range(both)]
+        apart.run(until, lambda: app_of(client).workers.heavy.slots.statistics().tasks_waiting == 2)
+        patch.undo()
+        assert client.post("/view", json={"scene": {"rooms": []}}).status_code == 200
+        assert not any(call.done() for call in running)
+        (tmp_path / "gate").touch()
+        for call in running:
+            call.result()
+
+
+def test_a_large_scene_waits_with_what_is_not_quickly_done(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    lanes: list[bool] = []
+
+    async def noted(bench: Workers, done: Any, job: Job, is_light: bool) -> Response:
+        lanes.append(is_light)
+        return Response()
+
+    monkeypatch.setattr(Workers, "run", noted)
+    limit = app_of(client).settings.light_bytes
+    for size in (limit, limit + 1):
+        client.post("/view", content=b" " * size)
+    client.post("/fix", content=b"")
+    assert lanes == [True, False, False]
+
+
+class Caller:
+    """A caller of whom it is told when he leaves."""
+
+    def __init__(self) -> None:
+        self.left = anyio.Event()
+
+    async def receive(self) -> Message:
+        await self.left.wait()
+        return {"type": "http.disconnect"}
+
+
+def test_who_leaves_ends_his_call_while_it_runs(tmp_path: Path) -> None:
+    note = tmp_path / "process"
+
+    async def scene() -> None:
+        bench, caller = Workers(SETTINGS), Caller()
+
+        async def leave_once_it_runs() -> None:
+            await until(lambda: note.exists() and bool(note.read_text()))
+            caller.left.set()
+
+        async with anyio.create_task_group() as group:
+            group.start_soon(leave_once_it_runs)
+            with pytest.raises(ClientDisconnect):
+                await unless_left(caller.receive, bench.run(heavy.endless, str(note)))
+        assert bench.heavy.slots.statistics().borrowed_tokens == 0
+
+    apart.run(scene)
+    assert not is_alive(int(note.read_text()))
+
+
+def test_who_leaves_while_he_waits_leaves_the_line(tmp_path: Path) -> None:
+    async def scene() -> None:
+        bench, caller = Workers(SETTINGS), Caller()
+        async with anyio.create_task_group() as group:
+            for _ in range(RUNNING):
+                group.start_soon(bench.run, heavy.process, str(tmp_path))
+            await until(lambda: len(list(tmp_path.glob("inside-*"))) == RUNNING)
+
+            async def leave_once_it_waits() -> None:
+                await until(lambda: bench.heavy.slots.statistics().tasks_waiting == 1)
+                caller.left.set()
+
+            group.start_soon(leave_once_it_waits)
+            with pytest.raises(ClientDisconnect):
+                await unless_left(caller.receive, bench.run(heavy.process, str(tmp_path)))
+            assert bench.heavy.slots.statistics().tasks_waiting == 0
+            (tmp_path / "gate").touch()
+
+    apart.run(scene)
+
+
+def test_a_refusal_reaches_who_stays() -> None:
+    async def refused() -> None:
+        raise Busy("service", "is busy", "later")
+
+    async def scene() -> None:
+        with pytest.raises(Busy):
+            await unless_left(Caller().receive, refused())
+
+    apart.run(scene)
+
+
+def test_a_process_that_dies_is_replaced_once(tmp_path: Path) -> None:
+    async def scene() -> None:
+        bench = Workers(SETTINGS)
+        assert await bench.run(heavy.dies, str(tmp_path), 1) == 2
+        assert bench.restarts == 1
+        with pytest.raises(anyio.BrokenWorkerProcess):
+            await bench.run(heavy.dies, str(tmp_path), 9)
+
+    apart.run(scene)
 
 
 def test_a_failure_says_nothing_of_its_insides(
@@ -166,7 +289,7 @@ def test_catalogs_are_sent_by_their_mark_to_a_process_that_knows_them() -> None:
     ours = packed(load_catalogs())
     marked = replace(job(b'{"scene": {"rooms": []}}'), catalogs=mark_of(ours))
     assert isinstance(do(replace(marked, catalogs="0" * 64)), UnknownCatalogs)
-    work.unpacked.cache_clear()
+    unpacked.cache_clear()
     assert isinstance(do(job(b"{}")), Response)
     assert isinstance(do(marked), Response)
 

@@ -12,7 +12,7 @@ import pytest
 from catalogs import CatalogError, load_catalogs
 from solver import generate, reroll
 from solver.errors import RequestError
-from solver.scene import Furniture, Opening, Request, Room, Scene
+from solver.scene import Decoration, Furniture, Opening, Request, Room, Scene
 from solver.validator import access_of
 from solver.validator.accessibility import AccessFinding
 from solver.validator.bare_floor import largest_square
@@ -45,9 +45,25 @@ def test_the_turning_square_is_measured_to_the_millimetre(wide: float, missing: 
 
 @pytest.mark.parametrize(("width", "kind", "missing"), [(0.9, "door", 0.0), (0.899, "door", 0.001), (0.8, "passage", 0.0)])
 def test_a_leaf_takes_its_part_of_a_door(width: float, kind: str, missing: float) -> None:
-    door = Opening("door", kind=kind, wall="south", position=0.7, width=width, connects_to="EXTERIOR", main_entrance=True)
-    (one,) = found(bath(openings=(door,)), "door")
-    assert (one.id, one.missing) == ("door", missing)
+    door = Opening("door", kind=kind, wall="south", position=0.7, width=width, connects_to="EXTERIOR")
+    inner, out = found(bath(openings=(door,)), "door")
+    assert (inner.id, inner.missing, out.missing) == ("door", missing, missing)
+    if kind == "door":
+        entrance = found(bath(openings=(replace(door, main_entrance=True),)), "door")
+        assert [(one.needs, one.missing) for one in entrance] == [(0.8, missing), (0.9, round(1 - width, 4)), (0.8, missing)]
+
+
+@pytest.mark.parametrize(("swing", "missing"), [("in", 0.8), ("out", 0.0), (None, 0.0)])
+def test_a_leaf_that_swings_into_a_bathroom_is_told(swing: str | None, missing: float) -> None:
+    door = Opening("door", wall="south", position=0.7, width=0.9, connects_to="EXTERIOR", swing=swing)
+    assert [one.missing for one in found(bath(openings=(door,)), "door")] == [0.0, missing]
+
+
+@pytest.mark.parametrize(("y", "depth", "free"), [(1.4, 0.1, True), (1.4, 0.101, False), (0.685, 0.05, True), (0.68, 0.05, False)])
+def test_what_hangs_flat_at_a_wall_is_in_nobodys_way(y: float, depth: float, free: bool) -> None:
+    towel = Decoration("bar", "towel_bar", x=1.2, z=2.4 - depth / 2, y=y, width=2.2, depth=depth, height=0.3)
+    (whole,) = found(bath(decorations=(towel,)), "turning")
+    assert whole.has == (2.4 if free else round(2.4 - depth, 4))
 
 
 def test_strips_along_a_toilet_go_to_the_next_body_or_wall() -> None:

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from catalogs import load_catalogs
+from catalogs.shapes import Solid
 from solver import Request, generate
 from solver.exports import describe
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
@@ -165,3 +166,25 @@ def test_a_wrong_certificate_would_be_seen() -> None:
     moved = replace(scene.rooms[0], furniture=(scene.rooms[0].furniture[0], replace(scene.rooms[0].furniture[1], z=2.9)))
     assert any("does not meet" in line for line in open_all(scene, model, KNOWN))
     assert any("the certificate says" in line for line in open_all(scene, describe(replace(scene, rooms=(moved,)), KNOWN), KNOWN))
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
+def test_round_parts_are_met_where_they_are_and_not_at_the_box_around_them(share: float) -> None:
+    """A drawer comes out beside the middle of an upright cylinder until its edge meets the circle."""
+    chest, barrel = piece("dresser", 4.0, 2.0), KNOWN.furniture["plant"]
+    (drawer,) = [one for one in KNOWN.shapes["dresser"] if one.opens and one.front == "low_drawer"]
+    radius = 0.25
+    edge, face = chest.x + (drawer.x[0] - 0.5) * chest.width, chest.z + (drawer.z[1] - 0.5) * chest.depth
+    aside = share * radius
+    x, z = edge - aside, face + radius + 0.1
+    post = Furniture("post", "post", x=x, z=z, width=2 * radius, depth=2 * radius, height=1.0, kind="post")
+    known = KNOWN.model_copy(
+        update={
+            "furniture": KNOWN.furniture | {"post": barrel.model_copy(update={"size": (2 * radius, 2 * radius, 1.0), "name": None})},
+            "shapes": KNOWN.shapes
+            | {"post": (Solid(form="cylinder", axis="y", taper=1.0, x=(0, 1), y=(0, 1), z=(0, 1), material="body"),)},
+        }
+    )
+    (one,) = [one for one in front_travels(room(chest, post), known)["den"] if one.front == "low_drawer"]
+    assert one.meets == "post"
+    assert one.travel == pytest.approx(z - math.sqrt(radius**2 - aside**2) - face, abs=0.005)

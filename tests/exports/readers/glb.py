@@ -6,14 +6,12 @@ import io
 import json
 import math
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 import trimesh
 
 from tests.exports.readers import Seen
-
-BODIES: Final = ("house/furniture", "house/decorations", "house/people")
 
 
 def document(content: bytes) -> dict[str, Any]:
@@ -34,13 +32,13 @@ def read(files: Mapping[str, bytes]) -> dict[str, Seen]:
     nodes = document(content)["nodes"]
     graph = scene_of(content).graph
     found: dict[str, Seen] = {}
-    for group in nodes:
-        for number in group.get("children", ()) if group["name"] in BODIES else ():
-            node = nodes[number]
-            at = np.asarray(graph.get(node["name"])[0])
-            shown = next((nodes[child]["name"] for child in node.get("children", ()) if "mesh" in nodes[child]), node["name"])
-            width, height, depth = np.linalg.norm(np.asarray(graph.get(shown)[0])[:3, :3], axis=0)
-            turn = math.degrees(math.atan2(at[0, 2], at[2, 2]))
-            x, y, z = at[:3, 3].tolist()
-            found[node["extras"]["id"]] = Seen(x, y, z, turn % 360, width, depth, height, node["extras"]["mass"])
+    for node in nodes:
+        if "sort" not in node.get("extras", {}):
+            continue
+        at = np.asarray(graph.get(node["name"])[0])
+        shown = next((nodes[child]["name"] for child in node.get("children", ()) if "mesh" in nodes[child]), node["name"])
+        width, height, depth = np.linalg.norm(np.asarray(graph.get(shown)[0])[:3, :3], axis=0)
+        turn = math.degrees(math.atan2(at[0, 2], at[2, 2]))
+        x, y, z = at[:3, 3].tolist()
+        found[node["extras"]["id"]] = Seen(x, y, z, turn % 360, width, depth, height, node["extras"]["mass"])
     return found

@@ -7,7 +7,7 @@ comfort is kept where there is a way and never hard.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from catalogs.schema import Catalogs
@@ -26,21 +26,29 @@ BLOCKED = 12.0
 """What it costs a required piece that its fronts do not open half of their way."""
 
 
-def with_comfort(wanted: Sequence[Piece], catalogs: Catalogs, has_run: bool) -> tuple[Piece, ...]:
+def with_comfort(wanted: Sequence[Piece], catalogs: Catalogs, in_run: Collection[str], worktop: Collection[str]) -> tuple[Piece, ...]:
     """Returns the pieces and the floor to keep free: what required pieces wish for before the optional pieces, the rest last.
 
-    What the fronts of a piece open over comes right behind it; an optional piece stands with it or not at all. Not in rooms with
-    a run.
+    What the fronts of a piece open over comes right behind it; an optional piece stands with it or not at all. That of the `worktop` and
+    of the required pieces `in_run` comes when the run is whole, and they stand without, too.
     """
     required = [piece for piece in wanted if piece.required]
+    optional = [piece for piece in wanted if not piece.required]
+    every = [piece for piece in (*required, *optional) if _name(piece) in in_run]
+    run = [piece for piece in every if piece.required or _name(piece) in worktop]
+    coming = sum(not piece.required for piece in every)
+    of_run = [floor for piece in run for floor in _opened(piece, catalogs, in_run=True)]
     floors = [floor for piece in required for floor in _kept_floor(piece, catalogs)]
-    opened = [floor for piece in required if not has_run for floor in _opened(piece, catalogs)]
-    found = [*required, *opened, *sorted(floors, key=lambda floor: not floor.required)]
+    opened = [floor for piece in required if piece not in run for floor in _opened(piece, catalogs)]
+    found = [*required, *opened, *sorted(floors, key=lambda floor: not floor.required), *(() if coming else of_run)]
     waiting: list[Piece] = []
     last: list[Piece] = []
-    for piece in (piece for piece in wanted if not piece.required):
-        before = [] if has_run else list(_opened(piece, catalogs))
+    for piece in optional:
+        before = [] if piece in run else list(_opened(piece, catalogs))
         found += [replace(piece, with_next=piece.with_next or bool(before)), *before]
+        if piece in every:
+            coming -= 1
+            found += () if coming else of_run
         floors = list(_kept_floor(piece, catalogs))
         waiting += [floor for floor in floors if floor.skip_cost >= WEIGHED]
         last += [floor for floor in floors if floor.skip_cost < WEIGHED]
@@ -48,6 +56,10 @@ def with_comfort(wanted: Sequence[Piece], catalogs: Catalogs, has_run: bool) -> 
             found += waiting
             waiting = []
     return (*found, *waiting, *last)
+
+
+def _name(piece: Piece) -> str:
+    return piece.label.rpartition("_")[0]
 
 
 def _about(piece: Piece, catalogs: Catalogs) -> tuple[list[Candidate], dict[str, list[FloorAbout]]]:
@@ -71,7 +83,7 @@ def _kept_floor(piece: Piece, catalogs: Catalogs) -> Iterator[Piece]:
         yield Piece(f"floor at the {side} of {piece.label}", weighed, (*strips, *without), skip_cost=cost, is_floor=True)
 
 
-def _opened(piece: Piece, catalogs: Catalogs) -> Iterator[Piece]:
+def _opened(piece: Piece, catalogs: Catalogs, in_run: bool = False) -> Iterator[Piece]:
     """Yields the floor that a piece's fronts open over, if they do."""
     ways, about = _about(piece, catalogs)
     opening = {name: [one for one in floors if one.opens] for name, floors in about.items()}
@@ -79,25 +91,26 @@ def _opened(piece: Piece, catalogs: Catalogs) -> Iterator[Piece]:
     if not every or piece.candidates[0].on is not None:
         return
     found: list[Candidate] = []
+    required = piece.required and not in_run
     for way in ways:
         for one in opening[way.kind]:
             found.append(_strip(piece.label, way, one, one.depth))
             if one.half < one.depth:
                 found.append(replace(_strip(piece.label, way, one, one.half), cost=one.cost))
-        if not opening[way.kind] or piece.required:
+        if not opening[way.kind] or required:
             lost = BLOCKED if opening[way.kind] else 0.0
             found.append(replace(_nothing(piece.label, way, lost), bottom_mm=NOWHERE_MM))
     label = f"floor opened over at the {every[-1].side} of {piece.label}"
-    cost = max(one.cost for one in every)
-    yield Piece(label, piece.required, tuple(found), skip_cost=cost, with_next=piece.with_next, is_floor=True)
+    cost = BLOCKED if in_run else max(one.cost for one in every)
+    yield Piece(label, required, tuple(found), skip_cost=cost, with_next=piece.with_next, is_floor=True)
 
 
 def _strip(label: str, parent: Candidate, wish: FloorAbout, deep: int) -> Candidate:
     """Returns the floor so deep at a side of a piece that stands so."""
     width, depth, _ = parent.size_mm
     lateral = wish.side in ("left", "right")
-    extent = (deep, depth - wish.behind) if lateral else (wish.right - wish.left if wish.opens else width, deep)
-    across, along = spans(whole(at_side(((width, depth), extent), wish.side, (0, 0), "front" if lateral else "centre")))
+    extent = (deep, depth - wish.behind) if lateral else (wish.right - wish.left if wish.opens else width, deep - wish.off)
+    across, along = spans(whole(at_side(((width, depth), extent), wish.side, (wish.off, wish.off), "front" if lateral else "centre")))
     aside = (wish.left + wish.right) // 2 if wish.opens else 0
     attach = Attach(label, parent.kind, (across[0] + aside, across[1] + aside), along, parent_stance=parent.stance)
     return Candidate("floor", (*extent, PERSON_MM), 0, weights=WEIGHTS, attach=attach, bottom_mm=wish.above)

@@ -27,11 +27,15 @@ SIDES = ("left", "right", "front", "back")
 
 
 class CountedPiece(NamedTuple):
-    """A piece of a room type: its variants that suit the room, each with what settling for it costs, and how many are wanted."""
+    """A piece of a room type: its variants that suit the room, each with what settling for it costs, and how many are wanted.
+
+    `corners`: those for a run's corner, each after the side that is hidden there.
+    """
 
     spec: PieceSpec
     variants: tuple[tuple[Kind, float], ...]
     copies: int
+    corners: tuple[tuple[str, Kind, float], ...] = ()
 
 
 @dataclass(frozen=True)

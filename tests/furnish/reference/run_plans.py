@@ -31,24 +31,22 @@ LEG = (1.2, 2.7)
 than 4 feet or longer than 9 feet)."""
 PERIMETER = (4.0, 7.9)
 """Least and greatest sum of its legs, m (the same guideline: at most 26 feet; 4 m is what three shortest legs come to)."""
-BROKEN_COST, LEG_COST, PERIMETER_COST = 3.0, 8.0, 8.0
+BROKEN_COST, LEG_COST, PERIMETER_COST = 5.0, 8.0, 8.0
 """What a triangle costs that is not within these, and what a metre beyond them."""
-MISSED_COST = 2.5
+MISSED_COST = 2.0
 """What a run without a piece that it could hold costs."""
 CORNER_CHANCE, OPPOSITE_CHANCE = 0.6, 0.5
 """How often a run goes round a corner it could, and how often another one goes on at the opposite wall."""
-LANDING_COST, END_COST = 6.0, 4.0
+LANDING_COST, END_COST = 10.0, 6.0
 """What a side without worktop costs where it is wanted, and what belongs at an end within the worktop."""
-WORKTOP, WORKTOP_COST = 4.0, 1.3
+WORKTOP, WORKTOP_COST = 4.0, 2.0
 """Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs."""
-PREFERENCE = 0.5
+PREFERENCE = 0.9
 """Most that a run costs by the seed alone."""
 FIRM = 20.0
 """Pull of a piece to its place in the run, m^-2."""
 OFF_PLAN_COST = 8.0
 """What standing elsewhere than planned costs."""
-CORNER_MM = 900 + 50
-"""Least width of a piece in a corner: what stands round the corner covers 0.6 m of its front, a person takes half of 0.6 m."""
 AISLE_MM = 1067
 """Least floor between two opposite rows (guideline 6: work aisle of 42 inches for one cook)."""
 
@@ -120,13 +118,25 @@ class _Planner:
         wall, high = stream.pick(WALLS), (stream.chance(0.5), stream.chance(0.5))
         stretch = (stream.unit(), stream.unit())
         round_, across, cut = stream.chance(CORNER_CHANCE), stream.chance(OPPOSITE_CHANCE), stream.unit()
-        corners = [i for i, (name, kind, _) in enumerate(items[:-1]) if name in self.run.worktop and kind.size[0] >= CORNER_MM]
+        shallow = [(i, one) for i, one in enumerate(items[:-1]) if items[i + 1][1].size[1] <= one[1].size[1]]
+        turning = [(i, item) for i, one in shallow for item in self.in_corner(one, wall, high[0])]
         form, first = "straight", len(items)
-        if round_ and corners:
-            form, first = "corner", corners[int(cut * len(corners))] + 1
+        if round_ and turning:
+            at, item = turning[int(cut * len(turning))]
+            cost += item[2] - items[at][2]
+            form, first, items[at] = "corner", at + 1, item
         elif across and len(items) > 1:
             form, first = "opposite", 1 + int(cut * (len(items) - 1))
         return Drawn(tuple(items), form, wall, high, stretch, first, cost)
+
+    def in_corner(self, item: Item, wall: str, high: bool) -> list[Item]:
+        """Returns an item as it stands in the corner at the high or low end of a wall, in the variant as wide; or nothing."""
+        name, kind, _ = item
+        if name not in self.run.worktop:
+            return []
+        hidden = "left" if (wall in ("south", "west")) == high else "right"
+        made = [(name, one, cost) for side, one, cost in self.pieces[name].corners if side == hidden and one.size[0] == kind.size[0]]
+        return made[:1]
 
     def legs(self, drawn: Drawn) -> list[Leg]:
         """Lays the first part along a wall, the second from its corner along the next wall, or at the opposite one."""

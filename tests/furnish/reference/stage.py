@@ -62,18 +62,20 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
         return ()
     scope = scope_of(room, space)
     gates = tuple(strip(space.clear, one.wall, one.interval, GATE_MM) for one in scope.opened("garage_door"))
-    furnisher = _Furnisher(scope, TakenWalls(space, gates))
+    furnisher = _Furnisher(scope, TakenWalls(space, gates), catalogs)
     counted = _counted(room_type, catalogs, room.floor_m2, stream)
     there = {one.spec.piece: one for one in counted if one.copies}
     run = planned_run(scope, furnisher.walls, room_type.run, there, stream) if room_type.run else {}
-    in_run = {name for order in room_type.run.orders for name in order} if room_type.run and run else set()
+    orders = room_type.run.orders if room_type.run else ()
+    in_run = {name for order in orders for name in order} if run else set()
     for one in counted:
         if one.spec.piece in in_run and one.spec.piece not in run and not one.spec.required:
             continue
         for number in range(1, one.copies + 1):
             if not furnisher.add(one, number, drawn_preferences(stream), run.get(one.spec.piece)):
                 break
-    return with_comfort(furnisher.pieces, catalogs, room_type.run is not None)
+    worktop = room_type.run.worktop if room_type.run else ()
+    return with_comfort(furnisher.pieces, catalogs, {name for order in orders for name in order}, worktop)
 
 
 def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Stream) -> list[CountedPiece]:
@@ -81,9 +83,11 @@ def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Strea
     specs = ordered([spec for spec in room_type.pieces if not spec.without], stream)
     found = []
     for spec in specs:
-        suited = [variant for variant in spec.variants if variant.min_area <= area] or spec.variants
+        anywhere = [variant for variant in spec.variants if not variant.corner]
+        suited = [variant for variant in anywhere if variant.min_area <= area] or anywhere
         variants = tuple((Kind.of(one.kind, catalogs), one.cost) for one in suited)
-        found.append(CountedPiece(spec, variants, count(spec, area, stream)))
+        corners = tuple((one.corner, Kind.of(one.kind, catalogs), one.cost) for one in spec.variants if one.corner)
+        found.append(CountedPiece(spec, variants, count(spec, area, stream), corners))
     return found
 
 
@@ -93,10 +97,11 @@ class _Furnisher:
     Args:
         scope: the room as relations see it.
         walls: its walls; where pieces are meant to stand is marked there.
+        catalogs: of the kinds of pieces.
     """
 
-    def __init__(self, scope: Scope, walls: TakenWalls) -> None:
-        self.scope, self.walls = scope, walls
+    def __init__(self, scope: Scope, walls: TakenWalls, catalogs: Catalogs) -> None:
+        self.scope, self.walls, self._catalogs = scope, walls, catalogs
         self.pieces: list[Piece] = []
         self._labels: dict[str, tuple[str, ...]] = {}
         self._standing: dict[str, tuple[Parent, ...]] = {}
@@ -118,9 +123,8 @@ class _Furnisher:
         piece = _piece(spec, number, subject.kind, candidates[:LIMIT], effects)
         self.pieces.append(piece)
         self._labels[spec.piece] = (*self._labels.get(spec.piece, ()), piece.label)
-        kinds = {kind.name: kind for kind, _ in counted.variants}
         names = dict.fromkeys(candidate.kind for candidate in piece.candidates)
-        self._standing[piece.label] = tuple(Parent(piece.label, kinds[name]) for name in names)
+        self._standing[piece.label] = tuple(Parent(piece.label, Kind.of(name, self._catalogs)) for name in names)
         self._intend(piece)
         return True
 

@@ -1,0 +1,131 @@
+"""Adding by looking: pictures, categories, favourites, the best place and others, a kind dragged in, a room arranged in other ways."""
+
+from __future__ import annotations
+
+from playwright.sync_api import expect
+
+from tests.browser.test_accessible import violations
+from tests.browser.test_editing import ONE, Bench, crate, den, poses
+from tests.browser.test_numbers import window_at
+from tests.browser.visit import SMALL, Visit
+
+COLORS = """selector => [...document.querySelectorAll(selector)].map(canvas => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    return new Set(Array.from({ length: data.length / 4 }, (_, i) => data.slice(4 * i, 4 * i + 4).join())).size;
+})"""
+"""How many colours the canvases hold that a selector finds."""
+
+
+def added(bench: Bench) -> list[str]:
+    return [piece for piece in poses(bench.scene()) if piece not in poses(bench.before)]
+
+
+def test_pictures_are_drawn_of_kinds_in_view_and_categories_choose_among_them(visit: Visit) -> None:
+    bench = Bench(visit, den(crate(ONE, 2, 1.5)))
+    page = bench.page
+    drawn = visit.state()["geometries"]
+    bench.press("a")
+    page.wait_for_function("selector => document.querySelector(selector)", arg="#palette li canvas")
+    visit.settle()
+    page.wait_for_function(f"() => ({COLORS})('#palette li:first-child canvas')[0] > 20")
+    assert violations(visit) == []
+    page.get_by_role("group", name="Categories").get_by_role("button", name="bed", exact=True).click()
+    kinds = page.locator("#palette li:visible [data-kind]").evaluate_all("all => all.map(one => one.dataset.kind)")
+    assert {"bed", "bunk_bed"} <= set(kinds)
+    assert "sofa" not in kinds
+    visit.settle()
+    page.wait_for_function(f"() => ({COLORS})('#palette li:not([hidden]) canvas').slice(0, 3).every(count => count > 20)")
+    page.keyboard.press("Escape")
+    visit.settle()
+    assert visit.state()["geometries"] <= drawn + 12, "what was pictured is given back"
+    assert visit.idle() == 0
+    assert visit.console == []
+
+
+def test_favourites_are_found_again_after_a_reload(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    page = visit.page
+    for label in ("Favourite: bookshelf", "Favourite: armchair"):
+        if not page.locator("#palette").is_visible():
+            page.get_by_role("button", name="Add a piece").click()
+        page.get_by_role("button", name=label, exact=True).press("Enter")
+    page.get_by_role("button", name="Favourite: armchair", exact=True).click()
+    visit.reopened(page.reload)
+    page.get_by_role("button", name="Add a piece").click()
+    page.get_by_role("group", name="Categories").get_by_role("button", name="favourites").click()
+    expect(page.locator("#palette li:visible")).to_have_count(1)
+    expect(page.locator("#palette li:visible [data-kind]")).to_have_attribute("data-kind", "bookshelf")
+
+
+def test_a_piece_goes_where_the_service_finds_it_best_and_its_other_places_are_flipped_through(visit: Visit) -> None:
+    bench = Bench(visit, den(crate(ONE, 3, 2.5), width=6, depth=5))
+    page = bench.page
+    bench.press("a")
+    page.get_by_role("searchbox", name="Add a piece").fill("bookshelf")
+    with page.expect_response(lambda response: response.url.endswith("/place")) as placed:
+        page.locator("#palette button[data-kind=bookshelf]").click()
+    bench.rest()
+    answer = placed.value.json()
+    scenes = [answer["scene"], *(other["scene"] for other in answer["alternatives"])]
+    assert len(scenes) == 3
+    (new,) = added(bench)
+    wanted = [poses(scene)[new] for scene in scenes]
+    expect(page.locator("#places")).to_contain_text("Place 1 of 3")
+    assert poses(bench.scene())[new] == wanted[0]
+    assert violations(visit) == []
+    seen = []
+    for _ in range(3):
+        page.get_by_role("button", name="Another place").press("Enter")
+        bench.rest()
+        seen.append(poses(bench.scene())[new])
+    assert seen == [wanted[1], wanted[2], wanted[0]]
+    assert poses(bench.scene())[ONE] == poses(bench.before)[ONE]
+    bench.press("Escape")
+    expect(page.locator("#places")).to_be_hidden()
+    bench.press(*["Control+z"] * 4)
+    assert bench.scene() == bench.before
+    assert visit.console == []
+
+
+def test_a_kind_is_dragged_out_of_the_palette_into_the_house(visit: Visit) -> None:
+    bench = Bench(visit, den(crate(ONE, 1, 1), width=9, depth=5))
+    page = bench.page
+    bench.press("a")
+    page.get_by_role("searchbox", name="Add a piece").fill("armchair")
+    page.locator("#palette button[data-kind=armchair]").hover()
+    page.mouse.down()
+    page.mouse.move(*window_at(bench, 7, 3.5), steps=8)
+    page.mouse.up()
+    bench.rest()
+    (new,) = added(bench)
+    x, z, _ = poses(bench.scene())[new]
+    assert abs(x - 7) < 0.15
+    assert abs(z - 3.5) < 0.15
+    assert visit.state()["selected"] == new
+    expect(page.locator("#palette")).to_be_hidden()
+    assert bench.errors() == []
+    bench.press("Control+z")
+    assert bench.scene() == bench.before
+
+
+def test_a_room_is_shown_in_other_arrangements_of_which_one_is_taken(visit: Visit) -> None:
+    made, page = visit.open(SMALL.format(4)), visit.page
+    room = next(one["id"] for one in made["scene"]["rooms"] if one["type"] in ("bedroom_master", "bedroom"))
+    page.locator("#room_choice").select_option(room)
+    page.get_by_role("button", name="Other arrangements…").press("Enter")
+    choices = page.locator("#others .others-row button")
+    expect(choices).to_have_count(3)
+    visit.settle()
+    page.wait_for_function(f"() => ({COLORS})('#others canvas').every(count => count > 20)")
+    assert violations(visit) == []
+    before = page.evaluate("compose.scene")
+    choices.nth(1).press("Enter")
+    visit.settle()
+    expect(page.locator("#others")).to_be_hidden()
+    after = page.evaluate("compose.scene")
+    differ = [one["id"] for one, other in zip(before["rooms"], after["rooms"], strict=True) if one["furniture"] != other["furniture"]]
+    assert differ == [room]
+    page.keyboard.press("Control+z")
+    visit.settle()
+    assert page.evaluate("compose.scene") == before
+    assert visit.console == []

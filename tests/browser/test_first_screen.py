@@ -1,0 +1,109 @@
+"""What a person meets first, with nothing remembered: a decorated home, three to begin with, one line to ask; panels that fold; colours."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from tests.browser.conftest import PIXEL_RATIO
+from tests.browser.service_process import ServiceProcess
+from tests.browser.test_accessible import violations
+from tests.browser.visit import Visit
+
+GROUND = "() => getComputedStyle(document.documentElement).backgroundColor"
+PLAIN = "?width=7&depth=5&seed=4"
+
+
+@pytest.fixture
+def fresh(browser: Browser, service: ServiceProcess) -> Iterator[Visit]:
+    """A visit with a browser that remembers nothing, on a laptop that is set to dark."""
+    context = browser.new_context(
+        viewport={"width": 1000, "height": 600}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", color_scheme="dark"
+    )
+    yield Visit(context.new_page(), service.address)
+    context.close()
+
+
+def folded(page: Page) -> list[bool]:
+    """Whether the controls and the text are folded away."""
+    return [page.locator(f"#{panel}").is_hidden() for panel in ("controls", "reading")]
+
+
+def toured(page: Page) -> None:
+    """Take the tour that a first visit begins with, by pointer; start it from the menu, by keys."""
+    tour = page.locator("#tour")
+    at: list[str] = []
+    expect(tour).to_be_visible()
+    assert page.evaluate("document.activeElement === document.body"), "it takes the focus from nobody"
+    for step in range(1, 5):
+        expect(tour.get_by_role("heading")).to_contain_text(f"{step}/4")
+        at.append(page.locator("[data-toured]").evaluate("one => one.id || one.className || one.dataset.tool"))
+        tour.get_by_role("button").last.click()
+    expect(tour).to_be_hidden()
+    assert (at, page.locator("[data-toured]").count()) == (["starts", "views", "tools", "menu"], 0)
+    page.locator("[data-tool=menu]").focus()
+    page.keyboard.press("Enter")
+    page.locator("#menu").get_by_role("button", name="Tour").press("Enter")
+    expect(tour.get_by_role("heading")).to_be_focused()
+    for keys, step in ((("Tab", "Tab", "Enter"), 2), (("Shift+Tab", "Enter"), 1)):
+        for key in keys:
+            page.keyboard.press(key)
+        expect(tour.get_by_role("heading")).to_contain_text(f"{step}/4")
+    page.keyboard.press("Escape")
+    expect(tour).to_be_hidden()
+    expect(page.locator("#stage")).to_be_focused()
+
+
+def test_a_decorated_home_and_what_to_begin_with(fresh: Visit) -> None:
+    page = fresh.page
+    scene = fresh.open()["scene"]
+    asked = {key: scene["request"].get(key) for key in ("program", "decorate", "seed")}
+    assert asked == {"program": "family", "decorate": True, "seed": 42}
+    assert any(room["decorations"] for room in scene["rooms"])
+    assert folded(page) == [False, True]
+    expect(page.locator("#width")).to_be_hidden()
+    assert all(page.locator("#starts img").evaluate_all("all => all.map(one => one.naturalWidth > 100)"))
+    assert violations(fresh) == []
+    toured(page)
+    page.locator("#asked").fill("a bedroom, 3 ballrooms")
+    page.keyboard.press("Enter")
+    expect(page.locator("#asked_problem")).to_contain_text('"3 ballrooms"')
+    page.locator("#asked").fill("2 bedrooms, 1 bath, 80 m²")
+    request = fresh.after(lambda: page.keyboard.press("Enter"))["scene"]["request"]
+    assert (request["program"]["bedrooms"], request["program"]["bathrooms"], request["area"]) == (2, 1, 80)
+    expect(page.locator("#asked_problem")).to_be_empty()
+    studio = fresh.after(page.get_by_role("link", name="Studio").click)["scene"]["request"]
+    assert (studio["program"], studio["seed"]) == ("studio", 3)
+    assert "program=studio" in page.url
+    assert fresh.console == []
+
+
+def test_panels_and_colours_stay_as_they_were_left(fresh: Visit) -> None:
+    page = fresh.page
+    fresh.open(PLAIN)
+    dark = page.evaluate(GROUND)
+    page.get_by_label("Colours of the page").select_option("light")
+    light = page.evaluate(GROUND)
+    assert light != dark
+    assert violations(fresh) == []
+    wide = page.locator("#stage").bounding_box()
+    page.get_by_role("button", name="Controls", exact=True).click()
+    page.keyboard.press("]")
+    assert folded(page) == [True, False]
+    narrow = page.locator("#stage").bounding_box()
+    assert wide and narrow and narrow["x"] == 0 < wide["x"]
+    fresh.reopened(page.reload)
+    assert (folded(page), page.evaluate(GROUND)) == ([True, False], light)
+    page.get_by_role("link", name="To the controls").focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("#controls")).to_be_focused()
+    page.keyboard.press("]")
+    assert folded(page) == [False, True]
+    page.get_by_label("Colours of the page").select_option("")
+    page.locator("#home > summary").click()
+    expect(page.locator("#width")).to_be_visible()
+    fresh.reopened(page.reload)
+    assert page.evaluate(GROUND) == dark
+    expect(page.locator("#width")).to_be_visible()

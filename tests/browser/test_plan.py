@@ -1,0 +1,147 @@
+"""The plan: an architect's sheet beneath the canvas, in which one chooses, moves and undoes as in 3D; printed by itself."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser.visit import SMALL, Document, Visit
+
+DRAWN = "() => document.querySelector('.plan-sheet').shadowRoot.querySelector('svg use[data-id]') !== null"
+USE = "id => document.querySelector('.plan-sheet').shadowRoot.querySelector(`use[data-id='${id}']`)"
+WHERE = f"id => {{ const box = ({USE})(id).getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; }}"
+NUMBERS = "() => [...document.querySelector('.plan-sheet').shadowRoot.querySelectorAll('text.number')].map(one => one.textContent)"
+
+
+def planned(visit: Visit, seed: int) -> Document:
+    answer = visit.open(SMALL.format(seed))
+    visit.page.keyboard.press("4")
+    visit.page.wait_for_function(DRAWN)
+    visit.settle()
+    return answer
+
+
+@pytest.mark.parametrize("seed", [4])
+def test_pieces_lie_on_the_sheet_where_the_canvas_has_them(visit: Visit, seed: int) -> None:
+    answer = planned(visit, seed)
+    rooms = answer["scene"]["rooms"]
+    for room in rooms:
+        for piece in room["furniture"]:
+            x, z = room["x"] + piece["x"], room["z"] + piece["z"]
+            seen = visit.page.evaluate("at => compose.whereAt(...at)", [x, z])
+            across, along = visit.page.evaluate(WHERE, piece["id"])
+            assert abs(seen["x"] - across) < 3 and abs(seen["y"] - along) < 3, piece["id"]
+
+
+def test_rooms_measure_on_the_sheet_what_they_measure_in_the_scene(visit: Visit) -> None:
+    answer = planned(visit, 4)
+    scene = answer["scene"]
+    told = set(visit.page.evaluate(NUMBERS))
+    size, walls = scene["size"], scene["wall_thickness"]
+    assert {f"{size[side] + walls:.2f}" for side in ("width", "depth")} <= told
+
+
+def test_a_piece_is_chosen_moved_and_put_back_in_the_plan(visit: Visit) -> None:
+    answer = planned(visit, 4)
+    room = max(answer["scene"]["rooms"], key=lambda room: room["width"] * room["depth"])
+    piece = next(piece for piece in room["furniture"] if visit.click_on(piece["id"]))
+    before = visit.page.evaluate(WHERE, piece["id"])
+    visit.page.keyboard.press("q")
+    visit.settle()
+    assert visit.page.evaluate(WHERE, piece["id"]) != pytest.approx(before, abs=1)
+    visit.page.keyboard.press("Control+z")
+    visit.settle()
+    assert visit.page.evaluate(WHERE, piece["id"]) == pytest.approx(before, abs=1)
+
+
+def test_a_drag_beside_all_moves_the_sheet_and_never_turns_it(visit: Visit) -> None:
+    planned(visit, 4)
+    before = visit.state()
+    canvas = visit.page.locator("#stage > canvas").bounding_box()
+    assert canvas
+    x, y = canvas["x"] + 20, canvas["y"] + canvas["height"] - 80
+    visit.page.mouse.move(x, y)
+    visit.page.mouse.down()
+    visit.page.mouse.move(x + 90, y - 40, steps=4)
+    visit.page.mouse.up()
+    visit.settle()
+    after = visit.state()
+    moved = [after["eye"][i] - before["eye"][i] for i in range(3)]
+    assert moved[0] < -0.1 and moved[2] > 0.05 and abs(moved[1]) < 1e-3
+    assert after["target"][0] - before["target"][0] == pytest.approx(moved[0], abs=1e-3)
+    visit.page.keyboard.press("3")
+    visit.settle()
+    expect(visit.page.locator("#stage .plan-sheet")).to_be_hidden()
+
+
+BESIDE = "document.querySelector('#beside .plan-sheet').shadowRoot"
+FRAMES = f"() => [...{BESIDE}.querySelectorAll('.chosen')].map(one => one.dataset.of)"
+FRAMED = f"id => {BESIDE}.querySelector('.chosen')?.dataset.of === id"
+UNCOVERED = """id => {
+    const at = compose.whereIs(id);
+    return at !== null && document.elementFromPoint(at.x, at.y)?.tagName === 'CANVAS';
+}"""
+AT = f"() => {BESIDE}.querySelector('.chosen').getAttribute('transform')"
+LEFT_ALONE = f"before => {BESIDE}.querySelector('.chosen')?.getAttribute('transform') !== before"
+SEEN = f"""() => {{ const sheet = {BESIDE}, of = use => {{
+    const box = use.getBoundingClientRect(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    return sheet.elementFromPoint(x, y) === use ? [[use.dataset.id, x, y]] : [];
+}}; return [...sheet.querySelectorAll('use[data-sort=furniture]')].flatMap(of); }}"""
+
+
+def test_what_is_chosen_beside_or_in_the_house_is_chosen_in_both(visit: Visit) -> None:
+    page = visit.page
+    visit.open(SMALL.format(4))
+    page.locator("#fold_reading").click()
+    page.get_by_role("button", name="Plan", exact=True).click()
+    page.keyboard.press("5")
+    expect(page.get_by_role("button", name="3D")).to_have_attribute("aria-pressed", "true")
+    page.wait_for_function(f"() => {BESIDE}.querySelector('use[data-id]') !== null")
+    visit.settle()
+    expect(page.get_by_role("button", name="Split")).to_have_attribute("aria-pressed", "true")
+    stage, beside = (page.locator(one).bounding_box() for one in ("#stage", "#beside"))
+    assert stage and beside and stage["x"] + stage["width"] <= beside["x"] and abs(stage["width"] - beside["width"]) < 2
+    seen = page.evaluate(SEEN)
+    first, x, y = seen[0]
+    page.mouse.click(x, y)
+    page.wait_for_function("id => compose.state.selected === id", arg=first)
+    assert page.evaluate(FRAMES) == [first]
+    page.keyboard.press("Escape")
+    page.wait_for_function("() => compose.state.selected === null")
+    assert page.evaluate(FRAMES) == []
+    second = next(one for one, _, _ in seen[1:] if page.evaluate(UNCOVERED, one))
+    assert visit.click_on(second)
+    page.wait_for_function(FRAMED, arg=second)
+    there = page.evaluate(AT)
+    page.keyboard.press("q")
+    page.wait_for_function(LEFT_ALONE, arg=there)
+    visit.settle()
+    page.reload()
+    page.wait_for_function(f"() => globalThis.compose?.scene && {BESIDE}.querySelector('use[data-id]') !== null")
+    visit.settle()
+    page.get_by_role("button", name="Split").click()
+    expect(page.locator("#beside")).to_be_hidden()
+    assert visit.console == []
+
+
+PRINT = """() => { window.print = () => {
+    const sheet = document.querySelector('#plan_print');
+    const wide = sheet.naturalWidth;
+    globalThis.printed = fetch(sheet.src).then(answer => answer.text()).then(text => [wide, text]);
+}; }"""
+
+
+def test_the_plan_is_printed_alone_and_to_scale(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    visit.page.evaluate(PRINT)
+    visit.page.get_by_role("button", name="Print the plan").click()
+    visit.page.wait_for_function("() => globalThis.printed")
+    pixels, text = visit.page.evaluate("() => globalThis.printed")
+    wide = re.search(r'<svg [^>]*width="([\d.]+)mm"', text)
+    assert wide and pixels == pytest.approx(float(wide[1]) / 25.4 * 96, abs=1.5)
+    expect(visit.page.locator("#plan_print")).to_be_hidden()
+    visit.page.emulate_media(media="print")
+    expect(visit.page.locator("#stage")).to_be_hidden()
+    visit.page.emulate_media(media="screen")

@@ -1,0 +1,103 @@
+"""Fingers: one turns the house, two come nearer, one that stays on a piece drags it; what is pressed is large enough for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import pytest
+from playwright.sync_api import Browser, CDPSession, Page, expect
+
+from tests.browser.conftest import PIXEL_RATIO
+from tests.browser.service_process import ServiceProcess
+from tests.browser.visit import MOVED, SMALL, Visit
+
+SMALLEST = 44
+PRESSED = """least => [...document.querySelectorAll('button, select, summary, input:not([type=checkbox], [type=range], [type=file])')]
+    .filter(one => one.checkVisibility() && !one.matches('.yaml-line, .report-line, .skips *'))
+    .filter(one => { const box = one.getBoundingClientRect(); return box.width < least || box.height < least; })
+    .map(one => one.outerHTML.slice(0, 90))"""
+"""What is shown to be pressed and is smaller than so many CSS pixels."""
+
+
+@pytest.fixture
+def touched(browser: Browser, service: ServiceProcess) -> Iterator[Visit]:
+    """A visit from a phone."""
+    context = browser.new_context(
+        viewport={"width": 390, "height": 800}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", has_touch=True, is_mobile=True
+    )
+    yield Visit(context.new_page(), service.address)
+    context.close()
+
+
+class Fingers:
+    """Fingers on the page's screen."""
+
+    def __init__(self, visit: Visit) -> None:
+        self._session: CDPSession = visit.page.context.new_cdp_session(visit.page)
+
+    def are(self, kind: str, places: Sequence[tuple[float, float]]) -> None:
+        """Tells where all fingers are: `touchStart`, `touchMove` or `touchEnd`."""
+        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
+        self._session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+
+def test_fingers_turn_come_nearer_and_drag(touched: Visit) -> None:
+    visit, page = touched, touched.page
+    scene = visit.open(SMALL.format(4))["scene"]
+    fingers = Fingers(visit)
+    canvas = page.locator("#stage > canvas").bounding_box()
+    assert canvas
+    x, y = canvas["x"] + canvas["width"] / 2, canvas["y"] + canvas["height"] / 2
+
+    def looks() -> list[list[float]]:
+        visit.settle()
+        state = visit.state()
+        return [state["eye"], state["target"]]
+
+    before = looks()
+    fingers.are("touchStart", [(x, y)])
+    for step in range(1, 5):
+        fingers.are("touchMove", [(x + 15 * step, y)])
+    fingers.are("touchEnd", [])
+    page.wait_for_function(MOVED, arg=before)
+    turned = looks()
+    assert turned[1] == pytest.approx(before[1], abs=0.01)
+    assert visit.state()["selected"] is None
+    fingers.are("touchStart", [(x - 20, y), (x + 20, y)])
+    for step in range(1, 5):
+        fingers.are("touchMove", [(x - 20 - 10 * step, y), (x + 20 + 10 * step, y)])
+    fingers.are("touchEnd", [])
+    page.wait_for_function(MOVED, arg=turned)
+    nearer = looks()
+
+    def far(at: list[list[float]]) -> float:
+        return sum((a - b) ** 2 for a, b in zip(*at, strict=True))
+
+    assert far(nearer) < far(turned)
+
+    seen = {piece["id"]: page.evaluate("id => compose.whereIs(id)", piece["id"]) for room in scene["rooms"] for piece in room["furniture"]}
+    held, at = next((one, spot) for one, spot in seen.items() if spot and abs(spot["x"] - x) < 150 and abs(spot["y"] - y) < 200)
+    place = page.evaluate("id => compose.places[id][0]", held)
+    fingers.are("touchStart", [(at["x"], at["y"])])
+    page.wait_for_function("id => compose.state.selected === id", arg=held)
+    for step in range(1, 5):
+        fingers.are("touchMove", [(at["x"] + 10 * step, at["y"])])
+    page.wait_for_function("([id, x]) => compose.places[id][0] !== x", arg=[held, place])
+    assert visit.state()["eye"] == pytest.approx(nearer[0], abs=0.01)
+    fingers.are("touchEnd", [])
+    expect(page.locator("#stage")).to_have_attribute("data-editing", "false")
+    presses_nothing_small(page)
+
+
+def presses_nothing_small(page: Page) -> None:
+    """Whether every button, with all groups and the palette open, is as large as a finger, on a phone's width."""
+    page.locator("details.group").evaluate_all("all => all.forEach(one => { one.open = true; })")
+    page.locator("#tour_again").tap()
+    expect(page.locator("#tour")).to_be_visible()
+    assert page.evaluate(PRESSED, SMALLEST) == []
+    page.locator("#tour").get_by_role("button", name="Skip").tap()
+    expect(page.locator("#tour")).to_be_hidden()
+    page.locator("[data-tool=add]").tap()
+    expect(page.locator("#palette li button").first).to_be_visible()
+    assert page.evaluate(PRESSED, SMALLEST) == []
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390

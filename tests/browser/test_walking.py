@@ -1,0 +1,109 @@
+"""Walking: walls, shut doors and furniture are in the way; doors and fronts open; a map shows where one is, and goes there."""
+
+from __future__ import annotations
+
+from playwright.sync_api import expect
+
+from tests.browser.test_looking import entrance_of, holds
+from tests.browser.visit import SMALL, Document, Visit, said
+
+HALF_BODY = 0.2
+KNOWN = "() => compose.state.knowsFloor"
+ON_MAP = """([x, z]) => {
+    const svg = document.querySelector('#minimap svg');
+    const at = new DOMPoint(x, z).matrixTransform(svg.getScreenCTM());
+    svg.dispatchEvent(new MouseEvent('click', {clientX: at.x, clientY: at.y}));
+}"""
+"""Clicks on the map where a place of the plan is."""
+FRONTS = """compose.scene.rooms.flatMap(room => Object.entries(compose.scene.certificate.rooms[room.id]?.fronts ?? {})
+    .flatMap(([piece, ones]) => Object.keys(ones).map(one => `${piece}/${one}`)))"""
+AT_REST_FRAMES = 3
+
+
+def walk_into(visit: Visit) -> None:
+    """Begins to walk, once the floor is known."""
+    visit.page.keyboard.press("1")
+    visit.page.wait_for_function(KNOWN)
+    visit.settle()
+
+
+def until_stopped(visit: Visit, key: str) -> list[float]:
+    """Holds a key until frames pass in which it moves nothing; returns where one stands."""
+    visit.page.keyboard.down(key)
+    eye: list[float] = visit.state()["eye"]
+    while True:
+        visit.idle(AT_REST_FRAMES)
+        now: list[float] = visit.state()["eye"]
+        if now == eye:
+            break
+        eye = now
+    visit.page.keyboard.up(key)
+    visit.settle()
+    return eye
+
+
+def is_within(rectangles: list[list[float]], x: float, z: float) -> bool:
+    """Whether some rectangle holds a place."""
+    return any(west - 1e-6 <= x <= east + 1e-6 and north - 1e-6 <= z <= south + 1e-6 for west, north, east, south in rectangles)
+
+
+def floor_of(visit: Visit, answer: Document) -> list[list[float]]:
+    """The free floor that the service tells the page, in the house."""
+    with visit.page.expect_response(lambda response: response.url.endswith("/floor")) as asked:
+        walk_into(visit)
+    rooms = {room["id"]: room for room in answer["scene"]["rooms"]}
+    told = [(rooms[floor["room"]], place) for floor in asked.value.json()["rooms"] for place in floor["free"]]
+    return [[room["x"] + at[0], room["z"] + at[1], room["x"] + at[2], room["z"] + at[3]] for room, at in told]
+
+
+def test_walls_furniture_and_shut_doors_stop_who_walks(visit: Visit) -> None:
+    answer = visit.open(SMALL.format(4))
+    free = floor_of(visit, answer)
+    room = entrance_of(answer)
+    for key in ("w", "d", "s", "a", "w"):
+        eye = until_stopped(visit, key)
+        assert holds(room, eye), key
+        corners = [(eye[0] + dx, eye[2] + dz) for dx in (-HALF_BODY, HALF_BODY) for dz in (-HALF_BODY, HALF_BODY)]
+        assert all(is_within(free, x, z) for x, z in corners), key
+
+
+def test_the_map_tells_the_room_and_goes_there_through_doors_that_are_open(visit: Visit) -> None:
+    answer = visit.open(SMALL.format(4))
+    walk_into(visit)
+    start = entrance_of(answer)
+    status = visit.page.locator("#minimap [role=status]")
+    expect(status).to_have_text(said(start["type"]))
+    inner = [room for room in answer["scene"]["rooms"] if room["id"] != start["id"] and not room["outdoor"]]
+    reached = set()
+    for opened in (False, True):
+        if opened:
+            visit.page.evaluate("compose.house.doors.leaves.forEach((_, i) => compose.house.doors.toggle(i)), 0")
+        for room in inner:
+            x, z = room["x"] + room["width"] / 2, room["z"] + room["depth"] / 2
+            visit.page.evaluate(ON_MAP, [x, z])
+            visit.settle()
+            eye = visit.state()["eye"]
+            if opened:
+                assert holds(room, eye), room["id"]
+                expect(status).to_have_text(said(room["type"]))
+            reached.add((opened, holds(room, eye)))
+    assert (False, False) in reached
+    visit.page.keyboard.press("Escape")
+    expect(visit.page.locator("#minimap")).to_be_hidden()
+
+
+def test_a_click_opens_a_front_in_passing_and_the_key_what_is_looked_at(visit: Visit) -> None:
+    visit.open("?program=studio&seed=3")
+    walk_into(visit)
+    fronts = visit.page.evaluate(FRONTS)
+    seen: list[str] = []
+    for _ in range(8):
+        seen = [name for name in fronts if visit.page.evaluate("name => compose.whereIs(name)", name)]
+        if seen:
+            break
+        visit.held("ArrowLeft")
+    assert seen, "no front is seen in a turn"
+    assert visit.click_on(seen[0])
+    visit.settle()
+    assert visit.state()["openFronts"] == [seen[0]]
+    assert visit.state()["selected"] is None

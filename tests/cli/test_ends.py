@@ -1,0 +1,92 @@
+"""How commands end where the world is against them: words and an exit status, never a trace."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from service.cli import INTERRUPTED, main
+from service.many import BATCH
+from service.pool import AHEAD
+from tests.cli.programs import GUARD_S, PROGRAM, ROOT, compose, said
+
+SCENE = b'{"rooms": [{"id": "den", "width": 4, "depth": 3}]}'
+
+
+def in_shell(words: str, given: bytes = SCENE, **environment: str) -> subprocess.CompletedProcess[bytes]:
+    """Runs a command with the shell's redirections; HOME is left out where it is said to be empty."""
+    command = " ".join([*PROGRAM, words])
+    known = {**os.environ, **environment}
+    known = {name: value for name, value in known.items() if name != "HOME" or value}
+    return subprocess.run(["sh", "-c", command], input=given, capture_output=True, check=False, timeout=GUARD_S, cwd=ROOT, env=known)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("validate <&-", "compose: standard input is closed"),
+        ("view >&-", "compose: standard output is closed"),
+        ("view >/dev/full", "compose: [Errno 28] No space left on device"),
+        ("view -o /proc/none/house.txt", "'/proc/none/house.txt'"),
+        ("validate /", "compose: [Errno 21]"),
+    ],
+)
+def test_what_cannot_be_read_or_written_is_said(words: str, told: str) -> None:
+    run = in_shell(words)
+    assert run.returncode == 2
+    assert told in said(run)
+
+
+def test_a_closed_standard_error_takes_no_words_into_the_output() -> None:
+    run = in_shell("validate /nowhere/at/all 2>&-")
+    assert (run.returncode, run.stdout) == (2, b"")
+
+
+def test_nobody_needs_a_home() -> None:
+    there, gone = (in_shell("generate --seed 1 --width 5 --depth 4", HOME=home) for home in ("", "/nowhere/at/all"))
+    assert there.returncode == gone.returncode == 0
+    assert there.stdout == gone.stdout != b""
+
+
+@pytest.mark.parametrize("workers", ["1", "2"])
+def test_ctrl_c_ends_any_number_of_homes(tmp_path: Path, workers: str) -> None:
+    """A terminal tells it to all processes of the command."""
+    command = [*PROGRAM, "generate", "--seed", "1", "--width", "4", "--depth", "4", "-n", "100000000", "--workers", workers]
+    with subprocess.Popen([*command, "-o", str(tmp_path)], stderr=subprocess.PIPE, cwd=ROOT, start_new_session=True) as run:
+        while not list(tmp_path.glob("*.yaml")) and run.poll() is None:
+            pass
+        os.killpg(run.pid, signal.SIGINT)
+        _, words = run.communicate(timeout=GUARD_S)
+    assert run.returncode == INTERRUPTED
+    assert b"Traceback" not in words
+    assert words.decode().rstrip().endswith("compose: ended")
+    assert list(tmp_path.glob("*.part")) == []
+    assert len(list(tmp_path.glob("*.yaml"))) < 100_000 > int(workers) * BATCH * AHEAD
+
+
+def test_ctrl_c_while_a_command_begins(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
+    def interrupted(_: object) -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("service.commands.run", interrupted)
+    monkeypatch.setattr("service.standard_streams.give_up_output", lambda: None)
+    assert main(["schema"]) == INTERRUPTED
+    assert capfd.readouterr().err == "compose: ended\n"
+
+
+def test_a_folder_that_may_not_be_written_in_keeps_what_it_has(tmp_path: Path) -> None:
+    kept = tmp_path / "house.txt"
+    kept.write_text("as it was")
+    tmp_path.chmod(0o555)
+    try:
+        run = compose("view", "-o", str(kept), given=SCENE)
+        if os.geteuid() != 0:  # nothing keeps root out
+            assert run.returncode == 2
+            assert str(kept) in said(run)
+            assert kept.read_text() == "as it was"
+    finally:
+        tmp_path.chmod(0o755)

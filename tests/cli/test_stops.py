@@ -1,0 +1,82 @@
+"""How a service ends: it answers what it has accepted; told twice, it ends at once; killed, it leaves nothing running."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import os
+import signal
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+
+from tests.browser.service_process import ServiceProcess, running
+from tests.cli.programs import GUARD_S
+
+FEW = ("--processes", "1", "--light-processes", "1")
+SOFAS = {"name": "sofa", "count": 64, "relations": [{"type": "near", "of": "sofa"}]}
+WISH = {"room": {"id": "a", "width": 9, "depth": 9}, "pieces": [SOFAS], "alternatives": 16}
+
+
+def asked(service: ServiceProcess, method: str, path: str, body: object = None) -> tuple[int, bytes]:
+    place = urlsplit(service.address)
+    connection = http.client.HTTPConnection(place.hostname or "", place.port, timeout=GUARD_S)
+    try:
+        connection.request(method, path, None if body is None else json.dumps(body).encode())
+        answer = connection.getresponse()
+        return answer.status, answer.read()
+    finally:
+        connection.close()
+
+
+def until(condition: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + GUARD_S
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+def is_working(service: ServiceProcess) -> bool:
+    return b"\ncompose_heavy_running 1.0\n" in asked(service, "GET", "/metrics")[1]
+
+
+def children(process: int) -> list[int]:
+    return [int(one) for one in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
+
+
+def is_gone(process: int) -> bool:
+    """Tells whether a process has ended, also where nobody has asked for its status yet."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
+    except OSError:
+        return True
+
+
+def test_a_stop_answers_what_was_accepted() -> None:
+    with running(0, *FEW) as service, ThreadPoolExecutor(1) as callers:
+        call = callers.submit(asked, service, "POST", "/place", WISH)
+        until(lambda: is_working(service))
+        service.process.send_signal(signal.SIGTERM)
+        assert call.result()[0] == 200
+        service.process.wait(GUARD_S)
+
+
+@pytest.mark.parametrize("signals", [[signal.SIGINT, signal.SIGINT], [signal.SIGKILL]])
+def test_told_twice_or_killed_it_leaves_nothing_running(signals: list[signal.Signals]) -> None:
+    with running(0, *FEW) as service, ThreadPoolExecutor(1) as callers:
+        call = callers.submit(asked, service, "POST", "/place", {**WISH, "effort": "thorough"})
+        until(lambda: is_working(service))
+        processes = children(service.process.pid)
+        assert len(processes) >= 2
+        for one in signals:
+            service.process.send_signal(one)
+            time.sleep(0.2)  # two of the same that come at once are one
+        service.process.wait(GUARD_S)
+        assert call.exception() is not None or call.result()[0] >= 500
+        until(lambda: all(map(is_gone, processes)))
+    assert service.process.returncode in (0, -signal.SIGKILL, -signal.SIGINT)
+    assert not [one for one in processes if not is_gone(one) and one != os.getpid()]

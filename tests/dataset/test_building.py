@@ -1,0 +1,224 @@
+"""`compose dataset`: the same bytes for any number of processes, resumed without a lost or doubled home, nothing half-written."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from functools import partial
+from hashlib import sha256
+from pathlib import Path
+
+import pyarrow.parquet as pq
+import pytest
+
+from service.cli import main
+from service.dataset.dataset_plan import SPLITS, Shard, split_of
+from service.dataset.shards import _ShardFiles
+from service.pool import spread
+from solver.errors import FieldError
+from solver.exchange import load_text, read_scene
+from solver.scene import Decoration, Furniture, Room
+from solver.validator import validate
+from tests.dataset.pool_jobs import ends_always, ends_as_a_thing_goes, ends_once, nothing
+
+SMALL = ("dataset", "--width", "7", "--depth", "6", "--seeds", "3-19", "--shard-size", "6")
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def made(folder: Path, *more: str, status: int = 0) -> dict[str, bytes]:
+    """What a run leaves in its folder."""
+    assert main([*SMALL, "--out", str(folder), *more]) == status
+    return contents(folder)
+
+
+def rows(folder: Path, table: str) -> list[dict[str, object]]:
+    found = [row for path in (folder / "tables" / table).glob("*.parquet") for row in pq.read_table(path).to_pylist()]
+    return sorted(found, key=lambda row: row["seed"])
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("datasets") / "alone"
+    made(path, "--workers", "1", "--formats", "json,csv,boxes")
+    return path
+
+
+def test_each_seed_has_one_row_whose_scene_is_what_generate_makes(folder: Path, tmp_path: Path) -> None:
+    houses = rows(folder, "houses")
+    assert [row["seed"] for row in houses] == list(range(3, 20))
+    assert main(["generate", "--width", "7", "--depth", "6", "--decorate", "--seed", "11", "-o", str(tmp_path / "home.json")]) == 0
+    assert str(houses[8]["scene"]).encode() == (tmp_path / "home.json").read_bytes()
+    assert {row["digest"] for row in houses} == {sha256(str(row["scene"]).encode()).hexdigest() for row in houses}
+
+
+def test_the_tables_say_what_the_scenes_say(folder: Path) -> None:
+    manifest = json.loads((folder / "dataset.json").read_text())
+    tables = {name: rows(folder, name) for name in manifest["rows"]}
+    assert {name: len(found) for name, found in tables.items()} == manifest["rows"]
+    for row in tables["houses"]:
+        scene = read_scene(load_text(str(row["scene"]), "json"))
+        own = {name: [one for one in found if one["seed"] == row["seed"]] for name, found in tables.items()}
+        assert [(one["id"], one["type"]) for one in own["rooms"]] == [(room.id, room.type) for room in scene.rooms]
+        things: list[tuple[Room, Furniture | Decoration]] = [(room, one) for room in scene.rooms for one in room.furniture]
+        things += [(room, one) for room in scene.rooms for one in room.decorations]
+        assert len(own["pieces"]) == len(things) + len(scene.dynamic)
+        at = {one["id"]: one for one in own["pieces"]}
+        for room, body in things:
+            assert at[body.id]["x"] == pytest.approx(room.x + body.x) and at[body.id]["z"] == pytest.approx(room.z + body.z)
+        assert {one["id"] for one in own["doors"]} == {one.id for room in scene.rooms for one in room.openings}
+        assert row["errors"] == sum(issue.severity == "error" for issue in validate(scene))
+        reports = json.loads(str(row["scene"]))["certificate"]["rooms"].values()
+        fronts = {(piece, front) for report in reports for piece, ways in report.get("fronts", {}).items() for front in ways}
+        assert {(one["piece"], one["front"]) for one in own["fronts"]} == fronts
+        joined = {one["door"] for one in own["graph"] if one["door"]}
+        assert joined <= {one["id"] for one in own["doors"] if one["kind"] != "window"} and joined
+
+
+def test_archives_hold_each_home_once(folder: Path) -> None:
+    import tarfile
+
+    names: list[str] = []
+    for path in (folder / "archives").glob("*.tar"):
+        with tarfile.open(path) as archive:
+            names += archive.getnames()
+    assert len(names) == len(set(names))
+    assert sorted(name for name in names if re.fullmatch(r"\d+\.csv", name)) == sorted(f"{seed}.csv" for seed in range(3, 20))
+    assert {name.partition(".")[0] for name in names if ".boxes." in name} == {str(seed) for seed in range(3, 20)}
+
+
+def test_the_number_of_processes_changes_no_byte(folder: Path, tmp_path: Path) -> None:
+    for workers in ("2", "4"):
+        assert made(tmp_path / workers, "--workers", workers, "--formats", "json,csv,boxes") == contents(folder)
+
+
+def test_killed_and_resumed_is_as_if_it_had_never_been_killed(tmp_path: Path) -> None:
+    whole, killed = tmp_path / "whole", tmp_path / "killed"
+    made(whole, "--workers", "1")
+    command = [sys.executable, "-m", "compose_homes", *SMALL, "--workers", "2", "--out", str(killed)]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, start_new_session=True) as run:
+        deadline = time.monotonic() + 120
+        while not list(killed.glob("shards/*.json")) and run.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.01)
+        os.kill(run.pid, signal.SIGKILL)
+    (killed / "tables" / "rooms" / "train-000009.parquet.elsewhere.1.part").write_bytes(b"half")
+    assert made(killed, "--workers", "1") == contents(whole)
+
+
+def test_ended_by_the_keyboard_it_ends_with_all_its_processes(tmp_path: Path) -> None:
+    """Ctrl-C is told to every process of a terminal's foreground at once."""
+    command = [sys.executable, "-m", "compose_homes", *SMALL, "--seeds", "0-9999", "--workers", "2", "--out", str(tmp_path / "set")]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, start_new_session=True) as run:
+        while not list(tmp_path.glob("set/shards/*.json")) and run.poll() is None:
+            time.sleep(0.01)
+        os.killpg(run.pid, signal.SIGINT)
+        _, said = run.communicate(timeout=120)  # until all have closed their standard error
+    assert run.returncode == 130 and "Traceback" not in said
+
+
+def test_a_file_that_is_gone_is_made_again(folder: Path, tmp_path: Path) -> None:
+    before = made(tmp_path / "set", "--workers", "1")
+    next((tmp_path / "set" / "tables" / "houses").glob("train-000001*")).unlink()
+    assert made(tmp_path / "set", "--workers", "1") == before
+
+
+def test_a_set_that_grows_keeps_its_splits_and_its_homes(tmp_path: Path) -> None:
+    made(tmp_path / "grown", "--workers", "1", "--seeds", "3-9")
+    assert made(tmp_path / "grown", "--workers", "1", "--seeds", "8-19") == made(tmp_path / "whole", "--workers", "1")
+
+
+def test_splits_are_of_the_seed_alone() -> None:
+    found = [split_of(seed) for seed in range(20_000)]
+    for name, share in SPLITS.items():
+        assert abs(found.count(name) / 200 - share) < 0.6
+
+
+def test_homes_of_something_else_need_another_folder(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    before = made(tmp_path, "--workers", "1", "--seeds", "0-1")
+    made_of = {"--style": "rustic", "--formats": "json,csv", "--shard-size": "7"}
+    for option, value in made_of.items():
+        assert main([*SMALL, "--out", str(tmp_path), option, value]) == 2
+        assert f"holds homes of another {option[2:].replace('-', '_').replace('style', 'request')}" in capfd.readouterr().err
+    manifest = tmp_path / "dataset.json"
+    manifest.write_text(manifest.read_text().replace('"version": "', '"version": "9'))
+    assert main([*SMALL, "--out", str(tmp_path)]) == 2
+    assert "holds homes of another version" in capfd.readouterr().err
+    manifest.write_bytes(before["dataset.json"])
+    assert contents(tmp_path) == before
+
+
+def test_a_folder_of_something_else_stays_as_it_is(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "thesis.txt").write_text("mine")
+    assert main([*SMALL, "--out", str(tmp_path)]) == 2
+    assert "thesis.txt" in capfd.readouterr().err
+    (tmp_path / "dataset.json").write_text("{}")
+    assert main([*SMALL, "--out", str(tmp_path)]) == 2
+    assert "no manifest" in capfd.readouterr().err
+    assert sorted(contents(tmp_path)) == ["dataset.json", "thesis.txt"]
+
+
+def test_wherenothing_can_be_written_is_said(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "file").write_text("")
+    assert main([*SMALL, "--out", str(tmp_path / "file" / "set")]) == 2
+    assert "Not a directory" in capfd.readouterr().err
+
+
+def test_a_full_disk_is_said_and_leavesnothing_half_written(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    flush, times = _ShardFiles._flush, []
+
+    def full(files: _ShardFiles) -> None:
+        times.append(files)
+        flush(files)
+        if len(times) == 2:
+            raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(_ShardFiles, "_flush", full)
+    assert main([*SMALL, "--workers", "1", "--out", str(tmp_path)]) == 2
+    words = capfd.readouterr().err
+    assert "No space left on device" in words and "goes on" in words and "Traceback" not in words
+    assert list(tmp_path.rglob("*.part")) == []
+    assert {re.sub(r".*-(\d+).*", r"\1", path.name) for path in tmp_path.rglob("*.parquet")} == {"000000"}
+    monkeypatch.undo()
+    assert made(tmp_path, "--workers", "1") == made(tmp_path.with_name("whole"), "--workers", "1")
+
+
+def test_homes_that_break_rules_or_cannot_be_are_kept_and_marked(tmp_path: Path) -> None:
+    made(tmp_path / "wide", "--workers", "1", "--seeds", "0-3", "--robot-width", "1.6", status=1)
+    houses = rows(tmp_path / "wide", "houses")
+    assert len(houses) == 4 and "errors" in {row["status"] for row in houses}
+    for row in houses:
+        assert (row["status"] == "errors") == (row["errors"] != 0)
+    made(tmp_path / "castle", "--workers", "1", "--seeds", "0-1", "--force-type", "0=castle", status=1)
+    for row in rows(tmp_path / "castle", "houses"):
+        assert row["status"] == "refused" and "castle" in str(row["refused"]) and row["scene"] is None
+
+
+def test_the_shards_of_a_range_hold_each_seed_once() -> None:
+    from tests.dataset.plans import plan
+
+    for first, last in ((0, 0), (0, 5), (5, 6), (3, 40), (6, 11)):
+        shards = plan(6).shards(first, last)
+        assert [seed for shard in shards for seed in shard.seeds] == list(range(first, last + 1))
+        assert all(shard == Shard(shard.first // 6, shard.first, shard.last) and shard.last // 6 == shard.number for shard in shards)
+
+
+@pytest.mark.parametrize("job", [ends_always, ends_as_a_thing_goes])
+def test_processes_that_always_end_are_said(job: Callable[[int], int], capfd: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(FieldError, match="again and again"):
+        list(spread(job, range(4), 2, nothing))
+    assert capfd.readouterr().err == ""
+
+
+@pytest.mark.parametrize("by", [signal.SIGKILL, signal.SIGINT])
+def test_what_an_ended_process_was_at_is_done_again(tmp_path: Path, by: signal.Signals) -> None:
+    assert list(spread(partial(ends_once, tmp_path, by), range(20), 2, nothing, 2)) == [job * job for job in range(20)]

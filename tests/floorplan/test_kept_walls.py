@@ -1,0 +1,90 @@
+"""Walls that plans keep whole: openings move for a bed, a sofa and its screen, a kitchen's run, and for nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+
+import pytest
+
+from catalogs import Catalogs, load_catalogs
+from solver import Request
+from solver.floorplan import draw
+from solver.scene import Opening, Room
+
+KNOWN = load_catalogs()
+SQUARE = 900
+"""The floor at a door, as deep as the door is wide, at most so deep, mm."""
+PROGRAMS = ("studio", "one_bed", "family", "large", None)
+
+
+def without_keeping() -> Catalogs:
+    """Returns our catalogs with plans that keep no walls."""
+    rooms = {name: kind.model_copy(update={"plan": kind.plan.model_copy(update={"keeps": ()})}) for name, kind in KNOWN.rooms.items()}
+    return KNOWN.model_copy(update={"rooms": rooms})
+
+
+def ends(opening: Opening) -> tuple[int, int]:
+    middle, half = round(opening.position * 1000), round(opening.width * 500)
+    return middle - half, middle + half
+
+
+def is_broken(room: Room, wall: str, at: int, depth: int) -> bool:
+    """Tells whether a window is in a wall there, or a door's square on the floor before it: by a raster, cells of 1 cm."""
+    width, length = round(room.width * 1000), round(room.depth * 1000)
+    for opening in room.openings:
+        low, high = ends(opening)
+        if opening.kind == "window":
+            if opening.wall == wall and low < at < high:
+                return True
+            continue
+        deep = min(high - low, SQUARE)
+        for off in range(5, depth, 10):
+            x, z = {"north": (at, off), "south": (at, length - off), "west": (off, at), "east": (width - off, at)}[wall]
+            across, into = (x, z) if opening.wall in ("north", "south") else (z, x)
+            into = into if opening.wall in ("north", "west") else (length if opening.wall == "south" else width) - into
+            if low < across < high and into < deep:
+                return True
+    return False
+
+
+def longest(room: Room, depth: int) -> int:
+    """Returns the longest whole stretch of any of a room's walls, mm, within 2 cm."""
+    best = 0
+    for wall in ("north", "south", "west", "east"):
+        run = 0
+        for at in range(5, round((room.width if wall in ("north", "south") else room.depth) * 1000), 10):
+            run = 0 if is_broken(room, wall, at, depth) else run + 10
+            best = max(best, run)
+    return best
+
+
+def rooms_to_sleep_in(catalogs: Catalogs) -> Iterator[Room]:
+    for program, seed in product(("family", "one_bed"), range(310, 316)):
+        yield from (room for room in draw(Request(seed=seed, program=program), catalogs).rooms if room.type == "bedroom_master")
+
+
+def test_a_bed_finds_a_whole_wall() -> None:
+    """A wide bed between its nightstands takes 2.4 m and more; where plans keep no walls, most of these bedrooms have none."""
+    kept, before = ([longest(room, 2100) >= 2100 for room in rooms_to_sleep_in(catalogs)] for catalogs in (KNOWN, without_keeping()))
+    assert sum(kept) >= 0.9 * len(kept)
+    assert sum(before) < sum(kept)
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_openings_move_within_their_walls_alone(program: str | None) -> None:
+    """Same rooms, same openings in the same walls of the same widths, in the same order."""
+    for seed in range(320, 324):
+        kept, before = (draw(Request(seed=seed, program=program), catalogs).rooms for catalogs in (KNOWN, without_keeping()))
+        assert [[(o.id, o.kind, o.wall, o.width, o.connects_to) for o in room.openings] for room in kept] == [
+            [(o.id, o.kind, o.wall, o.width, o.connects_to) for o in room.openings] for room in before
+        ]
+
+
+def test_what_keeps_nothing_moves_nothing() -> None:
+    rooms = dict(without_keeping().rooms)
+    short = KNOWN.rooms["kitchen"].plan.keeps[0].model_copy(update={"length": 0.1})
+    kitchen = KNOWN.rooms["kitchen"]
+    rooms["kitchen"] = kitchen.model_copy(update={"plan": kitchen.plan.model_copy(update={"keeps": (short,)})})
+    asked = Request(seed=7, program="family")
+    assert draw(asked, KNOWN.model_copy(update={"rooms": rooms})).rooms == draw(asked, without_keeping()).rooms

@@ -1,0 +1,112 @@
+"""SVG drawings of others: what shapes are is told by names around them, how long a unit is by the file or by doors."""
+
+from __future__ import annotations
+
+import pytest
+
+from solver.errors import FieldError
+from solver.imported import PlanImport
+from tests.imports.plans import opening, read, rooms_of
+
+SVG = "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' {}>{}</svg>"
+TWO_ROOMS = """<g class='rooms'><rect x='10' y='10' width='80' height='60'/><rect x='90' y='10' width='80' height='60'/></g>
+    <text x='40' y='40'>Schlafzimmer 1</text><text><tspan x='120' y='40'>Bad</tspan></text><text x='40' y='50'>12.0 m2</text>
+    <g id='doors'><line x1='90' y1='30' x2='90' y2='48'/></g>"""
+
+
+def drawn(body: str, more: str = "viewBox='0 0 200 120'", **settings: object) -> PlanImport:
+    return read(SVG.format(more, body).encode(), "plan.svg", **settings)
+
+
+def sizes_of(answer: PlanImport) -> list[tuple[str, float, float, float, float]]:
+    return [(room.type, room.x, room.z, room.width, room.depth) for room in answer.scene.rooms]
+
+
+def test_groups_name_shapes_and_texts_name_rooms() -> None:
+    answer = drawn(TWO_ROOMS, unit="0.05")
+    assert answer.format == "svg"
+    assert sizes_of(answer) == [("bedroom", 0.0, 0.0, 4.0, 3.0), ("bathroom", 4.0, 0.0, 4.0, 3.0)]
+    door = opening(answer.scene.rooms[0], "door_0")
+    assert (door.wall, door.width, door.connects_to) == ("east", 0.9, answer.scene.rooms[1].id)
+
+
+@pytest.mark.parametrize("scale", [20, 50, 100])
+def test_a_sheet_of_paper_is_to_the_scale_that_makes_doors_doors(scale: int) -> None:
+    wide, high = 200 * 50 / scale, 120 * 50 / scale
+    answer = drawn(TWO_ROOMS, f"viewBox='0 0 200 120' width='{wide / 10:g}cm' height='{high}mm'")
+    assert sizes_of(answer) == sizes_of(drawn(TWO_ROOMS, unit="0.05"))
+    (told,) = [guess for guess in answer.guesses if guess["what"] == "unit"]
+    assert f"1:{scale}" in str(told["message"])
+
+
+def test_a_unit_that_nothing_tells_is_asked_for() -> None:
+    with pytest.raises(FieldError, match="doors' median width is 18"):
+        drawn(TWO_ROOMS)
+
+
+def test_the_root_may_say_the_unit_and_elements_what_they_are() -> None:
+    room = "<polygon data-room='laundry' data-id='wash' data-name='Utility' points='0,0 3,0 3,2 0,2'/>"
+    said = "data-id='front' data-hinge='start' data-towards='1 1' data-main-entrance='true'"
+    door = f"<line data-opening='door' x1='1' y1='2' x2='1.9' y2='2' {said}/>"
+    answer = drawn(f"<g transform='scale(100)'>{room}{door}</g><circle class='room' r='900'/>", "data-unit='cm'")
+    (found,) = answer.scene.rooms
+    assert (found.id, found.type, found.width, found.depth, found.extra) == ("wash", "laundry", 3.0, 2.0, {"name": "Utility"})
+    front = opening(found, "front")
+    assert (front.wall, front.position, front.hinge, front.swing, front.main_entrance) == ("south", 1.45, "start", "in", True)
+
+
+def test_transforms_uses_and_inner_drawings_are_worked_out() -> None:
+    body = """<defs><symbol id='unit'><rect width='200' height='150'/></symbol></defs>
+      <use xlink:href='#unit' id='kitchen' transform='translate(100 50)'/>
+      <g id='Wohnzimmer' transform='matrix(2 0 0 2 300 50)'><path d='m0,0 h100 v75 h-100 z'/></g>
+      <svg x='100' y='200' width='400' height='300' viewBox='0 0 40 30'><rect class='room' id='bathroom' width='40' height='30'/></svg>
+      <g class='doors'><line x1='0' x2='90' transform='translate(300, 80) rotate(90)'/></g>"""
+    answer = drawn(body, "data-unit='cm'")
+    assert sizes_of(answer) == [("kitchen", 0.0, 0.0, 2.0, 1.5), ("living_room", 2.0, 0.0, 2.0, 1.5), ("bathroom", 0.0, 1.5, 4.0, 3.0)]
+    door = opening(answer.scene.rooms[0], "door_0")
+    assert (door.wall, door.position, door.width) == ("east", 0.75, 0.9)
+
+
+def test_the_arc_of_a_leaf_is_a_door_and_rooms_between_walls_are_grown() -> None:
+    rooms = "<rect id='kitchen' width='400' height='300'/><rect id='bedroom' x='412' width='400' height='300'/>"
+    quarter = "a 90 90 0 0 1 90 90", "c 49.7 0 90 40.3 90 90"
+    for arc in quarter:
+        answer = drawn(f"{rooms}<g id='door'><path d='M406 100 v-90 {arc}'/></g><path id='sofa' class='furniture' d='M1 1h9v9z'/>", "")
+        kitchen, bedroom = rooms_of(answer).values()
+        assert (answer.scene.wall_thickness, kitchen.width, bedroom.x) == (0.12, 4.12, 4.12)
+        door = opening(kitchen, "door_0")
+        assert (door.wall, door.width, door.hinge, door.swing) == ("east", 0.9, "end", "out")
+        assert [left["place"] for left in answer.unread] == ["layer 'furniture|sofa'"]
+
+
+def test_a_drawing_that_is_turned_is_turned_back() -> None:
+    answer = drawn(
+        "<g transform='rotate(30)'><rect class='room' width='400' height='300'/><rect class='door' x='10' width='90' height='8'/></g>", ""
+    )
+    ((_, _, _, *size),) = sizes_of(answer)
+    assert sorted(size) == [3.0, 4.0]
+    (door,) = answer.scene.rooms[0].openings
+    assert abs(door.width - 0.9) <= 0.001
+
+
+def test_classes_of_groups_tell_what_their_parts_are() -> None:
+    """Drawings for training recognition keep openings within walls, and call rooms by the classes of groups."""
+    body = """<g class='Model'><g id='First_Floor' class='Floorplan Floor-1'>
+      <g id='Wall' class='Wall External'><polygon points='0,0 800,0 800,20 0,20'/>
+        <g class='Window Regular'><polygon points='100,0 250,0 250,20 100,20'/>
+          <g class='Glass'><polygon points='100,8 250,8 250,12 100,12'/></g></g></g>
+      <g id='Wall' class='Wall'><polygon points='400,20 412,20 412,380 400,380'/>
+        <g class='Door Swing Beside'><polygon points='400,100 412,100 412,190 400,190'/>
+          <g class='Panel Left'><path d='M412,100 q90,0 90,90 l-90,0 Z'/></g></g></g>
+      <g class='Wall External'><g class='Door'><polygon points='600,380 690,380 690,400 600,400'/></g></g>
+      <g id='s1' class='Space Kitchen'><polygon points='20,20 400,20 400,380 20,380'/>
+        <g class='NameLabel'><text x='90' y='90'>K</text></g></g>
+      <g id='s2' class='Space LivingRoom'><polygon points='412,20 780,20 780,380 412,380'/></g>
+      <g class='FixedFurniture BaseCabinet'><polygon points='20,20 80,20 80,200 20,200'/></g></g></g>"""
+    answer = drawn(body)
+    kitchen, living = rooms_of(answer).values()
+    assert (kitchen.type, living.type, answer.scene.wall_thickness) == ("kitchen", "living_room", 0.12)
+    assert [(one.kind, one.wall, one.width) for one in kitchen.openings] == [("door", "east", 0.9), ("window", "north", 1.5)]
+    assert (opening(kitchen, "door_0").hinge, opening(kitchen, "door_0").swing) == ("end", "out")
+    assert opening(living, "door_1").main_entrance
+    assert [guess["taken"] for guess in answer.guesses if guess["what"] == "unit"] == ["cm"]

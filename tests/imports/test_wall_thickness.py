@@ -1,0 +1,76 @@
+"""Each wall's own thickness is read: from the gaps between rooms, from walls as drawn, from what our own exports say."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from compose_homes import load, validate
+from solver import export
+from solver.imported import PlanImport
+from solver.scene import Room, Scene
+from tests.exports.test_page_agrees import THICK_WALLS
+from tests.imports.plans import read
+
+CLOSE = 0.0101
+"""m."""
+
+
+@pytest.fixture(scope="module")
+def house() -> Scene:
+    return load(THICK_WALLS)
+
+
+def faces_of(room: Room, scene: Scene) -> tuple[float, ...]:
+    half = scene.wall_thickness / 2
+    return room.x + half, room.z + half, room.x + room.width - half, room.z + room.depth - half
+
+
+def outer_of(room: Room, scene: Scene) -> list[float]:
+    lines = len(room.outline or "nesw")
+    said = [*(room.wall_thickness or ()), *[None] * lines][:lines]
+    return [scene.wall_thickness if one is None else one for one in said]
+
+
+def again(house: Scene, format: str) -> PlanImport:
+    (name, content), *_ = export(house, format).items()
+    return read(content, name)
+
+
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+def test_our_exports_read_back(house: Scene, format: str) -> None:
+    after = again(house, format).scene
+    found = sorted(after.rooms, key=lambda room: (room.z, room.x))
+    west, north, _, _ = faces_of(house.rooms[0], house)
+    origin = faces_of(found[0], after)
+    for before, room in zip(house.rooms, found, strict=True):
+        a, b = faces_of(before, house), faces_of(room, after)
+        moved = (a[0] - west + origin[0], a[1] - north + origin[1], a[2] - west + origin[0], a[3] - north + origin[1])
+        assert max(abs(one - other) for one, other in zip(moved, b, strict=True)) <= CLOSE
+        shared = {"a": (1, 2), "b": (2, 3), "c": ()}[before.id]
+        pairs = list(zip(outer_of(before, house), outer_of(room, after), strict=True))
+        outer = [pair for line, pair in enumerate(pairs) if line not in shared and (before.id != "c" or line > 0)]
+        assert all(abs(one - other) <= CLOSE for one, other in outer), (before.id, outer)
+    doors = [{(one.kind, one.connects_to) for one in room.openings} for room in found]
+    assert [len(one) for one in doors] == [len(room.openings) for room in house.rooms]
+    assert [issue.message for issue in validate(after) if issue.severity == "error"] == []
+
+
+def test_gaps_between_inner_faces_are_the_walls() -> None:
+    def polygon(x: float, z: float, width: float, depth: float) -> dict[str, object]:
+        ring = [[x, z], [x + width, z], [x + width, z + depth], [x, z + depth], [x, z]]
+        return {"type": "Feature", "properties": {"kind": "room"}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+
+    wall = {"type": "Feature", "properties": {"kind": "wall", "thickness": 0.4},
+            "geometry": {"type": "LineString", "coordinates": [[-0.2, -0.2], [-0.2, 3.2]]}}  # fmt: skip
+    door = {"type": "Feature", "properties": {"kind": "door"},
+            "geometry": {"type": "LineString", "coordinates": [[3.125, 1.0], [3.125, 1.9]]}}  # fmt: skip
+    features = [polygon(0, 0, 3, 3), polygon(3.25, 0, 3, 3), polygon(0, 3.12, 6.25, 3), wall, door]
+    document = {"type": "FeatureCollection", "unit": "m", "y": "down", "drawn": "inner", "features": features}
+    scene = read(json.dumps(document).encode(), "plan.json").scene
+    a, b, c = scene.rooms
+    assert (scene.wall_thickness, b.x - (a.x + a.width), c.z - (a.z + a.depth)) == pytest.approx((0.12, 0.13, 0.0))
+    assert (a.wall_thickness, b.wall_thickness) == ((None, None, None, 0.4), None)
+    assert [one.connects_to for one in (*a.openings, *b.openings) if one.kind == "door"] == [b.id, a.id]
+    assert scene.adjacency == ((0, 1), (0, 2), (1, 2))

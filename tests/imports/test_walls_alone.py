@@ -1,0 +1,91 @@
+"""Drawings of walls without rooms: rooms are found between the faces of walls, in any unit and at any angle."""
+
+from __future__ import annotations
+
+import math
+from io import StringIO
+from typing import Any
+
+import ezdxf.filemanagement as readers
+import ezdxf.math as ezmath
+import pytest
+
+from solver import export
+from solver.errors import FieldError
+from solver.imported import PlanImport
+from solver.scene import Scene
+from tests.imports.plans import read
+from tests.imports.test_round_trips import home
+
+KEPT = ("WALLS", "DOORS", "WINDOWS", "OPENINGS", "NAMES")
+"""Layers that a drawing of walls alone has."""
+SVG = "<svg xmlns='http://www.w3.org/2000/svg' {}>{}</svg>"
+
+
+def exploded(program: str, scale: float, degrees: float) -> bytes:
+    """Our drawing of a home without its rooms, each wall as four lines, in another unit, turned."""
+    (content,) = export(home(program), "dxf").values()
+    drawing: Any = readers.read(StringIO(content.decode()))
+    space = drawing.modelspace()
+    turn = ezmath.Matrix44.z_rotate(math.radians(degrees)) @ ezmath.Matrix44.scale(scale, scale, scale)
+    for entity in list(space):
+        if entity.dxf.layer not in KEPT or entity.dxftype() == "HATCH":
+            space.delete_entity(entity)
+        elif entity.dxf.layer == "WALLS":
+            entity.transform(turn)
+            corners = list(entity.get_points("xy"))
+            for a, b in zip(corners, [*corners[1:], *corners[:1]], strict=True):
+                space.add_line(a, b, dxfattribs={"layer": "WALLS"})
+            space.delete_entity(entity)
+        else:
+            entity.transform(turn)
+    drawing.header["$INSUNITS"] = 0
+    text = StringIO()
+    drawing.write(text)
+    return text.getvalue().encode()
+
+
+def sizes(scene: Scene) -> list[tuple[Any, ...]]:
+    return sorted((room.type, *sorted((room.width, room.depth)), len(room.openings), room.outline is None) for room in scene.rooms)
+
+
+@pytest.mark.parametrize("program", ["studio", "family"])
+@pytest.mark.parametrize(("scale", "degrees"), [(1000.0, 0.0), (39.37007874, 0.0), (100.0, 20.0)])
+def test_walls_of_a_home_enclose_its_rooms(program: str, scale: float, degrees: float) -> None:
+    before, answer = home(program), read(exploded(program, scale, degrees))
+    after = sizes(answer.scene)
+    assert len(after) == len(before.rooms)
+    for one, other in zip(sizes(before), after, strict=True):
+        assert (one[0], *one[3:]) == (other[0], *other[3:])
+        assert max(abs(a - b) for a, b in zip(one[1:3], other[1:3], strict=True)) <= 0.0101
+    assert abs(answer.scene.wall_thickness - before.wall_thickness) <= 0.002
+    assert not [issue for issue in answer.issues if issue.severity == "error"]
+
+
+def drawn(body: str, more: str = "data-unit='cm'") -> PlanImport:
+    return read(SVG.format(more, body).encode(), "walls.svg")
+
+
+OUTER = "<path class='wall' d='M0 0 H800 V400 H0 Z M30 30 H770 V370 H30 Z'/>"
+INNER = "<path id='wall' d='M400 30 V{0} H412 V30 M400 370 V{1} H412 V370'/>"
+DOOR = "<line class='door' x1='406' y1='150' x2='406' y2='240'/>"
+
+
+def test_a_wall_that_stops_short_of_another_by_a_crack_still_parts_two_rooms() -> None:
+    """The outer walls, 0.3 m thick, are most of the walls; the rooms reach to the middle of theirs and of the one between them."""
+    for gap in (("150", "240"), ("195", "205")):
+        rooms = drawn(OUTER + INNER.format(*gap) + DOOR).scene.rooms
+        assert [(room.width, room.depth) for room in rooms] == [(3.82, 3.52), (3.7, 3.52)]
+
+
+def test_a_gap_without_a_door_leaves_one_room() -> None:
+    (room,) = drawn(OUTER + INNER.format("150", "240")).scene.rooms
+    assert room.outline is not None
+    (whole,) = drawn(OUTER).scene.rooms
+    assert (whole.width, whole.depth, whole.outline) == (7.7, 3.7, None)
+
+
+def test_without_a_unit_or_doors_walls_are_left_out_with_what_to_say() -> None:
+    with pytest.raises(FieldError, match="are none in this file"):
+        drawn(OUTER, "")
+    assert len(read(SVG.format("", OUTER).encode(), "walls.svg", unit="cm").scene.rooms) == 1

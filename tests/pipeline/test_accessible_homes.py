@@ -1,0 +1,111 @@
+"""Homes made for a profile of access: the judge, which shares no code with what makes them, finds nothing missing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from catalogs import CatalogError, Catalogs, load_catalogs
+from solver import generate, reroll
+from solver.pipeline.own_plan import furnish
+from solver.scene import Generated, Opening, Request, Room, Scene
+from solver.validator import access_of
+from tests.sweeps import seeds
+
+CATALOGS = load_catalogs()
+PROFILES = sorted(CATALOGS.access)
+
+
+def family(seed: int, **more: object) -> Generated:
+    return generate(Request(seed=seed, program="family", **more))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("seed", seeds(range(90_000, 90_100), 25))
+def test_a_family_home_made_for_a_profile_is_certified(profile: str, seed: int) -> None:
+    made = family(seed, access=profile, decorate=seed % 2 == 0)
+    certificate: dict[str, Any] = dict(made.scene.certificate or {})
+    assert access_of(made.scene, profile, CATALOGS).unmet == ()
+    assert certificate["access"] == {"profile": profile, "met": True, "unmet": []}
+    assert [issue for issue in made.issues if issue.severity == "error"] == []
+    assert all(room["proven"] for room in certificate["rooms"].values())
+
+
+def test_without_a_profile_homes_are_as_they_were() -> None:
+    plain, none = family(5).scene, family(5, access="none").scene
+    assert replace(none, request=plain.request) == plain
+    assert (plain.generator or {})["catalog"] == CATALOGS.fingerprint
+    made_for = family(5, access="ada").scene
+    assert (made_for.generator or {})["catalog"] != CATALOGS.fingerprint
+
+
+@pytest.mark.parametrize(("profile", "inner", "main"), [("din_18040_2", 0.9, 1.0), ("din_18040_2_r", 1.0, 1.0), ("ada", 0.95, 0.95)])
+def test_doors_are_cut_for_their_clear_width(profile: str, inner: float, main: float) -> None:
+    doors = [one for room in family(3, access=profile).scene.rooms for one in room.openings if one.kind == "door"]
+    assert {one.width for one in doors if one.main_entrance} == {main}
+    assert {one.width for one in doors if not one.main_entrance} == {inner}
+
+
+def test_a_bathrooms_leaf_swings_out_of_it_where_another_has_none_to_meet() -> None:
+    rooms = [room for seed in range(6) for room in family(seed, access="din_18040_2").scene.rooms if room.type == "bathroom"]
+    swings = [one.swing for room in rooms for one in room.openings if one.kind == "door"]
+    assert swings.count("out") > 4 * swings.count("in")
+    plain = [room for seed in range(6) for room in family(seed).scene.rooms if room.type == "bathroom"]
+    assert {one.swing for room in plain for one in room.openings if one.kind == "door"} == {"in"}
+
+
+def test_rooms_are_as_large_as_the_profile_says() -> None:
+    sizes = CATALOGS.access["din_18040_2_r"].homes
+    rooms = [room for room in family(4, access="din_18040_2_r").scene.rooms if room.type in sizes]
+    assert len(rooms) > 6
+    for room in rooms:
+        assert min(room.width, room.depth) >= sizes[room.type].width - 1e-9
+        assert room.floor_m2 >= sizes[room.type].area[0] - 1e-9
+
+
+def test_what_is_furnished_anew_keeps_what_is_asked_for() -> None:
+    made = family(90_000, access="din_18040_2_r", decorate=True).scene
+    again = reroll(made, [room.id for room in made.rooms], seed=77).scene
+    assert access_of(again, "din_18040_2_r", CATALOGS).unmet == ()
+
+
+def plan() -> Scene:
+    door = Opening("door", wall="south", position=0.7, width=1.0, connects_to="EXTERIOR", main_entrance=True)
+    return Scene(rooms=(Room("bath", type="bathroom", width=2.6, depth=3.0, openings=(door,)),))
+
+
+def test_a_plan_of_ones_own_is_furnished_for_a_profile() -> None:
+    short = {one.what for seed in range(8) for one in access_of(furnish(plan(), seed=seed).scene, "din_18040_2_r").unmet}
+    assert {"turning", "along"} <= short
+    for seed in range(8):
+        made = furnish(plan(), seed=seed, access="din_18040_2_r").scene
+        assert (made.certificate or {})["access"] == {"profile": "din_18040_2_r", "met": True, "unmet": []}
+        assert (made.request or {})["robot_width"] == 0.9
+
+
+def test_a_square_that_a_room_has_no_space_for_costs_it_nothing_else() -> None:
+    small = replace(plan(), rooms=(replace(plan().rooms[0], width=1.8, depth=2.2),))
+    made = furnish(small, seed=1, access="din_18040_2_r")
+    assert {piece.name for piece in made.scene.rooms[0].furniture} >= {"toilet"}
+    assert [issue for issue in made.issues if issue.severity == "error"] == []
+    assert not (made.scene.certificate or {})["access"]["met"]  # type: ignore[index]
+
+
+@pytest.mark.parametrize("wrong", ["{bathrom: {area: [5, 6, 9], width: 2}}", "{bathroom: {area: [5, 6], width: 2}}"])
+def test_sizes_of_no_room_are_refused(wrong: str, tmp_path: Path) -> None:
+    (tmp_path / "access.yaml").write_text(f"mine: {{says: x, walker: 0.7, rules: [], homes: {wrong}}}\n")
+    with pytest.raises(CatalogError, match=r"access\.yaml"):
+        load_catalogs(tmp_path)
+
+
+def test_a_profile_of_ones_own_makes_homes(tmp_path: Path) -> None:
+    rule = "{what: turning, least: 1.4, rooms: [bathroom], clause: ours}"
+    homes = "{bathroom: {area: [6, 7, 10], width: 2.3}}"
+    (tmp_path / "access.yaml").write_text(f"mine: {{says: x, walker: 0.7, rules: [{rule}], homes: {homes}}}\n")
+    own: Catalogs = load_catalogs(tmp_path)
+    scene = generate(Request(seed=1, program="one_bed", access="mine"), catalogs=own).scene
+    (found,) = [one for one in access_of(scene, "mine", own).findings if one.what == "turning"]
+    assert found.missing == 0

@@ -1,0 +1,171 @@
+"""What is acknowledged is kept: the service killed amid saves, a full disk, a database that is gone and comes back."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from contextlib import closing, suppress
+from pathlib import Path
+from threading import Event, Thread
+
+import httpx2
+import pytest
+from sqlalchemy import event, text
+from starlette.testclient import TestClient
+
+from service.app import create_app
+from service.service_settings import Settings
+from service.store.database import Database
+from service.store.saved_homes import SavedHome, SavedHomes, Wanted
+from tests.browser.service_process import running
+from tests.service.problems import entry_of
+from tests.service.stores import PostgresqlServer, postgresql
+from tests.service.test_homes import SCENE
+from tests.sweeps import times
+
+ROUNDS = times(20, 1)
+"""Each round is a service that is killed amid saves; `make targets` runs all, more than 1,000 saves."""
+SAVES = 60
+MOST_BEFORE = 50
+"""Saves of each of two, at most, after which the service is killed; 27 as a mean."""
+
+
+def body(number: int) -> dict[str, object]:
+    rooms = [
+        {"id": f"r{index}", "type": "office", "width": 3.0 + number / 1000, "depth": 3.0, "x": 4.0 * index}
+        for index in range(1 + number % 5)
+    ]
+    return {"name": f"home {number}", "notes": str(number), "scene": {"rooms": rooms}}
+
+
+class Saving(Thread):
+    """Saves homes, one after another, and renames each, until the service is gone; what was acknowledged is written down."""
+
+    def __init__(self, address: str, first: int, before: int) -> None:
+        super().__init__(daemon=True)
+        self._address, self._first, self._before = address, first, before
+        self.begun = Event()
+        self.saved: dict[str, int] = {}
+        self.renamed: set[str] = set()
+
+    def run(self) -> None:
+        with httpx2.Client(base_url=self._address, timeout=60) as client, suppress(httpx2.TransportError):
+            for number in range(self._first, self._first + SAVES):
+                answer = client.post("/homes", json=body(number))
+                assert answer.status_code == 201, answer.text
+                home = answer.json()["id"]
+                self.saved[home] = number
+                changed = client.patch(f"/homes/{home}", json={"name": f"renamed {number}"}, headers={"If-Match": '"1"'})
+                assert changed.status_code == 200
+                self.renamed.add(home)
+                if len(self.saved) > self._before:
+                    self.begun.set()
+        self.begun.set()
+
+
+@pytest.fixture(scope="module", params=["sqlite", "postgresql"])
+def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    if request.param == "sqlite":
+        yield str(tmp_path_factory.mktemp("crashes") / "homes.sqlite")
+        return
+    with postgresql() as server:
+        yield server.url
+
+
+def test_killed_amid_saves_it_has_all_that_it_acknowledged(place: str) -> None:
+    draw, acknowledged, renamed = random.Random(18), dict[str, int](), set[str]()
+    for number in range(ROUNDS):
+        with running(0, "--store", place) as service:
+            before = draw.randint(4, MOST_BEFORE)
+            savers = [Saving(service.address, (2 * number + one) * SAVES, before) for one in range(2)]
+            for saver in savers:
+                saver.start()
+            for saver in savers:
+                saver.begun.wait(120)
+            Event().wait(draw.random() / 50)
+            service.process.kill()
+            service.process.wait()
+            for saver in savers:
+                saver.join(60)
+                acknowledged |= saver.saved
+                renamed |= saver.renamed
+    print(f"{len(acknowledged)} saves acknowledged, {len(renamed)} renamed, {ROUNDS} kills")  # `pytest -s` tells
+    assert len(acknowledged) >= (1000 if ROUNDS > 1 else 10)
+    check(place, acknowledged, renamed)
+
+
+def check(place: str, acknowledged: dict[str, int], renamed: set[str]) -> None:
+    """Every home that was acknowledged is there and whole, as last renamed; those that were not acknowledged are whole or not there."""
+    with closing(Database(place)) as database:
+        homes = SavedHomes(database)
+        found, after = dict[str, SavedHome](), None
+        while True:
+            page = homes.list("", Wanted(limit=100, after=after))
+            found |= {home.id: home for home in page.homes}
+            if page.after is None:
+                break
+            after = (page.homes[-1].changed, page.homes[-1].id)
+        assert acknowledged.keys() <= found.keys()
+        for home, head in found.items():
+            number = int(head.notes)
+            assert head.name in ({f"renamed {number}"} if home in renamed else {f"home {number}", f"renamed {number}"})
+            whole, scene = homes.get("", home)
+            assert (whole.rooms, head.version) == (1 + number % 5, 1)
+            assert len(scene) > 100
+        with database.reading() as connection:
+            counted = connection.execute(text("SELECT homes, bytes FROM owners")).one()
+            sizes = connection.execute(text("SELECT COUNT(*), SUM(LENGTH(scene)) FROM versions")).one()
+        assert tuple(counted) == tuple(sizes) == (len(found), counted[1])
+
+
+def client_of(place: str) -> TestClient:
+    return TestClient(create_app(settings=Settings(allow_host=("*",), store=place)), raise_server_exceptions=False)
+
+
+def test_a_full_disk_is_said_and_harms_nothing(tmp_path: Path) -> None:
+    with client_of(str(tmp_path / "homes.sqlite")) as client:
+        store = client.app.store.open()  # type: ignore[attr-defined]
+        before = client.post("/homes", json={"scene": SCENE}).json()["id"]
+        engine = store._database.engine
+
+        def fill(connection: object) -> None:
+            connection.exec_driver_sql("PRAGMA max_page_count=1")  # type: ignore[attr-defined]
+
+        event.listen(engine, "begin", fill)
+        notes = "".join(random.Random(1).choice("abcdefgh") for _ in range(9_000))
+        refused = client.post("/homes", json={"scene": SCENE, "notes": notes})
+        assert entry_of(refused, 507)["field"] == "store"
+        assert client.get(f"/homes/{before}").status_code == 200
+        event.remove(engine, "begin", fill)
+        engine.dispose()
+        assert client.get("/homes").json()["total"] == 1
+        assert client.post("/homes", json={"scene": SCENE, "notes": notes}).status_code == 201
+
+
+def test_a_database_that_others_hold_is_said_and_comes_back(tmp_path: Path) -> None:
+    place = str(tmp_path / "homes.sqlite")
+    with client_of(place) as client, closing(Database(place)) as other:
+        home = client.post("/homes", json={"scene": SCENE}).json()["id"]
+        with other.writing():
+            refused = client.patch(f"/homes/{home}", json={"name": "a"}, headers={"If-Match": "*"})
+            assert (entry_of(refused, 503)["field"], refused.headers["retry-after"]) == ("store", "2")
+            assert client.get(f"/homes/{home}").status_code == 200
+        assert client.patch(f"/homes/{home}", json={"name": "a"}, headers={"If-Match": "*"}).status_code == 200
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[PostgresqlServer]:
+    with postgresql() as server:
+        yield server
+
+
+def test_a_server_that_is_gone_is_said_and_comes_back(server: PostgresqlServer) -> None:
+    with client_of(server.url) as client:
+        home = client.post("/homes", json={"scene": SCENE}).json()["id"]
+        server.stop()
+        for method, path in (("GET", "/homes"), ("GET", f"/homes/{home}"), ("DELETE", f"/homes/{home}")):
+            assert entry_of(client.request(method, path, headers={"If-Match": "*"}), 503)["field"] == "store"
+        assert client.get("/healthz").status_code == 200
+        server.start()
+        assert client.get(f"/homes/{home}").status_code == 200
+        assert client.get("/homes").json()["total"] == 1

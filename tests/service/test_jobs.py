@@ -1,0 +1,166 @@
+"""Long work: taken on, told of, carried on after the service was killed, ended; each key has its own."""
+
+from __future__ import annotations
+
+import json
+import time
+import zlib
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import httpx2
+import pytest
+from sqlalchemy import update
+from starlette.testclient import TestClient
+
+from service.admission import Admitted
+from service.app import ComposeApp, create_app
+from service.keys import KeyRing
+from service.service_settings import Settings
+from service.store.database import Database
+from service.store.saved_jobs import LEASE_S, MOST_JOBS, JobResult, SavedJobs
+from service.store.store_tables import JOBS
+from solver.errors import FieldError
+from tests.browser.service_process import running
+from tests.service.problems import entry_of
+from tests.service.stores import postgresql
+
+KEYS = {"ann": "a-key-that-ann-has", "ben": "a-key-that-ben-has"}
+SMALL: dict[str, Any] = {"width": 4.0, "depth": 4.0}
+GUARD_S = 120
+
+
+@pytest.fixture(scope="module", params=["sqlite", "postgresql"])
+def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    if request.param == "sqlite":
+        yield str(tmp_path_factory.mktemp("jobs") / "homes.sqlite")
+        return
+    with postgresql() as server:
+        yield server.url
+
+
+@pytest.fixture(scope="module")
+def app(place: str) -> Iterator[ComposeApp]:
+    app = create_app(settings=Settings(allow_host=("*",), store=place), admitted=Admitted(KeyRing(KEYS.items())))
+    with TestClient(app) as entered:
+        app.state.portal = entered.portal
+        yield app
+
+
+def client_of(app: ComposeApp, name: str = "ann") -> TestClient:
+    client = TestClient(app, headers={"X-API-Key": KEYS[name]}, raise_server_exceptions=False)
+    client.portal = app.state.portal
+    return client
+
+
+def told(text: str) -> list[tuple[str, dict[str, Any]]]:
+    """The events of a stream: name and document."""
+    events = [dict(line.split(": ", 1) for line in block.splitlines()) for block in text.strip().split("\n\n") if not block.startswith(":")]
+    return [(event["event"], json.loads(event["data"])) for event in events]
+
+
+def test_a_job_is_taken_on_told_of_and_done(app: ComposeApp) -> None:
+    ann = client_of(app)
+    answer = ann.post("/jobs", json={"call": "generate", "body": SMALL, "seeds": [5, 3, 5, 4]})
+    job = answer.json()
+    assert (answer.status_code, job["count"], answer.headers["location"]) == (202, 3, f"/jobs/{job['id']}")
+    events = told(ann.get(f"/jobs/{job['id']}/events").text)
+    assert [name for name, _ in events][-1] == "done" and {name for name, _ in events[:-1]} <= {"progress"}
+    assert [one["done"] for _, one in events] == sorted(one["done"] for _, one in events)
+    assert (events[-1][1]["done"], events[-1][1]["refused"], events[-1][1]["state"]) == (3, 0, "done")
+    for number, seed in enumerate((5, 3, 4)):
+        made = ann.get(f"/jobs/{job['id']}/results/{number}")
+        alone = ann.post("/generate", json={**SMALL, "seed": seed}).json()
+        assert made.headers["x-call-status"] == "200"
+        assert {**made.json(), "timing_ms": 0} == {**alone, "timing_ms": 0}
+    assert entry_of(ann.get(f"/jobs/{job['id']}/results/3"), 404)["field"] == "result"
+
+
+def test_what_is_refused_is_told_of_each_call(app: ComposeApp) -> None:
+    ann = client_of(app)
+    job = ann.post("/jobs", json={"call": "validate", "body": {}}).json()["id"]
+    assert told(ann.get(f"/jobs/{job}/events").text)[-1][1]["refused"] == 1
+    result = ann.get(f"/jobs/{job}/results/0")
+    assert (result.headers["x-call-status"], result.headers["content-type"]) == ("422", "application/problem+json")
+    assert result.json()["errors"][0]["field"] == "scene"
+
+
+@pytest.mark.parametrize(
+    "body", [{}, {"call": "catalog"}, {"call": "fix", "seeds": []}, {"call": "fix", "seeds": [-1]}, {"call": "fix", "body": []}]
+)
+def test_what_is_no_job_is_refused(app: ComposeApp, body: dict[str, Any]) -> None:
+    assert entry_of(client_of(app).post("/jobs", json=body), 422)["field"].split("[")[0] in ("call", "seeds", "body")
+
+
+def test_each_key_has_its_own_jobs_alone(app: ComposeApp) -> None:
+    ann, ben = client_of(app), client_of(app, "ben")
+    job = ann.post("/jobs", json={"call": "generate", "body": SMALL, "seeds": [1]}).json()["id"]
+    told(ann.get(f"/jobs/{job}/events").text)
+    routes = [(path, method) for path, methods in app.openapi()["paths"].items() for method in methods if "{job}" in path]
+    assert len(routes) >= 4
+    for path, method in routes:
+        answers = [ben.request(method, path.format(job=id_of, number=0)) for id_of in (job, "x" * len(job))]
+        assert [answer.status_code for answer in answers] == [404, 404], (path, method)
+        assert answers[0].text.replace(job, "x" * len(job)) == answers[1].text
+    assert ben.get("/jobs").json() == {"jobs": []}
+    assert job in {one["id"] for one in ann.get("/jobs").json()["jobs"]}
+    assert ann.delete(f"/jobs/{job}").status_code == 204
+    assert ann.get(f"/jobs/{job}").status_code == 404
+
+
+def test_a_job_that_is_removed_ends(app: ComposeApp) -> None:
+    ann = client_of(app)
+    long = ann.post("/jobs", json={"call": "generate", "body": SMALL, "seeds": list(range(900))}).json()["id"]
+    assert ann.delete(f"/jobs/{long}").status_code == 204
+    short = ann.post("/jobs", json={"call": "generate", "body": SMALL, "seeds": [1]}).json()["id"]
+    assert told(ann.get(f"/jobs/{short}/events").text)[-1][0] == "done"
+
+
+def test_a_silent_runners_job_is_carried_on_and_no_other(place: str) -> None:
+    now = [1_000_000_000_000]
+    with closing(Database(place)) as database:
+        jobs = SavedJobs(database, lease_s=20, clock=lambda: now[0])
+        job = jobs.add("zoe", "generate", zlib.compress(b"[{}, {}]"), 2).id
+        taken = jobs.take("first")
+        assert taken is not None and taken[0].id == job
+        assert jobs.put("first", job, 0, JobResult(200, "application/json", b"one"))
+        now[0] += 19 * 10**9
+        assert jobs.take("second") is None and jobs.beat("first", job)
+        now[0] += 21 * 10**9
+        carried = jobs.take("second")
+        assert carried is not None and (carried[0].id, carried[0].done) == (job, 1)
+        assert not jobs.put("first", job, 1, JobResult(200, "application/json", b"late")) and not jobs.beat("first", job)
+        assert jobs.put("second", job, 1, JobResult(422, "application/json", b"two"))
+        jobs.finish("second", job)
+        found = jobs.get("zoe", job)
+        assert (found.state, found.done, found.refused) == ("done", 2, 1)
+        assert [jobs.result("zoe", job, number).content for number in range(2)] == [b"one", b"two"]
+        for _ in range(MOST_JOBS - 1):
+            jobs.add("zoe", "generate", b"", 1)
+        with pytest.raises(FieldError, match="as many as may be kept"):
+            jobs.add("zoe", "generate", b"", 1)
+        for one in jobs.list("zoe"):
+            jobs.remove("zoe", one.id)
+
+
+def test_a_job_outlives_the_service_that_took_it_on(tmp_path: Path) -> None:
+    words, seeds = (0, "--store", str(tmp_path / "homes.sqlite")), list(range(40))
+    with running(*words) as service:
+        job = httpx2.post(
+            f"{service.address}jobs", json={"call": "generate", "body": {"program": "studio"}, "seeds": seeds}, timeout=60
+        ).json()["id"]
+        while (before := httpx2.get(f"{service.address}jobs/{job}", timeout=60).json())["done"] < 2:
+            time.sleep(0.05)
+        service.process.kill()
+        service.process.wait()
+    assert before["state"] == "running"
+    with closing(Database(str(tmp_path / "homes.sqlite"))) as database:
+        kept = SavedJobs(database).get("", job).done
+        with database.writing() as connection:  # as if its runner had been silent for long
+            connection.execute(update(JOBS).values(beat=JOBS.c.beat - round(1e6 * LEASE_S)))
+    with running(*words) as service, httpx2.Client(base_url=service.address, timeout=GUARD_S) as client:
+        assert kept < len(seeds) and told(client.get(f"/jobs/{job}/events").text)[-1][1]["done"] == len(seeds)
+        made = [client.get(f"/jobs/{job}/results/{number}").json()["scene"]["seed"] for number in range(len(seeds))]
+    assert made == seeds
