@@ -60,16 +60,17 @@ def test_a_wrong_request_is_refused_by_its_field(tmp_path: Path, capfd: pytest.C
     assert len(made(tmp_path, "--workers", "1", "-n", "1")) == 2
 
 
-def test_a_file_is_whole_or_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("ended", [OSError(28, "No space left on device"), KeyboardInterrupt("Ctrl-C")])
+def test_a_file_is_whole_or_as_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ended: BaseException) -> None:
     path = tmp_path / "home.yaml"
     write_whole(path, b"before")
 
     def full(self: Path, content: bytes) -> int:
         with self.open("wb") as file:
             file.write(content[:3])
-        raise OSError(28, "No space left on device")
+        raise ended
 
     monkeypatch.setattr(Path, "write_bytes", full)
-    with pytest.raises(OSError, match="No space"):
+    with pytest.raises(type(ended), match=r"No space|Ctrl-C"):
         write_whole(path, b"afterwards")
     assert [(one.name, one.read_text()) for one in tmp_path.iterdir()] == [("home.yaml", "before")]
