@@ -33,6 +33,8 @@ KITCHEN_APART: Final = 2.5
 """A kitchen beside neither dining nor living room; a dining room away from the kitchen."""
 LIVING_APART: Final = 1.5
 """A living room away from the entry, a dining room away from the living room."""
+KITCHEN_BETWEEN: Final = 3.0
+"""A room one lives in, or a hallway, that only the kitchen leads to: each more door leaves a kitchen less wall for its worktop."""
 OUTLINE: Final = (0.75, 1.9)
 """Width over depth of an outline that costs nothing; beyond, OUTLINE_COST for every unit."""
 BENT_OUTLINE: Final = (0.6, 2.4)
@@ -94,10 +96,10 @@ class HomeJudge:
         sizes, short = self._sizes(sheet.boxes)
         met = touching([*sheet.boxes, *sheet.hallways])
         beside = _beside(sheet, met)
-        unreached, at_entrance, others = self._access(beside, sheet)
+        unreached, at_entrance, others, between = self._access(beside, sheet)
         covered = _covered(met)
         streetless = sum("south" in covered.get(i, {}) for i in self.street)
-        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + STREETLESS * streetless
+        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + STREETLESS * streetless + KITCHEN_BETWEEN * between
         dark = sum(not _lit(sheet.boxes[i], covered.get(i, {})) for i in self.habitable)
         cost = sizes + (self._outline(sheet) + self.dark * dark) + self._company(beside) + ways
         return HomeVerdict(cost, short, unreached, streetless, dark)
@@ -139,19 +141,13 @@ class HomeJudge:
                 cost += LIVING_APART * (not beside[i] & (self.entry | self.living))
         return cost
 
-    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int]:
-        """Counts rooms that no way through leads to, and bedrooms and others that only the entrance room leads to."""
+    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int, bool]:
+        """Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to; tells of a kitchen between."""
         first = len(self.planned)
         hall = (1 << first + len(sheet.hallways)) - (1 << first)
         ways = self.ways | hall
         start = self.entry & -self.entry or self.living & -self.living or hall & -hall or 1
-        reached = fresh = start
-        while fresh:
-            room = fresh.bit_length() - 1
-            fresh &= ~(1 << room)
-            found = beside[room] & ways & ~reached
-            reached |= found
-            fresh |= found
+        reached = _reached(beside, ways, start)
         unreached, at_entrance, others = (ways & ~reached).bit_count(), 0, 0
         for bath, owner in self.owned:
             unreached += not beside[bath] >> owner & 1
@@ -162,12 +158,26 @@ class HomeJudge:
             elif doors == start:
                 at_entrance += i in self.bedrooms
                 others += i not in self.bedrooms
-        return unreached, at_entrance, others
+        past = reached & ~self.kitchen
+        between = bool(past & ~_reached(beside, past, start)) if self.kitchen else False
+        return unreached, at_entrance, others, between
 
     def _behind(self, room: int, beside: Sequence[int], reached: int) -> bool:
         """Tells whether a garage can be entered through a laundry that is reached itself."""
         through = self.through[room] & beside[room]
         return any(through >> i & 1 and beside[i] & reached for i in self.leaves)
+
+
+def _reached(beside: Sequence[int], ways: int, start: int) -> int:
+    """Returns the rooms that a way through rooms leads to."""
+    reached = fresh = start
+    while fresh:
+        room = fresh.bit_length() - 1
+        fresh &= ~(1 << room)
+        found = beside[room] & ways & ~reached
+        reached |= found
+        fresh |= found
+    return reached
 
 
 def _beside(sheet: Sheet, met: Sequence[SharedWall]) -> list[int]:
