@@ -307,9 +307,7 @@ class Catalogs(Entry):
 
         Pieces are not wanted `unless` it has no such room; in a planned home those that it needs `without` rooms it does not have are.
         """
-        there = frozenset(types)
-        rooms = {name: _room_at_home(self, name, there & asked, planned) for name, asked in _asked_types(self).items()}
-        return self.model_copy(update={"rooms": {**self.rooms, **rooms}})
+        return _of_home(self, _deciding_types(self).intersection(types), planned)
 
     def name_of(self, kind: str) -> str:
         """Returns what scenes call a kind: its `name`, else the kind itself."""
@@ -318,8 +316,8 @@ class Catalogs(Entry):
 
     def kinds_by_name(self) -> dict[str, FurnitureSpec]:
         """Returns the kinds by what scenes call them; a kind of that very name goes before size variants."""
-        named = {self.name_of(kind): entry for kind, entry in reversed(self.furniture.items())}
-        return named | {kind: entry for kind, entry in self.furniture.items() if self.name_of(kind) == kind}
+        named = {entry.name or kind: entry for kind, entry in reversed(self.furniture.items())}
+        return named | {kind: entry for kind, entry in self.furniture.items() if (entry.name or kind) == kind}
 
     def use_sides(self) -> dict[str, tuple[tuple[Side, ...], bool]]:
         """Returns from which sides pieces are used, and whether all of them are needed, by what scenes call them."""
@@ -344,6 +342,19 @@ def _asked_types(catalogs: Catalogs) -> dict[str, frozenset[str]]:
     """Returns the room types that are furnished by what other rooms their home has, each with the types that decide."""
     asked = {name: frozenset(chain.from_iterable((*p.unless, *p.without) for p in room.pieces)) for name, room in catalogs.rooms.items()}
     return {name: types for name, types in asked.items() if types}
+
+
+@lru_cache(maxsize=16)
+def _deciding_types(catalogs: Catalogs) -> frozenset[str]:
+    """Returns the room types that decide how others are furnished."""
+    return frozenset(chain.from_iterable(_asked_types(catalogs).values()))
+
+
+@lru_cache(maxsize=64)
+def _of_home(catalogs: Catalogs, there: frozenset[str], planned: bool) -> Catalogs:
+    """Returns the catalogs of a home, of whose rooms' types only those count that decide; the same object each time."""
+    rooms = {name: _room_at_home(catalogs, name, there & asked, planned) for name, asked in _asked_types(catalogs).items()}
+    return catalogs.model_copy(update={"rooms": {**catalogs.rooms, **rooms}})
 
 
 @lru_cache(maxsize=256)

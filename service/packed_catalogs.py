@@ -23,8 +23,8 @@ def packed(catalogs: Catalogs) -> bytes:
 KNOWN: Final[dict[str, Catalogs]] = {}
 """The last catalogs that were sent to this process, by their mark."""
 
-YOUNG: Final = 20_000
-"""Objects made, beyond those gone, until cycles are looked for: a home makes thousands and hardly a cycle."""
+YOUNG: Final = 50_000
+"""Objects made, beyond those gone, until cycles are looked for: a home holds some ten thousand and makes no cycle."""
 
 
 def mark_of(catalogs: bytes) -> str:

@@ -38,10 +38,11 @@ def with_materials(room: Room, catalogs: Catalogs, style: Style | None, seed: in
     if style is None or known is None or room.outdoor:
         return room
     floors, walls = style.floors.get(known.flooring, ()), style.walls.get(known.flooring, ())
+    flooring, finish = room.flooring, room.walls
     if floors:
         floor = Stream(seed, "floor", known.flooring).pick(floors)
-        room = replace(room, flooring=Flooring(floor.type or known.flooring, floor.color))
+        flooring = Flooring(floor.type or known.flooring, floor.color)
     if walls:
         wall = Stream(seed, "wall", room.index).pick(walls)
-        room = replace(room, walls=WallFinish(wall.type, wall.color))
-    return room
+        finish = WallFinish(wall.type, wall.color)
+    return replace(room, flooring=flooring, walls=finish)

@@ -6,15 +6,18 @@ Comes in: a furnished room and its space. Goes out: bytes for the core; from its
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from struct import Struct
-from typing import Final
+from typing import Final, NamedTuple
 
-from solver.decorations.compiled_dressing import CompiledDressing
+from catalogs.entries import Side
+from catalogs.schema import Comfort
+from solver.decorations.compiled_dressing import CompiledDressing, millimetres
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.free_floor import DOORWAY, HEADROOM_MM, WALL_NUMBERS, sides_seen
 from solver.free_places import FLAT_MM, footprint
-from solver.geometry import Rect, strip_at, to_mm, wall_faced, wall_turned
+from solver.geometry import OPPOSITE, Rect, strip_at, to_mm, wall_faced
 from solver.pieces import Space
 from solver.scene import WALLS, Decoration, Furniture, Opening, Room
 
@@ -23,7 +26,9 @@ AT_WALL_MM: Final = 150
 OPENING_MM: Final = 80
 """What hangs keeps this far from windows and doors, for their frames. Our choice."""
 _ROOM: Final = Struct("<Q4q2d4q10i")
-_PIECE: Final = Struct("<6q14i")
+_PIECE: Final = Struct("<6q24s3i20s")
+_OF_KIND: Final = Struct("<6i")
+_OF_USE: Final = Struct("<5i")
 _OPENING: Final = Struct("<2i4q")
 _ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Qq")
@@ -46,15 +51,26 @@ def decorated_rows(room: Room, space: Space, known: CompiledDressing, settings: 
     """
     numbers = {piece.id: k for k, piece in enumerate(room.furniture)}
     openings = [_opening(opening) for opening in room.openings if opening.wall is not None]
+    pieces: list[bytes] = []
+    kept: list[Rect] = []
     for piece in room.furniture:
-        openings += _fronts_at_walls(piece, known, space)
-    kept = [rect for piece in room.furniture for rect in (*_kept_floor(piece, known), *_opened_over(piece, known))]
+        said = _said_of(known, (piece.name, piece.kind, piece.width, piece.depth, piece.height), piece.rotation)
+        own, low, height = footprint(piece), to_mm(piece.y), to_mm(piece.height)
+        under = -1 if piece.under is None else numbers.get(piece.under, -1)
+        stands = piece.height * 1000 > FLAT_MM and piece.y * 1000 < HEADROOM_MM
+        pieces.append(_PIECE.pack(*own, low, low + height, said.kind_row, under, said.faced, stands, said.use_row))
+        if piece.on is None:
+            kept += said.kept_floor(own)
+        if said.front is not None and to_mm(piece.y + said.front.above) < HEADROOM_MM:
+            opened = said.front.over(own)
+            kept.append(opened)
+            openings += _fronts_at_walls(piece, opened, said.front.above, space)
     kept += settings.kept.get(room.id, ())
     counts = len(room.furniture), len(openings), len(space.zones), len(space.doorways), len(kept), 0
     flags = known.words.get(room.type, -1), room.outdoor, not room.outline, bool(room.accent)
     lines = to_mm(room.width), to_mm(room.depth)
     rows = [_ROOM.pack(state, *space.clear, room.width, room.depth, *lines, to_mm(settings.height), space.robot_mm, *flags, *counts)]
-    rows += [_piece(piece, known, numbers) for piece in room.furniture]
+    rows += pieces
     rows += openings
     rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == _OUTLINE) for zone in space.zones]
     rows += [DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in space.doorways]
@@ -62,56 +78,73 @@ def decorated_rows(room: Room, space: Space, known: CompiledDressing, settings: 
     return b"".join(rows)
 
 
-def _piece(piece: Furniture, known: CompiledDressing, numbers: dict[str, int]) -> bytes:
-    low, height = to_mm(piece.y), to_mm(piece.height)
-    size = to_mm(piece.width), to_mm(piece.depth), height
-    sides, need_all = known.uses.get(piece.name, ((), False))
-    before = None if piece.rotation % 90 else known.fronts.get(_kind(piece, known))
+class _Strip(NamedTuple):
+    """Floor at a side of a piece: the wall it faces, how far in from the piece's ends it begins and ends, its depth, mm; its height, m."""
+
+    faced: str
+    ends: tuple[int, int]
+    deep: int
+    above: float = 0.0
+
+    def over(self, own: Rect) -> Rect:
+        """Returns the floor at that side of a footprint."""
+        low, high = own.along(self.faced)
+        return strip_at(OPPOSITE[self.faced], own.line(self.faced), (low + self.ends[0], high - self.ends[1]), self.deep)
+
+
+class _Said(NamedTuple):
+    """What a dressing says of every piece of a kind and size that is turned so; rows as the core reads them."""
+
+    kind_row: bytes
+    use_row: bytes
+    faced: bool
+    kept: tuple[_Strip, ...]
+    front: _Strip | None
+
+    def kept_floor(self, own: Rect) -> list[Rect]:
+        """Returns the floor at the sides of a footprint on the floor that is better kept free."""
+        found = []
+        for strip in self.kept:
+            low, high = own.along(strip.faced)
+            if low + strip.ends[0] < high - strip.ends[1]:
+                found.append(strip.over(own))
+        return found
+
+
+@lru_cache(maxsize=4096)
+def _said_of(known: CompiledDressing, looks: tuple[str, str | None, float, float, float], rotation: float) -> _Said:
+    """Returns what a dressing says of furniture: by its name, the kind that the scene names, its width, depth and height, and its turn."""
+    name, said, width, depth, height = looks
+    size, is_right = millimetres((width, depth, height)), rotation % 90 == 0
+    kind = said or known.book.kind_of("furniture", name, (width, depth, height)) or name
+    sides, need_all = known.uses.get(name, ((), False))
+    before = known.fronts.get(kind) if is_right else None
     opens = (0, 0) if before is None else (to_mm(before.depth), to_mm(before.above))
-    return _PIECE.pack(
-        *footprint(piece), low, low + height, round(piece.rotation) % 360 if piece.rotation % 90 == 0 else 0,
-        known.words.get(piece.name, -1), *known.surfaces.get((piece.name, size), (0, 0)),
-        *(known.insides.get((_kind(piece, known), size), (0, 0)) if piece.rotation % 90 == 0 else (0, 0)),
-        -1 if piece.under is None else numbers.get(piece.under, -1), piece.name in known.faced,
-        piece.height * 1000 > FLAT_MM and piece.y * 1000 < HEADROOM_MM,
-        sides_seen(wall_faced(side, piece.rotation) for side in sides), need_all, *opens, 0,
-    )  # fmt: skip
+    turn = round(rotation) % 360 if is_right else 0
+    surfaces, insides = known.surfaces.get((name, size), (0, 0)), known.insides.get((kind, size), (0, 0)) if is_right else (0, 0)
+    return _Said(
+        _OF_KIND.pack(turn, known.words.get(name, -1), *surfaces, *insides),
+        _OF_USE.pack(sides_seen(wall_faced(side, rotation) for side in sides), need_all, *opens, 0),
+        name in known.faced,
+        tuple(_strips(known.comforts.get(said or name, {}), turn)) if is_right else (),
+        None if before is None else _Strip(wall_faced("front", turn), (0, 0), to_mm(before.depth), before.above),
+    )
 
 
-def _kind(piece: Furniture, known: CompiledDressing) -> str:
-    return piece.kind or known.book.kind_of("furniture", piece.name, (piece.width, piece.depth, piece.height)) or piece.name
-
-
-def _kept_floor(piece: Furniture, known: CompiledDressing) -> Iterator[Rect]:
-    """Yields the floor at the sides of a right-angled piece on the floor that is better kept free."""
-    if piece.rotation % 90 or piece.on is not None:
-        return
-    turn, own = round(piece.rotation) % 360, footprint(piece)
-    for side, wish in known.comforts.get(piece.kind or piece.name, {}).items():
-        faced, back = wall_faced(side, turn), wall_faced("back", turn)
-        low, high = own.along(faced)
+def _strips(comforts: Mapping[Side, Comfort], turn: int) -> Iterator[_Strip]:
+    """Yields the floor at the sides of a piece that is better kept free."""
+    at_low = wall_faced("back", turn) in ("north", "west")
+    for side, wish in comforts.items():
         behind = to_mm(wish.behind) if side in ("left", "right") else 0
-        ends = (low + behind, high) if back in ("north", "west") else (low, high - behind)
-        if ends[0] < ends[1]:
-            yield strip_at(wall_turned(faced, 180), own.line(faced), ends, to_mm(wish.depth))
+        yield _Strip(wall_faced(side, turn), (behind, 0) if at_low else (0, behind), to_mm(wish.depth))
 
 
-def _opened_over(piece: Furniture, known: CompiledDressing) -> Iterator[Rect]:
-    """Yields the floor that the fronts of a right-angled piece open over."""
-    before = known.fronts.get(_kind(piece, known))
-    if before is None or piece.rotation % 90 or to_mm(piece.y + before.above) >= HEADROOM_MM:
-        return
-    ahead, own = wall_faced("front", round(piece.rotation) % 360), footprint(piece)
-    yield strip_at(wall_turned(ahead, 180), own.line(ahead), own.along(ahead), to_mm(before.depth))
-
-
-def _fronts_at_walls(piece: Furniture, known: CompiledDressing, space: Space) -> Iterator[bytes]:
-    """Yields where nothing hangs on a wall because a front opens along it or towards it."""
-    for floor in _opened_over(piece, known):
-        bottom = to_mm(piece.y + known.fronts[_kind(piece, known)].above)
-        for wall in WALLS:
-            if floor.wall_distance(wall, space.clear) <= AT_WALL_MM:
-                yield _OPENING.pack(WALL_NUMBERS[wall], 0, *floor.along(wall), bottom, to_mm(piece.y + piece.height))
+def _fronts_at_walls(piece: Furniture, opened: Rect, above: float, space: Space) -> Iterator[bytes]:
+    """Yields where nothing hangs on a wall because a front opens along it or towards it, over that floor and from that height on."""
+    bottom = to_mm(piece.y + above)
+    for wall in WALLS:
+        if opened.wall_distance(wall, space.clear) <= AT_WALL_MM:
+            yield _OPENING.pack(WALL_NUMBERS[wall], 0, *opened.along(wall), bottom, to_mm(piece.y + piece.height))
 
 
 def _opening(opening: Opening) -> bytes:

@@ -39,7 +39,7 @@ def check(document: object, text: str) -> None:
 
 def dump(document: Any) -> str:
     """Writes plain values as one line of JSON."""
-    return json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":")) + "\n"
+    return json.dumps(document, ensure_ascii=False, check_circular=False, allow_nan=False, separators=(",", ":")) + "\n"
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

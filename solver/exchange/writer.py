@@ -57,32 +57,28 @@ def write(record: object, error: type[FieldError] = FieldError) -> dict[str, Any
         raise error(path(wrong.way), wrong.problem, wrong.allowed) from None
 
 
-class _Key(NamedTuple):
-    """A key of a record: the class of most of its values, how others are written, and whether it is left out where it is None."""
-
-    name: str
-    usual: type[Any] | None
-    write: Callable[[Any], Any]
-    is_omitted: bool
-
-
 class _Shape(NamedTuple):
-    """What a class of records writes: its keys, and what fetches all their values at once."""
+    """What a class of records writes.
 
-    keys: tuple[_Key, ...]
+    Its keys, and the class of most of their values; how others are written; which are left out where they are None; and what fetches
+    all values at once.
+    """
+
+    names: tuple[str, ...]
+    usual: tuple[type[Any] | None, ...]
+    writers: Mapping[str, Callable[[Any], Any]]
+    omitted: frozenset[str]
     values: Callable[[Any], tuple[Any, ...]]
 
 
 @lru_cache
 def _shape(of: type[Any]) -> _Shape:
     hints = get_type_hints(of)
-    keys = [_key(part.name, hints[part.name], OMITTED in part.metadata) for part in fields(of) if part.name != EXTRA]
-    return _Shape(tuple(keys), attrgetter(*(key.name for key in keys)) if len(keys) > 1 else lambda one: (getattr(one, keys[0].name),))
-
-
-def _key(name: str, hint: Any, is_omitted: bool) -> _Key:
-    writer = _writer(name, hint)
-    return _Key(name, float if writer is _number else str if writer is _text else None, writer, is_omitted)
+    keys = [part for part in fields(of) if part.name != EXTRA]
+    writers = {key.name: _writer(key.name, hints[key.name]) for key in keys}
+    usual = tuple(float if writer is _number else str if writer is _text else None for writer in writers.values())
+    values = attrgetter(*writers) if len(keys) > 1 else lambda one: (getattr(one, keys[0].name),)
+    return _Shape(tuple(writers), usual, writers, frozenset(key.name for key in keys if OMITTED in key.metadata), values)
 
 
 def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
@@ -96,20 +92,20 @@ def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
 
 
 def _record(record: Any) -> dict[str, Any]:
-    keys, values = _shape(record.__class__)
+    names, usually, writers, omitted, values = _shape(record.__class__)
     document: dict[str, Any] = {}
     name = ""
     try:
-        for (name, usual, write_value, is_omitted), value in zip(keys, values(record), strict=True):
-            if value is None:
-                if not is_omitted:
-                    document[name] = None
-            elif value.__class__ is not usual:
-                document[name] = write_value(value)
-            elif usual is float:
-                document[name] = value + 0.0 if value - value == 0.0 else plain(value)
-            else:
-                document[name] = value if value.isascii() else plain(value)
+        for name, usual, value in zip(names, usually, values(record), strict=True):
+            if value.__class__ is usual:
+                if usual is float:
+                    document[name] = value + 0.0 if value - value == 0.0 else plain(value)
+                else:
+                    document[name] = value if value.isascii() else plain(value)
+            elif value is not None:
+                document[name] = writers[name](value)
+            elif name not in omitted:
+                document[name] = None
     except Wrong as wrong:
         raise wrong.inside(name) from None
     extra = getattr(record, EXTRA, None)

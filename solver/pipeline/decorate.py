@@ -32,7 +32,7 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
     settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8, kept)
 
     def done(room: Room) -> Room:
-        bare = replace(room, decorations=())
+        bare = replace(room, decorations=()) if room.decorations else room
         if not wanted:
             return bare
         space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
