@@ -71,6 +71,7 @@ def _opened(layout: Layout, typed: RoomAccess, entrance: tuple[int, str], catalo
     garages = place_garage_doors(doorways)
     place_windows(doorways)
     keep_walls(doorways, typed.shared)
+    place_windows(doorways)  # where a door stood in the way of a room's only one
     drawing = Drawing(layout, typed.types, typed.shared, tuple(doorways.cuts), catalogs)
     return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))
 

@@ -43,11 +43,11 @@ def pane_of(kind: RoomType) -> Pane:
 
 
 def place_windows(doorways: Doorways) -> None:
-    """Gives every outside stretch of wall of a room with windows one, or two where it is long; none overlaps a door."""
-    number = 0
+    """Gives every outside stretch of wall of a room that has no window yet one, or two where it is long; none overlaps a door."""
+    number = sum(cut.kind == "window" for cut in doorways.cuts)
     for room, rect in enumerate(doorways.layout.rooms):
         kind = doorways.plan_of(room)
-        if kind.outdoor or not kind.plan.windows:
+        if kind.outdoor or not kind.plan.windows or any(side.cut.kind == "window" for side in doorways.sides(room)):
             continue
         width = pane_of(kind).width
         stretches = [(wall, stretch) for wall, exposed in doorways.layout.exposed[room].items() for stretch in exposed]
