@@ -23,6 +23,8 @@ _QUARTERS: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
 ROTATION_AT_WALL: Final = {"north": 0, "west": 90, "south": 180, "east": 270}
 """The rotation of a body whose back is to that wall: it faces away from it."""
 WALL_BEHIND: Final = {rotation: wall for wall, rotation in ROTATION_AT_WALL.items()}
+LEAST_FLOOR_MM2: Final = 250_000
+"""Free centres that a room must have for who walks (docs/scene.md); the core's is in solver/core/plain/least_floor.hpp."""
 FACING: Final = {0: (0, 1), 90: (1, 0), 180: (0, -1), 270: (-1, 0)}
 """Unit vector (x, z) of the front, by rotation."""
 

@@ -10,11 +10,11 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from solver.geometry import ALONG_X, Rect, outwards, strip
+from solver.geometry import ALONG_X, LEAST_FLOOR_MM2, Rect, outwards, strip
 from solver.pieces import Attach, Candidate, Piece, Space
 from solver.placement.budget import Budget
 from solver.placement.core import Core, Limits
-from solver.placement.encode import FREE_CENTRES_MM2, encode
+from solver.placement.encode import encode
 from solver.placement.layout import PERSON_MM
 from solver.placement.walkable import WalkablePlace
 
@@ -65,14 +65,14 @@ def places_round_a_floor(space: Space, pieces: Sequence[Piece], budget: Budget) 
 def _shapes(space: Space) -> Iterator[tuple[int, int]]:
     """Returns rectangles that hold the least free centres, from square to as long as the room."""
     robot, clear = space.robot_mm, space.clear
-    square = math.isqrt(FREE_CENTRES_MM2) + 10
+    square = math.isqrt(LEAST_FLOOR_MM2) + 10
     yield robot + square, robot + square
     for share in SHARES:
         deep, wide = int(clear.depth * share) - robot, int(clear.width * share) - robot
         if deep > square:
-            yield robot + FREE_CENTRES_MM2 // deep + 10, robot + deep
+            yield robot + LEAST_FLOOR_MM2 // deep + 10, robot + deep
         if wide > square:
-            yield robot + wide, robot + FREE_CENTRES_MM2 // wide + 10
+            yield robot + wide, robot + LEAST_FLOOR_MM2 // wide + 10
 
 
 def _places_round(space: Space, pieces: Sequence[Piece], shape: tuple[int, int], budget: Budget) -> tuple[WalkablePlace, ...]:

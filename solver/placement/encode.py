@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from solver.geometry import INWARDS
+from solver.geometry import INWARDS, LEAST_FLOOR_MM2
 from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
 from solver.placement import layout
 from solver.placement.budget import charge
@@ -30,10 +30,6 @@ _RELATIONS = {
 }
 OTHER_SIDE_COST = 0.05
 """What using the second of several allowed sides costs: order, not preference."""
-FREE_CENTRES_MM2 = 250_000
-"""Free centres a room must have for the person (docs/scene.md)."""
-LEAST_FLOOR_MM2 = 255_000
-"""The same, and a little for the snap."""
 LINK_COSTS = 5
 """Numbers a link costs by."""
 

@@ -24,7 +24,6 @@ ORIGIN: Final = -1
 ABSENT: Final = -1
 
 # RoomArrays.space
-LEAST_FLOOR = 7
 WAYS = 8
 # RoomArrays.pieces
 REQUIRED, CANDIDATE_0, CANDIDATE_1, LINK_0, LINK_1, SIDES_0, SIDES_1, GROUP_END, EMPTY = range(9)

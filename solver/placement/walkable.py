@@ -15,7 +15,7 @@ from solver.geometry import Rect
 from solver.pieces import Candidate, Piece, Space, Stand
 from solver.placement import kernel, layout
 from solver.placement.budget import Budget
-from solver.placement.encode import FREE_CENTRES_MM2, lay_out
+from solver.placement.encode import lay_out
 from solver.placement.layout import IMPOSSIBLE, POSSIBLE, UNKNOWN
 from solver.placement.space import new_engine
 
@@ -73,9 +73,6 @@ def find_walkable(
     proof = _Proof(space, pieces, most)
     verdict = proof.join(0)
     found = proof.found() if verdict == POSSIBLE else ()
-    if verdict == IMPOSSIBLE and prove:  # the search asks for a little more floor than a room must have
-        proof.engine.room.space[layout.LEAST_FLOOR] = FREE_CENTRES_MM2
-        verdict = IMPOSSIBLE if proof.join(0) == IMPOSSIBLE else UNKNOWN
     budget.left -= (most - proof.left) * size
     return {IMPOSSIBLE: False, POSSIBLE: True}.get(verdict), found
 

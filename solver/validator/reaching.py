@@ -9,14 +9,15 @@ from collections.abc import Iterator
 from typing import Final
 
 from catalogs.schema import Use
+from solver.geometry import LEAST_FLOOR_MM2
 from solver.scene import Furniture
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import PER_METRE, exact, words
 from solver.validator.walk import Walk
 from solver.validator.world import FLAT, PlacedRoom, World, side_of
 
-LEAST_FLOOR: Final = PER_METRE * PER_METRE // 4
-"""How much of a room's free centres must be reached: 0.25 m2 (docs/scene.md), in square lattice steps."""
+LEAST_FLOOR: Final = LEAST_FLOOR_MM2 * (PER_METRE // 1000) ** 2
+"""How much of a room's free centres must be reached, in square lattice steps."""
 
 
 def unreachable(case: RuleCase) -> Iterator[Finding]:

@@ -1,6 +1,6 @@
 """The rules once more, by looking at every 5 cm square of floor: slow, plain, and nothing of the validator's.
 
-Good for scenes whose edges lie on 5 cm steps, with walls 10 cm thick (or, but for walking, of no thickness). A cell is the square
+Good for scenes whose edges lie on 5 cm steps, with walls 10, 20 or 30 cm thick (or, but for walking, of no thickness). A cell is the square
 [i, i+1] x [j, j+1] steps; a lattice point its north-west corner. On such scenes a look at the cells is exact.
 """
 
@@ -88,11 +88,9 @@ def inside(room: Room) -> Mask:
 
 
 def clear(room: Room, half_wall: int) -> Mask:
-    floor = inside(room)
-    kept = floor.copy()
-    for dx in range(-half_wall, half_wall + 1):
-        for dz in range(-half_wall, half_wall + 1):
-            kept &= np.roll(floor, (dx, dz), axis=(0, 1))
+    kept = inside(room)
+    for axis in (0, 1):
+        kept = np.all([np.roll(kept, by, axis) for by in range(-half_wall, half_wall + 1)], axis=0)
     return kept
 
 
@@ -183,14 +181,14 @@ class House:
     """The whole house on one raster, and where a square's centre can come to: lattice points, one step at a time."""
 
     def __init__(self, scene: Scene, robot: float) -> None:
-        self.scene, self.half = scene, steps(robot / 2)
+        self.scene, self.half, self.half_wall = scene, steps(robot / 2), steps(scene.wall_thickness / 2)
         self.offsets = {room.id: (steps(room.x), steps(room.z)) for room in scene.rooms}
         size = 4 * PAD + 200
         self.floor, self.taken = np.zeros((size, size), dtype=bool), np.zeros((size, size), dtype=bool)
-        self.rooms: dict[str, Mask] = {}
+        self.centres: dict[str, Mask] = {}
         for room in scene.rooms:
-            self.rooms[room.id] = self._moved(room, inside(room))
-            self.floor |= self.rooms[room.id]
+            self.centres[room.id] = self._moved(room, clear(room, self.half_wall + self.half))
+            self.floor |= self._moved(room, inside(room))
             for body in things(room):
                 if body.low < 2.0:
                     self.taken |= self._moved(room, body.mask(inside(room).shape))
@@ -213,11 +211,11 @@ class House:
         return (True, line + z, span[0] + x, span[1] + x) if runs_east else (False, line + x, span[0] + z, span[1] + z)
 
     def _wall(self, room: Room, side: str, line: int, span: tuple[int, int]) -> Mask:
-        """A wall 10 cm thick with its posts, less the ways through it."""
+        """A wall with its posts, less the ways through it."""
         runs_east, at, start, end = self._across(room, side, line, span)
         solid = np.zeros_like(self.taken)
         along = np.zeros(solid.shape[0], dtype=bool)
-        along[start - 1 : end + 1] = True
+        along[start - self.half_wall : end + self.half_wall] = True
         for other in self.scene.rooms:
             for opening in other.openings:
                 if opening.kind != "window":
@@ -226,9 +224,9 @@ class House:
                     if (cut_east, cut_at) == (runs_east, at):
                         along[cut_start:cut_end] = False
         if runs_east:
-            solid[along, at - 1 : at + 1] = True
+            solid[along, at - self.half_wall : at + self.half_wall] = True
         else:
-            solid[at - 1 : at + 1, along] = True
+            solid[at - self.half_wall : at + self.half_wall, along] = True
         return solid
 
     def _free_points(self) -> Mask:
@@ -270,9 +268,9 @@ class House:
         return bool(self.floor[x, z] or (self.floor[x, z - 1] if a[1] == b[1] else self.floor[x - 1, z]))
 
     def area(self, room: str) -> float:
-        """The area of a room's reached centres, m2."""
+        """The area of a room's reached centres, m2: of those that would be clear of its walls with all doors walled up."""
         corners_in = self.reached[:-1, :-1] & self.reached[1:, :-1] & self.reached[:-1, 1:] & self.reached[1:, 1:]
-        return float((corners_in & self.rooms[room][:-1, :-1]).sum()) * STEP**2
+        return float((corners_in & self.centres[room][:-1, :-1]).sum()) * STEP**2
 
     def touches(self, room: Room, body: Thing, side: str) -> bool:
         """Whether the square touches a side of the unrotated piece: front, back, left or right."""

@@ -242,8 +242,8 @@ def test_measures_of_a_room() -> None:
     (measures,) = measured["rooms"].values()
     assert measures["clear_area"] == round(3.9**2, 4)
     assert measures["cover"] == measured["cover"] == round(2.0 / 3.9**2, 4)
-    # Centres: 3.3 x 3.3 m less the bed's strip grown by 0.3 (x to 1.35, z to 2.35), and the way into the doorway.
-    walkable = 3.3**2 - 1.0 * 2.0 + 0.3 * (0.05 + 0.3)
+    # Centres: 3.3 x 3.3 m less the bed's strip grown by 0.3 (x to 1.35, z to 2.35); those in the doorway do not count.
+    walkable = 3.3**2 - 1.0 * 2.0
     assert measures["walkable"] == pytest.approx(walkable / 3.9**2, abs=1e-4)
     assert measured["use_sides"] == {"wanted": 1, "reached": 1}
     assert (measured["reached"], measures["reached"]) == (1, True)

@@ -1,15 +1,16 @@
 // The exact check of a frame: the rules of validate/, on the room with its bodies at their new spots.
 #include "drag/drag.hpp"
+#include "plain/least_floor.hpp"
 
 namespace drag {
 
-constexpr i64 LEAST_FLOOR = validate::PER_METRE * validate::PER_METRE / 4;  // free centres that must be come to (docs/scene.md)
+constexpr i64 LEAST_FLOOR = LEAST_FLOOR_MM2 * (validate::PER_METRE / 1000) * (validate::PER_METRE / 1000);  // in square lattice steps
 
 // Tells whether a use side of every body can be come to, or all of them where all are needed.
 static bool is_used(const Drag& drag, const validate::Storey& storey) {
   const validate::Walk walk = validate::walk_of(storey);
   const validate::Placed& placed = storey.rooms[0];
-  const validate::Area entered = validate::walked_floor(walk, placed, true);
+  const validate::Area entered = validate::walked_floor(storey, walk, placed).entered;
   if (entered.high == 0 && entered.low < static_cast<u64>(LEAST_FLOOR)) return false;
   for (i64 k = 0; k < drag.riders.size; k++) {
     const Rider& rider = drag.riders[k];

@@ -1,10 +1,11 @@
 #include "floor/free_floor.hpp"
 
+#include "plain/least_floor.hpp"
+
 namespace {
 
 constexpr i64 PER_MM = 4;
-// Free centres that a room needs: 0.25 m2 (docs/scene.md, unreachable), in square lattice steps.
-constexpr i64 LEAST_FLOOR = 1000 * PER_MM * 1000 * PER_MM / 4;
+constexpr i64 LEAST_FLOOR = LEAST_FLOOR_MM2 * PER_MM * PER_MM;
 constexpr i32 FREE = 0, TAKEN = -1;
 
 constexpr Rect scaled(const Rect& rect) { return {PER_MM * rect.x0, PER_MM * rect.z0, PER_MM * rect.x1, PER_MM * rect.z1}; }
@@ -68,8 +69,23 @@ class Cells {
     flood();
   }
 
-  i32 components() const { return areas_.size(); }
-  i64 area(i32 component) const { return areas_[component - 1]; }
+  i32 components() const { return components_; }
+
+  // The free centres of a component, of a person who is not smaller than asked.
+  i64 area(i32 component) const {
+    const i32 nx = labels_.rows, nz = labels_.columns;
+    i64 area = 0;
+    for (i32 i = 0; i < nx; i++) {
+      for (i32 j = 0; j < nz; j++) {
+        if (labels_.at(i, j) != component) continue;
+        area += area_within(xs_[i + 1] - xs_[i], zs_[j + 1] - zs_[j], [&](i32 x, i32 z) {
+          x += i, z += j;
+          return x < 0 || x >= nx || z < 0 || z >= nz || labels_.at(x, z) == TAKEN;
+        });
+      }
+    }
+    return area;
+  }
 
   // Marks the components of which a cell meets a box.
   void mark_touched(const Rect& box, Span<bool> touched) const {
@@ -96,15 +112,14 @@ class Cells {
     const Span<i32> queue = reserved<i32>(all);
     for (i32 start = 0; start < all; start++) {
       if (labels_.data[start] != FREE) continue;
-      areas_.add(flooded(start, areas_.size() + 1, queue));
+      flood_from(start, ++components_, queue);
     }
   }
 
-  // Numbers the free cells that hang together with one of them; returns their area.
-  i64 flooded(i32 start, i32 number, Span<i32> queue) {
+  // Numbers the free cells that hang together with one of them.
+  void flood_from(i32 start, i32 number, Span<i32> queue) {
     const i32 nx = labels_.rows, nz = labels_.columns;
     i32 queued = 0;
-    i64 area = 0;
     const auto reach = [&](i32 cell) {
       if (labels_.data[cell] != FREE) return;
       labels_.data[cell] = number;
@@ -113,18 +128,16 @@ class Cells {
     reach(start);
     while (queued > 0) {
       const i32 cell = queue[--queued], i = cell / nz, j = cell % nz;
-      area += (xs_[i + 1] - xs_[i]) * (zs_[j + 1] - zs_[j]);
       if (i > 0) reach(cell - nz);
       if (i + 1 < nx) reach(cell + nz);
       if (j > 0) reach(cell - 1);
       if (j + 1 < nz) reach(cell + 1);
     }
-    return area;
   }
 
   Span<i64> xs_{}, zs_{};
   Table<i32> labels_{};
-  List<i64> areas_;
+  i32 components_ = 0;
 };
 
 // Takes from the components that serve those that do not touch something; gives back what touched it for the next.
@@ -159,7 +172,7 @@ bool FreeFloor::connects() const {
   const arena::Scope scope;
   const Cells cells(domain_, taken_.all());
   const Span<bool> serving = reserved<bool>(cells.components()), touched = zeroes<bool>(cells.components());
-  for (i32 k = 0; k < serving.size; k++) serving[k] = cells.area(k + 1) >= LEAST_FLOOR;
+  for (bool& serves : serving) serves = true;
   for (const Doorway& door : doors_) {
     cells.mark_touched(entry_of(door), touched);
     keep(serving, touched);
@@ -172,8 +185,8 @@ bool FreeFloor::connects() const {
     }
     if (!goal.need_all) keep(serving, touched);
   }
-  for (const bool serves : serving) {
-    if (serves) return true;
+  for (i32 k = 0; k < serving.size; k++) {
+    if (serving[k] && cells.area(k + 1) >= LEAST_FLOOR) return true;
   }
   return false;
 }

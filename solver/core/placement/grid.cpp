@@ -1,6 +1,7 @@
 #include "placement/grid.hpp"
 
 #include "placement/frames.hpp"
+#include "plain/least_floor.hpp"
 
 namespace placement {
 
@@ -237,6 +238,26 @@ static bool part_floor(
   return true;
 }
 
+// Tells whether a component has the least free centres, of a person who is not smaller than asked.
+static bool has_least_floor(const Room& room, const WalkGrid& grid, i64 component) {
+  constexpr i64 SURELY = 4;  // so many times as much is enough by any measure
+  const i64 wanted = 4 * room.space->least_floor;
+  if (grid.areas[component] < wanted || grid.areas[component] >= SURELY * wanted) return grid.areas[component] >= wanted;
+  const Span<i64> xs = grid.cuts.row(0), zs = grid.cuts.row(1);
+  const i64 nx = grid.state->cuts[0] - 1, nz = grid.state->cuts[1] - 1;
+  i64 area = 0;
+  for (i64 i = 0; i < nx; i++) {
+    for (i64 j = 0; j < nz; j++) {
+      if (grid.labels[i * nz + j] != component) continue;
+      area += area_within(xs[i + 1] - xs[i], zs[j + 1] - zs[j], [&](i64 x, i64 z) {
+        x += i, z += j;
+        return x < 0 || x >= nx || z < 0 || z >= nz || grid.labels[x * nz + z] < 0;
+      });
+    }
+  }
+  return area >= wanted;
+}
+
 // Tells whether a person comes to all doors and use sides.
 static bool is_reached(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
   const i64 least_floor = room.space->least_floor;
@@ -246,7 +267,7 @@ static bool is_reached(const Room& room, const Work& work, const WalkGrid& grid,
   }
   state.entered = entered_of(room, grid);
   if (state.entered == 0) return state.numbers == 0 && least_floor == 0;
-  return grid.reached[state.entered].count == state.numbers && grid.areas[state.entered] >= 4 * least_floor;
+  return grid.reached[state.entered].count == state.numbers && has_least_floor(room, grid, state.entered);
 }
 
 bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
@@ -260,7 +281,7 @@ bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Ta
 bool may_be_walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
   if (!part_floor(room, work, grid, low, high, room.space->robot)) return false;
   for (i64 c = 1; c <= grid.state->components; c++) {
-    if (grid.reached[c].count == grid.state->numbers && grid.areas[c] >= 4 * room.space->least_floor) return true;
+    if (grid.reached[c].count == grid.state->numbers && has_least_floor(room, grid, c)) return true;
   }
   return false;
 }

@@ -1,5 +1,6 @@
 #include "rooms/asking.hpp"
 
+#include "plain/least_floor.hpp"
 #include "plain/lists.hpp"
 
 namespace rooms {
@@ -9,7 +10,6 @@ using placement::CandidateRow;
 using placement::SidesRow;
 
 constexpr f64 OTHER_SIDE_COST = 0.05;  // what using the second of several allowed sides costs: order, not preference
-constexpr i64 LEAST_FLOOR_MM2 = 255'000;  // the free centres that a room must have for the person, and a little for the snap
 
 Span<Candidate> WantingRoom::ways_of(i32 piece) const {
   Range ways = {0, 0};

@@ -5,12 +5,6 @@
 
 namespace validate {
 
-// What is measured of a room's walk: the free centres that can be come to, and all of them.
-struct WalkedRoom {
-  Area entered;
-  Area any;
-};
-
 // Areas of a room: between its wall lines, clear of walls, that without what bodies cover, all without what furniture on the floor covers.
 struct MeasuredRoom {
   Area all, clear, uncovered, unfurnished;
@@ -58,7 +52,7 @@ Bytes walk_storey(Bytes rows_sent) {
   u8* side = rows.data + told;
   for (i32 i = 0; i < storey.rooms.size; i++) {
     const Placed& placed = storey.rooms[i];
-    reinterpret_cast<WalkedRoom*>(rows.data)[i] = {walked_floor(walk, placed, true), walked_floor(walk, placed, false)};
+    reinterpret_cast<WalkedRoom*>(rows.data)[i] = walked_floor(storey, walk, placed);
     for (const Body& body : placed.room.bodies) {
       *side = 0;
       for (i32 k = 0; k < 4 && body.is(Sort::furniture); k++) {

@@ -133,21 +133,37 @@ Walk walk_of(const Storey& storey) {
   return walk;
 }
 
-Area walked_floor(const Walk& walk, const Placed& placed, bool only_entered) {
-  Area area;
-  for (const Rect& box : placed.room.inside) {
-    look_at(walk, moved(box, placed.x, placed.z), [&](const Grid& tile, const CellWindow& at) {
+// Where in a room a centre is clear of all its walls, the doors in them shut: boxes that do not overlap.
+static List<Rect> clear_centres(const Storey& storey, const Placed& placed) {
+  List<Rect> walls, found;
+  const i64 deep = storey.half_wall + storey.reach;
+  for (const Edge& edge : placed.room.edges) walls.add(edge.strip(edge.start - deep, edge.end + deep, deep, deep));
+  const Grid grid = grid_of(placed.room.inside, walls.all());
+  rectangles(grid, [&](i32 i, i32 k) { return grid.cells.at(i, k) != 0; }, found);
+  return found;
+}
+
+WalkedRoom walked_floor(const Storey& storey, const Walk& walk, const Placed& placed) {
+  const arena::Scope scope;
+  WalkedRoom found;
+  for (const Rect& own : clear_centres(storey, placed)) {
+    const Rect box = moved(own, placed.x, placed.z);
+    look_at(walk, box, [&](const Grid& tile, const CellWindow& at) {
       for (i32 i = at.x0; i < at.x1; i++) {
-        i64 deep = 0;
+        i64 entered = 0, any = 0;
         for (i32 k = at.z0; k < at.z1; k++) {
           const i32 component = tile.cells.at(i, k);
-          if (only_entered ? walk.entered[component] : component > 0) deep += tile.depth(k);
+          const i64 deep = least(tile.zs[k + 1], box.z1) - most(tile.zs[k], box.z0);
+          if (component > 0) any += deep;
+          if (walk.entered[component]) entered += deep;
         }
-        area.add_product(tile.width(i), deep);
+        const i64 wide = least(tile.xs[i + 1], box.x1) - most(tile.xs[i], box.x0);
+        found.entered.add_product(wide, entered);
+        found.any.add_product(wide, any);
       }
     });
   }
-  return area;
+  return found;
 }
 
 bool touches(const Walk& walk, const Rect& box, Wall side, i64 reach) {

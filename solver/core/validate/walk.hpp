@@ -37,8 +37,12 @@ struct Walk {
 Storey read_storey(Reader& reader);
 Walk walk_of(const Storey& storey);
 
-// The area of a room's free centres: those that can be come to, or all.
-Area walked_floor(const Walk& walk, const Placed& placed, bool only_entered);
+// The area of a room's free centres: those that can be come to, and all. What lies in doorways does not count.
+struct WalkedRoom {
+  Area entered;
+  Area any;
+};
+WalkedRoom walked_floor(const Storey& storey, const Walk& walk, const Placed& placed);
 
 // Whether the square can come to touch a side of a box, its centre within the side's extent.
 bool touches(const Walk& walk, const Rect& box, Wall side, i64 reach);
