@@ -27,7 +27,7 @@ FLOORS = {
     "bedroom": "wood", "bedroom_master": "wood", "living_room": "wood", "dining_room": "wood", "office": "wood", "hallway": "wood",
     "kids_bedroom": "wood", "kitchen": "tile", "bathroom": "tile", "laundry": "tile", "balcony": "tile", "garage": "concrete",
     "garage_2car": "concrete", "garage_3car": "concrete", "workshop": "concrete", "patio": "stone", "outdoor_deck": "deck",
-    "backyard": "grass", "foyer": "tile",
+    "backyard": "grass", "foyer": "stone",
 }  # fmt: skip
 OUTDOORS = {"patio", "outdoor_deck", "backyard", "balcony"}
 rooms = pytest.mark.parametrize("name", sorted(KNOWN.rooms))

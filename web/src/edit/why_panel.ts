@@ -1,9 +1,11 @@
 /** Why the chosen piece stands where it does: what holds it back from where it was wished, in the service's words. */
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { isAbort } from "../service";
-import { pieceWords } from "./words";
+import { pieceWords, withNames } from "./words";
 import { say } from "../words/language";
 
+/** Calls the pieces of a message as people do. */
+type Named = (message: string) => string;
 export type AskWhy = (scene: Scene, id: string, signal: AbortSignal) => Promise<Explained>;
 
 export class WhyPanel {
@@ -24,7 +26,7 @@ export class WhyPanel {
     const { signal } = this.#pending;
     try {
       const answer = await this.ask(scene, id, signal);
-      this.host.replaceChildren(...this.#contents(answer));
+      this.host.replaceChildren(...this.#contents(answer, (message) => withNames(message, scene)));
       this.host.hidden = false;
       this.onShow(answer);
     } catch (reason) {
@@ -41,29 +43,30 @@ export class WhyPanel {
     if (was) this.onShow(null);
   }
 
-  #contents(answer: Explained): HTMLElement[] {
+  #contents(answer: Explained, named: Named): HTMLElement[] {
     const heading = document.createElement("strong");
     heading.textContent = say("Why the {piece} stands here", { piece: pieceWords(answer.id) });
-    const notes = [...wishOf(answer), ...answer.notes].map((note) => {
+    const notes = [...wishOf(answer), ...answer.notes.map(named)].map((note) => {
       const words = document.createElement("p");
       words.textContent = `${note.charAt(0).toUpperCase()}${note.slice(1)}.`;
       return words;
     });
     const list = document.createElement("ul");
-    list.append(...answer.holds.map((hold) => this.#line(hold)));
+    list.append(...answer.holds.map((hold) => this.#line(hold, named(hold.message))));
     const close = button(say("Close"), () => this.hide());
-    return [heading, ...notes, ...(answer.holds.length > 0 ? [list] : []), ...this.#ways(answer), close];
+    return [heading, ...notes, ...(answer.holds.length > 0 ? [list] : []), ...this.#ways(answer, named), close];
   }
 
   /** How else it could stand, and what that would have cost; each can be taken. */
-  #ways({ ways, room }: Explained): HTMLElement[] {
+  #ways({ ways, room }: Explained, named: Named): HTMLElement[] {
     if (ways.length === 0) return [];
     const [heading, list] = [document.createElement("strong"), document.createElement("ul")];
     heading.textContent = say("How else it could stand");
     list.className = "ways";
     list.append(...ways.map((way) => {
       const line = document.createElement("li");
-      const said = wayWords(way);
+      const words = named(way.message);
+      const said = words.charAt(0).toUpperCase() + words.slice(1);
       if (way.cost === null) {
         line.textContent = said;
         return line;
@@ -78,21 +81,13 @@ export class WhyPanel {
   }
 
   /** What holds it; a piece that does can be chosen. */
-  #line(hold: Hold): HTMLElement {
+  #line({ by, what }: Hold, words: string): HTMLElement {
     const line = document.createElement("li");
-    const { by } = hold;
-    const isPiece = by !== null && (hold.what === "piece" || hold.what === "use_side" || hold.what === "relation");
-    if (isPiece) line.append(button(hold.message, () => this.onChoose(by)));
-    else line.textContent = hold.message;
+    const isPiece = by !== null && (what === "piece" || what === "use_side" || what === "relation");
+    if (isPiece) line.append(button(words, () => this.onChoose(by)));
+    else line.textContent = words;
     return line;
   }
-}
-
-/** A way's words, its pieces called as people call them. */
-function wayWords({ message, moves, left_out: gone }: OtherWay): string {
-  const ids = [...moves.map(({ id }) => id), ...gone].sort((a, b) => b.length - a.length);
-  const said = ids.reduce((text, id) => text.replaceAll(id, `the ${pieceWords(id)}`), message);
-  return said.charAt(0).toUpperCase() + said.slice(1);
 }
 
 /** How far it stands from where it was wished. */
