@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import pytest
@@ -50,6 +51,8 @@ def test_german_is_whole_fits_and_gives_way_to_english(german: Visit) -> None:
     page.keyboard.press("k")
     german.settle()
     assert german.state()["marks"]["locked"] == [piece]
+    numbers = " ".join(page.locator("#gaps, .labels").all_inner_texts())
+    assert re.search(r"\d,\d", numbers) and not re.search(r"\d\.\d", numbers)
     left = page.evaluate("JSON.stringify(compose.scene)")
     page.get_by_role("button", name="Tasten").click()
     expect(page.get_by_role("dialog", name="Tasten")).to_contain_text("ein anderes Haus")

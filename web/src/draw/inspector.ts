@@ -8,7 +8,7 @@ import type { DrawnPlan } from "./drawn_plan";
 import { button, choiceField, group, hint, lengthField, row, switchField } from "./elements";
 import { UNTYPED } from "./scene_draft";
 import { inMetres } from "./sheet";
-import { say, type Words } from "../words/language";
+import { say, sayNumber, type Words } from "../words/language";
 
 const SQUARE_METRE = 1e6;
 const GUESS = say("Guess it");
@@ -71,7 +71,7 @@ export class Inspector {
   #room(room: DraftRoom): HTMLElement[] {
     const name = draftNames(this.plan.draft).get(room.id) ?? room.id;
     const types = [["", GUESS] as const, ...this.types.map((type) => [type, inWords(type)] as const)];
-    const title = `${capital(name)}, ${(areaOf(room.corners) / SQUARE_METRE).toFixed(1)} m²`;
+    const title = `${capital(name)}, ${sayNumber(areaOf(room.corners) / SQUARE_METRE, 1)} m²`;
     return [group(title,
       choiceField(say("Type"), types, room.type ?? "", (type) => this.plan.step(withType(this.plan.settled, room.id, type || null))),
       ...namedWalls(room).map(({ wall, words }) => this.#wall(room, wall, words)),
@@ -129,11 +129,11 @@ export class Inspector {
     const list = document.createElement("div");
     list.className = "drawing-rooms";
     list.append(...draft.rooms.map(({ id, corners }) => {
-      const choose = button(`${capital(names.get(id) ?? id)}, ${(areaOf(corners) / SQUARE_METRE).toFixed(1)} m²`, () => this.plan.choose({ room: id }));
+      const choose = button(`${capital(names.get(id) ?? id)}, ${sayNumber(areaOf(corners) / SQUARE_METRE, 1)} m²`, () => this.plan.choose({ room: id }));
       choose.setAttribute("aria-pressed", String(this.plan.chosen.room === id));
       return choose;
     }));
     const words = draft.rooms.length === 0 ? say("Draw a rectangle for each room, or press N for one of 4 by 3 m.") : say("A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.");
-    return group(say("{count} rooms, {area} m²", { count: draft.rooms.length, area: total.toFixed(1) }), list, hint(words));
+    return group(say("{count} rooms, {area} m²", { count: draft.rooms.length, area: sayNumber(total, 1) }), list, hint(words));
   }
 }

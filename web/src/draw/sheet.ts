@@ -2,7 +2,7 @@
 import type { Room } from "../contract";
 import { areaOf, boxOf, wallsOf, type Box, type Corners, type Point } from "./corners";
 import type { Draft, DraftOpening, DraftRoom } from "./draft";
-import { say } from "../words/language";
+import { say, sayNumber } from "../words/language";
 
 const SVG = "http://www.w3.org/2000/svg";
 /** How thick a wall is drawn [mm]; what is nearer than that to a line of the sheet is on it. */
@@ -53,7 +53,7 @@ function make(tag: string, attributes: Attributes, ...children: readonly (Node |
 }
 
 export function inMetres(length: number): string {
-  return (length / METRE).toFixed(2);
+  return sayNumber(length / METRE, 2);
 }
 
 function pathOf(corners: Corners): string {
@@ -216,7 +216,7 @@ export class Sheet {
     const { x, z, width } = nameAt(room.corners);
     const fitting = width / (LETTER * names(room).length);
     const size = Math.max(SMALLEST * this.#perPixel, Math.min(LARGEST * this.#perPixel, fitting));
-    const area = `${(areaOf(room.corners) / METRE / METRE).toFixed(1)} m²`;
+    const area = `${sayNumber(areaOf(room.corners) / METRE / METRE, 1)} m²`;
     return make("text", { class: "room-name", x, y: z, "font-size": size },
       make("tspan", { x, dy: "-0.1em" }, names(room)), make("tspan", { class: "area", x, dy: "1.2em" }, area));
   }

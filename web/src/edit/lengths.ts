@@ -1,11 +1,12 @@
-/** Lengths as they are read and typed. Pure. */
+/** Lengths as they are read and typed. */
+import { sayNumber } from "../words/language";
 
 const UNITS: Readonly<Record<string, number>> = { "": 1000, m: 1000, cm: 10, mm: 1 };
 const TYPED = /^([+-]?\d+(?:[.,]\d+)?|[+-]?[.,]\d+)\s*(m|cm|mm)?$/i;
 
 /** A length as it is read: metres, to the millimetre where it is not of whole centimetres. */
 export function lengthWords(gap: number): string {
-  return `${(gap / 1000).toFixed(gap % 10 === 0 ? 2 : 3)} m`;
+  return `${sayNumber(gap / 1000, gap % 10 === 0 ? 2 : 3)} m`;
 }
 
 /** A length that was typed, in whole millimetres: metres where no unit is said. Null where it is none. */

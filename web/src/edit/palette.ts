@@ -3,7 +3,7 @@ import type { Catalog } from "../contract";
 import { words } from "../house/frame";
 import type { Favourites } from "./favourites";
 import type { FurnitureKind } from "./scene_edits";
-import { say } from "../words/language";
+import { say, sayNumber } from "../words/language";
 
 interface Entry {
   readonly key: string;
@@ -152,7 +152,7 @@ export class Palette {
     choose.dataset.kind = key;
     Object.assign(picture, PICTURE);
     picture.setAttribute("aria-hidden", "true");
-    size.textContent = `${kind.size.map((metres) => metres.toFixed(2)).join(" × ")} m`;
+    size.textContent = `${kind.size.map((metres) => sayNumber(metres, 2)).join(" × ")} m`;
     choose.append(picture, words(key), " ", size);
     this.#listen(choose, kind);
     item.append(choose, this.#star(key));

@@ -4,7 +4,7 @@ import { words } from "../house/frame";
 import { lengthTyped, lengthWords } from "./lengths";
 import type { Alignment } from "./many_edits";
 import { EXTENTS, isSizable, sizeRange, variantsOf } from "./size_range";
-import { say, type Words } from "../words/language";
+import { say, sayNumber, type Words } from "../words/language";
 
 export interface PieceWords {
   change(id: string, change: Partial<Furniture>): void;
@@ -63,7 +63,7 @@ export class PiecePanel {
     input.name = extent;
     input.value = lengthWords(Math.round(piece[extent] * 1000));
     input.disabled = !isSizable(range) || piece.locked === true;
-    input.title = isSizable(range) ? say("{from} to {to} m", { from: range[0].toFixed(2), to: range[1].toFixed(2) }) : say("This kind has one size");
+    input.title = isSizable(range) ? say("{from} to {to} m", { from: sayNumber(range[0], 2), to: sayNumber(range[1], 2) }) : say("This kind has one size");
     input.addEventListener("keydown", (event) => { if (event.key === "Escape") input.blur(); });
     input.addEventListener("change", () => {
       const typed = lengthTyped(input.value);

@@ -4,6 +4,7 @@ import { footprint, SIDES } from "./gaps";
 import { lengthWords } from "./lengths";
 import type { RulerLine } from "./rulers";
 import { pieceWords } from "./words";
+import { sayNumber } from "../words/language";
 
 /** An arrow that holds with a cost of one a metre is so long; none is shorter or longer than this [m]. */
 const PER_COST = 0.35;
@@ -33,7 +34,7 @@ export function whyLines({ holds, wished, stands }: Pick<Explained, "holds" | "w
     return mine.map((hold, number): RulerLine => {
       const length = Math.max(SHORTEST, Math.min(LONGEST, hold.cost_per_m * PER_COST));
       const beside = middle + (number - (mine.length - 1) / 2) * APART;
-      return { look: "hold", from: spot(axis, isLow ? edge - length : edge + length, beside), to: spot(axis, edge, beside), words: `${holderWords(hold)} ${hold.cost_per_m.toFixed(2)}/m`, at: 0 };
+      return { look: "hold", from: spot(axis, isLow ? edge - length : edge + length, beside), to: spot(axis, edge, beside), words: `${holderWords(hold)} ${sayNumber(hold.cost_per_m, 2)}/m`, at: 0 };
     });
   });
   const away = wished ? Math.hypot(wished[0] - stands[0], wished[1] - stands[1]) : 0;

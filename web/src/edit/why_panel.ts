@@ -2,7 +2,7 @@
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { isAbort } from "../service";
 import { pieceWords, withNames } from "./words";
-import { say } from "../words/language";
+import { say, sayNumber } from "../words/language";
 
 /** Calls the pieces of a message as people do. */
 type Named = (message: string) => string;
@@ -93,7 +93,7 @@ export class WhyPanel {
 /** How far it stands from where it was wished. */
 function wishOf({ wished, stands }: Explained): string[] {
   const away = wished ? Math.hypot(wished[0] - stands[0], wished[1] - stands[1]) : 0;
-  return away >= 0.02 ? [say("it was wished {length} m from here", { length: away.toFixed(2) })] : [];
+  return away >= 0.02 ? [say("it was wished {length} m from here", { length: sayNumber(away, 2) })] : [];
 }
 
 function button(words: string, act: () => void): HTMLButtonElement {

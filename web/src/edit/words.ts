@@ -1,6 +1,6 @@
 /** Words for what is edited and repaired. */
 import type { Repair, Scene } from "../contract";
-import { say, sayName } from "../words/language";
+import { say, sayName, sayNumber } from "../words/language";
 
 /** A piece's id as a person calls it: its kind, and its number where it is not the first. */
 export function pieceWords(id: string): string {
@@ -22,7 +22,7 @@ export function repairWords(repair: Repair): string {
     case "move": return say("Let the {piece} stand away from its wall", { piece });
     case "unlock": return say("Unlock the {piece}", { piece });
     case "turn": return say("Turn the {piece} to {angle}°", { piece, angle: repair.rotation });
-    case "shrink": return say("Shrink the {piece} to {width} × {depth} m", { piece, width: repair.width.toFixed(2), depth: repair.depth.toFixed(2) });
+    case "shrink": return say("Shrink the {piece} to {width} × {depth} m", { piece, width: sayNumber(repair.width, 2), depth: sayNumber(repair.depth, 2) });
     case "leave_out": return say("Leave out the {piece}", { piece });
   }
 }

@@ -3,7 +3,7 @@ import { queryFromRequest } from "../address";
 import type { Beyond, Home, Shown, Showing } from "../state/home";
 import { changeBetween, changed, type Change } from "./changes";
 import type { Head, KeptStep, Store } from "./store";
-import { say, sayName } from "../words/language";
+import { say, sayName, sayNumber } from "../words/language";
 
 /** Homes that were never edited are kept up to this many: each can be made again. Our choice. */
 const MOST_PLAIN = 60;
@@ -45,7 +45,7 @@ export function titleOf({ scene, file, made }: Shown): string {
 
 function sizeOf({ scene }: Shown): string {
   const { size, rooms } = scene;
-  const outer = size ? `${Number(size.width.toFixed(1))} × ${Number(size.depth.toFixed(1))} m, ` : "";
+  const outer = size ? `${sayNumber(size.width, 1, "short")} × ${sayNumber(size.depth, 1, "short")} m, ` : "";
   return outer + (rooms.length === 1 ? say("1 room") : say("{count} rooms", { count: rooms.length }));
 }
 

@@ -5,10 +5,10 @@ import { clearFloorOf } from "../house/clear_floor";
 import { drawable } from "../house/drawable";
 import { runsOf } from "../house/wall_runs";
 import { inWords } from "./programme";
-import { say, sayName } from "../words/language";
+import { say, sayName, sayNumber } from "../words/language";
 
 function metres(length: number): string {
-  return `${Number(length.toFixed(2))} m`;
+  return `${sayNumber(length, 2, "short")} m`;
 }
 
 function leadsTo({ connects_to: to, kind }: Opening, names: ReadonlyMap<string, string>): string {
@@ -37,7 +37,7 @@ export function factsOf(room: Room, scene: Scene): [string, string][] {
   const facts: [string, string][] = [
     [say("Type"), inWords(room.type)],
     [say("Size"), `${metres(clear.width)} × ${metres(clear.depth)}`],
-    [say("Area"), `${clear.area.toFixed(1)} m²`],
+    [say("Area"), `${sayNumber(clear.area, 1)} m²`],
     [say("Floor"), room.flooring?.type ?? say("not said")],
     [say("Doors"), doors.length > 0 ? say("to {rooms}", { rooms: doors.join(", ") }) : say("none")],
     [say("Windows"), String(windows)],

@@ -1,7 +1,7 @@
 /** The status bar: how much there is of what, how many issues, how long it took. */
 import type { GenerateAnswer, Issue, Scene } from "../contract";
 import type { Shown } from "../state/home";
-import { say } from "../words/language";
+import { say, sayNumber } from "../words/language";
 
 export interface Counts {
   readonly rooms: number;
@@ -35,7 +35,7 @@ export function totalMs(timing: GenerateAnswer["timing_ms"]): number {
 /** Nothing where nothing was made: a file was only read. */
 function timeWords(ms: number): string {
   if (ms === 0) return "";
-  return ms >= 1000 ? `${(ms / 1000).toFixed(1)} s` : `${ms < 10 ? ms.toFixed(1) : ms.toFixed(0)} ms`;
+  return ms >= 1000 ? `${sayNumber(ms / 1000, 1)} s` : `${sayNumber(ms, ms < 10 ? 1 : 0)} ms`;
 }
 
 /** What the certificate proves, in short and in full; null where it says nothing of rooms. */

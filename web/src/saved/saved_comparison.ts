@@ -4,7 +4,7 @@ import { clearFloorOf } from "../house/clear_floor";
 import { drawable } from "../house/drawable";
 import { runsOf } from "../house/wall_runs";
 import { readSaved, savedPicture, type SavedHead, type SavedHome } from "./saved_calls";
-import { say, sayName } from "../words/language";
+import { say, sayName, sayNumber } from "../words/language";
 
 /** What is told of a home, row by row. */
 export function factsOf({ head, scene }: SavedHome): Record<string, string> {
@@ -13,7 +13,7 @@ export function factsOf({ head, scene }: SavedHome): Record<string, string> {
   const area = rooms.filter(({ outdoor }) => !outdoor).reduce((sum, room) => sum + clearFloorOf(room, runs).area, 0);
   return {
     [say("Rooms")]: String(scene.rooms.length),
-    [say("Floor")]: say("{area} m² indoors", { area: area.toFixed(1) }),
+    [say("Floor")]: say("{area} m² indoors", { area: sayNumber(area, 1) }),
     [say("Furniture")]: String(count(scene, "furniture")),
     [say("Decorations")]: String(count(scene, "decorations")),
     [say("Room types")]: scene.rooms.map(({ type }) => sayName(type)).sort().join(", "),

@@ -9,6 +9,7 @@ import { aheadBy, RANK, sizeSeen, type Asked } from "./label_wishes";
 import type { MarkWords } from "./mark_words";
 import { RoomLabels } from "./room_labels";
 import type { Viewport } from "./viewport";
+import { sayNumber } from "../words/language";
 
 type Named = LabelElement & { readonly id: string };
 
@@ -20,7 +21,7 @@ const MARK_LIFT = 12;
 const PIECES_WITHIN = 7;
 
 function sizeWords({ width, depth, height }: PlacedBody): string {
-  return [width, depth, height].map((metres) => String(Number(metres.toFixed(3)))).join(" × ");
+  return [width, depth, height].map((metres) => sayNumber(metres, 3, "short")).join(" × ");
 }
 
 function wordsOf(body: PlacedBody): string {

@@ -11,7 +11,7 @@ import type { Viewport } from "./viewport";
 import { firstPose } from "./walk";
 import { WalkFloor } from "./walk_floor";
 import { WalkMode } from "./walk_mode";
-import { say } from "../words/language";
+import { say, sayNumber } from "../words/language";
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -171,7 +171,7 @@ export class Looking {
   }
 
   #cutWords(): void {
-    within("cut_words").textContent = `${Number(this.#cut.value).toFixed(1)} m`;
+    within("cut_words").textContent = `${sayNumber(Number(this.#cut.value), 1)} m`;
   }
 
   /** Names the furniture, or with decorations all, or neither again. */

@@ -26,6 +26,14 @@ export function languageOf(chosen: string | null, browser: string | undefined): 
 
 const language = languageOf(remembered(NAME), globalThis.navigator?.language);
 const table = TABLES[language];
+/** What parts whole numbers from their fractions. */
+const POINT = (1.5).toLocaleString(language).charAt(1);
+
+/** A number of so many places; `short`: of no more than it needs. */
+export function sayNumber(value: number, places: number, form: "whole" | "short" = "whole"): string {
+  const written = value.toFixed(places);
+  return (form === "short" ? String(Number(written)) : written).replace(".", POINT);
+}
 
 /** Words of the page, or of somebody else where they are known, with values for their `{names}`. */
 export function sayAny(english: string, values: Values = {}): string {
