@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from fractions import Fraction
+from pathlib import Path
 from typing import get_args
 
 import pytest
 
+import catalogs
 from catalogs import load_catalogs
 from catalogs.entries import Category
 
@@ -123,3 +126,9 @@ def test_required_pieces_bear_the_names_that_are_required(name: str) -> None:
                 supply[kind] = supply.get(kind, 0) + piece.count
     for line in room.requires:
         assert any(supply.get(kind, 0) >= count for kind, count in line.items())
+
+
+def test_every_name_is_said_in_german_too() -> None:
+    table = json.loads((Path(catalogs.__file__).parents[1] / "web" / "src" / "words" / "names.de.json").read_text("utf-8"))
+    shown = {kind.name or name for name, kind in KNOWN.furniture.items()} | set(KNOWN.decorations)
+    assert (shown | set(KNOWN.rooms) | {kind.category for kind in KNOWN.furniture.values()}) - set(table) == set()
