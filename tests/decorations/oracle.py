@@ -65,6 +65,7 @@ def complaints(scene: Scene) -> Iterator[str]:
         yield from _unsupported(room, half)
         yield from _together(room)
         yield from _before_openings(room, half)
+        yield from _in_ways(room)
 
 
 def _outside(room: Room, half: float) -> Iterator[str]:
@@ -190,6 +191,22 @@ def _before_openings(room: Room, half: float) -> Iterator[str]:
             over = min(min(max(ends), max(spans)) - max(min(ends), min(spans)), level) > CLOSE
             if over and _away(hidden, thing.mounted_on_wall, room) < half + 0.1:
                 yield f"{thing.id} hangs behind {piece.id}"
+
+
+def _in_ways(room: Room) -> Iterator[str]:
+    """Nothing hangs before a door or passage, up to 0.9 m from it, below its top: its leaf swings there, and one walks there."""
+    for opening in room.openings:
+        if opening.kind == "window" or opening.wall is None:
+            continue
+        side, deep = opening.width, min(opening.width, 0.9)
+        low = opening.position - side / 2
+        far = {"north": 0.0, "south": room.depth - deep, "west": 0.0, "east": room.width - deep}[opening.wall]
+        x, z, width, depth = (low, far, side, deep) if opening.wall in ("north", "south") else (far, low, deep, side)
+        corners = ((x, z), (x + width, z), (x + width, z + depth), (x, z + depth))
+        before = Turned(corners, opening.sill, opening.sill + opening.height)
+        for thing in room.decorations:
+            if thing.mounted_on_wall is not None and shares(turned(thing), before):
+                yield f"{thing.id} hangs in the way through {opening.id}"
 
 
 def _away(box: Turned, wall: str, room: Room) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
+from operator import itemgetter
 from typing import Any
 
 import pytest
@@ -101,6 +102,21 @@ def test_the_check_sees_what_is_wrong(pair: tuple[Scene, Scene]) -> None:
                 continue
             spoilt: Room = replace(room, decorations=(*room.decorations[:k], wrong, *room.decorations[k + 1 :]))
             assert any(thing.id in told for told in complaints(replace(pair[0], rooms=(spoilt,))))
+
+
+def test_the_check_sees_what_hangs_in_a_door_s_way(pair: tuple[Scene, Scene]) -> None:
+    """A shelf beside a door at its height is complained of, one above the door is not."""
+    doors = ((room, one) for room in pair[0].rooms for one in room.openings if one.kind == "door")
+    room, door = next((room, one) for room, one in doors if one.wall in ("north", "south"))
+    hung = next(one for other in pair[0].rooms for one in other.decorations if one.mounted_on_wall is not None)
+    side, away = min(("west", door.position), ("east", room.width - door.position), key=itemgetter(1))
+    depth = min(0.3, door.width / 2)
+    shelf = replace(hung, mounted_on_wall=side, rotation=0.0, width=2 * away)
+    for low, is_wrong in ((door.height - 0.2, True), (door.height + 0.1, False)):
+        z = depth if door.wall == "north" else room.depth - depth
+        wrong = replace(shelf, x=0.0 if side == "west" else room.width, z=z, depth=0.2, y=low)
+        told = complaints(replace(pair[0], rooms=(replace(room, decorations=(wrong,)),)))
+        assert any("in the way through" in one for one in told) == is_wrong
 
 
 def test_the_same_bytes_every_time() -> None:

@@ -24,13 +24,26 @@ struct Spot {
 
 }  // namespace
 
-// What is in the way along a wall between two heights: openings, what hangs there, what would hide it.
+// Tells whether one walks, or a leaf swings, through the square before a door at a height: up to the opening's top.
+static bool is_below_lintel(const DecoratedRoom& room, const Doorway& door, i64 height) {
+  const Interval along = door.square.along(door.wall);
+  for (const Opening& opening : room.openings) {
+    const bool is_of_door = opening.wall == static_cast<i32>(door.wall) && opening.along.low < along.high && along.low < opening.along.high;
+    if (is_of_door && height < opening.top) return true;
+  }
+  return false;
+}
+
+// What is in the way along a wall between two heights: openings, ways through doors, what hangs there, what would hide it.
 static List<Rect> blocks_at(const DecoratedRoom& room, Wall wall, i64 depth, Interval heights) {
   const Rect& clear = room.room.clear;
   List<Rect> found, near;
   for (const Opening& opening : room.openings) {
     if (opening.wall != static_cast<i32>(wall) || heights.low >= opening.top || opening.bottom >= heights.high) continue;
     found.add(strip(clear, wall, opening.along, depth));
+  }
+  for (const Doorway& door : room.doors) {
+    if (is_below_lintel(room, door, heights.low)) found.add(door.square);
   }
   room.near(strip(clear, wall, clear.along(wall), most(depth, VIEW_MM)), heights, NOBODY, near);
   for (const Rect& rect : near) {
