@@ -144,7 +144,7 @@ SLIPS = [
     Slip(DRESSING, "rooms: bathroom", "rooms: bathrom", "sink.lies.1.rooms", "bathrom}", "unknown room type"),
     Slip(DRESSING, "styles: [rustic,", "styles: [rusty,", "dining_chair.lies.0.styles", "rusty", "unknown style"),
     Slip(DRESSING, "where: middle, fill: 0.8, min", "where: centre, fill: 0.8, min", "indoor.stands.0.where", "where: centre", "middle"),
-    Slip(DRESSING, "fill: 0.8, widest", "widest", "hallway.stands.0", "widest: 0.8", "goes with"),
+    Slip(DRESSING, "fill: 0.8, widest", "widest", "hallway.stands.0", "widest: 0.8", "go with"),
     Slip(DRESSING, "workshop:\n  stands:", "workshop:\n  lies:", "lies.0.where", "where", "unknown key"),
     Slip(
         DRESSING,

@@ -105,5 +105,5 @@ def _stands(rng: Random, catalogs: Catalogs) -> dict[str, Any]:
     if where in ("beside", "under"):
         row["of"] = rng.sample(sorted({catalogs.name_of(kind) for kind in catalogs.furniture}), 9)
     if where == "middle" and rng.random() < 0.7:
-        row |= {"fill": round(rng.uniform(0.2, 0.9), 2)} | ({"widest": 1.4} if rng.random() < 0.5 else {})
+        row |= {"fill": round(rng.uniform(0.2, 0.9), 2)} | rng.choice(({}, {"widest": 1.4}, {"longest": 2.0}))
     return row

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from catalogs import load_catalogs
@@ -37,6 +39,18 @@ def test_every_indoor_room_has_a_rug_of_four_fifths_of_its_size(name: str, size:
 
 
 GROUPS = {"living_room": ("coffee_table", 0.7), "dining_room": ("dining_table", 0.7), "bedroom": ("bed", 0.6)}
+
+
+@pytest.mark.parametrize(("length", "count"), [(3.0, 1), (5.0, 1), (5.2, 2), (12.0, 3), (21.0, 4)])
+@pytest.mark.parametrize("turned", [False, True])
+def test_with_a_style_long_halls_have_several_runners_one_behind_another(length: float, count: int, turned: bool) -> None:
+    wide, deep = (1.2, length) if turned else (length, 1.2)
+    laid = rugs(decorate(room(type="hallway", width=wide, depth=deep, openings=()), style=KNOWN.styles["scandi"], style_name="scandi"))
+    ends = sorted((at - rug.width / 2, at + rug.width / 2) for rug in laid for at in ((rug.z if turned else rug.x),))
+    assert len(laid) == count and all(rug.width <= 4.0 and rug.rotation % 180 == (90 if turned else 0) for rug in laid)
+    assert ends[0][0] + ends[-1][1] == pytest.approx(length, abs=0.02)
+    assert ends[-1][1] - ends[0][0] == pytest.approx(0.8 * length, abs=0.06)
+    assert all(0.6 <= after[0] - before[1] + 1e-9 < 0.62 for before, after in pairwise(ends))
 
 
 @pytest.mark.parametrize("name", sorted(GROUPS))

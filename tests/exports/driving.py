@@ -86,6 +86,9 @@ class Floor:
         for body in model.bodies:
             if not body.flat and body.y < HEIGHT:
                 self._block(bare, (body.x, body.z), (body.width, body.depth), body.turn, clearance)
+        for leaf in model.leaves:
+            if leaf.motion == "roll":
+                self._block(bare, *_footprint(leaf, 0.0), clearance)
         leaves = [leaf for leaf in model.leaves if leaf.motion == "swing"]
         self.free = self._with(bare, leaves, None)
         self.layers = [(leaf, *self._behind(bare, leaves, leaf)) for leaf in leaves]
@@ -94,9 +97,7 @@ class Floor:
         """Returns which cells are free with all leaves open but one."""
         free = bare.copy()
         for leaf in leaves:
-            turn = math.radians(leaf.closed + (0.0 if leaf is closed else leaf.swing))
-            middle = leaf.hinge[0] + math.cos(turn) * leaf.width / 2, leaf.hinge[2] - math.sin(turn) * leaf.width / 2
-            self._block(free, middle, (leaf.width, leaf.thickness), math.degrees(turn), RADIUS + HANDLE)
+            self._block(free, *_footprint(leaf, 0.0 if leaf is closed else leaf.swing), RADIUS + HANDLE)
         return free
 
     def _behind(self, bare: Any, leaves: Sequence[DoorLeaf], leaf: DoorLeaf) -> tuple[Any, Any, Any]:
@@ -156,6 +157,13 @@ class Floor:
         start, end = (np.concatenate([edge[i] for edge in edges]) for i in (0, 1))
         far = np.concatenate([np.full(len(edge[0]), edge[2]) for edge in edges])
         return coo_matrix((far, (start, end)), shape=(first, first)).tocsr()
+
+
+def _footprint(leaf: DoorLeaf, opened: float) -> tuple[tuple[float, float], tuple[float, float], float]:
+    """Returns where a leaf stands that has turned by some degrees: its middle, its width and thickness, m, and its turn, degrees."""
+    turn = math.radians(leaf.closed + opened)
+    middle = leaf.hinge[0] + math.cos(turn) * leaf.width / 2, leaf.hinge[2] - math.sin(turn) * leaf.width / 2
+    return middle, (leaf.width, leaf.thickness), leaf.closed + opened
 
 
 def _steps(numbers: Any, free: Any) -> Iterator[tuple[Any, Any, float]]:

@@ -90,7 +90,8 @@ struct Stands {
   f64 min_side;
   f64 fill;
   i64 count;
-  i64 widest;  // 0: as wide as may be
+  i64 widest;   // 0: as wide as may be
+  i64 longest;  // 0: as long as may be
   i64 reach;
 };
 

@@ -15,6 +15,8 @@ constexpr i64 WIDER_MM[] = {200, 100, 50};
 // How far rugs that lie under pieces end before walls, and in how many steps they become smaller where the floor ends. Our choice.
 constexpr i64 RUG_OFF_WALL_MM = 100;
 constexpr i64 RUG_PARTS = 4;
+// Between rugs that lie one behind another. Our choice.
+constexpr i64 RUG_APART_MM = 600;
 // Places tried for a thing that stands anywhere. Our choice.
 constexpr i32 TRIES = 3;
 
@@ -87,7 +89,7 @@ Floor::Floor(DecoratedRoom& room)
       free_(floor_for(room, room.room.robot, goals_.all())),
       ways_(widest_ways(room)) {}
 
-// Lays a rug in the middle of the room, along its longer side.
+// Lays a rug in the middle of the room, along its longer side, or several one behind another where one would be too long.
 void Floor::spread(const Stands& row, const Choice& choice) {
   const i64 wide = room_.room.wide, deep = room_.room.deep, longer = most(wide, deep), lesser = least(wide, deep);
   Size size = room_.known.kind_of(choice).size;
@@ -96,10 +98,17 @@ void Floor::spread(const Stands& row, const Choice& choice) {
     size.width = floor_div(whole(static_cast<f64>(longer) * row.fill), 10) * 10;
     size.depth = floor_div(least(whole(static_cast<f64>(lesser) * row.fill), widest), 10) * 10;
   }
+  const i64 count = row.fills && row.longest ? floor_div(size.width + RUG_APART_MM - 1, row.longest + RUG_APART_MM) + 1 : 1;
+  const i64 step = floor_div(floor_div(size.width + RUG_APART_MM, count), 10) * 10;
+  if (count > 1) size.width = step - RUG_APART_MM;
   const i64 rotation = wide >= deep ? 0 : 90;
   const Extent extent = room_.bounds_of(size, rotation);
-  const Rect place = Rect{0, 0, extent.x, extent.z}.moved(floor_div(wide - extent.x, 2), floor_div(deep - extent.z, 2));
-  if (has_floor(place)) room_.add(choice, row.row, place, 0, size, rotation, NOBODY, Wall::none);
+  for (i64 k = 0; k < count; k++) {
+    const i64 aside = (2 * k + 1 - count) * step;
+    const i64 x = floor_div(wide - extent.x + (rotation ? 0 : aside), 2), z = floor_div(deep - extent.z + (rotation ? aside : 0), 2);
+    const Rect place{x, z, x + extent.x, z + extent.z};
+    if (has_floor(place)) room_.add(choice, row.row, place, 0, size, rotation, NOBODY, Wall::none);
+  }
 }
 
 // Tells whether all of a rectangle is floor of the room.
