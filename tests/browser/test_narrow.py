@@ -69,3 +69,30 @@ def test_the_way_out_of_a_walk_is_over_the_house_for_finger_and_key(visit: Visit
         expect(leave).to_be_hidden()
         expect(visit.page.locator("#stage")).to_be_focused()
     assert scrolled(visit) == 0
+
+
+def test_what_is_told_of_a_piece_and_what_may_be_added_stand_beneath_the_house(visit: Visit) -> None:
+    visit.page.set_viewport_size(PHONE)
+    bench = Bench(visit, den(crate(ONE, 1, 2.6)))
+    visit.page.mouse.click(*bench.at(ONE))
+    visit.settle()
+    beneath(visit, "#gaps", "#piece")
+    bench.page.get_by_role("button", name="Add a piece").click()
+    expect(visit.page.locator("#palette li button").first).to_be_visible()
+    beneath(visit, "#palette")
+    expect(visit.page.locator("#gaps")).to_be_hidden()
+    assert scrolled(visit) == 0
+
+
+def beneath(visit: Visit, *panels: str) -> None:
+    """Checks that panels are on the screen as a whole, below all of the canvas."""
+    canvas = visit.page.locator("#stage > canvas").bounding_box()
+    assert canvas
+    for panel in panels:
+        expect(visit.page.locator(panel)).to_be_visible()
+        box = visit.page.locator(panel).bounding_box()
+        assert box
+        assert box["y"] >= canvas["y"] + canvas["height"]
+        assert box["y"] + box["height"] <= PHONE["height"]
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= PHONE["width"]

@@ -113,7 +113,7 @@ class Page {
     this.#home.on("shown", (how) => this.#show(how));
     this.#home.on("selected", (id) => this.#select(id));
     this.#home.on("also", (also) => this.#stage.select(this.#home.selected, also));
-    this.#workbench = new Workbench(this.#home, this.#stage, this.#keeping.store, {
+    this.#workbench = new Workbench(this.#home, this.#stage, {
       busy: (busy) => { element("stage").dataset.editing = String(busy); },
       failed: (reason) => this.#asking.notice.show(reason),
     });

@@ -56,14 +56,10 @@ describe("the palette", () => {
   });
 
   it("shows the kinds of a category, and those that are liked, which are kept", async () => {
-    const words = new Map<string, string>();
-    const keeper = { keepWord: (name: string, word: string) => Promise.resolve(void words.set(name, word)), word: (name: string) => Promise.resolve(words.get(name) ?? null) };
     const shown = () => [...host.querySelectorAll<HTMLElement>("li")].filter((item) => !item.hidden).map((item) => item.querySelector<HTMLElement>("[data-kind]")?.dataset.kind);
     const known = { furniture: { sofa: { category: "seating", size: [2, 0.9, 0.8] }, desk: { category: "table", size: [1.2, 0.6, 0.8] } }, decorations: {} } as unknown as Catalog;
     const filled = async () => {
-      const favourites = new Favourites(keeper);
-      await favourites.read();
-      await new Palette(host, { favourites, portray: () => undefined, over: () => undefined, drop: () => undefined }).await(Promise.resolve(known));
+      await new Palette(host, { favourites: new Favourites(), portray: () => undefined, over: () => undefined, drop: () => undefined }).await(Promise.resolve(known));
     };
     const press = (selector: string) => host.querySelector<HTMLElement>(selector)?.click();
     await filled();

@@ -7,7 +7,7 @@ import type { Stage } from "../stage";
 import type { Home } from "../state/home";
 import { Plane, Vector3 } from "three";
 import type { Editor } from "./editor";
-import { Favourites, type Keeper } from "./favourites";
+import { Favourites } from "./favourites";
 import { Palette } from "./palette";
 import { PLACES, Places } from "./places";
 import { added, moved, type FurnitureKind } from "./scene_edits";
@@ -30,13 +30,11 @@ export interface AddingWords {
 export class Adding {
   readonly #palette: Palette;
   readonly #places: Places;
-  readonly #favourites: Favourites;
   #isFilled = false;
 
-  constructor(readonly home: Home, readonly stage: Stage, readonly editor: Editor, hosts: { readonly palette: HTMLElement; readonly places: HTMLElement }, keeper: Keeper, readonly say: AddingWords) {
-    this.#favourites = new Favourites(keeper);
+  constructor(readonly home: Home, readonly stage: Stage, readonly editor: Editor, hosts: { readonly palette: HTMLElement; readonly places: HTMLElement }, readonly say: AddingWords) {
     this.#palette = new Palette(hosts.palette, {
-      favourites: this.#favourites,
+      favourites: new Favourites(),
       portray: (kind, into) => stage.portrayKind(kind, into),
       over: (kind, at) => this.#preview(at && this.#wishedAt(kind, at)),
       drop: (kind, at) => this.#drop(kind, at),
@@ -51,8 +49,7 @@ export class Adding {
   toggle(coming: () => Promise<Catalog>): void {
     if (!this.#isFilled) {
       this.#isFilled = true;
-      const all = Promise.all([coming(), this.#favourites.read().catch(() => undefined)]).then(([catalog]) => catalog);
-      this.#palette.await(all).catch((reason: unknown) => {
+      this.#palette.await(coming()).catch((reason: unknown) => {
         this.#isFilled = false;
         this.say.failed(reason);
       });

@@ -1,23 +1,19 @@
-/** The kinds that a person likes to find again, kept in the browser. */
+/** The kinds that a person likes to find again, remembered in this browser at once: a page that is left right after a click has kept it. */
+import { remember, remembered } from "../panel/preferences";
 
-/** Where a word is kept under a name; null where none is. */
-export interface Keeper {
-  keepWord(name: string, word: string): Promise<void>;
-  word(name: string): Promise<string | null>;
+const NAME = "favourites";
+
+function read(): readonly string[] {
+  try {
+    const kept: unknown = JSON.parse(remembered(NAME) ?? "[]");
+    return Array.isArray(kept) ? kept.filter((kind) => typeof kind === "string") : [];
+  } catch {
+    return []; // what somebody else wrote there
+  }
 }
 
-const NAME = "favourite kinds";
-
 export class Favourites {
-  #kinds: ReadonlySet<string> = new Set();
-
-  constructor(readonly keeper: Keeper) {}
-
-  /** Reads what is kept. */
-  async read(): Promise<void> {
-    const kept: unknown = JSON.parse((await this.keeper.word(NAME)) ?? "[]");
-    if (Array.isArray(kept)) this.#kinds = new Set([...this.#kinds, ...kept.filter((kind) => typeof kind === "string")]);
-  }
+  #kinds: ReadonlySet<string> = new Set(read());
 
   has(kind: string): boolean {
     return this.#kinds.has(kind);
@@ -27,6 +23,6 @@ export class Favourites {
     const kinds = new Set(this.#kinds);
     if (!kinds.delete(kind)) kinds.add(kind);
     this.#kinds = kinds;
-    void this.keeper.keepWord(NAME, JSON.stringify([...kinds]));
+    remember(NAME, JSON.stringify([...kinds]));
   }
 }

@@ -80,7 +80,7 @@ export function gapsOf(scene: Pick<Scene, "wall_thickness">, room: Room, piece: 
     const near = others.flatMap((one) => {
       const span = footprint(one);
       const gap = to(span[axis][isLow ? 1 : 0]);
-      return overlap(span[across], own[across]) && gap >= 0 && (wall === null || gap < wall) ? [{ mm: gap, name: one.name.replaceAll("_", " "), at: middle(span[across], own[across]) }] : [];
+      return overlap(span[across], own[across]) && gap >= 0 && (wall === null || gap < wall) ? [{ mm: gap, name: one.name, at: middle(span[across], own[across]) }] : [];
     });
     return { side, wall, piece: near.sort((a, b) => a.mm - b.mm)[0] ?? null };
   });

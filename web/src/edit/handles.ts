@@ -2,6 +2,7 @@
 import { Plane, Vector3 } from "three";
 import type { Furniture } from "../contract";
 import type { PlacedBody } from "../house/frame";
+import type { Kept } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 import { isSizable, type SizeRange } from "./size_range";
 
@@ -20,6 +21,8 @@ const BEFORE = 0.35;
 const BESIDE = 0.08;
 /** No handle is seen nearer to the piece's middle than this [CSS pixels]. */
 const NEAREST: Readonly<Record<Grip, number>> = { turn: 62, width: 34, depth: 34 };
+/** How large a handle is seen [CSS pixels]. */
+const SEEN = 28;
 /** Sizes go by this [m]. */
 const STEP = 0.01;
 const GRIPS: readonly (readonly [Grip, string])[] = [["turn", "⟳"], ["width", "↔"], ["depth", "↔"]];
@@ -81,12 +84,15 @@ export class Handles {
 
   #place(): void {
     const body = this.#body;
+    const seen: Kept[] = [];
     for (const [grip, element] of this.#elements) {
       const isOffered = this.#isOffered(grip) && this.viewport.pose === null;
       const at = body && isOffered ? this.#seen(grip, body) : null;
       element.hidden = at === null;
+      if (at) seen.push({ ...at, width: SEEN, height: SEEN });
       if (at) element.style.transform = `translate(-50%, -50%) translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
     }
+    this.viewport.overlaid.set("handles", seen);
   }
 
   /** Where a handle is seen [CSS pixels]: where it belongs, or further out. */

@@ -1,5 +1,6 @@
 /** Lines and words drawn over the house: distances, guides, a tape, arrows. They follow the camera and cost no draw call. */
 import { Vector3 } from "three";
+import { keptInside, type Kept } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 
 export type RulerLook = "gap" | "guide" | "tape" | "hold" | "wish";
@@ -19,6 +20,8 @@ export interface RulerLine {
 
 /** Words of a distance whose line is seen shorter than this would hide it [CSS pixels]: they are beside the house only. */
 const SHORTEST = 26;
+/** How high words are, how wide a letter about is, and what is beside them [CSS pixels]. */
+const WORDS = { height: 18, letter: 6.8, beside: 12 } as const;
 
 interface Drawn {
   readonly line: RulerLine;
@@ -85,6 +88,7 @@ export class Rulers {
   }
 
   #place(): void {
+    const written: Kept[] = [];
     for (const { line, stroke, label } of this.#drawn) {
       const [from, to] = [line.from, line.to].map((spot) => this.viewport.project(new Vector3(...spot)));
       const isSeen = from !== null && to !== null && from !== undefined && to !== undefined;
@@ -95,7 +99,12 @@ export class Rulers {
       if (label && line.look === "gap") label.hidden = Math.hypot(to.x - from.x, to.y - from.y) < SHORTEST;
       const at = line.at ?? 0.5;
       const [x, y] = [from.x + (to.x - from.x) * at, from.y + (to.y - from.y) * at];
-      if (label) label.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+      if (!label || label.hidden) continue;
+      const extent = { width: (line.words?.length ?? 0) * WORDS.letter + WORDS.beside, height: WORDS.height };
+      const place = keptInside({ x, y, ...extent }, this.viewport.size);
+      label.style.transform = `translate(-50%, -50%) translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`;
+      written.push({ ...place, ...extent });
     }
+    this.viewport.overlaid.set("rulers", written);
   }
 }

@@ -12,7 +12,6 @@ import { Acts } from "./acts";
 import { Adding } from "./adding";
 import { ConflictPanel } from "./conflict_panel";
 import { Editor, type Refusal } from "./editor";
-import type { Keeper } from "./favourites";
 import { FloorZones } from "./floor";
 import { Hand, type Grasp, type Point } from "./hand";
 import { stoodSo } from "./many_edits";
@@ -63,7 +62,7 @@ export class Workbench {
   /** Who goes along with the piece in hand, as far as the service leaves them to it. */
   #along: ReadonlySet<string> = new Set();
 
-  constructor(readonly home: Home, readonly stage: Stage, keeper: Keeper, readonly words: WorkbenchWords) {
+  constructor(readonly home: Home, readonly stage: Stage, readonly words: WorkbenchWords) {
     this.editor = new Editor(home, fix, {
       busy: (busy) => words.busy(busy),
       failed: (reason) => words.failed(reason),
@@ -76,7 +75,7 @@ export class Workbench {
     this.#thing = new ThingDrag(home, stage, this.#acts);
     const hosts = { gaps: within("gaps"), piece: within("piece") as HTMLDetailsElement, tape: within("tape") };
     this.#numbers = new Numbers(home, stage, this.editor, this.#acts, hosts);
-    this.#adding = new Adding(home, stage, this.editor, { palette: within("palette"), places: within("places") }, keeper, {
+    this.#adding = new Adding(home, stage, this.editor, { palette: within("palette"), places: within("places") }, {
       room: () => this.#roomMeant(),
       failed: (reason) => words.failed(reason),
     });

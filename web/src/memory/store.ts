@@ -55,7 +55,7 @@ function opened(factory: IDBFactory | undefined): Promise<IDBDatabase> {
     const known = request.result.objectStoreNames;
     if (!known.contains("homes")) request.result.createObjectStore("homes", { keyPath: "id" });
     if (!known.contains("steps")) request.result.createObjectStore("steps", { keyPath: ["home", "number"] });
-    for (const name of ["pictures", "words"]) if (!known.contains(name)) request.result.createObjectStore(name);
+    if (!known.contains("pictures")) request.result.createObjectStore("pictures");
   };
   return asked(request);
 }
@@ -81,7 +81,6 @@ export class Store {
   readonly #heads = new Map<string, Head>();
   readonly #steps = new Map<string, Map<number, KeptStep>>();
   readonly #pictures = new Map<string, string>();
-  readonly #words = new Map<string, string>();
 
   constructor(factory: IDBFactory | undefined = factoryOf(globalThis)) {
     const open = Promise.resolve().then(() => opened(factory)).then((database) => {
@@ -171,20 +170,6 @@ export class Store {
     const kept = this.#pictures.get(id);
     if (kept !== undefined || !this.#database) return kept ?? null;
     return (await asked<string | undefined>(this.#database.transaction("pictures").objectStore("pictures").get(id))) ?? null;
-  }
-
-  /** Keeps a word under a name, whatever home is shown. One that cannot be kept is none once the page is left. */
-  async keepWord(name: string, word: string): Promise<void> {
-    await this.settled();
-    this.#words.set(name, word);
-    if (this.#database) await asked(this.#database.transaction("words", "readwrite").objectStore("words").put(word, name)).catch(() => undefined);
-  }
-
-  async word(name: string): Promise<string | null> {
-    await this.settled();
-    const kept = this.#words.get(name);
-    if (kept !== undefined || !this.#database) return kept ?? null;
-    return (await asked<string | undefined>(this.#database.transaction("words").objectStore("words").get(name))) ?? null;
   }
 
   /** Forgets homes; undo of one that came from them goes on to where they came from. */

@@ -140,10 +140,10 @@ export class Labels {
     const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...this.#askedTip(), ...pieces]
       .filter((wish) => this.#onCanvas(wish))
       .map((wish) => ({ ...wish, ...keptInside(wish, this.viewport.size) }));
-    const places = layOut(asked, this.#kept);
+    const places = layOut(asked, [...this.#kept, ...[...this.viewport.overlaid.values()].flat()]);
     const shown = new Set<LabelElement>();
     asked.forEach((wish, i) => {
-      const place = places[i] ?? (wish.keepsDot || wish.label === this.#tip ? wish : null);
+      const place = places[i] ?? (wish.keepsDot || wish.label === this.#tip || wish.label === this.#chosen ? wish : null);
       wish.label.element.classList.toggle("crowded-out", !places[i] && wish.keepsDot === true);
       if (!place) return;
       moveTo(wish.label, place.x, place.y);

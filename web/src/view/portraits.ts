@@ -1,5 +1,5 @@
 /** Small pictures of things by themselves, drawn on the canvas just before a frame and copied from there: no second renderer. */
-import { Color, PerspectiveCamera, Scene, Vector2, type Object3D, type WebGLRenderer } from "three";
+import { PerspectiveCamera, Scene, Vector2, type Object3D, type WebGLRenderer } from "three";
 import { frame, type Preset, type Vector } from "./cameras";
 import type { Daylight } from "./daylight";
 
@@ -19,16 +19,13 @@ interface Wish {
 
 /** At most so many before one frame. */
 const AT_ONCE = 6;
-const BACKDROP = "#3a4658";
 
 export class Portraits {
   readonly #wishes: Wish[] = [];
   readonly #scene = new Scene();
   readonly #camera = new PerspectiveCamera(30, 1, 0.05, 200);
 
-  constructor(readonly renderer: WebGLRenderer, readonly daylight: Daylight) {
-    this.#scene.background = new Color(BACKDROP);
-  }
+  constructor(readonly renderer: WebGLRenderer, readonly daylight: Daylight) {}
 
   /** Wishes for a picture, as large as a canvas. */
   want(make: () => Sitter | null, into: HTMLCanvasElement): void {
@@ -74,6 +71,8 @@ export class Portraits {
     this.renderer.setScissor(0, 0, width / ratio, height / ratio);
     this.renderer.render(this.#scene, this.#camera);
     sitter.dispose();
-    into.getContext("2d")?.drawImage(canvas, 0, canvas.height - height, width, height, 0, 0, into.width, into.height);
+    const picture = into.getContext("2d");
+    picture?.clearRect(0, 0, into.width, into.height);
+    picture?.drawImage(canvas, 0, canvas.height - height, width, height, 0, 0, into.width, into.height);
   }
 }

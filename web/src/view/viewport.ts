@@ -6,6 +6,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { timed } from "../timing";
 import { blend, frame, plus, PRESETS, type Framing, type PresetName, type Vector } from "./cameras";
 import { Daylight, GROUND_REACH, SKY } from "./daylight";
+import type { Kept } from "./label_layout";
 import { Orbiting, type OrbitStep } from "./orbiting";
 import { Portraits, type Sitter } from "./portraits";
 import { rendererForMachine } from "./renderer";
@@ -71,6 +72,8 @@ export class Viewport {
   #last = 0;
   /** Whether something was added since the last frame. */
   #new = false;
+  /** What is shown over the canvas for what is chosen, by who shows it: names keep clear of it. */
+  readonly overlaid = new Map<string, readonly Kept[]>();
 
   constructor(readonly host: HTMLElement) {
     this.#renderer = rendererForMachine();
