@@ -32,7 +32,7 @@ NOT_WALKABLE = "no walkable arrangement of the required pieces was found"
 FREEING_WORK = 4000.0
 """What freeing a few pieces may cost a question whether they can stand, in QPs of a small room."""
 REASONS = {
-    NO_WAY: "none of the ways to stand it leaves the room valid and walkable",
+    NO_WAY: "no way to stand it was found that leaves the room valid and walkable",
     COVERED: "the floor is covered as densely as wished without it",
     SPENT: "no place found for it within the search's limit",
 }

@@ -7,7 +7,7 @@ The lengths are of Neufert, Architects' Data (3rd ed., chapters on bedrooms, liv
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from solver.scene import Decoration, Furniture, Opening, Room, Scene
@@ -109,7 +109,7 @@ def strip(box: Box, side: str, depth: float, start: float = 0.0, end: float = 0.
     return (x0, box.z1, x1, box.z1 + depth) if dz > 0 else (x0, box.z0 - depth, x1, box.z0)
 
 
-def count(cases: Iterator[bool]) -> Count:
+def count(cases: Iterable[bool]) -> Count:
     """Returns how many cases hold, and how many there are."""
     held = list(cases)
     return sum(held), len(held)
@@ -197,6 +197,11 @@ def dining_beside_dining_room(scene: Scene) -> Count:
     if not any(room.type == "dining_room" for room in scene.rooms):
         return 0, 0
     return count(bool(floor.named("dining_table")) for floor in floors(scene, "living_room"))
+
+
+def tables_to_eat_at(scene: Scene) -> Count:
+    """Homes with a dining table, wherever it stands."""
+    return count([any(floor.named("dining_table") for room in scene.rooms for floor in floors(scene, room.type))])
 
 
 def _aside(seat: Box, other: Box) -> tuple[float, float]:
@@ -336,6 +341,7 @@ LINES = (
     Line("bed: head under a window", heads_under_windows, {"*": 0.05}, most=True),
     Line("double bed: both long sides free, 0.5 m", both_sides_free, {"*": 0.9, "studio": 0.8}),
     Line("dining table in the living room beside a dining room", dining_beside_dining_room, {"*": 0.0}, most=True),
+    Line("home with a dining table", tables_to_eat_at, {"*": 0.98, "one_bed": 0.6, "studio": 0.6}),
     Line("armchair, sofa: faces nothing", faces_nothing, {"*": 0.02}, most=True),
     Line("sofa: screen within 30 degrees, 1.5-4.5 m", screen_before_sofa, {"*": 0.92}),
     Line("fireplace: a seat looks at it", fireplaces_faced, {"*": 0.9}),
