@@ -17,6 +17,8 @@ from tests.chromium import FLAGS, bring
 FOLDER = ROOT / "web" / "pictures"
 STARTS = ROOT / "web" / "src" / "starts"
 START_PIXELS = (204, 138)
+FAINT = 100
+"""What is seen less than this, of 255, is the shade beside a home."""
 HOUSE = "?program=family&decorate=true&style=scandi&seed=11"
 ROOM = "?program=one_bed&decorate=true&style=mid_century&seed=12"
 PAGE_SIZE: ViewportSize = {"width": 1440, "height": 860}
@@ -45,17 +47,18 @@ def house(browser: Browser, address: str, to: Path) -> None:
 
 
 def starts(browser: Browser, address: str) -> None:
-    """Takes the homes that the page offers to begin with, small, each as its link asks for it."""
+    """Takes the homes that the page offers to begin with, small, each as its link asks for it, on clear ground for light pages and dark."""
     page = browser.new_page(viewport={"width": 1100, "height": 640}, color_scheme="light")
     visit = Visit(page, address)
     visit.open(ROOM)
     for link in page.locator("#starts a").all():
         visit.after(link.click)
         page.locator("#stage > :not(canvas)").evaluate_all("all => all.forEach(one => { one.style.visibility = 'hidden'; })")
-        seen = Image.open(BytesIO(page.locator("#stage > canvas").screenshot())).convert("RGB")
+        page.locator("html, body, #stage").evaluate_all("all => all.forEach(one => { one.style.background = 'none'; })")
+        seen = Image.open(BytesIO(page.locator("#stage > canvas").screenshot(omit_background=True))).convert("RGBA")
         name = str(link.get_attribute("href")).partition("program=")[2].partition("&")[0]
-        around = ImageOps.fit(seen, START_PIXELS, centering=(0.5, 0.5))
-        around.save(STARTS / f"{name}.webp", quality=82, method=6)
+        home = seen.crop(seen.getchannel("A").point(lambda alpha: 255 * (alpha > FAINT)).getbbox())
+        ImageOps.pad(home, START_PIXELS, color=(0, 0, 0, 0)).save(STARTS / f"{name}.webp", quality=82, method=6)
     page.close()
 
 

@@ -64,13 +64,20 @@ export class Walls {
   #colored(face: Face, panel: WallPanel): ColoredQuad {
     const { corners, normal, cut } = face;
     const isSide = normal[1] === 0 && normal[panel.axis === "x" ? 0 : 2] === 0;
-    if (!isSide) return { corners, normal, color: cut ? CUT : REVEAL };
+    if (!isSide) return { corners, normal, color: cut || this.#isBared(face, panel) ? CUT : REVEAL };
     const finish = finishOf(face, panel, this.#rooms) ?? WALL;
     const look = FINISHES[finish.type];
     const low = Math.max(corners[0][1], corners[2][1]) <= panel.elevation + SKIRTING;
     if (low && finish === WALL) return { corners, normal, color: PLINTH };
     if (low && look?.skirted) return { corners, normal, color: SKIRTING_BOARD, roughness: 0.6 };
     return look ? { corners, normal, color: finish.color, pattern: look.pattern, roughness: look.roughness } : { corners, normal, color: finish.color };
+  }
+
+  /** Whether an end is seen only because what it runs into is lower: then it is cut as well. */
+  #isBared({ corners, normal }: Face, { axis, along, openStart, openEnd }: WallPanel): boolean {
+    const which = axis === "x" ? 0 : 2;
+    const isAt = (end: number): boolean => corners[0][which] === end;
+    return normal[which] < 0 ? !openStart && isAt(along.from) : normal[which] > 0 && !openEnd && isAt(along.to);
   }
 
   #boxes(cut: WallCut, surfaces: readonly Surface[]): ColoredQuad[] {
