@@ -46,7 +46,7 @@ class _LeftOver:
         if issue.rule == "unreachable" and any(self._people.issuperset(conflict.ids) for conflict in here):
             return None
         if issue.rule == "unreachable" and here:
-            words = f"out of reach as long as the room's other conflicts last: {issue.message}"
+            words = f"not found: out of reach as long as the room's other conflicts last: {issue.message}"
             return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else _leaving(self.house, issue))
         return Conflict(issue.ids, self._why(issue), _leaving(self.house, issue))
 

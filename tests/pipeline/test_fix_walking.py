@@ -42,7 +42,7 @@ def test_what_can_stand_but_not_be_reached_is_a_conflict_with_the_place_to_stand
     assert {repair["action"] for repair in conflict.repairs} == {"shrink", "leave_out"}
     for repair in conflict.repairs:
         assert errors(fix(with_repair(narrow(), repair)).scene) == [], repair
-    assert [other.message[:12] for other in fixed.conflicts[1:]] == ["out of reach"]
+    assert [other.message[:23] for other in fixed.conflicts[1:]] == ["not found: out of reach"]
 
 
 def test_no_place_to_stand_is_looked_for_where_geometry_cannot_be_repaired() -> None:
