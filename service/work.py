@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import ctypes
-import os
-import signal
 import sys
 from collections import Counter
-from dataclasses import dataclass, field
-from functools import lru_cache
+from dataclasses import dataclass
 from traceback import format_exc
 from typing import Final
 
@@ -28,8 +24,6 @@ from solver.exchange import FORMATS, GLB, load_text
 if sys.platform != "win32":
     import resource
 
-PR_SET_PDEATHSIG: Final = 1
-"""Of Linux: a process chooses the signal it gets when its parent ends."""
 MEMORY_LIMIT: Final = 2 << 30
 """Memory that a worker may write to, bytes; the core only reserves address space beyond that. A house takes less than a tenth of it."""
 
@@ -45,7 +39,6 @@ class Job:
         wanted: the answer's format.
         catalogs: the catalogs, packed by `packed`; or their mark (`mark_of`), where the process may know them.
         terms: how much work it may do.
-        service: the process that the caller waits at: where it has ended, nobody does.
     """
 
     call: str
@@ -54,7 +47,6 @@ class Job:
     wanted: str
     catalogs: bytes | str
     terms: Terms = USUAL
-    service: int = field(default_factory=os.getpid)
 
 
 @dataclass(frozen=True)
@@ -124,17 +116,4 @@ def do_alone(job: Job) -> Response | Failure | UnknownCatalogs:
     if sys.platform != "win32":
         _, most = resource.getrlimit(resource.RLIMIT_DATA)
         resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_LIMIT, most))  # not RLIMIT_AS: the core reserves addresses that it never uses
-    _end_with(job.service)
     return do(job)
-
-
-@lru_cache(maxsize=1)
-def _end_with(service: int) -> None:
-    """Has this process ended when the service is, however that ends; elsewhere than on Linux it ends after its call.
-
-    A service that was gone before this process could say so sends no signal: then it has another parent by now.
-    """
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        if service not in (os.getpid(), os.getppid()):
-            os.kill(os.getpid(), signal.SIGKILL)

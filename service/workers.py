@@ -1,31 +1,39 @@
 """Calls of the solver take the processor and may take long: they run in a few processes of their own, with a deadline, in two lanes.
 
 So the service goes on answering, every core is used, what takes too long or is waited for no more can be ended, which a thread cannot be,
-and what is quickly done never waits behind what is not.
+and what is quickly done never waits behind what is not: each lane keeps its own processes, and those of the heavy one give way to others.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Awaitable, Callable
-from typing import NamedTuple, TypeVar, TypeVarTuple, Unpack
+from contextlib import suppress
+from threading import Thread
+from typing import Final, NamedTuple, TypeVar, TypeVarTuple, Unpack
 
-from anyio import BrokenWorkerProcess, CapacityLimiter, create_task_group, fail_after, to_process
+from anyio import BrokenWorkerProcess, CapacityLimiter, create_task_group, fail_after, to_thread
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive
 
 from service.refusals import Busy, TooLong
 from service.service_settings import Settings
+from service.worker_processes import Raised, WorkerProcess
 
 T = TypeVar("T")
 Given = TypeVarTuple("Given")
 
+GIVES_WAY: Final = 5
+"""How much nicer than the service the processes of the heavy lane are."""
+
 
 class Lane(NamedTuple):
-    """A bounded number of processes with a bounded line before them."""
+    """A bounded number of processes with a bounded line before them; those that do nothing now, and how nice all are."""
 
     slots: CapacityLimiter
     waiting: int
+    idle: list[WorkerProcess]
+    nice: int
 
     def check(self) -> None:
         """Lets a call in.
@@ -37,6 +45,13 @@ class Lane(NamedTuple):
         if line.borrowed_tokens >= line.total_tokens and line.tasks_waiting >= self.waiting:
             raise Busy("service", f"{line.total_tokens:g} calls run and {self.waiting} wait", "another try in a moment")
 
+    def keep(self, process: WorkerProcess) -> None:
+        """Keeps a process for the next call, or ends it where there are enough."""
+        if len(self.idle) < self.slots.total_tokens:
+            self.idle.append(process)
+        else:
+            process.kill()
+
 
 class Workers:
     """The processes of a service.
@@ -47,16 +62,17 @@ class Workers:
 
     def __init__(self, settings: Settings) -> None:
         self._seconds = settings.request_seconds
-        self.heavy = Lane(CapacityLimiter(settings.running()), settings.waiting)
-        self.light = Lane(CapacityLimiter(settings.light_processes), settings.waiting)
+        self.heavy = Lane(CapacityLimiter(settings.running()), settings.waiting, [], GIVES_WAY)
+        self.light = Lane(CapacityLimiter(settings.light_processes), settings.waiting, [], 0)
         self.restarts = 0
         """Processes that died and were replaced."""
         self._unbounded = CapacityLimiter(math.inf)
+        self._first: tuple[Callable[..., object], tuple[object, ...]] | None = None
 
     async def run(self, work: Callable[[Unpack[Given]], T], *given: *Given, is_light: bool = False) -> T:
         """Runs a function of a module in a process and returns what it returns; once more in another where the process died.
 
-        Where the task that waits is cancelled, the process is ended, or the call leaves the line.
+        Where the task that waits is cancelled, the process is ended and another one started, or the call leaves the line.
 
         Args:
             work: the function.
@@ -74,21 +90,53 @@ class Workers:
             try:
                 with fail_after(self._seconds):
                     try:
-                        return await self._in_process(work, *given)
+                        return await self._in_process(lane, work, *given)
                     except BrokenWorkerProcess:
                         self.restarts += 1
-                        return await self._in_process(work, *given)
+                        return await self._in_process(lane, work, *given)
             except TimeoutError:
                 raise TooLong("body", f"takes longer than {self._seconds:g} s", TooLong.SMALLER) from None
 
-    async def _in_process(self, work: Callable[[Unpack[Given]], T], *given: *Given) -> T:
-        return await to_process.run_sync(work, *given, cancellable=True, limiter=self._unbounded)
+    async def _in_process(self, lane: Lane, work: Callable[[Unpack[Given]], T], *given: *Given) -> T:
+        while not lane.idle:
+            await self._added(lane)
+        process = lane.idle.pop()
+        try:
+            found = await to_thread.run_sync(process.ask, work, given, abandon_on_cancel=True, limiter=self._unbounded)
+        except BaseException as error:
+            process.kill()
+            Thread(target=self._add, args=(lane,), daemon=True).start()
+            if isinstance(error, EOFError | OSError):
+                raise BrokenWorkerProcess from error
+            raise
+        lane.keep(process)
+        if isinstance(found, Raised):
+            raise found.error
+        return found
+
+    async def _added(self, lane: Lane) -> None:
+        await to_thread.run_sync(self._add, lane, limiter=self._unbounded)
+
+    def _add(self, lane: Lane) -> None:
+        """Adds a process to a lane that has done what all do first; none where it dies of that."""
+        process = WorkerProcess(lane.nice)
+        with suppress(EOFError, OSError):
+            if self._first is not None:
+                process.ask(*self._first)
+            lane.keep(process)
 
     async def start(self, work: Callable[[Unpack[Given]], object], *given: *Given) -> None:
-        """Starts all processes by running something in each, however long it takes: a first start may compile."""
+        """Starts all processes, however long it takes: a first start may compile.
+
+        Args:
+            work: what each of them, and each that replaces one, does first.
+            given: what that is given.
+        """
+        self._first = work, given
         async with create_task_group() as group:
-            for _ in range(int(self.heavy.slots.total_tokens + self.light.slots.total_tokens)):
-                group.start_soon(self._in_process, work, *given)
+            for lane in (self.heavy, self.light):
+                for _ in range(int(lane.slots.total_tokens)):
+                    group.start_soon(self._added, lane)
 
 
 async def unless_left(receive: Receive, work: Awaitable[T]) -> T:

@@ -54,3 +54,12 @@ def _said_address(process: subprocess.Popen[str]) -> str:
         if found := ADDRESS.search(line):
             return found.group()
     raise RuntimeError("the service ended: " + "".join(said))
+
+
+def descendants(process: int) -> list[int]:
+    """The processes that a process and those that it started have started, by whichever thread."""
+    try:
+        found = [int(one) for task in Path(f"/proc/{process}/task").glob("*/children") for one in task.read_text().split()]
+    except OSError:
+        return []
+    return [*found, *(other for one in found for other in descendants(one))]

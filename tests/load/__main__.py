@@ -26,7 +26,7 @@ from typing import Any, Final
 import httpx2
 from tqdm import tqdm
 
-from tests.browser.service_process import ServiceProcess, running
+from tests.browser.service_process import ServiceProcess, descendants, running
 from tests.service.test_connections import Server
 
 BUSY: Final = (429, 503)
@@ -52,19 +52,10 @@ def quantile(seconds: list[float], share: float) -> float:
     return sorted(seconds)[min(int(share * len(seconds)), len(seconds) - 1)]
 
 
-def tree(process: int) -> list[int]:
-    """Returns a process with all that it started."""
-    try:
-        begun = Path(f"/proc/{process}/task/{process}/children").read_text().split()
-    except OSError:
-        return []
-    return [process, *(one for child in begun for one in tree(int(child)))]
-
-
 def memory(process: int) -> int:
     """Returns the memory of a process and all that it started, bytes: what is shared is counted once."""
     total = 0
-    for one in tree(process):
+    for one in (process, *descendants(process)):
         try:
             lines = Path(f"/proc/{one}/smaps_rollup").read_text().splitlines()
         except OSError:
@@ -86,9 +77,18 @@ def mixed(client: httpx2.AsyncClient) -> list[Ask]:
         lambda seed: client.post("generate", json={"seed": seed, "width": 7.0, "depth": 6.0}),
         lambda _: client.post("fix", json={"scene": {"rooms": [room]}}),
         lambda _: client.post("place", json=SHELF),
-        lambda seed: client.post("homes", json={**SMALL, "name": f"home {seed}"}),
+        lambda seed: kept_for_a_moment(client, f"home {seed}"),
         lambda _: client.get("homes?limit=5"),
     ]
+
+
+async def kept_for_a_moment(client: httpx2.AsyncClient, name: str) -> httpx2.Response:
+    """Saves a home and removes it, as a service keeps a bounded number; returns the first answer, or the second that is no success."""
+    saved = await client.post("homes", json={**SMALL, "name": name})
+    if saved.is_error:
+        return saved
+    removed = await client.delete(f"homes/{saved.json()['id']}", headers={"If-Match": saved.headers["etag"]})
+    return removed if removed.is_error else saved
 
 
 async def all_at_once(address: str, clients: int, seconds: float) -> tuple[Counter[int], list[float]]:

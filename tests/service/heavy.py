@@ -27,6 +27,11 @@ def process(folder: str) -> int:
     return os.getpid()
 
 
+def niceness() -> tuple[int, int]:
+    """Its process, and how nice that is."""
+    return os.getpid(), os.nice(0)
+
+
 def held(job: Job) -> Response | Failure | UnknownCatalogs:
     """A call that first waits at the gate of the folder that its body names."""
     from service.work import do_alone

@@ -225,6 +225,33 @@ def test_who_leaves_ends_his_call_while_it_runs(tmp_path: Path) -> None:
     assert not is_alive(int(note.read_text()))
 
 
+def test_a_call_that_is_abandoned_costs_only_its_own_process_which_is_replaced_at_once(tmp_path: Path) -> None:
+    note = tmp_path / "process"
+
+    async def scene() -> None:
+        bench, caller = Workers(SETTINGS), Caller()
+        await bench.start(heavy.niceness)
+        light, nice = await bench.run(heavy.niceness, is_light=True)
+        assert nice == os.nice(0)
+
+        async def leave_once_it_runs() -> None:
+            await until(lambda: note.exists() and bool(note.read_text()))
+            assert len(bench.heavy.idle) == RUNNING - 1
+            caller.left.set()
+
+        async with anyio.create_task_group() as group:
+            group.start_soon(leave_once_it_runs)
+            with pytest.raises(ClientDisconnect):
+                await unless_left(caller.receive, bench.run(heavy.endless, str(note)))
+        await until(lambda: len(bench.heavy.idle) == RUNNING)
+        process, nice = await bench.run(heavy.niceness)
+        assert (process != int(note.read_text()), nice) == (True, min(19, os.nice(0) + workers.GIVES_WAY))
+        assert len(bench.light.idle) == LIGHT and (await bench.run(heavy.niceness, is_light=True))[0] == light
+        assert bench.restarts == 0
+
+    apart.run(scene)
+
+
 def test_who_leaves_while_he_waits_leaves_the_line(tmp_path: Path) -> None:
     async def scene() -> None:
         bench, caller = Workers(SETTINGS), Caller()
