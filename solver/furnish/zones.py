@@ -168,19 +168,28 @@ def missing_parts(room: Room, half: int) -> list[Rect]:
     points = [(to_mm(x), to_mm(z)) for x, z in room.outline]
     between = any(abs(v * 1000 - to_mm(v)) > 1e-4 for corner in room.outline for v in corner)
     lines = bounds_of(room)
-    xs = sorted({x for x, _ in points})
-    zs = sorted({z for _, z in points})
+    level = [(min(x0, x1), max(x0, x1), z0) for (x0, z0), (x1, z1) in zip(points, points[1:] + points[:1], strict=True) if z0 == z1]
+    low, high = min(z for _, z in points), max(z for _, z in points)
     columns: list[Rect] = []
-    for x0, x1 in pairwise(xs):
-        for z0, z1 in pairwise(zs):
-            if _inside(points, x0 + x1, z0 + z1):
-                continue
-            if columns and columns[-1].x0 == x0 and columns[-1].z1 == z0:
-                columns[-1] = Rect(x0, columns[-1].z0, x1, z1)
-            else:
-                columns.append(Rect(x0, z0, x1, z1))
+    for x0, x1 in pairwise(sorted({x for x, _ in points})):
+        crossed = sorted(z for start, end, z in level if start <= x0 and x1 <= end)
+        columns += [Rect(x0, z0, x1, z1) for z0, z1 in _runs_joined([low, *crossed, high])]
     grown = (_clipped(rect.shrunk(-half - between), lines) for rect in _rows_joined(columns))
     return [rect for rect in grown if rect]
+
+
+def _runs_joined(ends: list[int]) -> list[tuple[int, int]]:
+    """Returns the runs from each even one of sorted ends to the next, without empty ones, those that touch as one.
+
+    The ends are even in number but for a column of one millimetre between corners a micrometre apart; its last then ends nothing.
+    """
+    runs: list[tuple[int, int]] = []
+    for start, end in zip(ends[::2], ends[1::2], strict=False):
+        if runs and runs[-1][1] == start:
+            runs[-1] = (runs[-1][0], end)
+        elif start < end:
+            runs.append((start, end))
+    return runs
 
 
 def _rows_joined(columns: list[Rect]) -> list[Rect]:
@@ -193,12 +202,3 @@ def _rows_joined(columns: list[Rect]) -> list[Rect]:
         else:
             joined[i] = Rect(joined[i].x0, rect.z0, rect.x1, rect.z1)
     return joined
-
-
-def _inside(points: list[tuple[int, int]], double_x: int, double_z: int) -> bool:
-    """Tells by crossings whether a point (doubled mm, on no edge) lies inside a rectilinear outline."""
-    crossings = 0
-    for (x0, z0), (x1, z1) in zip(points, points[1:] + points[:1], strict=True):
-        if x0 == x1 and 2 * x0 > double_x and min(z0, z1) * 2 < double_z < max(z0, z1) * 2:
-            crossings += 1
-    return crossings % 2 == 1

@@ -10,12 +10,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from solver.placement import Budget
 from solver.repair import Repair, RepairSettings, all_bodies, seated_along, without
 from solver.scene import Conflict, Issue, Room, Scene
 from solver.validator import Checked
 
 WAYS_IN = ("door", "passage", "garage_door")
 """Openings that lead into a room."""
+
+LEAVING_WORK = 400_000.0
+"""Work that judging the house without one body and another may cost, in QPs of a small room, also where a call's searches spent theirs."""
+TRIAL_WORK, ROOM_WORK = 150.0, 15.0
+"""What judging it once counts, and what each room adds to that; measured."""
 
 
 def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairSettings) -> tuple[Conflict, ...]:
@@ -24,7 +30,7 @@ def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairS
     A room that no door leads into is said to be that. Of another that nobody can come to nothing is said where a conflict explains it:
     in the room, or elsewhere in the house; nor of what only somebody without a free place keeps out of reach.
     """
-    left = _LeftOver(house, conflicts, settings)
+    left = _LeftOver(house, conflicts, settings, Budget(LEAVING_WORK, is_known=True))
     return tuple(conflict for issue in house.errors if (conflict := left.named(issue)) is not None)
 
 
@@ -33,6 +39,7 @@ class _LeftOver:
     house: Checked
     conflicts: Sequence[Conflict]
     settings: RepairSettings
+    budget: Budget
 
     def named(self, issue: Issue) -> Conflict | None:
         """Returns an issue's conflict; None where another one explains it."""
@@ -41,14 +48,14 @@ class _LeftOver:
             return Conflict((), f"{issue.room} has no way in: no door or passage leads into it")
         if not issue.ids and (here or self.conflicts):
             return None
-        if issue.ids and any(set(issue.ids) & set(conflict.ids) for conflict in self.conflicts):
+        if self._explained.intersection(issue.ids):
             return None
         if issue.rule == "unreachable" and any(self._people.issuperset(conflict.ids) for conflict in here):
             return None
         if issue.rule == "unreachable" and here:
             words = f"not found: out of reach as long as the room's other conflicts last: {issue.message}"
-            return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else _leaving(self.house, issue))
-        return Conflict(issue.ids, self._why(issue), _leaving(self.house, issue))
+            return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else _leaving(self.house, issue, self.budget))
+        return Conflict(issue.ids, self._why(issue), _leaving(self.house, issue, self.budget))
 
     def _why(self, issue: Issue) -> str:
         if issue.ids and self._locked.issuperset(issue.ids):
@@ -56,6 +63,10 @@ class _LeftOver:
         if issue.rule == "unreachable" and issue.ids:
             return f"not found: it can stand, but no way was found to reach it: {issue.message}"
         return f"not found: no repair for this: {issue.message}"
+
+    @cached_property
+    def _explained(self) -> frozenset[str]:
+        return frozenset(label for conflict in self.conflicts for label in conflict.ids)
 
     @cached_property
     def _people(self) -> frozenset[str]:
@@ -87,9 +98,9 @@ def _has_no_way_in(scene: Scene, name: str | None) -> bool:
     return name is not None and len(scene.rooms) > 1 and name not in leading
 
 
-def _leaving(house: Checked, issue: Issue) -> tuple[Repair, ...]:
+def _leaving(house: Checked, issue: Issue, budget: Budget) -> tuple[Repair, ...]:
     """Returns which of an issue's bodies ends it by being left out."""
-    helps = (label for label in issue.ids if not _is_left(_house_without(house, label), issue))
+    helps = (label for label in issue.ids if (trial := _house_without(house, label, budget)) and not _is_left(trial, issue))
     return tuple({"action": "leave_out", "id": label} for label in helps)
 
 
@@ -97,9 +108,12 @@ def _is_left(house: Checked, issue: Issue) -> bool:
     return any((other.rule, other.ids) == (issue.rule, issue.ids) for other in house.errors)
 
 
-def _house_without(house: Checked, label: str) -> Checked:
-    """Returns the house without a body and all that it carries; who sat on it stands up."""
+def _house_without(house: Checked, label: str, budget: Budget) -> Checked | None:
+    """Returns the house without a body and all that it carries; who sat on it stands up. None where the budget is spent."""
+    if budget.spent:
+        return None
     scene = house.scene
+    budget.left -= TRIAL_WORK + ROOM_WORK * len(scene.rooms)
     after = tuple(without(room, (label,)) if label in _ids_in(scene, room) else room for room in scene.rooms)
     people = tuple(person for person in scene.dynamic if person.id != label)
     return house.after(replace(scene, rooms=after, dynamic=seated_along(people, scene.rooms, after)))
@@ -111,9 +125,9 @@ def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Con
     Returns:
         The house, and for each body that is gone the rule that it broke.
     """
-    reasons: list[Conflict] = []
+    reasons, budget = list[Conflict](), Budget(LEAVING_WORK, is_known=True)
     while house.errors:
-        better = next(_lighter(house, settings), None)
+        better = next(_lighter(house, settings, budget), None)
         if better is None:
             break
         issue, label, house = better
@@ -121,15 +135,13 @@ def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Con
     return house, reasons
 
 
-def _lighter(house: Checked, settings: RepairSettings) -> Iterator[tuple[Issue, str, Checked]]:
+def _lighter(house: Checked, settings: RepairSettings, budget: Budget) -> Iterator[tuple[Issue, str, Checked]]:
     """Yields houses with less broken, each with an issue that is gone and the body left out for it."""
     order = {label: k for k, label in enumerate(_by_importance(house.scene, settings))}
-    named = [(issue, label) for issue in house.errors for label in issue.ids]
-    if not named:
-        named = [(issue, label) for issue in house.errors for label in order]
-    for issue, label in sorted(named, key=lambda pair: order.get(pair[1], len(order))):
-        trial = _house_without(house, label)
-        if len(trial.errors) < len(house.errors):
+    broken_by = {label: issue for issue in reversed(house.errors) for label in issue.ids} or dict.fromkeys(order, house.errors[0])
+    for label, issue in sorted(broken_by.items(), key=lambda pair: order.get(pair[0], len(order))):
+        trial = _house_without(house, label, budget)
+        if trial and len(trial.errors) < len(house.errors):
             yield issue, label, trial
 
 

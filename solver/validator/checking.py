@@ -127,7 +127,11 @@ def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked
 
 def _judge(case: RuleCase, known: _Judged | None) -> _Judged:
     """Judges a room; of what is known already of the same room nothing that still holds is checked again."""
-    open_again = {_OF_THE_CERTIFICATE} if known and known.case.walk is case.walk else {_OF_THE_CERTIFICATE, "unreachable"}
+    open_again = set[str]()
+    if known and known.case.walk is not case.walk:
+        open_again.add("unreachable")
+    if known and known.case.world.scene.certificate is not case.world.scene.certificate:
+        open_again.add(_OF_THE_CERTIFICATE)
     issues = {}
     for rule in CHECKS:
         kept = known.issues[rule] if known and rule not in open_again else None

@@ -89,6 +89,20 @@ def test_missing_parts_of_a_stair_cover_what_is_outside_and_nothing_else() -> No
             assert covered == (0 if inside else 1), (x, z)
 
 
+def test_missing_parts_of_a_comb_of_many_corners_are_found_in_few_steps() -> None:
+    comb = [(x, z) for k in range(600) for x, z in ((k, 1.0), (k, 4.0), (k + 0.5, 4.0), (k + 0.5, 1.0))]
+    corners = tuple((float(x), z) for x, z in [*comb, (599.5, 0.0), (0.0, 0.0)])
+    zones = [zone.rect for zone in space_of(room(outline=corners), 0.0).zones]
+    assert zones == [Rect(k * 1000 + 500, 1000, k * 1000 + 1000, 4000) for k in range(599)]
+
+
+def test_corners_a_micrometre_apart_harm_nothing() -> None:
+    corners = ((0.0, 0.0), (4.0004999, 0.0), (4.0005001, 3.0), (6.0, 3.0), (6.0, 5.0), (0.0, 5.0))
+    (zone, *slivers) = sorted((zone.rect for zone in space_of(room(outline=corners), 0.0).zones), key=lambda rect: -rect.width)
+    assert zone.common(Rect(4001, 0, 6000, 3000)) == Rect(4001, 0, 6000, 3000)
+    assert all(rect.width <= 3 for rect in slivers)
+
+
 @pytest.mark.parametrize(
     ("edge", "position", "rect"),
     [

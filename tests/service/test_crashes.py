@@ -75,7 +75,7 @@ def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 def test_killed_amid_saves_it_has_all_that_it_acknowledged(place: str) -> None:
     draw, acknowledged, renamed = random.Random(18), dict[str, int](), set[str]()
     for number in range(ROUNDS):
-        with running(0, "--store", place) as service:
+        with running(0, "--store", place, "--homes-each", "10000") as service:
             before = draw.randint(4, MOST_BEFORE)
             savers = [Saving(service.address, (2 * number + one) * SAVES, before) for one in range(2)]
             for saver in savers:
