@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import compress
 
 from solver.placement import Budget
 from solver.repair import Repair, RepairSettings, all_bodies, seated_along, without
@@ -20,8 +21,8 @@ WAYS_IN = ("door", "passage", "garage_door")
 
 LEAVING_WORK = 400_000.0
 """Work that judging the house without one body and another may cost, in QPs of a small room, also where a call's searches spent theirs."""
-TRIAL_WORK, ROOM_WORK = 150.0, 15.0
-"""What judging it once counts, and what each room adds to that; measured."""
+ROOM_WORK, BODY_WORK = 15.0, 10.0
+"""What each room counts when the house is judged once more, and each body of the room that changed; measured."""
 
 
 def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairSettings) -> tuple[Conflict, ...]:
@@ -113,8 +114,9 @@ def _house_without(house: Checked, label: str, budget: Budget) -> Checked | None
     if budget.spent:
         return None
     scene = house.scene
-    budget.left -= TRIAL_WORK + ROOM_WORK * len(scene.rooms)
-    after = tuple(without(room, (label,)) if label in _ids_in(scene, room) else room for room in scene.rooms)
+    here = [label in _ids_in(scene, room) for room in scene.rooms]
+    after = tuple(without(room, (label,)) if held else room for room, held in zip(scene.rooms, here, strict=True))
+    budget.left -= ROOM_WORK * len(after) + BODY_WORK * sum(len(all_bodies(room)) for room in compress(after, here))
     people = tuple(person for person in scene.dynamic if person.id != label)
     return house.after(replace(scene, rooms=after, dynamic=seated_along(people, scene.rooms, after)))
 

@@ -55,7 +55,7 @@ class RepairGoal:
 
 def repairs_of(goal: RepairGoal, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
     """Returns what would help, cheapest first: what leaves all within reach, or else what lets them stand. None if none is asked."""
-    if not goal.problems[0].settings.offering:
+    if not goal.problems[0].settings.offering or goal.budget.spent:
         return ()
     walks = goal.problems[0].settings.walk and not goal.walk
     within_reach = _repairs(replace(goal, walk=True), members, short) if walks else ()

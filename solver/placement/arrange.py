@@ -130,6 +130,15 @@ def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | No
     return SolvedRoom(core, decisions, preference, solution, walkable, solves=solution.solves, proven=solution.proven)
 
 
+def _needed(pieces: Sequence[Piece]) -> set[str]:
+    """Returns the labels of the required pieces and of all that they may be attached to, which come before them."""
+    needed = {piece.label for piece in pieces if piece.required}
+    for piece in reversed(pieces):
+        if piece.label in needed:
+            needed.update(candidate.attach.parent for candidate in piece.candidates if candidate.attach is not None)
+    return needed
+
+
 def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and for what
     space: Space,
     pieces: Sequence[Piece],
@@ -154,7 +163,8 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
         The best arrangement found within the limits.
     """
     allowed = budget or Budget()
-    ordered = sorted(pieces, key=lambda piece: not piece.required)
+    needed = _needed(pieces)
+    ordered = sorted((replace(piece, required=piece.label in needed) for piece in pieces), key=lambda piece: not piece.required)
     tables, room = lay_out(space, ordered, "stands")
     whole = kernel.arrange_whole(room, limits.row, allowed.left, walk, wide)
     allowed.left -= whole.spent

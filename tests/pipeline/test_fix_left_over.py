@@ -8,6 +8,7 @@ import pytest
 
 from solver import Scene, fix
 from solver.scene import Dynamic, Opening, Room
+from solver.validator import Checked
 from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces
 from tests.sweeps import seeds
 
@@ -55,6 +56,24 @@ def test_with_remove_a_full_room_ends_clean_and_walkable(seed: int) -> None:
     assert errors(fixed.scene) == errors(empty)
     assert {removal["id"] for removal in fixed.removed} == pieces(scene).keys() - pieces(fixed.scene).keys()
     assert all(removal["reason"] for removal in fixed.removed)
+
+
+def test_with_remove_each_body_is_tried_once_not_once_for_each_shut_room(monkeypatch: pytest.MonkeyPatch) -> None:
+    rooms = [
+        Room(f"shut_{k}", k, "room", 0, 4.0 * k, 0.0, 3.0, 2.0, furniture=(replace(body("box", 1.5, 1.0, (0.5, 0.5, 0.5)), id=f"box_{k}"),))
+        for k in range(30)
+    ]
+    judged: list[Scene] = []
+    after = Checked.after
+
+    def noted(self: Checked, scene: Scene) -> Checked:
+        judged.append(scene)
+        return after(self, scene)
+
+    monkeypatch.setattr(Checked, "after", noted)
+    fixed = fix(Scene(rooms=tuple(rooms)), on_conflict="remove")
+    assert {issue.rule for issue in fixed.issues if issue.severity == "error"} == {"unreachable"}
+    assert len(judged) <= 2 * len(rooms)  # 900 where every room tried every body
 
 
 def test_who_stands_in_the_way_of_all_is_named_and_may_be_left_out() -> None:

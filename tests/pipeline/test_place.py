@@ -166,6 +166,12 @@ def test_an_optional_piece_gives_way() -> None:
     assert answer.conflicts == ()
 
 
+def test_a_required_piece_may_stand_at_an_optional_one() -> None:
+    answer = placed(wish("desk", rule("around", "chair")), block("chair", size=(1.0, 1.0, 1.0), required=False))
+    assert {body(answer, "desk").name, body(answer, "chair").name} == {"desk", "chair"}
+    assert errors(answer) == []
+
+
 def test_alternatives_differ_truly_and_are_ranked() -> None:
     answer = placed(wish("sofa", rule("against_wall")), wish("bookshelf"), block("box", rule("in_corner")), alternatives=5)
     every = [answer.best, *answer.alternatives]

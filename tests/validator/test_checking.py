@@ -76,5 +76,5 @@ def test_rooms_that_did_not_change_are_not_checked_again(monkeypatch: pytest.Mon
 
     monkeypatch.setattr(module, "issues_of", judging)
     checked.after(scene(still, replace(other, furniture=(piece(2.5, 2.0),))))
-    assert {rule for name, rule in looked if name == "still"} == {"unreachable", "missing_required"}
+    assert {rule for name, rule in looked if name == "still"} == {"unreachable"}
     assert {rule for name, rule in looked if name == "other"} == set(module.CHECKS)  # type: ignore[attr-defined]
