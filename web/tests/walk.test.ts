@@ -2,7 +2,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { inwardOf } from "../src/house/entrance";
 import { openingsOf } from "../src/house/openings";
-import { EYE_HEIGHT, firstPose, gazeOf, OUTSIDE, turned, walked, walkedTo, type Pose } from "../src/view/walk";
+import { EYE_HEIGHT, firstPose, gazeOf, OUTSIDE, turned, turnedToSight, walked, walkedTo, type Pose } from "../src/view/walk";
 import { opening, room } from "./rooms";
 
 const BOUNDS = { min: [0, 0, 0], max: [4, 1, 3] } as const;
@@ -28,6 +28,14 @@ describe("a walk", () => {
       const further = walked(pose, { ...still, ahead: 1 }, 0.5, BOUNDS).eye;
       expect(Math.abs(further[0] - x) + Math.abs(further[2] - z), wall).toBeCloseTo(0.85, 6);
     }
+  });
+
+  it("turns at first to where one sees farthest, and stays straight in a room that is as deep as wide", () => {
+    const straight: Pose = { eye: [0.7, EYE_HEIGHT, 1], yaw: -Math.PI / 2, pitch: 0 }; // east, to a wall at 2 m
+    const beyond = turnedToSight(straight, ([x, , z]) => x < 2 && z > 0 && z < 11); // a hall that runs south
+    expect(gazeOf(beyond)[2]).toBeGreaterThan(0.9);
+    expect(turnedToSight(straight, ([x, , z]) => Math.hypot(x - 0.7, z - 1) < 5)).toEqual(straight);
+    expect(turnedToSight(straight, () => false)).toEqual(straight);
   });
 
   it("goes where the camera looks, and its right is the picture's right", () => {

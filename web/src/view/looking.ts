@@ -1,14 +1,15 @@
 /** The controls of the view: camera presets, walking, how high the walls are cut, which are lower, all names. */
 import type { RoomFloor, Scene, Side } from "../contract";
 import type { House } from "../house/house";
+import { roomHolding } from "../house/room_at";
 import { sidesBefore, sidesOf, type WallCut } from "../house/wall_cut";
 import { remember, remembered } from "../panel/preferences";
 import { isAbort } from "../service";
-import type { PresetName } from "./cameras";
+import type { PresetName, Vector } from "./cameras";
 import type { Labels } from "./labels";
 import { Minimap } from "./minimap";
 import type { Viewport } from "./viewport";
-import { firstPose } from "./walk";
+import { firstPose, turnedToSight } from "./walk";
 import { WalkFloor } from "./walk_floor";
 import { WalkMode } from "./walk_mode";
 import { say, sayNumber } from "../words/language";
@@ -98,11 +99,17 @@ export class Looking {
     this.#leave.hidden = !walks;
   }
 
+  #isSeenIndoors(from: Vector, [x, y, z]: Vector): boolean {
+    const room = roomHolding(this.#scene?.rooms ?? [], 0, x, z);
+    return room !== undefined && !room.outdoor && this.#house?.sees(from, [x, y, z]) === true;
+  }
+
   #enter(): void {
     if (!this.#house) return;
     const { entrance, bounds } = this.#house;
     const area = { min: bounds.min.toArray(), max: bounds.max.toArray() };
-    this.#walk.start(firstPose(entrance, area), area);
+    const first = firstPose(entrance, area);
+    this.#walk.start(turnedToSight(first, (place) => this.#isSeenIndoors(first.eye, place)), area);
     this.cutWalls();
     void this.#learnFloor();
   }

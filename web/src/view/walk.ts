@@ -33,6 +33,13 @@ const INSIDE = 0.7;
 /** A little down: furniture stands below the eyes. */
 const FIRST_PITCH = -0.12;
 
+/** One looks so many times to each side, so far apart [rad], up to so far and in such steps [m]; turning is to show so much more [m]. */
+const GLANCES = 6;
+const GLANCE = Math.PI / 12;
+const FARTHEST = 12;
+const GLANCED = 0.25;
+const WORTH_TURNING = 0.5;
+
 const clamp = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
 
 /** Just within the main entrance, looking in; without one, in a corner of the house, looking at its middle. */
@@ -47,6 +54,22 @@ export function firstPose(entrance: Entrance | null, bounds: Bounds): Pose {
   const eye: Vector = opening.axis === "x" ? [along, EYE_HEIGHT, across] : [across, EYE_HEIGHT, along];
   const yaw = opening.axis === "x" ? (inward === 1 ? Math.PI : 0) : inward * -Math.PI / 2;
   return { eye, yaw, pitch: FIRST_PITCH };
+}
+
+/** Turns the head to where one sees farthest, a cone's width of it; straight on where nothing is gained by turning. */
+export function turnedToSight(pose: Pose, sees: (place: Vector) => boolean): Pose {
+  const { eye, yaw } = pose;
+  const farAt = (step: number): number => {
+    const [sin, cos] = [Math.sin(yaw + step * GLANCE), Math.cos(yaw + step * GLANCE)];
+    let far = 0;
+    while (far < FARTHEST && sees([eye[0] - sin * (far + GLANCED), eye[1], eye[2] - cos * (far + GLANCED)])) far += GLANCED;
+    return far;
+  };
+  const fars = Array.from({ length: 2 * GLANCES + 1 }, (_, k) => farAt(k - GLANCES));
+  const mean = (at: number): number => (fars[at - 1]! + fars[at]! + fars[at + 1]!) / 3;
+  let best = GLANCES;
+  for (let k = 1; k < 2 * GLANCES; k += 1) if (mean(k) > mean(best) + WORTH_TURNING) best = k;
+  return { ...pose, yaw: yaw + (best - GLANCES) * GLANCE };
 }
 
 /** Keeps one's eyes near the house [m]. */
