@@ -61,7 +61,9 @@ def _complete(call: dict[str, Any], example: dict[str, Any]) -> None:
 
 
 def _export_answers(content: dict[str, Any]) -> None:
-    """Adds the files that /export answers with beside documents."""
+    """Adds the files that /export answers with beside scenes; some are JSON too."""
+    files = ", ".join(name for name, exporter in EXPORTERS.items() if exporter.media_type == JSON)
+    content[JSON]["schema"] = {"anyOf": [content[JSON]["schema"], {"type": "object", "description": f"a file of another format: {files}"}]}
     for exporter in EXPORTERS.values():
         content.setdefault(exporter.media_type, {"schema": {"type": "string", "format": "binary"}})
     content.setdefault("application/zip", {"schema": {"type": "string", "format": "binary"}})

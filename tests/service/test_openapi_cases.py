@@ -21,6 +21,7 @@ from service import generating
 from service.app import create_app
 from service.work import Failure, do, do_alone
 from solver import generate
+from solver.export_formats import EXPORTERS
 from solver.scene import Generated, Request
 
 CASES = int(os.environ.get("CASES", "30"))
@@ -106,3 +107,10 @@ def test_calls_are_answered_as_the_document_says(case: Case[Any]) -> None:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(generating, "generate", made_small)
         case.call_and_validate(excluded_checks=[positive_data_acceptance], additional_checks=[what_fits_is_taken])
+
+
+@pytest.mark.parametrize("name", ["json", *(name for name, exporter in EXPORTERS.items() if exporter.media_type == "application/json")])
+def test_every_export_in_json_is_declared(name: str) -> None:
+    body = SCHEMA["/export/{format}"]["POST"].definition.raw["requestBody"]["content"]["application/json"]["example"]
+    case = SCHEMA["/export/{format}"]["POST"].Case(path_parameters={"format": name}, body=body, media_type="application/json")
+    assert case.call_and_validate().status_code == 200
