@@ -14,6 +14,7 @@ from typing import Final
 
 from catalogs import Catalogs, load_catalogs
 from catalogs.access_profiles import AccessProfile, AccessRule
+from solver.demanded import demand
 from solver.errors import RequestError
 from solver.geometry import extents
 from solver.scene import Decoration, Furniture, Room, Scene
@@ -31,6 +32,8 @@ LEAST_CM: Final = 10
 """The narrowest square that is tried, cm."""
 REACH: Final = "reach"
 """What is asked for beside a profile's rules: that its walker comes everywhere."""
+BODY_WORK: Final = 0.5
+"""What a body costs for each piece that something must be free before [see demanded.py]. Measured."""
 
 
 @dataclass(frozen=True)
@@ -162,12 +165,12 @@ def _clear(place: PlacedRoom, world: World) -> ExactBox:
     return place.outline.bounds.grown(-world.half_wall)
 
 
-def _taken(place: PlacedRoom, world: World, but: Sequence[str] = ()) -> list[ExactBox]:
-    """Returns what stands on a room's floor, those of some ids left out, and what of its bounds is none of it."""
+def _taken(place: PlacedRoom, world: World) -> list[tuple[Furniture | Decoration | None, ExactBox]]:
+    """Returns what stands on a room's floor, and what of its bounds is none of it."""
     bodies: list[Furniture | Decoration] = [*place.room.furniture, *place.room.decorations]
-    standing = [one for one in bodies if one.id not in but and exact(one.height) > FLAT and _in_the_way(one)]
-    free = [one for one in standing if not getattr(one, "on", None) and not getattr(one, "parent", None)]
-    return [*map(_footprint, free), *(box.grown(world.half_wall) for box in place.outline.missing)]
+    standing = [one for one in bodies if exact(one.height) > FLAT and _in_the_way(one)]
+    free = [(one, _footprint(one)) for one in standing if not getattr(one, "on", None) and not getattr(one, "parent", None)]
+    return [*free, *((None, box.grown(world.half_wall)) for box in place.outline.missing)]
 
 
 def _in_the_way(body: Furniture | Decoration) -> bool:
@@ -176,7 +179,7 @@ def _in_the_way(body: Furniture | Decoration) -> bool:
 
 
 def _turning(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
-    square = largest_square(_clear(place, world), _taken(place, world))
+    square = largest_square(_clear(place, world), [box for _, box in _taken(place, world)])
     has = metres(square.x1 - square.x0) if square else 0.0
     at = (square.x0 / PER_METRE, square.z0 / PER_METRE, square.x1 / PER_METRE, square.z1 / PER_METRE) if square else None
     yield AccessFinding(rule.what, place.room.id, None, rule.clause, rule.least, has, at)
@@ -197,10 +200,16 @@ def _hallway(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[Acce
 
 def _pieces(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[tuple[Furniture, list[ExactBox]]]:
     """Yields the pieces a rule is about, each with what is in the way before it; what is tucked under it is none of that."""
-    for piece in place.room.furniture:
-        if piece.name in rule.pieces:
-            own = [one.id for one in place.room.furniture if piece.id in (one.id, one.under) or one.name in rule.beside]
-            yield piece, _taken(place, world, own)
+    meant = [piece for piece in place.room.furniture if piece.name in rule.pieces]
+    taken = _taken(place, world) if meant else []
+    demand(BODY_WORK * len(meant) * len(taken))
+    for piece in meant:
+        yield piece, [box for one, box in taken if one is None or not _goes_with(one, piece, rule)]
+
+
+def _goes_with(one: Furniture | Decoration, piece: Furniture, rule: AccessRule) -> bool:
+    """Tells whether a body is the piece, is tucked under it, or may stand where the rule asks for room."""
+    return piece.id in (one.id, getattr(one, "under", None)) or one.name in rule.beside
 
 
 def _before(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:

@@ -1,31 +1,61 @@
 """How much floor of a room is empty: the largest square, and strips before a side. In whole lattice steps, by what could be in the way.
 
-Comes in: a room's bounds and boxes. Goes out: lengths and places. May import: nothing but the lattice.
+Comes in: a room's bounds and boxes. Goes out: lengths and places. May import: demanded, the lattice.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
+import numpy as np
+from numpy.typing import NDArray
+
+from solver.demanded import demand
 from solver.validator.lattice import ExactBox
+
+LINE_WORK: Final = 0.02
+ONE_LINE: Final = 1500
+"""What a box costs at each line that a square may begin at, and how many boxes' worth the line itself [see demanded.py]. Measured."""
 
 
 def largest_square(bounds: ExactBox, taken: Sequence[ExactBox]) -> ExactBox | None:
     """Returns the largest empty square, the north-western of equal ones; None where no floor is empty.
 
     Pushed to the west and north as far as it goes, it lies at the bounds or at the edges of boxes.
+
+    Raises:
+        TooMuch: the call may not have so much work.
     """
     best: ExactBox | None = None
     most = 0
-    for z in sorted({bounds.z0, *(box.z1 for box in taken if bounds.z0 <= box.z1 < bounds.z1)}):
-        for x in sorted({bounds.x0, *(box.x1 for box in taken if bounds.x0 <= box.x1 < bounds.x1)}):
-            side = min(bounds.x1 - x, bounds.z1 - z)
-            if side <= most:
-                continue
-            side = min([side, *(max(box.x0 - x, box.z0 - z) for box in taken if box.x1 > x and box.z1 > z)])
-            if side > most:
-                most, best = side, ExactBox(x, z, x + side, z + side)
+    norths = sorted({bounds.z0, *(box.z1 for box in taken if bounds.z0 <= box.z1 < bounds.z1)})
+    demand(LINE_WORK * len(norths) * (len(taken) + ONE_LINE))
+    ahead = np.array(sorted(taken), dtype=np.int64).reshape(-1, 4)
+    for z in norths:
+        ahead = ahead[ahead[:, 3] > z]
+        while (x := _first_start(bounds, ahead, z, most + 1)) is not None:
+            beside = ahead[ahead[:, 2] > x]
+            free = np.maximum(beside[:, 0] - x, beside[:, 1] - z).min(initial=min(bounds.x1 - x, bounds.z1 - z))
+            most = int(free)
+            best = ExactBox(x, z, x + most, z + most)
     return best
+
+
+def _first_start(bounds: ExactBox, ahead: NDArray[np.int64], z: int, side: int) -> int | None:
+    """Returns the westernmost place where an empty square of a side, its north at z, begins.
+
+    Args:
+        bounds: where the square is to lie.
+        ahead: the boxes that end south of z, from west to east by where they begin.
+        z: its north.
+        side: how long its sides are.
+    """
+    beside = ahead[ahead[:, 1] < z + side]
+    starts = np.maximum.accumulate(np.concatenate(([bounds.x0], beside[:, 2])))
+    ends = np.minimum(np.concatenate((beside[:, 0], [bounds.x1])), bounds.x1)
+    fits = np.flatnonzero(ends - starts >= side)
+    return int(starts[fits[0]]) if fits.size and z + side <= bounds.z1 else None
 
 
 def turned(box: ExactBox, side: str) -> ExactBox:

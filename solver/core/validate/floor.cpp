@@ -26,11 +26,14 @@ static i32 count_below(Span<i64> values, i64 value) {
   return low;
 }
 
-static void fill(const Grid& grid, const Rect& box, i32 value) {
+// Adds a number to the cells of a box, as steps: the sum of a row of cells up to one is what that one holds.
+static void add_steps(const Grid& grid, const Rect& box, i32 number) {
   const i32 x0 = count_below(grid.xs, box.x0), x1 = count_below(grid.xs, box.x1);
   const i32 z0 = count_below(grid.zs, box.z0), z1 = count_below(grid.zs, box.z1);
+  if (z0 >= z1) return;
   for (i32 i = x0; i < x1; i++) {
-    for (i32 k = z0; k < z1; k++) grid.cells.at(i, k) = value;
+    grid.cells.at(i, z0) += number;
+    if (z1 < grid.cells.columns) grid.cells.at(i, z1) -= number;
   }
 }
 
@@ -41,10 +44,18 @@ Grid grid_of(Span<Rect> floors, Span<Rect> obstacles) {
   for (const Rect& box : obstacles) add_cuts(box);
   Grid grid{sorted_once(xs), sorted_once(zs), {}};
   const i32 wide = most(grid.xs.size - 1, 0), deep = most(grid.zs.size - 1, 0);
-  if (static_cast<i64>(wide) * deep > (1 << 28)) fail(Failure::memory_full);
+  const i64 outweighs = -static_cast<i64>(floors.size) - 1;  // one obstacle, all floors
+  if (static_cast<i64>(wide) * deep > (1 << 28) || -outweighs * obstacles.size >= 1LL << 31) fail(Failure::memory_full);
   grid.cells = {zeroes<i32>(wide * deep).data, wide, deep};
-  for (const Rect& box : floors) fill(grid, box, 1);
-  for (const Rect& box : obstacles) fill(grid, box, 0);
+  for (const Rect& box : floors) add_steps(grid, box, 1);
+  for (const Rect& box : obstacles) add_steps(grid, box, static_cast<i32>(outweighs));
+  for (i32 i = 0; i < wide; i++) {
+    i32 held = 0;
+    for (i32& cell : grid.cells.row(i)) {
+      held += cell;
+      cell = held > 0;
+    }
+  }
   return grid;
 }
 
@@ -218,6 +229,12 @@ i32 label(List<Grid>& tiles) {
     }
   }
   return found;
+}
+
+void find_free(Span<Rect> floors, Span<Rect> obstacles, i32 most_boxes, List<Rect>& found) {
+  for (const Grid& tile : tiles_of(floors, obstacles, most_boxes)) {
+    rectangles(tile, [&](i32 i, i32 k) { return tile.cells.at(i, k) != 0; }, found);
+  }
 }
 
 }  // namespace validate

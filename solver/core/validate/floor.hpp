@@ -42,27 +42,26 @@ template <class Chosen> void rectangles(const Grid& grid, Chosen chosen, List<Re
   struct Run {
     i32 start, end, since;
   };
-  List<Run> open, kept, runs;
+  List<Run> open, runs;
   for (i32 i = 0; i <= grid.cells.rows; i++) {
-    runs.cut(0), kept.cut(0);
+    runs.cut(0);
     for (i32 k = 0; i < grid.cells.rows && k < grid.cells.columns; k++) {
       if (!chosen(i, k)) continue;
       if (runs.size() > 0 && runs[runs.size() - 1].end == k) runs[runs.size() - 1].end = k + 1;
       else runs.add({k, k + 1, i});
     }
+    i32 next = 0;  // both lists are sorted and apart
     for (const Run& one : open) {
-      bool goes_on = false;
-      for (Run& run : runs) {
-        if (run.start == one.start && run.end == one.end) goes_on = true, run.since = -1;
-      }
-      if (goes_on) kept.add(one);
+      while (next < runs.size() && runs[next].start < one.start) next++;
+      const bool goes_on = next < runs.size() && runs[next].start == one.start && runs[next].end == one.end;
+      if (goes_on) runs[next].since = one.since;
       else found.add({grid.xs[one.since], grid.zs[one.start], grid.xs[i], grid.zs[one.end]});
     }
-    for (const Run& run : runs) {
-      if (run.since >= 0) kept.add(run);
-    }
-    swap(open, kept);
+    swap(open, runs);
   }
 }
+
+// What of some floors is free of obstacles, in rectangles that do not overlap.
+void find_free(Span<Rect> floors, Span<Rect> obstacles, i32 most_boxes, List<Rect>& found);
 
 }  // namespace validate

@@ -138,8 +138,7 @@ static List<Rect> clear_centres(const Storey& storey, const Placed& placed) {
   List<Rect> walls, found;
   const i64 deep = storey.half_wall + storey.reach;
   for (const Edge& edge : placed.room.edges) walls.add(edge.strip(edge.start - deep, edge.end + deep, deep, deep));
-  const Grid grid = grid_of(placed.room.inside, walls.all());
-  rectangles(grid, [&](i32 i, i32 k) { return grid.cells.at(i, k) != 0; }, found);
+  find_free(placed.room.inside, walls.all(), storey.most_boxes, found);
   return found;
 }
 
@@ -199,8 +198,7 @@ void find_swept_floor(const Storey& storey, const Walk& walk, const Placed& plac
   walls.add_all(placed.room.missing);
   const i64 half = storey.half_wall;
   for (const Edge& edge : placed.room.edges) walls.add(edge.strip(edge.start - half, edge.end + half, half, half));
-  const Grid grid = grid_of(swept.all(), walls.all());
-  rectangles(grid, [&](i32 i, i32 k) { return grid.cells.at(i, k) != 0; }, found);
+  find_free(swept.all(), walls.all(), storey.most_boxes, found);
 }
 
 }  // namespace validate
