@@ -22,8 +22,8 @@ NORMAL: Final = "normal"
 NORMAL_WORK: Final = 2_000_000
 """Work of a normal call, in QPs of a small room: two to four seconds of CPU. Our choice: repairing a home takes a hundredth of it."""
 
-NORMAL_JUDGING: Final = 2_000_000
-"""Work of a call beside its searches, in the same unit. Our choice: judging a home of thirty rooms takes a four-hundredth of it."""
+NORMAL_JUDGING: Final = 1_000_000
+"""Work of a call beside its searches, in the same unit. Our choice: judging a home of thirty rooms takes a two-hundredth of it."""
 
 
 @dataclass(frozen=True)

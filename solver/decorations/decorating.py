@@ -6,13 +6,19 @@ is the core's: solver/core/dress.
 
 from __future__ import annotations
 
+from typing import Final
+
 from solver.core import borrowed
 from solver.decorations.compiled_dressing import compiled_dressing
 from solver.decorations.decorated_rows import decorated_rows, decorations_in, stream_after
 from solver.decorations.decoration_settings import DecorationSettings
+from solver.demanded import demand
 from solver.pieces import Space
 from solver.scene import Decoration, Room
 from solver.streams import Stream
+
+PAIR_WORK: Final = 0.4
+"""What two pieces of a room cost, at worst: things keep clear of every piece [see demanded.py]. Measured."""
 
 
 def decorations_of(room: Room, space: Space, settings: DecorationSettings, stream: Stream) -> tuple[Decoration, ...]:
@@ -25,8 +31,10 @@ def decorations_of(room: Room, space: Space, settings: DecorationSettings, strea
         stream: of random numbers, the room's own.
 
     Raises:
+        TooMuch: the call may not have so much work.
         CoreFailed: an error within the core.
     """
+    demand(PAIR_WORK * len(room.furniture) ** 2)
     known = compiled_dressing(settings)
     rows = decorated_rows(room, space, known, settings, stream.state)
     with borrowed() as core:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left, insort
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -168,11 +170,18 @@ def missing_parts(room: Room, half: int) -> list[Rect]:
     points = [(to_mm(x), to_mm(z)) for x, z in room.outline]
     between = any(abs(v * 1000 - to_mm(v)) > 1e-4 for corner in room.outline for v in corner)
     lines = bounds_of(room)
-    level = [(min(x0, x1), max(x0, x1), z0) for (x0, z0), (x1, z1) in zip(points, points[1:] + points[:1], strict=True) if z0 == z1]
     low, high = min(z for _, z in points), max(z for _, z in points)
-    columns: list[Rect] = []
+    starts, ends = defaultdict[int, list[int]](list), defaultdict[int, list[int]](list)
+    for (x0, z0), (x1, z1) in zip(points, points[1:] + points[:1], strict=True):
+        if z0 == z1 and x0 != x1:
+            starts[min(x0, x1)].append(z0)
+            ends[max(x0, x1)].append(z0)
+    columns, crossed = list[Rect](), list[int]()
     for x0, x1 in pairwise(sorted({x for x, _ in points})):
-        crossed = sorted(z for start, end, z in level if start <= x0 and x1 <= end)
+        for z in ends[x0]:
+            del crossed[bisect_left(crossed, z)]
+        for z in starts[x0]:
+            insort(crossed, z)
         columns += [Rect(x0, z0, x1, z1) for z0, z1 in _runs_joined([low, *crossed, high])]
     grown = (_clipped(rect.shrunk(-half - between), lines) for rect in _rows_joined(columns))
     return [rect for rect in grown if rect]
@@ -195,10 +204,9 @@ def _runs_joined(ends: list[int]) -> list[tuple[int, int]]:
 def _rows_joined(columns: list[Rect]) -> list[Rect]:
     """Joins neighbouring columns of equal extent."""
     joined: list[Rect] = []
+    ending: dict[tuple[int, int, int], int] = {}
     for rect in columns:
-        i = next((i for i, other in enumerate(joined) if (other.z0, other.z1, other.x1) == (rect.z0, rect.z1, rect.x0)), None)
-        if i is None:
-            joined.append(rect)
-        else:
-            joined[i] = Rect(joined[i].x0, rect.z0, rect.x1, rect.z1)
+        i = ending.pop((rect.z0, rect.z1, rect.x0), len(joined))
+        joined[i : i + 1] = [Rect(joined[i].x0 if i < len(joined) else rect.x0, rect.z0, rect.x1, rect.z1)]
+        ending[rect.z0, rect.z1, rect.x1] = i
     return joined

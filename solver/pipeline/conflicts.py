@@ -6,7 +6,8 @@ a place (repair_room), what would help (repairs).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from bisect import bisect
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from solver.geometry import Rect
@@ -35,30 +36,41 @@ def conflicts_of(repair: RoomRepair) -> tuple[Conflict, ...]:
     Each by a minimal set that cannot stand, or be used, together; or by saying that none was found.
     """
     settings = repair.problem.settings
-    found = [_of_a_lock(repair, label, problem) for label, problem in repair.misplaced.items()]
+    sent = tuple(piece.label for piece in pieces_as_sent(repair.problem)) if repair.misplaced else ()
+    found = [_of_a_lock(repair, sent, label, problem) for label, problem in repair.misplaced.items()]
     budget = Budget(settings.explaining_work)
-    for label in _by_themselves(repair):
-        group = [piece for piece in repair.pieces if piece.label == label or piece.label not in repair.unplaced]
-        found.append(_conflict(_goal(repair, group, budget), repair.pieces, group, label))
+    names = {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(repair.asked)}
+    for label, group in _by_themselves(repair):
+        found.append(_conflict(_goal(repair, group, budget), names, repair.pieces, group, label))
     if repair.unreached:
         pieces = pieces_as_sent(replace(repair.problem, room=repair.room))
         goal = replace(_goal(repair, pieces, Budget(settings.explaining_work / WALKING_SHARE)), walk=True)
         for label in repair.unreached:
             if not any(label in conflict.ids for conflict in found):
-                found.append(_conflict(goal, pieces, pieces, label))
+                found.append(_conflict(goal, names, pieces, pieces, label))
     return tuple(found)
 
 
-def _by_themselves(repair: RoomRepair) -> list[str]:
-    """Returns who found no place for a reason of its own: what stands only with one that found none goes with that one."""
+def _by_themselves(repair: RoomRepair) -> Iterator[tuple[str, list[Piece]]]:
+    """Yields who found no place for a reason of its own, and with whom it does not stand: itself and all that did, as they are sorted.
+
+    What stands only with one that found none goes with that one.
+    """
     missing = set(repair.unplaced)
-    parents = {piece.label: {way.attach.parent if way.attach else None for way in piece.candidates} for piece in repair.pieces}
-    return [label for label in repair.unplaced if not (parents[label] and parents[label] <= missing)]
+    at = {piece.label: k for k, piece in enumerate(repair.pieces)}
+    standing = [k for k, piece in enumerate(repair.pieces) if piece.label not in missing]
+    placed = [repair.pieces[k] for k in standing]
+    for label in repair.unplaced:
+        piece = repair.pieces[at[label]]
+        parents = {way.attach.parent if way.attach else None for way in piece.candidates}
+        if not (parents and parents <= missing):
+            before = bisect(standing, at[label])
+            yield label, [*placed[:before], piece, *placed[before:]]
 
 
-def _of_a_lock(repair: RoomRepair, label: str, problem: str) -> Conflict:
-    group = tuple(piece.label for piece in pieces_as_sent(repair.problem))
-    repaired = unlocked(RepairGoal((repair.problem,), group, Budget(repair.problem.settings.work)), label)
+def _of_a_lock(repair: RoomRepair, sent: tuple[str, ...], label: str, problem: str) -> Conflict:
+    """Says why one of the pieces sent is locked wrongly."""
+    repaired = unlocked(RepairGoal((repair.problem,), sent, Budget(repair.problem.settings.work)), label)
     repairs = (*([repaired] if repaired else []), {"action": "leave_out", "id": label})
     return Conflict((label,), f"locked where it cannot stand: {problem}", repairs)
 
@@ -70,13 +82,12 @@ def _goal(repair: RoomRepair, group: Sequence[Piece], budget: Budget) -> RepairG
     return RepairGoal(problems, tuple(piece.label for piece in group), budget)
 
 
-def _conflict(goal: RepairGoal, pieces: Sequence[Piece], group: Sequence[Piece], label: str) -> Conflict:
-    """Explains why one of the room's pieces cannot stand, or be used, with a group of them."""
+def _conflict(goal: RepairGoal, names: Mapping[str, str], pieces: Sequence[Piece], group: Sequence[Piece], label: str) -> Conflict:
+    """Explains why one of the room's pieces, each of which is named so, cannot stand, or be used, with a group of them."""
     sent, space = goal.problems[-1].room, goal.problems[0].space
-    names = {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(sent)}
     ids = minimal_conflict(space, group, label, goal.budget, goal.walk)
     if ids is None and not goal.walk and goal.problems[0].settings.walk:
-        return _conflict(replace(goal, walk=True), pieces, group, label)
+        return _conflict(replace(goal, walk=True), names, pieces, group, label)
     if ids is None:
         missing = f"a way to {names[label]}, which can stand," if goal.walk else f"a place for {names[label]}"
         words = f"not found: the search for {missing} in {sent.id} ended at its limit"

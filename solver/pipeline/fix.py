@@ -5,6 +5,7 @@ Comes in: a Scene. Goes out: Fixed. May import: every stage. Not here: what a st
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
@@ -149,12 +150,20 @@ def _share(rooms: int) -> float:
     return min(MOST_ROOM_WORK, SCENE_WORK / max(rooms, 1))
 
 
+def _by_room(issues: Iterable[Issue]) -> Mapping[str | None, Sequence[Issue]]:
+    found = defaultdict[str | None, list[Issue]](list)
+    for issue in issues:
+        found[issue.room].append(issue)
+    return found
+
+
 def _problem(scene: Scene, room: Room, errors: Iterable[Issue], settings: RepairSettings) -> RoomProblem:
+    """Returns a room as it is to be repaired; `errors` are its own."""
     space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
     lines = bounds_of(room)
     edges = outline_edges(room) or [(wall, lines.line(wall), *lines.along(wall)) for wall in WALLS]
     walls = Walls(space.clear, space.clear.x0 - lines.x0, tuple(edges))
-    return RoomProblem(room, space, walls, settings, tuple(issue for issue in errors if issue.room == room.id))
+    return RoomProblem(room, space, walls, settings, tuple(errors))
 
 
 def _with_rooms(house: Checked, rooms: Mapping[str, Room]) -> Checked:
@@ -168,9 +177,8 @@ def _with_rooms(house: Checked, rooms: Mapping[str, Room]) -> Checked:
 
 def _all_at_rest(house: Checked, errors: Sequence[Issue], settings: RepairSettings, moved: Collection[str]) -> Checked:
     """Puts what floats on what carries it, at its wall or on the floor; some things were just moved away from under others."""
-    problems = [
-        _problem(house.scene, room, errors, settings) for room in house.scene.rooms if any(issue.room == room.id for issue in errors)
-    ]
+    here = _by_room(errors)
+    problems = [_problem(house.scene, room, here[room.id], settings) for room in house.scene.rooms if room.id in here]
     return _with_rooms(house, {problem.room.id: put_to_rest(problem, moved) for problem in problems})
 
 
@@ -181,15 +189,16 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     alone = house.after(replace(house.scene, dynamic=()))
     broken = _rooms_to_look_at(alone.scene, alone.errors)
     settings = replace(settings, explaining_work=_share(len(broken)) / (1 if settings.offering else WHY_SHARE))
-    problems = {room.id: _problem(alone.scene, room, alone.errors, settings) for room in alone.scene.rooms}
+    here = _by_room(alone.errors)
+    problems = {room.id: _problem(alone.scene, room, here[room.id], settings) for room in alone.scene.rooms}
     repairs = {name: repair_room(problem) if name in broken else unchanged(problem) for name, problem in problems.items()}
     alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
     open_rooms = {issue.room for issue in alone.errors if issue.rule != "floating"}  # what floats is put to rest without moving any piece
     again = {name: until_nothing_changes(repair) for name, repair in repairs.items() if repair.whole and name in open_rooms}
     alone = _with_rooms(alone, {name: repair.answer for name, repair in again.items()})
+    here = _by_room(alone.errors)
     for name, repair in again.items():
-        here = [issue for issue in alone.errors if issue.room == name]
-        repairs[name] = replace(repair, unreached=unreached_in(repair, here))
+        repairs[name] = replace(repair, unreached=unreached_in(repair, here[name]))
     return _with_rooms(house, {name: repair.answer for name, repair in repairs.items()}), list(repairs.values())
 
 
@@ -207,11 +216,12 @@ def _people_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked,
     wrong = _rooms_to_look_at(scene, house.errors)
     closed = _rooms_to_look_at(scene, [issue for issue in house.errors if issue.rule == "unreachable"])
     people = {person.id: person for person in scene.dynamic}
+    errors = _by_room(house.errors)
     conflicts: list[Conflict] = []
     for room in scene.rooms:
         here = [person for person in scene.dynamic if person.room in (room.id, None if len(scene.rooms) == 1 else room.id)]
         if here and room.id in wrong:
-            crowd = people_out_of_the_way(_problem(scene, room, house.errors, settings), here, room.id in closed)
+            crowd = people_out_of_the_way(_problem(scene, room, errors[room.id], settings), here, room.id in closed)
             people |= {person.id: person for person in crowd.people}
             words = {label: f"not found: no free place for {label} in {room.id} is in nobody's way" for label in crowd.stuck}
             conflicts += [Conflict((label,), why, ({"action": "leave_out", "id": label},)) for label, why in words.items()]

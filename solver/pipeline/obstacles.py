@@ -9,12 +9,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from catalogs import Catalogs
 from catalogs.entries import Side
 from solver.free_places import footprint
+from solver.geometry import Rect
 from solver.pieces import Candidate, Piece, Space, Stance, Stand, Zone
 from solver.repair import Body, all_bodies, as_it_stands, floor_bodies
 from solver.scene import Furniture, Room
+
+NOWHERE = Rect(1 << 40, 1 << 40, -1 << 40, -1 << 40)
+"""Shares space with nothing."""
 
 
 def obstacles(room: Room, space: Space, catalogs: Catalogs) -> tuple[Space, tuple[Piece, ...]]:
@@ -50,22 +56,23 @@ def _held(body: Body, named: set[str], use: tuple[tuple[Side, ...], bool]) -> Pi
 
 def _broken(space: Space, bodies: Sequence[Body], held: Mapping[str, Piece]) -> set[str]:
     """Returns who overlaps a zone or another body without leave, as sent."""
-    found = {body.id for body in bodies if _in_zone(space, held[body.id].candidates[0])}
-    for k, body in enumerate(bodies):
-        for other in bodies[:k]:
-            if _clash(held[body.id], held[other.id]):
-                found |= {body.id, other.id}
-    return found
+    ways = [held[body.id].candidates[0] for body in bodies]
+    broken = np.array([_in_zone(space, way) for way in ways], dtype=bool)
+    boxes = np.array([(*(way.within or NOWHERE), way.bottom_mm, way.bottom_mm + way.size_mm[2]) for way in ways], np.int64).reshape(-1, 6)
+    number = {body.id: k for k, body in enumerate(bodies)}
+    excused: list[list[int]] = [[k] for k in range(len(ways))]
+    for k, way in enumerate(ways):
+        for label in {way.under, way.on} & number.keys():
+            excused[k].append(number[str(label)])
+            excused[number[str(label)]].append(k)
+    west, north, east, south, low, high = boxes.T
+    for k, (x0, z0, x1, z1, bottom, top) in enumerate(boxes.tolist()):
+        meets = (west < x1) & (x0 < east) & (north < z1) & (z0 < south) & (low < top) & (bottom < high)
+        meets[excused[k]] = False
+        broken[k] |= meets.any()
+    return {body.id for body, is_broken in zip(bodies, broken, strict=True) if is_broken}
 
 
 def _in_zone(space: Space, way: Candidate) -> bool:
     rect, top = way.within, way.bottom_mm + way.size_mm[2]
     return rect is not None and any(zone.rect.overlaps(rect) and top > zone.above_mm for zone in space.zones)
-
-
-def _clash(one: Piece, other: Piece) -> bool:
-    a, b = one.candidates[0], other.candidates[0]
-    if a.within is None or b.within is None or {a.under, a.on} & {other.label} or {b.under, b.on} & {one.label}:
-        return False
-    level = a.bottom_mm < b.bottom_mm + b.size_mm[2] and b.bottom_mm < a.bottom_mm + a.size_mm[2]
-    return level and a.within.overlaps(b.within)

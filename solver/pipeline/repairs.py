@@ -12,7 +12,7 @@ from typing import Any
 
 from solver.pieces import Piece, Placed
 from solver.pipeline.least_movement import least_moved
-from solver.placement import Budget, feasible, is_call_spent
+from solver.placement import Budget, charge, feasible, is_call_spent
 from solver.placement.encode import kin
 from solver.placement.lengths import Shortfall
 from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared
@@ -24,6 +24,8 @@ STEP_MM = 10
 """Steps in which a piece is shrunk where no length says how much is missing."""
 LEAST_SHARE = 0.6
 """A piece is not shrunk below this share of its width or depth."""
+PIECE_WORK = 20.0
+"""What a piece of a room counts each time a repair of the room is tried: all of them are told anew; measured."""
 
 
 @dataclass(frozen=True)
@@ -146,6 +148,7 @@ def _freedom(piece: Piece) -> tuple[object, ...]:
 def _pieces(goal: RepairGoal, problem: RoomProblem, repair: Repair) -> list[Piece]:
     """Returns the goal's pieces in a room with a repair applied."""
     settings = problem.settings
+    charge(PIECE_WORK * len(goal.group))
     if repair["action"] == "unlock":
         settings = replace(settings, locked=settings.locked - {repair["id"]})
     pieces = pieces_as_sent(replace(problem, room=applied(problem.room, repair), settings=settings))

@@ -67,9 +67,10 @@ def is_call_spent() -> bool:
 
 
 class Budget:
-    """Work that may still be done, in QPs of a small room. A problem of n variables an axis counts 1 + (n / 20)^2 a QP.
+    """Work that may still be done, in QPs of a small room.
 
-    It ends with that of the call, if there is such a limit.
+    A problem of n variables an axis counts 1 + (n / 20)^2 a QP; beyond a hundred, n / 100 times as much. It ends with that of the
+    call, if there is such a limit.
 
     Args:
         left: how much.

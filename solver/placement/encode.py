@@ -162,6 +162,8 @@ ROOM_ROWS_WORK: Final = 100.0
 """What laying a room out counts of a call's work, in QPs of a small room."""
 CANDIDATE_WORK: Final = 20.0
 """The same for each candidate: finding it and writing its row."""
+ZONE_WORK: Final = 10.0
+"""The same for each zone."""
 
 
 def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encoded:
@@ -196,7 +198,7 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, R
     tables = Tables(space, pieces)
     for piece in pieces:
         tables.add(piece, walk)
-    charge(ROOM_ROWS_WORK + CANDIDATE_WORK * len(tables.candidates))
+    charge(ROOM_ROWS_WORK + CANDIDATE_WORK * len(tables.candidates) + ZONE_WORK * len(space.zones))
     _group(tables.rows, pieces)
     room = RoomArrays(
         _space_row(space, walk),

@@ -11,9 +11,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
 
+import numpy as np
+
 from solver.geometry import Rect, rotate, turned
 from solver.pieces import Candidate, Piece, Space
-from solver.placement.budget import Budget
+from solver.placement.budget import Budget, charge, is_call_spent
 from solver.placement.core import Core, Limits
 from solver.placement.encode import encode
 
@@ -21,6 +23,8 @@ SEARCH = Limits(required=300, required_qps=300)
 """What one neighbourhood may try."""
 BETTER_WORK = 10000.0
 """What the search goes on for once something was found, in QPs of a small room."""
+PAIR_WORK = 0.0025
+"""What two pieces count each time a room is tried with one more of them; measured."""
 MOST_FREED = 12
 """Pieces freed at once, at most."""
 
@@ -99,6 +103,7 @@ class Neighbourhood:
     def in_the_way(self) -> tuple[str, ...]:
         """Labels of the pieces without which the others can be used as they were sent: with any one more they cannot.
 
+        Where the call's work is spent, so are all that were not looked at yet.
         Those that are held least strongly, share space with others or are small are in the way.
         """
         still = [replace(piece, candidates=(self._still(piece),)) for piece in self.pieces]
@@ -109,7 +114,8 @@ class Neighbourhood:
             way, rect = self.base.ways[piece], self.base.places[piece]
             inside = way.attach is not None or (way.within or self.space.clear).contains(rect)
             trial = core.with_first(decisions, piece) if inside else None
-            if trial is not None and core.stands_walkable(trial):
+            charge(PAIR_WORK * len(order) ** 2)
+            if trial is not None and not is_call_spent() and core.stands_walkable(trial):
                 decisions = trial
             elif not self.pieces[piece].candidates[0].stays:
                 found.append(still[piece].label)
@@ -118,9 +124,14 @@ class Neighbourhood:
     def _steadiness(self, number: int) -> tuple[bool, float, int, float, int]:
         """Sorts what cannot move before what is held strongly, what shares space with few and what is large."""
         piece, way = self.pieces[number], self.base.ways[number]
-        own, loose = self.rects[piece.label], piece.label in self._loose
-        shared = sum(own.overlaps(rect) for label, rect in self.rects.items() if label != piece.label)
-        return loose, -way.weights[0], shared, -way.size_mm[0] * way.size_mm[1], number
+        loose = piece.label in self._loose
+        return loose, -way.weights[0], self._shared[number], -way.size_mm[0] * way.size_mm[1], number
+
+    @cached_property
+    def _shared(self) -> list[int]:
+        """With how many others each piece shares space."""
+        x0, z0, x1, z1 = np.array(self.base.places, dtype=np.int64).reshape(-1, 4).T
+        return [int(((x0 < e) & (x1 > w) & (z0 < s) & (z1 > n)).sum()) - (e > w and s > n) for w, n, e, s in self.base.places]
 
     @cached_property
     def _loose(self) -> frozenset[str]:

@@ -36,8 +36,8 @@ def carriers(room: Room) -> dict[str, str]:
     carried = {piece.id: piece.on for piece in room.furniture}
     for piece in room.furniture:
         if piece.on is None or piece.on not in known or piece.on == piece.id:
-            resting = piece.y * 1000 > RESTS_MM
-            carried[piece.id] = next((other.id for other in room.furniture if resting and _rests_on(piece, other)), None)
+            others = room.furniture if piece.y * 1000 > RESTS_MM else ()
+            carried[piece.id] = next((other.id for other in others if _rests_on(piece, other)), None)
     parents = {child: parent for child, parent in carried.items() if parent is not None}
     return {child: parent for child, parent in parents.items() if child not in below(child, parents)}
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
@@ -50,7 +51,7 @@ class Checked:
     _kinds: Kinds
     _judged: tuple[_Judged, ...]
 
-    @property
+    @cached_property
     def errors(self) -> tuple[Issue, ...]:
         """The issues that must not be."""
         return tuple(issue for issue in self.issues if issue.severity == "error")
@@ -117,7 +118,7 @@ def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked
         walk = known[places[0].room.id].case.walk if len(known) == len(places) else walk_of(world, placed)
         for place, rows in placed:
             case = RuleCase(world, walk, place, kinds, rows)
-            if not before:
+            if place.room.id not in same:
                 demand(ROOM_WORK + FINDING_WORK * case.count_told())
             judged[place.room.id] = _judge(case, known.get(place.room.id))
     rooms = tuple(judged[place.room.id] for place in world.places)

@@ -15,6 +15,7 @@ from typing import Any, Final, NamedTuple
 from catalogs import Catalogs
 from catalogs.fronts import UnitFront
 from catalogs.shapes import Axis
+from solver.demanded import demand
 from solver.scene import Scene
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import Kinds, kinds_of
@@ -26,6 +27,8 @@ WALL: Final = "wall"
 """What a front meets that meets a wall."""
 ENOUGH: Final = 0.5
 """A front that opens less of its way than this is blocked."""
+FRONT_WORK: Final = 0.35
+"""What a front costs for each body of its room [see demanded.py]. Measured."""
 _FRONT: Final = Struct("<q4d4q")
 _HEAD: Final = Struct("<3q")
 _SHELL: Final = Struct("<6d")
@@ -83,10 +86,14 @@ def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> li
         place: the room.
         kinds: what the catalogs say.
         rows: the room as the core reads it.
+
+    Raises:
+        TooMuch: the call may not have so much work.
     """
     fronts = list(fronts_in(place, kinds))
     if not fronts:
         return []
+    demand(FRONT_WORK * len(fronts) * len(place.bodies))
     told = ask("open_fronts", front_bytes(fronts, shell_of(world, place), rows))
     return [_travel(place, body, front, row) for (body, front), row in zip(fronts, _OPENED.iter_unpack(told), strict=True)]
 

@@ -9,6 +9,8 @@
 namespace placement {
 
 constexpr i64 MODULUS = 2147483647;
+constexpr f64 CUBIC_FROM = 5;  // from so many times 20 variables an axis on factors cost the most; measured
+constexpr f64 MANY_ZONES = 5;  // beyond so many times 20 zones the walk costs more than a QP; measured
 
 bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
   const Work& work = engine.work;
@@ -17,8 +19,10 @@ bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 c
   result.exhausted = 1;
   if (!assemble(engine.room, work, decisions)) return false;
   const f64 size = static_cast<f64>(work.sizes[0] + work.sizes[1]) / 40;
-  const f64 scale = 1 + size * size;  // a dense QP grows with its square
+  const f64 of_a_qp = 1 + size * size * most(1.0, size / CUBIC_FROM);  // a dense QP grows with its square, factors with the cube
   const f64 left = engine.tree.budget[0];
+  const f64 many = walk ? most(0.0, static_cast<f64>(engine.room.zones.size) / 20 - MANY_ZONES) : 0;
+  const f64 scale = of_a_qp + many * many;  // the cells that a walk is looked for in grow with the square of the zones
   search(engine, least(limit, whole(most(left / scale, 0.0))), ceiling, walk);
   const f64 reading = static_cast<f64>(work.counts->choices) / 4;  // reading the choices costs too
   engine.tree.budget[0] = left - static_cast<f64>(result.solves) * scale - reading;

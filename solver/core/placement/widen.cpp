@@ -26,9 +26,10 @@ static bool divides(const WalkGrid& grid, const Patch& patch) {
       } else if (label > 0) {
         outside = true;
       }
+      if (inside && outside) return true;
     }
   }
-  return inside && outside;
+  return false;
 }
 
 // Adds a wider row where the bounds leave room for it.
