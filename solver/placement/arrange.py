@@ -131,11 +131,12 @@ def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | No
 
 
 def _needed(pieces: Sequence[Piece]) -> set[str]:
-    """Returns the labels of the required pieces and of all that they may be attached to, which come before them."""
+    """Returns the labels of the required pieces and of all that they may be attached to or refer to, which come before them."""
     needed = {piece.label for piece in pieces if piece.required}
     for piece in reversed(pieces):
         if piece.label in needed:
             needed.update(candidate.attach.parent for candidate in piece.candidates if candidate.attach is not None)
+            needed.update(link.of for link in piece.links)
     return needed
 
 

@@ -122,7 +122,7 @@ class Tables:
             self.alt_costs += (*a.weights, a.cost)
             self.candidates.append(a)
         for link in piece.links:
-            if link.of in self.piece:
+            if self.piece.get(link.of, len(self.rows)) < len(self.rows):  # to pieces before it
                 self._link(link)
         for side_names, bits, cost in _side_choices(piece, walk):
             self.side_names.append(side_names)

@@ -172,6 +172,16 @@ def test_a_required_piece_may_stand_at_an_optional_one() -> None:
     assert errors(answer) == []
 
 
+@pytest.mark.parametrize("relation", ["near", "facing", "aligned_with"])
+def test_a_required_piece_may_refer_to_optional_ones(relation: str) -> None:
+    chairs = block("chair", size=(0.6, 0.6, 0.8), count=3, required=False)
+    shelves = [block(f"shelf_{k}", rule(relation, "chair"), size=(0.8, 0.3, 1.6), required=True) for k in range(2)]
+    answer = placed(chairs, *shelves, alternatives=2)
+    assert errors(answer) == []
+    assert len(answer.best.scene.rooms[0].furniture) == 5
+    assert [one.held for one in answer.best.relations] == [True, True]
+
+
 def test_alternatives_differ_truly_and_are_ranked() -> None:
     answer = placed(wish("sofa", rule("against_wall")), wish("bookshelf"), block("box", rule("in_corner")), alternatives=5)
     every = [answer.best, *answer.alternatives]

@@ -17,6 +17,9 @@ struct WayMargin {
 constexpr WayMargin MARGINS[] = {{200, 0.9}, {100, 0.8}, {50, 0.6}};
 constexpr RoomLimits MARGIN_LIMITS = {300, 500, 16, 60, 2, 8, 6000};  // such a try is given up sooner
 
+// A placement that is known to be there is looked for with so many times the QPs, each time with so many times more.
+constexpr i64 SEARCHED_AGAIN = 100, SEARCHED_FURTHER = 10;
+
 static Desk* desk_for(const NumberedRoom& asked) { return new_desk(asked.room, sizes_of(asked.room)); }
 
 static Desk* arranged(const NumberedRoom& asked, const RoomLimits& limits, f64& budget, bool walk, RoomReport& report) {
@@ -46,6 +49,24 @@ static i64 take_deepest(const Tree& tree, const Decisions& decisions) {
     count += decisions[k] != ABSENT;
   }
   return count;
+}
+
+// Finds a placement of decisions that were reached under other bounds, with more and more QPs; else of all but the last of them.
+static void find_again(Desk& desk, i64 limit, bool walk) {
+  const Decisions& decisions = desk.decisions;
+  const auto is_found = [&] {
+    desk.engine.tree.budget[0] = ENOUGH;
+    return evaluate(desk.engine, decisions, limit, INFINITE, walk);
+  };
+  for (const i64 most_qps = limit * SEARCHED_AGAIN; limit < most_qps; limit *= SEARCHED_FURTHER) {
+    if (is_found()) return;
+  }
+  for (i64 last = decisions.size; last > 0;) {
+    if (decisions[--last] == ABSENT) continue;
+    decisions[last] = ABSENT;
+    desk.fates[last] = SPENT;
+    if (is_found()) return;
+  }
 }
 
 // Leaves out a required piece, and with it the floor that was asked for at it alone.
@@ -99,10 +120,7 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
   }
   const Engine& engine = found.desk->engine;
   found.complete = report.complete;
-  if (!found.complete || !engine.nodes.result->found) {  // the budget ended before: once more, for this placement alone
-    engine.tree.budget[0] = ENOUGH;
-    evaluate(engine, found.desk->decisions, limits.required_qps, INFINITE, found.walk);
-  }
+  if (!found.complete || !engine.nodes.result->found) find_again(*found.desk, limits.required_qps, found.walk);
   found.proven = found.complete && report.proven && sure;
   found.best = found.complete && report.closed && found.left_out.size() == 0;
   return found;
