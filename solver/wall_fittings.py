@@ -5,7 +5,10 @@ Comes in: an opening's ends along its wall, its heights, the wall's thickness, m
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator
+from heapq import heappop, heappush
+from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 FRAME: Final = 0.06
@@ -104,3 +107,29 @@ def between(start: float, end: float, gaps: Iterable[Span]) -> Iterator[Span]:
         reached = max(reached, high)
     if reached < end:
         yield reached, end
+
+
+def cut_at_holes(ends: Span, holes: Iterable[tuple[Span, Span]], seams: Iterable[float] = ()) -> Iterator[tuple[Span, list[Span]]]:
+    """Yields the stretches of a wall between the sides of holes, each with the heights that holes over it take, in order.
+
+    Args:
+        ends: where the wall begins and ends, m.
+        holes: of each where it begins and ends along the wall, and from which height to which.
+        seams: where the wall is cut besides.
+    """
+    start, end = ends
+    opening = sorted(holes, key=lambda hole: hole[0][0], reverse=True)
+    stops = sorted({start, end, *seams, *(at for along, _ in opening for at in along if start < at < end)})
+    closing: list[tuple[float, Span]] = []
+    taken = Counter[Span]()
+    for low, high in pairwise(stops):
+        while opening and opening[-1][0][0] <= low:
+            (_, until), up = opening.pop()
+            heappush(closing, (until, up))
+            taken[up] += 1
+        while closing and closing[0][0] <= low:
+            up = heappop(closing)[1]
+            taken[up] -= 1
+            if not taken[up]:
+                del taken[up]
+        yield (low, high), sorted(taken)

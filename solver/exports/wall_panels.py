@@ -9,7 +9,6 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 from solver.demanded import demand
@@ -19,7 +18,7 @@ from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE
 from solver.exports.wall_edges import Line, PlanAxis, corners_of
 from solver.exports.wall_lines import RoomFinder, WallRun
 from solver.scene import Room
-from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, between, door_bars, window_bars
+from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, between, cut_at_holes, door_bars, window_bars
 
 RAILING_HEIGHT: Final = 0.6
 RAILING_BAR: Final = 0.05
@@ -143,16 +142,13 @@ def _finish_corners(rooms: Sequence[Room]) -> dict[PlanAxis, list[float]]:
 
 def boxes_of(panel: WallPanel, finder: RoomFinder) -> Iterator[WallBox]:
     """Yields a panel's solid boxes: whole columns between holes, what is under sills and over heads; cut where its finish changes."""
-    stops = {panel.start, panel.end, *panel.seams}
-    stops |= {end for hole in panel.holes for end in (hole.start, hole.end) if panel.start < end < panel.end}
-    ordered = sorted(stops)
     half = panel.thickness / 2
     across = panel.line - half, panel.line + half
-    for start, end in pairwise(ordered):
+    holes = [((hole.start, hole.end), (hole.low, hole.high)) for hole in panel.holes]
+    for (start, end), gaps in cut_at_holes((panel.start, panel.end), holes, panel.seams):
         middle = (start + end) / 2
         greater, lesser = map(_paint_in, finder.beside((panel.level, panel.axis, panel.line), middle, half + _BEFORE))
-        holes = sorted((hole.low, hole.high) for hole in panel.holes if hole.start < middle < hole.end)
-        for up in between(0.0, panel.height, holes):
+        for up in between(0.0, panel.height, gaps):
             box = box_on_line(panel.axis, (start, end), across, shifted(up, panel.elevation))
             yield WallBox(panel.axis, box, lesser, greater, REVEAL)
 

@@ -48,6 +48,10 @@ SHIFTS = 6
 """Places tried for each door of a room whose required piece does not fit."""
 
 
+_Asked = tuple[Staying, Space, tuple[Piece, ...]]
+"""What stays in a room, and what is wanted around that."""
+
+
 @dataclass(frozen=True)
 class _Setting:
     """What every furnishing of one house shares."""
@@ -62,6 +66,8 @@ class _Setting:
     """What stays in rooms that are furnished anew, by their ids."""
     others: Sequence[Room] = ()
     """The rooms of a scene that is furnished: one may list a door into another alone."""
+    asked: dict[str, _Asked] = field(default_factory=dict, compare=False)
+    """What was found of rooms in which something stays, by their ids."""
 
 
 def generate(
@@ -144,12 +150,15 @@ def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Piece, ...]]:
     return _around(room, setting)[1:]
 
 
-def _around(room: Room, setting: _Setting) -> tuple[Staying, Space, tuple[Piece, ...]]:
-    """Returns what stays in a room, and what is wanted around that."""
+def _around(room: Room, setting: _Setting) -> _Asked:
+    if room.id in setting.asked:
+        return setting.asked[room.id]
     space = _space(room, setting)
     wanted = wanted_pieces(room, space, setting.catalogs, _furnishing(room, setting))
     staying = setting.staying.get(room.id)
-    return around(staying, space, wanted, setting.catalogs) if staying else (Staying(room), space, wanted)
+    if not staying:
+        return Staying(room), space, wanted
+    return setting.asked.setdefault(room.id, around(staying, space, wanted, setting.catalogs))
 
 
 def _space(room: Room, setting: _Setting) -> Space:

@@ -107,14 +107,16 @@ def around(staying: Staying, space: Space, wanted: Sequence[Piece], catalogs: Ca
 def _matched(pieces: Sequence[Furniture], wanted: Sequence[Piece], catalogs: Catalogs) -> dict[str, tuple[str, str | None]]:
     """Returns which wanted piece each piece could be, by id, and of which kind; those of its very size first."""
     found: dict[str, tuple[str, str | None]] = {}
+    names = {way.kind: catalogs.name_of(way.kind) for one in wanted for way in one.candidates}
+    ways = [(one.label, [(names[way.kind], way.size_mm, way.kind) for way in one.candidates]) for one in wanted]
+    kinds = [(label, {(name, size): kind for name, size, kind in reversed(own)}, {name for name, _, _ in own}) for label, own in ways]
     for exact in (True, False):
         for piece in pieces:
             size = (to_mm(piece.width), to_mm(piece.depth), to_mm(piece.height)) if exact and piece.rotation % 90 == 0 else None
             taken = {label for label, _ in found.values()}
-            for one in wanted if piece.id not in found and (size or not exact) else ():
-                kinds = [way.kind for way in one.candidates if catalogs.name_of(way.kind) == piece.name and size in (None, way.size_mm)]
-                if kinds and one.label not in taken:
-                    found[piece.id] = (one.label, kinds[0] if exact else None)
+            for label, sized, named in kinds if piece.id not in found and (size or not exact) else ():
+                if label not in taken and ((piece.name, size) in sized if size else piece.name in named):
+                    found[piece.id] = (label, sized[piece.name, size] if size else None)
                     break
     return found
 

@@ -6,15 +6,17 @@ Comes in: a `World` and one of its places. Goes out: boxes. May import: scene, w
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
 from typing import Final, NamedTuple
 
+from solver.demanded import demand
 from solver.validator.lattice import WallEdge, metres
 from solver.validator.world import Hole, PlacedRoom, World
-from solver.wall_fittings import Bar, Span, between, door_bars, leaf_bars, leaf_offset, window_bars
+from solver.wall_fittings import Bar, Span, between, cut_at_holes, door_bars, leaf_bars, leaf_offset, window_bars
 
 HEIGHT: Final = 3.0
 """How high walls are taken to be, m."""
+GAP_WORK: Final = 0.3
+"""What a hole costs for each stretch of wall that it is over [see demanded.py]. Measured."""
 
 
 class ShellBox(NamedTuple):
@@ -81,11 +83,10 @@ def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> list[
     start, end = metres(edge.start) - half, metres(edge.end) + half
     if not holes:
         return [Bar((start, end), (0.0, HEIGHT), (-half, half))]
-    stops = sorted({start, end, *(at for one in holes for at in one.along if start < at < end)})
     bars = []
-    for low, high in pairwise(stops):
-        gaps = sorted(one.up for one in holes if one.along[0] < (low + high) / 2 < one.along[1])
-        bars += [Bar((low, high), up, (-half, half)) for up in between(0.0, HEIGHT, gaps)]
+    for along, gaps in cut_at_holes((start, end), [(one.along, one.up) for one in holes]):
+        demand(GAP_WORK * len(gaps))
+        bars += [Bar(along, up, (-half, half)) for up in between(0.0, HEIGHT, gaps)]
     return bars
 
 
