@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 EFFORTS: Final[Mapping[str, float]] = {"quick": 0.1, "normal": 1.0, "thorough": 10.0}
 """How many times the work of a normal call each may do."""
 NORMAL: Final = "normal"
-NORMAL_WORK: Final = 2_000_000
+NORMAL_WORK: Final = 1_500_000
 """Work of a normal call, in QPs of a small room: two to four seconds of CPU. Our choice: repairing a home takes a hundredth of it."""
 
 NORMAL_JUDGING: Final = 1_000_000

@@ -22,6 +22,7 @@ from solver.pipeline.drag_frames import frame_of
 from solver.pipeline.left_over import cleaned, unexplained
 from solver.pipeline.repair_room import RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
 from solver.pipeline.timing import Clock, Timing
+from solver.placement import is_call_spent
 from solver.repair import (
     RepairSettings,
     RoomProblem,
@@ -191,7 +192,9 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     settings = replace(settings, explaining_work=_share(len(broken)) / (1 if settings.offering else WHY_SHARE))
     here = _by_room(alone.errors)
     problems = {room.id: _problem(alone.scene, room, here[room.id], settings) for room in alone.scene.rooms}
-    repairs = {name: repair_room(problem) if name in broken else unchanged(problem) for name, problem in problems.items()}
+    repairs = {
+        name: repair_room(problem) if name in broken and not is_call_spent() else unchanged(problem) for name, problem in problems.items()
+    }
     alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
     open_rooms = {issue.room for issue in alone.errors if issue.rule != "floating"}  # what floats is put to rest without moving any piece
     again = {name: until_nothing_changes(repair) for name, repair in repairs.items() if repair.whole and name in open_rooms}

@@ -19,7 +19,7 @@ from solver.validator import Checked
 WAYS_IN = ("door", "passage", "garage_door")
 """Openings that lead into a room."""
 
-LEAVING_WORK = 400_000.0
+LEAVING_WORK = 200_000.0
 """Work that judging the house without one body and another may cost, in QPs of a small room, also where a call's searches spent theirs."""
 ROOM_WORK, BODY_WORK = 15.0, 10.0
 """What each room counts when the house is judged once more, and each body of the room that changed; measured."""

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from solver.pieces import Arrangement, Piece
 from solver.pipeline.fewest import is_whole, without_fewest
 from solver.pipeline.least_movement import least_moved_from_last
-from solver.placement import walkable_when_empty
+from solver.placement import is_call_spent, walkable_when_empty
 from solver.repair import RoomProblem, holders, pieces_as_sent, without, written_back
 from solver.scene import Issue, Room
 
@@ -71,9 +71,14 @@ def unchanged(problem: RoomProblem) -> RoomRepair:
 
 
 def until_nothing_changes(repair: RoomRepair) -> RoomRepair:
-    """Returns a repair as a further repair would leave it: repeated until nothing changes, or else the room as sent."""
+    """Returns a repair as a further repair would leave it: repeated until nothing changes, or else the room as sent.
+
+    Where the call's work is spent, it stays as it is.
+    """
     settled = replace(repair.problem, room=repair.room, settings=replace(repair.problem.settings, previous={}))
     for _ in range(ROUNDS):
+        if is_call_spent():
+            return repair
         _, arrangement = _placed(settled, repair.misplaced)
         room = written_back(settled, arrangement.placed)
         if room == settled.room:
