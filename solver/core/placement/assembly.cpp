@@ -106,6 +106,7 @@ static i64 go_back(const Work& work, const Decisions& decisions) {
   counts.rows = mark.rows;
   counts.parts = mark.parts;
   counts.choices = mark.choices;
+  counts.placed = least(counts.placed, mark.choices);
   counts.pulls = mark.pulls;
   for (i64 axis = 0; axis < 2; axis++) {
     work.sizes[axis] = mark.sizes[axis];

@@ -14,29 +14,45 @@ constexpr i64 FEWER_FIRST = 1'000'000'000'000;
 // With more choices than this the most violated come first whatever is left to them: nothing is proven there anyway.
 constexpr i64 MANY_CHOICES = 500;
 
-// How far an option holds at the open node, m.
-static f64 slack_at(const Nodes& nodes, const DifferenceRow& row) {
-  const f64 j = place_of(nodes.positions, row.axis, row.j), i = place_of(nodes.positions, row.axis, row.i);
-  return j - i - static_cast<f64>(row.s) / 1000;
+// How far an option of a choice holds at the open node, m.
+static f64 slack_at(const Engine& engine, i64 option) {
+  const PlacedOption& own = engine.work.placed_options[option];
+  const f64* positions = engine.nodes.positions.data;
+  return positions[own.j] - positions[own.i] - own.s;
 }
 
 // How far the option of a choice holds that holds best; of a choice that holds at all, some option that does.
-static f64 best_slack(const Work& work, const Nodes& nodes, i64 choice) {
-  const i64 first = OPTIONS * choice, size = work.choice_size[choice];
-  i64& held = work.held[choice];
-  f64 slack = slack_at(nodes, work.options[first + held]);
-  for (i64 k = 0; k < size && slack < -VIOLATED; k++) {
-    slack = most(slack, slack_at(nodes, work.options[first + k]));
+static f64 best_slack(const Engine& engine, i64 choice) {
+  const i64 first = OPTIONS * choice;
+  i32& held = engine.work.held[choice];
+  f64 slack = slack_at(engine, first + held);
+  if (slack >= -VIOLATED) return slack;
+  const i32 size = static_cast<i32>(engine.work.choice_size[choice]);
+  for (i32 k = 0; k < size && slack < -VIOLATED; k++) {
+    slack = most(slack, slack_at(engine, first + k));
     held = k;
   }
   return slack;
 }
 
 // How many options of a choice are still within reach.
-static i64 possible_options(const Work& work, const Programs& programs, i64 choice) {
+static i64 possible_options(const Engine& engine, i64 choice) {
   i64 count = 0;
-  for (i64 k = OPTIONS * choice; k < OPTIONS * choice + work.choice_size[choice]; k++) count += possible(programs, work.options[k]);
+  for (i64 k = OPTIONS * choice; k < OPTIONS * choice + engine.work.choice_size[choice]; k++) {
+    count += possible(engine, engine.work.options[k]);
+  }
   return count;
+}
+
+// Finds how far the rows of the open node let the variables go, where that is not known from the last one.
+static void reach_out(const Engine& engine, i64 slot) {
+  for (i64 axis = 0; axis < 2; axis++) {
+    const NodeAxis& own = engine.nodes.axes.at(slot, axis);
+    i64& reached = engine.nodes.state->reached[axis];
+    if (reached == own.version) continue;
+    propagate(engine.programs[axis], engine.programs[axis].fixed_rows + own.rows);
+    reached = own.version;
+  }
 }
 
 // Inserts a choice into nodes.worst, `count` long so far, where its key is small enough; returns the new length.
@@ -51,20 +67,17 @@ static i64 insert_worst(const Nodes& nodes, const ChoiceKey& own, i64 count) {
 }
 
 i64 find_violated(const Engine& engine, i64 slot) {
-  const Work& work = engine.work;
-  const Programs& programs = engine.programs;
   const Nodes& nodes = engine.nodes;
-  const bool few = work.counts->choices <= MANY_CHOICES;
+  const i64 choices = engine.work.counts->choices;
+  const bool few = choices <= MANY_CHOICES;
   bool known = false;
   i64 count = 0;
-  for (i64 c = 0; c < work.counts->choices; c++) {
-    const f64 slack = best_slack(work, nodes, c);
+  for (i64 c = 0; c < choices; c++) {
+    const f64 slack = best_slack(engine, c);
     if (slack >= -VIOLATED) continue;
-    if (!known) {
-      known = true;
-      for (i64 axis = 0; axis < 2; axis++) propagate(programs, axis, programs.fixed_rows[axis] + nodes.row_count.at(slot, axis));
-    }
-    const i64 left = possible_options(work, programs, c);
+    if (!known) reach_out(engine, slot);
+    known = true;
+    const i64 left = possible_options(engine, c);
     if (left <= 1) {
       nodes.worst[0].choice = c;
       return left == 0 ? DEAD : 1;
@@ -76,26 +89,27 @@ i64 find_violated(const Engine& engine, i64 slot) {
 
 // Solves the parent with one row more; returns the child's slot, or -1 where it is infeasible or too dear.
 static i64 solve_child(const Engine& engine, i64 parent, i64 option, f64 ceiling) {
-  const Programs& programs = engine.programs;
   const Nodes& nodes = engine.nodes;
   NodesState& state = *nodes.state.data;
-  const i64 capacity = engine.work.options.size;
-  const DifferenceRow& row = option < capacity ? engine.work.options[option] : engine.work.wide[option - capacity];
+  const DifferenceRow& row = row_of(engine.work, option);
   const i64 axis = row.axis;
-  const i64 at = programs.fixed_rows[axis] + nodes.row_count.at(parent, axis);
-  if (at >= programs.rows.columns) return -1;
+  const Program& program = engine.programs[axis];
+  const NodeAxis &before = nodes.axes.at(parent, axis), &other = nodes.axes.at(parent, 1 - axis);
+  if (program.fixed_rows + before.rows >= program.most_rows) return -1;
   nodes.result->solves++;
-  if (!append_row(programs, at, row)) return -1;
-  if (state.base[axis] == 0) build_base(Programme(programs, nodes, axis, parent));
+  const i32 at = 2 * program.size + program.fixed_rows + before.rows;
+  if (!write_row(program, at, row)) return -1;
+  if (state.based[axis] != before.version) build_base(Programme(program, nodes, axis, parent));
   const i64 slot = next_slot(nodes);
-  const f64 other = nodes.cost.at(parent, 1 - axis);
-  copy_axis(nodes, parent, slot, axis, programs.size[axis]);
-  Programme own(programs, nodes, axis, slot);
-  const Solved solved = continue_dual(own, at + 1, 2 * own.n + at, ceiling - other);
-  state.base[axis] = own.dropped ? 0 : 1;
-  if (solved != Solved::YES || *own.cost + other >= ceiling) return -1;
-  copy_axis(nodes, parent, slot, 1 - axis, programs.size[1 - axis]);
-  nodes.row_count.at(slot, axis)++;
+  nodes.axes.at(slot, axis) = before;
+  copy_axis(engine, parent, slot, axis);
+  Programme own(program, nodes, axis, slot);
+  const Solved solved = continue_dual(own, at + 1, at, ceiling - other.cost);
+  state.based[axis] = own.dropped ? NO_VERSION : before.version;
+  if (solved != Solved::YES || own.node.cost + other.cost >= ceiling) return -1;
+  own.node.rows++;
+  own.node.version = ++state.versions;
+  nodes.axes.at(slot, 1 - axis) = other;
   nodes.last_pick[slot] = option;  // becomes a pick when the child is kept
   nodes.widened[slot] = nodes.widened[parent];
   take_slot(nodes);
@@ -103,10 +117,11 @@ static i64 solve_child(const Engine& engine, i64 parent, i64 option, f64 ceiling
 }
 
 // Writes the numbers of a choice's options to nodes.order, those that miss least at nodes.positions first.
-static void order_options(const Work& work, const Nodes& nodes, i64 choice) {
-  for (i64 o = 0; o < work.choice_size[choice]; o++) {
+static void order_options(const Engine& engine, i64 choice) {
+  const Nodes& nodes = engine.nodes;
+  for (i64 o = 0; o < engine.work.choice_size[choice]; o++) {
     const i64 k = OPTIONS * choice + o;
-    const i64 slack = in_steps(slack_at(nodes, work.options[k]));
+    const i64 slack = in_steps(slack_at(engine, k));
     i64 at = o;
     for (; at > 0 && nodes.order[at - 1].slack < slack; at--) nodes.order[at] = nodes.order[at - 1];
     nodes.order[at] = {k, slack};
@@ -119,10 +134,10 @@ static i64 add_children(const Engine& engine, i64 parent, i64 choice, i64 first,
   const Work& work = engine.work;
   const Nodes& nodes = engine.nodes;
   i64 last = first;
-  order_options(work, nodes, choice);
+  order_options(engine, choice);
   for (i64 o = 0; o < work.choice_size[choice]; o++) {
     const i64 k = nodes.order[o].option;
-    if (!possible(engine.programs, work.options[k])) continue;
+    if (!possible(engine, work.options[k])) continue;
     const i64 slot = solve_child(engine, parent, k, ceiling);
     if (slot < 0) continue;
     const i64 key = in_steps(nodes.total(slot));
@@ -149,7 +164,7 @@ void branch(const Engine& engine, i64 parent, i64 count, f64 ceiling) {
     kept = last - kept;
     if (kept == 1) break;
   }
-  open_family(nodes, parent, 0, kept);
+  open_family(engine, parent, 0, kept);
 }
 
 void widen(const Engine& engine, i64 parent, f64 ceiling) {
@@ -165,7 +180,7 @@ void widen(const Engine& engine, i64 parent, f64 ceiling) {
   }
   sort_family(nodes, 0, last);
   give_back(nodes, 0, last, WIDE_CHILDREN);
-  open_family(nodes, parent, 0, least(last, WIDE_CHILDREN));
+  open_family(engine, parent, 0, least(last, WIDE_CHILDREN));
 }
 
 }  // namespace placement

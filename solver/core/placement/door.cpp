@@ -107,7 +107,10 @@ EXPORT(pull_back) i32 door_pull_back(const Desk* desk) {
   return pull_back(desk->engine, walks);
 }
 
-EXPORT(search) void door_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) { search(desk->engine, limit, ceiling, walk != 0); }
+EXPORT(search) void door_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) {
+  desk->engine.work.counts->placed = 0;  // the host may have written the options
+  search(desk->engine, limit, ceiling, walk != 0);
+}
 
 EXPORT(settle) i32 door_settle(const Desk* desk, i32 walk, i32 slide) {
   return static_cast<i32>(settle(*desk, walk != 0, slide != 0));

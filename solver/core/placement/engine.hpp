@@ -37,7 +37,14 @@ struct ChoiceParts {
 struct Counts {
   i64 rows, parts, choices, pulls, wide;
   i64 assembled;  // pieces that the problem was laid out for
-  i64 unused[2];
+  i64 placed;     // choices whose options are in `placed_options`
+  i64 unused;
+};
+
+// An option over places in a table of positions (both axes, one behind the other): the one at j less the one at i is s at least, m.
+struct PlacedOption {
+  i32 i, j;
+  f64 s;
 };
 
 // What the problem was once a piece was added, beside its bounds.
@@ -58,35 +65,53 @@ struct Work {
   Rows<DifferenceRow> rows;
   Rows<Part> parts;
   Span<i64> choice_size;
-  Span<i64> held;  // of a choice: the option that held when it was last looked at, which is looked at first
+  Span<i32> held;  // of a choice: the option that held when it was last looked at, which is looked at first
   Rows<ChoiceParts> choice_parts;
   Rows<DifferenceRow> options;
+  Span<PlacedOption> placed_options;
   Rows<DifferenceRow> wide;  // what widenings ask for; option number options.size + k
   Span<i64> body_part, rotation, taken_candidate, taken_side;  // by piece
   Rows<Mark> marks;
   Cube<i64> marked_bounds;  // by piece: low of both axes, high of both axes
 };
 
-// The quadratic programmes of both axes over the free variables; see program.hpp. The first index is the axis.
-struct Programs {
-  Span<i64> size;  // how many variables are free
-  Table<i64> column;  // of a variable: its number among the free ones, or -1
-  Table<f64> value;  // of a fixed variable, m
-  Cube<f64> bounds;
-  Cube<f64> inverse;
-  Table<f64> start;
-  Span<f64> start_cost;
-  Span<i64> fixed_rows;
-  Cube<i64> rows;  // i of every row, j of every row: numbers of free variables, or -1
-  Table<f64> row_s;
-  Cube<f64> reach;  // least and most: how far the rows let each free variable go, m
-  Cube<f64> columns, factor, vectors;
+// x_j - x_i + rest >= 0 along an axis, m, over numbers of its free variables. What does not move has the number after theirs: its x is 0.
+struct FreeRow {
+  i32 i, j;
+  f64 rest;
+};
+
+// The quadratic programme of an axis over its free variables; see program.hpp. Rows by free variable are `width` long: an even number with
+// room for what does not move, and noughts there.
+struct Program {
+  i32 variables, size;  // how many there are, and how many of them are free
+  i32 width;
+  i32 fixed_rows, most_rows;
+  f64 start_cost;
+  Span<i32> column;  // of a variable, the last one the origin: its number among the free ones
+  Span<f64> value;   // of a fixed variable, m; of others 0
+  Span<f64> start;
+  Table<f64> inverse;
+  Span<FreeRow> rows;  // first the lower and the upper bound of every free variable
+  Span<f64> least, most;  // how far the rows let each free variable go, m
+  Table<f64> columns, factor;
+  Span<f64> rates;
 };
 
 struct NodesState {
   i64 open, spare, picked;
   i64 untouched;  // of the spare slots, so many at the bottom were never open: each its own number, not written out
-  i64 base[2];  // whether the base of the open node is built along an axis
+  i64 versions;   // axes solved so far
+  i64 shown[2], based[2], reached[2];  // the version of an axis whose rows and positions, base and reach are there, or none
+};
+
+constexpr i64 NO_VERSION = -1;
+
+// What a node knows of an axis beside places and multipliers. Two nodes with one version of it know the same.
+struct NodeAxis {
+  f64 cost;
+  i32 active, rows;  // constraints that are active; rows of its path
+  i64 version;
 };
 
 struct ChoiceKey {
@@ -115,11 +140,9 @@ struct ForceRow {
 struct Nodes {
   One<NodesState> state;
   Cube<f64> x;
-  Cube<i64> active;
+  Cube<i32> active;
   Cube<f64> multiplier;
-  Table<i64> active_size;
-  Table<f64> cost;
-  Table<i64> row_count;
+  Table<NodeAxis> axes;
   Span<i64> last_pick, widened, stack, spare, pick_before, pick_option;
   Table<f64> positions;  // of the open node, m; the last column is the origin's
   Rows<ChoiceKey> worst;
@@ -132,7 +155,7 @@ struct Nodes {
   Span<f64> best_multipliers;  // of these rows, per m
   One<SearchResult> result;
 
-  f64 total(i64 slot) const { return cost.at(slot, 0) + cost.at(slot, 1); }
+  f64 total(i64 slot) const { return axes.at(slot, 0).cost + axes.at(slot, 1).cost; }
 };
 
 struct GridState {
@@ -222,11 +245,16 @@ struct Tree {
 struct Engine {
   Room room;
   Work work;
-  Programs programs;
+  Span<Program> programs;  // by axis
   Nodes nodes;
   WalkGrid grid;
   Tree tree;
 };
+
+// The row of an option of a choice, or of a widening.
+inline const DifferenceRow& row_of(const Work& work, i64 option) {
+  return option < work.options.size ? work.options[option] : work.wide[option - work.options.size];
+}
 
 // A position of a table (axis, variable) whose last column is the origin's.
 template <class T> inline T place_of(const Table<T>& positions, i64 axis, i64 variable) {

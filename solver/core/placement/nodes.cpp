@@ -1,19 +1,17 @@
 #include "placement/nodes.hpp"
 
+#include "plain/pairs.hpp"
+
 namespace placement {
 
-void copy_axis(const Nodes& nodes, i64 parent, i64 slot, i64 axis, i64 n) {
-  const f64* x = nodes.x.row(parent, axis).data;
-  f64* own_x = nodes.x.row(slot, axis).data;
-  for (i64 k = 0; k < n; k++) own_x[k] = x[k];
-  const i64 size = nodes.active_size.at(parent, axis);
-  for (i64 k = 0; k < size; k++) {
+void copy_axis(const Engine& engine, i64 parent, i64 slot, i64 axis) {
+  const Nodes& nodes = engine.nodes;
+  const Span<f64> x = nodes.x.row(parent, axis), own_x = nodes.x.row(slot, axis);
+  for (i32 v = 0; v < engine.programs[axis].width; v += 2) pair_at(own_x, v) = pair_at(x, v);
+  for (i32 k = 0; k < nodes.axes.at(parent, axis).active; k++) {
     nodes.active.at(slot, axis, k) = nodes.active.at(parent, axis, k);
     nodes.multiplier.at(slot, axis, k) = nodes.multiplier.at(parent, axis, k);
   }
-  nodes.active_size.at(slot, axis) = size;
-  nodes.cost.at(slot, axis) = nodes.cost.at(parent, axis);
-  nodes.row_count.at(slot, axis) = nodes.row_count.at(parent, axis);
 }
 
 void give_back(const Nodes& nodes, i64 first, i64 last, i64 keep) {
@@ -29,10 +27,13 @@ void sort_family(const Nodes& nodes, i64 first, i64 last) {
   }
 }
 
-void open_family(const Nodes& nodes, i64 parent, i64 first, i64 last) {
+void open_family(const Engine& engine, i64 parent, i64 first, i64 last) {
+  const Nodes& nodes = engine.nodes;
   for (i64 k = last - 1; k >= first; k--) {
     const i64 slot = nodes.family[k].slot, pick = nodes.state->picked++;
-    nodes.pick_option[pick] = nodes.last_pick[slot];
+    const i64 option = nodes.last_pick[slot];
+    copy_axis(engine, parent, slot, 1 - row_of(engine.work, option).axis);  // the other one was solved
+    nodes.pick_option[pick] = option;
     nodes.pick_before[pick] = nodes.last_pick[parent];
     nodes.last_pick[slot] = pick;
     nodes.stack[nodes.state->open++] = slot;

@@ -8,13 +8,13 @@
 
 namespace placement {
 
-// Writes row number `at` of its axis, from one over all variables; false where it can never hold.
-bool append_row(const Programs& programs, i64 at, const DifferenceRow& row);
+// Writes a row over all variables of an axis as its row number `at`; false where it can never hold.
+bool write_row(const Program& program, i32 at, const DifferenceRow& row);
 
 // Writes the positions of all variables of an axis from those of the free ones.
-void spread(const Work& work, const Programs& programs, i64 axis, const Span<f64>& x, const Table<f64>& positions);
+void spread(const Program& program, const Span<f64>& x, const Span<f64>& positions);
 
 // Builds both programmes; false where bounds or fixed rows can never hold.
-bool prepare(const Work& work, const Programs& programs, const Nodes& nodes);
+bool prepare(const Engine& engine);
 
 }  // namespace placement

@@ -7,10 +7,10 @@
 
 namespace placement {
 
-// Writes to `reach` the least and greatest positions of an axis's free variables that its first `count` rows leave.
-void propagate(const Programs& programs, i64 axis, i64 count);
+// Writes to `least` and `most` the positions of an axis's free variables that its first `count` rows behind the bounds leave.
+void propagate(const Program& program, i32 count);
 
 // Tells whether a row over all variables is within reach.
-bool possible(const Programs& programs, const DifferenceRow& row);
+bool possible(const Engine& engine, const DifferenceRow& row);
 
 }  // namespace placement

@@ -11,38 +11,44 @@ namespace placement {
 constexpr f64 COST_TOLERANCE = 1e-9;
 constexpr i64 WIDENINGS = 4;  // widenings on one path of the tree
 
-// Brings a node's path back: its rows to the programmes, its positions to nodes.positions.
-static void open_node(const Work& work, const Programs& programs, const Nodes& nodes, i64 slot) {
-  i64 at[2];
-  for (i64 axis = 0; axis < 2; axis++) at[axis] = programs.fixed_rows[axis] + nodes.row_count.at(slot, axis);
+// Writes the rows of a node's path along an axis to its programme.
+static void write_path(const Engine& engine, i64 slot, i64 axis) {
+  const Nodes& nodes = engine.nodes;
+  const Program& program = engine.programs[axis];
+  i32 at = 2 * program.size + program.fixed_rows + nodes.axes.at(slot, axis).rows;
   for (i64 pick = nodes.last_pick[slot]; pick >= 0; pick = nodes.pick_before[pick]) {
-    const i64 k = nodes.pick_option[pick];
-    const DifferenceRow& row = k < work.options.size ? work.options[k] : work.wide[k - work.options.size];
-    append_row(programs, --at[row.axis], row);
+    const DifferenceRow& row = row_of(engine.work, nodes.pick_option[pick]);
+    if (row.axis == axis) write_row(program, --at, row);
   }
+}
+
+// Brings a node back: its rows to the programmes, its positions to nodes.positions; what is there from the last one stays.
+static void open_node(const Engine& engine, i64 slot) {
+  const Nodes& nodes = engine.nodes;
   for (i64 axis = 0; axis < 2; axis++) {
-    spread(work, programs, axis, nodes.x.row(slot, axis), nodes.positions);
-    nodes.state->base[axis] = 0;
+    i64& shown = nodes.state->shown[axis];
+    if (shown == nodes.axes.at(slot, axis).version) continue;
+    write_path(engine, slot, axis);
+    spread(engine.programs[axis], nodes.x.row(slot, axis), nodes.positions.row(axis));
+    shown = nodes.axes.at(slot, axis).version;
   }
 }
 
 // Notes the active constraints of an axis at the open node, with their multipliers.
-static void keep_forces(const Programs& programs, const Nodes& nodes, i64 slot, i64 axis) {
-  const i64 n = programs.size[axis];
-  for (i64 a = 0; a < nodes.active_size.at(slot, axis); a++) {
-    const i64 c = nodes.active.at(slot, axis, a), at = nodes.result->forces++;
-    ForceRow& force = nodes.best_forces[at];
-    force = {axis, -1, c};
-    if (c >= 2 * n) {
-      force = {axis, programs.rows.at(axis, 0, c - 2 * n), programs.rows.at(axis, 1, c - 2 * n)};
-    } else if (c >= n) {
-      force = {axis, c - n, -1};
-    }
+static void keep_forces(const Engine& engine, i64 slot, i64 axis) {
+  const Nodes& nodes = engine.nodes;
+  const Program& program = engine.programs[axis];
+  for (i64 a = 0; a < nodes.axes.at(slot, axis).active; a++) {
+    const FreeRow& row = program.rows[nodes.active.at(slot, axis, a)];
+    const i64 at = nodes.result->forces++;
+    nodes.best_forces[at] = {axis, row.i < program.size ? row.i : -1, row.j < program.size ? row.j : -1};
     nodes.best_multipliers[at] = nodes.multiplier.at(slot, axis, a);
   }
 }
 
-static void keep_best(const Work& work, const Programs& programs, const Nodes& nodes, i64 slot) {
+static void keep_best(const Engine& engine, i64 slot) {
+  const Work& work = engine.work;
+  const Nodes& nodes = engine.nodes;
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < work.sizes[axis]; v++) nodes.best.at(axis, v) = nodes.positions.at(axis, v);
   }
@@ -52,24 +58,41 @@ static void keep_best(const Work& work, const Programs& programs, const Nodes& n
   nodes.result->found = 1;
   nodes.result->picks = count;
   nodes.result->forces = 0;
-  for (i64 axis = 0; axis < 2; axis++) keep_forces(programs, nodes, slot, axis);
+  for (i64 axis = 0; axis < 2; axis++) keep_forces(engine, slot, axis);
+}
+
+// Writes the options of the choices that are new.
+static void place_options(const Work& work, i32 columns) {
+  i64& placed = work.counts->placed;
+  for (; placed < work.counts->choices; placed++) {
+    for (i64 k = OPTIONS * placed; k < OPTIONS * placed + work.choice_size[placed]; k++) {
+      const DifferenceRow& row = work.options[k];
+      const i64 first = row.axis * columns, origin = first + columns - 1;
+      const i64 i = row.i == ORIGIN ? origin : first + row.i, j = row.j == ORIGIN ? origin : first + row.j;
+      work.placed_options[k] = {static_cast<i32>(i), static_cast<i32>(j), static_cast<f64>(row.s) / 1000};
+    }
+  }
 }
 
 // Opens the root; false where it is infeasible.
-static bool open_root(const Work& work, const Programs& programs, const Nodes& nodes) {
+static bool open_root(const Engine& engine) {
+  const Work& work = engine.work;
+  const Nodes& nodes = engine.nodes;
   for (i64 c = 0; c < work.counts->choices; c++) {
     if (work.choice_size[c] == 0) return false;
     work.held[c] = 0;
   }
-  if (!prepare(work, programs, nodes)) return false;
+  if (!prepare(engine)) return false;
+  place_options(work, nodes.positions.columns);
   const i64 slot = next_slot(nodes);
   for (i64 axis = 0; axis < 2; axis++) {
-    for (i64 k = 0; k < programs.size[axis]; k++) nodes.x.at(slot, axis, k) = programs.start.at(axis, k);
-    nodes.active_size.at(slot, axis) = nodes.row_count.at(slot, axis) = 0;
-    nodes.cost.at(slot, axis) = programs.start_cost[axis];
+    const Program& program = engine.programs[axis];
+    const Span<f64> x = nodes.x.row(slot, axis);
+    for (i32 v = 0; v < program.width; v++) x[v] = program.start[v];
+    nodes.axes.at(slot, axis) = {program.start_cost, 0, 0, ++nodes.state->versions};
     nodes.result->solves++;
-    Programme own(programs, nodes, axis, slot);
-    if (continue_dual(own, programs.fixed_rows[axis], -1, INFINITE) != Solved::YES) return false;
+    Programme own(program, nodes, axis, slot);
+    if (continue_dual(own, 2 * program.size + program.fixed_rows, -1, INFINITE) != Solved::YES) return false;
   }
   nodes.last_pick[slot] = -1;
   nodes.widened[slot] = 0;
@@ -93,14 +116,14 @@ static bool passes(const Engine& engine) {
 // Looks at an open node that may be better than the best: branches on it, keeps it, or widens what blocks its way.
 static void visit(const Engine& engine, i64 slot, f64 best, bool walk) {
   const Nodes& nodes = engine.nodes;
-  open_node(engine.work, engine.programs, nodes, slot);
+  open_node(engine, slot);
   const i64 count = find_violated(engine, slot);
   if (count > 0) {
     branch(engine, slot, count, best);
   } else if (count == DEAD) {
     nodes.result->solves++;  // costs about as much as a QP
   } else if (!walk || passes(engine)) {
-    keep_best(engine.work, engine.programs, nodes, slot);
+    keep_best(engine, slot);
   } else {
     nodes.result->turned_down++;
     if (nodes.widened[slot] < WIDENINGS) widen(engine, slot, best);
@@ -114,6 +137,9 @@ static void begin(const Work& work, const Nodes& nodes, f64 ceiling) {
   nodes.best_cost[0] = ceiling;
   nodes.state->open = nodes.state->picked = 0;
   nodes.state->spare = nodes.state->untouched = nodes.spare.size;
+  for (i64 axis = 0; axis < 2; axis++) {
+    nodes.state->shown[axis] = nodes.state->based[axis] = nodes.state->reached[axis] = NO_VERSION;
+  }
   work.counts->wide = 0;
 }
 
@@ -122,7 +148,7 @@ void search(const Engine& engine, i64 limit, f64 ceiling, bool walk) {
   const Nodes& nodes = engine.nodes;
   NodesState& state = *nodes.state.data;
   begin(engine.work, nodes, ceiling);
-  if (!open_root(engine.work, engine.programs, nodes)) return;
+  if (!open_root(engine)) return;
   i64 opened = 0;
   while (state.open > 0) {
     if (state.open < opened) cheapest_on_top(nodes);

@@ -98,9 +98,10 @@ static Work new_work(const Sizes& sizes) {
   work.rows = reserved_rows<DifferenceRow>(sizes.rows);
   work.parts = reserved_rows<Part>(v);
   work.choice_size = new_span<i64>(c);
-  work.held = new_span<i64>(c);
+  work.held = new_span<i32>(c);
   work.choice_parts = reserved_rows<ChoiceParts>(c);
   work.options = reserved_rows<DifferenceRow>(OPTIONS * c);
+  work.placed_options = new_span<PlacedOption>(OPTIONS * c);
   work.body_part = new_span<i64>(p);
   work.rotation = new_span<i64>(p);
   work.taken_candidate = new_span<i64>(p);
@@ -110,36 +111,34 @@ static Work new_work(const Sizes& sizes) {
   return work;
 }
 
-static Programs new_programs(const Sizes& sizes) {
-  const i64 v = sizes.variables, r = sizes.rows + sizes.choices + SPARE_PATH;
-  Programs programs;
-  programs.size = zeroes<i64>(2);
-  programs.column = new_table<i64>(2, v);
-  programs.value = new_table<f64>(2, v);
-  programs.bounds = new_cube<f64>(2, 2, v);
-  programs.inverse = new_cube<f64>(2, v, v);
-  programs.start = new_table<f64>(2, v);
-  programs.start_cost = new_span<f64>(2);
-  programs.fixed_rows = new_span<i64>(2);
-  programs.rows = new_cube<i64>(2, 2, r);
-  programs.row_s = new_table<f64>(2, r);
-  programs.reach = new_cube<f64>(2, 2, v);
-  programs.columns = new_cube<f64>(2, v + 1, v);
-  programs.factor = new_cube<f64>(2, v + 1, v + 1);
-  programs.vectors = new_cube<f64>(2, 2, v + 1);
-  return programs;
+// How long rows by free variable are where all are free.
+static i64 widest(const Sizes& sizes) { return (sizes.variables + 2) / 2 * 2; }
+
+static Program new_program(const Sizes& sizes) {
+  const i64 v = sizes.variables, wide = widest(sizes);
+  Program program = {};
+  program.most_rows = static_cast<i32>(sizes.rows + sizes.choices + SPARE_PATH);
+  program.column = new_span<i32>(v + 1);
+  program.value = new_span<f64>(v + 1);
+  program.start = new_span<f64>(wide);
+  program.inverse = new_table<f64>(v + 1, wide);
+  program.rows = new_span<FreeRow>(2 * v + program.most_rows);
+  program.least = new_span<f64>(wide);
+  program.most = new_span<f64>(wide);
+  program.columns = new_table<f64>(v + 1, wide);
+  program.factor = new_table<f64>(v + 1, wide);
+  program.rates = new_span<f64>(v);
+  return program;
 }
 
 static Nodes new_nodes(const Sizes& sizes) {
   const i64 v = sizes.variables, n = least(MOST_NODES, 4 * sizes.choices + 128);
   Nodes nodes;
   nodes.state = new_one<NodesState>();
-  nodes.x = new_cube<f64>(n, 2, v);
-  nodes.active = new_cube<i64>(n, 2, v);
+  nodes.x = new_cube<f64>(n, 2, widest(sizes));
+  nodes.active = new_cube<i32>(n, 2, v);
   nodes.multiplier = new_cube<f64>(n, 2, v);
-  nodes.active_size = new_table<i64>(n, 2);
-  nodes.cost = new_table<f64>(n, 2);
-  nodes.row_count = new_table<i64>(n, 2);
+  nodes.axes = new_table<NodeAxis>(n, 2);
   nodes.last_pick = new_span<i64>(n);
   nodes.widened = new_span<i64>(n);
   nodes.stack = new_span<i64>(n);
@@ -247,7 +246,8 @@ Desk* new_desk(const Room& room, const Sizes& sizes) {
   desk.added = zeroes<f64>(1);
   desk.kept = address(static_cast<u8*>(arena::reserve(0)));
   desk.engine.work.wide = reserved_rows<DifferenceRow>(MOST_WIDE);
-  desk.engine.programs = new_programs(sizes);
+  desk.engine.programs = new_span<Program>(2);
+  for (Program& program : desk.engine.programs) program = new_program(sizes);
   desk.engine.nodes = new_nodes(sizes);
   desk.engine.tree = new_tree(sizes);
   show_all(desk);
