@@ -1,4 +1,4 @@
-"""Which pieces to leave out of a room in which no place was found for all: one, the least important that helps; else the fewest in the way.
+"""Which pieces to leave out of a room in which no place was found for all: a few of those in the way, the least important that help.
 
 Comes in: a space, pieces, the work each trial may cost. Goes out: an Arrangement of the others, those left out named in it. May import:
 every stage. Not here: why they cannot stand (conflicts).
@@ -6,21 +6,21 @@ every stage. Not here: why they cannot stand (conflicts).
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.least_movement import least_moved
-from solver.placement import Budget, in_the_way, is_call_spent
+from solver.placement import Budget, can_be_used, in_the_way, is_call_spent
 
-MOST_ALONE = 6
-"""Pieces that are left out alone, at most, before several are."""
 WORK_SHARE = 4
 """Of what an attempt at the whole room may cost a trial may cost this part."""
 
 
 def without_fewest(space: Space, pieces: Sequence[Piece], work: float) -> Arrangement | None:
-    """Returns an arrangement, walkable, of all pieces but the fewest found; None where leaving out what may be moved does not do.
+    """Returns an arrangement, walkable, of all pieces but a few in the way; None where leaving out all that may be moved does not do.
+
+    Of those in the way, the least important first, as many go as it takes; less those before the last of them that need not go.
 
     Args:
         space: the room's.
@@ -29,44 +29,59 @@ def without_fewest(space: Space, pieces: Sequence[Piece], work: float) -> Arrang
     """
     blamed = in_the_way(space, pieces)
     order = tuple(piece.label for piece in reversed(pieces) if piece.label in blamed)
-    return _Trials(space, pieces, work / WORK_SHARE).fewest(order) if order else None
+    return _Trials(space, pieces, work / WORK_SHARE).answer(order) if order else None
 
 
 class _Trials:
-    """Attempts without some pieces. Where none is found, none is taken to be found with one of those left out beside the others."""
+    """Sets of pieces to leave out, each tried once. Where one does not help, none of its parts is taken to help."""
 
     def __init__(self, space: Space, pieces: Sequence[Piece], work: float) -> None:
         self.space, self.pieces, self.work = space, pieces, work
-        self._tried: dict[tuple[str, ...], Arrangement | None] = {}
+        self._helps: dict[tuple[str, ...], bool] = {}
 
-    def fewest(self, order: tuple[str, ...]) -> Arrangement | None:
-        """Leaves out one of a few, else as few as do from the first on."""
-        if (first := self._without(order[:1])) or self._without(order) is None:
-            return first
-        low, high = 1, len(order)
-        while high - low > 1:
-            middle = min(2 * low, (low + high) // 2)
-            low, high = (low, middle) if self._without(order[:middle]) else (middle, high)
-        others = order[low:MOST_ALONE]  # without those before them all together no place was found
-        return (self._one(others) if others else None) or self._without(order[:high])
+    def answer(self, order: tuple[str, ...]) -> Arrangement | None:
+        """Leaves out a few of these and moves the others least; a set with which that does not succeed counts as no help."""
+        while (gone := self._few(order)) is not None:
+            if answer := self._placed_without(gone):
+                return answer
+            self._helps[gone] = False
+        return None
 
-    def _one(self, order: tuple[str, ...]) -> Arrangement | None:
-        """Leaves out one, the first that helps: sought by halves."""
-        answer = self._without(order)
-        if answer is None or len(order) == 1:
-            return answer
-        half = len(order) // 2
-        return self._one(order[:half]) or self._one(order[half:])
+    def _few(self, order: tuple[str, ...]) -> tuple[str, ...] | None:
+        """Returns a run of these that helps: it ends as early as can be, then begins as late as can be."""
+        if self._without(order[:1]):
+            return order[:1]
+        if not self._without(order):
+            return None
+        last = _least(1, len(order), lambda count: self._without(order[:count]))
+        count = _least(0, last, lambda count: self._without(order[last - count : last]))
+        return order[last - count : last]
 
-    def _without(self, labels: tuple[str, ...]) -> Arrangement | None:
-        if labels not in self._tried:
-            self._tried[labels] = None if is_call_spent() else self._attempt(_with_carried(self.pieces, labels))
-        return self._tried[labels]
+    def _without(self, labels: tuple[str, ...]) -> bool:
+        """Tells whether all others can be used without these."""
+        if labels not in self._helps:
+            self._helps[labels] = not is_call_spent() and can_be_used(self.space, self._others(labels), Budget(self.work))
+        return self._helps[labels]
 
-    def _attempt(self, gone: Collection[str]) -> Arrangement | None:
-        answer = least_moved(self.space, [piece for piece in self.pieces if piece.label not in gone], Budget(self.work))
-        left_out = tuple((piece.label, "no place was found for it beside the others") for piece in self.pieces if piece.label in gone)
+    def _others(self, labels: tuple[str, ...]) -> list[Piece]:
+        gone = _with_carried(self.pieces, labels)
+        return [piece for piece in self.pieces if piece.label not in gone]
+
+    def _placed_without(self, labels: tuple[str, ...]) -> Arrangement | None:
+        """Places all but these, and what stands only with them, with least movement; None where that finds no place for all."""
+        others = self._others(labels)
+        answer = least_moved(self.space, others, Budget(self.work))
+        there = {piece.label for piece in others}
+        left_out = tuple((piece.label, "no place was found for it beside the others") for piece in self.pieces if piece.label not in there)
         return replace(answer, left_out=left_out, proven=False, best=False) if is_whole(answer) else None
+
+
+def _least(low: int, high: int, helps: Callable[[int], bool]) -> int:
+    """Returns the least number above `low`, which does not help, that does, if `high` helps and helping is monotone."""
+    while high - low > 1:
+        middle = min(max(2 * low, 1), (low + high) // 2)
+        low, high = (low, middle) if helps(middle) else (middle, high)
+    return high
 
 
 def is_whole(answer: Arrangement) -> bool:
@@ -74,7 +89,7 @@ def is_whole(answer: Arrangement) -> bool:
     return not answer.left_out and not answer.notes
 
 
-def _with_carried(pieces: Sequence[Piece], gone: Collection[str]) -> set[str]:
+def _with_carried(pieces: Sequence[Piece], gone: Sequence[str]) -> set[str]:
     """Returns who goes, with all that stands only with one of them."""
     found = set(gone)
     for piece in pieces:  # what is carried comes after what carries it

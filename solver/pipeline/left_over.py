@@ -6,7 +6,7 @@ Each way out is tried: the validator judges the house without the body.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import compress
@@ -128,8 +128,9 @@ def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Con
         The house, and for each body that is gone the rule that it broke.
     """
     reasons, budget = list[Conflict](), Budget(LEAVING_WORK, is_known=True)
+    lasting = _without_bodies(house, budget)
     while house.errors:
-        better = next(_lighter(house, settings, budget), None)
+        better = next(_lighter(house, lasting, settings, budget), None)
         if better is None:
             break
         issue, label, house = better
@@ -137,10 +138,25 @@ def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Con
     return house, reasons
 
 
-def _lighter(house: Checked, settings: RepairSettings, budget: Budget) -> Iterator[tuple[Issue, str, Checked]]:
-    """Yields houses with less broken, each with an issue that is gone and the body left out for it."""
+def _without_bodies(house: Checked, budget: Budget) -> frozenset[tuple[str, str | None]]:
+    """Returns which errors of no body's own last in the house without any body: rule and room of each."""
+    if all(issue.ids for issue in house.errors) or budget.spent:
+        return frozenset()
+    bare = tuple(replace(room, furniture=(), decorations=()) for room in house.scene.rooms)
+    budget.left -= ROOM_WORK * len(bare)
+    errors = house.after(replace(house.scene, rooms=bare, dynamic=())).errors
+    return frozenset((issue.rule, issue.room) for issue in errors if not issue.ids)
+
+
+def _lighter(
+    house: Checked, lasting: Container[tuple[str, str | None]], settings: RepairSettings, budget: Budget
+) -> Iterator[tuple[Issue, str, Checked]]:
+    """Yields houses with less broken, each with an issue that is gone and the body left out for it; nobody is for what is lasting."""
     order = {label: k for k, label in enumerate(_by_importance(house.scene, settings))}
-    broken_by = {label: issue for issue in reversed(house.errors) for label in issue.ids} or dict.fromkeys(order, house.errors[0])
+    broken_by = {label: issue for issue in reversed(house.errors) for label in issue.ids}
+    open_ways = [issue for issue in house.errors if not issue.ids and (issue.rule, issue.room) not in lasting]
+    if not broken_by and open_ways:
+        broken_by = dict.fromkeys(order, open_ways[0])
     for label, issue in sorted(broken_by.items(), key=lambda pair: order.get(pair[0], len(order))):
         trial = _house_without(house, label, budget)
         if trial and len(trial.errors) < len(house.errors):

@@ -6,7 +6,7 @@ left out. May import: the ground floor. Not here: rules of room types (furnish),
 
 from solver.placement.arrange import SolvedRoom, arrange, feasible, walkable_when_empty
 from solver.placement.budget import ROOM_WORK, Budget, CallWork, charge, is_call_spent, work_of_call
-from solver.placement.displacement import move_least, moved_back
+from solver.placement.displacement import can_be_used, move_least, moved_back
 from solver.placement.encode import problem_bytes
 from solver.placement.finish import finish, place
 from solver.placement.left_out import minimal_conflict
@@ -14,6 +14,7 @@ from solver.placement.neighbourhood import in_the_way
 from solver.placement.whole_rooms import place_wanted
 
 __all__ = [
-    "ROOM_WORK", "Budget", "CallWork", "SolvedRoom", "arrange", "charge", "feasible", "finish", "in_the_way", "is_call_spent",
-    "minimal_conflict", "move_least", "moved_back", "place", "place_wanted", "problem_bytes", "walkable_when_empty", "work_of_call",
+    "ROOM_WORK", "Budget", "CallWork", "SolvedRoom", "arrange", "can_be_used", "charge", "feasible", "finish", "in_the_way",
+    "is_call_spent", "minimal_conflict", "move_least", "moved_back", "place", "place_wanted", "problem_bytes", "walkable_when_empty",
+    "work_of_call",
 ]  # fmt: skip

@@ -31,6 +31,9 @@ QUICK_QPS = 500
 """The same while there are other shapes of floor to try: most of what is found at all is found within as many."""
 FLOOR_WORK = 2500.0
 """What the searches with a piece of floor kept empty may cost a room, in QPs of a small room."""
+LAST_WORK = 10_000.0
+"""What looking for all pieces at once in all their ways may cost, in QPs of a small room, where neither freeing some nor a proof found a
+place for all: what is found at all is found early."""
 REACHES_MM = (600, 200, 50, 2)
 """How far from where they were found walkable pieces may be moved back to where they are wished, most first."""
 
@@ -42,6 +45,14 @@ def move_least(space: Space, pieces: Sequence[Piece], budget: Budget) -> SolvedR
     walkable placement is found the best that is not is returned, `walkable` False; where none exists none is looked for.
     """
     return _Question(space, pieces, budget).answer()
+
+
+def can_be_used(space: Space, pieces: Sequence[Piece], budget: Budget) -> bool:
+    """Tells whether a placement of all pieces was found in which all that are to be used can be reached.
+
+    Less is tried than for the least movement.
+    """
+    return _Question(space, pieces, budget).is_answered()
 
 
 def moved_back(space: Space, pieces: Sequence[Piece], places: Sequence[Rect | None]) -> SolvedRoom | None:
@@ -80,6 +91,18 @@ class _Question:
         if nearest is not None:
             return self._or_cheaper(replace(solved_room(core, decisions, True, nearest), best=False))
         return self._by_proof(solved_room(core, decisions, False, least))
+
+    def is_answered(self) -> bool:
+        """Tells whether a walkable placement was found with the first candidates, else by freeing, else near the first candidates."""
+        core = Core(encode(self.space, self.pieces, "test"))
+        decisions = core.first_decisions()
+        stands = decisions is not None and core.evaluate(decisions, LEAST_QPS, self.budget, False)
+        least = core.solution() if stands else None
+        if least is not None and core.walkable_near(least):
+            return True
+        if next(freed_search(self.space, self.pieces, self.budget), None) is not None:
+            return True
+        return least is not None and self._nearest_walkable(core) is not None
 
     def _nearest_walkable(self, core: Core) -> Solution | None:
         """Returns the least movement found of the pieces assembled with their first candidates, and walkable; None if none.
@@ -133,7 +156,8 @@ class _Question:
             return together
         choosy = any(len(piece.stands) > 1 and not piece.need_all for piece in self.pieces)
         if (next_cost < inf or choosy or together is not None) and walkable_when_empty(self.space):
-            other = arrange(self.space, self.pieces, budget=self.budget, limits=FIX_LIMITS)
+            spare = self.budget if walkable else Budget(min(self.budget.left, LAST_WORK))
+            other = arrange(self.space, self.pieces, budget=spare, limits=FIX_LIMITS)
             if not other.left_out:
                 other = _moved_back(other, [replace(chosen.piece, candidates=(chosen.candidate,)) for chosen in other.chosen])
                 if together is None or not walkable or other.cost < together.cost:
