@@ -216,6 +216,11 @@ struct SearchLimits {
   i64 evaluations, qps, lapses;
 };
 
+// What a QP of a search costs, and what reading its choices does, in QPs of a small room.
+struct Effort {
+  f64 of_a_qp, reading;
+};
+
 // A cost, of it the preferences, and the cost above which no answer counts.
 struct Costs {
   f64 all, preferences, ceiling;
@@ -242,6 +247,8 @@ struct Tree {
   Span<i64> shifted;
 };
 
+struct Memo;
+
 struct Engine {
   Room room;
   Work work;
@@ -249,6 +256,7 @@ struct Engine {
   Nodes nodes;
   WalkGrid grid;
   Tree tree;
+  Memo* memo;  // where evaluations are noted, or recalled from; null: nowhere
 };
 
 // The row of an option of a choice, or of a widening.

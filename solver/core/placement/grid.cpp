@@ -41,8 +41,8 @@ static Door entry_of(const SpaceRow& space, Door door, i64 wider) {
   return door;
 }
 
-// Collects what is to be reached: doors first, then use sides, which are no matter for who is wider than the person.
-static void gather_targets(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
+// Collects the doors, which are the first targets.
+static void gather_doors(const Room& room, const WalkGrid& grid) {
   GridState& state = *grid.state.data;
   state.targets = 0;
   const i64 wider = state.width - room.space->robot;
@@ -51,7 +51,11 @@ static void gather_targets(const Room& room, const Work& work, const WalkGrid& g
     grid.targets[state.targets++] = {{door.low[0], door.low[1]}, {door.high[0], door.high[1]}, k};
   }
   state.numbers = room.doors.size;
-  if (wider > 0) return;
+}
+
+// Collects the use sides, which are no matter for who is wider than the person.
+static void gather_sides(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
+  GridState& state = *grid.state.data;
   for (i64 piece = 0; piece < room.pieces.size; piece++) {
     if (work.taken_candidate[piece] == ABSENT) continue;
     const SidesRow& sides = room.sides[work.taken_side[piece]];
@@ -68,11 +72,8 @@ static void gather_targets(const Room& room, const Work& work, const WalkGrid& g
   }
 }
 
-// Collects what is blocked wherever the bodies stand between low and high.
-static void gather_blocks(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
-  const i64 grow = grid.state->width - 1;
-  i64& count = grid.state->blocks;
-  count = 0;
+i64 find_covered(const Work& work, const Table<i64>& low, const Table<i64>& high, const Rows<NumberedRect>& found) {
+  i64 count = 0;
   for (i64 k = 0; k < work.counts->parts; k++) {
     const Part& part = work.parts[k];
     if (part.stand != 0 || part.low >= HEADROOM_MM) continue;
@@ -82,13 +83,28 @@ static void gather_blocks(const Room& room, const Work& work, const WalkGrid& gr
       last[axis] = low.at(axis, part.variable[axis]) + part.offset[axis] + part.extent[axis];
     }
     if (first[0] >= last[0] || first[1] >= last[1]) continue;
-    grid.blocks[count++] = {{2 * first[0] - grow, 2 * first[1] - grow}, {2 * last[0] + grow, 2 * last[1] + grow}, k};
+    found[count++] = {{first[0], first[1]}, {last[0], last[1]}, k};
+  }
+  return count;
+}
+
+// Where no centre may be of who is so wide, by what is covered from `low` to `high`, mm.
+static NumberedRect blocked_by(const i64 (&low)[2], const i64 (&high)[2], i64 number, i64 width) {
+  const i64 grow = width - 1;
+  return {{2 * low[0] - grow, 2 * low[1] - grow}, {2 * high[0] + grow, 2 * high[1] + grow}, number};
+}
+
+// Collects what is blocked, by bodies that cover rectangles and by parts missing from the room.
+static void gather_blocks(const Room& room, const WalkGrid& grid, const Rows<NumberedRect>& bodies, i64 covered) {
+  const i64 width = grid.state->width;
+  i64& count = grid.state->blocks;
+  for (count = 0; count < covered; count++) {
+    const NumberedRect body = bodies[count];
+    grid.blocks[count] = blocked_by(body.low, body.high, body.number, width);
   }
   for (i64 k = 0; k < room.zones.size; k++) {
     const Zone& zone = room.zones[k];
-    if (!zone.is_wall) continue;
-    grid.blocks[count++] = {
-        {2 * zone.low[0] - grow, 2 * zone.low[1] - grow}, {2 * zone.high[0] + grow, 2 * zone.high[1] + grow}, -1 - k};
+    if (zone.is_wall) grid.blocks[count++] = blocked_by(zone.low, zone.high, -1 - k, width);
   }
 }
 
@@ -217,15 +233,11 @@ static i64 entered_of(const Room& room, const WalkGrid& grid) {
   return best;
 }
 
-// Parts the floor that is free for who is so wide into components and counts what each meets; false where the room is too narrow.
-static bool part_floor(
-    const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high, i64 width) {
-  grid.state->width = width;
-  gather_blocks(room, work, grid, low, high);
-  gather_targets(room, work, grid, low, high);
+// Parts the floor that is free beside blocks into components and counts what each meets; false where the room is too narrow.
+static bool part_floor(const Room& room, const WalkGrid& grid) {
   const SpaceRow& space = *room.space.data;
   GridState& state = *grid.state.data;
-  const i64 grow = width - 1;
+  const i64 grow = state.width - 1;
   state.entered = state.cuts[0] = state.cuts[1] = 0;
   for (i64 axis = 0; axis < 2; axis++) {
     if (2 * space.low[axis] + grow >= 2 * space.high[axis] - grow) return false;
@@ -236,6 +248,15 @@ static bool part_floor(
   flood(grid, nx, nz);
   count_reached(grid, nz);
   return true;
+}
+
+// The same for a person, with what it is to reach; bodies stand between low and high.
+static bool part_for_person(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
+  grid.state->width = room.space->robot;
+  gather_blocks(room, grid, grid.blocks, find_covered(work, low, high, grid.blocks));
+  gather_doors(room, grid);
+  gather_sides(room, work, grid, low, high);
+  return part_floor(room, grid);
 }
 
 // Tells whether a component has the least free centres, of a person who is not smaller than asked.
@@ -262,7 +283,7 @@ static bool has_least_floor(const Room& room, const WalkGrid& grid, i64 componen
 static bool is_reached(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
   const i64 least_floor = room.space->least_floor;
   GridState& state = *grid.state.data;
-  if (!part_floor(room, work, grid, positions, positions, room.space->robot)) {
+  if (!part_for_person(room, work, grid, positions, positions)) {
     return state.numbers <= least<i64>(room.doors.size, 1) && least_floor == 0;
   }
   state.entered = entered_of(room, grid);
@@ -270,16 +291,25 @@ static bool is_reached(const Room& room, const Work& work, const WalkGrid& grid,
   return grid.reached[state.entered].count == state.numbers && has_least_floor(room, grid, state.entered);
 }
 
-bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
-  if (!is_reached(room, work, grid, positions)) return false;
-  if (room.space->ways <= room.space->robot || room.doors.size < 2) return true;
-  if (!part_floor(room, work, grid, positions, positions, room.space->ways)) return false;
+bool joins_doors(const Room& room, const WalkGrid& grid, const Rows<NumberedRect>& bodies) {
+  grid.state->width = room.space->ways;
+  gather_blocks(room, grid, bodies, bodies.size);
+  gather_doors(room, grid);
+  if (!part_floor(room, grid)) return false;
   grid.state->entered = entered_of(room, grid);
   return grid.state->entered != 0 && grid.reached[grid.state->entered].count == grid.state->numbers;
 }
 
+bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
+  if (!is_reached(room, work, grid, positions)) return false;
+  if (room.space->ways <= room.space->robot || room.doors.size < 2) return true;
+  Rows<NumberedRect> bodies = grid.blocks;
+  bodies.size = static_cast<i32>(find_covered(work, positions, positions, grid.blocks));
+  return joins_doors(room, grid, bodies);
+}
+
 bool may_be_walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {
-  if (!part_floor(room, work, grid, low, high, room.space->robot)) return false;
+  if (!part_for_person(room, work, grid, low, high)) return false;
   for (i64 c = 1; c <= grid.state->components; c++) {
     if (grid.reached[c].count == grid.state->numbers && has_least_floor(room, grid, c)) return true;
   }

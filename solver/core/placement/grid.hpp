@@ -21,6 +21,12 @@ i64 first_cell(const WalkGrid& grid, i64 axis, i64 value);
 // Leaves labels, cuts and the entered component in `grid`.
 bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions);
 
+// Finds what bodies cover wherever they stand between low and high, mm; returns how many rectangles, numbered by their parts.
+i64 find_covered(const Work& work, const Table<i64>& low, const Table<i64>& high, const Rows<NumberedRect>& found);
+
+// Tells whether ways as wide as asked join the doors, past bodies that cover rectangles.
+bool joins_doors(const Room& room, const WalkGrid& grid, const Rows<NumberedRect>& bodies);
+
 // Tells whether the bodies may leave one component of the least free centres that meets all doors and use sides.
 //
 // "No" is certain for all positions between low and high: only what is covered at every one of them blocks the way, and whatever

@@ -2,6 +2,7 @@
 
 #include "placement/assembly.hpp"
 #include "placement/heap.hpp"
+#include "placement/memo.hpp"
 #include "placement/nodes.hpp"
 #include "placement/options.hpp"
 #include "placement/search.hpp"
@@ -12,22 +13,57 @@ constexpr i64 MODULUS = 2147483647;
 constexpr f64 CUBIC_FROM = 5;  // from so many times 20 variables an axis on factors cost the most; measured
 constexpr f64 MANY_ZONES = 5;  // beyond so many times 20 zones the walk costs more than a QP; measured
 
-bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
+// What a search in the problem laid out costs.
+static Effort effort_of(const Engine& engine, bool walk) {
   const Work& work = engine.work;
-  SearchResult& result = *engine.nodes.result.data;
-  result = {};
-  result.exhausted = 1;
-  if (!assemble(engine.room, work, decisions)) return false;
   const f64 size = static_cast<f64>(work.sizes[0] + work.sizes[1]) / 40;
   const f64 of_a_qp = 1 + size * size * most(1.0, size / CUBIC_FROM);  // a dense QP grows with its square, factors with the cube
-  const f64 left = engine.tree.budget[0];
   const f64 many = walk ? most(0.0, static_cast<f64>(engine.room.zones.size) / 20 - MANY_ZONES) : 0;
-  const f64 scale = of_a_qp + many * many;  // the cells that a walk is looked for in grow with the square of the zones
-  search(engine, least(limit, whole(most(left / scale, 0.0))), ceiling, walk);
-  const f64 reading = static_cast<f64>(work.counts->choices) / 4;  // reading the choices costs too
-  engine.tree.budget[0] = left - static_cast<f64>(result.solves) * scale - reading;
+  // The cells that a walk is looked for in grow with the square of the zones. Reading the choices costs, too.
+  return {of_a_qp + many * many, static_cast<f64>(work.counts->choices) / 4};
+}
+
+i64 affordable_qps(const Engine& engine, const Effort& effort) { return whole(most(engine.tree.budget[0] / effort.of_a_qp, 0.0)); }
+
+// Pays for the search whose result is there; tells whether a placement was found.
+static bool pay(const Engine& engine, const Effort& effort) {
+  const SearchResult& result = *engine.nodes.result.data;
+  f64& left = engine.tree.budget[0];
+  left = left - static_cast<f64>(result.solves) * effort.of_a_qp - effort.reading;
   engine.tree.counters->solved_qps += result.solves;
   return result.found == 1;
+}
+
+// Evaluates; `limit` becomes the QPs that it was held to, and `effort` what one cost.
+static bool evaluate(const Engine& engine, const Decisions& decisions, i64& limit, f64 ceiling, bool walk, Effort& effort) {
+  *engine.nodes.result.data = {};
+  engine.nodes.result->exhausted = 1;
+  effort = {};
+  if (!assemble(engine.room, engine.work, decisions)) return false;
+  effort = effort_of(engine, walk);
+  limit = least(limit, affordable_qps(engine, effort));
+  search(engine, limit, ceiling, walk);
+  return pay(engine, effort);
+}
+
+bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
+  Effort effort;
+  return evaluate(engine, decisions, limit, ceiling, walk, effort);
+}
+
+// Evaluates decisions, or recalls what came of them; only what they cost is there then.
+static bool weigh(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
+  if (engine.memo == nullptr) return evaluate(engine, decisions, limit, ceiling, walk);
+  Memo& memo = *engine.memo;
+  if (memo.complete) {
+    const Effort* known = recall(engine, decisions, limit, ceiling);
+    return known != nullptr ? pay(engine, *known) : evaluate(engine, decisions, limit, ceiling, walk);
+  }
+  Effort effort;
+  begin_note(memo);
+  const bool found = evaluate(engine, decisions, limit, ceiling, walk, effort);
+  end_note(engine, decisions, limit, ceiling, effort);
+  return found;
 }
 
 // A number for what decides feasibility: decisions that agree in it differ only in their anchors.
@@ -118,7 +154,7 @@ static bool try_entry(const Engine& engine, i64 entry, const Group& group, const
   const i64 incumbent = counters.incumbent;
   const f64 rest = least_rest(engine.room, trial, group.first + depth + 1, group);
   const f64 ceiling = incumbent >= 0 ? tree.costs[incumbent] - chosen - rest : INFINITE;
-  if (!evaluate(engine, trial, limits.qps, ceiling, walk)) {
+  if (!weigh(engine, trial, limits.qps, ceiling, walk)) {
     note_failure(engine, number, limits);
     return true;
   }

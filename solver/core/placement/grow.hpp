@@ -12,6 +12,9 @@ namespace placement {
 // Assembles and searches; tells whether a placement was found. Pays from the budget, in QPs of a small room.
 bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk);
 
+// How many QPs of so much effort the budget holds.
+i64 affordable_qps(const Engine& engine, const Effort& effort);
+
 // Finds the cheapest way for the pieces of a group to join the decisions `start`.
 //
 //   engine: the answer's number is left in counters.best (-1: none), the deepest prefix in `deepest` (-1: none); `closed` tells

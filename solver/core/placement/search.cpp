@@ -3,6 +3,7 @@
 #include "placement/branch.hpp"
 #include "placement/dual.hpp"
 #include "placement/grid.hpp"
+#include "placement/memo.hpp"
 #include "placement/nodes.hpp"
 #include "placement/program.hpp"
 
@@ -110,7 +111,9 @@ static bool passes(const Engine& engine) {
       rounded.at(axis, v) = whole(floor(engine.nodes.positions.at(axis, v) * 1000 + 0.5));
     }
   }
-  return walkable(engine.room, engine.work, engine.grid, rounded);
+  if (!walkable(engine.room, engine.work, engine.grid, rounded)) return false;
+  if (engine.memo != nullptr && !engine.memo->complete) note_placement(engine);
+  return true;
 }
 
 // Looks at an open node that may be better than the best: branches on it, keeps it, or widens what blocks its way.

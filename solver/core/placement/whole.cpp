@@ -1,6 +1,7 @@
 #include "placement/whole.hpp"
 
 #include "placement/grow.hpp"
+#include "placement/memo.hpp"
 
 namespace placement {
 
@@ -22,11 +23,14 @@ constexpr i64 SEARCHED_AGAIN = 100, SEARCHED_FURTHER = 10;
 
 static Desk* desk_for(const NumberedRoom& asked) { return new_desk(asked.room, sizes_of(asked.room)); }
 
-static Desk* arranged(const NumberedRoom& asked, const RoomLimits& limits, f64& budget, bool walk, RoomReport& report) {
+static Desk* arranged(
+    const NumberedRoom& asked, const RoomLimits& limits, f64& budget, bool walk, RoomReport& report, Memo* memo = nullptr) {
   Desk* desk = desk_for(asked);
+  desk->engine.memo = memo;
   const Engine& engine = desk->engine;
   engine.tree.budget[0] = budget;
   report = arrange_room(engine, desk->decisions, desk->fates, limits, walk);
+  desk->engine.memo = nullptr;
   budget = engine.tree.budget[0];
   return desk;
 }
@@ -79,7 +83,8 @@ static NumberedRoom without_required(const NumberedRoom& from, i64 piece) {
   return left;
 }
 
-WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk) {
+// The same as `arrange_whole`; what all pieces' ways come to is noted in the memo, or recalled from it.
+static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk, Memo* memo) {
   NumberedRoom asked = numbered(room);
   WholeRoom found = {};
   found.walk = walk && is_walkable_empty(asked);
@@ -90,7 +95,8 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
   for (;;) {
     const arena::Mark mark = arena::mark();  // what was tried in vain is given back
     found.asked = asked;
-    found.desk = arranged(asked, limits, budget, found.walk, report);
+    const bool is_first = found.left_out.size() == 0;
+    found.desk = arranged(asked, limits, budget, found.walk, report, is_first && found.walk ? memo : nullptr);
     found.solves += report.solves;
     if (report.complete) break;
     const RoomReport without = report;
@@ -126,6 +132,10 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
   return found;
 }
 
+WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk) {
+  return arrange_whole(room, limits, budget, walk, nullptr);
+}
+
 // Required pieces that stand, and what the optional ones that do are worth.
 struct Standing {
   i64 required;
@@ -148,9 +158,11 @@ static Standing standing_in(const WholeRoom& whole) {
 
 WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f64& spent) {
   f64 left = budget;
-  const WholeRoom usual = arrange_whole(room, limits, left, true);
+  Memo* memo = room.doors.size < 2 ? nullptr : new_memo(room);
+  const WholeRoom usual = arrange_whole(room, limits, left, true, memo);
   spent += budget - left;
   if (room.doors.size < 2 || !usual.walk || !usual.desk->engine.nodes.result->found) return usual;
+  memo->complete = true;
   const Standing least = standing_in(usual);
   for (const WayMargin& margin : MARGINS) {
     const arena::Mark mark = arena::mark();
@@ -160,7 +172,7 @@ WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f
     Room asked = room;
     asked.space.data = space.data;
     left = budget;
-    WholeRoom wide = arrange_whole(asked, MARGIN_LIMITS, left, true);
+    WholeRoom wide = arrange_whole(asked, MARGIN_LIMITS, left, true, memo);
     spent += budget - left;
     if (wide.walk && wide.desk->engine.nodes.result->found && (wide.proven || !usual.proven)) {
       const Standing standing = standing_in(wide);
