@@ -62,14 +62,14 @@ def dump(scene: Scene, path: str | PathLike[str] | None = None, format: str | No
         >>> load(dump(scene)) == load(dump(scene, format="json")) == scene
         True
     """
-    from solver.exchange import dump_text, format_of_name, write_scene
+    from solver.exchange import dump_scene, format_of_name
     from solver.whole_files import write_whole
 
     name = str(path or "")
     asked = format or PurePath(name).suffix.lower().removeprefix(".")
     if asked in EXPORTERS:
         raise RequestError("format", f"dump writes no {asked}; export(scene, {asked!r}) does", "json or yaml")
-    content = dump_text(write_scene(scene), format or format_of_name(name) or "yaml")
+    content = dump_scene(scene, format or format_of_name(name) or "yaml")
     if path is not None:
         write_whole(Path(path), content)
     return content.decode()

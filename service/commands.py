@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 from service.service_settings import settings_of
 from service.standard_streams import give_up_output, read_standard_input, say, write_standard_output
 from solver.errors import ComposeError, FieldError, SyntaxFault
-from solver.exchange import dump_plain, dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema
+from solver.exchange import dump_scene, dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema, write
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
 from solver.scene import Request
@@ -54,11 +54,11 @@ def _generate(options: Namespace) -> int:
     catalogs, request = _catalogs(options), _request(options)
     if options.count is not None:
         return _generate_many(options, request, catalogs)
-    from service.generating import generate_house
+    from service.generating import made_house
 
-    answer = _checked(options.request, lambda: generate_house(request, catalogs, options.engine))
-    _put(dump_plain(answer["scene"], _format(options)), options.output)
-    return _judged(answer["issues"])
+    made = _checked(options.request, lambda: made_house(request, catalogs, options.engine))
+    _put(dump_scene(made.scene, _format(options)), options.output)
+    return _judged([write(issue) for issue in made.issues])
 
 
 def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Catalogs) -> int:

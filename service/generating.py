@@ -13,13 +13,18 @@ from solver import generate, reroll, restyle
 from solver.errors import FieldError
 from solver.exchange import read, read_request, write
 from solver.plain import Document
-from solver.scene import MAX_SEED, Scene
+from solver.scene import MAX_SEED, Generated, Scene
 
 if TYPE_CHECKING:
     from catalogs import Catalogs
 
 
 def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
+    """Returns what `made_house` makes as a document."""
+    return write(made_house(document, catalogs, engine))
+
+
+def made_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Generated:
     """Makes a house, furnishes some rooms of one anew, or gives it another style.
 
     Args:
@@ -35,7 +40,7 @@ def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -
 
         wish = read(RestyleBody, document)
         check_size(wish.scene)
-        return write(restyle(wish.scene, style=wish.style, decorate=wish.decorate, catalogs=catalogs, clock=perf_counter))
+        return restyle(wish.scene, style=wish.style, decorate=wish.decorate, catalogs=catalogs, clock=perf_counter)
     if isinstance(document, Mapping) and not {"scene", "reroll"}.isdisjoint(document):
         from service.contract import RerollBody  # noqa: PLC0415 - the bodies of all calls
 
@@ -44,12 +49,12 @@ def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -
         rooms, seed = tuple(dict.fromkeys(body.reroll)), draw_seed() if body.seed is None else body.seed
         with limited_to(body.effort) as work:
             made = reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter)
-        return write(replace(made, limited=work.limited()))
+        return replace(made, limited=work.limited())
     request = read_request(document, "body")
     seeded = request if request.seed is not None else replace(request, seed=draw_seed())
     with limited_to() as work:
         house = generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter)
-    return write(replace(house, limited=work.limited()))
+    return replace(house, limited=work.limited())
 
 
 def _is_restyling(document: object) -> bool:

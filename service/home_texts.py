@@ -18,7 +18,7 @@ from service import problems
 from service.kept_contract import HomeBody, HomeChange
 from service.store.saved_homes import PackedScene, SavedHome
 from solver.errors import ComposeError, FieldError
-from solver.exchange import GLB, dump_plain, load_text, read, write_scene
+from solver.exchange import GLB, dump_plain, dump_scene, load_text, read
 from solver.plain import Document
 from solver.scene import Scene
 
@@ -55,7 +55,7 @@ def read_home(body: bytes, sent: str, is_change: bool) -> HomeSent | Response:
 
 def packed_scene(scene: Scene) -> PackedScene:
     """Packs a scene as it is kept."""
-    return PackedScene(zlib.compress(dump_plain(write_scene(scene), "json"), 6), len(scene.rooms))
+    return PackedScene(zlib.compress(dump_scene(scene, "json"), 6), len(scene.rooms))
 
 
 def head_document(home: SavedHome) -> Document:

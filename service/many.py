@@ -17,11 +17,11 @@ from typing import Any, Final, TypeVar
 from tqdm import tqdm
 
 from catalogs import Catalogs
-from service.generating import generate_house
+from service.generating import made_house
 from service.packed_catalogs import packed, unpacked, warm
 from service.pool import spread
 from solver.errors import ComposeError, FieldError
-from solver.exchange import dump_plain
+from solver.exchange import dump_scene, write
 from solver.plain import Document
 from solver.scene import MAX_SEED
 from solver.version import VERSION
@@ -122,9 +122,8 @@ def _claim(folder: Path, made_from: bytes) -> None:
 def _file_made(houses: HouseSet, catalogs: bytes, seed: int) -> list[Document] | ComposeError:
     """Makes a house and writes it; returns its issues."""
     try:
-        answer = generate_house({**houses.request, "seed": seed}, unpacked(catalogs), houses.engine)
+        made = made_house({**houses.request, "seed": seed}, unpacked(catalogs), houses.engine)
     except ComposeError as error:
         return error
-    write_whole(houses.file(seed), dump_plain(answer["scene"], houses.format))
-    issues: list[Document] = answer["issues"]
-    return issues
+    write_whole(houses.file(seed), dump_scene(made.scene, houses.format))
+    return [write(issue) for issue in made.issues]

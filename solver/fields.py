@@ -12,12 +12,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import MISSING, fields
 from functools import cache
 from importlib import import_module
-from typing import Annotated, Any, ClassVar, Final, get_args, get_type_hints
+from typing import Annotated, Any, ClassVar, Final, TypeVar, cast, get_args, get_type_hints
 
 from annotated_types import Ge, Gt, Le, MaxLen, MinLen
 
 from solver.plain import Wrong, is_text, plain
 
+Value = TypeVar("Value")
 MAX_WHOLE: Final = 2**53 - 1
 """The largest integer that every JSON reader keeps exactly."""
 MAX_LENGTH: Final = 1000.0
@@ -196,6 +197,32 @@ Free = Annotated[Mapping[str, object], _Free()]
 TextByIndex = Annotated[Mapping[int, str], _Indexed()]
 
 
+LATER: Final = "_later"
+"""Where a record keeps, by field, what makes the value of one that is made when it is first asked for."""
+
+
+class _Late:
+    """The default of a field that may be made later. It has no `__set__`: a value that is there is found without it."""
+
+    def __init__(self, default: object) -> None:
+        self.default = default
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __get__(self, record: object, owner: type | None = None) -> object:
+        if record is None:
+            return self.default
+        made = record.__dict__[self.name] = record.__dict__[LATER][self.name]()
+        return made
+
+
+def late(default: Value) -> Value:
+    """Declares a field that may be made later."""
+    declared: Any = _Late(default)
+    return cast(Value, declared)
+
+
 class Record:
     """A dataclass that is read from a document, or written as one, key by key.
 
@@ -205,6 +232,10 @@ class Record:
 
     camel_case: ClassVar[bool] = False
     """Whether a key may also be spelled in camelCase."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Returns what is copied or pickled: the fields, all made."""
+        return {part.name: getattr(self, part.name) for part in fields(self)}  # type: ignore[arg-type]
 
     @classmethod
     def __get_pydantic_core_schema__(cls, source: Any, handler: Any) -> Any:

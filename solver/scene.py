@@ -3,11 +3,10 @@
 Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by key, in its order.
 May import: errors, fields, what an asset may be called. Not here: reading and writing (exchange), rules (validate).
 
-Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen
-from above, 0 facing south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner;
-`y` is its underside. Edges lie on integer millimetres, so a centre may end in 0.0005.
-
-Each field's type states what a reader accepts (solver/fields.py); reading and the published JSON Schema are made from it.
+Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen from above, 0 facing
+south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner; `y` is its underside. Edges lie on
+integer millimetres, so a centre may end in 0.0005. Each field's type states what a reader accepts (solver/fields.py); reading and the
+published JSON Schema are made from it.
 """
 
 from __future__ import annotations
@@ -45,6 +44,7 @@ from solver.fields import (
     Text,
     TextByIndex,
     Whole,
+    late,
 )
 
 FORMAT: Final = "compose-scene/1"
@@ -179,10 +179,10 @@ class Sides(Record):
 class Opening(Record):
     """A door, garage door, passage or window in a wall.
 
-    `position` is the opening's centre along the wall from its west or north end, m. Both rooms of a door list it under
-    one id. `hinge` is the end of the opening that carries the leaf; `swing` is `in` for the room whose floor the leaf
-    sweeps. On an outlined room `edge` (from outline point i to the next) replaces `wall`. `open` is how far its leaf stands open, 0 to 1;
-    of the two entries that of the room that draws the leaf counts.
+    `position` is the opening's centre along the wall from its west or north end, m. Both rooms of a door list it under one id. `hinge` is
+    the end of the opening that carries the leaf; `swing` is `in` for the room whose floor the leaf sweeps. On an outlined room `edge` (from
+    outline point i to the next) replaces `wall`. `open` is how far its leaf stands open, 0 to 1; of the two entries that of the room that
+    draws the leaf counts.
     """
 
     id: Identity
@@ -297,7 +297,7 @@ class Room(Record):
     wall_flags: Sides | None = None
     openings: tuple[Opening, ...] = ()
     furniture: tuple[Furniture, ...] = ()
-    decorations: tuple[Decoration, ...] = ()
+    decorations: tuple[Decoration, ...] = late(())
     extra: Mapping[str, object] = _extra()
 
     @property

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from solver.dressed import count_decorations
 from solver.errors import SceneError
 from solver.scene import Dynamic, Room, Scene
 
@@ -20,7 +21,7 @@ def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
         "doors": len(openings) - windows,
         "windows": windows,
         "furniture": sum(len(room.furniture) for room in rooms),
-        "decorations": sum(len(room.decorations) for room in rooms),
+        "decorations": sum(map(count_decorations, rooms)),
         "dynamic": len(people),
     }
 

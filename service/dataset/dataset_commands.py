@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
-from service.dataset.dataset_plan import DatasetPlan, again, made_home, packed_all, scene_text
+from service.dataset.dataset_plan import DatasetPlan, again, made_home, packed_all
 from service.dataset.varied_requests import OURS, check_names, varied
 from solver.errors import FieldError
-from solver.exchange import dump_text, format_of_file, format_of_name, load_text, read_request, write_scene
+from solver.exchange import dump_scene, format_of_file, format_of_name, load_text, read_request
 from solver.export_formats import EXPORTERS
 from solver.whole_files import write_whole
 
@@ -94,7 +94,7 @@ def _make_again(options: Namespace, catalogs: Catalogs) -> int:
     if home.digest != row["digest"]:
         raise FieldError("--seed", f"the home of seed {options.seed} is not the one of the row", "the version and catalogs of the dataset")
     format = options.format or format_of_name(options.output) or "json"
-    content = scene_text(home.scene) if format == "json" else dump_text(write_scene(home.scene), format)
+    content = dump_scene(home.scene, format)
     if options.output == "-":
         sys.stdout.buffer.write(content)
         sys.stdout.buffer.flush()

@@ -17,7 +17,7 @@ from service.dataset.varied_requests import OURS, VariedRequest
 from service.packed_catalogs import packed
 from solver import generate
 from solver.errors import ComposeError, FieldError
-from solver.exchange import FORMATS, load_text, read_request, write_request, write_scene
+from solver.exchange import FORMATS, dump_scene, load_text, read_request, write_request
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
 from solver.scene import Issue, Request, Scene
@@ -123,7 +123,7 @@ def made_home(document: Mapping[str, Any], catalog: str, catalogs: Catalogs) -> 
         made = generate(request, catalogs=catalogs)
     except ComposeError as error:
         return MadeHome(request, catalog, None, (), b"", "", str(error))
-    text = scene_text(made.scene)
+    text = dump_scene(made.scene, JSON)
     return MadeHome(request, catalog, made.scene, made.issues, text, sha256(text).hexdigest(), None)
 
 
@@ -139,11 +139,6 @@ def again(row: Mapping[str, Any], catalogs: Catalogs) -> tuple[Any, str, Catalog
         if there != here:
             raise FieldError("dataset", f"its {what} is {there}, and here is {here}", f"Compose with that {what}")
     return load_text(row["request"], "json"), name, known
-
-
-def scene_text(scene: Scene) -> bytes:
-    """Returns a scene as `compose generate -f json` writes it."""
-    return FORMATS[JSON].dump(write_scene(scene)).encode()
 
 
 def request_text(request: Request) -> str:

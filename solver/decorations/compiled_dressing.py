@@ -16,10 +16,11 @@ from catalogs.dressing import ALL, INDOOR, SURFACE, DecorationKind, Dressing, Dr
 from catalogs.entries import Side, Surface
 from catalogs.fronts import FrontFloor, floor_before
 from catalogs.insides import InsideSurface, insides_of
-from catalogs.kind_book import UPRIGHT, KindBook
+from catalogs.kind_book import KindBook
 from catalogs.schema import Comfort
 from catalogs.styles import Leaning
 from solver.decorations.decoration_settings import DecorationSettings
+from solver.dressed import Looks
 from solver.geometry import to_mm
 
 Item = TypeVar("Item")
@@ -58,9 +59,7 @@ class CompiledDressing:
 
     Args:
         data: its bytes.
-        kinds: the kinds of decorations, as its rows count them.
-        colours: what each of them is drawn from.
-        styled: those of them that have colours of the style.
+        looks: how the kinds of decorations look, as its rows count them.
         words: the numbers of names.
         surfaces: of furniture, by name and size.
         insides: what carries things inside furniture, by kind and size.
@@ -68,15 +67,12 @@ class CompiledDressing:
         uses: by name of furniture the sides it is used from, and whether all of them are needed.
         comforts: by kind of furniture the floor at its sides that is better kept free.
         fronts: by kind of furniture the space that its fronts come into, where they come into any.
-        tipped: kinds that look different when they are tipped onto their lower edge.
-        book: tells which of the two a thing of some size is.
+        book: tells which kind of furniture something of some name and size is.
         made_from: what it was compiled from.
     """
 
     data: bytes
-    kinds: tuple[str, ...]
-    colours: tuple[tuple[str, ...], ...]
-    styled: frozenset[str]
+    looks: Looks
     words: Mapping[str, int]
     surfaces: Mapping[tuple[str, SizeMm], TableRange]
     insides: Mapping[tuple[str, SizeMm], TableRange]
@@ -84,7 +80,6 @@ class CompiledDressing:
     uses: Mapping[str, tuple[Sequence[str], bool]]
     comforts: Mapping[str, Mapping[Side, Comfort]]
     fronts: Mapping[str, FrontFloor]
-    tipped: frozenset[str]
     book: KindBook
     made_from: tuple[object, ...]
 
@@ -138,11 +133,12 @@ class _DressingTables:
         insides = {(kind, millimetres(one.size)): self._insides(kind, one.size) for kind, one in known.furniture.items()}
         self._added("turn", map(math.radians, range(180)), lambda angle: (abs(math.cos(angle)), abs(math.sin(angle))))
         named = known.kinds_by_name().items()
+        looks = Looks(known, colours, [bool(self._palette(name)) for name in known.decorations])
         return CompiledDressing(
-            self._data(), tuple(self._kinds), colours, frozenset(filter(self._palette, known.decorations)), self._words, surfaces, insides,
+            self._data(), looks, self._words, surfaces, insides,
             frozenset(name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")),
             known.use_sides(), {name: kind.comfort for name, kind in known.furniture.items() if kind.comfort}, dict(self._fronts()),
-            frozenset(name for name in known.decorations if name + UPRIGHT in known.shapes), KindBook(known), made_from,
+            KindBook(known), made_from,
         )  # fmt: skip
 
     def _fronts(self) -> Iterator[tuple[str, FrontFloor]]:

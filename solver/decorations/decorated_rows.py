@@ -1,11 +1,10 @@
-"""Rooms to be decorated as the core reads them, and decorations from the rows it answers with (solver/core/dress/room.hpp).
+"""Rooms to be decorated as the core reads them, and what it answers (solver/core/dress/room.hpp).
 
-Comes in: a furnished room and its space. Goes out: bytes for the core; from its bytes, decorations. May import: the ground floor, catalogs.
+Comes in: a furnished room and its space. Goes out: bytes for the core; rows of things. May import: the ground floor, catalogs.
 """
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from struct import Struct
@@ -15,11 +14,12 @@ from catalogs.entries import Side
 from catalogs.schema import Comfort
 from solver.decorations.compiled_dressing import CompiledDressing, millimetres
 from solver.decorations.decoration_settings import DecorationSettings
+from solver.dressed import DressedRows
 from solver.free_floor import DOORWAY, HEADROOM_MM, WALL_NUMBERS, sides_seen
 from solver.free_places import FLAT_MM, footprint
 from solver.geometry import OPPOSITE, Rect, strip_at, to_mm, wall_faced
 from solver.pieces import Space
-from solver.scene import WALLS, Decoration, Furniture, Opening, Room
+from solver.scene import WALLS, Furniture, Opening, Room
 
 AT_WALL_MM: Final = 150
 """Nothing hangs on a wall that a front comes so near to as it opens. Our choice."""
@@ -33,8 +33,6 @@ _OPENING: Final = Struct("<2i4q")
 _ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Qq")
 _RECT: Final = Struct("<4q")
-_THING: Final = Struct("<6i8q")
-_WALL_NAMES: Final = (*WALLS, None)
 _OUTLINE: Final = "outline"
 """The cause of zones that are missing parts of a rectangle."""
 
@@ -159,31 +157,6 @@ def stream_after(answer: bytes) -> int:
     return int(_ANSWER.unpack_from(answer)[0])
 
 
-def decorations_in(answer: bytes, room: Room, known: CompiledDressing) -> Iterator[Decoration]:
-    """Yields the decorations of an answer, in the order in which they were put there.
-
-    Their ids go on counting behind the furniture of the same name.
-    """
-    counts: dict[str, int] = Counter(piece.name for piece in room.furniture)
-    ids = [piece.id for piece in room.furniture]
-    kind_of, tipped, kinds, colours = known.book.kind_of, known.tipped, known.kinds, known.colours
-    for kind, parent, wall, rotation, colour, _, x0, z0, x1, z1, low, *size in _THING.iter_unpack(answer[_ANSWER.size :]):
-        name, width, depth, height = kinds[kind], size[0] / 1000, size[1] / 1000, size[2] / 1000
-        counts[name] = number = counts.get(name, 0) + 1
-        ids.append(f"{room.id}/{name}_{number}")
-        made = object.__new__(Decoration)
-        own = made.__dict__  # a frozen dataclass's own `__init__` takes three times as long, and there are a hundred in a room
-        own["id"], own["name"] = ids[-1], name
-        own["parent"], own["mounted_on_wall"] = None if parent < 0 else ids[parent], _WALL_NAMES[wall]
-        own["x"], own["y"], own["z"], own["rotation"] = (x0 + x1) / 2000, low / 1000, (z0 + z1) / 2000, rotation
-        own["width"], own["depth"], own["height"] = width, depth, height
-        own["color"] = _accent(room, kind, known) if colour < 0 else colours[kind][colour]
-        own["kind"] = kind_of("decoration", name, (width, depth, height)) if name in tipped else name
-        own["extra"] = {}
-        yield made
-
-
-def _accent(room: Room, kind: int, known: CompiledDressing) -> str | None:
-    """Returns the colour of what has its room's: one of the style's, where it has some for that kind, alike in one room."""
-    colours = known.colours[kind]
-    return colours[room.index % len(colours)] if known.kinds[kind] in known.styled else room.accent
+def rows_told(answer: bytes, room: Room, known: CompiledDressing) -> DressedRows:
+    """Returns the things of an answer."""
+    return DressedRows(answer[_ANSWER.size :], room, known.looks)

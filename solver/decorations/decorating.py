@@ -1,7 +1,7 @@
-"""decorations_of(): one room.
+"""decorated_room(): one room.
 
-Comes in: a furnished Room, its Space, the settings, a Stream. Goes out: its Decorations. May import: the ground floor, catalogs. The work
-is the core's: solver/core/dress.
+Comes in: a furnished Room, its Space, the settings, a Stream. Goes out: the Room, decorated. May import: the ground floor, catalogs. The
+work is the core's: solver/core/dress.
 """
 
 from __future__ import annotations
@@ -10,22 +10,23 @@ from typing import Final
 
 from solver.core import borrowed
 from solver.decorations.compiled_dressing import compiled_dressing
-from solver.decorations.decorated_rows import decorated_rows, decorations_in, stream_after
+from solver.decorations.decorated_rows import decorated_rows, rows_told, stream_after
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.demanded import demand
+from solver.dressed import dressed
 from solver.pieces import Space
-from solver.scene import Decoration, Room
+from solver.scene import Room
 from solver.streams import Stream
 
 PAIR_WORK: Final = 0.4
 """What two pieces of a room cost, at worst: things keep clear of every piece [see demanded.py]. Measured."""
 
 
-def decorations_of(room: Room, space: Space, settings: DecorationSettings, stream: Stream) -> tuple[Decoration, ...]:
-    """Returns what decorates a furnished room, naming its kinds; the room's furniture stays as it is.
+def decorated_room(room: Room, space: Space, settings: DecorationSettings, stream: Stream) -> Room:
+    """Returns a furnished room with what decorates it, naming its kinds; the room's furniture stays as it is.
 
     Args:
-        room: furnished at right angles.
+        room: furnished at right angles; what decorated it before goes.
         space: its clear rectangle, and what its doors and windows keep free.
         settings: with what, in which style, how high the room is.
         stream: of random numbers, the room's own.
@@ -41,4 +42,4 @@ def decorations_of(room: Room, space: Space, settings: DecorationSettings, strea
         packed = core.call("dress", core.write(known.data), len(known.data), core.write(rows), len(rows))
         answer = core.read(packed & 0xFFFFFFFF, packed >> 32)
     stream.state = stream_after(answer)
-    return tuple(decorations_in(answer, room, known))
+    return dressed(room, rows_told(answer, room, known))

@@ -7,6 +7,7 @@ The types of the fields in `solver.scene` (`solver.fields`) drive the reader, th
 """
 
 from solver.exchange.reader import SentRoom, SentScene, adapter, checked_request, read, read_request, read_scene, scene_schema
+from solver.exchange.scene_text import dump_scene
 from solver.exchange.text import FORMATS, GLB, dump_plain, dump_text, format_of_file, format_of_name, load_text
 from solver.exchange.writer import write, write_request, write_scene
 
@@ -18,6 +19,7 @@ __all__ = [
     "adapter",
     "checked_request",
     "dump_plain",
+    "dump_scene",
     "dump_text",
     "format_of_file",
     "format_of_name",

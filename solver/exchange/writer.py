@@ -57,7 +57,7 @@ def write(record: object, error: type[FieldError] = FieldError) -> dict[str, Any
         raise error(path(wrong.way), wrong.problem, wrong.allowed) from None
 
 
-class _Shape(NamedTuple):
+class Shape(NamedTuple):
     """What a class of records writes.
 
     Its keys, and the class of most of their values; how others are written; which are left out where they are None; and what fetches
@@ -72,27 +72,28 @@ class _Shape(NamedTuple):
 
 
 @lru_cache
-def _shape(of: type[Any]) -> _Shape:
+def shape_of(of: type[Any]) -> Shape:
+    """Returns what a class of records writes."""
     hints = get_type_hints(of)
     keys = [part for part in fields(of) if part.name != EXTRA]
     writers = {key.name: _writer(key.name, hints[key.name]) for key in keys}
-    usual = tuple(float if writer is _number else str if writer is _text else None for writer in writers.values())
+    usual = tuple(float if writer is write_number else str if writer is write_text else None for writer in writers.values())
     values = attrgetter(*writers) if len(keys) > 1 else lambda one: (getattr(one, keys[0].name),)
-    return _Shape(tuple(writers), usual, writers, frozenset(key.name for key in keys if OMITTED in key.metadata), values)
+    return Shape(tuple(writers), usual, writers, frozenset(key.name for key in keys if OMITTED in key.metadata), values)
 
 
 def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
     """Returns what writes a value: numbers as their type says, whatever Python's number it is."""
     kinds = get_args(hint) if get_origin(hint) in (Union, UnionType) else (hint,)
     if float in kinds:
-        return _degrees if name == DEGREES else _number
+        return write_degrees if name == DEGREES else write_number
     if str in kinds:
-        return _text
+        return write_text
     return int if int in kinds and bool not in kinds else _any
 
 
 def _record(record: Any) -> dict[str, Any]:
-    names, usually, writers, omitted, values = _shape(record.__class__)
+    names, usually, writers, omitted, values = shape_of(record.__class__)
     document: dict[str, Any] = {}
     name = ""
     try:
@@ -114,19 +115,22 @@ def _record(record: Any) -> dict[str, Any]:
     return document
 
 
-def _text(value: Any) -> Any:
+def write_text(value: Any) -> Any:
+    """Writes what should be a text."""
     return _any(value)
 
 
-def _number(value: Any) -> float:
+def write_number(value: Any) -> float:
+    """Writes a number with a point."""
     number = float(value) + 0.0
     return number if number - number == 0.0 else plain(number)
 
 
-def _degrees(value: Any) -> float:
+def write_degrees(value: Any) -> float:
+    """Writes a number without a point where it is whole."""
     if value.__class__ is int and -_TURN < value < _TURN:
         return int(value)
-    number = _number(value)
+    number = write_number(value)
     return int(number) if number.is_integer() else number
 
 

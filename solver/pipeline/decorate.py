@@ -9,7 +9,7 @@ from collections.abc import Container
 from dataclasses import replace
 
 from catalogs import Catalogs
-from solver.decorations import DecorationSettings, decorations_of
+from solver.decorations import DecorationSettings, decorated_room
 from solver.furnish import space_of
 from solver.pipeline.accessible import floors_asked_for
 from solver.scene import Room, Scene, robot_width_of
@@ -32,10 +32,9 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
     settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8, kept)
 
     def done(room: Room) -> Room:
-        bare = replace(room, decorations=()) if room.decorations else room
         if not wanted:
-            return bare
+            return replace(room, decorations=()) if room.decorations else room
         space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
-        return replace(bare, decorations=decorations_of(bare, space, settings, Stream(seed, "decorations", room.index)))
+        return decorated_room(room, space, settings, Stream(seed, "decorations", room.index))
 
     return replace(scene, rooms=tuple(done(room) if room.id in rooms else room for room in scene.rooms))

@@ -11,7 +11,7 @@ from typing import Final
 from catalogs import Catalogs, load_catalogs
 from solver.demanded import demand
 from solver.errors import SceneError
-from solver.exchange import FORMATS, write_scene
+from solver.exchange import dump_scene
 from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
 from solver.named_assets import with_assets
@@ -83,7 +83,7 @@ def export_each(  # noqa: PLR0913 - what export() is asked for, and what it has 
     kept = shown if model.assets else scene
 
     def text() -> str:
-        return FORMATS["json"].dump(write_scene(kept)).rstrip()
+        return dump_scene(kept, "json").decode().rstrip()
 
     return {name: written_as(model, ExportSettings(name, text, lambda: floors(scene), scale)) for name in formats}
 

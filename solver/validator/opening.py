@@ -93,7 +93,7 @@ def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> li
     fronts = list(fronts_in(place, kinds))
     if not fronts:
         return []
-    demand(FRONT_WORK * len(fronts) * len(place.bodies))
+    demand(FRONT_WORK * len(fronts) * place.count_bodies())
     told = ask("open_fronts", front_bytes(fronts, shell_of(world, place), rows))
     return [_travel(place, body, front, row) for (body, front), row in zip(fronts, _OPENED.iter_unpack(told), strict=True)]
 

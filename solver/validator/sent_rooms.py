@@ -8,17 +8,19 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
+from itertools import count
 from struct import Struct
-from typing import Final
+from typing import Final, NamedTuple
 
 from solver.core import borrowed
+from solver.dressed import DressedRows, rows_in
 from solver.scene import WALLS
 from solver.validator.kinds import NO_KIND, SEATED, KindKey, KindRows, Kinds
 from solver.validator.lattice import ExactBox, WallEdge
 from solver.validator.squares import squares, window_zone
 from solver.validator.world import WAYS, Hole, PlacedRoom, World, turns_of
 
-_ROOM: Final = Struct("<5q12i")
+_ROOM: Final = Struct("<5q14i")
 _BOX: Final = Struct("<4q")
 _ZONE: Final = Struct("<6q")
 _KIND: Final = Struct("<4i")
@@ -51,16 +53,15 @@ def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:
     windows = [_zone(hole, window_zone(hole)) for hole in place.holes if hole.opening.kind == "window"]
     edges = [_edge(edge) for edge in place.edges]
     ways = [_edge(WallEdge(hole.edge.side, hole.edge.line, hole.start, hole.end)) for hole in place.holes if hole.opening.kind in WAYS]
-    numbers: dict[str | None, int] = {None: -1}
     of_kinds = _KindTable(kinds)
-    bodies = _bodies(place, numbers, of_kinds)
+    bodies = _bodies(place, of_kinds)
     outline = place.outline
     shell = (outline.inside, outline.missing, edges, ways, doors, windows)
     kinds_sent, kind_sizes = of_kinds.sent()
-    sizes = (*map(len, shell), *kind_sizes, len(bodies), len(numbers), 0)
+    sizes = (*map(len, shell), *kind_sizes, len(bodies.told), bodies.names, bodies.things, bodies.first_thing, 0)
     head = _ROOM.pack(world.half_wall, *outline.bounds, *sizes)
     boxes = [_BOX.pack(*box) for box in (*outline.inside, *outline.missing)]
-    return b"".join([head, *boxes, *edges, *ways, *doors, *windows, kinds_sent, *bodies])
+    return b"".join([head, *boxes, *edges, *ways, *doors, *windows, kinds_sent, *bodies.told, bodies.rows_of_things])
 
 
 def storey_bytes(
@@ -118,9 +119,21 @@ def _edge(edge: WallEdge) -> bytes:
     return _BOX.pack(_WALL[edge.side], edge.line, edge.start, edge.end)
 
 
-def _bodies(place: PlacedRoom, numbers: dict[str | None, int], kinds: _KindTable) -> list[bytes]:
-    """Returns the rows of furniture, small things and people; ids are numbered as they come, equal ones alike."""
-    pack, room, none, number = _BODY.pack, place.room, numbers[None], numbers.setdefault
+class _SentBodies(NamedTuple):
+    """A room's bodies: those told one by one, how many ids there are; small things that are told as rows, and where their ids begin."""
+
+    told: list[bytes]
+    names: int
+    things: int = 0
+    first_thing: int = 0
+    rows_of_things: bytes = b""
+
+
+def _bodies(place: PlacedRoom, kinds: _KindTable) -> _SentBodies:
+    """Returns furniture, small things and people; ids are numbered as they come, equal ones alike."""
+    room, none = place.room, -1
+    numbers: dict[str | None, int] = {None: none}
+    pack, number = _BODY.pack, numbers.setdefault
     rows = []
     for piece in room.furniture:
         width, depth, height = piece.width, piece.depth, piece.height
@@ -128,7 +141,10 @@ def _bodies(place: PlacedRoom, numbers: dict[str | None, int], kinds: _KindTable
         place_of = piece.x, piece.y, piece.z, width, depth, height, _turn(piece.rotation)
         ids = number(piece.id, len(numbers)), number(piece.on, len(numbers)), number(piece.under, len(numbers))
         rows.append(pack(*place_of, _FURNITURE, *ids, _WALL.get(piece.wall, _NO_SUCH_WALL), kind))
-    for thing in room.decorations:
+    dressed, first = rows_in(room), len(numbers)
+    if dressed is not None and place.people:
+        numbers.update(zip(dressed.ids, count(first)))
+    for thing in room.decorations if dressed is None else ():
         width, depth, height = thing.width, thing.depth, thing.height
         kind = kinds["decoration", thing.name, width, depth, height, thing.kind]
         place_of = thing.x, thing.y, thing.z, width, depth, height, _turn(thing.rotation)
@@ -139,7 +155,15 @@ def _bodies(place: PlacedRoom, numbers: dict[str | None, int], kinds: _KindTable
         place_of = person.x, person.y, person.z, person.width, person.depth, person.height, _turn(person.rotation)
         ids = number(person.id, len(numbers)), number(person.on, len(numbers)), none
         rows.append(pack(*place_of, _PERSON, *ids, none, kind))
-    return rows
+    if dressed is None:
+        return _SentBodies(rows, len(numbers))
+    return _SentBodies(rows, max(len(numbers), first + len(dressed)), len(dressed), first, _things(dressed, kinds))
+
+
+def _things(dressed: DressedRows, kinds: _KindTable) -> bytes:
+    """Returns small things that are told as rows already, and behind them how each is turned, and its kind."""
+    turned = [_turn(row[3]) + kinds[look.key].to_bytes(8, "little") for row, look in zip(dressed.rows, dressed.looks, strict=True)]
+    return dressed.content + b"".join(turned)
 
 
 @lru_cache(maxsize=1024)

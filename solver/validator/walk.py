@@ -80,8 +80,9 @@ def walk_of(world: World, placed: Sequence[tuple[PlacedRoom, bytes]]) -> Walk:
     for place, (high, low, free_high, free_low) in zip(places, _AREAS.iter_unpack(told[:at]), strict=True):
         areas[place.room.id] = (high << 64 | low, free_high << 64 | free_low)
     for place in places:
-        sides[place.room.id] = told[at : at + len(place.bodies)]
-        at += len(place.bodies)
+        end = at + place.count_bodies()
+        sides[place.room.id] = told[at:end]
+        at = end
     tiles, cells, comes_in = _TAIL.unpack_from(told, at)
     return Walk(places, tuple(hole for _, hole in entrances), bool(comes_in), tiles, cells, areas, sides, rows)
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final, TypeAlias
 
+from solver.dressed import count_decorations
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
 
@@ -58,6 +59,10 @@ class PlacedRoom:
     def bodies(self) -> tuple[AnyBody, ...]:
         """All that is in it: furniture, small things, people; the core's answers number them so."""
         return (*self.room.furniture, *self.room.decorations, *self.people)
+
+    def count_bodies(self) -> int:
+        """Returns how many bodies it has."""
+        return len(self.room.furniture) + count_decorations(self.room) + len(self.people)
 
 
 @dataclass(frozen=True)

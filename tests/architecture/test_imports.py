@@ -19,6 +19,7 @@ GROUND_FLOOR = {
     "core",
     "scene",
     "scene_bodies",
+    "dressed",
     "named_kinds",
     "understanding",
     "named_assets",

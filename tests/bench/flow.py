@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import gc
-import json
 import math
 import os
 import resource
@@ -26,7 +25,7 @@ from tqdm import tqdm
 
 from catalogs import load_catalogs
 from solver import Request, generate
-from solver.exchange import write_scene
+from solver.exchange import dump_scene
 from solver.pipeline.generate import wanted_in
 from solver.placement import arrange, finish, qp
 from solver.placement.osqp_binary import OsqpAnswer, solve
@@ -56,7 +55,7 @@ def made(request: Request) -> Home:
     """Makes a home and its JSON."""
     answer = generate(request, clock=time.process_time)
     begun = time.process_time()
-    json.dumps(write_scene(answer.scene))
+    dump_scene(answer.scene, "json")
     taken = 1000 * (time.process_time() - begun)
     return Home(answer.scene, {**answer.timing_ms, "json": taken, "total": answer.timing_ms["total"] + taken})
 

@@ -13,7 +13,7 @@ from tqdm import tqdm
 
 from catalogs import load_catalogs
 from solver import Request, generate
-from solver.decorations import DecorationSettings, decorations_of
+from solver.decorations import DecorationSettings, decorated_room
 from solver.furnish import space_of
 from solver.streams import Stream
 from tests.decorations.oracle import complaints
@@ -42,7 +42,7 @@ def home(seed: int, preset: str = "family") -> Home:
     start = time.process_time()
     terms = DecorationSettings(load_catalogs())
     for room in scene.rooms:
-        decorations_of(room, space_of(room, scene.wall_thickness), terms, Stream(seed, "decorations", room.index))
+        decorated_room(room, space_of(room, scene.wall_thickness), terms, Stream(seed, "decorations", room.index))
     cpu = (time.process_time() - start) * 1000
     return Home(rooms, tuple(f"seed {seed}: {what}" for what in (*wrong, *complaints(scene))), cpu)
 

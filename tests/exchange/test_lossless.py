@@ -6,6 +6,7 @@ import json
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 import yaml
 from hypothesis import given, settings
@@ -15,6 +16,7 @@ from solver.errors import FieldError, SceneError, SyntaxFault
 from solver.exchange import (
     FORMATS,
     adapter,
+    dump_scene,
     dump_text,
     load_text,
     read_request,
@@ -39,6 +41,7 @@ def test_a_scene_survives_every_format(drawn: Scene) -> None:
         assert load_text(text.decode(), name) == document
         assert read_scene(load_text(text, name)) == drawn
         assert dump_text(write_scene(read_scene(load_text(text, name))), name) == text
+        assert dump_scene(drawn, name) == text
 
 
 @given(SCENES)
@@ -196,9 +199,26 @@ def test_what_no_format_can_say_is_refused_by_place(bad: Any) -> None:
             dump_text({"deep": [0, bad]}, name)
         assert caught.value.field.startswith("deep[1]")
     broken = Scene(rooms=(Room("a", width=4.0, depth=3.0, furniture=(Furniture("b", "c", x=math.nan),)),))
+    for writing in (write_scene, lambda scene: dump_scene(scene, "json"), lambda scene: dump_scene(scene, "yaml")):
+        with pytest.raises(SceneError) as refused:
+            writing(broken)
+        assert refused.value.field == "rooms[0].furniture[0].x"
+
+
+def test_scenes_of_python_s_other_numbers_and_texts_are_written_as_their_documents() -> None:
+    class Name(str):
+        __slots__ = ()
+
+    odd = [
+        Furniture("a", Name("sofa"), x=3, z=-0.0, rotation=90.0, y=np.float64(0.1), width=np.float32(0.25), locked=1),  # type: ignore[arg-type]
+        Furniture("b", 7, color=2.5, x=True, wall=True, rotation=np.int64(-450), on="", extra={"x": 1.0, "new": [1e-7]}),  # type: ignore[arg-type]
+        Furniture("\u00e9\u2028", '"\\\n\x01', x=1e22, z=1e-7, kind="%s", extra={"deep": {1: None}}),
+    ]
+    scene = Scene(rooms=(Room("%", outline=((0, 0), (1, 0), (1, 1), (0, 1)), furniture=tuple(odd)),), certificate={"a": -0.0, "b": (1,)})
+    assert dump_scene(scene, "json") == dump_text(write_scene(scene), "json")
     with pytest.raises(SceneError) as refused:
-        write_scene(broken)
-    assert refused.value.field == "rooms[0].furniture[0].x"
+        dump_scene(Scene(rooms=(Room("a", furniture=(Furniture("b", "\ud800"),)),)), "json")
+    assert refused.value.field == "rooms[0].furniture[0].name"
 
 
 def test_a_request_survives() -> None:

@@ -102,7 +102,9 @@ void DecoratedRoom::add(
   const Kind& kind = known.kind_of(choice);
   const i32 turned = static_cast<i32>(floor_mod(rotation, 360)), at = static_cast<i32>(wall);
   const i32 drawn = colour(choice, row, parent);
-  things.add({choice.kind, static_cast<i32>(parent), at, turned, drawn, 0, rect, low, size});
+  i32 same = 1;
+  for (const Carrier& one : carriers) same += one.word == kind.word;
+  things.add({choice.kind, static_cast<i32>(parent), at, turned, drawn, same, rect, low, size});
   const i64 number = carriers.size();
   if (parent != NOBODY || wall != Wall::none || size.height > FLAT_MM) blocks.add({rect, low, low + size.height, number});
   carriers.add({rect, low, low + size.height, turned, kind.word, known.surfaces_of(kind.surfaces), parent});

@@ -63,13 +63,14 @@ struct Zone {
 };
 
 // A thing that was put into the room. `parent`: the number of a piece, or behind those of a thing. `colour`: -1 is the room's accent.
+// `number` counts what the room has of its word, furniture first.
 struct Thing {
   i32 kind;
   i32 parent;
   i32 wall;
   i32 rotation;
   i32 colour;
-  i32 unused;
+  i32 number;
   Rect rect;
   i64 low;
   Size size;

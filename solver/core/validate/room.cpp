@@ -23,6 +23,40 @@ static Body body_of(const BodyRow& row) {
   return body;
 }
 
+static BodyRow body_row(const ThingRow& thing, const ThingLook& look) {
+  constexpr f64 MM = 1000.0;
+  const auto middle = [](i64 low, i64 high) { return static_cast<f64>(low + high) / (2.0 * MM); };
+  const auto metres = [](i64 length) { return static_cast<f64>(length) / MM; };
+  BodyRow row{};
+  row.x = middle(thing.rect.x0, thing.rect.x1), row.y = metres(thing.low), row.z = middle(thing.rect.z0, thing.rect.z1);
+  row.width = metres(thing.width), row.depth = metres(thing.depth), row.height = metres(thing.height);
+  row.cosine = look.cosine, row.sine = look.sine, row.cosine_size = look.cosine_size, row.sine_size = look.sine_size;
+  row.turn = look.turn, row.quarters = look.quarters, row.sort = Sort::decoration;
+  row.under = -1, row.wall = thing.wall == static_cast<i32>(Wall::none) ? -1 : thing.wall;
+  row.kind = look.kind >= 0 && look.kind < (1 << 30) ? static_cast<i32>(look.kind) : -1;
+  return row;
+}
+
+// Reads the bodies: furniture, small things, people.
+static Span<BodyRow> body_rows(const RoomRow& sent, Reader& reader) {
+  const Span<BodyRow> told = reader.take<BodyRow>(sent.bodies);
+  if (sent.things == 0) return told;
+  const Span<ThingRow> things = reader.take<ThingRow>(sent.things);
+  const Span<ThingLook> looks = reader.take<ThingLook>(sent.things);
+  const Span<BodyRow> rows = reserved<BodyRow>(told.size + things.size);
+  i32 furniture = 0;
+  for (; furniture < told.size && told[furniture].sort == Sort::furniture; furniture++) rows[furniture] = told[furniture];
+  for (i32 i = 0; i < things.size; i++) {
+    const i32 parent = things[i].parent;
+    if (parent >= furniture + i) fail(Failure::bad_request);
+    BodyRow& row = rows[furniture + i] = body_row(things[i], looks[i]);
+    row.name = sent.first_thing + i;
+    row.on = parent < 0 ? -1 : rows[parent].name;
+  }
+  for (i32 i = furniture; i < told.size; i++) rows[things.size + i] = told[i];
+  return rows;
+}
+
 Room read_room(Reader& reader) {
   const RoomRow& sent = reader.take<RoomRow>(1)[0];
   Room room{};
@@ -38,7 +72,7 @@ Room read_room(Reader& reader) {
   room.kinds = reader.take<Kind>(sent.kinds);
   room.surfaces = reader.take<Surface>(sent.surfaces);
   room.parts = reader.take<UnitBox>(sent.parts);
-  const Span<BodyRow> rows = reader.take<BodyRow>(sent.bodies);
+  const Span<BodyRow> rows = body_rows(sent, reader);
   room.bodies = reserved<Body>(rows.size);
   for (const Kind& kind : room.kinds) {
     const bool fits = kind.first_surface >= 0 && kind.surfaces >= 0 && kind.first_surface + kind.surfaces <= sent.surfaces &&

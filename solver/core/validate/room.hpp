@@ -112,10 +112,26 @@ struct Body {
   bool rests() const { return row->sort == Sort::decoration && (row->on >= 0 || row->wall >= 0 || row->y != 0.0); }
 };
 
+// A small thing as it was put into the room, mm. `parent` counts the furniture, then the things; -1 is nobody.
+struct ThingRow {
+  i32 kind_of_dressing, parent, wall, rotation, colour, number;
+  Rect rect;
+  i64 low, width, depth, height;
+};
+
+// How one of them is turned, and its kind in this room.
+struct ThingLook {
+  f64 cosine, sine, cosine_size, sine_size;
+  Turn turn;
+  i32 quarters;
+  i64 kind;
+};
+
+// `things` that are sent as they were put there come between the furniture and the people; their ids are numbered from `first_thing` on.
 struct RoomRow {
   i64 half_wall;
   Rect bounds;
-  i32 inside, missing, edges, ways, doors, windows, kinds, surfaces, parts, bodies, names, padding;
+  i32 inside, missing, edges, ways, doors, windows, kinds, surfaces, parts, bodies, names, things, first_thing, padding;
 };
 
 struct Room {

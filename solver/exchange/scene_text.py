@@ -1,0 +1,145 @@
+"""Scenes -> their text; as JSON at once, without the document between, which costs more than the text.
+
+Comes in: a scene. Goes out: bytes. May import: the ground floor. The fields' types say how values are written, as in writer.py.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from json.encoder import encode_basestring as quoted
+from typing import Any, Final, NamedTuple
+
+from solver.dressed import THING_WALLS, DressedRows, Look, rows_in
+from solver.exchange import json_text
+from solver.exchange.text import dump_plain
+from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
+from solver.fields import EXTRA
+from solver.plain import Wrong, plain
+from solver.scene import Room, Scene
+
+MOST_TEXTS: Final = 4096
+"""Texts whose JSON is kept."""
+
+
+def dump_scene(scene: Scene, format: str) -> bytes:
+    """Returns a scene's document as text of a format.
+
+    Raises:
+        SceneError: the scene holds something that no format can say, such as a number that is not finite.
+    """
+    if format == "json":
+        try:
+            return f"{_record(scene)}\n".encode()
+        except (Wrong, TypeError, ValueError):  # the document's writer says where
+            pass
+    return dump_plain(write_scene(scene), format)
+
+
+class _Layout(NamedTuple):
+    """How a class of records is written: its text with a gap for each value, what fills them, and what fetches the values."""
+
+    text: str
+    writers: Sequence[Callable[[Any], str]]
+    values: Callable[[Any], tuple[Any, ...]]
+
+
+@lru_cache
+def _layout(of: type[Any]) -> _Layout:
+    shape = shape_of(of)  # type: ignore[arg-type] # classes are hashable
+    writers = {name: _WRITERS.get(writer, _any) for name, writer in shape.writers.items()}
+    gaps = ["%s" if name in shape.omitted else f',"{name}":%s' for name in shape.names]
+    filled = tuple(_unless_none(name, writer) if name in shape.omitted else writer for name, writer in writers.items())
+    return _Layout("{" + "".join(gaps)[1:] + "}", filled, shape.values)
+
+
+def _unless_none(name: str, writer: Callable[[Any], str]) -> Callable[[Any], str]:
+    return lambda value: "" if value is None else f',"{name}":{writer(value)}'
+
+
+def _record(record: Any) -> str:
+    if getattr(record, EXTRA, None):
+        return json_text.dump(write(record)).rstrip()
+    if record.__class__ is Room and (rows := rows_in(record)) is not None:
+        record = replace(record, decorations=rows)  # type: ignore[arg-type] # `_any` writes it
+    text, writers, values = _layout(record.__class__)
+    return text % tuple([writer(value) for writer, value in zip(writers, values(record), strict=True)])
+
+
+def _any(value: Any) -> str:
+    if value is None:
+        return "null"
+    if value.__class__ is bool:
+        return "true" if value else "false"
+    if hasattr(value.__class__, "__dataclass_fields__"):
+        return _record(value)
+    if value.__class__ is DressedRows:
+        return _things(value)
+    if isinstance(value, tuple):
+        return f"[{','.join([_any(item) for item in value])}]"
+    return json_text.dump(plain(value)).rstrip()
+
+
+def _things(things: DressedRows) -> str:
+    """Writes decorations that are told as rows."""
+    before, parts = _TEXTS[things.room.id][:-1], []
+    ids, colours = [quoted(piece.id) for piece in things.room.furniture], map(_TEXTS.__getitem__, things.colours)
+    for look, color, (_, parent, wall, rotation, _, number, x0, z0, x1, z1, low, *_) in zip(
+        things.looks, colours, things.rows, strict=True
+    ):
+        named, head, size, kind = _FRAGMENTS[look]
+        ids.append(name := f'{before}/{named}_{number}"')
+        parts.append(
+            f'{{"id":{name},{head}{ids[parent] if parent >= 0 else "null"},"mounted_on_wall":{_WALLS[wall]},"x":{(x0 + x1) / 2000!r},'
+            f'"y":{low / 1000!r},"z":{(z0 + z1) / 2000!r},"rotation":{rotation},{size},"color":{color}{kind}}}'
+        )
+    return f"[{','.join(parts)}]"
+
+
+class _Fragments(dict[Look, tuple[str, str, str, str]]):
+    """What is written of all things that look alike: the name within an id, the keys after the id, those of the size, and the kind."""
+
+    def __missing__(self, look: Look) -> tuple[str, str, str, str]:
+        if len(self) >= MOST_TEXTS:
+            self.clear()
+        width, depth, height = map(_number, look.size)
+        name, kind = quoted(look.name), _unless_none("kind", _TEXTS.__getitem__)(look.kind)
+        size = f'"width":{width},"depth":{depth},"height":{height}'
+        found = self[look] = name[1:-1], f'"name":{name},"parent":', size, kind
+        return found
+
+
+def _number(value: Any) -> str:
+    if value.__class__ is float:
+        return repr(value + 0.0) if value - value == 0.0 else repr(plain(value))
+    return "null" if value is None else repr(write_number(value))
+
+
+def _degrees(value: Any) -> str:
+    return "null" if value is None else repr(write_degrees(value))
+
+
+def _whole(value: Any) -> str:
+    return "null" if value is None else repr(int(value))
+
+
+class _Texts(dict[Any, str]):
+    """Texts as JSON; those that are met often are kept."""
+
+    def __missing__(self, value: Any) -> str:
+        if value.__class__ is not str:
+            return _any(value)
+        if len(self) >= MOST_TEXTS:
+            self.clear()
+        text = self[value] = quoted(value)
+        return text
+
+
+_TEXTS: Final = _Texts()
+_FRAGMENTS: Final = _Fragments()
+_WALLS: Final = [_TEXTS[wall] for wall in THING_WALLS]
+_WRITERS: Final[dict[Callable[[Any], Any], Callable[[Any], str]]] = {
+    write_number: _number, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,
+}  # fmt: skip
+"""What writes as text what a function of the document's writer writes."""
