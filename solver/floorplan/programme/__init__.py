@@ -1,13 +1,11 @@
-"""A programme -> a home: the rooms' types are dealt first, then their widths are solved.
+"""A programme -> a home: the rooms' types are dealt first, then their widths are solved (solver/core/homes/).
 
 Comes in: `Request` with a programme or an area, `Catalogs`. Goes out: `PlannedHome`: a layout, its types and its tree of doors.
 May import: the ground floor, catalogs, the floor plan's layout and fitness. Not here: where in a wall a door stands.
 
-    planned_rooms  counts or a preset's name -> rooms with sizes   widths       exact widths of columns of rooms
-    deal           rooms -> strips of columns, and small changes   drafts       strips -> rectangles
-    cost           what a drawn home costs                         home_search  the cheapest of a counted number
-    home_access    who is entered through whom                     yard         a garden beside or behind the house
-    home           all of it, top to bottom
+    planned_rooms  counts or a preset's name -> rooms with sizes   skeletons    which skeletons and outlines suit them
+    home_search    the cheapest home of a counted number: core     yard         a garden beside or behind the house
+    home_access    who is entered through whom                     home         all of it, top to bottom
 """
 
 from solver.floorplan.programme.home import plan_home

@@ -15,13 +15,9 @@ from catalogs.schema import Catalogs
 from solver.errors import RequestError
 from solver.fields import ANY, RECTANGLE
 from solver.floorplan.given import tilings_of
-from solver.floorplan.programme.bent_deal import outlines_for
-from solver.floorplan.programme.drafts import Frame
-from solver.floorplan.programme.given_drafts import GIVEN
-from solver.floorplan.programme.given_search import GivenSearch
-from solver.floorplan.programme.home_search import FoundHome, HomeSearch
+from solver.floorplan.programme.home_search import GIVEN, FoundHome, Frame, find_home, find_home_within
 from solver.floorplan.programme.planned_rooms import WALLS_SHARE, PlannedRoom, counts_of, loosened, planned_rooms, spared, types_of
-from solver.floorplan.programme.widths import LATTICE_MM
+from solver.floorplan.programme.skeletons import outlines_for
 from solver.floorplan.programme.yard import PlannedHome, house_frame, with_yard
 from solver.floorplan.tiling import Layout
 from solver.geometry import Rect, to_mm
@@ -42,6 +38,8 @@ ASTRAY: Final = 0.1
 """Share by which a house may miss the floor wished without its being said."""
 NARROW_MM: Final = 1500
 """Least width of a part of an outline that is given: a bathroom's. Our choice."""
+LATTICE_MM: Final = 50
+"""Extents that are chosen are multiples of this."""
 HALLWAY: Final = "hallway"
 DRAWN: Final = {"rectangle": 0.5, "L": 0.24, "T": 0.1, "U": 0.16}
 """How often each outline is drawn where any will do. Our choice."""
@@ -168,7 +166,7 @@ class _Attempt:
         dark = self.outline == GIVEN and self.found.verdict.dark
         return not (self.found.verdict.unreached or dark) and all(
             (x1 - x0) * (z1 - z0) >= LIVABLE * one.home.area[0] * 1e6 and min(x1 - x0, z1 - z0) >= LIVABLE * one.home.width * 1000
-            for one, (x0, z0, x1, z1) in zip(self.planned, self.found.sheet.boxes, strict=True)
+            for one, (x0, z0, x1, z1) in zip(self.planned, self.found.boxes, strict=True)
         )
 
 
@@ -247,7 +245,7 @@ class _Attempts:
         if outline not in outlines_for(planned):
             return
         for turn in range(TURNS):
-            found = HomeSearch(planned, self.plot.frame, self.plot.seed, turn, outline).run()
+            found = find_home(planned, self.plot.frame, self.plot.seed, turn, outline)
             if found is not None:
                 yield _Attempt(found, planned, (), outline)
 
@@ -256,9 +254,9 @@ class _Attempts:
         planned = planned_rooms(types, self.catalogs, self.plot.floor)
         loose = planned if slack == 1.0 else loosened(planned, slack, self.plot.floor)
         if self.plot.tilings:
-            found = GivenSearch(loose, self.plot.tilings, self.plot.seed).run()
+            found = find_home_within(loose, self.plot.tilings, self.plot.seed)
         else:
-            found = HomeSearch(loose, self.plot.frame, self.plot.seed).run()
+            found = find_home(loose, self.plot.frame, self.plot.seed)
         if found is None:
             raise RequestError(
                 "outline", f"has no space for {len(planned)} rooms in {self.plot.says()}", "a larger outline, or fewer rooms"
@@ -268,7 +266,7 @@ class _Attempts:
 
 def _refused(best: _Attempt, plot: _Plot) -> RequestError:
     """Says of an outline that holds no home what the nearest one to it misses."""
-    rooms = zip(best.planned, best.found.sheet.boxes, strict=True)
+    rooms = zip(best.planned, best.found.boxes, strict=True)
     missed = [f"a {one.type} {words}" for one, rect in rooms if (words := _missed(one, rect))]
     narrow = min(min(rect.width, rect.depth) for rect in plot.tilings[0]) / 1000
     verdict = best.found.verdict
@@ -282,16 +280,16 @@ def _refused(best: _Attempt, plot: _Plot) -> RequestError:
 
 def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
     """Writes the drawing as a layout, the hallway first, every second house mirrored."""
-    sheet = best.found.sheet
+    found = best.found
     mirrored = not plot.tilings and Stream(plot.seed, "programme.mirror").chance(0.5)
-    boxes = [*sheet.hallways, *sheet.boxes]
-    rooms = tuple(Rect(sheet.width - x1, z0, sheet.width - x0, z1) if mirrored else Rect(x0, z0, x1, z1) for x0, z0, x1, z1 in boxes)
-    first = len(boxes) - len(sheet.boxes)
+    boxes = [*found.hallways, *found.boxes]
+    rooms = tuple(Rect(found.width - x1, z0, found.width - x0, z1) if mirrored else Rect(x0, z0, x1, z1) for x0, z0, x1, z1 in boxes)
+    first = len(boxes) - len(found.boxes)
     owners = {first + i: first + one.owner for i, one in enumerate(best.planned) if one.owner is not None}
     entry = next((first + i for i, one in enumerate(best.planned) if one.entry), None)
     types = (*(HALLWAY,) * first, *(one.type for one in best.planned))
-    layout = Layout(Rect(0, 0, sheet.width, sheet.depth), rooms, hallways=first, behind=owners)
-    return PlannedHome(layout, types, entry, best.found.kind, _notes(best, plot, types, rooms))
+    layout = Layout(Rect(0, 0, found.width, found.depth), rooms, hallways=first, behind=owners)
+    return PlannedHome(layout, types, entry, found.kind, _notes(best, plot, types, rooms))
 
 
 def _notes(best: _Attempt, plot: _Plot, types: Sequence[str], rooms: Sequence[Rect]) -> tuple[str, ...]:

@@ -1,41 +1,66 @@
-"""The search for a home: a kind drawn by the seed, some deals, some moves, always by counts.
+"""The search for a home, by the core: rooms are dealt to the strips of a skeleton, the strips' widths solved, the cheapest drawing kept.
 
-Comes in: planned rooms, a frame, a seed. Goes out: `FoundHome`: the cheapest drawing. May import: the ground floor.
+Comes in: planned rooms, frames or ways to cut a given outline, a seed. Goes out: `FoundHome`. May import: the ground floor.
+The search itself is in solver/core/homes/.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from math import inf
+from collections.abc import Callable, Sequence
+from struct import Struct, pack
 from typing import Final, NamedTuple
 
+from solver.core import borrowed
 from solver.fields import RECTANGLE
-from solver.floorplan.programme.bent_deal import BentDealer, bent_kinds
-from solver.floorplan.programme.bent_drafts import BentDrawer
-from solver.floorplan.programme.cost import BENT_OUTLINE, HomeJudge, HomeVerdict
-from solver.floorplan.programme.deal import Dealer, kinds_for, moved
-from solver.floorplan.programme.drafts import Draft, Drawer, Frame, Misfit, Sheet
 from solver.floorplan.programme.planned_rooms import PlannedRoom
+from solver.floorplan.programme.skeletons import bent_kind, kinds_for
+from solver.floorplan.tiling import HALLWAY_MM
+from solver.geometry import Rect
 from solver.streams import Stream
 
+GIVEN: Final = "given"
+"""The outline, and the kind, of homes in an outline that is given."""
 TRIES: Final = 3
-DEALS: Final = 12
-MOVES: Final = 48
-"""How often it is begun anew, and the deals and moves of each time."""
-GOOD: Final = 1.2
-GOOD_EACH: Final = 0.2
-"""A home that costs no more than this, and this for every room, is taken at once: searching on makes all homes alike."""
-MISFIT: Final = 1000.0
-"""Cost of a draft that cannot be drawn, and MISFIT_COLUMN for each column without a width, 1 for every MISFIT_MM."""
-MISFIT_COLUMN: Final = 100.0
-MISFIT_MM: Final = 50.0
+"""How often a search is begun anew in one kind."""
+RATIO: Final = 1.6
+"""Width over depth of a house whose strips are as deep as wished. Our choice."""
+FLOOR: Final = 1.1
+"""Floor of a house over that of its rooms. Measured."""
+KINDS: Final = ("rows", "full", "ranch", "axial", "winged", GIVEN)
+OUTLINES: Final = (RECTANGLE, "L", "T", "U", GIVEN)
+"""As the core numbers them."""
+_HEADER: Final = Struct("<4id")
+_ROOM: Final = Struct("<5qd2qQ")
+_KIND: Final = Struct("<3q3Q")
+_RECT: Final = Struct("<4q")
+_FOUND: Final = Struct("<4qd4q")
+
+
+class Frame(NamedTuple):
+    """Outer width and depth asked for, mm; 0 where they are chosen to fit."""
+
+    width: int = 0
+    depth: int = 0
+
+
+class HomeVerdict(NamedTuple):
+    """What a home costs; how many of its rooms are short of their limits, cannot be entered as they should, miss the street, are dark."""
+
+    cost: float
+    short: int
+    unreached: int
+    streetless: int
+    dark: int
 
 
 class FoundHome(NamedTuple):
-    """The cheapest home: its kind, drawing and verdict."""
+    """The cheapest home: its kind, the rectangles of its rooms by index and of its hallways, the extents of all, mm, and its verdict."""
 
     kind: str
-    sheet: Sheet
+    boxes: Sequence[Rect]
+    hallways: Sequence[Rect]
+    width: int
+    depth: int
     verdict: HomeVerdict
 
     @property
@@ -44,20 +69,10 @@ class FoundHome(NamedTuple):
         return self.verdict.unreached, self.verdict.short, self.verdict.cost
 
 
-class _Seen(NamedTuple):
-    cost: float
-    draft: Draft
-    sheet: Sheet | None
-    verdict: HomeVerdict | None
-
-
-NOTHING: Final = _Seen(inf, Draft("", [], []), None, None)
-
-
-class HomeSearch:
-    """Searches for homes of one programme.
-
-    `moves` is how many a search makes each time.
+def find_home(
+    planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0, outline: str = RECTANGLE
+) -> FoundHome | None:
+    """Searches in the kind that the seed draws; in the others too where a room falls short in it.
 
     Args:
         planned: the rooms.
@@ -65,99 +80,83 @@ class HomeSearch:
         seed: the house's seed.
         turn: which search of the seed's it is.
         outline: RECTANGLE, L, T or U; other than a rectangle only where the frame is free.
-    """
 
-    moves = MOVES
-
-    def __init__(
-        self, planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0, outline: str = RECTANGLE
-    ) -> None:
-        self.planned, self.seed, self.turn, self.outline = planned, seed, turn, outline
-        self.good = GOOD + GOOD_EACH * len(planned)
-        self._looked: dict[tuple[object, ...], _Seen] = {}
-        self.drawers: dict[str, Drawer]
-        if outline == RECTANGLE:
-            self.judge = HomeJudge(planned)
-            self.drawers = {kind: Drawer(self.judge.sizes, frame_of(kind)) for kind in kinds_for(planned)}
-        else:
-            self.judge = HomeJudge(planned, BENT_OUTLINE)
-            self.drawers = {kind: BentDrawer(self.judge.sizes, outline) for kind in bent_kinds(planned, outline)}
-
-    def run(self) -> FoundHome | None:
-        """Searches in the kind that the seed draws; in the others too where a room falls short in it.
-
+    Returns:
         None where nothing has the outline; a rectangle is always found.
-        """
-        if self.outline == RECTANGLE:
-            return self._rectangle()
-        best = self._cheapest(self._kind(kind) for kind in self.drawers)
-        return FoundHome(best.draft.kind, best.sheet, best.verdict) if best.sheet is not None and best.verdict is not None else None
+    """
+    return _read(ask(home_rows(planned, frame_of, seed, turn, outline)), len(planned))
 
-    def _rectangle(self) -> FoundHome:
-        kinds = list(kinds_for(self.planned))
-        if kinds[0] != "rows":
-            Stream(self.seed, "programme.kind").shuffle(kinds)
-        best = NOTHING
-        for kind in dict.fromkeys(kinds):
-            seen = self._kind(kind)
-            if seen.cost < best.cost:
-                best = seen
-            if seen.verdict is not None and not (seen.verdict.short or seen.verdict.unreached):
-                break
-        if best.sheet is not None and best.verdict is not None:
-            return FoundHome(best.draft.kind, best.sheet, best.verdict)
-        sheet = self.drawers[best.draft.kind].sheet(best.draft, stretch=True)
-        if isinstance(sheet, Misfit):
-            raise ValueError("a draft without depths")
-        return FoundHome(best.draft.kind, sheet, self.judge.verdict(sheet))
 
-    def _kind(self, kind: str) -> _Seen:
-        shape = "" if self.outline == RECTANGLE else f"{self.outline}."
-        streams = (Stream(self.seed, "programme", f"{shape}{kind}.{self.turn}.{number}") for number in range(TRIES))
-        return self._cheapest(self._try(kind, stream) for stream in streams)
+def find_home_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]], seed: int) -> FoundHome | None:
+    """Searches in an outline that is given.
 
-    def _cheapest(self, offers: Iterable[_Seen]) -> _Seen:
-        """Returns the cheapest, the first that is good at once."""
-        best = NOTHING
-        for seen in offers:
-            if seen.cost < best.cost:
-                best = seen
-            if best.cost <= self.good:
-                break
-        return best
+    Args:
+        planned: the rooms.
+        tilings: rectangles that the outline may be cut into; those of more rectangles than there are rooms are left out.
+        seed: the house's seed.
+    """
+    return _read(ask(rows_within(planned, tilings, seed)), len(planned))
 
-    def _try(self, kind: str, stream: Stream) -> _Seen:
-        dealer = self._dealer(stream)
-        best = self._cheapest(self._dealt(kind, dealer) for _ in range(DEALS))
-        for _ in range(self.moves):
-            if best.cost <= self.good:
-                break
-            draft = moved(best.draft, stream)
-            self.drawers[kind].fit_depths(draft)
-            seen = self._look(draft)
-            if seen.cost <= best.cost:
-                best = seen
-        return best
 
-    def _dealer(self, stream: Stream) -> Dealer:
-        if self.outline == RECTANGLE:
-            return Dealer(self.planned, stream)
-        return BentDealer(self.planned, stream, self.outline)
+def home_rows(
+    planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0, outline: str = RECTANGLE
+) -> bytes:
+    """Returns what the core is asked by `find_home`."""
+    if outline != RECTANGLE:
+        kind = bent_kind(planned, outline)
+        return _rows(planned, outline, [_kind_row(kind, Frame(), seed, f"{outline}.{kind}.{turn}")])
+    kinds = list(kinds_for(planned))
+    if kinds[0] != "rows":
+        Stream(seed, "programme.kind").shuffle(kinds)
+    return _rows(planned, outline, [_kind_row(kind, frame_of(kind), seed, f"{kind}.{turn}") for kind in dict.fromkeys(kinds)])
 
-    def _dealt(self, kind: str, dealer: Dealer) -> _Seen:
-        draft = dealer.deal(kind)
-        self.drawers[kind].choose_depths(draft, dealer.stream)
-        return self._look(draft)
 
-    def _look(self, draft: Draft) -> _Seen:
-        key = draft.key
-        if key not in self._looked:
-            self._looked[key] = self._judged(draft)
-        return self._looked[key]
+def rows_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]], seed: int) -> bytes:
+    """Returns what the core is asked by `find_home_within`."""
+    fitting = [tiling for tiling in tilings if len(tiling) <= len(planned)]
+    return _rows(planned, GIVEN, [_kind_row(GIVEN, Frame(), seed, f"{GIVEN}.{GIVEN}.0")], fitting)
 
-    def _judged(self, draft: Draft) -> _Seen:
-        sheet = self.drawers[draft.kind].sheet(draft)
-        if isinstance(sheet, Misfit):
-            return _Seen(MISFIT + MISFIT_COLUMN * sheet.columns + sheet.gap / MISFIT_MM, draft, None, None)
-        verdict = self.judge.verdict(sheet)
-        return _Seen(verdict.cost, draft, sheet, verdict)
+
+def _rows(planned: Sequence[PlannedRoom], outline: str, kinds: Sequence[bytes], tilings: Sequence[Sequence[Rect]] = ()) -> bytes:
+    floor = FLOOR * sum(one.size.typical for one in planned)
+    wished = ((floor / RATIO) ** 0.5 - HALLWAY_MM) / 2
+    header = _HEADER.pack(OUTLINES.index(outline), len(planned), len(kinds), len(tilings), wished)
+    counts = [len(tiling) for tiling in tilings] + [0] * (len(tilings) % 2)
+    rects = [_RECT.pack(*rect) for tiling in tilings for rect in tiling]
+    return b"".join([header, *(_room_row(one, planned) for one in planned), *kinds, pack(f"<{len(counts)}i", *counts), *rects])
+
+
+def ask(rows: bytes) -> bytes:
+    """Returns the core's answer.
+
+    Raises:
+        CoreFailed: the rows are no request.
+    """
+    with borrowed() as core:
+        packed = core.call("find_home", core.write(rows), len(rows))
+        return core.read(packed & 0xFFFFFFFF, packed >> 32)
+
+
+def _read(answer: bytes, rooms: int) -> FoundHome | None:
+    found, kind, width, depth, *verdict = _FOUND.unpack_from(answer)
+    if not found:
+        return None
+    boxes = [Rect(*row) for row in _RECT.iter_unpack(answer[_FOUND.size :])]
+    return FoundHome(KINDS[kind], boxes[:rooms], boxes[rooms:], width, depth, HomeVerdict(*verdict))
+
+
+def _kind_row(kind: str, frame: Frame, seed: int, name: str) -> bytes:
+    """Writes a skeleton to search in, with the streams of its tries."""
+    return _KIND.pack(KINDS.index(kind), *frame, *(Stream(seed, "programme", f"{name}.{number}").state for number in range(TRIES)))
+
+
+def _room_row(one: PlannedRoom, planned: Sequence[PlannedRoom]) -> bytes:
+    """Writes a room as the core reads it: its size, what it is (bit by bit), its owner, and behind which rooms a garage may lie."""
+    plan, requires, size = one.kind.plan, one.kind.requires, one.size
+    asked = (any(name in line for line in requires) for name in ("dining_table", "bed", "toilet"))
+    traits = sum(is_so << bit for bit, is_so in enumerate((plan.way_through, plan.habitable, plan.wet, one.garage, *asked)))
+    through = 0
+    if one.garage:
+        through = sum(1 << i for i, other in enumerate(planned) if other.type in plan.behind and not other.kind.plan.way_through)
+    owner = -1 if one.owner is None else one.owner
+    return _ROOM.pack(size.least, size.typical, size.most, size.width, size.length, size.aspect, traits, owner, through)

@@ -10,13 +10,12 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import log
-from typing import Final
+from typing import Final, NamedTuple
 
 from catalogs.programmes import Home
 from catalogs.schema import Catalogs, RoomType
 from solver.errors import RequestError
 from solver.floorplan.fitness import cars_of
-from solver.floorplan.programme.widths import RoomSize
 from solver.scene import Request
 
 GARAGE: Final = "garage"
@@ -31,6 +30,17 @@ LAST: Final = 4
 """From this `spare` on even the last room of its word may be left out."""
 WALLS_SHARE: Final = 1.15
 """Floor of a home over that of its rooms, its hallway counted. Measured."""
+
+
+class RoomSize(NamedTuple):
+    """How large a room may be: areas, mm2, short side, mm, long side over short, and extent away from the street, mm."""
+
+    least: int
+    typical: int
+    most: int
+    width: int
+    aspect: float
+    length: int = 0
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,8 @@ from typing import Final
 
 from catalogs.schema import Catalogs
 from solver.floorplan.access import AccessPlan
-from solver.floorplan.programme.drafts import Frame
 from solver.floorplan.programme.home_access import HomeAccess
+from solver.floorplan.programme.home_search import Frame
 from solver.floorplan.tiling import DOOR_WALL_MM, Joint, Layout, exterior_sides
 from solver.geometry import Rect, strip
 

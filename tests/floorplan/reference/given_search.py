@@ -9,14 +9,14 @@ from collections.abc import Sequence
 from math import inf
 from typing import Final
 
-from solver.floorplan.programme.cost import UNREACHED, HomeJudge
-from solver.floorplan.programme.drafts import Frame
-from solver.floorplan.programme.given_deal import GivenDealer
-from solver.floorplan.programme.given_drafts import GIVEN, GivenDrawer
-from solver.floorplan.programme.home_search import HomeSearch
+from solver.floorplan.programme.home_search import GIVEN, Frame
 from solver.floorplan.programme.planned_rooms import PlannedRoom
 from solver.geometry import Rect
 from solver.streams import Stream
+from tests.floorplan.reference.cost import UNREACHED, HomeJudge
+from tests.floorplan.reference.given_deal import GivenDealer
+from tests.floorplan.reference.given_drafts import GivenDrawer
+from tests.floorplan.reference.search import HomeSearch
 
 MOVES: Final = 96
 """How often a deal is changed: nothing of the outline gives way, so rooms must be tried in more places."""

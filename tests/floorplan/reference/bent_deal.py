@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from solver.floorplan.programme.deal import AT_KITCHEN, TURNS, Chunk, Dealer, kinds_for
-from solver.floorplan.programme.drafts import FREE, NORTH_OUT, SOUTH_OUT, Draft
 from solver.floorplan.programme.planned_rooms import PlannedRoom
 from solver.streams import Stream
+from tests.floorplan.reference.deal import AT_KITCHEN, TURNS, Chunk, Dealer
+from tests.floorplan.reference.drafts import FREE, NORTH_OUT, SOUTH_OUT, Draft
 
 BENDS: Final = {"L": (NORTH_OUT, NORTH_OUT, SOUTH_OUT, FREE), "T": (FREE,), "U": (NORTH_OUT, NORTH_OUT, SOUTH_OUT, SOUTH_OUT, FREE)}
 """How wings lie in an outline, drawn from these. A strip that juts out as a whole makes a deep court, so it is drawn often."""
@@ -21,26 +21,6 @@ SHARINGS: Final = 16
 """How often private rooms are shared out among wings; the most even is taken. More makes homes alike."""
 BARE_MM2: Final = 10_000_000
 """A wing with rooms on one side alone counts as so much floor uneven: its hallway serves half as many."""
-TWO_WINGS: Final = 4
-"""Least private rooms of a home with two wings."""
-
-
-def outlines_for(planned: Sequence[PlannedRoom]) -> tuple[str, ...]:
-    """Returns the outlines that a programme's home may have."""
-    kinds = kinds_for(planned)
-    if kinds[0] == "rows":
-        return ("rectangle", "L", "T")
-    if "ranch" not in kinds:
-        return ("rectangle",)
-    private = sum(not one.public and not one.entry and not one.garage and one.owner is None for one in planned)
-    return ("rectangle", "L", "T", "U") if private >= TWO_WINGS else ("rectangle", "L", "T")
-
-
-def bent_kinds(planned: Sequence[PlannedRoom], outline: str) -> tuple[str, ...]:
-    """Returns the skeletons that make an outline."""
-    if outline == "U":
-        return ("winged",)
-    return ("rows",) if kinds_for(planned)[0] == "rows" else ("ranch",)
 
 
 class BentDealer(Dealer):

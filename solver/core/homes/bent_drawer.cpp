@@ -1,0 +1,203 @@
+#include "homes/bends.hpp"
+#include "homes/drawer.hpp"
+
+namespace homes {
+
+namespace {
+
+// Depth of a garage at the end of a wing: a car with space to walk around it.
+constexpr i64 GARAGE_MM = 5700;
+constexpr i32 CHOICES = 4;
+
+OffsetList offsets_of(const Draft& draft, Outline outline) {
+  Wing wings[MOST_WINGS];
+  i32 count = 0;
+  for (i32 k = 2; k + 1 < draft.strips; k += 2) wings[count++] = {draft.depth[k], draft.depth[k + 1]};
+  return offsets(outline, draft.depth[0] + draft.depth[1], {wings, count});
+}
+
+// A strip without columns has no depth.
+void close_empty(Draft& draft) {
+  for (i32 k = 0; k < draft.strips; k++) {
+    if (draft.is_empty(k)) draft.depth[k] = 0;
+  }
+}
+
+// The first strip of wings that is flush with the public rooms; every second one behind it is too.
+i32 first_flush(const Draft& draft) { return draft.bend == Bend::north_out ? 3 : 2; }
+
+// Moves rooms so that the least rectangle around them begins at nought.
+void settle(Sheet& sheet) {
+  Rect bounds = sheet.boxes[0];
+  for (const Rect& box : sheet.all()) {
+    bounds = {least(bounds.x0, box.x0), least(bounds.z0, box.z0), most(bounds.x1, box.x1), most(bounds.z1, box.z1)};
+  }
+  for (i32 i = 0; i < sheet.rooms + sheet.hallways; i++) sheet.boxes[i] = sheet.boxes[i].moved(-bounds.x0, -bounds.z0);
+  sheet.width = bounds.width();
+  sheet.depth = bounds.depth();
+}
+
+// How long a strip may be.
+WidthRange length_of(Span<const WidthRange> row) {
+  WidthRange all = {0, 0, 0, false};
+  for (const WidthRange& span : row) {
+    all.low += span.low;
+    all.wished += span.wished;
+    all.high += span.high;
+  }
+  all.wished = least(most(snapped(all.wished), all.low), all.high);
+  return all;
+}
+
+// Makes the lengths of two strips differ by at least so much; false where they cannot.
+bool set_apart(const WidthRange* rows, i64 by, i64* lengths) {
+  const i32 longer = rows[1].wished > rows[0].wished ? 1 : 0, shorter = 1 - longer;
+  for (i32 k = 0; k < 2; k++) lengths[k] = rows[k].wished;
+  lengths[longer] += most<i64>(0, least(by - (lengths[longer] - lengths[shorter]), rows[longer].high - lengths[longer]));
+  lengths[shorter] -= most<i64>(0, least(by - (lengths[longer] - lengths[shorter]), lengths[shorter] - rows[shorter].low));
+  return lengths[longer] - lengths[shorter] >= by;
+}
+
+}  // namespace
+
+void BentDrawer::choose_depths(Draft& draft, Stream& stream) const {
+  for (i32 i = 0; i < CHOICES; i++) {
+    for (i32 first = draft.strips > 2 ? 2 : 0; first < draft.strips; first += 2) choose_pair(draft, first, stream);
+    if (draft.kind != Kind::rows) choose_public(draft, stream);
+    close_empty(draft);
+    if (draft.kind == Kind::rows || offsets_of(draft, outline_).size) return;
+  }
+}
+
+void BentDrawer::choose_pair(Draft& draft, i32 first, Stream& stream) const {
+  for (i32 k = first; k < first + 2; k++) {
+    if (!draft.is_empty(k ^ 1)) continue;
+    draft.depth[k] = drawn_near(DepthList(possible(draft, k)), stream);
+    return;
+  }
+  Drawer::choose_pair(draft, first, 0, stream);
+}
+
+// Chooses the public rooms' depths: free, or what is flush with the hallways and the strips beyond.
+void BentDrawer::choose_public(Draft& draft, Stream& stream) const {
+  if (draft.bend == Bend::free) return choose_pair(draft, 0, stream);
+  const i32 first = first_flush(draft);
+  const u64 suits = possible(draft, draft.is_empty(0) ? 1 : 0);
+  u64 common = EVERY_DEPTH;
+  for (i32 k = first; k < draft.strips; k += 2) common &= possible(draft, k);
+  DepthList depths(0);
+  for (const i64 depth : DepthList(common).all()) {
+    if (suits >> place_of(depth + HALLWAY_MM) & 1) depths.depths[depths.size++] = depth;
+  }
+  const i64 wished = depths.size ? stream.pick(depths.all()) : draft.depth[first];
+  for (i32 k = first; k < draft.strips; k += 2) draft.depth[k] = nearest(possible(draft, k), wished);
+  make_flush(draft);
+}
+
+// Makes flush strips as deep as the first of them, and the public rooms as deep as these and the hallway.
+void BentDrawer::make_flush(Draft& draft) const {
+  const i32 first = first_flush(draft);
+  for (i32 k = first; k < draft.strips; k += 2) draft.depth[k] = draft.depth[first];
+  const i64 together = draft.depth[first] + HALLWAY_MM;
+  if (!draft.is_empty(0) && !draft.is_empty(1)) {
+    share(draft.depth, 0, together);
+  } else {
+    draft.depth[draft.is_empty(0) ? 1 : 0] = together;
+  }
+}
+
+// Makes a changed draft's depths near ones that its columns can have.
+void BentDrawer::fit_depths(Draft& draft) const {
+  for (i32 k = 0; k < draft.strips; k++) {
+    draft.depth[k] = nearest(possible(draft, k), draft.depth[k] ? draft.depth[k] : whole(wished_));
+  }
+  if (draft.kind != Kind::rows && draft.bend != Bend::free) make_flush(draft);
+  close_empty(draft);
+}
+
+// Draws a draft; one whose strips do not come out is a misfit: nothing stretches a free outline.
+Misfit BentDrawer::draw(const Draft& draft, Sheet& sheet) const {
+  for (i32 k = 0; k < draft.strips; k++) {
+    if (!draft.is_empty(k) && draft.depth[k] < 2 * LATTICE_MM) return Misfit::by(columns_.rooms(), 0);
+  }
+  if (draft.kind == Kind::rows) return rows(draft, sheet);
+  const OffsetList chosen = offsets_of(draft, outline_);
+  const i64 beyond = draft.apart ? magnitude(draft.depth[2] + HALLWAY_MM + draft.depth[3] - GARAGE_MM) : 0;
+  if (!chosen.size || (beyond > 0 && beyond < JOG_MM)) return Misfit::by(0, JOG_MM);
+  StripPair pairs[1 + MOST_WINGS];
+  const i32 count = draft.strips / 2;
+  for (i32 k = 0; k < count; k++) {
+    const Misfit misfit = pair(draft, 2 * k, false, pairs[k]);
+    if (!misfit.fits) return misfit;
+  }
+  return winged(draft, {pairs, count}, chosen.all[draft.turn % chosen.size].of, sheet);
+}
+
+// Lays the western wing, the public rooms and the eastern wing side by side, and garages at the eastern end.
+Misfit BentDrawer::winged(const Draft& draft, Span<const StripPair> pairs, const i64* chosen, Sheet& sheet) const {
+  constexpr i32 ORDER[] = {2, 0, 1};
+  sheet.begin(columns_.rooms());
+  i64 at = 0;
+  for (i32 i = 3 - pairs.size; i < 3; i++) {
+    const i32 k = ORDER[i];
+    const i64 offset = k ? chosen[k - 1] : 0, length = pairs[k].wished;
+    block(draft, k, pairs[k], {at, offset}, sheet);
+    const i64 line = offset + draft.depth[2 * k];
+    if (k) sheet.add_hallway({at, line, at + length, line + HALLWAY_MM});
+    at += length;
+  }
+  const i64 south = chosen[0] + draft.depth[2] + HALLWAY_MM + draft.depth[3];
+  for (i32 i = 0; draft.apart && i < garages_.size; i++) {
+    const i64 width = columns_.width(Column::of(garages_[i]), GARAGE_MM).wished;
+    sheet.boxes[garages_[i]] = {at, south - GARAGE_MM, at + width, south};
+    at += width;
+  }
+  settle(sheet);
+  return Misfit::none();
+}
+
+// Lays a pair of strips at a north-west corner; the second wing's columns begin at their eastern end.
+void BentDrawer::block(const Draft& draft, i32 which, const StripPair& pair, Point corner, Sheet& sheet) const {
+  const i64 first = draft.depth[2 * which], second = draft.depth[2 * which + 1];
+  const StripPlace places[] = {
+      {corner.x, corner.z + first, first}, {corner.x, corner.z + first + (which ? HALLWAY_MM : 0), -second}};
+  for (i32 row = 0; row < 2; row++) {
+    const Span<const Column> strip = draft.in(2 * which + row);
+    if (!strip.size) continue;
+    Column columns[MOST_ROOMS];
+    WidthRange spans[MOST_ROOMS];
+    i64 widths[MOST_ROOMS];
+    for (i32 i = 0; i < strip.size; i++) {
+      const i32 from = which == 2 ? strip.size - 1 - i : i;
+      columns[i] = strip[from];
+      spans[i] = pair.spans[row][from];
+    }
+    shared_out(pair.wished, {spans, strip.size}, widths);
+    lay({columns, strip.size}, widths, places[row], sheet);
+  }
+}
+
+// Lays two strips of different lengths behind each other.
+Misfit BentDrawer::rows(const Draft& draft, Sheet& sheet) const {
+  StripPair pair;
+  i64 bad = 0, lengths[2], widths[MOST_ROOMS];
+  for (i32 k = 0; k < 2; k++) {
+    spans_of(draft, k, pair);
+    for (const WidthRange& span : pair.row(k)) bad += span.misses;
+  }
+  if (bad || !pair.count[0] || !pair.count[1]) return Misfit::by(bad, JOG_MM);
+  const WidthRange whole[] = {length_of(pair.row(0)), length_of(pair.row(1))};
+  if (!set_apart(whole, outline_ == Outline::l ? JOG_MM : 2 * JOG_MM, lengths)) return Misfit::by(0, JOG_MM);
+  const i64 spare = magnitude(lengths[0] - lengths[1]);
+  const i64 inset = outline_ == Outline::t ? floor_div(floor_div(spare, 2), LATTICE_MM) * LATTICE_MM : spare * (draft.turn % 2);
+  sheet.begin(columns_.rooms());
+  for (i32 k = 0; k < 2; k++) {
+    const i64 at = lengths[k] < most(lengths[0], lengths[1]) ? inset : 0;
+    shared_out(lengths[k], pair.row(k), widths);
+    lay(draft.in(k), widths, {at, draft.depth[0], k ? -draft.depth[1] : draft.depth[0]}, sheet);
+  }
+  settle(sheet);
+  return Misfit::none();
+}
+
+}  // namespace homes
