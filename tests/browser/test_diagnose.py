@@ -7,7 +7,7 @@ from typing import Any
 
 from playwright.sync_api import Locator, Route, expect
 
-from tests.browser.visit import SMALL, Document, Visit, furniture_of, said, sent_by
+from tests.browser.visit import SMALL, Document, Visit, furniture_of, said, sent_by, told_sentence
 
 QUERY = SMALL.format(4)
 
@@ -248,7 +248,7 @@ def test_issues_are_grouped_and_lead_to_their_piece(visit: Visit) -> None:
     counts = [f"{rule.replace('_', ' ')} {sum(issue['rule'] == rule for issue in answer['issues'])}" for rule in rules]
     assert sorted(titles) == sorted(counts)
     first = errors(answer["issues"])[0]
-    visit.page.locator("#issue_list").get_by_role("button", name=first["message"]).first.click()
+    visit.page.locator("#issue_list").get_by_role("button", name=told_sentence(first["message"], answer["scene"])).first.click()
     visit.settle()
     assert visit.state()["selected"] == first["ids"][0]
     at = visit.page.evaluate("id => compose.whereIs(id)", first["ids"][0])

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Request, Route, expect
 
-from tests.browser.visit import ANSWER_MS, Document, Visit
+from tests.browser.visit import ANSWER_MS, Document, Visit, told_sentence
 
 ONE, OTHER = "den/one", "den/other"
 
@@ -208,7 +208,7 @@ def test_a_conflict_is_said_in_the_services_words_and_a_repair_ends_it(visit: Vi
     assert bench.scene() == bench.before
     panel = bench.page.locator("#conflict")
     for conflict in conflicts:
-        expect(panel).to_contain_text(conflict["message"])
+        expect(panel).to_contain_text(told_sentence(conflict["message"], bench.before))
     with bench.page.expect_response(lambda response: response.url.endswith("/fix")):
         panel.get_by_role("button", name="Leave out").first.click()
     bench.rest()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from playwright.sync_api import expect
 
 from tests.browser.test_accessible import violations
-from tests.browser.visit import SMALL, Document, Visit, furniture_of, said
+from tests.browser.visit import SMALL, Document, Visit, furniture_of, told
 
 
 def asked(visit: Visit, id_of: str) -> Document:
@@ -17,15 +17,6 @@ def asked(visit: Visit, id_of: str) -> Document:
     return answer
 
 
-def told(message: str, ids: list[str]) -> str:
-    """A message of the service with its pieces called by name: no id is left."""
-    for id_of in sorted(ids, key=len, reverse=True):
-        kind, _, number = id_of.partition("/")[2].rpartition("_")
-        message = message.replace(id_of, f"the {said(kind)}" + (f" {number}" if number != "1" else ""))
-    assert "/" not in message
-    return message
-
-
 def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
     made, page = visit.open(SMALL.format(4)), visit.page
     panel, tool = page.locator("#why"), page.get_by_role("button", name="Why here?")
@@ -34,12 +25,12 @@ def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
     held, by = next((piece, hold) for piece, answer in answers.items() for hold in answer["holds"] if hold["what"] == "piece")
     assert asked(visit, held) == answers[held]
     expect(panel).to_be_visible()
-    expect(panel.locator("ul:not(.ways) li")).to_have_text([told(hold["message"], furniture_of(made)) for hold in answers[held]["holds"]])
+    expect(panel.locator("ul:not(.ways) li")).to_have_text([told(hold["message"], made["scene"]) for hold in answers[held]["holds"]])
     for note in answers[held]["notes"]:
-        expect(panel).to_contain_text(told(note, furniture_of(made))[1:])
+        expect(panel).to_contain_text(told(note, made["scene"])[1:])
     expect(page.locator(".ruler-hold")).to_have_count(len(answers[held]["holds"]))
     assert violations(visit) == []
-    panel.get_by_role("button", name=told(by["message"], furniture_of(made))).click()
+    panel.get_by_role("button", name=told(by["message"], made["scene"])).click()
     assert visit.state()["selected"] == by["by"]
     expect(panel).to_be_hidden()
     tool.click()

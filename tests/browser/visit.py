@@ -134,6 +134,30 @@ def said(name: str) -> str:
     return SAID.get(name, name.replace("_", " "))
 
 
+def told(message: str, scene: Document) -> str:
+    """A message of the service as the page says it in English: rooms and pieces called by name, so that no id is left."""
+    seen: dict[str, list[str]] = {}
+    for room in scene["rooms"]:
+        seen.setdefault(room["type"], []).append(room["id"])
+    names: dict[str, str] = {}
+    for kind, ids in seen.items():
+        names |= {id_of: said(kind) + (f" {number}" if len(ids) > 1 else "") for number, id_of in enumerate(ids, 1)}
+    words = []
+    for word in message.split(" "):
+        id_of = word.rstrip(".,:;").removesuffix("'s")
+        kind, _, number = id_of.rpartition("/")[2].rpartition("_")
+        name = names.get(id_of) or (said(kind) + (f" {number}" if number != "1" else "") if number.isdecimal() else said(id_of))
+        the = "the " if id_of in names or "/" in id_of else ""
+        words.append(word.replace(id_of, the + name) if "_" in id_of else word)
+    return " ".join(words)
+
+
+def told_sentence(message: str, scene: Document) -> str:
+    """The same, begun as a sentence begins."""
+    words = told(message, scene)
+    return words[:1].upper() + words[1:]
+
+
 def furniture_of(answer: Document) -> list[str]:
     """The ids of a scene's furniture."""
     return [piece["id"] for room in answer["scene"]["rooms"] for piece in room["furniture"]]

@@ -347,7 +347,7 @@ class Page {
     this.#stage.select(this.#home.selected, this.#home.also);
     if (how === "new") this.#imported.show(null);
     element<HTMLButtonElement>("furnish_now").disabled = shown.scene.rooms.every((room) => room.furniture.length > 0);
-    this.#issues.show(shown.issues);
+    this.#issues.show(shown.issues, shown.scene);
     this.#shortfalls.show(shown.scene);
     this.#legend.show(drawable(shown.scene));
     showShown(element("status"), shown);

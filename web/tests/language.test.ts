@@ -12,10 +12,12 @@ const SRC = join(import.meta.dirname, "../src");
 const OF_ALL = new Set(["Compose", "English", "Deutsch", "N", "m"]);
 
 function shownWords(): string[] {
-  const page = document.createElement("main");
-  page.innerHTML = /<body>(.*)<\/body>/s.exec(readFileSync(join(SRC, "../index.html"), "utf8"))?.[1] ?? "";
   const shown: string[] = [];
-  eachWords(page, (words) => { shown.push(words); return words; });
+  for (const name of ["index", "embed"]) {
+    const page = document.createElement("main");
+    page.innerHTML = /<body[^>]*>(.*)<\/body>/s.exec(readFileSync(join(SRC, `../${name}.html`), "utf8"))?.[1] ?? "";
+    eachWords(page, (words) => { shown.push(words); return words; });
+  }
   return shown.filter((words) => /\p{L}/u.test(words) && !OF_ALL.has(words));
 }
 

@@ -15,6 +15,7 @@ import { atOrigin, draftOf, sceneOf, UNTYPED } from "./scene_draft";
 import { Sheet } from "./sheet";
 import { FINE, GRID } from "./snapping";
 import { say, type Words } from "../words/language";
+import { tellSentence } from "../words/telling";
 
 /** A room that is not drawn with the pointer [mm]. */
 const NEW_ROOM = { width: 4000, depth: 3000 } as const;
@@ -188,7 +189,7 @@ export class Board {
     for (const name of ["furnish", "show"]) this.#toolbar.enable(name, isPlan);
     this.#inspector.show([this.#beneath()]);
     const head = this.#issues.length === 0 ? (isPlan ? say("Nothing is wrong with the plan") : say("Nothing is drawn yet")) : say("{count} to look at", { count: this.#issues.length });
-    this.#found.replaceChildren(group(head, ...this.#issues.map((issue) => button(issue.message, () => this.#plan.choose({ room: issue.room ?? null }), { className: `issue issue-${issue.severity}` }))));
+    this.#found.replaceChildren(group(head, ...this.#issues.map((issue) => button(tellSentence(issue.message, this.scene), () => this.#plan.choose({ room: issue.room ?? null }), { className: `issue issue-${issue.severity}` }))));
     this.#draw();
   }
 

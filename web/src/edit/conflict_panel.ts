@@ -3,6 +3,7 @@ import type { Repair } from "../contract";
 import type { Refusal } from "./editor";
 import { repairWords } from "./words";
 import { say } from "../words/language";
+import { tellSentence } from "../words/telling";
 
 const MOST_REPAIRS = 6;
 
@@ -19,7 +20,7 @@ export class ConflictPanel {
   #contents(refusal: Refusal): HTMLElement[] {
     const said = refusal.conflicts.map(({ message }) => {
       const words = document.createElement("p");
-      words.textContent = message;
+      words.textContent = tellSentence(message, refusal.sent);
       return words;
     });
     const heading = document.createElement("strong");

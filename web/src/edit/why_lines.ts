@@ -4,7 +4,7 @@ import { footprint, SIDES } from "./gaps";
 import { lengthWords } from "./lengths";
 import type { RulerLine } from "./rulers";
 import { pieceWords } from "./words";
-import { sayNumber } from "../words/language";
+import { say, sayAny, sayNumber } from "../words/language";
 
 /** An arrow that holds with a cost of one a metre is so long; none is shorter or longer than this [m]. */
 const PER_COST = 0.35;
@@ -16,9 +16,12 @@ const APART = 0.22;
 const THERE = 0.02;
 
 function holderWords({ by, what, towards }: Hold): string {
-  if (what === "piece" || what === "use_side" || what === "relation") return by === null ? "its relations" : what === "use_side" ? `room to use ${pieceWords(by)}` : pieceWords(by);
-  if (what === "wall") return `${towards} wall`;
-  return { door: "the door's floor", window: "the window's floor", outline: "the wall", way: "a way" }[what];
+  if (what === "piece" || what === "use_side" || what === "relation") {
+    if (by === null) return say("its relations");
+    return what === "use_side" ? say("room to use {piece}", { piece: pieceWords(by) }) : pieceWords(by);
+  }
+  if (what === "wall") return say("wall in the {side}", { side: sayAny(towards) });
+  return say(({ door: "the door's floor", window: "the window's floor", outline: "the outline", way: "a way" } as const)[what]);
 }
 
 /** The arrows, each pressing on the side towards which it keeps the piece from going; and a line to where it was wished. */
@@ -39,5 +42,5 @@ export function whyLines({ holds, wished, stands }: Pick<Explained, "holds" | "w
   });
   const away = wished ? Math.hypot(wished[0] - stands[0], wished[1] - stands[1]) : 0;
   if (!wished || away < THERE) return arrows;
-  return [...arrows, { look: "wish", from: spot("x", stands[0], stands[1]), to: spot("x", wished[0], wished[1]), words: `wished ${lengthWords(Math.round(away * 1000))} from here`, at: 1 }];
+  return [...arrows, { look: "wish", from: spot("x", stands[0], stands[1]), to: spot("x", wished[0], wished[1]), words: say("wished {length} from here", { length: lengthWords(Math.round(away * 1000)) }), at: 1 }];
 }

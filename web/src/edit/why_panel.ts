@@ -1,8 +1,9 @@
 /** Why the chosen piece stands where it does: what holds it back from where it was wished, in the service's words. */
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { isAbort } from "../service";
-import { pieceWords, withNames } from "./words";
+import { pieceWords } from "./words";
 import { say, sayNumber } from "../words/language";
+import { tell } from "../words/telling";
 
 /** Calls the pieces of a message as people do. */
 type Named = (message: string) => string;
@@ -26,7 +27,7 @@ export class WhyPanel {
     const { signal } = this.#pending;
     try {
       const answer = await this.ask(scene, id, signal);
-      this.host.replaceChildren(...this.#contents(answer, (message) => withNames(message, scene)));
+      this.host.replaceChildren(...this.#contents(answer, (message) => tell(message, scene)));
       this.host.hidden = false;
       this.onShow(answer);
     } catch (reason) {

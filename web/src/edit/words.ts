@@ -1,20 +1,9 @@
 /** Words for what is edited and repaired. */
-import type { Repair, Scene } from "../contract";
-import { say, sayName, sayNumber } from "../words/language";
+import type { Repair } from "../contract";
+import { say, sayNumber } from "../words/language";
+import { idWords as pieceWords } from "../words/telling";
 
-/** A piece's id as a person calls it: its kind, and its number where it is not the first. */
-export function pieceWords(id: string): string {
-  const name = id.split("/").at(-1) ?? id;
-  const [, kind = name, number = "1"] = /^(.*?)_(\d+)$/.exec(name) ?? [];
-  return number === "1" ? sayName(kind) : `${sayName(kind)} ${number}`;
-}
-
-/** What the service says of a scene, its pieces called as a person calls them. */
-export function withNames(said: string, scene: Scene): string {
-  const ids = scene.rooms.flatMap(({ furniture }) => furniture.map(({ id }) => id)).filter((id) => said.includes(id));
-  const whole = ids.sort((a, b) => b.length - a.length).map((id) => id.replace(/[\\^$.*+?()[\]{}|]/g, "\\$&")).join("|");
-  return whole ? said.replace(new RegExp(`(?<![\\w/])(?:${whole})(?![\\w/])`, "g"), (id) => `the ${pieceWords(id)}`) : said;
-}
+export { idWords as pieceWords } from "../words/telling";
 
 export function repairWords(repair: Repair): string {
   const piece = pieceWords(repair.id);

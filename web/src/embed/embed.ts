@@ -4,6 +4,7 @@ import type { Scene } from "../contract";
 import { carriedTo } from "../memory/carrying";
 import { catalog, generate, readFile, ServiceProblem } from "../service";
 import { Stage } from "../stage";
+import { say, sayAny, sayDocument } from "../words/language";
 import { framedIn, pageOf, type Framed } from "./embed_address";
 
 function within<T extends HTMLElement>(id: string): T {
@@ -52,12 +53,13 @@ class Frame {
     const made = await generate(requestFromQuery(query), signal);
     if (changes === null) return made;
     const content = JSON.stringify(await carriedTo(changes, made.scene as Scene));
-    return readFile({ name: "The link", content }, signal);
+    return readFile({ name: say("The link"), content }, signal);
   }
 
   #tell(reason: unknown): void {
-    this.#said.textContent = reason instanceof ServiceProblem ? `${reason.title}. ${reason.detail}` : "The home cannot be shown here.";
+    this.#said.textContent = reason instanceof ServiceProblem ? `${sayAny(reason.title)}. ${sayAny(reason.detail)}` : say("The home cannot be shown here.");
   }
 }
 
+sayDocument();
 void new Frame().open();

@@ -1,5 +1,6 @@
-/** The service's issues in its own words, by rule; choosing one shows the body it names, or else its room. */
-import type { Issue } from "../contract";
+/** The service's issues, by rule; choosing one shows the body it names, or else its room. */
+import type { Issue, Scene } from "../contract";
+import { tell, tellSentence } from "../words/telling";
 
 /** Issues of one rule, in the service's order. */
 export interface IssueGroup {
@@ -23,30 +24,30 @@ export class Issues {
 
   constructor(readonly section: HTMLElement, readonly list: HTMLElement) {}
 
-  show(issues: readonly Issue[]): void {
+  show(issues: readonly Issue[], scene: Scene): void {
     this.section.hidden = issues.length === 0;
-    this.list.replaceChildren(...groupsOf(issues).map((group) => this.#group(group)));
+    this.list.replaceChildren(...groupsOf(issues).map((group) => this.#group(group, scene)));
   }
 
-  #group({ rule, issues }: IssueGroup): HTMLElement {
+  #group({ rule, issues }: IssueGroup, scene: Scene): HTMLElement {
     const item = document.createElement("li");
     const title = document.createElement("p");
     title.className = "issue-rule";
     const count = document.createElement("span");
     count.textContent = String(issues.length);
-    title.append(rule.replaceAll("_", " "), " ", count);
+    title.append(tell(rule.replaceAll("_", " ")), " ", count);
     const list = document.createElement("ul");
-    list.append(...issues.map((issue) => this.#item(issue)));
+    list.append(...issues.map((issue) => this.#item(issue, scene)));
     item.append(title, list);
     return item;
   }
 
-  #item(issue: Issue): HTMLElement {
+  #item(issue: Issue, scene: Scene): HTMLElement {
     const item = document.createElement("li");
     const button = document.createElement("button");
     button.type = "button";
     button.className = `issue issue-${issue.severity === "error" ? "error" : "warning"}`;
-    button.textContent = issue.message;
+    button.textContent = tellSentence(issue.message, scene);
     button.addEventListener("click", () => this.#choose(issue));
     item.append(button);
     return item;

@@ -1,7 +1,8 @@
 /** What fell short of what was asked or wished, in plain words: of the plan, of rooms that are not proven, of pieces that were left out. */
 import type { LeftOut, Scene } from "../contract";
 import { roomNames } from "./room";
-import { say } from "../words/language";
+import { say, sayName } from "../words/language";
+import { tell } from "../words/telling";
 
 /** One thing that fell short: in words, why for each piece, and the room it is about. */
 export interface Shortfall {
@@ -24,30 +25,39 @@ export interface Shortfalls {
 const FULL = "the floor is covered as densely as wished";
 
 /** A note as a sentence: ids and the request's keys in words. */
-export function sentence(note: string): string {
-  const words = note.replaceAll("min_room_size", "the smallest room side of").replaceAll(/\bm2\b/g, "m²").replaceAll("_", " ").trim();
-  return words === "" ? "" : `${words.charAt(0).toUpperCase()}${words.slice(1)}${/[.!?]$/.test(words) ? "" : "."}`;
+export function sentence(note: string, scene?: Scene): string {
+  const words = tell(note.trim(), scene).replaceAll("min room size", "the smallest room side of").replaceAll(/\bm2\b/g, "m²").replaceAll("_", " ");
+  return words === "" ? "" : `${capital(words)}${/[.!?]$/.test(words) ? "" : "."}`;
+}
+
+function capital(words: string): string {
+  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 /** What a piece that was left out is called: `second_armchair_1` is a second armchair; `third_across_1` the dining chair that its reason names. */
 function pieceWords({ piece, reason }: LeftOut): string {
-  const own = piece.replace(/_\d+$/, "").replaceAll("_", " ");
-  const kind = /; the smallest, ([^,]+), needs/.exec(reason)?.[1]?.replaceAll("_", " ");
-  const last = (words: string): string | undefined => words.split(" ").at(-1);
-  return kind !== undefined && last(kind) !== last(own) ? kind : own;
+  const own = piece.replace(/_\d+$/, "");
+  const kind = /; the smallest, ([^,]+), needs/.exec(reason)?.[1];
+  const last = (name: string): string | undefined => name.split("_").at(-1);
+  return sayName(kind !== undefined && last(kind) !== last(own) ? kind : own);
 }
 
-function listed(words: readonly string[]): string {
+/** Names in a row, each once, with how often it is meant. */
+function listed(names: readonly string[]): string {
+  const words = [...new Set(names)].map((name) => {
+    const count = names.filter((one) => one === name).length;
+    return count > 1 ? `${count} × ${name}` : name;
+  });
   return words.length < 2 ? words.join("") : say("{some} and {last}", { some: words.slice(0, -1).join(", "), last: words.at(-1) ?? "" });
 }
 
 export function shortfallsOf(scene: Scene): Shortfalls {
   const names = roomNames(scene);
   const rooms = Object.entries(scene.certificate?.rooms ?? {}).map(([id, said]) => ({ id, name: names.get(id) ?? id, said }));
-  const notes = (scene.certificate?.notes ?? []).map((note) => ({ words: sentence(note), whys: [], room: null }));
+  const notes = (scene.certificate?.notes ?? []).map((note) => ({ words: sentence(note, scene), whys: [], room: null }));
   const { profile = "", unmet = [] } = scene.certificate?.access ?? {};
-  const access = unmet.map((one) => ({ words: say("Access, {profile}: {said}", { profile: profile.replaceAll("_", " "), said: sentence(one) }), whys: [], room: null }));
-  const ofRooms = rooms.flatMap(({ id, name, said }) => (said.notes ?? []).map((note) => ({ words: `${name}: ${sentence(note)}`, whys: [], room: id })));
+  const access = unmet.map((one) => ({ words: say("Access, {profile}: {said}", { profile: sayName(profile), said: sentence(one, scene) }), whys: [], room: null }));
+  const ofRooms = rooms.flatMap(({ id, name, said }) => (said.notes ?? []).map((note) => ({ words: `${name}: ${sentence(note, scene)}`, whys: [], room: id })));
   const open = rooms.filter(({ said }) => said.proven === false).map(({ id, name }) => ({
     words: say("{name}: not proven to be the best. The search ended at its limit; there may be a better arrangement.", { name }), whys: [], room: id,
   }));
@@ -55,7 +65,7 @@ export function shortfallsOf(scene: Scene): Shortfalls {
     const pieces = (said.left_out ?? []).filter(({ reason }) => reason.startsWith(FULL) === isFull);
     const things = listed(pieces.map(pieceWords));
     const words = isFull ? say("{name}: full enough without {things}.", { name, things }) : say("{name}: no place found for {things}.", { name, things });
-    return pieces.length > 0 ? [{ words, whys: pieces.map((one) => sentence(`${pieceWords(one)}: ${one.reason}`)), room: id }] : [];
+    return pieces.length > 0 ? [{ words, whys: pieces.map((one) => `${capital(pieceWords(one))}: ${tell(one.reason, scene)}.`), room: id }] : [];
   }));
   const all = rooms.flatMap(({ said }) => said.left_out ?? []);
   const spare = all.filter(({ reason }) => reason.startsWith(FULL)).length;

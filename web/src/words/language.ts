@@ -3,6 +3,7 @@ import { remember, remembered } from "../panel/preferences";
 import german from "./de.json";
 import germanNames from "./names.de.json";
 import englishNames from "./names.en.json";
+import germanTold from "./told.de.json";
 
 /** What the page says of its own: what is missing in a table is refused when types are checked. */
 export type Words = keyof typeof german;
@@ -12,7 +13,9 @@ type Table = Readonly<Record<string, string>>;
 
 const NAME = "language";
 const ENGLISH = "en";
-const TABLES: Readonly<Record<string, { readonly words: Table; readonly names: Table }>> = { de: { words: german, names: germanNames } };
+const TABLES: Readonly<Record<string, { readonly words: Table; readonly names: Table; readonly told: Table }>> = {
+  de: { words: german, names: germanNames, told: germanTold },
+};
 /** Names whose parts stand in another order, or are written otherwise, than one says them. */
 const ENGLISH_NAMES: Table = englishNames;
 const SPOKEN = ["aria-label", "title", "placeholder", "alt", "label"];
@@ -26,6 +29,8 @@ export function languageOf(chosen: string | null, browser: string | undefined): 
 
 const language = languageOf(remembered(NAME), globalThis.navigator?.language);
 const table = TABLES[language];
+/** How the service's forms are said, by the English; null where they are said as they come. */
+export const TOLD: Table | null = table?.told ?? null;
 /** What parts whole numbers from their fractions. */
 const POINT = (1.5).toLocaleString(language).charAt(1);
 
@@ -35,9 +40,19 @@ export function sayNumber(value: number, places: number, form: "whole" | "short"
   return (form === "short" ? String(Number(written)) : written).replace(".", POINT);
 }
 
+/** Words in which numbers have the reader's point, where they are nothing but a number, with its unit or without. */
+export function sayDecimals(words: string): string {
+  return words.replace(/^(\d+)\.(\d+)(?=$| )/, `$1${POINT}$2`);
+}
+
 /** Words of the page, or of somebody else where they are known, with values for their `{names}`. */
 export function sayAny(english: string, values: Values = {}): string {
   return (table?.words[english] ?? english).replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+}
+
+/** Words that the table has, in the reader's language; null for others. */
+export function spoken(english: string): string | null {
+  return table && Object.hasOwn(table.words, english) ? (table.words[english] ?? null) : null;
 }
 
 /** Words of the page in the reader's language. */
@@ -67,10 +82,15 @@ export function eachWords(root: Element, change: (english: string) => string): v
   }
 }
 
-/** Says in the reader's language what the document says in English, and lets another be chosen: the page then begins anew, as it was left. */
-export function speak(): void {
+/** Says in the reader's language what the document says in English. */
+export function sayDocument(): void {
   document.documentElement.lang = language;
   if (table) eachWords(document.body, (english) => sayAny(english));
+}
+
+/** Does so, and lets another language be chosen: the page then begins anew, as it was left. */
+export function speak(): void {
+  sayDocument();
   const choice = document.getElementById(NAME) as HTMLSelectElement;
   choice.value = remembered(NAME) ?? "";
   (document.getElementById("language_words") as HTMLElement).hidden = !table;

@@ -1,0 +1,95 @@
+"""Every sentence that the service says of homes is said in German too: in the page's table, read by other code than the page's."""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from solver import Request, Scene, explain, fix, generate, validate
+from tests.pipeline.test_fix import stirred
+from tests.sweeps import seeds
+
+TABLE = Path(__file__).parents[2] / "web" / "src" / "words" / "told.de.json"
+HOLE = re.compile(r"\\\{(\w+)\\\}")
+NUMBER, ANY = r"-?[\d.]+", ".+"
+FORMS = [
+    re.compile(HOLE.sub(lambda hole: f"(?P<{hole[1]}>{NUMBER if re.fullmatch(r'n[0-9]?', hole[1]) else ANY})", re.escape(english)))
+    for english in json.loads(TABLE.read_text("utf-8"))
+]
+SENTENCES = {"why", "whys", "effect", "lengths"}
+"""What stands in these holes is a sentence in its turn."""
+LOCKED, EXPLAINED = 6, 3
+ASKED: list[dict[str, object]] = [
+    {"program": "studio", "decorate": True},
+    {"program": "family", "area": 60},
+    {"program": "large", "width": 9.0, "depth": 8.0},
+    {"program": "one_bed", "width": 14.0, "depth": 3.2, "access": "din_18040_2"},
+    {"width": 8.0, "depth": 6.0, "decorate": True},
+    {"width": 20.0, "depth": 4.0},
+]
+
+
+def has_form(said: str) -> bool:
+    """Tells whether a sentence is in one of the table's forms, and so is every sentence within it."""
+    for form in FORMS:
+        found = form.fullmatch(said)
+        if found and all(has_form(inner) or hole == "whys" for hole, inner in found.groupdict().items() if hole in SENTENCES):
+            return True
+    return False
+
+
+def said_of(scene: Scene) -> Iterator[str]:
+    """All that a home's certificate says in sentences."""
+    told: dict[str, Any] = dict(scene.certificate or {})
+    yield from told.get("notes", ())
+    yield from (told.get("access") or {}).get("unmet", ())
+    for room in told.get("rooms", {}).values():
+        yield from room.get("notes", ())
+        yield from (left["reason"] for left in room.get("left_out", ()))
+
+
+def disturbed(scene: Scene, seed: int) -> Scene:
+    """A home in which furniture and things were thrown about."""
+    drawn = random.Random(seed)
+    thrown = stirred(scene, seed)
+    rooms = []
+    for room in thrown.rooms:
+        moved = (replace(one, x=one.x + drawn.choice((0, 0.5)), y=one.y + drawn.choice((0, 0.1))) for one in room.decorations)
+        rooms.append(replace(room, decorations=tuple(moved)))
+    return replace(thrown, rooms=tuple(rooms))
+
+
+def said_of_faults(scene: Scene, seed: int) -> Iterator[str]:
+    """All that is said of a home that is not as it should be, and of mending it."""
+    pieces = [piece.id for room in scene.rooms for piece in room.furniture]
+    locked = random.Random(seed).sample(pieces, min(LOCKED, len(pieces)))
+    yield from (issue.message for issue in validate(scene))
+    yield from (conflict.message for conflict in fix(scene, locked=locked).conflicts)
+    yield from (gone["reason"] for gone in fix(scene, locked=locked, on_conflict="remove").removed)
+
+
+def said_of_places(scene: Scene, seed: int) -> Iterator[str]:
+    """All that is said of why pieces stand where they do."""
+    pieces = [piece.id for room in scene.rooms for piece in room.furniture]
+    for piece in random.Random(seed).sample(pieces, min(EXPLAINED, len(pieces))):
+        why = explain(scene, piece)
+        yield from why.notes
+        yield from (hold.message for hold in why.holds)
+        yield from (way.message for way in why.ways)
+
+
+@pytest.mark.parametrize("seed", seeds(range(700, 740), 40))
+@pytest.mark.parametrize("asked", ASKED, ids=str)
+def test_every_sentence_is_in_a_form(asked: dict[str, object], seed: int) -> None:
+    scene = generate(Request(seed=seed, **asked)).scene  # type: ignore[arg-type]
+    thrown = disturbed(scene, seed)
+    said = {*said_of(scene), *said_of_faults(thrown, seed), *said_of_places(scene, seed)}
+    assert said
+    assert sorted(one for one in said if not has_form(one)) == []

@@ -1,0 +1,112 @@
+/** What the service says, in the reader's language: in English as it comes, else by the forms that it says things in; ids are called as a person calls them. */
+import { say, sayName, sayNumber, spoken, TOLD } from "./language";
+
+/** A way to say something: what it looks like, what its holes are called, and how it is said in the reader's language. */
+interface Form {
+  readonly looks: RegExp;
+  readonly holes: readonly string[];
+  readonly words: string;
+  readonly own: number;
+}
+
+const HOLE = /\{(\w+)\}/;
+/** A hole of this name holds a number. */
+const NUMBER_HOLE = /^n\d?$/;
+/** A hole of this name holds sentences, with `and` between them. */
+const SENTENCES_HOLE = "whys";
+const NUMBER = "-?\\d+(?:\\.\\d+)?";
+/** Nothing is nested deeper than this. */
+const DEEPEST = 8;
+/** A sentence has more letters of its own; no form has as many as `FAR`. */
+const SENTENCE = 12;
+const FAR = 1000;
+const SUM = " + ";
+/** An id or a name of the catalogs, alone; and those within words: a room's and a number, or parts that are joined. */
+const ID = /^(?:[\p{L}\d_]+\/)?[\p{L}_][\p{L}\d_]*$/u;
+const IDS = /(?<![\p{L}\d_/])(?:[\p{L}\d_]+\/)?[\p{L}\d]+(?:_[\p{L}\d]+)+(?![\p{L}\d_/])/gu;
+
+const escaped = (text: string): string => text.replace(/[\\^$.*+?()[\]{}|/]/g, "\\$&");
+
+/** The forms: those first that begin with words of their own, of them those that say most with these. */
+function formsOf(table: Readonly<Record<string, string>>): Form[] {
+  const rank = (english: string): number => ownIn(english) - (/^\{(?!n\d?\})/.test(english) ? FAR : 0);
+  return Object.entries(table).sort(([one], [other]) => rank(other) - rank(one)).map(([english, words]) => {
+    const parts = english.split(HOLE); // text and names of holes in turn
+    const looks = parts.map((part, at) => (at % 2 === 0 ? escaped(part) : NUMBER_HOLE.test(part) ? `(${NUMBER})` : "(.+?)")).join("");
+    return { looks: new RegExp(`^${looks}$`), holes: parts.filter((_, at) => at % 2 === 1), words, own: ownIn(english) };
+  });
+}
+
+/** How many letters of a form are its own. */
+function ownIn(english: string): number {
+  return english.replace(/\{\w+\}/g, "").length;
+}
+
+let forms: readonly Form[] | null = null;
+
+/** What a piece, a room or a kind is called, by its id or name; null for what is neither. */
+type Called = (id: string) => string | null;
+type Rooms = readonly { readonly id: string; readonly type: string }[];
+
+/** How a person calls an id: its kind, and its number where it is not the first. */
+export function idWords(id: string): string {
+  const name = id.split("/").at(-1) ?? id;
+  const [, kind = name, number = "1"] = /^(.*?)_(\d+)$/.exec(name) ?? [];
+  return number === "1" ? sayName(kind) : `${sayName(kind)} ${number}`;
+}
+
+/** What a room is called, numbered where there are several of its type; null for what is no room's id. */
+function roomWords(id: string, rooms: Rooms): string | null {
+  const room = rooms.find((one) => one.id === id);
+  if (!room) return null;
+  const alike = rooms.filter(({ type }) => type === room.type);
+  return sayName(room.type) + (alike.length > 1 ? ` ${alike.indexOf(room) + 1}` : "");
+}
+
+/** Words by the form they are in, what is in its holes told in turn; null where they are in none with so many letters of its own. */
+function formed(english: string, name: Called, depth: number, least = 0): string | null {
+  if (depth > DEEPEST) return null;
+  for (const { looks, holes, words, own } of (forms ??= formsOf(TOLD ?? {}))) {
+    const found = own >= least ? looks.exec(english) : null;
+    if (!found) continue;
+    const values = new Map(holes.map((hole, at) => [hole, found[at + 1] ?? ""]));
+    return words.replace(/\{(\w+)\}/g, (_, hole: string) => {
+      const said = values.get(hole) ?? "";
+      const sentences = hole === SENTENCES_HOLE ? row(said, / and /, (one) => formed(one, name, depth + 1, SENTENCE)) : null;
+      return sentences ?? part(said, name, depth + 1);
+    });
+  }
+  return null;
+}
+
+/** Several of a kind in a row, each told by itself; null where one cannot be. */
+function row(english: string, parts: RegExp, told: (one: string) => string | null): string | null {
+  const said = english.split(parts).map(told);
+  if (said.length < 2 || said.some((one) => one === null)) return null;
+  return english.includes(SUM) ? said.join(SUM) : say("{some} and {last}", { some: said.slice(0, -1).join(", "), last: said.at(-1) ?? "" });
+}
+
+function part(english: string, name: Called, depth: number): string {
+  const one = (words: string): string | null => formed(words, name, depth + 1) ?? spoken(words) ?? name(words);
+  return (english.includes(SUM) && !english.includes(" = ") ? row(english, / \+ /, one) : null)
+    ?? formed(english, name, depth) ?? spoken(english) ?? row(english, /, | and /, one) ?? name(english) ?? numbers(english);
+}
+
+function numbers(english: string): string {
+  return english.replace(new RegExp(`(?<![\\w.])${NUMBER}(?![\\w.])`, "g"), (number) => sayNumber(Number(number), number.split(".")[1]?.length ?? 0));
+}
+
+/** What the service says of a scene, or of none that is known. */
+export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { rooms: [] }): string {
+  const told = formed(said, (id) => roomWords(id, rooms) ?? (ID.test(id) ? idWords(id) : null), 0);
+  return told ?? said.replace(IDS, (id) => {
+    const room = roomWords(id, rooms);
+    return room === null && !id.includes("/") ? idWords(id) : `the ${room ?? idWords(id)}`;
+  });
+}
+
+/** The same, begun as a sentence begins. */
+export function tellSentence(said: string, scene?: { readonly rooms: Rooms }): string {
+  const words = tell(said, scene);
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
