@@ -3,7 +3,8 @@
 python -m scripts.debug_room --seed 42 --room kitchen_19 [--program family] [--piece plant] [--catalog DIR]
 
 A piece that is missing and was required names the pieces it cannot stand with and the length that is short. With `--piece` every
-candidate of that piece is listed and tried with the pieces that stand; what cannot names them too; `plant` is plant_1, plant_2 and so on.
+candidate of that piece is listed and tried with the pieces that stand; what cannot names them too; `plant` is plant_1, plant_2 and so on;
+of one that was not wanted the reason is told.
 Lengths in metres, relative to the room; what is at another piece tells its centre from that one's, in that one's frame.
 """
 
@@ -12,7 +13,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from catalogs import CatalogError, load_catalogs
 from service.cli import forced, program
@@ -21,15 +22,17 @@ from solver.errors import ComposeError
 from solver.exchange import read_request
 from solver.pieces import Arrangement, Attach, Candidate, Piece, Placed, Space
 from solver.pipeline.generate import wanted_in
-from solver.pipeline.reasons import with_lengths
-from solver.placement import feasible, place
+from solver.pipeline.reasons import REASON_WORK, with_lengths
+from solver.placement import Budget, feasible, minimal_conflict, place
 from solver.scene import Room
 
 Unwanted = Sequence[tuple[str, str]]
 """Names of pieces that a room's type lists, with the reasons why they were not wanted."""
 
 BAD_USE = 2
-NO_CHAIN = "no chain of lengths says more"
+NO_CHAIN = "lengths alone do not tell why"
+STANDS, GONE = "stands", " does not stand"
+UNFOUND = "stands, but the search finds no such place"
 
 
 def described(room: Room, space: Space, wanted: Sequence[Piece], unwanted: Unwanted, tried: Sequence[Piece] = ()) -> Iterator[str]:
@@ -121,22 +124,96 @@ def _refused(space: Space, wanted: Sequence[Piece], arrangement: Arrangement) ->
 
 def _candidates(space: Space, wanted: Sequence[Piece], tried: Piece, arrangement: Arrangement) -> Iterator[str]:
     """Try each candidate of a piece with the pieces that stand, each of these in the candidate that was taken, free to slide."""
-    verdicts = {True: "stands", False: "cannot stand", None: "not found within the limit"}
     standing = {placed.label: placed for placed in arrangement.placed if placed.label != tried.label}
-    chosen = {label: (placed.chosen,) for label, placed in standing.items()}
+    chosen: dict[str, tuple[Candidate, ...]] = {label: (placed.chosen,) for label, placed in standing.items()}
     chosen[tried.label] = tried.candidates
     asked = [replace(one, required=True, candidates=chosen[one.label], links=()) for one in wanted if one.label in chosen]
-    piece = next(one for one in asked if one.label == tried.label)
-    yield f"\nCANDIDATES of {piece.label}, each with what stands beside it, walking included"
-    for way in sorted(piece.candidates, key=lambda one: one.cost):
-        verdict = feasible(space, [replace(one, candidates=(way,)) if one is piece else one for one in asked], walk=True)
-        yield f"  {_candidate(way, standing)}: {verdicts[verdict]}"
-    yield f"  why: {with_lengths(space, asked, Arrangement(space.room, (), ((piece.label, NO_CHAIN),))).left_out[0][1]}"
+    trial = _Trial(space, wanted, asked, tried.label, standing)
+    yield f"\nCANDIDATES of {tried.label}, each with what stands beside it, walking included"
+    verdicts = [(way, trial.verdict(way)) for way in sorted(tried.candidates, key=lambda one: one.cost)]
+    for way, verdict in verdicts:
+        yield f"  {_candidate(way, standing)}: {verdict}"
+    refused = dict(arrangement.left_out).get(tried.label)
+    if verdicts and refused:
+        yield f"  why: {trial.why([verdict for _, verdict in verdicts], refused)}"
+
+
+class _Trial(NamedTuple):
+    """A piece that is tried with those that stand.
+
+    Args:
+        wanted: everything that was wanted, floor too.
+        asked: the piece, and those that stand, each in the candidate that it took.
+    """
+
+    space: Space
+    wanted: Sequence[Piece]
+    asked: Sequence[Piece]
+    label: str
+    standing: Mapping[str, Placed]
+
+    def verdict(self, way: Candidate) -> str:
+        """Tell whether a candidate can stand, and with which pieces it cannot."""
+        parent = way.attach.parent if way.attach else None
+        if way.attach and parent not in self.standing:
+            return f"{parent}{GONE}"
+        if way.attach and parent and self.standing[parent].chosen.kind != way.attach.parent_kind:
+            return f"{parent} stands as {self.standing[parent].chosen.kind}"
+        pieces = [replace(one, candidates=(way,)) if one.label == self.label else one for one in self.asked]
+        stands = feasible(self.space, pieces, walk=True)
+        if stands is None:
+            return "not found within the limit"
+        if stands:
+            return self._beside_floor(way)
+        members = minimal_conflict(self.space, pieces, self.label, Budget(REASON_WORK), True)
+        others = [member for member in members or () if member != self.label]
+        return f"cannot stand with {' and '.join(others)}" if others else "cannot stand"
+
+    def _beside_floor(self, way: Candidate) -> str:
+        """Tell whether a candidate that can stand is worth it, and does so beside the floor that is better kept free."""
+        floor = [one.label for one in self.wanted if one.is_floor]
+        if self._cost(way, floor) is not None:
+            return STANDS
+        if self._cost(way) is None:
+            dear = (self._cost(way, required=True) or 0.0) - (self._cost(None) or 0.0)
+            return f"{STANDS}, but costs {dear:.2f}: more than to leave it out" if dear > self._tried.skip_cost else UNFOUND
+        taken = [label for label in floor if self._cost(way, [label]) is None] or ["floor that is better kept free"]
+        return f"{STANDS}, but takes {' and '.join(f'the {label}' for label in taken)}"
+
+    @property
+    def _tried(self) -> Piece:
+        return next(one for one in self.wanted if one.label == self.label)
+
+    def _cost(self, way: Candidate | None, floor: Sequence[str] = (), required: bool = False) -> float | None:
+        """Place the pieces that stand, beside this floor, and the piece tried in one candidate; None where it is left out."""
+        fixed = {one.label: one for one in self.asked} | {one.label: one for one in self.wanted if one.label in floor}
+        del fixed[self.label]
+        if way is not None:
+            fixed[self.label] = replace(self._tried, required=required, candidates=(way,), links=())
+        (made,) = place([(self.space, [fixed[one.label] for one in self.wanted if one.label in fixed])])
+        return made.cost if way is None or any(placed.label == self.label for placed in made.placed) else None
+
+    def why(self, verdicts: Sequence[str], refused: str) -> str:
+        """Tell why a piece was left out, after its candidates were tried; `refused` is the reason that the room gives."""
+        if STANDS in verdicts:
+            return f"it can stand; {refused.partition(';')[0]}"
+        if any(verdict.startswith(STANDS) for verdict in verdicts):
+            return "it can stand only as told above"
+        if all(verdict.endswith(GONE) for verdict in verdicts):
+            return f"{' and '.join(dict.fromkeys(verdicts))}, and it stands nowhere else: ask about that one"
+        told = with_lengths(self.space, self.asked, Arrangement(self.space.room, (), ((self.label, NO_CHAIN),))).left_out[0][1]
+        return told.removesuffix(f"; {NO_CHAIN}") if ": " in told else told
 
 
 def _asked(wanted: Sequence[Piece], name: str | None) -> list[Piece]:
     """Return the piece of a label, or all pieces of a name."""
-    return [piece for piece in wanted if name in (piece.label, piece.label.rpartition("_")[0])]
+    return [piece for piece in wanted if name in (piece.label, _stem(piece.label))]
+
+
+def _stem(label: str) -> str:
+    """Take the number off a label: `bed_1` was wanted as `bed`."""
+    head, _, number = label.rpartition("_")
+    return head if head and number.isdigit() else label
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -162,9 +239,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _refused_use(f"no room {asked.room}; there are {', '.join(room.id for room in scene.rooms)}")
     space, wanted, unwanted = wanted_in(scene, room, catalogs)
     tried = _asked(wanted, asked.piece)
-    if asked.piece is not None and not tried:
-        return _refused_use(f"no piece {asked.piece} was wanted; there are {', '.join(piece.label for piece in wanted)}")
+    reasons = [f"{name}: {reason}" for name, reason in unwanted if name in (asked.piece, _stem(asked.piece or ""))]
+    if asked.piece is not None and not tried and not reasons:
+        names = dict.fromkeys([*(_stem(piece.label) for piece in wanted if not piece.is_floor), *(name for name, _ in unwanted)])
+        return _refused_use(f"no piece {asked.piece} in the type {room.type}; there are {', '.join(names)}")
     print("\n".join(described(room, space, wanted, unwanted, tried)))
+    if asked.piece is not None and not tried:
+        print(f"\nNOT WANTED was {reasons[0]}")
     return 0
 
 
