@@ -1,0 +1,79 @@
+// A run of a kitchen as it is drawn, and what it costs by what it holds and where that stands.
+#pragma once
+
+#include "furnish/preferences.hpp"
+
+namespace furnish {
+
+// What is said of a word in the room's type, as bits.
+enum Trait : u8 { WORKTOP_TRAIT = 1, LANDING_TRAIT = 2, END_TRAIT = 4 };
+
+// A variant of a piece that a run may hold.
+struct Item {
+  i32 word;
+  i32 kind;
+  f64 cost;
+  i64 width, depth;
+  u8 traits;
+  const Item* corner[2];       // as wide, standing in a corner with its left (right) end hidden; null where there is none
+  const List<Interval>* free;  // by wall: the stretches where it may stand
+
+  bool has(Trait trait) const { return (traits & trait) != 0; }
+};
+
+using Items = Span<const Item*>;
+
+// What a run may hold of a word.
+struct Member {
+  const CountedPiece* piece;  // null: nothing
+  bool required;
+  Span<Item> items;
+};
+
+// Items along one wall, the first at `start`, the others after it: as they come in the run, or from its end on.
+struct Leg {
+  Wall wall;
+  i64 start;
+  Items items;
+  bool reversed;
+
+  const Item& at(i32 k) const { return *items[reversed ? items.size - 1 - k : k]; }
+};
+
+struct Legs {
+  Leg leg[2];
+  i32 count;
+
+  const Leg* begin() const { return leg; }
+  const Leg* end() const { return leg + count; }
+};
+
+enum class Form : i32 { straight, corner, opposite };
+
+// The numbers that are drawn of how a run is laid, whatever it holds: its wall; from which end of its wall each leg is laid; in which
+// stretch a leg that begins in no corner; its form, and where it is cut in two.
+enum Laid : i32 { WALL, HIGH, OTHER_HIGH, STRETCH, OTHER_STRETCH, ROUND, ACROSS, CUT, LAID_NUMBERS };
+
+// A run as it is drawn: its items, and how they are laid.
+struct Drawn {
+  Items items;
+  Stream laid;  // its numbers, read where they are asked for
+  Form form;
+  Wall wall;
+  bool high;
+  i32 first;  // how many items stand along the first wall
+  f64 cost;
+
+  Stream number(Laid which) const { return laid.ahead(which); }
+};
+
+// What a run costs by what stands beside what.
+f64 row_cost(const Drawn& drawn);
+
+// What a run costs by the worktop it lacks; what is hidden round a corner is none.
+f64 worktop_cost(const RoomType& type, const Drawn& drawn);
+
+// What a run costs by its working triangle, measured between the middles of the fronts.
+f64 triangle_cost(const RoomType& type, Span<Candidate> places);
+
+}  // namespace furnish
