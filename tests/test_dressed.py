@@ -5,14 +5,17 @@ from __future__ import annotations
 import copy
 import pickle
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from catalogs import load_catalogs
+from service.dataset.table_schemas import SCHEMAS
 from solver import generate
 from solver.dressed import count_decorations, rows_in
 from solver.exchange import dump_scene, dump_text, write_scene
-from solver.scene import Request, Room, Scene
+from solver.exports.table_rows import rows_of
+from solver.scene import Level, Request, Room, Scene
 from solver.scene_bodies import counted
 from solver.validator import check, metrics
 from solver.validator.kinds import kinds_of
@@ -66,6 +69,30 @@ def test_a_home_is_judged_alike(homes: tuple[Scene, Scene]) -> None:
     world, kinds = world_of(told), kinds_of(KNOWN)
     things = [room_bytes(world, place, kinds) for place in world.places]
     assert things != [room_bytes(world_of(made), place, kinds) for place in world_of(made).places]
+
+
+def test_a_home_s_tables_are_alike(homes: tuple[Scene, Scene]) -> None:
+    """Also where rooms do not begin at half millimetres, and floors lie elsewhere."""
+    levels = (Level(elevation=0.1 + 0.2),)
+    for askew in (0.0, 0.0001, 1 / 3):
+        moved = [
+            replace(home, levels=levels, rooms=tuple(copied(room, x=room.x + askew, z=room.z - askew) for room in home.rooms))
+            for home in homes
+        ]
+        told, made = moved
+        assert any(rows_in(room) for room in told.rooms)
+        assert rows_of(told, KNOWN) == rows_of(made, KNOWN)
+    assert {name: {len(row) for row in rows} for name, rows in rows_of(told, KNOWN).items()} == {
+        name: {len(SCHEMAS[name])} for name in SCHEMAS if name != "houses"
+    }
+
+
+def copied(room: Room, **changes: Any) -> Room:
+    """A room that is told as it was, elsewhere."""
+    other = copy.copy(room)
+    other.__dict__.clear()
+    other.__dict__.update(room.__dict__ | changes)
+    return other
 
 
 def test_what_is_broken_is_found_alike(homes: tuple[Scene, Scene]) -> None:

@@ -14,8 +14,8 @@ from typing import Any, Final
 from service.dataset.dataset_plan import JSON, DatasetPlan, MadeHome, known_catalogs, request_text
 from solver.exchange import FORMATS
 from solver.exports import Files
-from solver.exports.table_rows import Row
 from solver.pipeline.export import export_each
+from solver.plain import Document
 from solver.scene import Scene
 from solver.scene_bodies import counted
 from solver.version import VERSION
@@ -25,11 +25,11 @@ CLEAN, WITH_ERRORS, REFUSED = "clean", "errors", "refused"
 _MISSING: Final = "missing_required"
 
 
-def house_row(plan: DatasetPlan, home: MadeHome, split: str) -> Row:
-    """Returns a home's row of the table of houses."""
+def house_row(plan: DatasetPlan, home: MadeHome, split: str) -> Document:
+    """Returns a home's row of the table of houses, by its columns; what it does not say is null."""
     asked = home.request.program
     errors = sum(issue.severity == "error" for issue in home.issues)
-    row: Row = {
+    row: Document = {
         "seed": home.request.seed,
         "id": f"house_{home.request.seed}",
         "split": split,
@@ -49,7 +49,7 @@ def house_row(plan: DatasetPlan, home: MadeHome, split: str) -> Row:
     return row if home.scene is None else {**row, **_figures(home.scene), "scene": home.text.decode() if JSON in plan.formats else None}
 
 
-def _figures(scene: Scene) -> Row:
+def _figures(scene: Scene) -> Document:
     certificate: Mapping[str, Any] = scene.certificate or {}
     counts, reports = counted(scene.rooms, scene.dynamic), list(certificate["rooms"].values())
     size = scene.size

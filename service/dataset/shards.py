@@ -86,7 +86,7 @@ class _ShardFiles:
         seed = home.request.seed or 0
         split = split_of(seed)
         row = house_row(self.plan, home, split)
-        tables = {"houses": [row]}
+        tables = {"houses": [tuple(map(row.get, SCHEMAS["houses"].names))]}
         if home.scene is not None:
             catalogs = known_catalogs(self.plan.catalogs[home.catalog])
             tables |= rows_of(home.scene, catalogs)
@@ -133,7 +133,9 @@ class _ShardFiles:
             if name not in self._tables:
                 opened = partial(pq.ParquetWriter, schema=SCHEMAS[table], compression="zstd")
                 self._tables[name] = self._open.enter_context(opened(self._part(name)))
-            self._tables[name].write_table(pa.Table.from_pylist(rows, schema=SCHEMAS[table]))
+            columns = list(zip(*rows, strict=True)) or [()] * len(SCHEMAS[table])
+            arrays = [pa.array(values, kind) for values, kind in zip(columns, SCHEMAS[table].types, strict=True)]
+            self._tables[name].write_table(pa.Table.from_arrays(arrays, schema=SCHEMAS[table]))
         self._waiting.clear()
 
     def _archive(self, split: str) -> tarfile.TarFile:

@@ -1,27 +1,31 @@
 """A home as rows of tables: its rooms, pieces, doors, fronts and the graph of its rooms, for those who train on many homes.
 
-Comes in: a generated scene, catalogs. Goes out: rows of plain values by table; service/dataset/table_schemas.py says their types.
-May import: the ground floor, catalogs.
+Comes in: a generated scene, catalogs. Goes out: rows of plain values by table; service/dataset/table_schemas.py says what they are, in
+the same order. May import: the ground floor, catalogs.
 
 Poses are in the house: x east, y up, z south, m; turns in degrees about +y, 0 facing south.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, Final
 
 from catalogs import Catalogs
 from catalogs.kind_book import KindBook
+from solver.dressed import THING_WALLS, DressedRows, Look, count_decorations, rows_in
 from solver.exports.kind_facts import KindFacts, book_of, decoration_facts, furniture_facts, living_facts
+from solver.exports.model import PlacedOpening
 from solver.exports.wall_bands import WallBands
 from solver.exports.wall_edges import corners_of
 from solver.exports.wall_lines import RoomFinder, openings_of
 from solver.scene import EXTERIOR, Decoration, Dynamic, Furniture, Room, Scene
 
-Row = dict[str, Any]
+Row = tuple[Any, ...]
 WALL: Final = "wall"
 """The edge of two rooms that share a wall and no door."""
+_OPEN: Final = (1.0, None)
 
 
 def rows_of(scene: Scene, catalogs: Catalogs) -> dict[str, list[Row]]:
@@ -33,124 +37,108 @@ def rows_of(scene: Scene, catalogs: Catalogs) -> dict[str, list[Row]]:
     """
     certificate: Mapping[str, Any] = scene.certificate or {}
     reports: Mapping[str, Mapping[str, Any]] = certificate.get("rooms", {})
-    doors = list(_doors(scene))
-    tables = {
-        "rooms": [_room(room, reports.get(room.id, {})) for room in scene.rooms],
-        "pieces": list(_pieces(scene, book_of(catalogs))),
-        "doors": doors,
-        "graph": list(_graph(scene, doors)),
-        "fronts": [row for report in reports.values() for row in _fronts(report.get("fronts", {}))],
-    }
-    return {name: [{"seed": scene.seed, **row} for row in rows] for name, rows in tables.items()}
-
-
-def _room(room: Room, report: Mapping[str, Any]) -> Row:
-    corners = [[round(room.x + x, 6), round(room.z + z, 6)] for x, z in corners_of(room)]
+    openings = openings_of(scene.rooms, WallBands(scene.rooms, scene.wall_thickness), RoomFinder(scene.rooms))
     return {
-        "id": room.id,
-        "index": room.index,
-        "type": room.type,
-        "level": room.level,
-        "outdoor": room.outdoor,
-        "x": room.x,
-        "z": room.z,
-        "width": room.width,
-        "depth": room.depth,
-        "area": round(room.floor_m2, 4),
-        "polygon": corners,
-        "flooring": room.flooring.type if room.flooring else None,
-        "furniture": len(room.furniture),
-        "decorations": len(room.decorations),
-        "cost": report.get("cost"),
-        "proven": report.get("proven"),
-        "best": report.get("best"),
-        "left_out": [entry["piece"] for entry in report.get("left_out", ())],
+        "rooms": [_room(scene.seed, room, reports.get(room.id, {})) for room in scene.rooms],
+        "pieces": list(_pieces(scene, book_of(catalogs))),
+        "doors": [_door(scene.seed, one) for one in openings],
+        "graph": list(_graph(scene, openings)),
+        "fronts": [row for report in reports.values() for row in _fronts(scene.seed, report.get("fronts", {}))],
     }
+
+
+def _room(seed: int | None, room: Room, report: Mapping[str, Any]) -> Row:
+    corners = [[round(room.x + x, 6), round(room.z + z, 6)] for x, z in corners_of(room)]
+    where = room.x, room.z, room.width, room.depth, round(room.floor_m2, 4), corners, room.flooring.type if room.flooring else None
+    counts = len(room.furniture), count_decorations(room)
+    proof = report.get("cost"), report.get("proven"), report.get("best"), [entry["piece"] for entry in report.get("left_out", ())]
+    return seed, room.id, room.index, room.type, room.level, room.outdoor, *where, *counts, *proof
 
 
 def _pieces(scene: Scene, book: KindBook) -> Iterator[Row]:
     elevations = {level.index: level.elevation for level in scene.levels}
-    for room in scene.rooms:
-        above = elevations.get(room.level, 0.0)
+    frames = {room.id: (scene.seed, room, elevations.get(room.level, 0.0)) for room in scene.rooms}
+    for frame in frames.values():
+        room = frame[1]
         for piece in room.furniture:
             key = book.kind_of("furniture", piece.name, (piece.width, piece.depth, piece.height), piece.kind)
-            yield _body(piece, room, above, furniture_facts(book, piece.name, key, piece.category))
-        for thing in room.decorations:
+            facts, carried = furniture_facts(book, piece.name, key, piece.category), (piece.on, piece.under, piece.wall)
+            yield _body(frame, piece, "furniture", facts, carried)
+        rows, origin = rows_in(room), [round(2000 * edge) for edge in (room.x, frame[2], room.z)]
+        if rows is not None and [edge / 2000 for edge in origin] == [room.x, frame[2], room.z]:
+            yield from _things(frame, rows, book, origin)
+        else:
+            rows = None
+        for thing in room.decorations if rows is None else ():
             key = book.kind_of("decoration", thing.name, (thing.width, thing.depth, thing.height), thing.kind)
-            yield _body(thing, room, above, decoration_facts(book, thing.name, key))
-    rooms = {room.id: room for room in scene.rooms}
+            facts = decoration_facts(book, thing.name, key)
+            yield _body(frame, thing, "decoration", facts, (thing.parent, None, thing.mounted_on_wall))
     for one in scene.dynamic:
-        if one.room in rooms:
-            room = rooms[one.room]
-            yield _body(one, room, elevations.get(room.level, 0.0), living_facts(book, one.kind, one.on is not None))
+        if one.room in frames:
+            facts = living_facts(book, one.kind, one.on is not None)
+            yield _body(frames[one.room], one, "dynamic", facts, (one.on, None, None))
 
 
-def _body(body: Furniture | Decoration | Dynamic, room: Room, above: float, facts: KindFacts) -> Row:
-    sort = {Furniture: "furniture", Decoration: "decoration", Dynamic: "dynamic"}[type(body)]
-    size = (body.width, body.depth, body.height)
-    share = size[0] * size[1] * size[2] / facts.volume
+_Frame = tuple[int | None, Room, float]
+"""A home's seed, a room, and how high its floor is, m."""
+_Carried = tuple[str | None, str | None, str | None]
+"""What carries a body, what it is under, the wall it is at."""
+
+
+def _body(frame: _Frame, body: Furniture | Decoration | Dynamic, sort: str, facts: KindFacts, carried: _Carried) -> Row:
+    seed, room, above = frame
+    size = width, depth, height = body.width, body.depth, body.height
     sits = isinstance(body, Dynamic) and body.on is not None
-    return {
-        "id": body.id,
-        "room": room.id,
-        "sort": sort,
-        "name": body.kind if isinstance(body, Dynamic) else body.name,
-        "kind": facts.key,
-        "category": facts.category,
-        "x": round(room.x + body.x, 6),
-        "y": round(above + body.y, 6),
-        "z": round(room.z + body.z, 6),
-        "turn": float(body.rotation),
-        "width": size[0],
-        "depth": size[1],
-        "height": size[2],
-        "mass": round(facts.mass * (1.0 if sits else share), 4),
-        "color": body.color,
-        "parent": body.parent if isinstance(body, Decoration) else body.on,
-        "under": body.under if isinstance(body, Furniture) else None,
-        "wall": body.wall if isinstance(body, Furniture) else getattr(body, "mounted_on_wall", None),
-    }
+    mass = round(facts.mass * (1.0 if sits else width * depth * height / facts.volume), 4)
+    named = body.id, room.id, sort, body.kind if isinstance(body, Dynamic) else body.name, facts.key, facts.category
+    place = round(room.x + body.x, 6), round(above + body.y, 6), round(room.z + body.z, 6), float(body.rotation)
+    return seed, *named, *place, *size, mass, body.color, *carried
 
 
-def _doors(scene: Scene) -> Iterator[Row]:
-    """Yields doors, garage doors, passages and windows, each once; `room_a` lies towards greater coordinates."""
-    for one in openings_of(scene.rooms, WallBands(scene.rooms, scene.wall_thickness), RoomFinder(scene.rooms)):
-        middle = round((one.start + one.end) / 2, 6)
-        x, z = (middle, one.line) if one.axis == "x" else (one.line, middle)
-        yield {
-            "id": one.id,
-            "kind": one.kind,
-            "level": one.level,
-            "axis": one.axis,
-            "x": x,
-            "z": z,
-            "width": round(one.end - one.start, 6),
-            "sill": one.sill,
-            "head": one.head,
-            "room_a": one.rooms[0],
-            "room_b": one.rooms[1],
-            "main_entrance": one.is_main_entrance,
-        }
+def _things(frame: _Frame, rows: DressedRows, book: KindBook, origin: Sequence[int]) -> Iterator[Row]:
+    """Yields the rows of decorations that are told as rows, in a room that begins at half millimetres: no sum need be rounded."""
+    (seed, room, _), (west, floor, north) = frame, origin
+    name = room.id
+    told = zip(rows.ids, rows.looks, rows.parents, rows.colours, rows.rows, strict=True)
+    for label, look, parent, color, (_, _, wall, rotation, _, _, x0, z0, x1, z1, low, *_) in told:
+        facts, size, mass = _facts_of_look(book, look)
+        place = (west + x0 + x1) / 2000, (floor + 2 * low) / 2000, (north + z0 + z1) / 2000, float(rotation)
+        yield (seed, label, name, "decoration", look.name, *facts, *place, *size, mass, color, parent, None, THING_WALLS[wall])
 
 
-def _graph(scene: Scene, doors: list[Row]) -> Iterator[Row]:
+@lru_cache(maxsize=1 << 13)
+def _facts_of_look(book: KindBook, look: Look) -> tuple[tuple[str | None, str], tuple[float, float, float], float]:
+    """Returns of things that look alike the key and category of their kind, their size and mass."""
+    facts = decoration_facts(book, look.name, book.kind_of("decoration", look.name, look.size, look.kind))
+    width, depth, height = look.size
+    return (facts.key, facts.category), look.size, round(facts.mass * (width * depth * height / facts.volume), 4)
+
+
+def _door(seed: int | None, one: PlacedOpening) -> Row:
+    """Returns a door, garage door, passage or window; of its rooms the first lies towards greater coordinates."""
+    middle = round((one.start + one.end) / 2, 6)
+    x, z = (middle, one.line) if one.axis == "x" else (one.line, middle)
+    extent = round(one.end - one.start, 6), one.sill, one.head
+    return seed, one.id, one.kind, one.level, one.axis, x, z, *extent, *one.rooms, one.is_main_entrance
+
+
+def _graph(scene: Scene, openings: Sequence[PlacedOpening]) -> Iterator[Row]:
     """Yields an edge for each two rooms that share a wall, and for each door that leads outside."""
-    joined: dict[frozenset[str | None], Row] = {}
-    for door in doors:
-        if door["kind"] != "window":
-            joined.setdefault(frozenset((door["room_a"], door["room_b"])), door)
+    joined: dict[frozenset[str | None], PlacedOpening] = {}
+    for one in openings:
+        if one.kind != "window":
+            joined.setdefault(frozenset(one.rooms), one)
     names = {room.index: room.id for room in scene.rooms}
     for a, b in scene.adjacency:
         through = joined.pop(frozenset((names[a], names[b])), None)
-        kind, name = (through["kind"], through["id"]) if through else (WALL, None)
-        yield {"a": names[a], "b": names[b], "edge": kind, "door": name}
-    for door in joined.values():
-        yield {"a": door["room_a"] or EXTERIOR, "b": door["room_b"] or EXTERIOR, "edge": door["kind"], "door": door["id"]}
+        yield scene.seed, names[a], names[b], *((through.kind, through.id) if through else (WALL, None))
+    for one in joined.values():
+        a_id, b_id = one.rooms
+        yield scene.seed, a_id or EXTERIOR, b_id or EXTERIOR, one.kind, one.id
 
 
-def _fronts(fronts: Mapping[str, Mapping[str, Any]]) -> Iterator[Row]:
+def _fronts(seed: int | None, fronts: Mapping[str, Mapping[str, Any]]) -> Iterator[Row]:
     """Yields each front with the share of its way that it opens, and what it meets then."""
     for piece, ways in fronts.items():
         for front, said in ways.items():
-            opens, meets = (said["opens"], said["meets"]) if isinstance(said, Mapping) else (said, None)
-            yield {"piece": piece, "front": front, "opens": float(opens), "meets": meets}
+            yield seed, piece, front, *((float(said["opens"]), said["meets"]) if isinstance(said, Mapping) else _OPEN)

@@ -20,6 +20,7 @@ import pytest
 from service.cli import main
 from service.dataset.dataset_plan import SPLITS, Shard, split_of
 from service.dataset.shards import _ShardFiles
+from service.dataset.table_schemas import SCHEMAS
 from service.pool import spread
 from solver.errors import FieldError
 from solver.exchange import load_text, read_scene
@@ -201,6 +202,14 @@ def test_homes_that_break_rules_or_cannot_be_are_kept_and_marked(tmp_path: Path)
     made(tmp_path / "castle", "--workers", "1", "--seeds", "0-1", "--force-type", "0=castle", status=1)
     for row in rows(tmp_path / "castle", "houses"):
         assert row["status"] == "refused" and "castle" in str(row["refused"]) and row["scene"] is None
+
+
+def test_a_table_without_rows_is_a_table(tmp_path: Path) -> None:
+    made(tmp_path, "--workers", "1", "--seeds", "3-3", "--width", "2", "--depth", "2", "--min-room-size", "2", "--no-people")
+    (path,) = (tmp_path / "tables" / "fronts").glob("*.parquet")
+    assert pq.read_table(path).to_pylist() == []
+    assert pq.read_schema(path).names == SCHEMAS["fronts"].names
+    assert len(rows(tmp_path, "rooms")) == 1
 
 
 def test_the_shards_of_a_range_hold_each_seed_once() -> None:
