@@ -171,13 +171,8 @@ def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomTy
 
     def rank(place: tuple[int, str]) -> tuple[int, int, int, int]:
         i, wall = place
-        name = types[i]
-        last = rooms[name].outdoor or is_private(name, rooms)
-        tier = (
-            _tier(name, wall == "south" and (by_hallway or name != "hallway"), rooms[name].plan.way_through, last)
-            if name not in better
-            else -1 - (wall == "south")
-        )
+        name, south = types[i], wall == "south"
+        tier = -1 - south if name in better else _tier(name, south and (by_hallway or name != "hallway"), rooms)
         return (tier, -lengths[place], i, WALLS.index(wall))
 
     return min(wide, key=rank)
@@ -189,9 +184,9 @@ def _before_hallways(rooms: Mapping[str, RoomType]) -> frozenset[str]:
     return frozenset(name for name, place in order.items() if place < order.get("hallway", 0))
 
 
-def _tier(name: str, south: bool, way: bool, last: bool) -> int:
+def _tier(name: str, south: bool, rooms: Mapping[str, RoomType]) -> int:
     if name == "hallway":
         return 0 if south else 2
-    if way:
+    if rooms[name].plan.way_through:
         return 1 if south else 3
-    return 5 if last else 4
+    return 5 if rooms[name].outdoor or is_private(name, rooms) else 4

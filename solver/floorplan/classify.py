@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
 from catalogs.schema import RoomType
@@ -85,15 +85,13 @@ class _Draft:
             self.types[index] = name
         self.unforced = sorted((i for i, t in enumerate(self.types) if t is None), key=lambda i: (self.area[i], i))
         self.fixed: set[int] = set()
-        self.counts = Counter(self.group(t) for t in self.types if t is not None)
+        garages = {name for name, kind in fitness.rooms.items() if kind.plan.garage_door}
+        self.group = {name: "garage" if name in garages else name for name in fitness.rooms}
+        """Garages of any size count as one type."""
+        self.counts = Counter(self.group[t] for t in self.types if t is not None)
         self.households = 1 + (len(layout.rooms) - layout.hallways) // 40
         self.wish = self._wishes(len(layout.rooms) - layout.hallways)
-        garages = {name for name, kind in fitness.rooms.items() if kind.plan.garage_door}
         self.names = sorted({name for name in PROGRAMME if name in fitness.rooms} | garages)
-
-    def group(self, name: str) -> str:
-        """Garages of any size count as one type."""
-        return "garage" if self.fitness.rooms[name].plan.garage_door else name
 
     def _wishes(self, count: int) -> Counter[str]:
         wish = Counter(PROGRAMME[i % len(PROGRAMME)] for i in range(count))
@@ -105,9 +103,9 @@ class _Draft:
         """Gives a room a type, in place of the one it may have had."""
         old = self.types[room]
         if old is not None:
-            self.counts[self.group(old)] -= 1
+            self.counts[self.group[old]] -= 1
         self.types[room] = name
-        self.counts[self.group(name)] += 1
+        self.counts[self.group[name]] += 1
         if fixed:
             self.fixed.add(room)
 
@@ -146,7 +144,7 @@ class _Draft:
 
     def repeated(self, room: int, name: str) -> float:
         """Cost of one more room of a type: a bonus up to the wish, then ever steeper; a second one that is too large is no bonus."""
-        group = self.group(name)
+        group = self.group[name]
         if self.counts[group] >= self.households * MOST.get(group, MAX_ROOMS):
             return TOO_MANY
         over = self.counts[group] + 1 - self.wish[group]
@@ -155,9 +153,15 @@ class _Draft:
             return 2.0 if self.counts[group] and self.area[room] > self.fitness.rooms[name].area.max else -0.8
         return steep * math.pow(over, 1.3)
 
-    def _cost(self, room: int, name: str) -> float:
-        more = FOYER[bool(self.fitness.outside[room])] if name == "hallway" else self.repeated(room, name)
-        return self.fitness.cost(room, name, self.types) + more
+    def _more(self, room: int, name: str) -> float:
+        """Cost of a type besides what it costs in the room."""
+        return FOYER[bool(self.fitness.outside[room])] if name == "hallway" else self.repeated(room, name)
+
+    def _offers(self, room: int, names: Sequence[str]) -> Iterator[tuple[float, float, str]]:
+        """Yields types with what they cost in the room at least, the least first, and what they cost besides."""
+        shape = self.fitness.shape
+        offers = [(shape(room, name) + more, more, name) for name in names for more in (self._more(room, name),)]
+        return iter(sorted(offers))
 
     def names_for(self, room: int) -> list[str]:
         """Returns the types to choose from: a room that others are entered through may be a hallway."""
@@ -166,7 +170,12 @@ class _Draft:
 
     def best(self, room: int) -> str:
         """Returns the type that suits the room best now."""
-        return min(self.names_for(room), key=lambda name: (self._cost(room, name), name))
+        best = (math.inf, "")
+        for least, more, name in self._offers(room, self.names_for(room)):
+            if least > best[0]:
+                break
+            best = min(best, (self.fitness.cost(room, name, self.types) + more, name))
+        return best[1]
 
     def fronts(self) -> None:
         """Rooms that others are entered through, largest first, each together with a room behind it."""
@@ -178,17 +187,20 @@ class _Draft:
                 self.give(room, self.best(room))
 
     def _pair(self, front: int, back: int) -> None:
-        offers: list[tuple[float, str, str]] = []
+        best = (math.inf, "", "")
         for name in self.names_for(front):
-            cost = self._cost(front, name)
-            if cost < IMPOSSIBLE:
-                self.types[front] = name
-                offers.extend((cost + self._cost(back, other), name, other) for other in self.names)
+            cost = self.fitness.cost(front, name, self.types) + self._more(front, name)
+            if cost >= IMPOSSIBLE:
+                continue
+            self.types[front] = name
+            for least, more, other in self._offers(back, self.names):
+                if cost + least > best[0]:
+                    break
+                best = min(best, (cost + (self.fitness.cost(back, other, self.types) + more), name, other))
         self.types[front] = None
-        if offers:
-            _, name, other = min(offers)
-            self.give(front, name)
-            self.give(back, other)
+        if best[1]:
+            self.give(front, best[1])
+            self.give(back, best[2])
 
     def rest(self) -> None:
         """Rooms without an outside wall or behind others first: they suit the fewest types; then by size."""
@@ -205,7 +217,7 @@ class _Draft:
         for room in self.unforced:
             now = self.types[room]
             if room not in self.fixed and now is not None:
-                self.counts[self.group(now)] -= 1
+                self.counts[self.group[now]] -= 1
                 self.types[room] = None
                 self.give(room, self.best(room))
 

@@ -8,9 +8,8 @@ where the walls allow.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from math import inf
-from typing import Final
+from typing import Final, NamedTuple
 
 from catalogs.access_profiles import AccessProfile
 from catalogs.schema import RoomType
@@ -44,8 +43,7 @@ SHIFTED: Final = 0.5
 """Score of a place other than the middle."""
 
 
-@dataclass(frozen=True)
-class Cut:
+class Cut(NamedTuple):
     """An opening on the lattice, named by kind and number when written.
 
     `room` and `wall` say where it is; `other` is the room on the other side, None for outside. `centre` is its middle
@@ -82,8 +80,7 @@ class Cut:
         return (self.room,) if self.other is None else (self.room, self.other)
 
 
-@dataclass(frozen=True)
-class OpeningSide:
+class OpeningSide(NamedTuple):
     """An opening as one of its rooms sees it: its wall there, its ends, the square that stays free (None: a window)."""
 
     cut: Cut
@@ -153,8 +150,9 @@ class Doorways:
 
     def side(self, cut: Cut, room: int) -> OpeningSide:
         """Returns an opening as one of its rooms sees it."""
-        wall, (low, high) = cut.wall_of(room), cut.ends
-        squared = cut.kind in ("door", "passage")
+        wall, half = cut.wall_of(room), cut.width // 2
+        low, high = cut.centre - half, cut.centre + half
+        squared = cut.kind in {"door", "passage"}
         return OpeningSide(cut, wall, low, high, _square(self.layout.rooms[room], wall, low, high) if squared else None)
 
     def score(self, cut: Cut) -> float:
@@ -172,7 +170,8 @@ class Doorways:
     def _meeting(self, side: OpeningSide, other: OpeningSide, room: int) -> float:
         if side.wall == other.wall and max(side.low, other.low) < min(side.high, other.high) + JAMB_MM:
             return COLLISION
-        if side.square is None or other.square is None or not side.square.overlaps(other.square):
+        one, two = side.square, other.square
+        if one is None or two is None or not (one[0] < two[2] and two[0] < one[2] and one[1] < two[3] and two[1] < one[3]):
             return 0.0
         if room in (side.cut.leaf, other.cut.leaf):
             return COLLISION
@@ -249,7 +248,7 @@ def _forms(doorways: Doorways, joint: Joint, entered: int, number: int) -> Itera
         for leaf in _swings(doorways, joint, entered):
             yield Cut(f"door_{number}", "door", joint.a, joint.wall, joint.b, 0, doorways.leaf_mm, leaf=leaf)
     yield _passage(doorways, joint, number)
-    yield replace(_passage(doorways, joint, number), width=doorways.leaf_mm)
+    yield _passage(doorways, joint, number)._replace(width=doorways.leaf_mm)
 
 
 class _Shuffle:
@@ -282,9 +281,9 @@ class _Shuffle:
         stretches = self.doorways.layout.exposed[cut.room][cut.wall] if outside else (self.walls[min(cut.sides), max(cut.sides)],)
         forms = [cut]
         if cut.kind == "door":
-            forms += [replace(cut, leaf=leaf) for leaf in (cut.room, cut.other) if leaf != cut.leaf]
+            forms += [cut._replace(leaf=leaf) for leaf in (cut.room, cut.other) if leaf != cut.leaf]
         if cut.kind == "door" and cut.other is not None:
-            forms.append(replace(cut, id=cut.id.replace("door", "passage"), kind="passage", leaf=None))
+            forms.append(cut._replace(id=cut.id.replace("door", "passage"), kind="passage", leaf=None))
         return (form.at(centre) for form in forms for stretch in stretches for centre in places(cut.width, stretch))
 
 

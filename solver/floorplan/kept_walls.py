@@ -14,7 +14,6 @@ from solver.floorplan.doors import JAMB_MM, Cut, Doorways, OpeningSide
 from solver.floorplan.tiling import Joint
 from solver.floorplan.windows import EDGE_MM
 from solver.geometry import Rect, gaps_between, to_mm
-from solver.scene import WALLS
 
 MOVES: Final = 4
 """Most openings that are moved for one room: a count, so that the same request always ends the same way."""
@@ -77,13 +76,20 @@ class _Walls:
         move: tuple[Cut, Cut] | None = None
         cuts = [side.cut for side in self.doorways.sides(room) if side.cut.kind != "garage_door"]
         for cut in sorted(cuts, key=lambda cut: cut.kind != "window"):
-            now = [self.shortfall(one) for one in cut.sides]
-            without = [self.shortfall(one, cut) for one in cut.sides]
-            if without[cut.sides.index(room)] == short or sum(now) - sum(without) <= best:
+            most = short - self.shortfall(room, cut)
+            beyond = cut.other if room == cut.room else cut.room
+            other, most_beyond = 0, 0
+            if beyond is not None and most:
+                other = self.shortfall(beyond)
+                most_beyond = other - self.shortfall(beyond, cut)
+            if not most or most + most_beyond <= best:
                 continue
             for placed in self._moved(cut):
-                won = self._won(cut, placed, now)
-                if won > best:
+                gains = {room: short - self.shortfall(room, cut, placed)}
+                if beyond is not None and gains[room] + most_beyond > best:
+                    gains[beyond] = other - self.shortfall(beyond, cut, placed)
+                won = sum(gains.values())
+                if won > best and self._is_in_nobodys_way(cut, placed, gains):
                     best, move = won, (cut, placed)
             if best >= short:
                 break
@@ -91,14 +97,11 @@ class _Walls:
             self.doorways.replace(*move)
         return move is not None
 
-    def _won(self, cut: Cut, placed: Cut, now: Sequence[int]) -> int:
-        """Returns by how much the walls of its rooms are less short with an opening there; 0 where it is in the way of people."""
-        gains = [short - self.shortfall(room, cut, placed) for room, short in zip(cut.sides, now, strict=True)]
-        won = sum(gains)
-        if won <= 0 or self.doorways.score(placed) > self.doorways.score(cut):
-            return 0
-        longer = any(gain <= 0 and self._way(room, placed) > self._way(room, cut) for room, gain in zip(cut.sides, gains, strict=True))
-        return 0 if longer else won
+    def _is_in_nobodys_way(self, cut: Cut, placed: Cut, gains: Mapping[int, int]) -> bool:
+        """Tells whether an opening there meets no more than it did, and leads no farther round in a room whose walls win nothing."""
+        if self.doorways.score(placed) > self.doorways.score(cut):
+            return False
+        return not any(gain <= 0 and self._way(room, placed) > self._way(room, cut) for room, gain in gains.items())
 
     def _way(self, room: int, cut: Cut) -> int:
         """Returns how far an opening is from the others that one walks through, along x and z, mm in all."""
@@ -127,38 +130,48 @@ def _wishes(keeps: Sequence[KeptWall]) -> tuple[_Wish, ...]:
 
 
 def _longest(rect: Rect, sides: Sequence[OpeningSide], wish: _Wish) -> int:
-    """Returns the longest stretch of a room's walls as is wished for, mm; the first that is long enough will do."""
+    """Returns the longest stretch of a room's walls as is wished for, mm."""
     blocked = _blocked(rect, sides, wish)
     if 0 < min(rect.width, rect.depth) <= wish.across:
         pairs = (("north", "south", rect.depth), ("west", "east", rect.width))
         facing = [[gaps_between(rect.along(wall), blocked[wall]) for wall in pair[:2]] for pair in pairs if pair[2] <= wish.across]
         return max((min(a[1], b[1]) - max(a[0], b[0]) for one, other in facing for a in one for b in other), default=0)
-    free, longest = {}, 0
-    for wall in WALLS:
-        whole = rect.along(wall)
-        free[wall] = gaps_between(whole, blocked[wall]) if blocked[wall] else [whole]
-        for low, high in free[wall]:
-            longest = max(longest, high - low)
-        if longest >= wish.length:
-            return longest
+    x0, z0, x1, z1 = rect
+    north, north_west, north_east = _whole(x0, x1, blocked["north"])
+    south, south_west, south_east = _whole(x0, x1, blocked["south"])
+    east, east_north, east_south = _whole(z0, z1, blocked["east"])
+    west, west_north, west_south = _whole(z0, z1, blocked["west"])
     if wish.round_corners:
-        for wall, side in (("north", "west"), ("north", "east"), ("south", "west"), ("south", "east")):
-            round_corner = _to_end(rect, wall, free[wall], side == "east") + _to_end(rect, side, free[side], wall == "south")
-            longest = max(longest, round_corner)
-    return longest
+        corners = north_west + west_north, north_east + east_north, south_west + west_south, south_east + east_south
+        return max(north, south, east, west, *corners)
+    return max(north, south, east, west)
+
+
+def _whole(low: int, high: int, blocked: list[tuple[int, int]]) -> tuple[int, int, int]:
+    """Returns a wall's longest stretch that nothing breaks, and those that reach its western or northern end and its other end, mm."""
+    if not blocked:
+        return high - low, high - low, high - low
+    longest, at_low, at = 0, 0, low
+    for start, end in sorted(blocked):
+        if start > at:
+            longest = max(longest, start - at)
+            if at == low:
+                at_low = start - at
+        at = max(at, end)
+    return max(longest, high - at), at_low, max(0, high - at)
 
 
 def _blocked(rect: Rect, sides: Sequence[OpeningSide], wish: _Wish) -> dict[str, list[tuple[int, int]]]:
     """Returns what breaks each wall: windows, where they do, and doors' squares on the floor before it."""
-    blocked: dict[str, list[tuple[int, int]]] = {wall: [] for wall in WALLS}
+    blocked: dict[str, list[tuple[int, int]]] = {"north": [], "south": [], "east": [], "west": []}
     depth, under_windows = wish.depth, wish.under_windows
     x0, z0, x1, z1 = rect.x0 + depth, rect.z0 + depth, rect.x1 - depth, rect.z1 - depth
-    for side in sides:
-        if side.square is None:
-            if not (under_windows and side.cut.kind == "window"):
-                blocked[side.wall].append((side.low, side.high))
+    for cut, wall, low, high, square in sides:
+        if square is None:
+            if not (under_windows and cut.kind == "window"):
+                blocked[wall].append((low, high))
             continue
-        west, north, east, south = side.square
+        west, north, east, south = square
         if north < z0:
             blocked["north"].append((west, east))
         if south > z1:
@@ -168,9 +181,3 @@ def _blocked(rect: Rect, sides: Sequence[OpeningSide], wish: _Wish) -> dict[str,
         if east > x1:
             blocked["east"].append((north, south))
     return blocked
-
-
-def _to_end(rect: Rect, wall: str, free: list[tuple[int, int]], high_end: bool) -> int:
-    """Returns how long the stretch is that reaches one end of a wall."""
-    at = rect.along(wall)[high_end]
-    return next((high - low for low, high in free if (high if high_end else low) == at), 0)
