@@ -79,7 +79,8 @@ def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangem
             parents = any(other.label == candidate.attach.parent and other.wall == behind for other in placed)
             wall = behind if parents and rect.wall_distance(behind, room.space.clear) <= NEAR_WALL_MM else None
         placed.append(Placed(chosen.piece.label, candidate, chosen.rotation, wall, rect))
-    reasons = tuple((piece.label, f"{why}; {why_left_out(room.space, piece, placed)}") for piece, why in room.left_out)
+    gone = {piece.label for piece, _ in room.left_out}
+    reasons = tuple((piece.label, f"{why}; {why_left_out(room.space, piece, placed, gone)}") for piece, why in room.left_out)
     notes = () if walkable else (NOT_WALKABLE,)
     cost = round(room.cost + more, 6)
     return Arrangement(room.space.room, tuple(placed), reasons, cost, room.proven, room.solves, notes, room.best, confirmed.residuals)

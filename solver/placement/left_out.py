@@ -5,7 +5,7 @@ Comes in: a space and pieces. Goes out: words, labels. Not here: by how much a r
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 
 from solver.geometry import WALL_BEHIND, Rect, gaps_between, strip
 from solver.pieces import Candidate, Extents, Piece, Placed, Space
@@ -30,8 +30,8 @@ def _least(piece: Piece) -> Candidate:
     return min(piece.candidates, key=lambda a: (a.size_mm[0] * a.size_mm[1], a.size_mm))
 
 
-def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed]) -> str:
-    """Says how much room the smallest variant needs and how much the others leave."""
+def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed], gone: Container[str] = ()) -> str:
+    """Says how much room the smallest variant needs and how much the others leave; `gone` are all pieces that were left out."""
     if not piece.candidates:
         return "the room offers no wall or place of the kind its relations ask for"
     least = _least(piece)
@@ -40,7 +40,13 @@ def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed]) -> str:
     longest = {}
     if any(a.wall for a in piece.candidates):
         longest = {wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0) for wall in WALLS}
-    return room_needed((least.kind, least.size_mm), parent, longest, f"{clear_size(space.clear)} and holds {len(placed)} pieces")
+    at = parent and named_parent(parent, gone)
+    return room_needed((least.kind, least.size_mm), at, longest, f"{clear_size(space.clear)} and holds {len(placed)} pieces")
+
+
+def named_parent(parent: str, gone: Container[str]) -> str:
+    """Names the piece at whose slot another one stands, and says so where that was left out, too."""
+    return f"{parent}, which was left out itself" if parent in gone else parent
 
 
 def room_needed(least: tuple[str, Extents], parent: str | None, longest: Mapping[str, int], room: str) -> str:
@@ -48,7 +54,7 @@ def room_needed(least: tuple[str, Extents], parent: str | None, longest: Mapping
 
     Args:
         least: its kind and size.
-        parent: at whose slot it stands.
+        parent: at whose slot it stands, in words.
         longest: free stretches of wall at its depth and height, mm, if any variant stands at a wall.
         room: the room's size and what it holds.
     """

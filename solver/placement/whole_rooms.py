@@ -6,7 +6,7 @@ Comes in: `WantedRows`. Goes out: Arrangements in whole millimetres, the same as
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from itertools import pairwise
 from struct import Struct
 from typing import Final, NamedTuple
@@ -17,7 +17,7 @@ from solver.pieces import Arrangement, Placed, Residuals, WantedRows
 from solver.placement.arrange import CANNOT_STAND, NOT_FOUND, NOT_WALKABLE, REASONS
 from solver.placement.budget import Budget
 from solver.placement.layout import COVERED, NO_WAY, SPENT
-from solver.placement.left_out import WALLS, clear_size, room_needed
+from solver.placement.left_out import WALLS, clear_size, named_parent, room_needed
 from solver.placement.qp import REFUTED, OptimumRefuted, solved_house
 from solver.scene import WALLS as NUMBERED_WALLS
 
@@ -121,16 +121,19 @@ def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None)
         for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(standing)
     )
     holds = f"{clear_size(room.space.clear)} and holds {len(placed)} pieces"
-    left_out = tuple(_reason(room, row, labels, holds) for row in _LEFT_OUT.iter_unpack(missing))
+    rows = list(_LEFT_OUT.iter_unpack(missing))
+    gone = {labels[row[0]] for row in rows}
+    left_out = tuple(_reason(room, row, (labels, gone), holds) for row in rows)
     notes = () if made.walkable else (NOT_WALKABLE,)
     proven, best = bool(made.proven), bool(made.best)
     return Arrangement(room.space.room, placed, left_out, made.cost, proven, made.solves, notes, best, residuals)
 
 
-def _reason(room: WantedRows, row: Sequence[int], labels: Sequence[str], holds: str) -> tuple[str, str]:
-    """Returns the label of a piece that was left out, and why."""
+def _reason(room: WantedRows, row: Sequence[int], pieces: tuple[Sequence[str], Set[str]], holds: str) -> tuple[str, str]:
+    """Returns the label of a piece that was left out, and why; `pieces` are all labels, and those that were left out."""
+    labels, gone = pieces
     piece, why, parent, kind, at_walls, *free = row
     by_wall = dict(zip(NUMBERED_WALLS, free, strict=True))
     longest = {wall: by_wall[wall] for wall in WALLS} if at_walls else {}
-    needed = room_needed(room.names.kind(kind), labels[parent] if parent >= 0 else None, longest, holds)
+    needed = room_needed(room.names.kind(kind), named_parent(labels[parent], gone) if parent >= 0 else None, longest, holds)
     return labels[piece], f"{_WHY[why]}; {needed}"

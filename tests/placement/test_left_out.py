@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from solver.geometry import ROTATION_AT_WALL, Rect
-from solver.pieces import Arrangement, Candidate, Piece, Space, Stand, Zone
-from solver.placement import Budget, feasible, finish, minimal_conflict, move_least
+from solver.pieces import Arrangement, Attach, Candidate, Piece, Space, Stand, Zone
+from solver.placement import Budget, feasible, finish, minimal_conflict, move_least, place
 from solver.placement.lengths import Shortfall, centimetres, longer_pieces, longer_space, metres, sentence, shortfall
 
 
@@ -105,3 +105,12 @@ def test_a_conflict_leaves_out_who_has_nothing_to_do_with_it() -> None:
     pieces = [free("stool", 300, 300), free("bed", 1600, 2000), free("wardrobe", 600, 1900)]
     assert minimal_conflict(room(2100, 2000), pieces, "wardrobe") == ("bed", "wardrobe")
     assert minimal_conflict(room(2600, 2000), pieces, "wardrobe") is None
+
+
+def test_of_what_stands_at_a_piece_that_was_left_out_too_the_reason_says_so() -> None:
+    seat = Candidate("chair", (400, 400, 800), 0, attach=Attach("table_1", "table", (0, 0), (700, 700)))
+    pieces = [Piece("bed_1", True, free("bed", 2500, 1200).candidates), Piece("table_1", False, free("table", 800, 1200).candidates)]
+    (made,) = place([(room(3000, 2000), [*pieces, Piece("chair_1", False, (seat,))])])
+    reasons = dict(made.left_out)
+    assert reasons["chair_1"].endswith("needs 0.40 x 0.40 m at its place by table_1, which was left out itself")
+    assert "left out itself" not in reasons["table_1"]
