@@ -55,11 +55,11 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
     words = understood(scene, known).understood_as
     if any(room.furniture for room in scene.rooms) and format != OWN:
         fixed = fix(scene, on_conflict="remove", repairs=False, catalogs=known)
+        drawn = {piece.id: piece.rotation for room in scene.rooms for piece in room.furniture}
+        broken = {name: issue.message for issue in reversed(validate(scene, known) if fixed.moves else ()) for name in issue.ids}
         for move in fixed.moves:
             far = (move.dx**2 + move.dz**2) ** 0.5
-            notes.change(
-                "furniture", move.id, far, f"moved by {far:.2f} m, rotation {move.rotation:g}: where it was drawn it breaks a rule"
-            )
+            notes.change("furniture", move.id, far, _moved(far, move.rotation, drawn[move.id], broken.get(move.id)))
         for gone in fixed.removed:
             notes.leave(str(gone["id"]), f"cannot stand: {gone['reason']}")
         scene = replace(fixed.scene, certificate=None)
@@ -72,6 +72,12 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
         scene, format, tuple(map(write, notes.changes)), tuple(map(write, notes.guesses)), tuple(map(write, notes.unread)),
         issues, said,
     )  # fmt: skip
+
+
+def _moved(far: float, rotation: float, drawn: float, broken: str | None) -> str:
+    """Says how a piece was moved, m, and which rule it breaks where it is drawn, if it breaks one itself."""
+    turned = f" and turned to {rotation:g} degrees" if (rotation - drawn) % 360 else ""
+    return f"moved by {far:.2f} m{turned}: {f'as it is drawn, {broken}' if broken else 'others needed its place'}"
 
 
 def _read(file: PlanFile, settings: ImportSettings, catalogs: Catalogs) -> tuple[Scene, PlanNotes, str]:

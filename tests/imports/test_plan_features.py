@@ -158,6 +158,8 @@ def test_furniture_comes_along_repaired_or_is_left_out() -> None:
     assert (stands.name, answer.understood_as[stands.id]) == ("Lit double", "bed")
     assert [issue.rule for issue in answer.issues if issue.severity == "error"] == []
     assert [change["step"] for change in answer.changes] == ["furniture"]
+    assert "as it is drawn, bedroom_0/lit_double_1 leaves the clear floor" in str(answer.changes[0]["message"])
+    assert "turned" not in str(answer.changes[0]["message"])
     assert read(collection(room, bed), furniture=False).scene.rooms[0].furniture == ()
 
 
