@@ -12,6 +12,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
+from service.sent_scenes import told_as_sent, told_kinds
 from service.service_settings import settings_of
 from service.standard_streams import give_up_output, read_standard_input, say, write_standard_output
 from solver.errors import ComposeError, FieldError, SyntaxFault
@@ -93,16 +94,22 @@ def _stats(options: Namespace) -> int:
 
 def _answer(options: Namespace, **more: object) -> Document:
     """Makes the service's call of the command's name on its scene; what is wrong with that is said with its file's name."""
+    return _answer_on(_scene(options), options, **more)
+
+
+def _answer_on(scene: object, options: Namespace, **more: object) -> Document:
     from service.calls import CALLS
 
-    body = {"scene": _scene(options), **more}
-    return _checked(options.scene, lambda: CALLS[options.command](body, _catalogs(options)))
+    catalogs = _catalogs(options)
+    told_kinds(scene, catalogs)
+    return _checked(options.scene, lambda: CALLS[options.command]({"scene": scene, **more}, catalogs))
 
 
 def _furnish(options: Namespace) -> int:
+    scene = _scene(options)
     given = {name: getattr(options, name) for name in ("program", "style", "decorate", "access", "seed")}
     more = {name: value for name, value in given.items() if value is not None}
-    answer = _answer(options, rooms=options.rooms, keep=options.keep, types=dict(options.types), effort=options.effort, **more)
+    answer = _answer_on(scene, options, rooms=options.rooms, keep=options.keep, types=dict(options.types), effort=options.effort, **more)
     _write(answer["scene"], options)
     for guess in answer["guesses"]:
         say(f"guessed {guess['message']}" + (f"; else {guess['instead']}" if guess["instead"] else ""))
@@ -111,6 +118,8 @@ def _furnish(options: Namespace) -> int:
     _told_limited(answer)
     for room, reason in answer["left"].items():
         say(f"left {room}: {reason}")
+    if options.keep == "all" and not options.rooms:
+        told_as_sent(scene, answer["scene"])
     return _judged(answer["issues"])
 
 
@@ -170,8 +179,10 @@ def _export(options: Namespace) -> int:
     if format not in EXPORTERS:
         _write(_answer(options), options)
         return CLEAN
-    body = {"scene": _scene(options), "free": options.free, "strict": options.strict, "scale": options.scale}
-    files = _checked(options.scene, lambda: export_files(body, _catalogs(options), format))
+    scene, catalogs = _scene(options), _catalogs(options)
+    told_kinds(scene, catalogs)
+    body = {"scene": scene, "free": options.free, "strict": options.strict, "scale": options.scale}
+    files = _checked(options.scene, lambda: export_files(body, catalogs, format))
     _put_files(files, options.output)
     return CLEAN
 

@@ -17,6 +17,7 @@ from service import generating
 from service.cli import main, parser
 from solver.scene import Request
 from tests.cli.programs import SMALL
+from tests.docs.markdown import ROOT
 
 Captured = pytest.CaptureFixture[bytes]
 
@@ -240,3 +241,34 @@ def test_place_writes_the_answer_and_says_what_is_missing(tmp_path: Path, capfdb
 def test_place_names_a_wrong_field(tmp_path: Path, capfdbinary: Captured) -> None:
     (tmp_path / "asked.yaml").write_text(ASKED.replace("WIDE", "0"))
     assert "asked.yaml: pieces[1].width: is 0" in refused(capfdbinary, "place", str(tmp_path / "asked.yaml"))
+
+
+def test_kinds_that_no_catalog_knows_are_told_with_the_option_that_helps(tmp_path: Path, capfdbinary: Captured) -> None:
+    ours = {"id": "sofa", "name": "sofa", "kind": "sofa", "x": 2, "z": 1, "width": 2, "depth": 0.9, "height": 0.8}
+    rooms = [{"id": "den", "width": 4, "depth": 3, "furniture": [ours, {**ours, "id": "own", "kind": "record_cabinet", "z": 2.4}]}]
+    path = tmp_path / "den.json"
+    path.write_text(json.dumps({"rooms": rooms}))
+    main(["validate", str(path)])
+    told = b"no catalog here knows record_cabinet: --catalog names a folder of your own\n"
+    assert told in capfdbinary.readouterr().err
+    main(["export", str(path), "-f", "csv", "--catalog", str(ROOT / "catalogs" / "example")])
+    assert told not in capfdbinary.readouterr().err
+
+
+def test_what_was_decorated_is_known(house: Path, tmp_path: Path, capfdbinary: Captured) -> None:
+    path = tmp_path / "decorated.json"
+    assert main(["generate", "--program", "studio", "--seed", "3", "--decorate", "-o", str(path)]) == 0
+    assert main(["validate", str(path)]) == 0
+    assert b"no catalog here knows" not in capfdbinary.readouterr().err
+
+
+def test_furnish_says_which_rooms_it_left_because_they_were_not_empty(tmp_path: Path, capfdbinary: Captured) -> None:
+    sofa = {"id": "sofa", "name": "sofa", "x": 2, "z": 0.5, "width": 2, "depth": 0.9, "height": 0.8}
+    room = {"type": "living_room", "width": 4, "depth": 3.5}
+    path = tmp_path / "plan.json"
+    path.write_text(json.dumps({"rooms": [{**room, "id": "den", "furniture": [sofa]}, {**room, "id": "hall", "x": 4, "type": "hallway"}]}))
+    told = b"as they were, since something stands in them: den; --room den furnishes around it\n"
+    main(["furnish", str(path), "--seed", "1"])
+    assert told in capfdbinary.readouterr().err
+    main(["furnish", str(path), "--seed", "1", "--room", "den"])
+    assert told not in capfdbinary.readouterr().err
