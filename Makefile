@@ -17,7 +17,7 @@ LEADERBOARD_ARGS =
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run test targets bench leaderboard fuzz hostile load lint format core page page-bench pictures gallery chromium pins audit wheel clean
+.PHONY: help run dev test targets bench leaderboard fuzz hostile load lint format core page page-bench pictures gallery chromium pins audit wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -40,6 +40,8 @@ help: ## list the targets
 run: .venv/run.stamp ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
 	@$(MAKE) --no-print-directory --jobs=2 core page
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
+
+dev: .venv/dev.stamp core ## bring Compose, its core and the tools of its tests into .venv/
 
 test: .venv/dev.stamp ## run every test: Python, page, browser; some minutes on two cores
 	@$(MAKE) --no-print-directory --jobs=3 core page chromium

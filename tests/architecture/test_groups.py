@@ -12,4 +12,4 @@ def test_a_parallel_run_keeps_files_together(request: pytest.FixtureRequest) -> 
         groups.setdefault(str(item.path), set()).add(item.nodeid.rpartition("]")[2].partition("@")[2])
     assert {path: names for path, names in groups.items() if len(names) > 1} == {}
     grouped = bool(request.config.getoption("loadgroup", False))
-    assert [path for path, names in groups.items() if ("" not in names) != grouped] == [], "`make .venv/dev.stamp` brings the pinned pytest"
+    assert [path for path, names in groups.items() if ("" not in names) != grouped] == [], "`make dev` brings the pinned pytest"
