@@ -10,7 +10,7 @@ from typing import Any, get_args
 import pytest
 
 from catalogs import load_catalogs
-from catalogs.dressing import DecorationKind, Dressing, Hangs, Lies, Stands
+from catalogs.dressing import DecorationKind, Dressing, Group, Hangs, Lies, Stands
 from catalogs.dwellers import Dweller
 from catalogs.entries import Category
 from catalogs.programmes import Home, Preset
@@ -110,9 +110,10 @@ def test_every_key_of_the_catalog_is_explained(heading: str, described: tuple[ty
 
 
 @pytest.mark.parametrize(
-    "word", [*get_args(Category), *get_args(Form), *load_catalogs().rooms, *load_catalogs().styles, *load_catalogs().presets]
+    "word",
+    [*get_args(Category), *get_args(Group), *get_args(Form), *load_catalogs().rooms, *load_catalogs().styles, *load_catalogs().presets],
 )
-def test_every_category_form_type_style_and_preset_is_named(word: str) -> None:
+def test_every_category_group_form_type_style_and_preset_is_named(word: str) -> None:
     assert re.search(rf"\b{word}\b", text_of("catalog.md"))
 
 
