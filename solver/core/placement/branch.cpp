@@ -21,13 +21,23 @@ static f64 slack_at(const Engine& engine, i64 option) {
   return positions[own.j] - positions[own.i] - own.s;
 }
 
-// How far the option of a choice holds that holds best; of a choice that holds at all, some option that does.
-static f64 best_slack(const Engine& engine, i64 choice) {
-  const i64 first = OPTIONS * choice;
+// The first choice from number `choice` on of which no option holds that was last seen to; `choices` where there is none.
+static i32 next_doubtful(const Engine& engine, i32 choice, i32 choices) {
+  const PlacedOption* options = engine.work.placed_options.data;
+  const i32* held = engine.work.held.data;
+  const f64* positions = engine.nodes.positions.data;
+  for (; choice < choices; choice++) {
+    const PlacedOption& own = options[OPTIONS * choice + held[choice]];
+    if (positions[own.j] - positions[own.i] - own.s < -VIOLATED) break;
+  }
+  return choice;
+}
+
+// How far the option of a choice holds that holds best; where it holds at all, some option that does, which is noted.
+static f64 best_slack(const Engine& engine, i32 choice) {
+  const i32 first = OPTIONS * choice, size = static_cast<i32>(engine.work.choice_size[choice]);
   i32& held = engine.work.held[choice];
   f64 slack = slack_at(engine, first + held);
-  if (slack >= -VIOLATED) return slack;
-  const i32 size = static_cast<i32>(engine.work.choice_size[choice]);
   for (i32 k = 0; k < size && slack < -VIOLATED; k++) {
     slack = most(slack, slack_at(engine, first + k));
     held = k;
@@ -68,11 +78,11 @@ static i64 insert_worst(const Nodes& nodes, const ChoiceKey& own, i64 count) {
 
 i64 find_violated(const Engine& engine, i64 slot) {
   const Nodes& nodes = engine.nodes;
-  const i64 choices = engine.work.counts->choices;
+  const i32 choices = static_cast<i32>(engine.work.counts->choices);
   const bool few = choices <= MANY_CHOICES;
   bool known = false;
   i64 count = 0;
-  for (i64 c = 0; c < choices; c++) {
+  for (i32 c = next_doubtful(engine, 0, choices); c < choices; c = next_doubtful(engine, c + 1, choices)) {
     const f64 slack = best_slack(engine, c);
     if (slack >= -VIOLATED) continue;
     if (!known) reach_out(engine, slot);

@@ -39,11 +39,22 @@ void build_base(const Programme& own) {
   factorise(own, 0, q);
 }
 
+// Tells whether a free variable is beyond its bounds.
+static bool is_out_of_bounds(const Programme& own) {
+  const Program& of = own.of;
+  Pair worst = {0.0, 0.0};
+  for (i32 v = 0; v < of.width; v += 2) {
+    const Pair x = pair_at(own.x, v);
+    worst = least_of(worst, least_of(x - pair_at(of.low, v), pair_at(of.high, v) - x));
+  }
+  return worst[0] < -FEASIBLE || worst[1] < -FEASIBLE;
+}
+
 // The row violated most, ties by lowest number, or -1.
 static i32 most_violated(const Programme& own, i32 count) {
   f64 worst = -FEASIBLE;
   i32 found = -1;
-  for (i32 c = 0; c < count; c++) {
+  for (i32 c = is_out_of_bounds(own) ? 0 : 2 * own.of.size; c < count; c++) {
     const f64 slack = slack_of(own, own.of.rows[c]);
     if (slack < worst) {
       worst = slack;

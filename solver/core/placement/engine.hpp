@@ -93,6 +93,7 @@ struct Program {
   Span<f64> start;
   Table<f64> inverse;
   Span<FreeRow> rows;  // first the lower and the upper bound of every free variable
+  Span<f64> low, high;    // bounds of each free variable, m
   Span<f64> least, most;  // how far the rows let each free variable go, m
   Table<f64> columns, factor;
   Span<f64> rates;
@@ -173,6 +174,10 @@ struct NumberedRect {
   i64 number;
 };
 
+struct QueuedCell {
+  i32 cell, row;
+};
+
 struct Reached {
   i64 count, last;
 };
@@ -182,7 +187,8 @@ struct WalkGrid {
   One<GridState> state;
   Rows<NumberedRect> blocks, targets;
   Table<i64> cuts;
-  Span<i64> labels, queue, areas;
+  Span<i64> labels, areas;
+  Span<QueuedCell> queue;
   Rows<Reached> reached;
   Table<i64> positions;  // mm, not doubled; the last column is the origin's
 };

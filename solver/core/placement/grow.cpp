@@ -9,7 +9,7 @@
 
 namespace placement {
 
-constexpr i64 MODULUS = 2147483647;
+constexpr i64 MODULUS = 2147483647;  // 2^31 - 1
 constexpr f64 CUBIC_FROM = 5;  // from so many times 20 variables an axis on factors cost the most; measured
 constexpr f64 MANY_ZONES = 5;  // beyond so many times 20 zones the walk costs more than a QP; measured
 
@@ -66,23 +66,30 @@ static bool weigh(const Engine& engine, const Decisions& decisions, i64 limit, f
   return found;
 }
 
+// A number that is not negative modulo MODULUS, by sums of its digits to the base 2^31: wasm divides by dividing.
+static i64 reduced(i64 number) {
+  i64 sum = (number & MODULUS) + (number >> 31);
+  sum = (sum & MODULUS) + (sum >> 31);
+  return sum == MODULUS ? 0 : sum;
+}
+
 // A number for what decides feasibility: decisions that agree in it differ only in their anchors.
 static i64 fingerprint(const Room& room, const Decisions& decisions) {
   i64 one = 1, two = 1;
   for (const i64 decision : decisions) {
     const i64 value = decision == ABSENT ? 0 : 8 * room.candidates[candidate_of(decision)].kin + sides_of(decision) + 1;
-    one = (one * 48271 + value) % MODULUS;
-    two = (two * 69621 + value + 12345) % MODULUS;
+    one = reduced(one * 48271 + value);
+    two = reduced(two * 69621 + value + 12345);
   }
   return one * MODULUS + two;
 }
 
 // Tells whether a fingerprint is among the refused; adds it where asked.
 static bool refused(const Tree& tree, i64 number, bool add) {
-  const i64 size = tree.refused_table.size;
+  const i64 mask = tree.refused_table.size - 1;
   i64& count = tree.counters->refused;
-  i64 at = number % size;
-  for (;; at = (at + 1) % size) {
+  i64 at = number & mask;
+  for (;; at = (at + 1) & mask) {
     const i64 k = tree.refused_table[at];
     if (k < 0 || k >= count || tree.refused_at[k] != at) break;
     if (tree.refused[k] == number) return true;

@@ -29,15 +29,18 @@ static void split(const Work& work, Program& program, i64 axis) {
   program.width = (n + 2) / 2 * 2;
   i32 k = 0;
   for (i32 v = 0; v < count; v++) {
-    const f64 low = metres(work.low.at(axis, v));
+    const f64 low = metres(work.low.at(axis, v)), high = metres(work.high.at(axis, v));
     const bool free = work.low.at(axis, v) < work.high.at(axis, v);
     program.column[v] = free ? k : n;
     program.value[v] = free ? 0.0 : low;
     if (!free) continue;
+    program.low[k] = low;
+    program.high[k] = high;
     program.rows[2 * k] = {n, k, -low};
-    program.rows[2 * k + 1] = {k, n, metres(work.high.at(axis, v))};
+    program.rows[2 * k + 1] = {k, n, high};
     k++;
   }
+  for (; k < program.width; k++) program.low[k] = program.high[k] = 0.0;
   program.column[origin] = n;
   program.value[origin] = 0.0;
 }

@@ -1,5 +1,7 @@
 #include "placement/reach.hpp"
 
+#include "plain/pairs.hpp"
+
 namespace placement {
 
 constexpr f64 ROUNDING = 1e-7;  // an option is given up only if it misses by more than this, m
@@ -8,21 +10,20 @@ constexpr i32 PASSES = 6;  // sweeps over the rows; more would only sharpen the 
 void propagate(const Program& program, i32 count) {
   const i32 n = program.size;
   const Span<f64> &least = program.least, &most = program.most;
-  for (i32 v = 0; v < n; v++) {
-    least[v] = -program.rows[2 * v].rest;
-    most[v] = program.rows[2 * v + 1].rest;
+  for (i32 v = 0; v < program.width; v += 2) {
+    pair_at(least, v) = pair_at(program.low, v);
+    pair_at(most, v) = pair_at(program.high, v);
   }
-  least[n] = most[n] = 0.0;
   for (i32 pass = 0; pass < PASSES; pass++) {
     bool changed = false;
     for (i32 r = 2 * n; r < 2 * n + count; r++) {
       const auto [i, j, rest] = program.rows[r];
       const f64 lowest = least[i] - rest, highest = most[j] + rest;
-      if (j < n && least[j] < lowest - ROUNDING) {
+      if (least[j] < lowest - ROUNDING && j < n) {
         least[j] = lowest;
         changed = true;
       }
-      if (i < n && most[i] > highest + ROUNDING) {
+      if (most[i] > highest + ROUNDING && i < n) {
         most[i] = highest;
         changed = true;
       }

@@ -9,7 +9,7 @@ constexpr i64 MOST_PICKS = 200'000;  // children one search may create; as with 
 constexpr i64 MOST_FAMILY = 256;  // children of one node
 constexpr i64 MOST_STATES = 6500;  // prefixes the best-first search may keep
 constexpr i64 MOST_MOVES = 64;
-constexpr i64 MOST_REFUSED = 4096;
+constexpr i64 MOST_REFUSED = 4096;  // a power of two
 
 template <class T> static Table<T> new_table(i64 rows, i64 columns) {
   return {reserved<T>(static_cast<i32>(rows * columns)).data, static_cast<i32>(rows), static_cast<i32>(columns)};
@@ -123,6 +123,8 @@ static Program new_program(const Sizes& sizes) {
   program.start = new_span<f64>(wide);
   program.inverse = new_table<f64>(v + 1, wide);
   program.rows = new_span<FreeRow>(2 * v + program.most_rows);
+  program.low = new_span<f64>(wide);
+  program.high = new_span<f64>(wide);
   program.least = new_span<f64>(wide);
   program.most = new_span<f64>(wide);
   program.columns = new_table<f64>(v + 1, wide);
@@ -168,7 +170,7 @@ static WalkGrid new_grid(const Sizes& sizes) {
   grid.targets = reserved_rows<NumberedRect>(sizes.doors + OPTIONS * sizes.pieces);
   grid.cuts = new_table<i64>(2, cuts);
   grid.labels = new_span<i64>(cells);
-  grid.queue = new_span<i64>(cells);
+  grid.queue = new_span<QueuedCell>(cells);
   grid.areas = new_span<i64>(cells + 1);
   grid.reached = reserved_rows<Reached>(cells + 1);
   grid.positions = new_zeroes<i64>(2, sizes.variables + 1);
