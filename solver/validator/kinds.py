@@ -16,7 +16,7 @@ from catalogs.fronts import UnitFront, fronts_of
 from catalogs.insides import insides_of
 from catalogs.kind_book import KindBook
 from catalogs.schema import FurnitureSpec, Use
-from catalogs.shapes import Solid
+from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
 from solver.body_parts import is_round
 from solver.validator.lattice import exact
@@ -41,6 +41,20 @@ class KindRows(NamedTuple):
     part_rows: bytes
 
 
+class KindFronts(NamedTuple):
+    """The fronts of a kind: of each its name, whether it slides, its range (degrees, of a drawer m) and whether it must open.
+
+    `rows` tell the core of them, `parts` of how many parts they have the `numbers`.
+    """
+
+    each: tuple[tuple[str, bool, float, bool], ...]
+    rows: bytes
+    parts: int
+    numbers: bytes
+
+
+_FRONT: Final = Struct("<4d4q")
+_AXES: Final[dict[Axis, int]] = {"x": 0, "y": 1, "z": 2}
 _PART: Final = Struct("<6dq")
 _BOX, _BALL = 0, 4
 NO_KIND: Final = KindRows(0, b"", 0, b"")
@@ -60,7 +74,7 @@ class Kinds:
         self.rooms = catalogs.rooms
         self._book = KindBook(catalogs)
         self._rows: dict[KindKey, KindRows] = {}
-        self._fronts: dict[KindKey, tuple[UnitFront, ...]] = {}
+        self._fronts: dict[KindKey, KindFronts] = {}
         self._named = catalogs.kinds_by_name()
         furniture: list[tuple[str, FurnitureSpec | DecorationKind]] = [(k.name or kind, k) for kind, k in catalogs.furniture.items()]
         self._furniture = catalogs.furniture
@@ -83,13 +97,13 @@ class Kinds:
             known = self._rows[key] = self._rows_of(key)
         return known
 
-    def fronts(self, key: KindKey) -> tuple[UnitFront, ...]:
+    def fronts(self, key: KindKey) -> KindFronts:
         """Returns the fronts of a piece's kind."""
         found = self._fronts.get(key)
         if found is None:
             sort, name, width, depth, height, said = key
             shape = self._book.kind_of(sort, name, (width, depth, height), said)
-            found = self._fronts[key] = fronts_of(self._book.solids(shape))
+            found = self._fronts[key] = _fronts_as_told(fronts_of(self._book.solids(shape)), depth)
         return found
 
     def _rows_of(self, key: KindKey) -> KindRows:
@@ -122,6 +136,17 @@ class Kinds:
         if size in known:
             return known[size] or [top]
         return [top, *((height, 0.0, 0.0, 0.0, 0.0) for found in known.values() for height, *_ in found)]
+
+
+def _fronts_as_told(fronts: Sequence[UnitFront], depth: float) -> KindFronts:
+    """Returns the fronts of a kind that is so deep, m."""
+    each, rows = [], []
+    numbers: list[int] = []
+    for one in fronts:
+        each.append((one.name, one.slides, round(abs(one.end) * (depth if one.slides else 1.0), 6), one.must_open))
+        rows.append(_FRONT.pack(*one.hinge, one.end, _AXES[one.axis], one.slides, len(numbers), len(one.parts)))
+        numbers += one.parts
+    return KindFronts(tuple(each), b"".join(rows), len(numbers), pack(f"<{len(numbers)}q", *numbers))
 
 
 def _filled(solid: Solid, size: KindSize) -> int:

@@ -13,12 +13,10 @@ from struct import Struct, pack
 from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs
-from catalogs.fronts import UnitFront
-from catalogs.shapes import Axis
 from solver.demanded import demand
 from solver.scene import Scene
 from solver.validator.judging import Finding, RuleCase
-from solver.validator.kinds import Kinds, kinds_of
+from solver.validator.kinds import KindFronts, Kinds, kinds_of
 from solver.validator.sent_rooms import ask, room_bytes
 from solver.validator.shells import ShellBox, shell_of
 from solver.validator.world import PlacedRoom, World, world_of
@@ -29,12 +27,12 @@ ENOUGH: Final = 0.5
 """A front that opens less of its way than this is blocked."""
 FRONT_WORK: Final = 0.35
 """What a front costs for each body of its room [see demanded.py]. Measured."""
-_FRONT: Final = Struct("<q4d4q")
-_HEAD: Final = Struct("<3q")
-_SHELL: Final = Struct("<6d")
+_HEAD: Final = Struct("<4q")
 _OPENED: Final = Struct("<2q")
-_AXES: Final[dict[Axis, int]] = {"x": 0, "y": 1, "z": 2}
+_NOTHING: Final = -1
 _MILLIONTHS: Final = 1_000_000
+_Opener = tuple[int, KindFronts]
+"""A piece of furniture by its number in its room, and its fronts."""
 
 
 class FrontTravel(NamedTuple):
@@ -90,37 +88,34 @@ def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> li
     Raises:
         TooMuch: the call may not have so much work.
     """
-    fronts = list(fronts_in(place, kinds))
-    if not fronts:
+    openers = openers_in(place, kinds)
+    if not openers:
         return []
-    demand(FRONT_WORK * len(fronts) * place.count_bodies())
-    told = ask("open_fronts", front_bytes(fronts, shell_of(world, place), rows))
-    return [_travel(place, body, front, row) for (body, front), row in zip(fronts, _OPENED.iter_unpack(told), strict=True)]
+    demand(FRONT_WORK * sum(len(fronts.each) for _, fronts in openers) * place.count_bodies())
+    told = _OPENED.iter_unpack(ask("open_fronts", front_bytes(openers, shell_of(world, place), rows)))
+    return [_travel(place, body, front, next(told)) for body, fronts in openers for front in fronts.each]
 
 
-def front_bytes(fronts: Sequence[tuple[int, UnitFront]], shell: Sequence[ShellBox], rows: bytes) -> bytes:
-    """Returns a room, what stands around it and its fronts as the core reads them; each is told with the number of its body in the room."""
-    numbers = list(chain.from_iterable(front.parts for _, front in fronts))
-    sent, first = [rows, _HEAD.pack(len(fronts), len(numbers), len(shell)), *(_SHELL.pack(*box) for box in shell)], 0
-    for body, front in fronts:
-        sent.append(_FRONT.pack(body, *front.hinge, front.end, _AXES[front.axis], front.slides, first, len(front.parts)))
-        first += len(front.parts)
-    return b"".join([*sent, pack(f"<{len(numbers)}q", *numbers)])
+def front_bytes(openers: Sequence[_Opener], shell: Sequence[ShellBox], rows: bytes) -> bytes:
+    """Returns a room, what stands around it and what opens in it as the core reads them."""
+    counts = [(body, len(fronts.each), fronts.parts) for body, fronts in openers]
+    head = _HEAD.pack(len(counts), sum(count for _, count, _ in counts), sum(parts for *_, parts in counts), len(shell))
+    boxes, who = pack(f"<{6 * len(shell)}d", *chain.from_iterable(shell)), pack(f"<{3 * len(counts)}q", *chain.from_iterable(counts))
+    return b"".join([rows, head, boxes, who, *(fronts.rows for _, fronts in openers), *(fronts.numbers for _, fronts in openers)])
 
 
-def fronts_in(place: PlacedRoom, kinds: Kinds) -> Iterator[tuple[int, UnitFront]]:
-    """Yields the fronts of a room, each with the number of its body there."""
-    for number, piece in enumerate(place.room.furniture):
-        found = kinds.fronts(("furniture", piece.name, piece.width, piece.depth, piece.height, piece.kind))
-        yield from ((number, front) for front in found)
+def openers_in(place: PlacedRoom, kinds: Kinds) -> list[_Opener]:
+    """Returns the pieces of a room that have fronts, by their number there."""
+    keys = (("furniture", one.name, one.width, one.depth, one.height, one.kind) for one in place.room.furniture)
+    return [(number, fronts) for number, key in enumerate(keys) if (fronts := kinds.fronts(key)).each]
 
 
-def _travel(place: PlacedRoom, body: int, front: UnitFront, row: Sequence[int]) -> FrontTravel:
-    travel, meets = row[0] / _MILLIONTHS, row[1]
-    piece = place.room.furniture[body]
-    reach = round(abs(front.end) * (piece.depth if front.slides else 1.0), 6)
-    met = None if meets == -1 else WALL if meets < 0 else place.bodies[meets].id
-    return FrontTravel(piece.id, front.name, front.slides, reach if met is None else travel, reach, met, front.must_open)
+def _travel(place: PlacedRoom, body: int, front: tuple[str, bool, float, bool], row: Sequence[int]) -> FrontTravel:
+    (name, slides, reach, must_open), (travel, meets) = front, row
+    piece = place.room.furniture[body].id
+    if meets == _NOTHING:
+        return FrontTravel(piece, name, slides, reach, reach, None, must_open)
+    return FrontTravel(piece, name, slides, travel / _MILLIONTHS, reach, WALL if meets < 0 else place.bodies[meets].id, must_open)
 
 
 def front_travels(scene: Scene, catalogs: Catalogs) -> dict[str, list[FrontTravel]]:

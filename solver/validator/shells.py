@@ -44,9 +44,12 @@ def shell_of(world: World, place: PlacedRoom) -> list[ShellBox]:
     """Returns the boxes around a room, in its own frame."""
     thickness = 2 * metres(world.half_wall)
     holes = list(_holes(world, place))
+    by_line: dict[tuple[bool, int], list[_HoleHere]] = {}
+    for one in holes:
+        by_line.setdefault((one.edge.runs_east, one.edge.line), []).append(one)
     boxes: list[ShellBox] = []
     for edge in place.edges:
-        boxes += _placed(edge, _wall(edge, thickness, [one for one in holes if _on(edge, one.edge)]))
+        boxes += _placed(edge, _wall(edge, thickness, by_line.get((edge.runs_east, edge.line), ())))
     for one in holes:
         boxes += _placed(one.edge, _fitted(one, thickness))
     return boxes
@@ -71,10 +74,6 @@ def _here(hole: Hole, leaf: Hole, x: int, z: int) -> _HoleHere:
     towards = -inwards if leaf.opening.swing == "out" else inwards
     along = metres(hole.start + by), metres(hole.end + by)
     return _HoleHere(leaf, edge, along, (sill, sill + hole.opening.height), towards)
-
-
-def _on(edge: WallEdge, other: WallEdge) -> bool:
-    return edge.runs_east == other.runs_east and edge.line == other.line
 
 
 def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> list[Bar]:

@@ -13,7 +13,7 @@ from catalogs import load_catalogs
 from solver import generate
 from solver.scene import Decoration, Furniture, Request, Scene
 from solver.validator.kinds import kinds_of
-from solver.validator.opening import front_bytes, fronts_in
+from solver.validator.opening import front_bytes, openers_in
 from solver.validator.sent_rooms import ask, room_bytes
 from solver.validator.shells import shell_of
 from solver.validator.walk import walks
@@ -52,7 +52,7 @@ def requests() -> list[tuple[int, bytes]]:
             world = world_of(scene)
             sent = [(place, room_bytes(world, place, kinds_of(KNOWN))) for place in world.places]
             found += [(0, rows) for _, rows in sent]
-            found += [(4, front_bytes(list(fronts_in(place, kinds_of(KNOWN))), list(shell_of(world, place)), rows)) for place, rows in sent]
+            found += [(4, front_bytes(openers_in(place, kinds_of(KNOWN)), shell_of(world, place), rows)) for place, rows in sent]
             found += [(answer, walk.rows) for walk in walks(world) for answer in (1, 2, 3)]
     return found
 

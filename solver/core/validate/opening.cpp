@@ -209,20 +209,28 @@ static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const Li
   return found;
 }
 
-static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& carries, const Front& front, Span<i64> numbers) {
-  const BodyRow& row = *room.bodies[front.body].row;
+// A front of a body, and the numbers of its parts.
+struct Moving {
+  const Front& front;
+  i64 body;
+  Span<i64> parts;
+};
+
+static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& carries, const Moving& moving) {
+  const Front& front = moving.front;
+  const BodyRow& row = *room.bodies[moving.body].row;
   const Frame frame{row.x, row.y, row.z, row.cosine, row.sine};
-  const Span<UnitBox> all = room.parts_of(room.bodies[front.body]);
+  const Span<UnitBox> all = room.parts_of(room.bodies[moving.body]);
   const Point hinge{front.x * row.width, front.y * row.height, front.z * row.depth};
   List<SolidBox> parts;
-  for (i32 i = 0; i < front.parts; i++) {
-    SolidBox box = box_of(row, all[numbers[front.first + i]], frame, front.body);
+  for (const i64 part : moving.parts) {
+    SolidBox box = box_of(row, all[part], frame, moving.body);
     const Point half = minus(box.half, {TOUCHING_METRES, TOUCHING_METRES, TOUCHING_METRES});
     box.half = {most(half.x, 0.0), most(half.y, 0.0), most(half.z, 0.0)};
     parts.add(box);
   }
   const f64 length = absolute(front.slides ? front.end * row.depth : front.end), step = front.slides ? STEP_METRES : STEP_DEGREES;
-  const List<Obstacle> others = obstacles(room, shell, carries, front.body, frame, swept(front, hinge, parts, length));
+  const List<Obstacle> others = obstacles(room, shell, carries, moving.body, frame, swept(front, hinge, parts, length));
   f64 cosine = 1, sine = 0, way = 0;
   const f64 by = front.end < 0 ? -SINE : SINE;
   for (i64 k = 0; k < 2000 && others.size() > 0; k++) {
@@ -247,6 +255,7 @@ Bytes open_fronts(Bytes rows_sent) {
   const Room room = read_room(reader);
   const FrontsRow& sent = reader.take<FrontsRow>(1)[0];
   const Span<ShellBox> shell = reader.take<ShellBox>(static_cast<i32>(sent.shell));
+  const Span<Opener> openers = reader.take<Opener>(static_cast<i32>(sent.openers));
   const Span<Front> fronts = reader.take<Front>(static_cast<i32>(sent.fronts));
   const Span<i64> numbers = reader.take<i64>(static_cast<i32>(sent.parts));
   List<bool> is_carrier, carries;
@@ -256,14 +265,23 @@ Bytes open_fronts(Bytes rows_sent) {
   }
   for (const Body& body : room.bodies) carries.add(is_carrier[body.row->name]);
   const Span<Opened> answer = reserved<Opened>(fronts.size);
-  for (i32 i = 0; i < fronts.size; i++) {
-    const Front& front = fronts[i];
-    const bool fits = front.body >= 0 && front.body < room.bodies.size && front.parts > 0 && front.first >= 0 &&
-                      front.first + front.parts <= sent.parts && absolute(front.end) <= 180;
+  i32 next = 0;
+  i64 parts = 0;
+  for (const Opener& opener : openers) {
+    const bool fits = opener.body >= 0 && opener.body < room.bodies.size && opener.fronts >= 0 && opener.fronts <= fronts.size - next &&
+                      opener.parts >= 0 && opener.parts <= numbers.size - parts;
     if (!fits) fail(Failure::bad_request);
-    const arena::Scope scope;
-    answer[i] = opened(room, shell, carries, front, numbers);
+    const Span<i64> own{numbers.data + parts, static_cast<i32>(opener.parts)};
+    for (const i32 end = next + static_cast<i32>(opener.fronts); next < end; next++) {
+      const Front& front = fronts[next];
+      const bool right = front.parts > 0 && front.first >= 0 && front.first <= own.size - front.parts && absolute(front.end) <= 180;
+      if (!right) fail(Failure::bad_request);
+      const arena::Scope scope;
+      answer[next] = opened(room, shell, carries, {front, opener.body, {own.data + front.first, static_cast<i32>(front.parts)}});
+    }
+    parts += opener.parts;
   }
+  if (next != fronts.size) fail(Failure::bad_request);
   return {reinterpret_cast<u8*>(answer.data), static_cast<i64>(answer.size) * static_cast<i64>(sizeof(Opened))};
 }
 

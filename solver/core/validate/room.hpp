@@ -179,10 +179,15 @@ class Reader {
 
 Room read_room(Reader& reader);
 
-// A front of a body: a point of its axis (0 the body's x, 1 y) in shares from the middle of its footprint at its underside; how far it
-// opens, degrees, or the share of the body's depth that it slides along z; where the numbers of its parts are, among those sent.
-struct Front {
+// A body with fronts, which follow those of the one before it, and how many numbers of parts they have.
+struct Opener {
   i64 body;
+  i64 fronts, parts;
+};
+
+// A front of a body: a point of its axis (0 the body's x, 1 y) in shares from the middle of its footprint at its underside; how far it
+// opens, degrees, or the share of the body's depth that it slides along z; where the numbers of its parts are, among those of the body.
+struct Front {
   f64 x, y, z;
   f64 end;
   i64 axis;
@@ -196,7 +201,7 @@ struct ShellBox {
 };
 
 struct FrontsRow {
-  i64 fronts, parts, shell;
+  i64 openers, fronts, parts, shell;
 };
 
 // How far a front opens, millionths of a degree or of a metre, and what it meets then: a body, -1 nothing, -2 a wall.
