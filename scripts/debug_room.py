@@ -4,7 +4,7 @@ python -m scripts.debug_room --seed 42 --room kitchen_19 [--program family] [--p
 
 A piece that is missing and was required names the pieces it cannot stand with and the length that is short. With `--piece` every
 candidate of that piece is listed and tried with the pieces that stand; what cannot names them too; `plant` is plant_1, plant_2 and so on;
-of one that was not wanted the reason is told.
+of one that was not wanted the reason is told. `--home home.yaml` tells of a home in a file, as its own request furnishes the room.
 Lengths in metres, relative to the room; what is at another piece tells its centre from that one's, in that one's frame.
 """
 
@@ -15,7 +15,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from catalogs import CatalogError, load_catalogs
+from catalogs import CatalogError, Catalogs, load_catalogs
+from compose_homes import load
 from service.cli import forced, program
 from solver import generate
 from solver.errors import ComposeError
@@ -24,7 +25,7 @@ from solver.pieces import Arrangement, Attach, Candidate, Piece, Placed, Space
 from solver.pipeline.generate import wanted_in
 from solver.pipeline.reasons import REASON_WORK, with_lengths
 from solver.placement import Budget, feasible, minimal_conflict, place
-from solver.scene import Room
+from solver.scene import Room, Scene
 
 Unwanted = Sequence[tuple[str, str]]
 """Names of pieces that a room's type lists, with the reasons why they were not wanted."""
@@ -216,10 +217,11 @@ def _stem(label: str) -> str:
     return head if head and number.isdigit() else label
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Make the home and tell of one room."""
+def _parsed(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser("scripts.debug_room", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seed", type=int, required=True)
+    which = parser.add_mutually_exclusive_group(required=True)
+    which.add_argument("--seed", type=int, help="of a home that is made for it")
+    which.add_argument("--home", type=Path, metavar="FILE", help="a home that was made before, or a plan that was furnished")
     parser.add_argument("--room", required=True, help="its id, or the id without the number")
     parser.add_argument("--piece", help="list and try every candidate of this piece, such as plant_1; plant: of all plants")
     parser.add_argument("--program", type=program, help="a preset, or bedrooms=3,bathrooms=2; without it the house is 20 x 15 m")
@@ -227,12 +229,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--force-type", action="append", default=[], type=forced, metavar="INDEX=TYPE", help="a room's type, without --program"
     )
     parser.add_argument("--catalog", type=Path, metavar="DIR", help="a folder of your own catalog files, laid over ours")
-    asked = parser.parse_args(arguments)
+    return parser.parse_args(arguments)
+
+
+def _made(asked: argparse.Namespace, catalogs: Catalogs) -> Scene:
+    """Return the home that is asked about: read, or made."""
+    if asked.home is not None:
+        return load(asked.home)
     request: dict[str, Any] = {"seed": asked.seed, "program": asked.program, "force_types": dict(asked.force_type)}
+    return generate(read_request(request), catalogs=catalogs).scene
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Make the home, or read it, and tell of one room."""
+    asked = _parsed(arguments)
     try:
         catalogs = load_catalogs(asked.catalog)
-        scene = generate(read_request(request), catalogs=catalogs).scene
-    except (CatalogError, ComposeError) as error:
+        scene = _made(asked, catalogs)
+    except (CatalogError, ComposeError, OSError) as error:
         return _refused_use(str(error))
     room = next((room for room in scene.rooms if asked.room in (room.id, room.type)), None)
     if room is None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from catalogs import load_catalogs
+from compose_homes import dump, load
 from scripts.debug_room import described, main
 from solver import Request, generate
 from solver.geometry import Rect
@@ -37,6 +39,17 @@ def test_it_tells_what_was_wanted_what_stands_and_what_was_refused(capsys: pytes
 def test_a_room_that_is_not_there_is_refused_with_those_that_are(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--seed", str(SEED), "--program", "studio", "--room", "ballroom_3"]) == 2
     assert "living_room_" in capsys.readouterr().err
+
+
+def test_a_home_in_a_file_is_told_of_as_the_one_that_is_made(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    home = tmp_path / "home.yaml"
+    dump(generate(Request(seed=SEED, program="studio", outline="L")).scene, home)
+    assert main(["--home", str(home), "--room", "living_room", "--piece", "plant"]) == 0
+    told = capsys.readouterr().out
+    certificate: Any = load(home).certificate
+    cost = next(report["cost"] for room, report in certificate["rooms"].items() if room.startswith("living_room"))
+    assert f"PLACED at cost {cost:.3f}" in told
+    assert main(["--home", str(tmp_path / "none.yaml"), "--room", "kitchen"]) == 2
 
 
 @pytest.fixture(scope="module")
