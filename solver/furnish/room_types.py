@@ -5,8 +5,9 @@ Comes in: a room, its space, the catalogs, the room's stream. Goes out: pieces. 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
+from catalogs.checks import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec
 from solver.core import borrowed
 from solver.furnish.compiled_types import CompiledType, compiled_type
@@ -74,8 +75,7 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
     for at, copies in _asked(known, room_rows(scope_of(room, space), space.zones, area, stream.state, counts_only=True)).counted:
         spec = known.specs[at]
         if any(f"{spec.piece}_{number}" not in labels for number in range(1, copies + 1)):
-            needs = ", ".join(" ".join((rule.type, *rule.of)) for rule in spec.rules if rule.required)
-            found.append((spec.piece, f"no place of the kind its relations ask for: {needs}" if needs else "its run has no room for it"))
+            found.append((spec.piece, _why_nowhere(spec, labels)))
         elif copies < spec.count:
             found.append((spec.piece, _why_fewer(spec, area, copies)))
     return tuple(found)
@@ -86,6 +86,17 @@ def _asked(known: CompiledType, room: bytes) -> Answer:
     with borrowed() as core:
         packed = core.call("furnish", core.write(known.data), len(known.data), core.write(room), len(room))
         return answer_of(core.read(packed & 0xFFFFFFFF, packed >> 32))
+
+
+def _why_nowhere(piece: PieceSpec, wanted: Set[str]) -> str:
+    """Says for a person why a piece has no place in the room, beside the labels of what is wanted."""
+    names = {label.rpartition("_")[0] for label in wanted} | set(OPENINGS)
+    required = [rule for rule in piece.rules if rule.required]
+    alone = next((rule for rule in required if rule.of and not names.intersection(rule.of)), None)
+    if alone is not None:
+        return f"it has to be {alone.type} {' or '.join(alone.of)}, and none is wanted"
+    needs = ", ".join(" ".join((rule.type, *rule.of)) for rule in required)
+    return f"no place of the kind its relations ask for: {needs}" if needs else "its run has no room for it"
 
 
 def _why_fewer(piece: PieceSpec, area: float, copies: int) -> str:

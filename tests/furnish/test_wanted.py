@@ -7,12 +7,12 @@ import math
 import pytest
 
 from catalogs import load_catalogs
-from solver.furnish import space_of, wanted_pieces
+from solver.furnish import space_of, unwanted_pieces, wanted_pieces
 from solver.pieces import Piece, Stand
 from solver.scene import Opening, Room
 from solver.streams import Stream
 from tests.furnish.reference.stage import LIMIT
-from tests.furnish.worlds import DOOR, WINDOW, ask, box_of, clear_of_zones, den, piece
+from tests.furnish.worlds import DOOR, WINDOW, ask, box_of, catalog, clear_of_zones, den, piece
 
 KNOWN = load_catalogs()
 types = pytest.mark.parametrize("room_type", sorted(KNOWN.rooms))
@@ -52,6 +52,15 @@ def test_chance_is_drawn_from_the_seed() -> None:
     there = [len(ask(den(), piece("pot", chance=0.3), seed=seed)) for seed in range(400)]
     assert 80 < sum(there) < 160
     assert there == [len(ask(den(), piece("pot", chance=0.3), seed=seed)) for seed in range(400)]
+
+
+def test_of_a_piece_whose_place_is_at_one_that_is_not_wanted_that_is_said() -> None:
+    rule = {"type": "beside", "of": ["couch"], "required": True}
+    room, pieces = den(), [piece("couch", min_area=100), piece("pot", rule)]
+    space, catalogs = space_of(room, 0.1), catalog(pieces)
+    wanted = wanted_pieces(room, space, catalogs, Stream(1, "furnish", 0))
+    unwanted = dict(unwanted_pieces(room, space, catalogs, Stream(1, "furnish", 0), wanted))
+    assert unwanted == {"couch": "needs 100 m2", "pot": "it has to be beside couch, and none is wanted"}
 
 
 def test_variants_may_need_an_area() -> None:
