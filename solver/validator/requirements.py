@@ -7,11 +7,15 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, Final
 
 from catalogs.schema import RoomType
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.world import PlacedRoom
+
+_UNKNOWN: Final = "no reason is recorded"
+_NEVER_TRIED: Final = "it was not asked for, or was taken away"
+"""The certificate tells of the room what was left out, and not this."""
 
 
 def missing_required(case: RuleCase) -> Iterator[Finding]:
@@ -41,10 +45,12 @@ def _reason(certificate: Mapping[str, Any] | None, place: PlacedRoom, labels: se
     rooms = (certificate or {}).get("rooms")
     entry = rooms.get(place.room.id) if isinstance(rooms, Mapping) else None
     left_out = entry.get("left_out") if isinstance(entry, Mapping) else None
-    for item in left_out if isinstance(left_out, (list, tuple)) else ():
-        if isinstance(item, Mapping) and _stem(item.get("piece")) in labels and item.get("reason"):
-            return str(item["reason"])
-    return "no reason is recorded"
+    if not isinstance(left_out, (list, tuple)) or not all(isinstance(item, Mapping) for item in left_out):
+        return _UNKNOWN
+    of_these = [item for item in left_out if _stem(item.get("piece")) in labels]
+    if not of_these:
+        return _NEVER_TRIED
+    return next((str(item["reason"]) for item in of_these if item.get("reason")), _UNKNOWN)
 
 
 def _stem(label: object) -> str:

@@ -47,6 +47,12 @@ def test_the_reason_is_the_certificates(label: str) -> None:
     assert told == [f"room_0 (bedroom) has no bed or single_bed: {reason}"]
 
 
+@pytest.mark.parametrize("left_out", [[], [{"piece": "wardrobe_1", "reason": "no room"}]])
+def test_what_the_certificate_does_not_name_was_never_tried(left_out: list[dict[str, str]]) -> None:
+    told = bedroom(certificate={"rooms": {"room_0": {"left_out": left_out}}})
+    assert told == ["room_0 (bedroom) has no bed or single_bed: it was not asked for, or was taken away"]
+
+
 @pytest.mark.parametrize(
     "certificate",
     [
