@@ -90,6 +90,6 @@ class Quotas:
             self._used[who] = self._used.get(who, 0.0) + work_s
 
     def _turn(self, now: float) -> None:
-        """Begins another day; a clock that was put back goes on with the day there is."""
-        if (day := int(now // DAY_S)) > self._day:
+        """Begins another day; a clock that was put back a little goes on with the day there is, one that had been days ahead does not."""
+        if (day := int(now // DAY_S)) > self._day or day < self._day - 1:
             self._day, self._used = day, {}

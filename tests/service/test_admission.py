@@ -148,6 +148,8 @@ def test_a_clock_that_is_put_back_gives_no_second_day() -> None:
     quotas.spend("ann", 10.0, 5 * 86_400.0)
     assert quotas.wait("ann", 4 * 86_400.0) > 0 == quotas.wait("ben", 4 * 86_400.0)
     assert quotas.wait("ann", 6 * 86_400.0) == 0
+    quotas.spend("ann", 10.0, 9_000 * 86_400.0)
+    assert quotas.wait("ann", 8_999 * 86_400.0) > 0 == quotas.wait("ann", 6 * 86_400.0), "what was ahead by years does not last for years"
     rates = Rates(1)
     assert [rates.wait("ann", 100.0), rates.wait("ann", 50.0), rates.wait("ann", 200.0)] == [0, 60, 0]
 

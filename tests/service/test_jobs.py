@@ -145,6 +145,25 @@ def test_a_silent_runners_job_is_carried_on_and_no_other(place: str) -> None:
             jobs.remove("zoe", one.id)
 
 
+@pytest.mark.parametrize("jump_s", [-86_400 * 365, -3600, 3600, 86_400 * 365])
+def test_a_clock_that_jumps_leaves_no_job_behind_and_gives_none_two_runners(place: str, jump_s: int) -> None:
+    now = [1_700_000_000 * 10**9]
+    with closing(Database(place)) as database:
+        jobs = SavedJobs(database, lease_s=20, clock=lambda: now[0])
+        job = jobs.add("yan", "generate", zlib.compress(b"[{}]"), 1).id
+        assert jobs.take("first") is not None
+        now[0] += jump_s * 10**9
+        assert jobs.beat("first", job) and jobs.take("second") is None, "it said a word by the new clock"
+        now[0] -= jump_s * 10**9
+        carried = jobs.take("second")
+        assert carried is not None and carried[0].id == job, "nobody has said a word by this clock"
+        assert not jobs.beat("first", job) and not jobs.put("first", job, 0, JobResult(200, "application/json", b"late"))
+        assert jobs.put("second", job, 0, JobResult(200, "application/json", b"once"))
+        jobs.finish("second", job)
+        assert (jobs.get("yan", job).state, jobs.result("yan", job, 0).content) == ("done", b"once")
+        jobs.remove("yan", job)
+
+
 def test_a_job_outlives_the_service_that_took_it_on(tmp_path: Path) -> None:
     words, seeds = (0, "--store", str(tmp_path / "homes.sqlite")), list(range(40))
     with running(*words) as service:
