@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import sqlite3
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
+from threading import Lock
 from typing import Any, Final
 
 from sqlalchemy import Connection, Engine, create_engine, event, inspect, text
@@ -47,6 +48,7 @@ class Database:
             self.engine = _engine(url)
         except (NoSuchModuleError, ImportError, ArgumentError) as error:
             raise FieldError("store", f"cannot be opened: {error}", "a file's name, or postgresql:// with the extra `postgresql`") from None
+        self._turns = _Turns()
         with self.writing() as connection:
             _bring_up_to_date(connection)
 
@@ -68,12 +70,51 @@ class Database:
             StoreAway: the database does not answer, or others kept it busy for WAIT_S.
             NoRoom: its disk is full.
         """
-        with _in_words(), self.engine.connect().execution_options(**{WRITING: True}) as connection, connection.begin():
+        turn = self._turns.mine(WAIT_S) if self.engine.dialect.name == "sqlite" else nullcontext()
+        with _in_words(), turn, self.engine.connect().execution_options(**{WRITING: True}) as connection, connection.begin():
             yield connection
 
     def close(self) -> None:
         """Lets its connections go."""
         self.engine.dispose()
+
+
+class _Turns:
+    """A lock that is handed on in the order in which it was asked for.
+
+    SQLite has each writer look now and then whether it may write: of several who write often, one that waits would find it taken each time,
+    and be refused. PostgreSQL, where writers wait for rows, needs none.
+    """
+
+    def __init__(self) -> None:
+        self._guard, self._line = Lock(), list[Lock]()
+
+    @contextmanager
+    def mine(self, seconds: float) -> Iterator[None]:
+        """Runs a block in its turn.
+
+        Args:
+            seconds: how long it waits for that, s.
+
+        Raises:
+            TimeoutError: it waited that long.
+        """
+        own = Lock()
+        own.acquire()
+        with self._guard:
+            self._line.append(own)
+            if self._line[0] is own:
+                own.release()
+        try:
+            if not own.acquire(timeout=seconds):
+                raise TimeoutError
+            yield
+        finally:
+            with self._guard:
+                is_handed_on = self._line[0] is own
+                self._line.remove(own)
+                if is_handed_on and self._line:
+                    self._line[0].release()
 
 
 def _url(place: str) -> URL:

@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
-from threading import Barrier, Thread
+from threading import Barrier, Event, Thread
 from typing import Any
 
 import pytest
@@ -19,6 +19,7 @@ from starlette.testclient import TestClient
 from service.admission import Admitted
 from service.app import ComposeApp, create_app
 from service.keys import KeyRing
+from service.refusals import StoreAway
 from service.service_settings import Settings
 from service.store.database import Database
 from service.store.saved_homes import KEPT_VERSIONS, Keeping, PackedScene, SavedHomes, Wanted
@@ -284,6 +285,79 @@ def test_an_owner_keeps_so_many_and_so_much(place: str) -> None:
         assert [homes.list("carla", Wanted()).total for _ in range(2)] == [0, 0]
         with database.reading() as connection:
             assert connection.execute(text("SELECT homes, bytes FROM owners WHERE name = 'carla'")).one() == (0, 0)
+
+
+def test_a_clock_that_jumps_hides_no_home_and_no_change(place: str) -> None:
+    now, texts = [1_700_000_000 * 10**9], {"name": "a", "notes": "", "tags": ()}
+    with closing(Database(place)) as database:
+        homes = SavedHomes(database, clock=lambda: now[0])
+        kept = set[str]()
+        for jump_s in (0, 86_400, -86_400 * 900, 3, 86_400 * 900):
+            now[0] += jump_s * 10**9
+            kept.add(homes.add("finn", texts, PackedScene(b"1", 1)).id)
+        first = homes.list("finn", Wanted(limit=1)).homes[0]
+        now[0] -= 86_400 * 10**9
+        changed = homes.change("finn", first.id, first.revision, {"name": "b"}, PackedScene(b"2", 1))
+        assert changed.changed > first.changed and homes.list("finn", Wanted()).homes[0] == changed
+        found, after = list[str](), None
+        while True:
+            page = homes.list("finn", Wanted(limit=2, after=after))
+            found += [home.id for home in page.homes]
+            if page.after is None:
+                break
+            after = (page.homes[-1].changed, page.homes[-1].id)
+        assert len(found) == len(kept) and set(found) == kept
+        for home in found:
+            homes.remove("finn", home, -1)
+
+
+def test_many_who_write_without_pause_let_another_write_in_his_turn(tmp_path: Path) -> None:
+    """By counts: between two writes of one the others have a turn each, and never hundreds."""
+    others = 7
+    with closing(Database(str(tmp_path / "homes.sqlite"))) as database:
+        homes, ended, written = SavedHomes(database), Event(), [0] * others
+        home = homes.add("gil", {"name": "a", "notes": "", "tags": ()}, PackedScene(b"1", 1)).id
+
+        def write(number: int) -> None:
+            while not ended.is_set():
+                homes.put_picture("gil", home, b"picture", "image/png")
+                written[number] += 1
+
+        threads = [Thread(target=write, args=(number,)) for number in range(others)]
+        for thread in threads:
+            thread.start()
+        while min(written) == 0:
+            pass
+        gaps, before = list[int](), sum(written)
+        for _ in range(60):
+            with database.writing():
+                gaps.append(sum(written) - before)
+                before += gaps[-1]
+        ended.set()
+        for thread in threads:
+            thread.join()
+        assert max(gaps) <= 3 * others
+
+
+def test_a_turn_that_does_not_come_is_said_and_holds_nobody_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("service.store.database.WAIT_S", 0.05)
+    with closing(Database(str(tmp_path / "homes.sqlite"))) as database:
+        refusals: list[str] = []
+
+        def write() -> None:
+            with pytest.raises(StoreAway) as refused, database.writing():
+                pass
+            refusals.append(refused.value.field)
+
+        with database.writing():
+            threads = [Thread(target=write) for _ in range(3)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+        assert refusals == ["store"] * 3
+        with database.writing() as connection:
+            assert connection.scalar(text("SELECT COUNT(*) FROM homes")) == 0
 
 
 def test_the_oldest_versions_go(place: str) -> None:
