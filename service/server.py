@@ -6,6 +6,7 @@ import math
 import socket
 import sys
 from dataclasses import replace
+from typing import Final
 
 from uvicorn import Config, Server
 
@@ -16,6 +17,9 @@ from service.kept_store import NONE
 from service.measures import log_access
 from service.service_settings import Settings
 from solver.errors import ComposeError
+
+SWITCH_S: Final = 0.0005
+"""How long a thread that asks the store may keep the loop waiting, s; Python's own 5 ms would pass several times a request."""
 
 
 def serve(settings: Settings, catalogs: Catalogs) -> None:
@@ -30,6 +34,7 @@ def serve(settings: Settings, catalogs: Catalogs) -> None:
     """
     if settings.access_log == "json":
         log_access()
+    sys.setswitchinterval(SWITCH_S)
     app = create_app(catalogs, replace(settings, allow_host=(*settings.allow_host, settings.host, *LOOPBACK)))
     _open_store(app, settings)
     with listening(settings.host, settings.port, settings.connections) as listener:

@@ -1,19 +1,27 @@
-"""Processes that make calls for the service, one after another, and end with it."""
+"""Processes that make calls for the service, one after another, and end with it.
+
+The service's loop speaks to them itself: a thread for each call would be two more hand-overs between it and the caller who waits.
+"""
 
 from __future__ import annotations
 
+import asyncio
 import ctypes
 import multiprocessing
 import os
+import pickle
 import signal
+import socket
 import sys
 from collections.abc import Callable
 from contextlib import suppress
-from multiprocessing.connection import Connection
 from typing import Any, Final, NamedTuple, TypeVar
+from weakref import finalize
 
 T = TypeVar("T")
 
+SIZE_BYTES: Final = 8
+"""Before each answer stands how long it is."""
 PR_SET_PDEATHSIG: Final = 1
 """Of Linux: a process chooses the signal it gets when its parent ends."""
 _CAN_FORK: Final = "forkserver" in multiprocessing.get_all_start_methods()
@@ -36,29 +44,43 @@ class WorkerProcess:
     """
 
     def __init__(self, nice: int) -> None:
-        self._caller, called = _PROCESSES.Pipe()
+        self._line, called = socket.socketpair()
         self._process = _PROCESSES.Process(target=_make_calls, args=(called, nice), daemon=True)
         self._process.start()
         called.close()
+        self._line.setblocking(False)
+        finalize(self, self._line.close)
 
-    def ask(self, work: Callable[..., T], given: tuple[object, ...]) -> T | Raised:
-        """Has it run a function of a module; returns what that returns or raises.
+    async def ask(self, work: Callable[..., T], given: tuple[object, ...]) -> T | Raised:
+        """Has it run a function of a module; returns what that returns or raises. Who is cancelled meanwhile has to kill it.
 
         Raises:
             EOFError, OSError: the process has ended.
         """
-        self._caller.send((work, given))
-        found: T | Raised = self._caller.recv()
+        await asyncio.get_running_loop().sock_sendall(self._line, pickle.dumps((work, given)))
+        size = int.from_bytes(await self._received(SIZE_BYTES), "big")
+        found: T | Raised = pickle.loads(await self._received(size))
         return found
 
+    async def _received(self, size: int) -> bytearray:
+        received = bytearray(size)
+        left = memoryview(received)
+        while left:
+            taken = await asyncio.get_running_loop().sock_recv_into(self._line, left)
+            if taken == 0:
+                raise EOFError
+            left = left[taken:]
+        return received
+
     def kill(self) -> None:
-        """Ends it, whatever it does. Who waits for its answer is told that it has ended."""
+        """Ends it, whatever it does, and waits until it has ended."""
         self._process.kill()
         self._process.join()
+        self._line.close()
 
 
-def _make_calls(called: Connection, nice: int) -> None:
-    """Makes calls until the service has gone, however that ends: then the pipe ends, and so does the parent, the server of forks.
+def _make_calls(called: socket.socket, nice: int) -> None:
+    """Makes calls until the service has gone, however that ends: then the line ends, and so does the parent, the server of forks.
 
     Ctrl-C is for the service, which ends its processes itself. Elsewhere than on Linux a call that runs comes to its end first.
     """
@@ -67,11 +89,13 @@ def _make_calls(called: Connection, nice: int) -> None:
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
     if sys.platform != "win32":
         os.nice(nice)
-    with suppress(EOFError, OSError):
+    with suppress(EOFError, OSError), called.makefile("rb") as asked:
         while True:
-            work, given = called.recv()
+            work, given = pickle.load(asked)
             try:
                 found = work(*given)
             except Exception as error:
                 found = Raised(error)
-            called.send(found)
+            written = pickle.dumps(found)
+            called.sendall(len(written).to_bytes(SIZE_BYTES, "big"))
+            called.sendall(written)

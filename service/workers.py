@@ -6,13 +6,12 @@ and what is quickly done never waits behind what is not: each lane keeps its own
 
 from __future__ import annotations
 
+import asyncio
 import math
 from collections.abc import Awaitable, Callable
-from contextlib import suppress
-from threading import Thread
 from typing import Final, NamedTuple, TypeVar, TypeVarTuple, Unpack
 
-from anyio import BrokenWorkerProcess, CapacityLimiter, create_task_group, fail_after, to_thread
+from anyio import BrokenWorkerProcess, CancelScope, CapacityLimiter, create_task_group, fail_after, to_thread
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive
 
@@ -28,12 +27,21 @@ GIVES_WAY: Final = 5
 
 
 class Lane(NamedTuple):
-    """A bounded number of processes with a bounded line before them; those that do nothing now, and how nice all are."""
+    """A bounded number of processes with a bounded line before them.
+
+    Args:
+        slots: for the calls that run.
+        waiting: how many more may wait.
+        nice: how nice its processes are.
+        idle: those that do nothing now.
+        coming: those that are being started.
+    """
 
     slots: CapacityLimiter
     waiting: int
-    idle: list[WorkerProcess]
     nice: int
+    idle: list[WorkerProcess]
+    coming: set[asyncio.Task[None]]
 
     def check(self) -> None:
         """Lets a call in.
@@ -45,13 +53,6 @@ class Lane(NamedTuple):
         if line.borrowed_tokens >= line.total_tokens and line.tasks_waiting >= self.waiting:
             raise Busy("service", f"{line.total_tokens:g} calls run and {self.waiting} wait", "another try in a moment")
 
-    def keep(self, process: WorkerProcess) -> None:
-        """Keeps a process for the next call, or ends it where there are enough."""
-        if len(self.idle) < self.slots.total_tokens:
-            self.idle.append(process)
-        else:
-            process.kill()
-
 
 class Workers:
     """The processes of a service.
@@ -62,8 +63,8 @@ class Workers:
 
     def __init__(self, settings: Settings) -> None:
         self._seconds = settings.request_seconds
-        self.heavy = Lane(CapacityLimiter(settings.running()), settings.waiting, [], GIVES_WAY)
-        self.light = Lane(CapacityLimiter(settings.light_processes), settings.waiting, [], 0)
+        self.heavy = Lane(CapacityLimiter(settings.running()), settings.waiting, GIVES_WAY, [], set())
+        self.light = Lane(CapacityLimiter(settings.light_processes), settings.waiting, 0, [], set())
         self.restarts = 0
         """Processes that died and were replaced."""
         self._unbounded = CapacityLimiter(math.inf)
@@ -99,31 +100,42 @@ class Workers:
 
     async def _in_process(self, lane: Lane, work: Callable[[Unpack[Given]], T], *given: *Given) -> T:
         while not lane.idle:
-            await self._added(lane)
+            if not lane.coming:
+                self._begin(lane)
+            await asyncio.wait(lane.coming, return_when=asyncio.FIRST_COMPLETED)
         process = lane.idle.pop()
         try:
-            found = await to_thread.run_sync(process.ask, work, given, abandon_on_cancel=True, limiter=self._unbounded)
+            found = await process.ask(work, given)
         except BaseException as error:
-            process.kill()
-            Thread(target=self._add, args=(lane,), daemon=True).start()
+            self._begin(lane)
+            with CancelScope(shield=True):
+                await to_thread.run_sync(process.kill, limiter=self._unbounded)
             if isinstance(error, EOFError | OSError):
                 raise BrokenWorkerProcess from error
             raise
-        lane.keep(process)
+        lane.idle.append(process)
         if isinstance(found, Raised):
             raise found.error
         return found
 
-    async def _added(self, lane: Lane) -> None:
-        await to_thread.run_sync(self._add, lane, limiter=self._unbounded)
+    def _begin(self, lane: Lane) -> None:
+        """Begins to start a process for a lane."""
+        task = asyncio.create_task(self._add(lane))
+        lane.coming.add(task)
+        task.add_done_callback(lane.coming.discard)
 
-    def _add(self, lane: Lane) -> None:
+    async def _add(self, lane: Lane) -> None:
         """Adds a process to a lane that has done what all do first; none where it dies of that."""
-        process = WorkerProcess(lane.nice)
-        with suppress(EOFError, OSError):
+        process = await to_thread.run_sync(WorkerProcess, lane.nice, limiter=self._unbounded)
+        try:
             if self._first is not None:
-                process.ask(*self._first)
-            lane.keep(process)
+                await process.ask(*self._first)
+        except BaseException as error:
+            process.kill()
+            if not isinstance(error, EOFError | OSError):
+                raise
+        else:
+            lane.idle.append(process)
 
     async def start(self, work: Callable[[Unpack[Given]], object], *given: *Given) -> None:
         """Starts all processes, however long it takes: a first start may compile.
@@ -136,7 +148,7 @@ class Workers:
         async with create_task_group() as group:
             for lane in (self.heavy, self.light):
                 for _ in range(int(lane.slots.total_tokens)):
-                    group.start_soon(self._added, lane)
+                    group.start_soon(self._add, lane)
 
 
 async def unless_left(receive: Receive, work: Awaitable[T]) -> T:

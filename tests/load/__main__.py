@@ -18,8 +18,10 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Awaitable, Callable
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack, suppress
 from itertools import count
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, Final
 
@@ -27,6 +29,7 @@ import httpx2
 from tqdm import tqdm
 
 from tests.browser.service_process import ServiceProcess, descendants, running
+from tests.load.light_calls import SMALL, light_calls
 from tests.service.test_connections import Server
 
 BUSY: Final = (429, 503)
@@ -35,7 +38,6 @@ MOST_P99_S: Final = 0.02
 MOST_VIEW_CPU_S: Final = 0.2
 MOST_GROWTH: Final = 0.1
 """By how much of its memory after a quarter of the requests the service may grow until the last."""
-SMALL: Final[dict[str, Any]] = {"scene": {"rooms": [{"id": "den", "type": "office", "width": 4.0, "depth": 3.0}]}}
 SOFAS: Final[dict[str, Any]] = {
     "room": {"id": "den", "width": 10, "depth": 10},
     "pieces": [{"name": "sofa", "count": 64, "relations": [{"type": "near", "of": "sofa"}]}],
@@ -91,9 +93,9 @@ async def kept_for_a_moment(client: httpx2.AsyncClient, name: str) -> httpx2.Res
     return removed if removed.is_error else saved
 
 
-async def all_at_once(address: str, clients: int, seconds: float) -> tuple[Counter[int], list[float]]:
-    """Has clients ask until the time is up; returns how often each status came, and what light calls took meanwhile, s."""
-    ends, statuses, light, numbers = time.monotonic() + seconds, Counter[int](), list[float](), count()
+async def all_at_once(address: str, clients: int, seconds: float) -> Counter[int]:
+    """Has clients ask until the time is up; returns how often each status came."""
+    ends, statuses, numbers = time.monotonic() + seconds, Counter[int](), count()
     shown = tqdm(disable=None, desc="answers")
 
     async def ask(first: int) -> None:
@@ -108,18 +110,8 @@ async def all_at_once(address: str, clients: int, seconds: float) -> tuple[Count
                 if answer.status_code in BUSY:
                     await asyncio.sleep(0.1)
 
-    async def look() -> None:
-        async with httpx2.AsyncClient(base_url=address, timeout=120) as client:
-            while time.monotonic() < ends:
-                for path in ("healthz", "view"):
-                    begun = time.perf_counter()
-                    answer = await (client.post("view", json=SMALL) if path == "view" else client.get(path))
-                    light.append(time.perf_counter() - begun)
-                    statuses[answer.status_code] += 1
-                await asyncio.sleep(0.05)
-
-    await asyncio.gather(look(), *(ask(number) for number in range(clients)))
-    return statuses, light
+    await asyncio.gather(*(ask(number) for number in range(clients)))
+    return statuses
 
 
 async def one_after_another(service: ServiceProcess, requests: int) -> list[int]:
@@ -169,8 +161,12 @@ def dribbling(address: str, lines: int) -> int:
 
 def told_mixed(clients: int, seconds: float) -> bool:
     """Prints what a mixed load met; returns whether all was declared."""
-    with running(0) as service:
-        statuses, light = asyncio.run(all_at_once(service.address, clients, seconds))
+    with running(0) as service, ProcessPoolExecutor(1, get_context("spawn")) as another:
+        httpx2.get(f"{service.address}readyz", timeout=120).raise_for_status()
+        looking = another.submit(light_calls, service.address, seconds)
+        statuses = asyncio.run(all_at_once(service.address, clients, seconds))
+        by_light, light = looking.result()
+    statuses += by_light
     wrong = sum(number for status, number in statuses.items() if status >= 400 and status not in BUSY)
     p50, p99 = (quantile(light, share) * 1000 for share in (0.5, 0.99))
     print(f"{clients} clients, {seconds} s: {dict(sorted(statuses.items()))}, {wrong} not declared")

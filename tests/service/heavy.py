@@ -77,3 +77,8 @@ def fails(_: Job) -> Failure:
     from service.work import Failure
 
     return Failure("Traceback: secret insides")
+
+
+def doubled(content: bytes) -> bytes:
+    """Returns twice as much."""
+    return 2 * content

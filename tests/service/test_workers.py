@@ -129,6 +129,35 @@ def test_what_takes_too_long_is_ended_and_the_next_call_runs(tmp_path: Path, lim
     assert not is_alive(int(note.read_text()))
 
 
+def test_large_bodies_and_answers_arrive_whole_while_the_loop_goes_on() -> None:
+    async def scene() -> None:
+        bench, content = Workers(SETTINGS), bytes(range(256)) * 40_000
+        async with anyio.create_task_group() as group:
+
+            async def ask() -> None:
+                assert await bench.run(heavy.doubled, content) == 2 * content
+
+            for _ in range(RUNNING):
+                group.start_soon(ask)
+        assert await bench.run(heavy.doubled, b"") == b""
+
+    apart.run(scene)
+
+
+def test_who_leaves_while_a_process_is_started_leaves_the_next_his_process(tmp_path: Path) -> None:
+    async def scene() -> None:
+        bench, caller = Workers(SETTINGS), Caller()
+        caller.left.set()
+        with pytest.raises(ClientDisconnect):
+            await unless_left(caller.receive, bench.run(heavy.endless, str(tmp_path / "note")))
+        (tmp_path / "gate").touch()
+        processes = {await bench.run(heavy.process, str(tmp_path)) for _ in range(3)}
+        assert len(processes) == 1 and not bench.heavy.coming and len(bench.heavy.idle) == 1
+
+    apart.run(scene)
+    assert not (tmp_path / "note").exists()
+
+
 def test_memory_is_bounded() -> None:
     async def scene() -> str:
         return await Workers(SETTINGS).run(heavy.hungry)
