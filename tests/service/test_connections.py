@@ -17,6 +17,8 @@ from tests.browser.service_process import running
 from tests.cli.programs import GUARD_S
 
 FEW = ("--processes", "1", "--light-processes", "1")
+UNREAD = b"GET /core.wasm HTTP/1.1\r\nHost: localhost\r\n\r\n" * 40
+"""More than the buffers on the way hold, for a client that reads none of it."""
 DRIBBLE = b"GET /healthz HTTP/1.1\r\nHost: localhost\r\nX-Slow: "
 
 
@@ -41,6 +43,16 @@ class Server:
             return connection.getresponse().status
         finally:
             connection.close()
+
+    def figure(self, name: str) -> float:
+        """Returns a figure of /metrics."""
+        connection = http.client.HTTPConnection(self.host, self.port, timeout=GUARD_S)
+        try:
+            connection.request("GET", "/metrics")
+            lines = connection.getresponse().read().decode().splitlines()
+        finally:
+            connection.close()
+        return next(float(line.rpartition(" ")[2]) for line in lines if line.startswith(f"{name} "))
 
 
 def is_closed(line: socket.socket) -> bool:
@@ -95,6 +107,23 @@ def test_one_address_has_so_many_connections() -> None:
         assert is_closed(first)
         second.sendall(b"done\r\n\r\n")
         assert second.recv(100).startswith(b"HTTP/1.1 200")
+
+
+def test_who_takes_no_answer_gives_way(small: Server) -> None:
+    lines = [small.line(UNREAD) for _ in range(4)]
+    while (status := small.status()) != 200:  # until the service has written all that there is room for
+        assert status == 503
+    assert small.status("/export") == 200
+    assert len(lines) == 4
+
+
+def test_who_takes_no_answer_is_waited_for_so_long_and_no_longer() -> None:
+    with running(0, *FEW, "--body-seconds", "0.05") as service, ExitStack() as stack:
+        server = Server(service.address, stack)
+        line = server.line(UNREAD)
+        while server.figure("compose_connections_closed") == 0:
+            assert server.status() == 200
+        assert line.recv(12) == b"HTTP/1.1 200"
 
 
 class Lasting:
