@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import random
+import zlib
 from collections.abc import Iterator
 from contextlib import closing, suppress
 from pathlib import Path
@@ -14,9 +16,11 @@ from sqlalchemy import event, text
 from starlette.testclient import TestClient
 
 from service.app import create_app
+from service.refusals import NoSuchThing
 from service.service_settings import Settings
 from service.store.database import Database
 from service.store.saved_homes import SavedHome, SavedHomes, Wanted
+from service.store.saved_jobs import SavedJobs
 from tests.browser.service_process import running
 from tests.service.problems import entry_of
 from tests.service.stores import PostgresqlServer, postgresql
@@ -24,7 +28,7 @@ from tests.service.test_homes import SCENE
 from tests.sweeps import times
 
 ROUNDS = times(20, 1)
-"""Each round is a service that is killed amid saves; `make targets` runs all, more than 1,000 saves."""
+"""Each round is a service that is killed amid saves and jobs; `make targets` runs all, more than 1,000 saves."""
 SAVES = 60
 MOST_BEFORE = 50
 """Saves of each of two, at most, after which the service is killed; 27 as a mean."""
@@ -36,6 +40,35 @@ def body(number: int) -> dict[str, object]:
         for index in range(1 + number % 5)
     ]
     return {"name": f"home {number}", "notes": str(number), "scene": {"rooms": rooms}}
+
+
+SEEDS = list(range(6))
+STUDIO = {"width": 4.0, "depth": 4.0}
+FEW = ("--processes", "1", "--light-processes", "1", "--homes-each", "10000")
+
+
+class Working(Thread):
+    """Asks for jobs, and removes those before, until the service is gone; what was acknowledged, and what may be gone, is written down."""
+
+    def __init__(self, address: str) -> None:
+        super().__init__(daemon=True)
+        self._address, self._gone = address, Event()
+        self.accepted: list[str] = []
+        self.removed = set[str]()
+        """Of some the service may have been killed before it said so."""
+
+    def run(self) -> None:
+        with httpx2.Client(base_url=self._address, timeout=60) as client, suppress(httpx2.TransportError):
+            while True:
+                answer = client.post("/jobs", json={"call": "generate", "body": STUDIO, "seeds": SEEDS})
+                assert answer.status_code == 202, answer.text
+                self.accepted.append(answer.json()["id"])
+                while (job := client.get(f"/jobs/{self.accepted[-1]}").json())["done"] < 2:
+                    assert job["count"] == len(SEEDS)
+                    self._gone.wait(0.02)
+                if len(self.accepted) > 1:
+                    self.removed.add(self.accepted[-2])
+                    assert client.delete(f"/jobs/{self.accepted[-2]}").status_code == 204
 
 
 class Saving(Thread):
@@ -74,12 +107,14 @@ def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 
 def test_killed_amid_saves_it_has_all_that_it_acknowledged(place: str) -> None:
     draw, acknowledged, renamed = random.Random(18), dict[str, int](), set[str]()
+    accepted, done = list[str](), 0
     for number in range(ROUNDS):
-        with running(0, "--store", place, "--homes-each", "10000") as service:
+        with running(0, "--store", place, *FEW) as service:
             before = draw.randint(4, MOST_BEFORE)
             savers = [Saving(service.address, (2 * number + one) * SAVES, before) for one in range(2)]
-            for saver in savers:
-                saver.start()
+            worker = Working(service.address)
+            for thread in (worker, *savers):
+                thread.start()
             for saver in savers:
                 saver.begun.wait(120)
             Event().wait(draw.random() / 50)
@@ -89,9 +124,37 @@ def test_killed_amid_saves_it_has_all_that_it_acknowledged(place: str) -> None:
                 saver.join(60)
                 acknowledged |= saver.saved
                 renamed |= saver.renamed
-    print(f"{len(acknowledged)} saves acknowledged, {len(renamed)} renamed, {ROUNDS} kills")  # `pytest -s` tells
+            worker.join(60)
+            accepted += worker.accepted
+        done += checked_jobs(place, worker)
+    words = f"{len(acknowledged)} saves and {len(accepted)} jobs acknowledged, {len(renamed)} renamed, {done} results"
+    print(f"{words}, {ROUNDS} kills")  # `pytest -s` tells
+    assert accepted
     assert len(acknowledged) >= (1000 if ROUNDS > 1 else 10)
     check(place, acknowledged, renamed)
+
+
+def checked_jobs(place: str, worker: Working) -> int:
+    """Every job that was acknowledged and not removed is there, with a whole result for each call that is said to be done and no other.
+
+    Removes them, so that the next round may have as many; returns how many results there were.
+    """
+    counted = 0
+    with closing(Database(place)) as database:
+        jobs = SavedJobs(database)
+        there = {job.id: job for job in jobs.list("")}
+        assert set(worker.accepted) - worker.removed <= there.keys()
+        for job in there.values():
+            results = [jobs.result("", job.id, number) for number in range(job.done)]
+            scenes = [json.loads(zlib.decompress(one.content))["scene"] for one in results]
+            assert ([one.status for one in results], [scene["seed"] for scene in scenes]) == ([200] * job.done, SEEDS[: job.done])
+            with pytest.raises(NoSuchThing):
+                jobs.result("", job.id, job.done)
+            jobs.remove("", job.id)
+            counted += job.done
+        with database.reading() as connection:
+            assert connection.scalar(text("SELECT COUNT(*) FROM results")) == 0
+    return counted
 
 
 def check(place: str, acknowledged: dict[str, int], renamed: set[str]) -> None:
