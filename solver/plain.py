@@ -55,6 +55,10 @@ def is_text(value: object) -> bool:
     return value.isascii() or not any("\ud800" <= letter <= "\udfff" for letter in value)
 
 
+_ATOMS: Final = frozenset({type(None), bool, int})
+"""Classes whose values stay as they are."""
+
+
 def plain(value: Any, depth: int = 0) -> Any:
     """Copies a value that JSON can say, of Python's own types; tuples become lists.
 
@@ -62,7 +66,7 @@ def plain(value: Any, depth: int = 0) -> Any:
         Wrong: it holds something else, or a number that is not finite, or is nested too deeply.
     """
     kind = value.__class__
-    if value is None or kind is bool or kind is int or (kind is str and value.isascii()):
+    if kind in _ATOMS or (kind is str and value.isascii()):
         return value
     if is_text(value):
         return str.__str__(value)
@@ -73,9 +77,9 @@ def plain(value: Any, depth: int = 0) -> Any:
     if depth == MAX_NESTING:
         raise Wrong("is nested too deeply", f"{MAX_NESTING} levels")
     if isinstance(value, Mapping):
-        return {_key(key): _inside(key, item, depth) for key, item in value.items()}
+        return {_key(key): item if item.__class__ in _ATOMS else _inside(key, item, depth) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_inside(index, item, depth) for index, item in enumerate(value)]
+        return [item if item.__class__ in _ATOMS else _inside(index, item, depth) for index, item in enumerate(value)]
     raise Wrong(f"is a {type(value).__name__}", "a mapping, list, text, finite number, true, false or null")
 
 
@@ -86,6 +90,8 @@ def _finite(value: float) -> float:
 
 
 def _key(key: object) -> str:
+    if key.__class__ is str and key.isascii():
+        return key
     if isinstance(key, str) and is_text(key):
         return str.__str__(key)
     if isinstance(key, int) and not isinstance(key, bool):

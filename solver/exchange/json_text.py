@@ -6,7 +6,7 @@ Comes in: a string. Goes out: plain values, and back. May import: the ground flo
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, Final
 
 from solver.errors import SyntaxFault
 from solver.plain import MAX_NESTING, is_text
@@ -39,7 +39,10 @@ def check(document: object, text: str) -> None:
 
 def dump(document: Any) -> str:
     """Writes plain values as one line of JSON."""
-    return json.dumps(document, ensure_ascii=False, check_circular=False, allow_nan=False, separators=(",", ":")) + "\n"
+    return _ENCODER.encode(document) + "\n"
+
+
+_ENCODER: Final = json.JSONEncoder(ensure_ascii=False, check_circular=False, allow_nan=False, separators=(",", ":"))
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -5,7 +5,7 @@ Comes in: a scene. Goes out: bytes. May import: the ground floor. The fields' ty
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from json.encoder import encode_basestring as quoted
@@ -17,7 +17,7 @@ from solver.exchange.text import dump_plain
 from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
 from solver.fields import EXTRA
 from solver.plain import Wrong, plain
-from solver.scene import Room, Scene
+from solver.scene import Furniture, Opening, Room, Scene
 
 MOST_TEXTS: Final = 4096
 """Texts whose JSON is kept."""
@@ -68,17 +68,16 @@ def _record(record: Any) -> str:
 
 
 def _any(value: Any) -> str:
-    if value is None:
-        return "null"
-    if value.__class__ is bool:
-        return "true" if value else "false"
+    known = _BY_CLASS.get(value.__class__)
+    if known is not None:
+        return known(value)
     if hasattr(value.__class__, "__dataclass_fields__"):
         return _record(value)
-    if value.__class__ is DressedRows:
-        return _things(value)
-    if isinstance(value, tuple):
-        return f"[{','.join([_any(item) for item in value])}]"
-    return json_text.dump(plain(value)).rstrip()
+    return _items(value) if isinstance(value, tuple) else json_text.dump(plain(value)).rstrip()
+
+
+def _items(values: Iterable[Any]) -> str:
+    return f"[{','.join(map(_any, values))}]"
 
 
 def _things(things: DressedRows) -> str:
@@ -128,18 +127,22 @@ class _Texts(dict[Any, str]):
     """Texts as JSON; those that are met often are kept."""
 
     def __missing__(self, value: Any) -> str:
-        if value.__class__ is not str:
+        if value is not None and value.__class__ is not str:
             return _any(value)
         if len(self) >= MOST_TEXTS:
             self.clear()
-        text = self[value] = quoted(value)
+        text = self[value] = "null" if value is None else quoted(value)
         return text
 
 
 _TEXTS: Final = _Texts()
 _FRAGMENTS: Final = _Fragments()
-_WALLS: Final = [_TEXTS[wall] for wall in THING_WALLS]
+_BY_CLASS: Final[dict[type[Any], Callable[[Any], str]]] = {
+    type(None): lambda _: "null", bool: {False: "false", True: "true"}.__getitem__, int: repr, float: _number, tuple: _items,
+    Furniture: _record, Opening: _record, DressedRows: _things,
+}  # fmt: skip
 _WRITERS: Final[dict[Callable[[Any], Any], Callable[[Any], str]]] = {
     write_number: _number, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,
 }  # fmt: skip
 """What writes as text what a function of the document's writer writes."""
+_WALLS: Final = [_TEXTS[wall] for wall in THING_WALLS]
