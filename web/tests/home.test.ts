@@ -27,6 +27,20 @@ describe("history", () => {
     expect(home.canRedo).toBe(false);
   });
 
+  it("takes for no step what leaves the home as it was, and keeps what can be redone", () => {
+    const home = new Home();
+    const [first, second] = [shown(1), shown(2)];
+    home.show(first, "new");
+    home.show(second, "step");
+    home.undo();
+    home.show(shown(5), "live");
+    home.show(shown(1), "step");
+    expect(home.shown).toMatchObject(first);
+    expect([home.canUndo, home.canRedo]).toEqual([false, true]);
+    home.show({ ...shown(1), made: { seed: 1, style: "rustic" } as never }, "step");
+    expect([home.canUndo, home.canRedo]).toEqual([true, false]);
+  });
+
   it("takes no moment of an edit for a step", () => {
     const home = new Home();
     const [first, end] = [shown(1), shown(9)];

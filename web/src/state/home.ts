@@ -40,6 +40,11 @@ export interface Changes {
 
 type Listener<Change extends keyof Changes> = (how: Changes[Change]) => void;
 
+function isSameHome(before: Shown, after: Shown): boolean {
+  const origin = ({ made = null, file = null }: Shown): string => JSON.stringify([made, file]);
+  return after.scene === before.scene && origin(before) === origin(after);
+}
+
 export class Home {
   #shown: Shown | null = null;
   /** The last state that is a step of its own: `#shown`, but for the moments of an edit. */
@@ -79,9 +84,11 @@ export class Home {
     const before = this.#settled;
     if (how === "new") [this.#past, this.#future] = [[], []];
     if (how === "step" && before) {
+      const after = { made: before.made ?? null, file: before.file ?? null, ...shown, scene: sharing(before.scene, shown.scene) };
+      if (isSameHome(before, after)) return this.#present(before, how); // nothing that undo could take back
       [this.#past, this.#future] = [[...this.#past, before], []];
-      this.#settled = { made: before.made ?? null, file: before.file ?? null, ...shown, scene: sharing(before.scene, shown.scene) };
-      this.#present(this.#settled, how);
+      this.#settled = after;
+      this.#present(after, how);
       return;
     }
     if (how !== "live") this.#settled = shown;
