@@ -1,12 +1,13 @@
-"""decorated_room(): one room.
+"""decorated_rooms(): the rooms of a house.
 
-Comes in: a furnished Room, its Space, the settings, a Stream. Goes out: the Room, decorated. May import: the ground floor, catalogs. The
-work is the core's: solver/core/dress.
+Comes in: furnished Rooms, each with its Space and a Stream; the settings. Goes out: the Rooms, decorated. May import: the ground floor,
+catalogs. The work is the core's: solver/core/dress.
 """
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Iterable
+from typing import Final, NamedTuple
 
 from solver.core import borrowed
 from solver.decorations.compiled_dressing import compiled_dressing
@@ -22,24 +23,42 @@ PAIR_WORK: Final = 0.4
 """What two pieces of a room cost, at worst: things keep clear of every piece [see demanded.py]. Measured."""
 
 
-def decorated_room(room: Room, space: Space, settings: DecorationSettings, stream: Stream) -> Room:
-    """Returns a furnished room with what decorates it, naming its kinds; the room's furniture stays as it is.
+class BareRoom(NamedTuple):
+    """A room to be decorated.
 
     Args:
         room: furnished at right angles; what decorated it before goes.
         space: its clear rectangle, and what its doors and windows keep free.
-        settings: with what, in which style, how high the room is.
         stream: of random numbers, the room's own.
+    """
+
+    room: Room
+    space: Space
+    stream: Stream
+
+
+def decorated_rooms(bare: Iterable[BareRoom], settings: DecorationSettings) -> list[Room]:
+    """Returns furnished rooms with what decorates them, naming its kinds; their furniture stays as it is.
+
+    Args:
+        bare: the rooms.
+        settings: with what, in which style, how high the rooms are.
 
     Raises:
         TooMuch: the call may not have so much work.
         CoreFailed: an error within the core.
     """
-    demand(PAIR_WORK * len(room.furniture) ** 2)
     known = compiled_dressing(settings)
-    rows = decorated_rows(room, space, known, settings, stream.state)
+    made = []
     with borrowed() as core:
-        packed = core.call("dress", core.write(known.data), len(known.data), core.write(rows), len(rows))
-        answer = core.read(packed & 0xFFFFFFFF, packed >> 32)
-    stream.state = stream_after(answer)
-    return dressed(room, rows_told(answer, room, known))
+        dressing = core.write(known.data)
+        begun = core.mark()
+        for room, space, stream in bare:
+            demand(PAIR_WORK * len(room.furniture) ** 2)
+            rows = decorated_rows(room, space, known, settings, stream.state)
+            packed = core.call("dress", dressing, len(known.data), core.write(rows), len(rows))
+            answer = core.read(packed & 0xFFFFFFFF, packed >> 32)
+            core.release(begun)
+            stream.state = stream_after(answer)
+            made.append(dressed(room, rows_told(answer, room, known)))
+    return made

@@ -9,10 +9,11 @@ from collections.abc import Container
 from dataclasses import replace
 
 from catalogs import Catalogs
-from solver.decorations import DecorationSettings, decorated_room
-from solver.furnish import space_of
+from solver.decorations import BareRoom, DecorationSettings, decorated_rooms
+from solver.dressed import count_decorations
 from solver.pipeline.accessible import floors_asked_for
-from solver.scene import Room, Scene, robot_width_of
+from solver.pipeline.room_spaces import spaces_in
+from solver.scene import Scene
 from solver.streams import Stream
 
 
@@ -31,10 +32,11 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
     kept = floors_asked_for(scene, catalogs) if wanted else {}
     settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8, kept)
 
-    def done(room: Room) -> Room:
-        if not wanted:
-            return replace(room, decorations=()) if room.decorations else room
-        space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
-        return decorated_room(room, space, settings, Stream(seed, "decorations", room.index))
-
-    return replace(scene, rooms=tuple(done(room) if room.id in rooms else room for room in scene.rooms))
+    anew = [room for room in scene.rooms if room.id in rooms]
+    if wanted:
+        space = spaces_in(scene)
+        bare = (BareRoom(room, space(room), Stream(seed, "decorations", room.index)) for room in anew)
+        done = {room.id: room for room in decorated_rooms(bare, settings)}
+    else:
+        done = {room.id: replace(room, decorations=()) for room in anew if count_decorations(room)}
+    return replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms))

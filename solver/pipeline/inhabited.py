@@ -9,11 +9,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from catalogs import Catalogs
-from solver.furnish import space_of
 from solver.people import Household, peopled
-from solver.pieces import Space
 from solver.pipeline.accessible import access_in
-from solver.scene import Dynamic, Room, Scene, robot_width_of
+from solver.pipeline.room_spaces import spaces_in
+from solver.scene import Dynamic, Room, Scene
 from solver.scene_bodies import counted
 
 
@@ -35,9 +34,5 @@ def inhabited(scene: Scene, rooms: Sequence[Room], home: Catalogs, seed: int, be
         before: who was in the house, where only these rooms are peopled anew; those elsewhere stay. None: all come anew.
     """
     household = home.model_copy(update={"people": {}}) if (scene.request or {}).get("people") is False else home
-
-    def space(room: Room) -> Space:
-        return space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
-
-    people = peopled(rooms, Household(seed, household, space), before)
+    people = peopled(rooms, Household(seed, household, spaces_in(scene)), before)
     return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counted(scene.rooms, people)})

@@ -10,7 +10,7 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.core import CoreFailed
-from solver.decorations import decorated_room
+from solver.decorations import BareRoom, decorated_rooms
 from solver.furnish import space_of
 from solver.streams import Stream
 from tests.core.test_native_dress import answer, request
@@ -26,7 +26,7 @@ def test_random_rooms_are_decorated_as_they_always_were() -> None:
     for seed in range(300):
         settings = random_settings(Random(f"golden dressing {seed // 10}"), KNOWN)
         room, stream = furnished(Random(f"golden {seed}"), KNOWN), Stream(seed, "decorations", "golden")
-        made = decorated_room(room, space_of(room, 0.1), settings, stream).decorations
+        made = decorated_rooms([BareRoom(room, space_of(room, 0.1), stream)], settings)[0].decorations
         things += len(made)
         digest.update(repr(([replace(thing, kind=None) for thing in made], stream.state)).encode())
     assert things > 600
@@ -59,5 +59,6 @@ def test_rows_that_speak_of_what_is_not_there_are_refused() -> None:
 
 def test_a_room_too_small_to_stand_in_has_nothing_on_its_floor() -> None:
     room = replace(furnished(Random("small"), KNOWN), type="kids_bedroom", furniture=(), outline=None, width=0.12, depth=0.12)
-    made = decorated_room(room, space_of(room, 0.1), random_settings(Random(1), KNOWN), Stream(1, "decorations", 0)).decorations
+    bare = BareRoom(room, space_of(room, 0.1), Stream(1, "decorations", 0))
+    made = decorated_rooms([bare], random_settings(Random(1), KNOWN))[0].decorations
     assert [thing for thing in made if thing.mounted_on_wall is None] == []

@@ -6,7 +6,7 @@ from collections import Counter
 from typing import Any
 
 from catalogs import Catalogs, load_catalogs
-from solver.decorations import DecorationSettings, decorated_room
+from solver.decorations import BareRoom, DecorationSettings, decorated_rooms
 from solver.furnish import space_of
 from solver.scene import Furniture, Opening, Room
 from solver.streams import Stream
@@ -44,7 +44,8 @@ def room(*furniture: Furniture, **more: Any) -> Room:
 def decorate(bare: Room, seed: int = 1, catalogs: Catalogs | None = None, **more: Any) -> Room:
     """Decorates a room; returns it with its decorations."""
     terms = DecorationSettings(catalogs or load_catalogs(), **more)
-    return decorated_room(bare, space_of(bare, THICKNESS), terms, Stream(seed, "decorations", bare.index))
+    (made,) = decorated_rooms([BareRoom(bare, space_of(bare, THICKNESS), Stream(seed, "decorations", bare.index))], terms)
+    return made
 
 
 def under(decorated_room: Room, parent: str) -> Counter[str]:

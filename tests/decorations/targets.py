@@ -13,7 +13,7 @@ from tqdm import tqdm
 
 from catalogs import load_catalogs
 from solver import Request, generate
-from solver.decorations import DecorationSettings, decorated_room
+from solver.decorations import BareRoom, DecorationSettings, decorated_rooms
 from solver.furnish import space_of
 from solver.streams import Stream
 from tests.decorations.oracle import complaints
@@ -41,8 +41,8 @@ def home(seed: int, preset: str = "family") -> Home:
     rooms = tuple((room.type, len(room.furniture), len(room.decorations)) for room in scene.rooms)
     start = time.process_time()
     terms = DecorationSettings(load_catalogs())
-    for room in scene.rooms:
-        decorated_room(room, space_of(room, scene.wall_thickness), terms, Stream(seed, "decorations", room.index))
+    bare = (BareRoom(room, space_of(room, scene.wall_thickness), Stream(seed, "decorations", room.index)) for room in scene.rooms)
+    decorated_rooms(bare, terms)
     cpu = (time.process_time() - start) * 1000
     return Home(rooms, tuple(f"seed {seed}: {what}" for what in (*wrong, *complaints(scene))), cpu)
 
