@@ -10,6 +10,7 @@ from collections.abc import Collection
 from functools import lru_cache
 from hashlib import blake2b
 from itertools import chain
+from math import sqrt
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
@@ -302,6 +303,10 @@ class Catalogs(Entry):
         """Returns the catalogs for homes that are made for a profile, by its name; the same ones where there is none of it."""
         return _for_access(self, name) if name in self.access else self
 
+    def for_walls(self, more_mm: int) -> Catalogs:
+        """Returns the catalogs for homes whose inner walls are thicker than usual by so many mm: rooms are planned larger by as much."""
+        return _for_walls(self, more_mm) if more_mm else self
+
     def of_home(self, types: Collection[str], planned: bool = True) -> Catalogs:
         """Returns the catalogs of a home with rooms of these types.
 
@@ -335,6 +340,24 @@ def _for_access(catalogs: Catalogs, name: str) -> Catalogs:
         if kind.home is not None:
             rooms[room] = kind.model_copy(update={"home": kind.home.model_copy(update={"area": size.area, "width": size.width})})
     return catalogs.model_copy(update={"rooms": rooms, "profile": profile, "fingerprint": made_from.hexdigest()})
+
+
+@lru_cache(maxsize=16)
+def _for_walls(catalogs: Catalogs, more_mm: int) -> Catalogs:
+    """Returns the catalogs with the sizes that homes' rooms have between the lines of thicker walls, their floors as large as ever."""
+    made_from = blake2b(f"{catalogs.fingerprint} walls {more_mm}".encode(), digest_size=6)
+    rooms = {name: _between_thicker(kind, more_mm / 1000) for name, kind in catalogs.rooms.items()}
+    return catalogs.model_copy(update={"rooms": rooms, "fingerprint": made_from.hexdigest()})
+
+
+def _between_thicker(kind: RoomType, more: float) -> RoomType:
+    home = kind.home
+    if home is None:
+        return kind
+    around = more * (1 + home.aspect) / sqrt(home.aspect)  # of a room as long as it may be, a side's share of its floor's root
+    area = tuple(round(((around + sqrt(around**2 + 4 * (one - more**2))) / 2) ** 2, 3) for one in home.area)
+    length = home.length and round(home.length + more, 3)
+    return kind.model_copy(update={"home": home.model_copy(update={"area": area, "width": round(home.width + more, 3), "length": length})})
 
 
 @lru_cache(maxsize=16)

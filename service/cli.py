@@ -168,6 +168,8 @@ def _add_request_keys(command: ArgumentParser) -> None:
     add("--max-depth", type=int, metavar="N", help="how often the plan is split (5)")
     add("--access", metavar="PROFILE", help="a standard that the home is made for: none, din_18040_2, din_18040_2_r, ada (none)")
     add("--robot-width", type=float, metavar="N", help="of what must be able to walk everywhere, m (0.6)")
+    add("--wall-thickness", type=float, metavar="N", help="of inner walls, m (0.1)")
+    add("--outer-wall-thickness", type=float, metavar="N", help="of outer walls, m (as inner ones)")
     add("--force-type", dest="force_types", action="append", type=forced, metavar="INDEX=TYPE", help="a room's type")
     switch = partial(add, action=BooleanOptionalAction)
     switch("--use-spine", help="a hallway through the house (on)")

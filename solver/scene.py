@@ -2,11 +2,9 @@
 
 Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by key, in its order.
 May import: errors, fields, what an asset may be called. Not here: reading and writing (exchange), rules (validate).
-
 Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen from above, 0 facing
 south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner; `y` is its underside. Edges lie on
-integer millimetres, so a centre may end in 0.0005. Each field's type states what a reader accepts (solver/fields.py); reading and the
-published JSON Schema are made from it.
+integer millimetres, so a centre may end in 0.0005. Each field's type states what a reader accepts (solver/fields.py).
 """
 
 from __future__ import annotations
@@ -87,13 +85,14 @@ def _extra() -> Any:
 class Request(Record):
     """What to generate; all optional. Unknown keys are refused.
 
-    `program` counts rooms by word (`{bedrooms: 3, bathrooms: 2, garage: 1}`) or names a preset; `area` is the wished floor of the
-    house, m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where they are not given; else the
-    house is 20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say how its rectangle is cut into rooms.
-    `outline` is that of a planned home, none stands for any; or the corners around the house, m, each edge along x or z. `force_types`
-    maps a room's index to a room type. `robot_width` is the side, m, of the square that must be able to walk everywhere. `decorate`
-    decorates surfaces, walls and floors. `style` names a style. `access` names a profile: its walker must come everywhere, and the
-    certificate tells what else of it is met. `people` is whether there are people and pets.
+    `program` counts rooms by word (`{bedrooms: 3, bathrooms: 2, garage: 1}`) or names a preset; `area` is the wished floor of the house,
+    m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where they are not given; else the house is
+    20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say how its rectangle is cut into rooms. `outline` is that of
+    a planned home, none stands for any; or the corners around the house, m, each edge along x or z. `force_types` maps a room's index to a
+    room type. `robot_width` is the side, m, of the square that must be able to walk everywhere. `decorate` decorates surfaces, walls and
+    floors. `style` names a style. `access` names a profile: its walker must come everywhere, and the certificate tells what else of it is
+    met. `people` is whether there are people and pets. `wall_thickness` is that of inner walls, m, 0.1 by default, `outer_wall_thickness`
+    that of outer ones, as inner ones by default.
     """
 
     camel_case: ClassVar[bool] = True
@@ -114,6 +113,8 @@ class Request(Record):
     outline: Annotated[str | GivenCorners | None, OUTLINE, Says("of a planned home, any by default; or of any home its corners, m")] = None
     access: Annotated[Text | None, Says("a profile of access.yaml, or none")] = None
     people: Annotated[Flag | None, Says("false: nobody is there")] = field(default=None, metadata={OMITTED: True})
+    wall_thickness: Annotated[float, STRICT, Ge(0.05), Le(0.24)] | None = field(default=None, metadata={OMITTED: True})
+    outer_wall_thickness: Annotated[float, STRICT, Ge(0.05), Le(0.6)] | None = field(default=None, metadata={OMITTED: True})
 
     @property
     def planned(self) -> bool:
@@ -123,8 +124,7 @@ class Request(Record):
     @property
     def extents(self) -> tuple[float, float]:
         """Width and depth of a plain request's house, m."""
-        width, depth = PLAIN_SIZE
-        return (width if self.width is None else self.width, depth if self.depth is None else self.depth)
+        return PLAIN_SIZE[0] if self.width is None else self.width, PLAIN_SIZE[1] if self.depth is None else self.depth
 
 
 @dataclass(frozen=True)

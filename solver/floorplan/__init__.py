@@ -8,8 +8,8 @@ stage. Not here: furniture, wall occupancy, validation.
     plan         rooms as the scene has them, doors moved afterwards
 """
 
-from solver.floorplan.draw import draw
+from solver.floorplan.draw import draw, wall_thickness_of
 from solver.floorplan.plan import FloorPlan, door_positions, with_door_at
 from solver.floorplan.programme.planned_rooms import program_counts, program_of
 
-__all__ = ["FloorPlan", "door_positions", "draw", "program_counts", "program_of", "with_door_at"]
+__all__ = ["FloorPlan", "door_positions", "draw", "program_counts", "program_of", "wall_thickness_of", "with_door_at"]

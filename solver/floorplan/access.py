@@ -12,7 +12,7 @@ from heapq import heappop, heappush
 from typing import Final
 
 from catalogs.schema import RoomType
-from solver.floorplan.tiling import DOOR_WALL_MM, Joint, Layout, neighbours
+from solver.floorplan.tiling import Joint, Layout, neighbours
 from solver.geometry import Rect
 from solver.scene import WALLS
 
@@ -166,7 +166,7 @@ def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomTy
         for i, exposed in enumerate(layout.exposed)
         for wall, stretches in exposed.items()
     }
-    wide = [place for place, length in lengths.items() if length >= DOOR_WALL_MM] or list(lengths)
+    wide = [place for place, length in lengths.items() if length >= layout.walls.door_wall] or list(lengths)
     better = _before_hallways(rooms)
 
     def rank(place: tuple[int, str]) -> tuple[int, int, int, int]:

@@ -14,7 +14,7 @@ from typing import Any, Final
 
 from solver.floorplan.given import GivenPart
 from solver.floorplan.plots import halves
-from solver.floorplan.tiling import HALLWAY_MM, Layout, touching
+from solver.floorplan.tiling import CLEAR_HALLWAY_MM, Layout, touching
 from solver.geometry import Rect, half_m, to_m
 from solver.streams import Stream
 
@@ -109,4 +109,4 @@ def _corridors(paths: list[str], rooms: tuple[Rect, ...]) -> tuple[Mapping[str, 
 def _corridor(rooms: tuple[Rect, ...], a: int, b: int) -> Mapping[str, Any]:
     """An L from one room's centre along x, then along z, to the other's; m."""
     ax, az, bx, bz = (half_m(v) for r in (rooms[a], rooms[b]) for v in (r.x0 + r.x1, r.z0 + r.z1))
-    return {"from": a, "to": b, "points": [[ax, az], [bx, az], [bx, bz]], "width": to_m(HALLWAY_MM - 100)}
+    return {"from": a, "to": b, "points": [[ax, az], [bx, az], [bx, bz]], "width": to_m(CLEAR_HALLWAY_MM)}

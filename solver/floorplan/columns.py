@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from heapq import heappop, heappush
 from math import sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
 from solver.floorplan.plots import ASPECT, ENDS, OTHER, Plot, halves, span
-from solver.floorplan.tiling import HALLWAY_MM, exterior_sides
+from solver.floorplan.tiling import exterior_sides
 from solver.geometry import Rect
 from solver.streams import Stream
 
@@ -32,16 +32,24 @@ FAIR: Final = 0.7
 """A room's side is at least this part of that of a square of its fair share of the floor. Our choice."""
 
 
+class RoomBounds(NamedTuple):
+    """What rooms along a spine keep to: least side, mm, most of them on each side, the largest bathroom, m2, hallways' width, mm."""
+
+    least: int
+    most: int
+    bath_m2: float
+    hallway: int
+
+
 class Books:
     """What has been built and what may still be: rooms, hallways, plots in the queue, cells left, hallway floor left."""
 
-    def __init__(self, outline: Rect, least: int, seed: int, bath_m2: float) -> None:
-        self.outline, self.least, self.seed = outline, least, seed
-        self.most = MAX_ROOMS
-        """How many rooms each side of the spine may have."""
+    def __init__(self, outline: Rect, bounds: RoomBounds, seed: int) -> None:
+        self.outline, self.seed = outline, seed
+        self.least, self.most, bath_m2, self.hallway = bounds
         self.bath_mm2 = round(bath_m2 * 1e6)
         """The largest bathroom."""
-        self.suite_mm = self.bath_mm2 // least
+        self.suite_mm = self.bath_mm2 // self.least
         """Widest column whose back room, as shallow as may be, is still a bathroom, mm."""
         self.hallways: list[Rect] = []
         self.rooms: dict[str, Rect] = {}
@@ -142,11 +150,11 @@ class Columns:
             low = max(2 * least, self.slim(deep - least)) if twice else self.slim(deep * 3 // 5)
             return round(low * stream.uniform(1.0, 1.1)), min(round(low * 1.3), ASPECT * (deep - max(least, deep * 2 // 5)))
         if role == "alcove":
-            low = max(least + HALLWAY_MM, -(-(deep - least) // ASPECT))
-            return (round(low * stream.uniform(1.0, 1.1)), round(low * 1.25)) if HALLWAY_MM * least <= self.books.floor else never
+            low = max(least + self.books.hallway, -(-(deep - least) // ASPECT))
+            return (round(low * stream.uniform(1.0, 1.1)), round(low * 1.25)) if self.books.hallway * least <= self.books.floor else never
         unit = self.books.unit(plot, plot.run)
         drawn, most = round(2 * unit * stream.uniform(*BLOCK[:2])), round(2 * unit * BLOCK[2])
-        return (drawn + HALLWAY_MM, most + HALLWAY_MM) if HALLWAY_MM * deep <= self.books.floor else never
+        return (drawn + self.books.hallway, most + self.books.hallway) if self.books.hallway * deep <= self.books.floor else never
 
     def _evened(self, plot: Plot, widths: tuple[int, int]) -> int:
         """Widens a column by what would be too little for one more column in the rest of the strip."""
@@ -213,14 +221,14 @@ class Columns:
         """Leads 1.3 m of hallway past a small front room up to the back room."""
         run = plot.run
         wide, deep = plot.length(run), plot.length(OTHER[run])
-        front = self.slim(wide - HALLWAY_MM)
-        slim = wide - HALLWAY_MM < self.slim(front) or deep - front < self.slim(wide) or deep - front > ASPECT * wide
+        front = self.slim(wide - self.books.hallway)
+        slim = wide - self.books.hallway < self.slim(front) or deep - front < self.slim(wide) or deep - front > ASPECT * wide
         end = self._free_end(plot)
-        if slim or HALLWAY_MM * front > self.books.floor or end < 0:
+        if slim or self.books.hallway * front > self.books.floor or end < 0:
             return False
         near, rear = self._front_and_back(plot, deep - front)
         low, high = span(near, run)
-        parts = halves(near, run, high - HALLWAY_MM if end else low + HALLWAY_MM)
+        parts = halves(near, run, high - self.books.hallway if end else low + self.books.hallway)
         self.books.add_hallway(parts[end])
         self.books.keep(plot.path + "0", parts[1 - end])
         self.books.keep(plot.path + "1", rear)

@@ -14,19 +14,13 @@ from typing import Final, NamedTuple
 from catalogs.access_profiles import AccessProfile
 from catalogs.schema import RoomType
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
-from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout
+from solver.floorplan.tiling import JAMB_MM, LEAF_MM, HouseWalls, Joint, Layout
 from solver.geometry import OPPOSITE, Rect, strip, to_mm
 
-LEAF_MM: Final = 900
-"""Width of a door."""
 WIDE_MM: Final = 1200
 """Width of a passage where two hallways meet or the shared wall is at least WIDE_WALL_MM."""
 WIDE_WALL_MM: Final = 3000
 """Shared wall from which a passage is wide: what is left takes a sofa's end. Our choice."""
-JAMB_MM: Final = 100
-"""Least wall between an opening and the end of its stretch of wall."""
-LEAST_JAMB_MM: Final = 50
-"""Least jamb of an opening as wide as its wall allows: half a wall, or it would cut into the wall at the corner."""
 STEP_MM: Final = 100
 """Distance of the places tried along a wall."""
 SQUARE_MM: Final = 900
@@ -190,7 +184,7 @@ class Doorways:
     def best(self, cut: Cut, stretch: tuple[int, int]) -> tuple[float, Cut]:
         """Returns the best place of an opening in a stretch of wall, with its score."""
         best = (inf, cut)
-        for k, centre in enumerate(places(cut.width, stretch)):
+        for k, centre in enumerate(places(cut.width, stretch, self.layout.walls)):
             placed = cut.at(centre)
             score = self.score(placed) + SHIFTED * (k > 0)
             if score < best[0]:
@@ -205,10 +199,10 @@ def _square(rect: Rect, wall: str, low: int, high: int) -> Rect:
     return strip(rect, wall, (low, high), min(high - low, SQUARE_MM))
 
 
-def places(width: int, stretch: tuple[int, int]) -> Iterator[int]:
+def places(width: int, stretch: tuple[int, int], walls: HouseWalls) -> Iterator[int]:
     """Yields the centres an opening may have in a stretch of wall: the middle, both ends, then every STEP_MM."""
-    jamb = min(JAMB_MM, (stretch[1] - stretch[0] - width) // 2)
-    if jamb < LEAST_JAMB_MM:
+    jamb = min(walls.jamb, (stretch[1] - stretch[0] - width) // 2)
+    if jamb < walls.least_jamb:
         return
     first, last = stretch[0] + jamb + width // 2, stretch[1] - jamb - width // 2
     middle = (first + last) // 2
@@ -284,7 +278,9 @@ class _Shuffle:
             forms += [cut._replace(leaf=leaf) for leaf in (cut.room, cut.other) if leaf != cut.leaf]
         if cut.kind == "door" and cut.other is not None:
             forms.append(cut._replace(id=cut.id.replace("door", "passage"), kind="passage", leaf=None))
-        return (form.at(centre) for form in forms for stretch in stretches for centre in places(cut.width, stretch))
+        return (
+            form.at(centre) for form in forms for stretch in stretches for centre in places(cut.width, stretch, self.doorways.layout.walls)
+        )
 
 
 def _swings(doorways: Doorways, joint: Joint, entered: int) -> list[int]:
@@ -296,7 +292,7 @@ def _swings(doorways: Doorways, joint: Joint, entered: int) -> list[int]:
 
 def _passage(doorways: Doorways, joint: Joint, number: int) -> Cut:
     halls = doorways.types[joint.a] == doorways.types[joint.b] == "hallway"
-    wide = joint.length >= (HALLWAY_MM if halls else WIDE_WALL_MM)
+    wide = joint.length >= (doorways.layout.walls.hallway if halls else WIDE_WALL_MM)
     return Cut(f"passage_{number}", "passage", joint.a, joint.wall, joint.b, 0, WIDE_MM if wide else doorways.leaf_mm)
 
 

@@ -6,6 +6,7 @@ Comes in: Request, Catalogs. Goes out: FloorPlan. May import: the ground floor, 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
@@ -13,6 +14,7 @@ from solver.fields import ANY, RECTANGLE
 from solver.floorplan.access import THROUGH_OTHER, RoomAccess, door_tree, entrance_of, passing_cost, plan_access
 from solver.floorplan.bsp import partition
 from solver.floorplan.classify import check_forced, classify
+from solver.floorplan.columns import RoomBounds
 from solver.floorplan.doors import Doorways, place_doors, place_entrance, place_garage_doors
 from solver.floorplan.fitness import Fitness
 from solver.floorplan.given import parts_of
@@ -20,7 +22,7 @@ from solver.floorplan.kept_walls import keep_walls
 from solver.floorplan.plan import Drawing, FloorPlan, written
 from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
-from solver.floorplan.tiling import HALLWAY_MM, Joint, Layout, joints
+from solver.floorplan.tiling import LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints
 from solver.floorplan.windows import place_windows
 from solver.geometry import Rect, to_m, to_mm
 from solver.scene import Request
@@ -37,14 +39,35 @@ def draw(request: Request, catalogs: Catalogs) -> FloorPlan:
         RequestError: min_room_size is larger than the house, force_types names an unknown room or type, or the programme
             an unknown word or preset.
     """
-    return _planned(request, catalogs) if request.planned else _partitioned(request, catalogs)
+    walls = _walls_of(request, catalogs)
+    return _planned(request, catalogs, walls) if request.planned else _partitioned(request, catalogs, walls)
 
 
-def _partitioned(request: Request, catalogs: Catalogs) -> FloorPlan:
+def wall_thickness_of(request: Request) -> float:
+    """Returns how thick inner walls are to be, m."""
+    return to_m(WALL_MM) if request.wall_thickness is None else request.wall_thickness
+
+
+def _walls_of(request: Request, catalogs: Catalogs) -> HouseWalls:
+    """Reads how thick walls are to be.
+
+    Raises:
+        RequestError: outer walls are to be thinner than inner ones.
+    """
+    inner = wall_thickness_of(request)
+    outer = inner if request.outer_wall_thickness is None else request.outer_wall_thickness
+    if outer < inner:
+        raise RequestError("outer_wall_thickness", f"{outer} m is less than the {inner} m of inner walls", f"at least {inner}")
+    leaf = max(LEAF_MM, to_mm(catalogs.profile.leaf(main=False))) if catalogs.profile else LEAF_MM
+    return HouseWalls(to_mm(inner), to_mm(outer), leaf)
+
+
+def _partitioned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPlan:
     """A plain request: a rectangle is cut into rooms, and they are given types."""
     if isinstance(request.outline, str) and request.outline not in (ANY, RECTANGLE):
         raise RequestError("outline", f"{request.outline} is for planned homes", f"{RECTANGLE}, or a program or an area beside it")
-    layout, notes = _layout(request, catalogs)
+    layout, notes = _layout(request, catalogs, walls)
+    layout = replace(layout, walls=walls)
     check_forced(request, len(layout.rooms), catalogs.rooms)
     shared = joints(layout)
     access_plan = plan_access(layout, shared)
@@ -54,9 +77,9 @@ def _partitioned(request: Request, catalogs: Catalogs) -> FloorPlan:
     return _opened(layout, RoomAccess(types, shared, access_plan, catalogs.rooms), entrance, catalogs, (*notes, *more))
 
 
-def _planned(request: Request, catalogs: Catalogs) -> FloorPlan:
+def _planned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPlan:
     """A programme: types are dealt, and their rooms' widths are solved."""
-    home = plan_home(request, catalogs)
+    home = plan_home(request, catalogs, walls)
     entrance = entrance_of(home.layout, home.types, catalogs.rooms, by_hallway=False)
     typed = home.access(joints(home.layout), catalogs, entrance[0])
     return _opened(home.layout, typed, entrance, catalogs, home.notes)
@@ -76,35 +99,37 @@ def _opened(layout: Layout, typed: RoomAccess, entrance: tuple[int, str], catalo
     return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))
 
 
-def _layout(request: Request, catalogs: Catalogs) -> tuple[Layout, tuple[str, ...]]:
+def _layout(request: Request, catalogs: Catalogs, walls: HouseWalls) -> tuple[Layout, tuple[str, ...]]:
     if request.outline is not None and not isinstance(request.outline, str):
-        return _within(request, request.outline)
+        return _within(request, request.outline, walls.more)
     width, depth = request.extents
     outline = Rect(0, 0, to_mm(width), to_mm(depth))
-    least, seed = to_mm(request.min_room_size), request.seed or 0
+    least, seed = to_mm(request.min_room_size) + walls.more, request.seed or 0
     if least > min(outline.width, outline.depth):
         allowed = f"at most {to_m(min(outline.width, outline.depth))}"
         raise RequestError("min_room_size", f"{request.min_room_size} m is more than the house's shorter side", allowed)
     if request.use_spine:
-        layout = carve(outline, least, request.max_depth, seed, catalogs.rooms["bathroom"].area.max)
+        bounds = RoomBounds(least, 1 << request.max_depth, catalogs.rooms["bathroom"].area.max, walls.hallway)
+        layout = carve(outline, bounds, seed)
         if layout is not None:
             return layout, layout.notes
     layout = partition(outline, least, request.max_depth, seed)
     if not request.use_spine:
         return layout, layout.notes
-    half = to_m((min(outline.width, outline.depth) - HALLWAY_MM) // 2)
+    half = to_m((min(outline.width, outline.depth) - walls.hallway) // 2)
     note = f"no hallway spine: beside it each half would be {half} m deep, less than min_room_size {request.min_room_size}"
     return layout, (note, *layout.notes)
 
 
-def _within(request: Request, corners: Sequence[tuple[float, float]]) -> tuple[Layout, tuple[str, ...]]:
+def _within(request: Request, corners: Sequence[tuple[float, float]], more: int) -> tuple[Layout, tuple[str, ...]]:
     """Cuts a given outline into rooms."""
     for key in ("width", "depth"):
         if getattr(request, key) is not None:
             raise RequestError(key, "is given beside the outline's corners", "one of the two")
-    parts = parts_of(corners, to_mm(request.min_room_size))
+    least = to_mm(request.min_room_size) + more
+    parts = parts_of(corners, least)
     box = Rect(0, 0, max(part.rect.x1 for part in parts), max(part.rect.z1 for part in parts))
-    layout = partition(box, to_mm(request.min_room_size), request.max_depth, request.seed or 0, parts)
+    layout = partition(box, least, request.max_depth, request.seed or 0, parts)
     notes = ("no hallway spine: the outline is given",) if request.use_spine else ()
     return layout, (*notes, *layout.notes)
 

@@ -48,8 +48,10 @@ class Fitness:
                 self.children.setdefault(parent, []).append(child)
         self.cars = {name: cars_of(kind) for name, kind in rooms.items() if kind.plan.garage_door}
         self.wet = frozenset(name for name, kind in rooms.items() if kind.plan.wet)
-        self.area = [rect.area_m2 for rect in layout.rooms]
-        self._sides = [(min(rect.width, rect.depth), max(rect.width, rect.depth)) for rect in layout.rooms]
+        more = layout.walls.more
+        sides = [sorted((rect.width - more, rect.depth - more)) for rect in layout.rooms]
+        self.area = [short * long / 1e6 for short, long in sides]
+        self._sides = [(short, long) for short, long in sides]
         self._shape: dict[tuple[int, str], float] = {}
 
     def shape(self, room: int, name: str) -> float:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 
 from catalogs.schema import KeptWall
-from solver.floorplan.doors import JAMB_MM, Cut, Doorways, OpeningSide
+from solver.floorplan.doors import Cut, Doorways, OpeningSide
 from solver.floorplan.tiling import Joint
 from solver.floorplan.windows import EDGE_MM
 from solver.geometry import Rect, gaps_between, to_mm
@@ -52,7 +52,8 @@ class _Walls:
 
     def __init__(self, doorways: Doorways, shared: Shared) -> None:
         self.doorways, self.shared = doorways, shared
-        by_type = {name: _wishes(doorways.rooms[name].plan.keeps) for name in set(doorways.types)}
+        more = doorways.layout.walls.more
+        by_type = {name: _wishes(doorways.rooms[name].plan.keeps, more) for name in set(doorways.types)}
         self.wishes = [by_type[name] for name in doorways.types]
         self._known: dict[tuple[int, ...], int] = {}
 
@@ -116,16 +117,23 @@ class _Walls:
         else:
             stretches = self.doorways.layout.exposed[cut.room][cut.wall]
             low, high = next(one for one in stretches if one[0] <= cut.centre <= one[1])
-        jamb = EDGE_MM if cut.kind == "window" else min(JAMB_MM, (high - low - cut.width) // 2)
+        jamb = EDGE_MM if cut.kind == "window" else min(self.doorways.layout.walls.jamb, (high - low - cut.width) // 2)
         for centre in (low + jamb + cut.width // 2, high - jamb - cut.width // 2):
             if centre != cut.centre and low + jamb <= centre - cut.width // 2 and centre + cut.width // 2 <= high - jamb:
                 yield cut.at(centre)
 
 
-def _wishes(keeps: Sequence[KeptWall]) -> tuple[_Wish, ...]:
-    """Returns what a room type keeps."""
+def _wishes(keeps: Sequence[KeptWall], more: int) -> tuple[_Wish, ...]:
+    """Returns what a room type keeps, between lines of walls that are thicker than usual by so many mm."""
     return tuple(
-        _Wish(to_mm(one.length), to_mm(one.depth), one.under_windows, one.round_corners, to_mm(one.across or 0.0)) for one in keeps
+        _Wish(
+            to_mm(one.length) + more,
+            to_mm(one.depth) + more // 2,
+            one.under_windows,
+            one.round_corners,
+            to_mm(one.across) + more if one.across else 0,
+        )
+        for one in keeps
     )
 
 

@@ -18,6 +18,8 @@ from solver.scene import EXTERIOR, WALLS, Flooring, Opening, Room, Sides
 
 DOOR_HEIGHT: Final = 2.1
 """Height of doors and passages, m."""
+CLOCKWISE: Final = ("north", "east", "south", "west")
+"""The walls in the order of a rectangle's lines."""
 GARAGE_DOOR_HEIGHT: Final = 2.2
 """Height of garage doors, m. Our choice."""
 
@@ -83,6 +85,8 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
     rect, name = drawing.layout.rooms[index], drawing.types[index]
     kind = drawing.catalogs.rooms[name]
     outside = drawing.layout.exposed[index]
+    walls = drawing.layout.walls
+    own = walls.outer != walls.thickness and not kind.outdoor and bool(outside)
     return Room(
         id=f"{name}_{index}",
         index=index,
@@ -94,6 +98,7 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
         outdoor=kind.outdoor,
         flooring=Flooring(kind.flooring, drawing.catalogs.floorings[kind.flooring].color),
         accent=kind.accent,
+        wall_thickness=tuple(to_m(walls.outer) if wall in outside else None for wall in CLOCKWISE) if own else None,
         exterior_walls=Sides(**{wall: wall in outside for wall in WALLS}),
         wall_flags=flags,
         openings=openings,
@@ -178,7 +183,7 @@ def door_positions(plan: FloorPlan, opening_id: str) -> tuple[int, ...]:
     """
     drawing, cut = plan.drawing, _cut(plan, opening_id)
     doorways, stretch = _doorways(drawing), _stretch(drawing, cut)
-    centres = list(places(cut.width, stretch))
+    centres = list(places(cut.width, stretch, drawing.layout.walls))
     if not centres:
         return ()
     low, high = min(centres), max(centres)

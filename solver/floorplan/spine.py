@@ -1,6 +1,6 @@
 """The hallway spine, and a partition that carries "which of my sides lie on a hallway" down the recursion.
 
-Comes in: an outline, the smallest side, a depth, a seed, the largest bathroom. Goes out: a `Layout` in which every room
+Comes in: an outline, what rooms keep to, a seed. Goes out: a `Layout` in which every room
 touches a hallway or is `behind` a room planned for that; None where the spine does not fit.
 May import: the ground floor. A cut keeps its two crossed sides in both children and its
 own side in one; a cut that would take a child off the hallway is turned, becomes a side hallway, a cell or an alcove.
@@ -12,9 +12,9 @@ from __future__ import annotations
 from typing import Final
 
 from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
-from solver.floorplan.columns import Books, Columns
+from solver.floorplan.columns import Books, Columns, RoomBounds
 from solver.floorplan.plots import ASPECT, ENDS, OTHER, Plot, halves, span
-from solver.floorplan.tiling import HALLWAY_MM, Layout, exterior_sides
+from solver.floorplan.tiling import Layout, exterior_sides
 from solver.geometry import Rect
 from solver.streams import Stream
 
@@ -52,7 +52,7 @@ class _Carver:
         if plot.role:
             return self.columns.build(plot)
         unit = self.books.unit(plot, run)
-        narrow = 2 * unit <= plot.length(run) - HALLWAY_MM <= round(2 * SLIM * unit)
+        narrow = 2 * unit <= plot.length(run) - self.books.hallway <= round(2 * SLIM * unit)
         return (
             (narrow and self.side_hallway(plot, run))
             or self.columns.cut_off(plot)
@@ -116,8 +116,8 @@ class _Carver:
 
     def side_hallway(self, plot: Plot, axis: str) -> bool:
         """Cuts with a hallway of its own between the children, from the hallway the plot lies on."""
-        room = plot.length(axis) - HALLWAY_MM
-        if room < 2 * self.least or HALLWAY_MM * plot.length(OTHER[axis]) > self.books.floor:
+        room = plot.length(axis) - self.books.hallway
+        if room < 2 * self.least or self.books.hallway * plot.length(OTHER[axis]) > self.books.floor:
             return False
         stream = Stream(self.books.seed, "floorplan.side", plot.path)
         unit = self.books.unit(plot, axis)
@@ -125,39 +125,36 @@ class _Carver:
         first = round((room / 2 + stream.uniform(-SWAY, SWAY) * spare) / ROUND_MM) * ROUND_MM
         at = span(plot.rect, axis)[0] + min(max(first, self.least), room - self.least)
         one, rest = halves(plot.rect, axis, at)
-        hallway, two = halves(rest, axis, at + HALLWAY_MM)
+        hallway, two = halves(rest, axis, at + self.books.hallway)
         self.books.add_hallway(hallway)
         self.books.push(plot.beside_hallway(one, axis, 0))
         self.books.push(plot.beside_hallway(two, axis, 1))
         return True
 
 
-def carve(outline: Rect, least: int, max_depth: int, seed: int, bath_m2: float) -> Layout | None:
+def carve(outline: Rect, bounds: RoomBounds, seed: int) -> Layout | None:
     """Cuts the house into rooms along a hallway spine.
 
     Args:
         outline: the house, mm.
-        least: smallest side of a room, mm.
-        max_depth: levels of cuts on each side of the spine: at most 2 ** max_depth rooms there.
+        bounds: what its rooms keep to.
         seed: the house's seed.
-        bath_m2: the largest bathroom, for a bedroom with its own bathroom behind it.
 
     Returns:
-        The layout; None where a half would be narrower than `least`.
+        The layout; None where a half would be narrower than the least side.
     """
     axis = "z" if outline.width >= outline.depth else "x"
     low, high = span(outline, axis)
-    at = low + (high - low - HALLWAY_MM) // 2
-    if at - low < least:
+    at = low + (high - low - bounds.hallway) // 2
+    if at - low < bounds.least:
         return None
-    carver = _Carver(Books(outline, least, seed, bath_m2))
-    carver.books.most = 1 << max_depth
+    carver = _Carver(Books(outline, bounds, seed))
     first, rest = halves(outline, axis, at)
-    spine, second = halves(rest, axis, at + HALLWAY_MM)
+    spine, second = halves(rest, axis, at + bounds.hallway)
     carver.books.add_hallway(spine)
     carver.books.push(Plot(first, frozenset({ENDS[axis][1]}), "0"))
     south = Plot(second, frozenset({ENDS[axis][0]}), "1")
-    if axis == "x" or max_depth == 0 or not carver.side_hallway(south, "x"):
+    if axis == "x" or bounds.most == 1 or not carver.side_hallway(south, "x"):
         carver.books.push(south)
     carver.run()
     return _layout(carver.books)

@@ -9,20 +9,69 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from solver.geometry import OPPOSITE, Rect, gaps_between
 from solver.scene import WALLS
 
-HALLWAY_MM: Final = 1300
-"""Width of a hallway between wall lines: 1.2 m clear between walls of 0.1 m."""
-DOOR_WALL_MM: Final = 1100
-"""Shortest shared wall that takes a door: a leaf of 0.9 m and a jamb of 0.1 m at each end."""
+LATTICE_MM: Final = 50
+"""Lines are drawn on multiples of this."""
+WALL_MM: Final = 100
+"""Thickness of inner walls for which rooms' sizes between their lines are meant."""
+CLEAR_HALLWAY_MM: Final = 1200
+"""Clear width of a hallway."""
+LEAF_MM: Final = 900
+"""Width of a door."""
+JAMB_MM: Final = 100
+"""Least wall between an opening and the end of its stretch of wall."""
+LEAST_JAMB_MM: Final = 50
+"""Least jamb of an opening as wide as its wall allows: half a wall, or it would cut into the wall at the corner."""
+
+
+class HouseWalls(NamedTuple):
+    """How thick inner walls and outer ones are, and how wide a door's opening is, mm; what that asks of a plan drawn by walls' lines."""
+
+    thickness: int = WALL_MM
+    outer: int = WALL_MM
+    leaf: int = LEAF_MM
+
+    @property
+    def more(self) -> int:
+        """By how much a room has to be longer between their lines than between walls of WALL_MM, mm."""
+        return max(0, self.thickness - WALL_MM)
+
+    @property
+    def half(self) -> int:
+        """What of a wall lies on one side of its line, mm."""
+        return (self.thickness + 1) // 2
+
+    @property
+    def hallway(self) -> int:
+        """Width of a hallway between wall lines, mm."""
+        return -(-(CLEAR_HALLWAY_MM + self.thickness) // LATTICE_MM) * LATTICE_MM
+
+    @property
+    def jamb(self) -> int:
+        """Least wall between an opening and the end of its stretch of wall, mm."""
+        return max(JAMB_MM, self.half)
+
+    @property
+    def least_jamb(self) -> int:
+        """The same of an opening as wide as its wall allows, mm."""
+        return max(LEAST_JAMB_MM, self.half)
+
+    @property
+    def door_wall(self) -> int:
+        """Shortest shared wall that takes a door, mm."""
+        return max(LEAF_MM + 2 * self.jamb, self.leaf + 2 * self.least_jamb)
+
+
+USUAL_WALLS: Final = HouseWalls()
 
 
 @dataclass(frozen=True, order=True)
 class Joint:
-    """A stretch of wall that two rooms share, at least DOOR_WALL_MM long.
+    """A stretch of wall that two rooms share, long enough for a door.
 
     `a` < `b` are room indices, `wall` is the wall of `a`, `low` and `high` its ends along x (north, south) or z, mm.
     """
@@ -61,6 +110,7 @@ class Layout:
     behind: Mapping[int, int] = field(default_factory=dict)
     corridors: tuple[Mapping[str, Any], ...] = ()
     notes: tuple[str, ...] = ()
+    walls: HouseWalls = USUAL_WALLS
 
     @cached_property
     def met(self) -> list[tuple[int, int, str, int, int]]:
@@ -115,7 +165,7 @@ def touching(rooms: Sequence[Rect]) -> list[tuple[int, int, str, int, int]]:
 
 def joints(layout: Layout) -> tuple[Joint, ...]:
     """Returns the shared walls that are long enough for a door, sorted."""
-    return tuple(Joint(*stretch) for stretch in layout.met if stretch[4] - stretch[3] >= DOOR_WALL_MM)
+    return tuple(Joint(*stretch) for stretch in layout.met if stretch[4] - stretch[3] >= layout.walls.door_wall)
 
 
 def neighbours(count: int, shared: tuple[Joint, ...]) -> list[list[Joint]]:

@@ -15,7 +15,7 @@ from catalogs.styles import Style
 from solver.certificate import certificate, room_certificate
 from solver.errors import SceneError
 from solver.exchange import checked_request, write_request
-from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
+from solver.floorplan import FloorPlan, door_positions, draw, wall_thickness_of, with_door_at
 from solver.furnish import space_of, unwanted_pieces, wanted_pieces, wanted_rows
 from solver.furnished import furnished
 from solver.geometry import to_m
@@ -36,8 +36,6 @@ from solver.streams import Stream
 from solver.validator import RULES, check, validate
 from solver.version import VERSION
 
-WALL_THICKNESS = 0.1
-"""Thickness of the walls of generated houses, m."""
 STOREY_HEIGHT = 2.8
 """Height of a storey, m."""
 SHIFTED_ROOMS = 40
@@ -59,7 +57,7 @@ class _Setting:
     seed: int
     catalogs: Catalogs
     engine: str
-    thickness: float = WALL_THICKNESS
+    thickness: float
     robot_width: float = ROBOT_WIDTH
     style: Style | None = None
     staying: Mapping[str, Staying] = field(default_factory=dict)
@@ -98,7 +96,7 @@ def generate(
     asked = Request() if request is None else checked_request(request)
     seed = secrets.randbelow(MAX_SEED + 1) if asked.seed is None else asked.seed
     asked = with_walker(replace(asked, seed=seed, style=chosen_style(asked.style, known, seed)), known)
-    setting = _Setting(seed, known, engine, robot_width=asked.robot_width, style=known.styles.get(asked.style or ""))
+    setting = _Setting(seed, known, engine, wall_thickness_of(asked), asked.robot_width, known.styles.get(asked.style or ""))
     timing = Timing(clock)
     made_for = known.for_access(asked.access)
     plan = draw(asked, made_for)

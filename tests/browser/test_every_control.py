@@ -43,7 +43,14 @@ def rgb(visit: Visit, color: str) -> str:
 def test_every_field_of_the_form_is_asked_for_and_reset_takes_all_back(visit: Visit) -> None:
     asked = Asked(visit.page, visit.open(SMALL.format(4)))
     page = visit.page
-    for name, text in {"seed": "7", "width": "13.5", "depth": "8", "robot_width": "0.5"}.items():
+    for name, text in {
+        "seed": "7",
+        "width": "13.5",
+        "depth": "8",
+        "robot_width": "0.5",
+        "wall_thickness": "0.15",
+        "outer_wall_thickness": "0.3",
+    }.items():
         page.locator(f"#{name}").fill(text)
     page.get_by_label("Smallest room side, slider").fill("2.6")
     page.get_by_label("Depth of cuts, slider").fill("4")
@@ -55,6 +62,7 @@ def test_every_field_of_the_form_is_asked_for_and_reset_takes_all_back(visit: Vi
     page.locator("#generate").click()
     plan = {"width": 13.5, "depth": 8, "min_room_size": 2.6, "max_depth": 4, "use_spine": False}
     others = {"seed": 7, "outdoor": False, "decorate": True, "style": "rustic", "robot_width": 0.5, "people": False}
+    others |= {"wall_thickness": 0.15, "outer_wall_thickness": 0.3}
     assert asked.last(visit) == {**plan, **others}
     page.locator("#program").select_option("by_area")
     page.locator("#area").fill("75")

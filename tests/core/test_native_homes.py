@@ -17,8 +17,8 @@ SOURCE = Path(__file__).with_name("native_homes.cpp")
 def rows_of(question: HomeQuestion) -> bytes:
     """What the core is asked."""
     if question.outline == GIVEN:
-        return rows_within(question.planned, question.tilings, question.seed)
-    return home_rows(question.planned, lambda _: question.frame, question.seed, question.turn, question.outline)
+        return rows_within(question.planned, question.tilings, question.seed.seed, question.walls)
+    return home_rows(question.planned, lambda _: question.frame, question.seed, question.walls, question.outline)
 
 
 def test_checked_and_as_built_agree_to_the_last_bit(tmp_path: Path) -> None:

@@ -10,9 +10,10 @@ from catalogs import load_catalogs
 from solver import Request
 from solver.fields import RECTANGLE
 from solver.floorplan.given import tilings_of
-from solver.floorplan.programme.home_search import GIVEN, Frame
+from solver.floorplan.programme.home_search import GIVEN, Frame, HomeSeed
 from solver.floorplan.programme.planned_rooms import PlannedRoom, counts_of, loosened, planned_rooms, types_of
 from solver.floorplan.programme.skeletons import outlines_for
+from solver.floorplan.tiling import HouseWalls
 from solver.geometry import Rect
 from solver.streams import Stream
 from tests.floorplan.homes import random_programme
@@ -30,15 +31,16 @@ class HomeQuestion:
     planned: tuple[PlannedRoom, ...]
     outline: str
     frame: Frame
+    walls: HouseWalls
     tilings: Sequence[Sequence[Rect]]
-    seed: int
-    turn: int
+    seed: HomeSeed
 
 
 def home_question(number: int) -> HomeQuestion:
     """Returns a search, of as many sorts as there are."""
     rng = Random(f"a home {number}")
-    catalogs = KNOWN.for_access(rng.choice(("none", *sorted(KNOWN.access))))
+    walls = HouseWalls(rng.choice((100, 100, 50, 115, 240)))
+    catalogs = KNOWN.for_access(rng.choice(("none", *sorted(KNOWN.access)))).for_walls(walls.more)
     program = rng.choice(("studio", "one_bed", "family", "large", random_programme(number), random_programme(number)))
     types = types_of(counts_of(Request(program=program), catalogs), catalogs)
     floor = rng.choice((None, None, rng.uniform(8.0, 22.0) * len(types)))
@@ -55,4 +57,5 @@ def home_question(number: int) -> HomeQuestion:
         tilings = [tiling for tiling in tilings_of(corners, Stream(number, "tilings")) if len(tiling) <= len(planned)]
         if not tilings:
             outline = RECTANGLE
-    return HomeQuestion(planned, outline, frame, tilings, number, rng.randrange(3))
+    seed = HomeSeed(number, 0 if outline == GIVEN else rng.randrange(3))
+    return HomeQuestion(planned, outline, frame, walls, tilings, seed)

@@ -12,7 +12,7 @@ from service.problems import STATUS
 from tests.service.conftest import SMALL
 from tests.service.test_refusals import REQUESTS
 
-FAR_SIGHTED = ("min_room_size", "force_types")
+FAR_SIGHTED = ("min_room_size", "force_types", "outer_wall_thickness")
 """What only the whole request or the catalog tells: no schema of one field can."""
 
 

@@ -15,7 +15,7 @@ export const DEFAULTS: Readonly<HouseRequest> = {
 /** What a bare address asks for. */
 export const FIRST: Readonly<HouseRequest> = { seed: 42, program: "family", outdoor: true, decorate: true };
 
-export const NUMBERS = ["seed", "width", "depth", "min_room_size", "max_depth", "area", "robot_width"] as const;
+export const NUMBERS = ["seed", "width", "depth", "min_room_size", "max_depth", "area", "robot_width", "wall_thickness", "outer_wall_thickness"] as const;
 export const SWITCHES = ["use_spine", "outdoor", "decorate", "people"] as const;
 export const TEXTS = ["program", "style", "access"] as const;
 /** Switches that say nothing where they stand at the service's own default, which is so for good. */

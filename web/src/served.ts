@@ -501,6 +501,8 @@ export interface Request {
   readonly access?: "none" | "ada" | "din_18040_2" | "din_18040_2_r" | null;
   /** false: nobody is there */
   readonly people?: boolean | null;
+  readonly wall_thickness?: number | null;
+  readonly outer_wall_thickness?: number | null;
 }
 
 /** A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner. */

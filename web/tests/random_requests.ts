@@ -34,6 +34,7 @@ export function randomRequest(draw: () => number): HouseRequest {
     ...(chance(0.5) ? { decorate: true } : {}),
     ...(chance(0.5) ? { style: pick(["scandi", "ma façon"]) } : {}),
     ...(chance(0.3) ? { robot_width: metres(1) } : {}),
+    ...(chance(0.2) ? { wall_thickness: metres(0.24), outer_wall_thickness: metres(0.6) } : {}),
     ...(chance(0.3) ? { people: false } : {}),
   };
 }

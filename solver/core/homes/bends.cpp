@@ -23,7 +23,7 @@ struct OneWing {
 
 // A wing's offsets: flush with either side, in the middle, as far out as its hallway allows.
 OneWing offsets_of(i64 public_depth, const Wing& wing) {
-  const i64 first = -wing.north, last = public_depth - HALLWAY_MM - wing.north, flush = public_depth - wing.depth();
+  const i64 first = -wing.north, last = public_depth - wing.hallway - wing.north, flush = public_depth - wing.depth();
   const i64 tried[] = {0, flush, floor_div(floor_div(flush, 2), LATTICE_MM) * LATTICE_MM, first, last};
   OneWing found;
   for (const i64 offset : tried) {

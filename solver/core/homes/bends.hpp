@@ -12,11 +12,11 @@ namespace homes {
 constexpr i64 JOG_MM = 900;
 constexpr i32 MOST_WINGS = 2;
 
-// Depths of a wing's strips north and south of its hallway.
+// Depths of a wing's strips north and south of its hallway, and of that.
 struct Wing {
-  i64 north, south;
+  i64 north, hallway, south;
 
-  i64 depth() const { return north + HALLWAY_MM + south; }
+  i64 depth() const { return north + hallway + south; }
 };
 
 // Where the wings of a home begin: one offset a wing.

@@ -9,10 +9,10 @@ namespace {
 constexpr i64 GARAGE_MM = 5700;
 constexpr i32 CHOICES = 4;
 
-OffsetList offsets_of(const Draft& draft, Outline outline) {
+OffsetList offsets_of(const Draft& draft, Outline outline, i64 hallway) {
   Wing wings[MOST_WINGS];
   i32 count = 0;
-  for (i32 k = 2; k + 1 < draft.strips; k += 2) wings[count++] = {draft.depth[k], draft.depth[k + 1]};
+  for (i32 k = 2; k + 1 < draft.strips; k += 2) wings[count++] = {draft.depth[k], hallway, draft.depth[k + 1]};
   return offsets(outline, draft.depth[0] + draft.depth[1], {wings, count});
 }
 
@@ -65,7 +65,7 @@ void BentDrawer::choose_depths(Draft& draft, Stream& stream) const {
     for (i32 first = draft.strips > 2 ? 2 : 0; first < draft.strips; first += 2) choose_pair(draft, first, stream);
     if (draft.kind != Kind::rows) choose_public(draft, stream);
     close_empty(draft);
-    if (draft.kind == Kind::rows || offsets_of(draft, outline_).size) return;
+    if (draft.kind == Kind::rows || offsets_of(draft, outline_, columns_.walls().hallway).size) return;
   }
 }
 
@@ -87,7 +87,7 @@ void BentDrawer::choose_public(Draft& draft, Stream& stream) const {
   for (i32 k = first; k < draft.strips; k += 2) common &= possible(draft, k);
   DepthList depths(0);
   for (const i64 depth : DepthList(common).all()) {
-    if (suits >> place_of(depth + HALLWAY_MM) & 1) depths.depths[depths.size++] = depth;
+    if (suits >> place_of(depth + columns_.walls().hallway) & 1) depths.depths[depths.size++] = depth;
   }
   const i64 wished = depths.size ? stream.pick(depths.all()) : draft.depth[first];
   for (i32 k = first; k < draft.strips; k += 2) draft.depth[k] = nearest(possible(draft, k), wished);
@@ -98,7 +98,7 @@ void BentDrawer::choose_public(Draft& draft, Stream& stream) const {
 void BentDrawer::make_flush(Draft& draft) const {
   const i32 first = first_flush(draft);
   for (i32 k = first; k < draft.strips; k += 2) draft.depth[k] = draft.depth[first];
-  const i64 together = draft.depth[first] + HALLWAY_MM;
+  const i64 together = draft.depth[first] + columns_.walls().hallway;
   if (!draft.is_empty(0) && !draft.is_empty(1)) {
     share(draft.depth, 0, together);
   } else {
@@ -121,8 +121,9 @@ Misfit BentDrawer::draw(const Draft& draft, Sheet& sheet) const {
     if (!draft.is_empty(k) && draft.depth[k] < 2 * LATTICE_MM) return Misfit::by(columns_.rooms(), 0);
   }
   if (draft.kind == Kind::rows) return rows(draft, sheet);
-  const OffsetList chosen = offsets_of(draft, outline_);
-  const i64 beyond = draft.apart ? magnitude(draft.depth[2] + HALLWAY_MM + draft.depth[3] - GARAGE_MM) : 0;
+  const i64 hallway = columns_.walls().hallway;
+  const OffsetList chosen = offsets_of(draft, outline_, hallway);
+  const i64 beyond = draft.apart ? magnitude(draft.depth[2] + hallway + draft.depth[3] - GARAGE_MM) : 0;
   if (!chosen.size || (beyond > 0 && beyond < JOG_MM)) return Misfit::by(0, JOG_MM);
   StripPair pairs[1 + MOST_WINGS];
   const i32 count = draft.strips / 2;
@@ -136,6 +137,7 @@ Misfit BentDrawer::draw(const Draft& draft, Sheet& sheet) const {
 // Lays the western wing, the public rooms and the eastern wing side by side, and garages at the eastern end.
 Misfit BentDrawer::winged(const Draft& draft, Span<const StripPair> pairs, const i64* chosen, Sheet& sheet) const {
   constexpr i32 ORDER[] = {2, 0, 1};
+  const i64 hallway = columns_.walls().hallway;
   sheet.begin(columns_.rooms());
   i64 at = 0;
   for (i32 i = 3 - pairs.size; i < 3; i++) {
@@ -143,10 +145,10 @@ Misfit BentDrawer::winged(const Draft& draft, Span<const StripPair> pairs, const
     const i64 offset = k ? chosen[k - 1] : 0, length = pairs[k].wished;
     block(draft, k, pairs[k], {at, offset}, sheet);
     const i64 line = offset + draft.depth[2 * k];
-    if (k) sheet.add_hallway({at, line, at + length, line + HALLWAY_MM});
+    if (k) sheet.add_hallway({at, line, at + length, line + hallway});
     at += length;
   }
-  const i64 south = chosen[0] + draft.depth[2] + HALLWAY_MM + draft.depth[3];
+  const i64 south = chosen[0] + draft.depth[2] + hallway + draft.depth[3];
   for (i32 i = 0; draft.apart && i < garages_.size; i++) {
     const i64 width = columns_.width(Column::of(garages_[i]), GARAGE_MM).wished;
     sheet.boxes[garages_[i]] = {at, south - GARAGE_MM, at + width, south};
@@ -160,7 +162,7 @@ Misfit BentDrawer::winged(const Draft& draft, Span<const StripPair> pairs, const
 void BentDrawer::block(const Draft& draft, i32 which, const StripPair& pair, Point corner, Sheet& sheet) const {
   const i64 first = draft.depth[2 * which], second = draft.depth[2 * which + 1];
   const StripPlace places[] = {
-      {corner.x, corner.z + first, first}, {corner.x, corner.z + first + (which ? HALLWAY_MM : 0), -second}};
+      {corner.x, corner.z + first, first}, {corner.x, corner.z + first + (which ? columns_.walls().hallway : 0), -second}};
   for (i32 row = 0; row < 2; row++) {
     const Span<const Column> strip = draft.in(2 * which + row);
     if (!strip.size) continue;

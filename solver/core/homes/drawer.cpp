@@ -4,15 +4,11 @@ namespace homes {
 
 namespace {
 
-// Width of an axial hallway: as narrow as the foyer at its end may be.
-constexpr i64 CENTRE_MM = 1600;
 // A strip is never made slimmer than this for the other's sake.
 constexpr i64 SLIM_MM = 1600;
 // How often depths are drawn until a ranch's two pairs of strips go together.
 constexpr i32 CHOICES = 4;
 constexpr i64 UNBOUNDED_MM = 1 << 30;
-
-i64 hallway_of(Kind kind) { return kind == Kind::rows ? 0 : kind == Kind::axial ? CENTRE_MM : HALLWAY_MM; }
 
 }  // namespace
 
@@ -21,7 +17,7 @@ void Drawer::choose_depths(Draft& draft, Stream& stream) const {
   const i64 together = across(draft.kind);
   for (i32 i = 0; i < CHOICES; i++) {
     const bool fits = choose_pair(draft, last, together, stream);
-    if (!last || (choose_pair(draft, 0, draft.depth[2] + draft.depth[3] + HALLWAY_MM, stream) && fits)) break;
+    if (!last || (choose_pair(draft, 0, draft.depth[2] + draft.depth[3] + hallway_of(draft.kind), stream) && fits)) break;
   }
   close(draft, together);
 }
@@ -66,6 +62,10 @@ u64 Drawer::possible(const Draft& draft, i32 strip) const {
   return common;
 }
 
+i64 Drawer::hallway_of(Kind kind) const {
+  return kind == Kind::rows ? 0 : kind == Kind::axial ? columns_.walls().centre : columns_.walls().hallway;
+}
+
 // What the last two strips' depths add up to, 0 where it is free.
 i64 Drawer::across(Kind kind) const {
   const i64 extent = kind == Kind::axial ? frame_.width : frame_.depth;
@@ -77,7 +77,7 @@ void Drawer::fit_depths(Draft& draft) const {
   const i64 together = across(draft.kind);
   for (i32 k = 0; k < draft.strips; k++) draft.depth[k] = nearest(possible(draft, k), draft.depth[k]);
   if (together) share(draft.depth, last, together);
-  if (last) share(draft.depth, 0, draft.depth[2] + HALLWAY_MM + draft.depth[3]);
+  if (last) share(draft.depth, 0, draft.depth[2] + hallway_of(draft.kind) + draft.depth[3]);
   close(draft, together);
 }
 

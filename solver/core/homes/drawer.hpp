@@ -50,6 +50,7 @@ class Drawer {
   f64 wished_;
 
  private:
+  i64 hallway_of(Kind kind) const;
   i64 across(Kind kind) const;
   static void close(Draft& draft, i64 across);
   Misfit drawn(const Draft& draft, Span<const StripPair> pairs, bool stretch, Sheet& sheet) const;

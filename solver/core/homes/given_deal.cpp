@@ -125,10 +125,11 @@ void GivenDealer::measure(Span<const Block> blocks, Strips& strips) const {
     const f64 length = static_cast<f64>(block.along() * 2) / block.strips();
     for (i32 pair = 0; pair < block.strips() / 2; pair++) {
       const bool is_public = block.kind == Kind::rows || (block.kind == Kind::ranch && pair == 0);
-      const i64 deep = block.across() - (is_public ? 0 : HALLWAY_MM);
+      const i64 deep = block.across() - (is_public ? 0 : columns_.walls().hallway);
       strips.open[strip] = strips.open[strip + 1] = is_public;
       strips.any_open = strips.any_open || is_public;
-      const f64 share = deep < LINED_MM - HALLWAY_MM ? static_cast<f64>(stream_.below(2)) : 0.4 + (0.6 - 0.4) * stream_.unit();
+      const bool is_sided = deep < LINED_MM - columns_.walls().hallway;
+      const f64 share = is_sided ? static_cast<f64>(stream_.below(2)) : 0.4 + (0.6 - 0.4) * stream_.unit();
       strips.left[strip++] = share * static_cast<f64>(deep) * length;
       strips.left[strip++] = (1 - share) * static_cast<f64>(deep) * length;
     }

@@ -33,8 +33,6 @@ constexpr f64 HALLWAY_SHARE = 0.08;
 constexpr f64 HALLWAY_COST = 32.0;
 // Of the squared deviation of a room's area from what is typical, over what is typical.
 constexpr f64 AREA_COST = 1.5;
-// Shortest shared wall that takes a door.
-constexpr i64 DOOR_WALL_MM = 1100;
 
 constexpr u64 lowest(u64 bits) { return bits & (0 - bits); }
 i32 place_of_lowest(u64 bits) { return __builtin_ctzll(bits); }
@@ -43,7 +41,7 @@ f64 ratio(i64 a, i64 b) { return static_cast<f64>(a) / static_cast<f64>(b); }
 
 }  // namespace
 
-Judge::Judge(Span<const PlannedRoom> rooms, Taste taste) : rooms_(rooms), taste_(taste) {
+Judge::Judge(Span<const PlannedRoom> rooms, Taste taste, i64 door_wall) : rooms_(rooms), taste_(taste), door_wall_(door_wall) {
   for (i32 i = 0; i < rooms.size; i++) {
     const PlannedRoom& room = rooms[i];
     const u64 bit = 1ULL << i;
@@ -94,7 +92,7 @@ void Judge::look(const Sheet& sheet) {
 // Notes a stretch of a wall of i that j lies at, if there is one.
 void Judge::meet(i32 i, i32 j, Wall wall, Interval shared) {
   if (shared.low >= shared.high) return;
-  if (shared.high - shared.low >= DOOR_WALL_MM) {
+  if (shared.high - shared.low >= door_wall_) {
     beside_[i] |= 1ULL << j;
     beside_[j] |= 1ULL << i;
   }

@@ -21,7 +21,7 @@ struct Taste {
 // Judges the drawings of one programme. Rooms, and the hallways behind them, are bits of a number.
 class Judge {
  public:
-  Judge(Span<const PlannedRoom> rooms, Taste taste);
+  Judge(Span<const PlannedRoom> rooms, Taste taste, i64 door_wall);
 
   HomeVerdict verdict(const Sheet& sheet);
 
@@ -43,6 +43,7 @@ class Judge {
 
   Span<const PlannedRoom> rooms_;
   Taste taste_;
+  i64 door_wall_;
   u64 ways_ = 0, wet_ = 0, entry_ = 0, kitchen_ = 0, dining_ = 0, living_ = 0, leaves_ = 0, beds_ = 0;
   u64 beside_[2 * MOST_ROOMS];  // which others share a wall with a room that takes a door
   // The stretches at which others lie, by room and wall.

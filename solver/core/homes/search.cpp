@@ -34,6 +34,7 @@ struct Seen {
 
 struct Request {
   Outline outline;
+  WallSizes walls;
   f64 wished;
   Span<const PlannedRoom> rooms;
   Span<const RoomSize> sizes;
@@ -65,7 +66,7 @@ Request read(Bytes sent) {
     if (rects.size < 1 || rects.size > rooms.size) fail(Failure::bad_request);
     tilings[i] = {rects.data, rects.size};
   }
-  return {static_cast<Outline>(header.outline), header.wished, {rooms.data, rooms.size}, {sizes.data, sizes.size},
+  return {static_cast<Outline>(header.outline), header.walls, header.wished, {rooms.data, rooms.size}, {sizes.data, sizes.size},
           {kinds.data, kinds.size}, {tilings.data, tilings.size}};
 }
 
@@ -73,8 +74,8 @@ class Search {
  public:
   explicit Search(const Request& request)
       : request_(request),
-        columns_(request.sizes),
-        judge_(request.rooms, taste(request.outline)),
+        columns_(request.sizes, request.walls),
+        judge_(request.rooms, taste(request.outline), request.walls.door_wall),
         good_(GOOD + GOOD_EACH * request.rooms.size) {}
 
   // The cheapest home; of a rectangle drawn even where its strips do not come out.

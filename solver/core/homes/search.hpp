@@ -13,6 +13,7 @@ constexpr i32 TRIES = 3;
 struct SearchHeader {
   i32 outline;  // Outline
   i32 rooms, kinds, tilings;
+  WallSizes walls;
   f64 wished;  // depth of a strip in a house of the rooms' typical areas, mm
 };
 

@@ -88,7 +88,7 @@ void Dealer::ranch(Draft& draft) const {
   Deal deal;
   chunks(true, {}, deal);
   const i64 north = depth(), south = depth(), street = garages_.size ? deep() : depth(STREET_DEPTHS);
-  const i64 depths[] = {north + south + HALLWAY_MM - street, street, north, south};
+  const i64 depths[] = {north + south + columns_.walls().hallway - street, street, north, south};
   Chunk strips[] = {{}, {}, {}, entry()};
   fill(strips + 2, depths + 2, deal.apart);
   if (entries_.size) {

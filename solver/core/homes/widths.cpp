@@ -67,7 +67,7 @@ void shared_out(i64 length, Span<const WidthRange> spans, i64* parts) {
   parts[spans.size - 1] = length - at;
 }
 
-Columns::Columns(Span<const RoomSize> sizes) : sizes_(sizes) {
+Columns::Columns(Span<const RoomSize> sizes, WallSizes walls) : sizes_(sizes), walls_(walls) {
   const i32 all = sizes.size * (sizes.size + 1);
   known_ = {static_cast<u64*>(arena::zeroed(static_cast<i64>(all) * 8)), all};
 }

@@ -10,7 +10,6 @@ namespace homes {
 
 // Lines between rooms fall on multiples of 5 cm: dimensions a person would draw.
 constexpr i64 LATTICE_MM = 50;
-constexpr i64 HALLWAY_MM = 1300;
 // Depths that strips may have where nothing else decides them: bit k of a set of them is FIRST_DEPTH_MM + k * DEPTH_STEP_MM.
 constexpr i64 FIRST_DEPTH_MM = 2400;
 constexpr i64 DEPTH_STEP_MM = 150;
@@ -25,6 +24,11 @@ struct RoomSize {
   i64 least, typical, most;
   i64 width, length;
   f64 aspect;
+};
+
+// What thick walls ask for: the width of a hallway between lines, of an axial one, and the shortest shared wall that takes a door.
+struct WallSizes {
+  i64 hallway, centre, door_wall;
 };
 
 // Rooms of a column, the one at the hallway first.
@@ -73,8 +77,9 @@ void shared_out(i64 length, Span<const WidthRange> spans, i64* parts);
 // The columns of one programme's rooms.
 class Columns {
  public:
-  explicit Columns(Span<const RoomSize> sizes);
+  Columns(Span<const RoomSize> sizes, WallSizes walls);
 
+  const WallSizes& walls() const { return walls_; }
   i32 rooms() const { return sizes_.size; }
   const RoomSize& size(i32 room) const { return sizes_[room]; }
   i64 area(const Column& column) const;
@@ -93,6 +98,7 @@ class Columns {
   bool stands(const Column& column, i64 width, i64 depth) const;
 
   Span<const RoomSize> sizes_;
+  WallSizes walls_;
   Span<u64> known_;  // by first and second room of a column: the depths, and a bit that tells that they are known
 };
 

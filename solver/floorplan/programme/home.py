@@ -15,11 +15,11 @@ from catalogs.schema import Catalogs
 from solver.errors import RequestError
 from solver.fields import ANY, RECTANGLE
 from solver.floorplan.given import tilings_of
-from solver.floorplan.programme.home_search import GIVEN, FoundHome, Frame, find_home, find_home_within
+from solver.floorplan.programme.home_search import GIVEN, FoundHome, Frame, HomeSeed, find_home, find_home_within
 from solver.floorplan.programme.planned_rooms import WALLS_SHARE, PlannedRoom, counts_of, loosened, planned_rooms, spared, types_of
 from solver.floorplan.programme.skeletons import outlines_for
 from solver.floorplan.programme.yard import PlannedHome, house_frame, with_yard
-from solver.floorplan.tiling import Layout
+from solver.floorplan.tiling import LATTICE_MM, HouseWalls, Layout
 from solver.geometry import Rect, to_mm
 from solver.scene import Request
 from solver.streams import Stream
@@ -38,8 +38,6 @@ ASTRAY: Final = 0.1
 """Share by which a house may miss the floor wished without its being said."""
 NARROW_MM: Final = 1500
 """Least width of a part of an outline that is given: a bathroom's. Our choice."""
-LATTICE_MM: Final = 50
-"""Extents that are chosen are multiples of this."""
 HALLWAY: Final = "hallway"
 DRAWN: Final = {"rectangle": 0.5, "L": 0.24, "T": 0.1, "U": 0.16}
 """How often each outline is drawn where any will do. Our choice."""
@@ -47,19 +45,20 @@ PLAINER: Final = {"U": ("U", "L", "rectangle"), "T": ("T", "L", "rectangle"), "L
 """What is tried, one after the other, where the programme has no sound home of an outline."""
 
 
-def plan_home(request: Request, catalogs: Catalogs) -> PlannedHome:
+def plan_home(request: Request, catalogs: Catalogs, walls: HouseWalls) -> PlannedHome:
     """Plans a home.
 
     Args:
         request: its seed must be set, and its programme or its area.
         catalogs: room types and presets.
+        walls: how thick walls are.
 
     Raises:
         RequestError: the programme cannot be read, or what does not go with it is asked for.
     """
-    types = types_of(counts_of(request, catalogs), catalogs)
-    plot = _plot(request)
-    home = _written(_Attempts(types, catalogs, plot).first_sound(), plot)
+    sized, plot = catalogs.for_walls(walls.more), _plot(request)
+    types = types_of(counts_of(request, sized), sized)
+    home = _written(_Attempts(types, sized, plot, walls).first_sound(), plot, walls)
     return with_yard(home, Frame(plot.width, plot.depth), catalogs) if request.outdoor else home
 
 
@@ -173,8 +172,8 @@ class _Attempt:
 class _Attempts:
     """Searches with the whole programme, with fewer rooms, and with looser limits, until a home is sound."""
 
-    def __init__(self, types: Sequence[str], catalogs: Catalogs, plot: _Plot) -> None:
-        self.catalogs, self.plot = catalogs, plot
+    def __init__(self, types: Sequence[str], catalogs: Catalogs, plot: _Plot, walls: HouseWalls) -> None:
+        self.catalogs, self.plot, self.walls = catalogs, plot, walls
         self.types = tuple(types)
 
     @cached_property
@@ -245,7 +244,7 @@ class _Attempts:
         if outline not in outlines_for(planned):
             return
         for turn in range(TURNS):
-            found = find_home(planned, self.plot.frame, self.plot.seed, turn, outline)
+            found = find_home(planned, self.plot.frame, HomeSeed(self.plot.seed, turn), self.walls, outline)
             if found is not None:
                 yield _Attempt(found, planned, (), outline)
 
@@ -254,9 +253,9 @@ class _Attempts:
         planned = planned_rooms(types, self.catalogs, self.plot.floor)
         loose = planned if slack == 1.0 else loosened(planned, slack, self.plot.floor)
         if self.plot.tilings:
-            found = find_home_within(loose, self.plot.tilings, self.plot.seed)
+            found = find_home_within(loose, self.plot.tilings, self.plot.seed, self.walls)
         else:
-            found = find_home(loose, self.plot.frame, self.plot.seed)
+            found = find_home(loose, self.plot.frame, HomeSeed(self.plot.seed), self.walls)
         if found is None:
             raise RequestError(
                 "outline", f"has no space for {len(planned)} rooms in {self.plot.says()}", "a larger outline, or fewer rooms"
@@ -278,7 +277,7 @@ def _refused(best: _Attempt, plot: _Plot) -> RequestError:
     )
 
 
-def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
+def _written(best: _Attempt, plot: _Plot, walls: HouseWalls) -> PlannedHome:
     """Writes the drawing as a layout, the hallway first, every second house mirrored."""
     found = best.found
     mirrored = not plot.tilings and Stream(plot.seed, "programme.mirror").chance(0.5)
@@ -288,7 +287,7 @@ def _written(best: _Attempt, plot: _Plot) -> PlannedHome:
     owners = {first + i: first + one.owner for i, one in enumerate(best.planned) if one.owner is not None}
     entry = next((first + i for i, one in enumerate(best.planned) if one.entry), None)
     types = (*(HALLWAY,) * first, *(one.type for one in best.planned))
-    layout = Layout(Rect(0, 0, found.width, found.depth), rooms, hallways=first, behind=owners)
+    layout = Layout(Rect(0, 0, found.width, found.depth), rooms, hallways=first, behind=owners, walls=walls)
     return PlannedHome(layout, types, entry, found.kind, _notes(best, plot, types, rooms))
 
 

@@ -14,7 +14,7 @@ from solver.core import borrowed
 from solver.fields import RECTANGLE
 from solver.floorplan.programme.planned_rooms import PlannedRoom
 from solver.floorplan.programme.skeletons import bent_kind, kinds_for
-from solver.floorplan.tiling import HALLWAY_MM
+from solver.floorplan.tiling import HouseWalls
 from solver.geometry import Rect
 from solver.streams import Stream
 
@@ -22,6 +22,8 @@ GIVEN: Final = "given"
 """The outline, and the kind, of homes in an outline that is given."""
 TRIES: Final = 3
 """How often a search is begun anew in one kind."""
+CENTRE_MM: Final = 1600
+"""Width of an axial hallway: as narrow as the foyer at its end may be."""
 RATIO: Final = 1.6
 """Width over depth of a house whose strips are as deep as wished. Our choice."""
 FLOOR: Final = 1.1
@@ -29,7 +31,7 @@ FLOOR: Final = 1.1
 KINDS: Final = ("rows", "full", "ranch", "axial", "winged", GIVEN)
 OUTLINES: Final = (RECTANGLE, "L", "T", "U", GIVEN)
 """As the core numbers them."""
-_HEADER: Final = Struct("<4id")
+_HEADER: Final = Struct("<4i3qd")
 _ROOM: Final = Struct("<5qd2qQ")
 _KIND: Final = Struct("<3q3Q")
 _RECT: Final = Struct("<4q")
@@ -41,6 +43,13 @@ class Frame(NamedTuple):
 
     width: int = 0
     depth: int = 0
+
+
+class HomeSeed(NamedTuple):
+    """The house's seed, and which search of it this is."""
+
+    seed: int
+    turn: int = 0
 
 
 class HomeVerdict(NamedTuple):
@@ -70,57 +79,62 @@ class FoundHome(NamedTuple):
 
 
 def find_home(
-    planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0, outline: str = RECTANGLE
+    planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: HomeSeed, walls: HouseWalls, outline: str = RECTANGLE
 ) -> FoundHome | None:
     """Searches in the kind that the seed draws; in the others too where a room falls short in it.
 
     Args:
         planned: the rooms.
         frame_of: the frame of a house of a kind.
-        seed: the house's seed.
-        turn: which search of the seed's it is.
+        seed: what the search begins with.
+        walls: how thick walls are.
         outline: RECTANGLE, L, T or U; other than a rectangle only where the frame is free.
 
     Returns:
         None where nothing has the outline; a rectangle is always found.
     """
-    return _read(ask(home_rows(planned, frame_of, seed, turn, outline)), len(planned))
+    return _read(ask(home_rows(planned, frame_of, seed, walls, outline)), len(planned))
 
 
-def find_home_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]], seed: int) -> FoundHome | None:
+def find_home_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]], seed: int, walls: HouseWalls) -> FoundHome | None:
     """Searches in an outline that is given.
 
     Args:
         planned: the rooms.
         tilings: rectangles that the outline may be cut into; those of more rectangles than there are rooms are left out.
         seed: the house's seed.
+        walls: how thick walls are.
     """
-    return _read(ask(rows_within(planned, tilings, seed)), len(planned))
+    return _read(ask(rows_within(planned, tilings, seed, walls)), len(planned))
 
 
 def home_rows(
-    planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: int, turn: int = 0, outline: str = RECTANGLE
+    planned: Sequence[PlannedRoom], frame_of: Callable[[str], Frame], seed: HomeSeed, walls: HouseWalls, outline: str = RECTANGLE
 ) -> bytes:
     """Returns what the core is asked by `find_home`."""
     if outline != RECTANGLE:
         kind = bent_kind(planned, outline)
-        return _rows(planned, outline, [_kind_row(kind, Frame(), seed, f"{outline}.{kind}.{turn}")])
+        return _rows(planned, outline, [_kind_row(kind, Frame(), seed.seed, f"{outline}.{kind}.{seed.turn}")], walls)
     kinds = list(kinds_for(planned))
     if kinds[0] != "rows":
-        Stream(seed, "programme.kind").shuffle(kinds)
-    return _rows(planned, outline, [_kind_row(kind, frame_of(kind), seed, f"{kind}.{turn}") for kind in dict.fromkeys(kinds)])
+        Stream(seed.seed, "programme.kind").shuffle(kinds)
+    rows = [_kind_row(kind, frame_of(kind), seed.seed, f"{kind}.{seed.turn}") for kind in dict.fromkeys(kinds)]
+    return _rows(planned, outline, rows, walls)
 
 
-def rows_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]], seed: int) -> bytes:
+def rows_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]], seed: int, walls: HouseWalls) -> bytes:
     """Returns what the core is asked by `find_home_within`."""
     fitting = [tiling for tiling in tilings if len(tiling) <= len(planned)]
-    return _rows(planned, GIVEN, [_kind_row(GIVEN, Frame(), seed, f"{GIVEN}.{GIVEN}.0")], fitting)
+    return _rows(planned, GIVEN, [_kind_row(GIVEN, Frame(), seed, f"{GIVEN}.{GIVEN}.0")], walls, fitting)
 
 
-def _rows(planned: Sequence[PlannedRoom], outline: str, kinds: Sequence[bytes], tilings: Sequence[Sequence[Rect]] = ()) -> bytes:
+def _rows(
+    planned: Sequence[PlannedRoom], outline: str, kinds: Sequence[bytes], walls: HouseWalls, tilings: Sequence[Sequence[Rect]] = ()
+) -> bytes:
     floor = FLOOR * sum(one.size.typical for one in planned)
-    wished = ((floor / RATIO) ** 0.5 - HALLWAY_MM) / 2
-    header = _HEADER.pack(OUTLINES.index(outline), len(planned), len(kinds), len(tilings), wished)
+    wished = ((floor / RATIO) ** 0.5 - walls.hallway) / 2
+    sizes = walls.hallway, CENTRE_MM + walls.more, walls.door_wall
+    header = _HEADER.pack(OUTLINES.index(outline), len(planned), len(kinds), len(tilings), *sizes, wished)
     counts = [len(tiling) for tiling in tilings] + [0] * (len(tilings) % 2)
     rects = [_RECT.pack(*rect) for tiling in tilings for rect in tiling]
     return b"".join([header, *(_room_row(one, planned) for one in planned), *kinds, pack(f"<{len(counts)}i", *counts), *rects])

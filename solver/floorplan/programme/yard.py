@@ -14,7 +14,7 @@ from catalogs.schema import Catalogs
 from solver.floorplan.access import AccessPlan
 from solver.floorplan.programme.home_access import HomeAccess
 from solver.floorplan.programme.home_search import Frame
-from solver.floorplan.tiling import DOOR_WALL_MM, Joint, Layout, exterior_sides
+from solver.floorplan.tiling import Joint, Layout, exterior_sides
 from solver.geometry import Rect, strip
 
 YARD_MM: Final = 5000
@@ -81,7 +81,7 @@ Offer = tuple[str, tuple[str, ...], tuple[tuple[int, int], ...]]
 
 def _offers(home: PlannedHome, side: str, catalogs: Catalogs) -> Iterator[Offer]:
     """Yields gardens along a side that can be entered: their types and where they start and end along it."""
-    low, high = home.layout.outline.along(side)
+    (low, high), least = home.layout.outline.along(side), home.layout.walls.door_wall
     ways = [
         rect.along(side)
         for rect, name in zip(home.layout.rooms, home.types, strict=True)
@@ -90,14 +90,14 @@ def _offers(home: PlannedHome, side: str, catalogs: Catalogs) -> Iterator[Offer]
     for patio in PATIO_MM:
         if high - low - patio >= BACKYARD_MM:
             for cut, names in ((low + patio, (PATIO, BACKYARD)), (high - patio, (BACKYARD, PATIO))):
-                if _entered((low, cut), ways) and _entered((cut, high), ways):
+                if _entered((low, cut), ways, least) and _entered((cut, high), ways, least):
                     yield side, names, ((low, cut), (cut, high))
-    if _entered((low, high), ways):
+    if _entered((low, high), ways, least):
         yield side, (BACKYARD,), ((low, high),)
 
 
-def _entered(span: tuple[int, int], ways: Sequence[tuple[int, int]]) -> bool:
-    return any(min(span[1], high) - max(span[0], low) >= DOOR_WALL_MM for low, high in ways)
+def _entered(span: tuple[int, int], ways: Sequence[tuple[int, int]], least: int) -> bool:
+    return any(min(span[1], high) - max(span[0], low) >= least for low, high in ways)
 
 
 def _beside(home: PlannedHome, side: str, names: tuple[str, ...], spans: tuple[tuple[int, int], ...]) -> PlannedHome:

@@ -7,11 +7,10 @@ at 0, a wing at its offset, negative where it juts out to the north. A wing's ha
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
 from itertools import product
 from typing import Final, NamedTuple
 
-from solver.floorplan.tiling import HALLWAY_MM
+from tests.floorplan.reference.asked import hallway
 from tests.floorplan.reference.widths import LATTICE_MM
 
 JOG_MM: Final = 900
@@ -29,10 +28,9 @@ class Wing(NamedTuple):
     @property
     def depth(self) -> int:
         """From outer wall to outer wall, mm."""
-        return self.north + HALLWAY_MM + self.south
+        return self.north + hallway() + self.south
 
 
-@lru_cache(maxsize=1 << 13)
 def offsets(outline: str, public: int, wings: tuple[Wing, ...]) -> tuple[tuple[int, ...], ...]:
     """Returns where wings may begin so that a home has an outline: one offset a wing, mm.
 
@@ -47,7 +45,7 @@ def offsets(outline: str, public: int, wings: tuple[Wing, ...]) -> tuple[tuple[i
 
 def _offsets(public: int, wing: Wing) -> Iterator[int]:
     """Yields a wing's offsets: flush with either side, in the middle, as far out as its hallway allows."""
-    first, last = -wing.north, public - HALLWAY_MM - wing.north
+    first, last = -wing.north, public - hallway() - wing.north
     flush = public - wing.depth
     for offset in (0, flush, flush // 2 // LATTICE_MM * LATTICE_MM, first, last):
         if first <= offset <= last and all(jog == 0 or abs(jog) >= JOG_MM for jog in _out(public, wing, offset)):

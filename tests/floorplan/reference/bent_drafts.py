@@ -11,9 +11,9 @@ from typing import Final
 
 from solver.floorplan.programme.home_search import Frame
 from solver.floorplan.programme.planned_rooms import RoomSize
-from solver.floorplan.tiling import HALLWAY_MM
 from solver.geometry import Rect
 from solver.streams import Stream
+from tests.floorplan.reference.asked import hallway
 from tests.floorplan.reference.bends import JOG_MM, Wing, offsets
 from tests.floorplan.reference.drafts import (
     CHOICES,
@@ -69,7 +69,7 @@ class BentDrawer(Drawer):
         flush = self._flush(draft)
         public = next(strip for strip in (draft.strips[0], draft.strips[1]) if strip)
         possible = self._possible(public)
-        depths = [depth for depth in self._common(draft) if possible >> place(depth + HALLWAY_MM) & 1]
+        depths = [depth for depth in self._common(draft) if possible >> place(depth + hallway()) & 1]
         wished = stream.pick(depths) if depths else draft.depths[flush[0]]
         for k in flush:
             draft.depths[k] = nearest(self._possible(draft.strips[k]), wished)
@@ -91,7 +91,7 @@ class BentDrawer(Drawer):
         flush = self._flush(draft)
         for k in flush:
             draft.depths[k] = draft.depths[flush[0]]
-        whole = draft.depths[flush[0]] + HALLWAY_MM
+        whole = draft.depths[flush[0]] + hallway()
         if draft.strips[0] and draft.strips[1]:
             self._share(draft.depths, 0, whole)
         else:
@@ -142,9 +142,9 @@ class BentDrawer(Drawer):
             self._block(draft, (k, pairs[k]), (at, offset), boxes)
             if k:
                 line = offset + draft.depths[2 * k]
-                hallways.append(Rect(at, line, at + pairs[k].wished, line + HALLWAY_MM))
+                hallways.append(Rect(at, line, at + pairs[k].wished, line + hallway()))
             at += pairs[k].wished
-        south = chosen[0] + draft.depths[2] + HALLWAY_MM + draft.depths[3]
+        south = chosen[0] + draft.depths[2] + hallway() + draft.depths[3]
         for room in draft.garages:
             width = width_of((self.sizes[room],), GARAGE_MM).wished
             boxes[room] = Rect(at, south - GARAGE_MM, at + width, south)
@@ -155,7 +155,7 @@ class BentDrawer(Drawer):
         """Lays a pair of strips at a north-west corner; the second wing's columns begin at their eastern end."""
         (k, pair), (at, z) = which, corner
         first, second = draft.depths[2 * k], draft.depths[2 * k + 1]
-        south = z + first + (HALLWAY_MM if k else 0)
+        south = z + first + (hallway() if k else 0)
         order = -1 if k == 2 else 1
         for row, (line, depth) in enumerate(((z + first, first), (south, -second))):
             columns, spans = draft.strips[2 * k + row], pair.spans[row]

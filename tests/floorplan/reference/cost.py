@@ -11,9 +11,10 @@ from typing import Final
 
 from solver.floorplan.programme.home_search import HomeVerdict
 from solver.floorplan.programme.planned_rooms import PlannedRoom
-from solver.floorplan.tiling import DOOR_WALL_MM, touching
+from solver.floorplan.tiling import touching
 from solver.geometry import OPPOSITE, Rect, gaps_between
 from solver.scene import WALLS
+from tests.floorplan.reference.asked import door_wall
 from tests.floorplan.reference.drafts import Sheet
 
 SHORT: Final = 20.0
@@ -175,7 +176,7 @@ def _beside(sheet: Sheet, met: Sequence[SharedWall]) -> list[int]:
     """Returns for every room, and the hallways last, which others share a wall with it that takes a door."""
     beside = [0] * (len(sheet.boxes) + len(sheet.hallways))
     for i, j, _, low, high in met:
-        if high - low >= DOOR_WALL_MM:
+        if high - low >= door_wall():
             beside[i] |= 1 << j
             beside[j] |= 1 << i
     return beside

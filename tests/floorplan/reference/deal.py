@@ -11,6 +11,7 @@ from typing import Final
 
 from solver.floorplan.programme.planned_rooms import PlannedRoom, RoomSize
 from solver.streams import Stream
+from tests.floorplan.reference.asked import hallway
 from tests.floorplan.reference.drafts import Column, Draft
 from tests.floorplan.reference.widths import width_of
 
@@ -213,7 +214,7 @@ class Dealer:
         north, south = self._depth(), self._depth()
         street = self._deep() if self.garages else self._depth((3600, 5250))
         strips: list[list[Column]] = [[], [], [], self._front_of_ranch()]
-        depths = [north + south + 1300 - street, street, north, south]
+        depths = [north + south + hallway() - street, street, north, south]
         self._fill(strips[2:], depths[2:], private)
         if self._entry():
             strips[3].sort(key=lambda column: column[0] not in self.entries)

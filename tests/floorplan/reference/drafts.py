@@ -21,13 +21,11 @@ from typing import Final, NamedTuple
 
 from solver.floorplan.programme.home_search import FLOOR, RATIO, Frame
 from solver.floorplan.programme.planned_rooms import RoomSize
-from solver.floorplan.tiling import HALLWAY_MM
 from solver.geometry import Rect
 from solver.streams import Stream
+from tests.floorplan.reference.asked import centre, hallway
 from tests.floorplan.reference.widths import DEPTHS_MM, LATTICE_MM, WidthRange, depths_for, depths_of, shared_out, width_of
 
-CENTRE_MM: Final = 1600
-"""Width of an axial hallway: as narrow as the foyer at its end may be."""
 SLIM_MM: Final = 1600
 """A strip is never made slimmer than this for the other's sake."""
 CHOICES: Final = 4
@@ -151,7 +149,7 @@ class Drawer:
     def __init__(self, sizes: Sequence[RoomSize], frame: Frame) -> None:
         self.sizes, self.frame = sizes, frame
         floor = FLOOR * sum(size.typical for size in sizes)
-        self.wished = ((floor / RATIO) ** 0.5 - HALLWAY_MM) / 2
+        self.wished = ((floor / RATIO) ** 0.5 - hallway()) / 2
 
     def choose_depths(self, draft: Draft, stream: Stream) -> None:
         """Gives the strips depths at which all their columns have a width, pairs of strips about one length.
@@ -165,7 +163,7 @@ class Drawer:
     def _draw_depths(self, draft: Draft, last: int, whole: int, stream: Stream) -> None:
         for _ in range(CHOICES):
             fits = self._choose_pair(draft, last, whole, stream)
-            if not last or (self._choose_pair(draft, 0, sum(draft.depths[2:]) + HALLWAY_MM, stream) and fits):
+            if not last or (self._choose_pair(draft, 0, sum(draft.depths[2:]) + hallway(), stream) and fits):
                 return
 
     def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> bool:
@@ -198,9 +196,9 @@ class Drawer:
     def _across(self, kind: str) -> int:
         """Returns what the last two strips' depths add up to, 0 where it is free."""
         frame = self.frame
-        hallway = 0 if kind == "rows" else CENTRE_MM if kind == "axial" else HALLWAY_MM
+        between = 0 if kind == "rows" else centre() if kind == "axial" else hallway()
         across = frame.width if kind == "axial" else frame.depth
-        return across and across - hallway
+        return across and across - between
 
     def fit_depths(self, draft: Draft) -> None:
         """Makes a changed draft's depths add up to what the frame and its kind ask for, near to what its columns can have."""
@@ -210,7 +208,7 @@ class Drawer:
         if whole:
             self._share(depths, last, whole)
         if last:
-            self._share(depths, 0, depths[2] + HALLWAY_MM + depths[3])
+            self._share(depths, 0, depths[2] + hallway() + depths[3])
         self._close(draft, whole)
 
     @staticmethod
@@ -280,10 +278,10 @@ class Drawer:
 
     def _drawn(self, draft: Draft, pairs: Sequence[Pair], lengths: Sequence[int]) -> Sheet:
         boxes: list[Rect] = [Rect(0, 0, 0, 0)] * len(self.sizes)
-        centre = CENTRE_MM if draft.kind == "axial" else HALLWAY_MM
+        between = centre() if draft.kind == "axial" else hallway()
         at, across, hallways = 0, 0, list[Rect]()
         for k, (pair, length) in enumerate(zip(pairs, lengths, strict=True)):
-            gap = 0 if draft.kind == "rows" or (draft.kind == "ranch" and k == 0) else centre
+            gap = 0 if draft.kind == "rows" or (draft.kind == "ranch" and k == 0) else between
             first, second = draft.depths[2 * k], draft.depths[2 * k + 1]
             self._row(draft.strips[2 * k], shared_out(length, pair.spans[0]), (at, first, first), boxes)
             self._row(draft.strips[2 * k + 1], shared_out(length, pair.spans[1]), (at, first + gap, -second), boxes)

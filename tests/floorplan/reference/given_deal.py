@@ -11,9 +11,9 @@ from typing import Final
 
 from solver.floorplan.programme.home_search import GIVEN
 from solver.floorplan.programme.planned_rooms import PlannedRoom
-from solver.floorplan.tiling import HALLWAY_MM
 from solver.geometry import Rect
 from solver.streams import Stream
+from tests.floorplan.reference.asked import hallway
 from tests.floorplan.reference.deal import Chunk, Dealer
 from tests.floorplan.reference.drafts import Column, Draft, OutlineBlock
 
@@ -75,10 +75,10 @@ class GivenDealer(Dealer):
             along, across = block.extents
             for pair in range(block.strips // 2):
                 beside = block.kind == "rows" or (block.kind == "ranch" and not pair)
-                deep = across if beside else across - HALLWAY_MM
+                deep = across if beside else across - hallway()
                 length = along * 2 / block.strips
                 public += [len(floors), len(floors) + 1] if beside else []
-                one_sided = deep < LINED_MM - HALLWAY_MM
+                one_sided = deep < LINED_MM - hallway()
                 share = float(self.stream.below(2)) if one_sided else self.stream.uniform(0.4, 0.6)
                 floors += [share * deep * length, (1 - share) * deep * length]
         return floors, public or list(range(len(floors)))

@@ -1,0 +1,131 @@
+"""Walls as thick as wished: as much floor between them as ever, nothing cut into walls around corners, outer walls where nothing lies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import sqrt
+from typing import Any
+
+import pytest
+
+from catalogs import load_catalogs
+from solver import Request, generate, reroll
+from solver.exports.describing import describe
+from solver.floorplan import draw
+from solver.scene import Room, Scene
+from tests.floorplan import checks, homes
+from tests.sweeps import seeds
+
+KNOWN = load_catalogs()
+WISHES: Mapping[str, Mapping[str, Any]] = {
+    "family": {"program": "family"},
+    "family, U": {"program": "family", "outline": "U"},
+    "large": {"program": "large"},
+    "one_bed, garden": {"program": "one_bed", "outdoor": True},
+    "studio": {"program": "studio"},
+    "plain": {},
+    "plain, cut": {"use_spine": False, "width": 14.0, "depth": 12.0},
+}
+WALLS = ((0.24, 0.42), (0.115, 0.365), (0.05, 0.05), (0.2, 0.2))
+CASES = [(name, walls) for name in WISHES for walls in WALLS]
+USUAL = 0.1
+HALLWAY = 1.2
+"""Clear width of a hallway, m."""
+
+
+def lies_at_nothing(rooms: tuple[Room, ...], room: Room, wall: str) -> bool:
+    """Whether some of a wall lies at no other room: points of it 10 cm apart, a centimetre outside."""
+    x0, z0, x1, z1 = checks.box(room)
+    length = x1 - x0 if wall in ("north", "south") else z1 - z0
+    for along in range(50, length, 100):
+        x = x0 + along if wall in ("north", "south") else x0 - 10 if wall == "west" else x1 + 10
+        z = z0 + along if wall in ("west", "east") else z0 - 10 if wall == "north" else z1 + 10
+        if not any(a <= x <= c and b <= z <= d for a, b, c, d in map(checks.box, rooms)):
+            return True
+    return False
+
+
+def too_tight(room: Room, inner: float) -> Iterator[str]:
+    """Openings that reach into the wall around a corner, and hallways that are too narrow."""
+    for opening in room.openings:
+        low, high = opening.position - opening.width / 2, opening.position + opening.width / 2
+        length = room.width if opening.wall in ("north", "south") else room.depth
+        if low < inner / 2 - 1e-6 or high > length - inner / 2 + 1e-6:
+            yield f"{opening.id} of {room.id} is cut into the corner"
+    if room.type == "hallway" and min(room.width, room.depth) < HALLWAY + inner - 1e-6:
+        yield f"{room.id} is narrow"
+
+
+def too_small(room: Room, inner: float) -> bool:
+    """Whether a room has less floor than its type's least between usual walls, or is narrower."""
+    least, _, width, _ = homes.LIMITS[room.type]
+    more = max(inner - USUAL, 0.0)
+    return (room.width - more) * (room.depth - more) < least - 0.01 or min(room.width, room.depth) - more < width - 1e-6
+
+
+@pytest.mark.parametrize(("name", "walls"), CASES)
+def test_homes_between_thick_walls_are_sound(name: str, walls: tuple[float, float]) -> None:
+    inner, outer = walls
+    for seed in seeds(range(900, 920), 5):
+        request = Request(seed=seed, wall_thickness=inner, outer_wall_thickness=outer, **WISHES[name])
+        plan = draw(request, KNOWN)
+        assert homes.sound(plan) == []
+        assert [line for room in plan.rooms for line in too_tight(room, inner)] == []
+        if request.planned:
+            assert homes.violations(plan.rooms) == []
+            assert [room.id for room in plan.rooms if room.type in homes.LIMITS and too_small(room, inner)] == []
+        for room in plan.rooms:
+            own = room.wall_thickness or (None,) * 4
+            thick = {wall for wall, one in zip(("north", "east", "south", "west"), own, strict=True) if one == outer}
+            outside = {wall for wall in ("north", "east", "south", "west") if lies_at_nothing(plan.rooms, room, wall)}
+            assert thick == (outside if outer != inner and not room.outdoor else set()), room.id
+
+
+@pytest.mark.parametrize(("name", "walls"), [("family", (0.24, 0.42)), ("studio", (0.175, 0.36)), ("plain", (0.2, 0.3))])
+def test_they_are_furnished_walked_through_and_drawn(name: str, walls: tuple[float, float]) -> None:
+    inner, outer = walls
+    for seed in seeds(range(940, 946), 3):
+        made = generate(Request(seed=seed, wall_thickness=inner, outer_wall_thickness=outer, **WISHES[name]))
+        assert [issue.message for issue in made.issues if issue.severity == "error"] == []
+        scene = made.scene
+        assert scene.wall_thickness == inner
+        assert scene.request is not None
+        assert (scene.request["wall_thickness"], scene.request["outer_wall_thickness"]) == walls
+        for room in scene.rooms:
+            for piece in room.furniture:
+                wide, deep = (piece.width, piece.depth) if piece.rotation % 180 == 0 else (piece.depth, piece.width)
+                sides = piece.x - wide / 2, room.width - piece.x - wide / 2, piece.z - deep / 2, room.depth - piece.z - deep / 2
+                assert min(sides) >= inner / 2 - 1e-6, piece.id
+        drawn = describe(scene, KNOWN)
+        assert {round(panel.thickness, 3) for panel in drawn.panels} == {inner, outer}
+        for opening in drawn.openings:
+            assert round(opening.thickness, 3) == (outer if None in opening.rooms else inner), opening.id
+
+
+def test_usual_walls_asked_for_make_the_home_that_is_made_unasked() -> None:
+    unasked = generate(Request(seed=5, program="one_bed")).scene
+    asked = generate(Request(seed=5, program="one_bed", wall_thickness=0.1)).scene
+    assert unasked.rooms == asked.rooms
+    assert unasked.request is not None
+    assert not any("wall" in key for key in unasked.request)
+
+
+def test_rooms_of_any_form_keep_their_least_floor() -> None:
+    """A room of the least area between thick walls' lines, however long it may be, has the least floor between usual walls."""
+    for more in (15, 140):
+        for name, kind in KNOWN.for_walls(more).rooms.items():
+            if kind.home is None:
+                continue
+            least, usual = kind.home.area[0], KNOWN.rooms[name].home
+            assert usual is not None
+            for form in (1.0, (1 + kind.home.aspect) / 2, kind.home.aspect):
+                short = sqrt(least / form)
+                assert (short - more / 1000) * (short * form - more / 1000) >= usual.area[0] - 0.01
+
+
+def test_a_room_rolled_anew_keeps_its_walls() -> None:
+    scene: Scene = generate(Request(seed=3, program="studio", wall_thickness=0.2, outer_wall_thickness=0.4)).scene
+    other = reroll(scene, [scene.rooms[0].id], seed=9)
+    assert [issue for issue in other.issues if issue.severity == "error"] == []
+    assert [room.wall_thickness for room in other.scene.rooms] == [room.wall_thickness for room in scene.rooms]
+    assert other.scene.wall_thickness == 0.2
