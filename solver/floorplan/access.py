@@ -166,7 +166,8 @@ def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomTy
         for i, exposed in enumerate(layout.exposed)
         for wall, stretches in exposed.items()
     }
-    wide = [place for place, length in lengths.items() if length >= layout.walls.door_wall] or list(lengths)
+    least = layout.walls.door_wall
+    wide = [place for place, length in lengths.items() if length >= least] or list(lengths)
     better = _before_hallways(rooms)
 
     def rank(place: tuple[int, str]) -> tuple[int, int, int, int]:

@@ -165,7 +165,8 @@ def touching(rooms: Sequence[Rect]) -> list[tuple[int, int, str, int, int]]:
 
 def joints(layout: Layout) -> tuple[Joint, ...]:
     """Returns the shared walls that are long enough for a door, sorted."""
-    return tuple(Joint(*stretch) for stretch in layout.met if stretch[4] - stretch[3] >= layout.walls.door_wall)
+    least = layout.walls.door_wall
+    return tuple([Joint(*stretch) for stretch in layout.met if stretch[4] - stretch[3] >= least])
 
 
 def neighbours(count: int, shared: tuple[Joint, ...]) -> list[list[Joint]]:
