@@ -6,13 +6,14 @@ Comes in: rooms and walls as drawn. Goes out: a `DrawnAlong`, and the usual thic
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from statistics import median
 from typing import Final
 
 import numpy as np
 
-from solver.imports.drawn import DrawnAlong, DrawnRoom, DrawnWall
+from solver.imports.drawn import DrawnAlong, DrawnRoom, DrawnWall, Spot
 
 PARALLEL: Final = 0.02
 """The sine of the largest angle between a room's edge and its wall."""
@@ -22,22 +23,54 @@ WITHIN: Final = 0.2
 """An edge that lies deeper in its wall than this share of the thinnest one is not drawn along the face."""
 
 
-def outer_walls(room: DrawnRoom, thicknesses: Sequence[float | None], usual: float) -> Iterator[DrawnWall]:
-    """Yields the outer walls of a room that says how thick they are, where its outline is the usual wall's middle line.
+def outer_walls(rooms: Sequence[DrawnRoom], thicknesses: Sequence[Sequence[float | None]], usual: float) -> Iterator[DrawnWall]:
+    """Yields the outer walls of rooms that say how thick they are, where their outlines are the usual wall's middle line.
+
+    What another room shares of such a line is no outer wall.
 
     Args:
-        room: whose outline's points come clockwise or not.
-        thicknesses: by edge, in the file's unit; None where it is the usual.
+        rooms: whose outlines' points come clockwise or not.
+        thicknesses: of each room, by edge, in the file's unit; None where it is the usual.
         usual: thickness.
     """
-    pairs = list(zip(room.points, (*room.points[1:], *room.points[:1]), strict=True))
-    clockwise = 1 if sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in pairs) >= 0 else -1
-    for (a, b), thickness in zip(pairs, thicknesses, strict=False):
-        length = math.dist(a, b)
-        if thickness is not None and length:
-            by = clockwise * (thickness - usual) / 2 / length
-            x, z = (b[1] - a[1]) * by, (a[0] - b[0]) * by
-            yield DrawnWall((a[0] + x, a[1] + z), (b[0] + x, b[1] + z), thickness, room.where, room.level)
+    lines = _Lines(rooms)
+    for number, (room, own) in enumerate(zip(rooms, thicknesses, strict=True)):
+        pairs = list(zip(room.points, (*room.points[1:], *room.points[:1]), strict=True))
+        clockwise = 1 if sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in pairs) >= 0 else -1
+        for (a, b), thickness in zip(pairs, own, strict=False):
+            length = math.dist(a, b)
+            if thickness is None or not length:
+                continue
+            way, by = ((b[0] - a[0]) / length, (b[1] - a[1]) / length), clockwise * (thickness - usual) / 2
+            for low, high in lines.alone(number, room.level, a, b):
+                start, end = ((a[0] + way[0] * at + way[1] * by, a[1] + way[1] * at - way[0] * by) for at in (low, high))
+                yield DrawnWall(start, end, thickness, room.where, room.level)
+
+
+class _Lines:
+    """The edges of rooms that run along x or z, by their lines."""
+
+    def __init__(self, rooms: Sequence[DrawnRoom]) -> None:
+        self._edges: dict[tuple[int, int, float], list[tuple[int, float, float]]] = defaultdict(list)
+        for number, room in enumerate(rooms):
+            for a, b in zip(room.points, (*room.points[1:], *room.points[:1]), strict=True):
+                for axis in (0, 1):
+                    if a[1 - axis] == b[1 - axis]:
+                        ends = min(a[axis], b[axis]), max(a[axis], b[axis])
+                        self._edges[room.level, axis, a[1 - axis]].append((number, *ends))
+
+    def alone(self, number: int, level: int, a: Spot, b: Spot) -> list[tuple[float, float]]:
+        """Returns the stretches of a room's edge from a to b that no other room has, by how far from a they are."""
+        axis = 0 if a[1] == b[1] else 1
+        ahead = 1 if b[axis] >= a[axis] else -1
+        others = self._edges.get((level, axis, a[1 - axis]), []) if a[1 - axis] == b[1 - axis] else []
+        taken = [sorted((ahead * (low - a[axis]), ahead * (high - a[axis]))) for room, low, high in others if room != number]
+        at, length, found = 0.0, math.dist(a, b), []
+        for low, high in sorted(taken):
+            if low > at:
+                found.append((at, min(low, length)))
+            at = max(at, high)
+        return [(low, high) for low, high in (*found, (at, length)) if high > low]
 
 
 def drawn_along(rooms: Sequence[DrawnRoom], walls: Sequence[DrawnWall]) -> tuple[DrawnAlong, float | None]:

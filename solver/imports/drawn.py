@@ -75,7 +75,7 @@ class DrawnOpening:
 class DrawnPiece:
     """A thing in the plan: its footprint's middle, its underside `y` above the level's floor, sizes in the file's unit, a turn in degrees.
 
-    `size` None: the file does not say. `on` is the place of what it stands on, where the file says so.
+    `size` None: the file does not say. `kind` is the key of a kind of ours, where the file names one.
     """
 
     name: str
@@ -89,6 +89,7 @@ class DrawnPiece:
     color: str | None = None
     id: str = ""
     decoration: bool = False
+    kind: str | None = None
 
 
 class DrawnLevel(NamedTuple):

@@ -11,14 +11,14 @@ from dataclasses import replace
 from typing import Final
 
 from catalogs import Catalogs
-from catalogs.synonyms import Meaning, synonyms_of, words_of
+from catalogs.kind_book import UPRIGHT
+from catalogs.synonyms import Meaning, Synonyms, synonyms_of, words_of
 from solver.geometry import to_mm
+from solver.imports.carried_things import RESTING, covers
 from solver.imports.drawn import DrawnPiece, PlanNotes
 from solver.imports.rectilinear import FloorCorner, holds
 from solver.scene import Decoration, Furniture, Room
 
-RESTING: Final = 0.06
-"""A thing whose underside is so near a piece's top, m, stands on it."""
 LIVING: Final = "dynamic"
 """The category of who is no furniture."""
 SEAT_WIDTH: Final = 0.8
@@ -44,7 +44,7 @@ def with_pieces(
     for piece in pieces:
         x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
         place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
-        meaning = None if piece.size and min(piece.size) <= 0 else synonyms_of(catalogs).meaning(piece.name, piece.size)
+        meaning = _meaning(piece, synonyms_of(catalogs))
         size = piece.size or _usual_size(meaning, catalogs)
         if place is None or size is None or not 0 < min(size) <= max(size) <= LARGEST:
             words = "it stands in no room" if place is None else "the file gives no size" if size is None else "its size is none"
@@ -53,24 +53,37 @@ def with_pieces(
         if _sort(meaning, catalogs) == LIVING:
             notes.leave(piece.where, f"{piece.name!r:.60}: people and pets are left out")
             continue
+        kind = piece.kind if meaning is not None and meaning.key == _plain(piece.kind) else None
         room, sizes = rooms[place], tuple(max(0.001, round(one, 3)) for one in size)
         body = replace(piece, x=round(x - room.x, 4), z=round(z - room.z, 4), size=(sizes[0], sizes[1], sizes[2]))
         if piece.decoration or (meaning is not None and meaning.sort == "decoration"):
             if piece.size is None:
                 unsized[piece.name, _written(sizes)] += 1
-            decorations[place].append(_decoration(body, room, len(decorations[place])))
+            decorations[place].append(_decoration(body, room, len(decorations[place]), kind))
         elif (meaning is not None and meaning.sort == "other") or piece.y > OVERHEAD:
             notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
         else:
             if piece.size is None:
                 notes.guess(piece.where, "size", _written(sizes), f"{piece.name!r:.60}: the file gives no size")
-            furniture[place].append(_furniture(body, room, furniture[place]))
+            furniture[place].append(_furniture(body, room, furniture[place], kind))
     for (name, taken), count in unsized.items():
         notes.guess("plan", "size", taken, f"{name!r:.60}: the file gives no size of {count} of them")
     return [
-        replace(room, furniture=tuple(_tucked(standing, catalogs)), decorations=tuple(_carried(standing, small)))
+        replace(room, furniture=tuple(_tucked(standing, catalogs)), decorations=tuple(small))
         for room, standing, small in zip(rooms, furniture, decorations, strict=True)
     ]
+
+
+def _meaning(piece: DrawnPiece, synonyms: Synonyms) -> Meaning | None:
+    """Returns what a piece is: of the kind that the file names, if it is one of ours, else by its name and size."""
+    if piece.size and min(piece.size) <= 0:
+        return None
+    return synonyms.said(_plain(piece.kind)) or synonyms.meaning(piece.name, piece.size)
+
+
+def _plain(kind: str | None) -> str | None:
+    """Returns the kind of a thing that may be tipped onto its edge."""
+    return kind and kind.removesuffix(UPRIGHT)
 
 
 def _written(sizes: Sequence[float]) -> str:
@@ -114,19 +127,20 @@ def _usual_size(meaning: Meaning | None, catalogs: Catalogs) -> tuple[float, flo
     return catalogs.furniture[meaning.key].size if meaning.sort == "furniture" else catalogs.decorations[meaning.key].size
 
 
-def _furniture(piece: DrawnPiece, room: Room, there: Sequence[Furniture]) -> Furniture:
+def _furniture(piece: DrawnPiece, room: Room, there: Sequence[Furniture], kind: str | None) -> Furniture:
     width, depth, height = piece.size or (0.0, 0.0, 0.0)
     return Furniture(
         piece.id or _made_up(piece, room, len(there)), piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
         rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color, on=_under(piece, there),
+        kind=kind,
     )  # fmt: skip
 
 
-def _decoration(piece: DrawnPiece, room: Room, number: int) -> Decoration:
+def _decoration(piece: DrawnPiece, room: Room, number: int, kind: str | None) -> Decoration:
     width, depth, height = piece.size or (0.0, 0.0, 0.0)
     return Decoration(
         piece.id or _made_up(piece, room, number, "small_"), piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
-        rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color,
+        rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color, kind=kind,
     )  # fmt: skip
 
 
@@ -140,20 +154,5 @@ def _under(piece: DrawnPiece, there: Sequence[Furniture]) -> str | None:
     """Returns what a thing above the floor stands on: the piece below its middle whose top is its underside."""
     if piece.y < RESTING:
         return None
-    below = [one for one in there if abs(one.y + one.height - piece.y) <= RESTING and _covers(one, piece)]
+    below = [one for one in there if abs(one.y + one.height - piece.y) <= RESTING and covers(one, piece.x, piece.z)]
     return below[0].id if below else None
-
-
-def _covers(one: Furniture, piece: DrawnPiece) -> bool:
-    reach = (one.depth, one.width) if round(one.rotation / 90) % 2 else (one.width, one.depth)
-    return abs(piece.x - one.x) <= reach[0] / 2 and abs(piece.z - one.z) <= reach[1] / 2
-
-
-def _carried(standing: Sequence[Furniture], small: Sequence[Decoration]) -> list[Decoration]:
-    """Gives decorations above the floor the piece that carries them."""
-    found = []
-    for one in small:
-        on = [piece for piece in standing if piece.y + piece.height >= one.y - RESTING and one.y > RESTING
-              and abs(one.x - piece.x) <= piece.width / 2 and abs(one.z - piece.z) <= piece.depth / 2]  # fmt: skip
-        found.append(replace(one, parent=on[0].id) if on else one)
-    return found

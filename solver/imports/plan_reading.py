@@ -13,6 +13,7 @@ from catalogs import Catalogs
 from solver.errors import FieldError, SyntaxFault
 from solver.geometry import to_m
 from solver.imported import ImportSettings
+from solver.imports.carried_things import with_carriers
 from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes, check_plan
 from solver.imports.formats.dxf_reading import is_dxf, read_dxf
 from solver.imports.formats.ifc_reading import is_ifc, read_ifc
@@ -127,7 +128,7 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     origin = (min(x for room in rooms for x, _ in room.corners), min(z for room in rooms for _, z in room.corners))
     made = scene_rooms(rooms, openings, origin)
     if settings.furniture:
-        made = with_pieces(made, plan.pieces, origin, catalogs, notes)
+        made = with_carriers(with_pieces(made, plan.pieces, origin, catalogs, notes), thickness / 1000)
     return _scene(made, rooms, plan.levels, thickness), notes
 
 

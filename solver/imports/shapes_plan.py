@@ -22,7 +22,7 @@ from solver.imports.units import told_by_doors
 from solver.imports.walls_alone import rooms_between
 
 WORDS: Final[dict[str, tuple[str, ...]]] = {
-    "garage_door": ("garage_door", "garagedoor"),
+    "garage_door": ("garage_door", "garage-door", "garage door", "garagedoor", "garagentor", "porte de garage"),
     "window": ("window", "fenster", "fenetre", "ventana", "finestra", "glaz"),
     "door": ("door", "tür", "tuer", "porte", "puerta", "porta"),
     "passage": ("opening", "passage", "durchgang"),

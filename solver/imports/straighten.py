@@ -37,11 +37,12 @@ TOLD: Final = 1.0
 
 @dataclass
 class StraightRun:
-    """Edges of one room on one line: along `axis`, at `at` across it (mm); `low` and `high` are how far its points lie from it."""
+    """Edges of one room on one line: along `axis`, at `at` across it (mm); `looks` is positive where the room is on its one side."""
 
     axis: Literal["x", "z"]
     points: list[Spot]
     at: int = 0
+    looks: float = 0.0
 
     @property
     def across(self) -> list[float]:
@@ -60,6 +61,12 @@ class StraightRun:
     @property
     def _across(self) -> int:
         return 1 if self.axis == "x" else 0
+
+    @property
+    def along(self) -> tuple[float, float]:
+        """Its ends along its axis, the lower first."""
+        along = [point[1 - self._across] for point in self.points]
+        return min(along), max(along)
 
     @property
     def length(self) -> float:
@@ -121,9 +128,11 @@ def straightened(polygons: Sequence[Sequence[Spot]], levels: Sequence[int]) -> l
     """Returns rooms with straight walls; `levels` says which rooms share lines."""
     stretches = [_stretches(polygon) for polygon in polygons]
     runs: dict[tuple[int, str], list[StraightRun]] = {}
-    for room, level in zip(stretches, levels, strict=True):
+    for room, polygon, level in zip(stretches, polygons, levels, strict=True):
+        clockwise = doubled_area(polygon)
         for run in room:
             if isinstance(run, StraightRun):
+                run.looks = clockwise * (run.points[-1][run.axis == "z"] - run.points[0][run.axis == "z"])
                 runs.setdefault((level, run.axis), []).append(run)
     for together in runs.values():
         _gather(together)
@@ -200,17 +209,44 @@ def _kinds(points: Sequence[Spot]) -> list[str]:
 
 
 def _gather(runs: list[StraightRun]) -> None:
-    """Gives runs that lie near each other one coordinate: their median, weighted by length."""
-    ordered = sorted(runs, key=lambda run: run.middle)
-    middles = [run.middle for run in ordered]
-    start = 0
-    for at in range(1, len(ordered) + 1):
-        if at < len(ordered) and middles[at] - middles[start] <= NEAR:
-            continue
-        line = round(_weighted_median(middles[start:at], [max(run.length, 1.0) for run in ordered[start:at]]))
-        for run in ordered[start:at]:
+    """Gives runs that lie near each other one coordinate: their median, weighted by length.
+
+    Runs that look opposite ways are the two faces of one wall line only where they lie before each other.
+    """
+    groups = [*_near_each_other([run for run in runs if run.looks > 0]), *_near_each_other([run for run in runs if run.looks <= 0])]
+    groups.sort(key=lambda group: group[0].middle)
+    at = 0
+    while at + 1 < len(groups):
+        both = sorted((*groups[at], *groups[at + 1]), key=lambda run: run.middle)
+        if both[-1].middle - both[0].middle <= NEAR and _face(both):
+            groups[at : at + 2] = [both]
+        else:
+            at += 1
+    for group in groups:
+        line = round(_weighted_median([run.middle for run in group], [max(run.length, 1.0) for run in group]))
+        for run in group:
             run.at = line
-        start = at
+
+
+def _near_each_other(runs: list[StraightRun]) -> list[list[StraightRun]]:
+    groups: list[list[StraightRun]] = []
+    for run in sorted(runs, key=lambda run: run.middle):
+        if groups and run.middle - groups[-1][0].middle <= NEAR:
+            groups[-1].append(run)
+        else:
+            groups.append([run])
+    return groups
+
+
+def _face(runs: Sequence[StraightRun]) -> bool:
+    """Tells whether two of the runs that look opposite ways share some of their length."""
+    ends = {True: -math.inf, False: -math.inf}
+    for run in sorted(runs, key=lambda run: run.along[0]):
+        low, high = run.along
+        if min(ends[run.looks <= 0], high) - low > TOLD:
+            return True
+        ends[run.looks > 0] = max(ends[run.looks > 0], high)
+    return False
 
 
 def _weighted_median(ordered: Sequence[float], weights: Sequence[float]) -> float:

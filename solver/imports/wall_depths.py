@@ -118,7 +118,11 @@ def outer_thicknesses(
     facing = FacingEdges(edges, levels)
     found = []
     for room, level in zip(edges, levels, strict=True):
-        said = tuple(_own(depths, edge, level, usual) if facing.shared(edge, level) < edge.length else None for edge in room)
+        outer = [max(facing.alone(edge, level), key=lambda one: one[1] - one[0], default=None) for edge in room]
+        said = tuple(
+            None if one is None else _own(depths, edge._replace(low=one[0], high=one[1]), level, usual)
+            for edge, one in zip(room, outer, strict=True)
+        )
         found.append(said if any(one is not None for one in said) else None)
     return found
 
@@ -158,12 +162,15 @@ class FacingEdges:
             if one.room != edge.room and common > 0:
                 yield one, common
 
+    def alone(self, edge: PlanEdge, level: int) -> list[tuple[int, int]]:
+        """Returns the stretches of an edge that have no other room on the other side of their wall, nor the end of a wall between two."""
+        found, at = [], edge.low
+        for low, high in sorted((one.low, one.high) for one, _ in self.across(edge, level)):
+            if low - at > (THICKEST_JOINED if at > edge.low else 0):
+                found.append((at, low))
+            at = max(at, high)
+        return [*found, (at, edge.high)] if edge.high > at else found
+
     def shared(self, edge: PlanEdge, level: int) -> int:
         """Returns how much of an edge has other rooms on the other side of its wall, mm, the walls between those included."""
-        found = sorted((max(one.low, edge.low), min(one.high, edge.high)) for one, _ in self.across(edge, level))
-        length, end = 0, None
-        for low, high in found:
-            start = low if end is None or low - end > THICKEST_JOINED else end
-            length += max(0, high - start)
-            end = high if end is None else max(end, high)
-        return length
+        return edge.length - sum(high - low for low, high in self.alone(edge, level))

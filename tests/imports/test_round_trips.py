@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -11,14 +12,23 @@ from solver.imported import PlanImport
 from solver.scene import Room, Scene
 from tests.imports.plans import read
 
-PROGRAMMES = ("studio", "family")
+HOMES = {
+    "studio": Request(seed=5, program="studio"),
+    "family": Request(seed=5, program="family"),
+    "an L, decorated": Request(seed=11, program="family", outline="L", decorate=True),
+    "a T": Request(seed=12, program="one_bed", outline="T"),
+    "a U": Request(seed=12, program="large", outline="U"),
+}
+PROGRAMMES = tuple(HOMES)
+NOT_READ = ("DECORATIONS", "DIMENSIONS", "FURNITURE", "HIGH", "PEOPLE", "WALLS")
+"""Layers of our drawings that hold neither rooms nor openings."""
 CLOSE = 0.0101
 """m."""
 
 
 @cache
 def home(program: str) -> Scene:
-    return generate(Request(seed=5, program=program)).scene
+    return generate(HOMES[program]).scene
 
 
 @cache
@@ -52,7 +62,13 @@ def test_a_house_reads_back(program: str, format: str) -> None:
         assert (one.id, one.type, one.outdoor) == (other.id, other.type, other.outdoor)
         moved = (one.x - origin[0], one.z - origin[1], one.width, one.depth)
         assert max(abs(a - b) for a, b in zip(moved, box_of(other), strict=True)) <= CLOSE
-        assert (one.outline is None) == (other.outline is None)
+        assert len(one.outline or ()) == len(other.outline or ())
+        apart = (
+            abs(a - b)
+            for p, q in zip(sorted(one.outline or ()), sorted(other.outline or ()), strict=True)
+            for a, b in zip(p, q, strict=True)
+        )
+        assert max(apart, default=0.0) <= CLOSE
     assert openings_of(after, format == "procthor") == openings_of(before, format == "procthor")
     assert abs(after.wall_thickness - before.wall_thickness) <= CLOSE
     assert set(before.adjacency) <= set(after.adjacency)
@@ -76,6 +92,53 @@ def test_its_furniture_reads_back(program: str, format: str) -> None:
         assert abs((piece.rotation - other.rotation + 180) % 360 - 180) < 1.0
 
 
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
+def test_what_lies_and_hangs_there_reads_back(format: str) -> None:
+    """Small things keep their kinds and lie, or hang, on what carried them, so that nothing is moved."""
+    before, answer = home("an L, decorated"), again("an L, decorated", format)
+    one, other = ({thing.id: thing for room in scene.rooms for thing in room.decorations} for scene in (before, answer.scene))
+    assert one.keys() == other.keys()
+    assert {name: thing.kind for name, thing in one.items()} == {name: thing.kind for name, thing in other.items()}
+    hung = {name: thing.mounted_on_wall for name, thing in one.items()}
+    assert len(set(hung.values())) == 5  # four walls, and None
+    assert hung == {name: thing.mounted_on_wall for name, thing in other.items()}
+    assert [change for change in answer.changes if change["step"] == "furniture"] == []
+    assert [issue.message for issue in answer.issues if issue.severity == "error"] == []
+
+
+@pytest.mark.parametrize("program", ["studio", "a U"])
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
+@pytest.mark.parametrize(("inner", "outer"), [(0.08, None), (0.12, 0.24), (0.1, 0.36)])
+def test_walls_of_other_thickness_read_back(program: str, format: str, inner: float, outer: float | None) -> None:
+    before = thick(home(program), inner, outer)
+    (name, content), *_ = export(before, format).items()
+    after = read(content, name).scene
+    assert abs(after.wall_thickness - inner) <= CLOSE
+    origin = min(room.x for room in before.rooms), min(room.z for room in before.rooms)
+
+    def seen(scene: Scene, x: float, z: float) -> list[tuple[object, ...]]:
+        return sorted(
+            (room.type, *(round(one / CLOSE) for one in (room.x - x, room.z - z, room.width, room.depth)),
+             sorted(one for one in room.wall_thickness or () if one and abs(one - inner) > CLOSE))
+            for room in scene.rooms
+        )  # fmt: skip
+
+    assert seen(after, 0.0, 0.0) == seen(before, *origin)
+
+
+def thick(scene: Scene, inner: float, outer: float | None) -> Scene:
+    """The home unfurnished, its walls as thick as said; outer walls of its rectangular rooms alone."""
+
+    def one(room: Room) -> Room:
+        sides = room.exterior_walls
+        bare = replace(room, furniture=(), decorations=())
+        if outer is None or sides is None or room.outline or room.outdoor:
+            return bare
+        return replace(bare, wall_thickness=tuple(outer if getattr(sides, name) else None for name in ("north", "east", "south", "west")))
+
+    return replace(scene, rooms=tuple(map(one, scene.rooms)), wall_thickness=inner, dynamic=(), certificate=None)
+
+
 @pytest.mark.parametrize("program", PROGRAMMES)
 def test_a_drawing_reads_back_as_far_as_it_says(program: str) -> None:
     """A plan in DXF tells no heights, ids or entrances; its doors are arcs, as wide as the gaps in its walls."""
@@ -95,4 +158,4 @@ def test_a_drawing_reads_back_as_far_as_it_says(program: str) -> None:
     )
     assert seen(answer.scene, False) == seen(before, False)
     assert seen(answer.scene, True) == seen(before, True)
-    assert {str(left["place"]) for left in answer.unread} <= {f"layer '{name}'" for name in ("DIMENSIONS", "FURNITURE", "PEOPLE", "WALLS")}
+    assert {str(left["place"]) for left in answer.unread} <= {f"layer '{name}'" for name in NOT_READ}

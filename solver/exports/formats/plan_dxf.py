@@ -23,7 +23,7 @@ from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
 
 LAYERS: Final = {
-    "WALLS": 7, "DOORS": 1, "WINDOWS": 5, "OPENINGS": 8, "RAILINGS": 8, "ROOMS": 252, "FURNITURE": 8, "DECORATIONS": 9,
+    "WALLS": 7, "DOORS": 1, "GARAGE_DOORS": 1, "WINDOWS": 5, "OPENINGS": 8, "RAILINGS": 8, "ROOMS": 252, "FURNITURE": 8, "DECORATIONS": 9,
     "HIGH": 9, "PEOPLE": 9, "NAMES": 7, "DIMENSIONS": 8,
 }  # fmt: skip
 """Layers and their colours by AutoCAD's index."""
@@ -140,7 +140,7 @@ class _DxfPlan:
             hatch.paths.add_polyline_path([_flat(x, z) for x, z in _corners(box)], is_closed=True)
 
     def _opening(self, opening: PlacedOpening) -> None:
-        drawn = {"window": ("WINDOWS", (1.0, 0.24)), "garage_door": ("DOORS", (0.4,)), "passage": ("OPENINGS", (1.0,))}
+        drawn = {"window": ("WINDOWS", (1.0, 0.24)), "garage_door": ("GARAGE_DOORS", (0.4,)), "passage": ("OPENINGS", (1.0,))}
         layer, shares = drawn.get(opening.kind, ("DOORS", ()))
         for share in shares:
             self._polygon(_corners(opening_box(opening, share)), layer)

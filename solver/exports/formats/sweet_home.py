@@ -1,7 +1,7 @@
 """sh3d: a home for Sweet Home 3D (7.0 and newer): `Home.xml` and a model of triangles a kind, in one archive.
 
 Its frame: x east, y south, cm; angles in radians, clockwise seen from above. Walls are whole, as the programme cuts openings itself.
-Ids, kinds and masses are properties of the pieces: `id`, `kind`, `mass`.
+Ids, kinds and masses are properties of the pieces: `id`, `kind`, `mass`; small things say `sort`: decoration.
 """
 
 from __future__ import annotations
@@ -92,6 +92,7 @@ def _home(model: HouseModel, shelf: _Models) -> Iterator[str]:
         above, level = (body.y - room.elevation, level_of[room.level]) if room else (body.y, "")
         box = _Piece(body.x, above, body.z, body.turn, body.width, body.depth, body.height, level, name)
         said = {"id": body.id, "mass": f"{body.mass:g}", **({"kind": body.kind} if body.kind else {})}
+        said |= {"sort": body.sort} if body.sort == "decoration" else {}
         yield _piece("pieceOfFurniture", box, words_of(body.name), said)
     leaves = {leaf.id: leaf for leaf in model.leaves}
     for opening in model.openings:

@@ -181,6 +181,7 @@ class _ReadBuilding:
             yield DrawnPiece(
                 piece.ObjectType or piece.Name or "", frame[0][3], -frame[1][3], frame[2][3] - floor,
                 turn, size, _place(piece), level, None, str(said.get("Id", "")), said.get("Sort") == "decoration",
+                str(said.get("Kind") or ""),
             )  # fmt: skip
 
 

@@ -54,10 +54,12 @@ def read_procthor(document: Json) -> DrawnPlan:
 
 def _outer_walls(document: Json, rooms: Sequence[DrawnRoom], usual: float) -> Iterator[DrawnWall]:
     """Yields the outer walls of which our own export says how thick they are."""
+    thicknesses = []
     for said, room in zip(document["rooms"], rooms, strict=True):
         where = f"{room.where}.compose.wall_thickness"
         numbers = a_list(_ours(said, room.where).get("wall_thickness") or [], where)
-        yield from outer_walls(room, [None if one is None else a_number({"": one}, "", where) for one in numbers], usual)
+        thicknesses.append([None if one is None else a_number({"": one}, "", where) for one in numbers])
+    yield from outer_walls(rooms, thicknesses, usual)
 
 
 def _ours(said: Json, where: str) -> Json:
@@ -163,7 +165,7 @@ def _pieces(objects: object, where: str, depth: int, on: str) -> Iterator[DrawnP
         yield DrawnPiece(
             a_text(ours, "name", place) or name.split("|")[0], x, z, middle - size[1] / 2 if size else (middle if lies else 0.0),
             (180.0 - yaw) % 360, size and (size[0], size[2], size[1]), place, id=name if ours else "",
-            decoration=ours.get("sort") == "decoration" if ours else lies,
+            decoration=ours.get("sort") == "decoration" if ours else lies, kind=a_text(one, "assetId", place) if ours else None,
         )  # fmt: skip
         yield from _pieces(one.get("children") or [], f"{place}.children", depth + 1, name)
 

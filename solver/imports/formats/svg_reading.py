@@ -74,7 +74,7 @@ def read_svg(content: bytes, metres: float | None = None) -> DrawnPlan:
     drawn: DrawnAlong = "inner" if one_of(said, "data-drawn", ("", "lines", "inner"), "svg") == "inner" else "lines"
     level = int(_attribute(said, "data-level", "svg") or 0)
     pieces = tuple(_pieces(elements, unit.metres, _attribute(said, "data-elevation", "svg") or 0.0))
-    solid = tuple(wall for room, element in drawn_rooms for wall in outer_walls(room, _outer(element), thickness or 0.0))
+    solid = tuple(outer_walls([room for room, _ in drawn_rooms], [_outer(element) for _, element in drawn_rooms], thickness or 0.0))
     return DrawnPlan(
         tuple(rooms), tuple(openings), () if stated else plan.walls, pieces,
         (DrawnLevel(level, "", _attribute(said, "data-elevation", "svg"), _attribute(said, "data-level-height", "svg")),),
@@ -182,8 +182,9 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
         y = (_attribute(said, "data-y", where) or 0.0) / metres - elevation
         name = said.get("data-name") or said.get("data-kind") or "thing"
         yield DrawnPiece(
-            name, x, z, y, turn, (width, depth, height), where, id=said.get("data-id", ""), decoration=said.get("data-sort") == "decoration"
-        )
+            name, x, z, y, turn, (width, depth, height), where, id=said.get("data-id", ""),
+            decoration=said.get("data-sort") == "decoration", kind=said.get("data-kind"),
+        )  # fmt: skip
 
 
 def _shapes_plan(elements: Sequence[SvgElement], is_stated: bool, metres: UnitTold) -> DrawnPlan:

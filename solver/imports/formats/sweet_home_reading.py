@@ -186,4 +186,5 @@ def _piece(element: Element, where: str, level: int, unread: list[Unread]) -> It
         f"#{color[2:].lower()}" if len(color) == 8 else None,
         said.get("id", ""),
         said.get("sort") == "decoration",
+        said.get("kind"),
     )
