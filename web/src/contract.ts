@@ -99,6 +99,12 @@ export type CatalogKind = Partial<Pick<Served.FurnitureSpec, "name" | "category"
 
 export type CatalogAsset = Pick<Served.Asset, "kinds" | "front" | "size" | "low" | "high" | "bytes" | "triangles" | "license">;
 
+export interface CatalogRoom {
+  readonly accent: string;
+  readonly home?: { readonly word?: string | null } | null;
+  readonly pieces?: readonly { readonly variants: readonly { readonly kind: string }[] }[];
+}
+
 /** What the page reads of the catalog. */
 export interface Catalog {
   readonly furniture: Named<CatalogKind>;
@@ -107,7 +113,7 @@ export interface Catalog {
   readonly assets?: Named<CatalogAsset>;
   readonly materials?: Named<Served.Material>;
   readonly styles?: Named<{ readonly materials?: Named<Partial<Served.Material>>; readonly walls?: Named<readonly Pick<Served.WallPaint, "type">[]> }>;
-  readonly rooms?: Named<{ readonly accent: string; readonly home?: { readonly word?: string | null } | null }>;
+  readonly rooms?: Named<CatalogRoom>;
   readonly presets?: Named<Served.Preset>;
   readonly access?: Named<{ readonly says: string }>;
 }

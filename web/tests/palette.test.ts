@@ -2,7 +2,9 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Catalog } from "../src/contract";
 import { Favourites } from "../src/edit/favourites";
+import { roomsFor } from "../src/edit/adding";
 import { Palette } from "../src/edit/palette";
+import { room } from "./rooms";
 
 const CATALOG = { furniture: { sofa: { category: "seating", size: [2, 0.9, 0.8] } }, decorations: {} } as unknown as Catalog;
 let host: HTMLElement;
@@ -76,5 +78,18 @@ describe("the palette", () => {
     press("[aria-label='Favourite: desk']");
     press("[data-category=favourites]");
     expect([shown(), said()]).toEqual([[], "No such kind."]);
+  });
+});
+
+describe("the room that a new piece goes to", () => {
+  const kinds = (...names: string[]) => ({ accent: "#fff", pieces: [{ variants: names.map((kind) => ({ kind })) }] });
+  const home = { rooms: [room("foyer_1", [0, 0, 9, 9], { type: "foyer" }), room("office_1", [0, 0, 2, 2], { type: "office" }), room("office_2", [0, 0, 3, 2], { type: "office" })] };
+
+  it("is of a type that the catalog furnishes with its kind, the largest first", () => {
+    const types = { office: kinds("desk", "bookshelf"), foyer: kinds("bench") };
+    expect(roomsFor({ key: "desk" }, home, types)).toEqual(["office_2", "office_1"]);
+    expect(roomsFor({ key: "bench" }, home, types)).toEqual(["foyer_1"]);
+    expect(roomsFor({ key: "boat" }, home, types)).toEqual([]);
+    expect(roomsFor({ key: "desk" }, home)).toEqual([]);
   });
 });

@@ -22,15 +22,25 @@ interface Wished {
 }
 
 export interface AddingWords {
-  /** The room that a piece is added to. */
+  /** The room that is chosen, or that of what is chosen. */
   room(): string | undefined;
+  /** The room in the middle of the view. */
+  inView(): string | undefined;
   failed(reason: unknown): void;
+}
+
+/** The rooms of the types that the catalog furnishes with a kind, the largest first. */
+export function roomsFor({ key }: Pick<FurnitureKind, "key">, { rooms }: Pick<Scene, "rooms">, types: Catalog["rooms"] = {}): string[] {
+  const suits = (type: string): boolean => types[type]?.pieces?.some(({ variants }) => variants.some((one) => one.kind === key)) ?? false;
+  const size = ({ width, depth }: Pick<Scene["rooms"][number], "width" | "depth">): number => width * depth;
+  return rooms.filter(({ type }) => suits(type)).sort((one, other) => size(other) - size(one)).map(({ id }) => id);
 }
 
 export class Adding {
   readonly #palette: Palette;
   readonly #places: Places;
   #isFilled = false;
+  #catalog: Catalog | null = null;
 
   constructor(readonly home: Home, readonly stage: Stage, readonly editor: Editor, hosts: { readonly palette: HTMLElement; readonly places: HTMLElement }, readonly say: AddingWords) {
     this.#palette = new Palette(hosts.palette, {
@@ -49,7 +59,9 @@ export class Adding {
   toggle(coming: () => Promise<Catalog>): void {
     if (!this.#isFilled) {
       this.#isFilled = true;
-      this.#palette.await(coming()).catch((reason: unknown) => {
+      const known = coming();
+      known.then((catalog) => { this.#catalog = catalog; }, () => undefined); // said below
+      this.#palette.await(known).catch((reason: unknown) => {
         this.#isFilled = false;
         this.say.failed(reason);
       });
@@ -63,9 +75,16 @@ export class Adding {
   }
 
   #choose(kind: FurnitureKind): void {
-    const room = this.say.room();
+    const room = this.say.room() ?? this.#roomFor(kind) ?? this.home.scene?.rooms[0]?.id;
     this.#palette.open(false);
     if (room !== undefined) this.#places.add(room, kind).catch((reason: unknown) => this.say.failed(reason));
+  }
+
+  /** Where nothing is chosen: the room in view, unless the catalog has such a kind in rooms of other types alone. */
+  #roomFor(kind: FurnitureKind): string | undefined {
+    const [seen, scene] = [this.say.inView(), this.home.scene];
+    const suited = scene ? roomsFor(kind, this.stage.storeys.planned(scene), this.#catalog?.rooms) : [];
+    return suited.includes(seen ?? "") ? seen : (suited[0] ?? seen);
   }
 
   /** A new piece on the floor under a point of the window; null where there is none. */

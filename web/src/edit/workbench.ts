@@ -76,7 +76,8 @@ export class Workbench {
     const hosts = { gaps: within("gaps"), piece: within("piece") as HTMLDetailsElement, tape: within("tape") };
     this.#numbers = new Numbers(home, stage, this.editor, this.#acts, hosts);
     this.#adding = new Adding(home, stage, this.editor, { palette: within("palette"), places: within("places") }, {
-      room: () => this.#roomMeant(),
+      room: () => this.#roomChosen(),
+      inView: () => this.#roomInView(),
       failed: (reason) => words.failed(reason),
     });
     this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason));
@@ -305,10 +306,15 @@ export class Workbench {
     if (scene && id !== null && this.home.find(id)) void this.#why.show(scene, id);
   }
 
-  /** The room that is chosen, that of what is chosen, or the one in view. */
+  /** The room that is chosen, or that of what is chosen. */
+  #roomChosen(): string | undefined {
+    const { room, selected } = this.home;
+    return room ?? this.home.find(selected)?.room.id ?? this.#acts.thing(selected)?.room.id;
+  }
+
+  /** That, or the one in view. */
   #roomMeant(): string | undefined {
-    const { room, selected, scene } = this.home;
-    return room ?? this.home.find(selected)?.room.id ?? this.#acts.thing(selected)?.room.id ?? this.#roomInView() ?? scene?.rooms[0]?.id;
+    return this.#roomChosen() ?? this.#roomInView() ?? this.home.scene?.rooms[0]?.id;
   }
 
   /** The room in the middle of the view. */
