@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Literal
 
 import pytest
 from playwright.sync_api import expect
@@ -126,6 +127,15 @@ def test_what_is_chosen_beside_or_in_the_house_is_chosen_in_both(visit: Visit) -
     assert visit.console == []
 
 
+ON_PAPER = """() => {
+    const paper = document.querySelector('#view_print');
+    const dots = paper.getContext('2d').getImageData(0, 0, paper.width, paper.height).data;
+    let inked = 0;
+    for (let at = 0; at < dots.length; at += 4) inked += dots[at] + dots[at + 1] + dots[at + 2] < 700;
+    return [[...dots.slice(0, 4)], inked / (paper.width * paper.height)];
+}"""
+"""The dot in the corner of the view as it is printed, and the share of dots that are not white."""
+ON_SHEET = "() => [...document.querySelectorAll('#stage > *')].filter(one => one.offsetParent).map(one => one.className)"
 PRINT = """() => { window.print = () => {
     const sheet = document.querySelector('#plan_print');
     const wide = sheet.naturalWidth;
@@ -145,3 +155,23 @@ def test_the_plan_is_printed_alone_and_to_scale(visit: Visit) -> None:
     visit.page.emulate_media(media="print")
     expect(visit.page.locator("#stage")).to_be_hidden()
     visit.page.emulate_media(media="screen")
+
+
+@pytest.mark.parametrize("colours", ["light", "dark"])
+def test_the_browsers_own_print_prints_what_is_in_view_on_white(visit: Visit, colours: Literal["light", "dark"]) -> None:
+    page = visit.page
+    page.emulate_media(color_scheme=colours)
+    visit.open(SMALL.format(4))
+    page.pdf(landscape=True)  # the browser says beforeprint
+    corner, shares = page.evaluate(ON_PAPER)
+    assert corner == [255, 255, 255, 255]
+    assert shares > 0.05
+    page.keyboard.press("4")
+    visit.settle()
+    page.emulate_media(media="print")
+    expect(page.locator("#view_print")).to_be_hidden()
+    assert page.evaluate(ON_SHEET) == ["plan-sheet"]
+    assert page.evaluate("getComputedStyle(document.querySelector('.plan-sheet')).filter") == "none"
+    page.emulate_media(media="screen")
+    expect(page.locator("#view_print")).to_be_hidden()
+    assert visit.console == []

@@ -12,7 +12,7 @@ import { save } from "./panel/files";
 import { showAssetCount } from "./panel/asset_count";
 import { PlanBeside } from "./plan/plan_beside";
 import { PlanSheet } from "./plan/plan_sheet";
-import { assetFile, exportedFile, floor } from "./service";
+import { assetFile, floor, planOf } from "./service";
 import { timed } from "./timing";
 import type { PresetName } from "./view/cameras";
 import { doorInView } from "./view/door_in_view";
@@ -70,7 +70,7 @@ export class Stage {
     this.#labels = new Labels(within("labels"), this.#viewport);
     this.#looking = new Looking(this.#viewport, this.#labels, async (scene, signal) => (await floor(scene, [], signal)).rooms);
     this.#looking.onFailure = (reason) => this.onFailure(reason);
-    const draw = async (scene: Scene, signal: AbortSignal): Promise<string> => (await exportedFile(this.storeys.planned(scene), "svg", signal)).content.text();
+    const draw = (scene: Scene, signal: AbortSignal): Promise<string> => planOf(this.storeys.planned(scene), null, signal);
     this.sheet = new PlanSheet(this.#viewport, draw, (reason) => this.onFailure(reason));
     const place = document.getElementById("beside");
     this.beside = place && new PlanBeside(place, within("camera_split"), draw, (reason) => this.onFailure(reason));
@@ -86,6 +86,7 @@ export class Stage {
       over: (at) => this.#point(at && this.#hitAt(at.clientX, at.clientY)),
     });
     this.storeys.onChoose = () => this.#changeStorey();
+    window.addEventListener("beforeprint", () => this.#print());
     this.#listenToKeys();
   }
 
@@ -219,6 +220,12 @@ export class Stage {
     }
     const made = await this.#viewport.picture(...PICTURE);
     if (made) save(made, `compose-${this.#scene?.seed ?? "home"}.png`);
+  }
+
+  /** Draws the view for the browser's own print; the plan is a sheet already. */
+  #print(): void {
+    const paper = document.querySelector<HTMLCanvasElement>("#view_print");
+    if (paper && !this.#isPlan && this.#scene) this.#viewport.printOn(paper);
   }
 
   /** Names all pieces, or again only those pointed at and chosen. */

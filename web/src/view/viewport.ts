@@ -335,22 +335,31 @@ export class Viewport {
 
   /** What is in view as a picture of its own size, PNG; what the canvas shows is all in it. */
   picture(width: number, height: number): Promise<Blob | null> {
+    return this.#pictured(width, height, getComputedStyle(this.host).backgroundColor, () => new Promise((done) => { this.canvas.toBlob(done, "image/png"); }));
+  }
+
+  /** Draws what is in view on white paper, at once: a printer does not wait. */
+  printOn(paper: HTMLCanvasElement): void {
+    this.#pictured(paper.width, paper.height, "white", () => paper.getContext("2d")?.drawImage(this.canvas, 0, 0));
+  }
+
+  /** Draws what is in view in another size, and takes it before the canvas is as it was. */
+  #pictured<Taken>(width: number, height: number, ground: string, take: () => Taken): Taken {
     const [ratio, { aspect, fov }] = [this.#renderer.getPixelRatio(), this.camera];
-    const narrower = Math.max(1, (aspect * height) / width);
     this.#renderer.setPixelRatio(1);
     this.#renderer.setSize(width, height, false);
-    Object.assign(this.camera, { aspect: width / height, fov: (Math.atan(Math.tan((fov * Math.PI) / 360) * narrower) * 360) / Math.PI });
+    Object.assign(this.camera, { aspect: width / height, fov: (Math.atan(Math.tan((fov * Math.PI) / 360) * Math.max(1, (aspect * height) / width)) * 360) / Math.PI });
     this.camera.updateProjectionMatrix();
-    this.#scene.background ??= new Color(getComputedStyle(this.host).backgroundColor);
+    this.#scene.background ??= new Color(ground);
     this.#renderer.render(this.#scene, this.camera);
     this.#surround(this.#walker);
-    const made = new Promise<Blob | null>((done) => { this.canvas.toBlob(done, "image/png"); });
+    const taken = take();
     this.#renderer.setPixelRatio(ratio);
     this.#renderer.setSize(this.#size.width, this.#size.height);
     Object.assign(this.camera, { aspect, fov });
     this.camera.updateProjectionMatrix();
     this.invalidate();
-    return made;
+    return taken;
   }
 
   /** Draws a frame with its shadows and one without them; returns what each costs. */
