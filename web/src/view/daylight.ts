@@ -1,12 +1,17 @@
 /** The sun with its shadows, the light of the sky, and the ground around the house: grass to who walks, else the shadows alone. */
 import {
-  BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Group, HemisphereLight, Mesh, MeshLambertMaterial, ShadowMaterial, Vector3, type Box3,
+  Box3, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Group, HemisphereLight, Matrix4, Mesh, MeshLambertMaterial, ShadowMaterial, Vector3,
 } from "three";
 
 export const SKY = new Color("#b9c8d6");
 const GRASS = "#8a9d74";
 const SUN = new Vector3(-0.55, 1, 0.5).normalize();
-const SHADOW_PIXELS = 2048;
+/** Across the sun's rays, from side to side and from low to high: a house is seen from up there longer than deep. */
+const SHADOW_PIXELS = [2048, 1024] as const;
+/** So high above the ground trees, and storeys above others, cast shadows [m]. */
+const TALLEST = 8;
+/** How far beyond the floors things stand or overhang [m]. */
+const MARGIN = 0.5;
 /** Under the floors: a house stands a little above its ground [m]. */
 const GROUND = -0.12;
 const SECTORS = 48;
@@ -34,6 +39,14 @@ function groundGeometry(): BufferGeometry {
   return geometry;
 }
 
+/** How a house and its trees lie before the sun, which looks at the house's middle: across its rays. */
+function seenBySun({ min, max }: Box3, centre: Vector3): Box3 {
+  const away = new Matrix4().lookAt(SUN, new Vector3(), new Vector3(0, 1, 0)).invert();
+  const top = Math.max(max.y, min.y + TALLEST);
+  const corners = [min.x, max.x].flatMap((x) => [min.y, top].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))));
+  return new Box3().setFromPoints(corners.map((corner) => corner.sub(centre).applyMatrix4(away))).expandByScalar(MARGIN);
+}
+
 export class Daylight {
   readonly root = new Group();
   readonly #sun = new DirectionalLight("#fff4e2", 2.2);
@@ -44,7 +57,7 @@ export class Daylight {
   constructor() {
     const { shadow } = this.#sun;
     this.#sun.castShadow = true;
-    shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
+    shadow.mapSize.set(...SHADOW_PIXELS);
     Object.assign(shadow, { radius: 4, intensity: 0.7, normalBias: 0.03, bias: -0.0004 });
     const fill = new DirectionalLight("#d5e3ff", 0.8);
     fill.position.set(1, 0.7, -0.4);
@@ -70,7 +83,8 @@ export class Daylight {
     this.#sun.target.position.copy(centre);
     this.#sun.position.copy(centre).addScaledVector(SUN, radius * 2);
     const camera = this.#sun.shadow.camera;
-    Object.assign(camera, { left: -radius, right: radius, top: radius, bottom: -radius, near: radius * 0.5, far: radius * 3.5 });
+    const seen = seenBySun(bounds, centre);
+    Object.assign(camera, { left: seen.min.x, right: seen.max.x, top: seen.max.y, bottom: seen.min.y, near: radius * 0.5, far: radius * 3.5 });
     camera.updateProjectionMatrix();
     this.#ground.position.set(centre.x, bounds.min.y + GROUND, centre.z);
     this.#ground.scale.setScalar(radius);

@@ -19,11 +19,11 @@ function made(isFine: boolean): WebGLRenderer {
   return renderer;
 }
 
-/** Where a processor draws, smooth edges and soft shadows would cost more than all else: they are left out. */
+/** Where a processor draws, smooth edges and soft shadows would cost more than all else: they are left out, and nothing is made twice. */
 export function rendererForMachine(): WebGLRenderer {
-  const fine = made(true);
-  if (!isSoftware(fine.getContext())) return fine;
-  fine.dispose();
-  fine.forceContextLoss();
-  return made(false);
+  const plain = made(false);
+  if (isSoftware(plain.getContext())) return plain;
+  plain.dispose();
+  plain.forceContextLoss();
+  return made(true);
 }
