@@ -21,8 +21,9 @@ WAYS_IN = ("door", "passage", "garage_door")
 
 LEAVING_WORK = 200_000.0
 """Work that judging the house without one body and another may cost, in QPs of a small room, also where a call's searches spent theirs."""
-ROOM_WORK, BODY_WORK = 15.0, 10.0
-"""What each room counts when the house is judged once more, and each body of the room that changed; measured."""
+ROOM_WORK, BODY_WORK, WALKED_WORK = 15.0, 10.0, 2.0
+"""What each room counts when the house is judged once more, each body of the room that changed, and each that is walked past anew;
+measured."""
 
 
 def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairSettings) -> tuple[Conflict, ...]:
@@ -116,7 +117,8 @@ def _house_without(house: Checked, label: str, budget: Budget) -> Checked | None
     scene = house.scene
     here = [label in _ids_in(scene, room) for room in scene.rooms]
     after = tuple(without(room, (label,)) if held else room for room, held in zip(scene.rooms, here, strict=True))
-    budget.left -= ROOM_WORK * len(after) + BODY_WORK * sum(len(all_bodies(room)) for room in compress(after, here))
+    bodies = [len(all_bodies(room)) for room in after]
+    budget.left -= ROOM_WORK * len(after) + BODY_WORK * sum(compress(bodies, here)) + WALKED_WORK * sum(bodies)
     people = tuple(person for person in scene.dynamic if person.id != label)
     return house.after(replace(scene, rooms=after, dynamic=seated_along(people, scene.rooms, after)))
 

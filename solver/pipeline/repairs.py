@@ -24,8 +24,8 @@ STEP_MM = 10
 """Steps in which a piece is shrunk where no length says how much is missing."""
 LEAST_SHARE = 0.6
 """A piece is not shrunk below this share of its width or depth."""
-PIECE_WORK = 20.0
-"""What a piece of a room counts each time a repair of the room is tried: all of them are told anew; measured."""
+PIECE_WORK, BODY_WORK = 20.0, 2.0
+"""What each piece of a conflict, and each body of its room, counts when a repair of the room is tried: all are looked at anew; measured."""
 
 
 @dataclass(frozen=True)
@@ -148,11 +148,10 @@ def _freedom(piece: Piece) -> tuple[object, ...]:
 def _pieces(goal: RepairGoal, problem: RoomProblem, repair: Repair) -> list[Piece]:
     """Returns the goal's pieces in a room with a repair applied."""
     settings = problem.settings
-    charge(PIECE_WORK * len(goal.group))
+    charge(PIECE_WORK * len(goal.group) + BODY_WORK * len(all_bodies(problem.room)))
     if repair["action"] == "unlock":
         settings = replace(settings, locked=settings.locked - {repair["id"]})
-    pieces = pieces_as_sent(replace(problem, room=applied(problem.room, repair), settings=settings))
-    return [piece for piece in pieces if piece.label in goal.group]
+    return list(pieces_as_sent(replace(problem, room=applied(problem.room, repair), settings=settings), goal.group))
 
 
 def _shrunk_by_lengths(goal: RepairGoal, short: Shortfall) -> Iterator[Repair | None]:
