@@ -69,6 +69,15 @@ def test_seats_see_what_is_before_them() -> None:
     assert ruler.fireplaces_faced(scene(sofa, body("fireplace", (4.6, 0.1), (1.2, 0.4)))) == (0, 1)
 
 
+def test_an_armchair_has_company_or_a_table_at_hand() -> None:
+    chair, sofa = body("armchair", (3, 3), (0.8, 0.82)), body("sofa", (3, 0.8), (2, 0.9))
+    assert ruler.stranded(scene(chair)) == (1, 1)
+    assert ruler.stranded(scene(chair, sofa)) == (0, 1)
+    assert ruler.stranded(scene(chair, replace(sofa, z=1.24))) == (1, 1)
+    assert ruler.stranded(scene(chair, body("side_table", (2.1, 3), (0.4, 0.4)))) == (0, 1)
+    assert ruler.stranded(scene(chair, body("side_table", (2.0, 3), (0.4, 0.4)))) == (1, 1)
+
+
 def test_a_piano_has_a_seat_and_room_to_sit() -> None:
     piano, stool = body("piano", (2, 0.08), (1.5, 0.6)), body("ottoman", (2.4, 0.8), (0.6, 0.5))
     assert ruler.pianos_played(scene(piano)) == (0, 1)
