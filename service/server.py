@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import math
 import socket
 import sys
@@ -37,6 +38,7 @@ def serve(settings: Settings, catalogs: Catalogs) -> None:
     sys.setswitchinterval(SWITCH_S)
     app = create_app(catalogs, replace(settings, allow_host=(*settings.allow_host, settings.host, *LOOPBACK)))
     _open_store(app, settings)
+    gc.freeze()  # what is there by now stays: looking through it all would keep everybody waiting for 80 ms, now and then
     with listening(settings.host, settings.port, settings.connections) as listener:
         config = Config(
             app, http=app.connections.protocol, ws="none", lifespan="on", log_level="warning", server_header=False,  # type: ignore[arg-type]

@@ -22,7 +22,7 @@ from service.worker_processes import Raised, WorkerProcess
 T = TypeVar("T")
 Given = TypeVarTuple("Given")
 
-GIVES_WAY: Final = 5
+GIVES_WAY: Final = 10
 """How much nicer than the service the processes of the heavy lane are."""
 
 
