@@ -23,7 +23,7 @@ from solver.floorplan.plan import Drawing, FloorPlan, written
 from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
 from solver.floorplan.tiling import LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints
-from solver.floorplan.windows import place_windows
+from solver.floorplan.windows import make_room_for_windows, place_windows
 from solver.geometry import Rect, to_m, to_mm
 from solver.scene import Request
 
@@ -95,6 +95,7 @@ def _opened(layout: Layout, typed: RoomAccess, entrance: tuple[int, str], catalo
     place_windows(doorways)
     keep_walls(doorways, typed.shared)
     place_windows(doorways)  # where a door stood in the way of a room's only one
+    make_room_for_windows(doorways)
     drawing = Drawing(layout, typed.types, typed.shared, tuple(doorways.cuts), catalogs)
     return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))
 

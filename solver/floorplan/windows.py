@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from catalogs.schema import RoomType
-from solver.floorplan.doors import Cut, Doorways
+from solver.floorplan.doors import Cut, Doorways, places
 from solver.geometry import Rect
 
 
@@ -56,6 +56,32 @@ def place_windows(doorways: Doorways) -> None:
             for centre in _centres(doorways, (room, wall), stretch, (width, 2 if (wall, stretch) in two else 1)):
                 number += 1
                 doorways.add(Cut(f"window_{number}", "window", room, wall, None, centre, width))
+
+
+def make_room_for_windows(doorways: Doorways) -> None:
+    """Moves an outside door along its wall where a habitable room has no window for it, and places that; no door meets more than it did."""
+    for room in range(len(doorways.layout.rooms)):
+        kind = doorways.plan_of(room)
+        doors = [side.cut for side in doorways.sides(room) if side.cut.other is None]
+        if not kind.plan.habitable or not kind.plan.windows or kind.outdoor or any(cut.kind == "window" for cut in doors):
+            continue
+        for cut in doors:
+            stretch = next(one for one in doorways.layout.exposed[room][cut.wall] if one[0] <= cut.centre <= one[1])
+            if any(_makes_room(doorways, cut, cut.at(centre)) for centre in places(cut.width, stretch, doorways.layout.walls)):
+                break
+
+
+def _makes_room(doorways: Doorways, cut: Cut, moved: Cut) -> bool:
+    """Moves a door and places the room's windows; False, and nothing changed, where there is none."""
+    if doorways.score(moved) > doorways.score(cut):
+        return False
+    before = len(doorways.cuts)
+    doorways.replace(cut, moved)
+    place_windows(doorways)
+    if len(doorways.cuts) == before:
+        doorways.replace(moved, cut)
+        return False
+    return True
 
 
 Outside = tuple[str, tuple[int, int]]

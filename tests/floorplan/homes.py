@@ -177,6 +177,7 @@ def missed(homes: Homes, name: str) -> list[str]:
         "bedrooms off the entrance room": sum(beds) < 0.99 * len(beds),
         "hallway": median(homes.hallway) > 0.12,
         "faults": bool(homes.faults),
+        "windows": homes.unlit > homes.dark,
         "graphs": homes.homes >= 1000 and len(homes.graphs) < GRAPHS.get(name, 1),
     }
     return [f"{name}: {target}" for target, is_missed in missed.items() if is_missed]
