@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from playwright.sync_api import expect
 
+from catalogs import load_catalogs
 from tests.browser.test_accessible import violations
 from tests.browser.test_editing import ONE, Bench, crate, den, poses
 from tests.browser.test_numbers import window_at
-from tests.browser.visit import SMALL, Visit
+from tests.browser.visit import SMALL, Visit, sent_by
 
 COLORS = """selector => [...document.querySelectorAll(selector)].map(canvas => {
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
@@ -55,6 +56,22 @@ def test_favourites_are_found_again_after_a_reload(visit: Visit) -> None:
     page.get_by_role("group", name="Categories").get_by_role("button", name="favourites").click()
     expect(page.locator("#palette li:visible")).to_have_count(1)
     expect(page.locator("#palette li:visible [data-kind]")).to_have_attribute("data-kind", "bookshelf")
+
+
+def test_with_no_room_chosen_a_kind_goes_to_a_room_of_a_type_that_has_it(visit: Visit) -> None:
+    scene = visit.open(SMALL.format(4))["scene"]
+    page, rooms = visit.page, load_catalogs().rooms
+    for kind in ("toilet", "stove", "double_vanity"):
+        having = {name for name, room in rooms.items() for piece in room.pieces if kind in (one.kind for one in piece.variants)}
+        page.keyboard.press("a")
+        with page.expect_request("**/place") as asked:
+            page.locator(f"#palette [data-kind={kind}]").click()
+        assert sent_by(asked.value)["room"]["type"] in having & {room["type"] for room in scene["rooms"]}
+        visit.settle()
+        page.locator("#stage").focus()
+        while visit.state()["selected"] is not None:
+            page.keyboard.press("Escape")
+    assert visit.console == []
 
 
 def test_a_piece_goes_where_the_service_finds_it_best_and_its_other_places_are_flipped_through(visit: Visit) -> None:

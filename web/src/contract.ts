@@ -102,7 +102,7 @@ export type CatalogAsset = Pick<Served.Asset, "kinds" | "front" | "size" | "low"
 export interface CatalogRoom {
   readonly accent: string;
   readonly home?: { readonly word?: string | null } | null;
-  readonly pieces?: readonly { readonly variants: readonly { readonly kind: string }[] }[];
+  readonly pieces?: readonly { readonly piece: string; readonly kinds: readonly { readonly kind: string }[] }[];
 }
 
 /** What the page reads of the catalog. */

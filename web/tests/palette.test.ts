@@ -82,13 +82,15 @@ describe("the palette", () => {
 });
 
 describe("the room that a new piece goes to", () => {
-  const kinds = (...names: string[]) => ({ accent: "#fff", pieces: [{ variants: names.map((kind) => ({ kind })) }] });
+  const kinds = (...names: string[]) => ({ accent: "#fff", pieces: [{ piece: "first", kinds: names.map((kind) => ({ kind })) }, { piece: "toilet", kinds: [] }] });
   const home = { rooms: [room("foyer_1", [0, 0, 9, 9], { type: "foyer" }), room("office_1", [0, 0, 2, 2], { type: "office" }), room("office_2", [0, 0, 3, 2], { type: "office" })] };
 
   it("is of a type that the catalog furnishes with its kind, the largest first", () => {
     const types = { office: kinds("desk", "bookshelf"), foyer: kinds("bench") };
     expect(roomsFor({ key: "desk" }, home, types)).toEqual(["office_2", "office_1"]);
     expect(roomsFor({ key: "bench" }, home, types)).toEqual(["foyer_1"]);
+    expect(roomsFor({ key: "toilet" }, home, types)).toEqual(["foyer_1", "office_2", "office_1"]);
+    expect(roomsFor({ key: "first" }, home, types)).toEqual([]);
     expect(roomsFor({ key: "boat" }, home, types)).toEqual([]);
     expect(roomsFor({ key: "desk" }, home)).toEqual([]);
   });

@@ -31,7 +31,7 @@ export interface AddingWords {
 
 /** The rooms of the types that the catalog furnishes with a kind, the largest first. */
 export function roomsFor({ key }: Pick<FurnitureKind, "key">, { rooms }: Pick<Scene, "rooms">, types: Catalog["rooms"] = {}): string[] {
-  const suits = (type: string): boolean => types[type]?.pieces?.some(({ variants }) => variants.some((one) => one.kind === key)) ?? false;
+  const suits = (type: string): boolean => types[type]?.pieces?.some(({ piece, kinds }) => (kinds.length > 0 ? kinds.some(({ kind }) => kind === key) : piece === key)) ?? false;
   const size = ({ width, depth }: Pick<Scene["rooms"][number], "width" | "depth">): number => width * depth;
   return rooms.filter(({ type }) => suits(type)).sort((one, other) => size(other) - size(one)).map(({ id }) => id);
 }
