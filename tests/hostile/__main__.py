@@ -1,6 +1,6 @@
 """What the worst of many hostile requests costs, in seconds of CPU: `make hostile`.
 
-    python -m tests.hostile [--requests 20000] [--first 0] [--workers 2] [--seconds 1e9] [--texts 5000] [--kept FILE]
+    python -m tests.hostile [--requests 20000] [--first 0] [--workers 2] [--seconds 1e9] [--texts 5000] [--wire 6000] [--kept FILE]
 
 Each is made as the service makes it, in a process of its own with bounded memory, at normal effort; after MOST_PATIENCE_S of CPU it is
 ended. With --kept each cost is written to that file as it is found, a line of JSON, and requests that it holds are not made again: what
@@ -30,8 +30,10 @@ from tqdm import tqdm
 from catalogs import load_catalogs
 from service.packed_catalogs import packed, warm
 from service.work import Job, do_alone
+from tests.browser.service_process import running
 from tests.hostile.requests import hostile
 from tests.hostile.texts import faults
+from tests.hostile.wire_cases import SHORT, wire_faults
 
 MOST_CPU_S = 5.0
 MOST_PATIENCE_S = 60.0
@@ -136,6 +138,7 @@ def main() -> int:
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--seconds", type=float, default=1e9)
     parser.add_argument("--texts", type=int, default=5000, help="spoilt texts of each format")
+    parser.add_argument("--wire", type=int, default=6000, help="requests that are spoilt on the wire")
     parser.add_argument("--kept", type=Path, help="where each cost is written, and read from again")
     options = parser.parse_args()
     asked = range(options.first, options.first + options.requests)
@@ -151,7 +154,10 @@ def main() -> int:
     good = told(found)
     wrong = [line for format in ("json", "yaml") for line in tqdm(faults(range(options.texts), format), disable=None)]
     print(f"{2 * options.texts} spoilt texts, {len(wrong)} faults", *wrong, sep="\n")
-    return int(bool(wrong) or not good)
+    with running(0, *SHORT) as service:
+        taken = wire_faults(service, range(options.wire))
+    print(f"{options.wire} requests spoilt on the wire, {len(taken)} faults", *taken, sep="\n")
+    return int(bool(wrong or taken) or not good)
 
 
 if __name__ == "__main__":

@@ -13,9 +13,11 @@ from catalogs import load_catalogs
 from service.effort import Terms
 from service.packed_catalogs import packed
 from service.work import Job, do
+from tests.browser.service_process import running
 from tests.hostile.__main__ import Cost, found_before
 from tests.hostile.requests import FAMILIES, MOST_BYTES, hostile
 from tests.hostile.texts import faults
+from tests.hostile.wire_cases import SHORT, wire_faults, wrong_in
 from tests.service.problems import problem_of
 from tests.sweeps import seeds
 
@@ -74,3 +76,24 @@ def test_no_header_of_a_request_becomes_one_of_the_answer(client: TestClient) ->
     answer = client.get("/healthz", headers=[(b"X-Request-ID", "a\u00a0Set-Cookie: b".encode("latin-1"))])
     assert "set-cookie" not in answer.headers
     assert len(answer.headers["x-request-id"]) == 32
+
+
+def test_no_request_that_is_spoilt_on_the_wire_is_taken_for_another_or_answered_by_a_fault() -> None:
+    with running(0, "--processes", "1", "--light-processes", "1", *SHORT) as service:
+        assert wire_faults(service, seeds(range(6000), 20)) == []
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        b"HTTP/1.1 500 Internal Server Error\r\n\r\n",
+        b"HTTP/1.1 400 Bad Request\r\n\r\n\nHTTP/1.1 200 OK\r\nx-request-id: hidden-request\r\n",
+        b"HTTP/1.1 200 OK\r\nX-Request-ID: a\r\nX-Injected: yes\r\n\r\n",
+        b"HTTP/1.1 200 OK\r\n\r\nroot:x:0:0",
+        b"SSH-2.0",
+        b"HTTP/1.1 400 Bad Request\r\n\r\nTraceback (most",
+    ],
+)
+def test_what_must_not_be_answered_is_seen(answer: bytes) -> None:
+    assert wrong_in(answer)
+    assert not wrong_in(b'HTTP/1.1 404 Not Found\r\n\r\n{"errors": [{"problem": "There is no /a%0d%0aX-Injected: yes."}]}')

@@ -53,6 +53,7 @@ BEYOND_A_SCHEMA = (
     "a file in base64, or a document",
     "is under a millimetre",
     "at most one for each of the room's",  # walls' thicknesses, by the outline
+    "of inner walls",
     "larger than the house",  # numbers that depend on each other
     "for planned homes",  # an outline beside neither programme nor area
     "no home of this program",  # an outline's corners and a programme
