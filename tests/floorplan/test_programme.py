@@ -176,6 +176,12 @@ def test_bad_programmes_name_the_field(fields: dict[str, Any], field: str, allow
     assert allowed in caught.value.allowed
 
 
+def test_a_preset_of_more_rooms_than_a_programme_may_have_is_refused_alike() -> None:
+    crowd = CATALOGS.presets["large"].model_copy(update={"rooms": {"bedrooms": 31}})
+    with pytest.raises(RequestError, match="31 rooms"):
+        draw(Request(seed=7, program="large"), CATALOGS.model_copy(update={"presets": {"large": crowd}}))
+
+
 def test_the_order_of_words_changes_nothing() -> None:
     one = planned(program={"bedrooms": 2, "office": 1})
     assert one.rooms == planned(program={"office": 1, "bedrooms": 2}).rooms

@@ -108,12 +108,14 @@ def counts_of(request: Request, catalogs: Catalogs) -> dict[str, int]:
     if isinstance(program, str):
         if program not in catalogs.presets:
             raise RequestError("program", f"no preset is called {program!r}", ", ".join(sorted(catalogs.presets)))
-        return {word: count for word, count in catalogs.presets[program].rooms.items() if count}
-    words = words_of(catalogs.rooms)
-    for word in program:
-        if word not in words:
-            raise RequestError(f"program.{word}", "is no word for rooms", ", ".join(sorted(words)))
-    counts = {word: count for word, count in {**IMPLIED, **program}.items() if word in words and count}
+        program = catalogs.presets[program].rooms
+    else:
+        words = words_of(catalogs.rooms)
+        for word in program:
+            if word not in words:
+                raise RequestError(f"program.{word}", "is no word for rooms", ", ".join(sorted(words)))
+        program = {word: count for word, count in {**IMPLIED, **program}.items() if word in words}
+    counts = {word: count for word, count in program.items() if count}
     if not 1 <= sum(counts.values()) <= MOST_ROOMS:
         raise RequestError("program", f"asks for {sum(counts.values())} rooms and cars", f"1 to {MOST_ROOMS} in all")
     return counts
