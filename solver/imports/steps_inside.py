@@ -20,16 +20,23 @@ STEP: Final = 100
 """How long the steps along a slanted wall are, mm."""
 MOST_CELLS: Final = 40_000
 """Cells that one room may be cut into; steps grow until there are no more."""
+ALL_CELLS: Final = 400_000
+"""The same of all rooms of a plan together, dealt to them alike."""
 Polygon = Sequence[tuple[float, float]]
 Cells = NDArray[np.bool_]
 
 
-def stepped(polygon: Polygon) -> FloorCorners:
-    """Returns the corners of the largest rectilinear part inside a polygon; empty where there is none, or it is too intricate."""
-    step = STEP
+def stepped(polygon: Polygon, rooms: int = 1) -> FloorCorners:
+    """Returns the corners of the largest rectilinear part inside a polygon; empty where there is none, or it is too intricate.
+
+    Args:
+        polygon: the outline, mm.
+        rooms: how many the plan has: what the work is dealt to.
+    """
+    step, most = STEP, min(MOST_CELLS, ALL_CELLS // rooms)
     while step <= 64 * STEP:
         xs, zs = _cuts(polygon, 0, step), _cuts(polygon, 1, step)
-        if len(xs) * len(zs) <= MOST_CELLS:
+        if len(xs) * len(zs) <= most:
             return outline_of_cells(_largest(_inside(polygon, xs, zs), xs, zs), xs, zs)
         step *= 2
     return []

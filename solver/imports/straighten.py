@@ -136,7 +136,7 @@ def straightened(polygons: Sequence[Sequence[Spot]], levels: Sequence[int]) -> l
                 runs.setdefault((level, run.axis), []).append(run)
     for together in runs.values():
         _gather(together)
-    return [_straight(room) for room in stretches]
+    return [_straight(room, len(polygons)) for room in stretches]
 
 
 def tell_of(of: str, room: StraightRoom, notes: PlanNotes) -> None:
@@ -258,7 +258,7 @@ def _weighted_median(ordered: Sequence[float], weights: Sequence[float]) -> floa
     return ordered[-1]
 
 
-def _straight(stretches: list[OutlinePart]) -> StraightRoom:
+def _straight(stretches: list[OutlinePart], rooms: int) -> StraightRoom:
     if not stretches:
         return StraightRoom([])
     points: list[Spot] = []
@@ -268,11 +268,11 @@ def _straight(stretches: list[OutlinePart]) -> StraightRoom:
     slanted = any(isinstance(stretch, list) for stretch in stretches)
     shift = max((run.shift for run in stretches if isinstance(run, StraightRun)), default=0.0)
     if slanted:
-        return _kept(StraightRoom(stepped(points), is_stepped=True, shift=shift))
+        return _kept(StraightRoom(stepped(points, rooms), is_stepped=True, shift=shift))
     corners = tidied([(round(x), round(z)) for x, z in points])
     if corners and is_simple(corners):
         return _kept(StraightRoom(corners, shift=shift))
-    return _kept(StraightRoom(stepped(points), is_mended=bool(corners), shift=shift))
+    return _kept(StraightRoom(stepped(points, rooms), is_mended=bool(corners), shift=shift))
 
 
 def _kept(room: StraightRoom) -> StraightRoom:
