@@ -73,9 +73,15 @@ def test_every_file_of_the_example_is_a_catalog_s_and_named_in_the_documents() -
     assert [name for name in names if f"`{name}`" not in SECTION] == []
 
 
-def test_the_other_documented_commands_run(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_other_documented_commands_run(
+    house: dict[str, Any], tmp_path: Path, capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert {words[1] for words in COMMANDS} == {"generate", "export", "stats", "catalog"}
+    (tmp_path / "musician.yaml").write_text(json.dumps(house))  # JSON is YAML, too
+    monkeypatch.chdir(tmp_path)
+    assert main([str(EXAMPLE) if word == "catalogs/example" else word for word in documented("export")]) == 0
+    assert list((tmp_path / "musician").glob("*.png"))
     monkeypatch.chdir(ROOT)
-    assert {words[1] for words in COMMANDS} == {"generate", "stats", "catalog"}
     assert main([*documented("stats"), "--workers", "1"]) == 0
     table = capfdbinary.readouterr().out.decode()
     assert re.search(r"^\| music_room +\|", table, re.MULTILINE)

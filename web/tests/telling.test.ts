@@ -53,7 +53,7 @@ describe("in English", () => {
     const { tell, tellSentence } = await spokenIn("en-GB");
     expect(tell("desk 1.40 x 0.70 m and console_table 1.20 x 0.34 m cannot stand together in foyer_1: 4 cm short", HOME))
       .toBe("desk 1.40 x 0.70 m and console table 1.20 x 0.34 m cannot stand together in the foyer: 4 cm short");
-    expect(tellSentence("bathroom_4 can only be entered through bathroom_3/door", HOME)).toBe("The bathroom 2 can only be entered through bathroom_3/door");
+    expect(tellSentence("bathroom_4 can only be entered through bathroom_3/door", HOME)).toBe("Bathroom 2 can only be entered through bathroom_3/door");
     expect(tell("kept from going further east by the floor before passage_13: 3.83 a metre", HOME)).toBe("kept from going further east by the floor before passage 13: 3.83 a metre");
   });
 });

@@ -17,6 +17,8 @@ const SENTENCES_HOLE = "whys";
 const NUMBER = "-?\\d+(?:\\.\\d+)?";
 /** Nothing is nested deeper than this. */
 const DEEPEST = 8;
+/** What has a number goes without "the": bedroom 2. */
+const NUMBERED = / \d+$/;
 /** A sentence has more letters of its own; no form has as many as `FAR`. */
 const SENTENCE = 12;
 const FAR = 1000;
@@ -101,7 +103,8 @@ export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { room
   const told = formed(said, (id) => roomWords(id, rooms) ?? (ID.test(id) ? idWords(id) : null), 0);
   return told ?? said.replace(IDS, (id) => {
     const room = roomWords(id, rooms);
-    return room === null && !id.includes("/") ? idWords(id) : `the ${room ?? idWords(id)}`;
+    const words = room ?? idWords(id);
+    return (room === null && !id.includes("/")) || NUMBERED.test(words) ? words : `the ${words}`;
   });
 }
 
