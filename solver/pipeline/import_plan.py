@@ -55,7 +55,7 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
     words = understood(scene, known).understood_as
     if any(room.furniture for room in scene.rooms) and format != OWN:
         fixed = fix(scene, on_conflict="remove", repairs=False, catalogs=known)
-        drawn = {piece.id: piece.rotation for room in scene.rooms for piece in room.furniture}
+        drawn = {body.id: body.rotation for room in scene.rooms for body in (*room.furniture, *room.decorations)}
         broken = {name: issue.message for issue in reversed(validate(scene, known) if fixed.moves else ()) for name in issue.ids}
         for move in fixed.moves:
             far = (move.dx**2 + move.dz**2) ** 0.5

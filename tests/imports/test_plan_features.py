@@ -163,6 +163,17 @@ def test_furniture_comes_along_repaired_or_is_left_out() -> None:
     assert read(collection(room, bed), furniture=False).scene.rooms[0].furniture == ()
 
 
+def test_a_decoration_that_is_moved_is_told_like_furniture() -> None:
+    plant = piece("Plant", 3.4, 0.4, width=0.2, depth=0.2, height=0.3)
+    bed = piece("Lit double", 2.0, 2.4, width=1.6, depth=2.0, height=0.5)
+    answer = read(collection(box("Bedroom", 0, 0, 4, 3.5), bed, plant, line("door", (3, 0), (3.9, 0))))
+    (stands,) = answer.scene.rooms[0].decorations
+    assert [issue.rule for issue in answer.issues if issue.severity == "error"] == []
+    assert [str(change["message"]).split(":")[1] for change in answer.changes if change["of"] == stands.id] == [
+        f" as it is drawn, {stands.id} stands 20 cm in the way of the door door_0 in bedroom_0"
+    ]
+
+
 def test_of_several_levels_the_lowest_is_taken_and_the_others_are_named() -> None:
     plan = collection(box("Kitchen", 0, 0, 4, 3, level=1), box("Bedroom", 0, 0, 5, 3, level=2))
     assert [room.type for room in read(plan).scene.rooms] == ["kitchen"]
