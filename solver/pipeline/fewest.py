@@ -42,7 +42,7 @@ class _Trials:
     def answer(self, order: tuple[str, ...]) -> Arrangement | None:
         """Leaves out a few of these and moves the others least; a set with which that does not succeed counts as no help.
 
-        Without the least important one the others are looked for thoroughly: most rooms need no more, and it often finds a place afterwards.
+        Without the least important one the others are looked for thoroughly: most rooms need no more, and it often finds a place again.
         """
         if answer := self._placed_without(order[:1]):
             return answer
