@@ -7,11 +7,10 @@ and what is quickly done never waits behind what is not: each lane keeps its own
 from __future__ import annotations
 
 import asyncio
-import math
 from collections.abc import Awaitable, Callable
 from typing import Final, NamedTuple, TypeVar, TypeVarTuple, Unpack
 
-from anyio import BrokenWorkerProcess, CancelScope, CapacityLimiter, create_task_group, fail_after, to_thread
+from anyio import BrokenWorkerProcess, CancelScope, CapacityLimiter, create_task_group, fail_after
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive
 
@@ -67,7 +66,6 @@ class Workers:
         self.light = Lane(CapacityLimiter(settings.light_processes), settings.waiting, 0, [], set())
         self.restarts = 0
         """Processes that died and were replaced."""
-        self._unbounded = CapacityLimiter(math.inf)
         self._first: tuple[Callable[..., object], tuple[object, ...]] | None = None
 
     async def run(self, work: Callable[[Unpack[Given]], T], *given: *Given, is_light: bool = False) -> T:
@@ -109,7 +107,7 @@ class Workers:
         except BaseException as error:
             self._begin(lane)
             with CancelScope(shield=True):
-                await to_thread.run_sync(process.kill, limiter=self._unbounded)
+                await asyncio.to_thread(process.kill)
             if isinstance(error, EOFError | OSError):
                 raise BrokenWorkerProcess from error
             raise
@@ -126,7 +124,7 @@ class Workers:
 
     async def _add(self, lane: Lane) -> None:
         """Adds a process to a lane that has done what all do first; none where it dies of that."""
-        process = await to_thread.run_sync(WorkerProcess, lane.nice, limiter=self._unbounded)
+        process = await asyncio.to_thread(WorkerProcess, lane.nice)  # anyio's threads would outlive a loop that is ended amid this
         try:
             if self._first is not None:
                 await process.ask(*self._first)

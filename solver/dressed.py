@@ -1,18 +1,16 @@
 """What decorates a room as the core told it: rows of numbers, of which decorations are made when somebody asks for them.
 
 Comes in: the core's rows, the furnished room, how kinds look. Goes out: a room whose `decorations` are made later; the rows. May import:
-scene, catalogs. A home has some four hundred decorations, and whoever judges, counts or writes it needs numbers alone.
+scene. A home has some four hundred decorations, and whoever judges, counts or writes it needs numbers alone.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cached_property, lru_cache
+from collections.abc import Mapping, Sequence
+from functools import cached_property
 from struct import Struct
 from typing import Final
 
-from catalogs import Catalogs
-from catalogs.kind_book import UPRIGHT, KindBook
 from solver.fields import LATER
 from solver.scene import WALLS, Decoration, Room
 
@@ -30,43 +28,17 @@ class Look:
         self.name, self.kind, self.size, self.key = name, kind, size, ("decoration", name, *size, kind)
 
 
-class _LooksByKind(dict[tuple[int, int, int, int], Look]):
-    """How things look, by the number of their kind and their size, mm."""
-
-    def __init__(self, catalogs: Catalogs) -> None:
-        super().__init__()
-        self._kinds, self._book = tuple(catalogs.decorations), KindBook(catalogs)
-        self._tipped = frozenset(name for name in catalogs.decorations if name + UPRIGHT in catalogs.shapes)
-
-    def __missing__(self, key: tuple[int, int, int, int]) -> Look:
-        number, width, depth, height = key
-        name, size = self._kinds[number], (width / 1000, depth / 1000, height / 1000)
-        kind = self._book.kind_of("decoration", name, size) if name in self._tipped else name
-        if len(self) >= _MOST_LOOKS:
-            self.clear()
-        look = self[key] = Look(name, kind, size)
-        return look
-
-
-_MOST_LOOKS: Final = 20_000
-
-
-@lru_cache(maxsize=4)
-def _looks_of(catalogs: Catalogs) -> _LooksByKind:
-    return _LooksByKind(catalogs)
-
-
 class Looks:
     """How things look in a style.
 
     Args:
-        catalogs: their kinds, which are numbered in that order.
+        by_kind: how they look, by the number of their kind and their size, mm.
         colours: what each kind is drawn from.
         styled: whether those are the style's.
     """
 
-    def __init__(self, catalogs: Catalogs, colours: Sequence[Sequence[str]], styled: Sequence[bool]) -> None:
-        self.by_kind, self._colours, self._styled = _looks_of(catalogs), colours, styled
+    def __init__(self, by_kind: Mapping[tuple[int, int, int, int], Look], colours: Sequence[Sequence[str]], styled: Sequence[bool]) -> None:
+        self.by_kind, self._colours, self._styled = by_kind, colours, styled
 
     def colour(self, room: Room, kind: int, number: int) -> str | None:
         """Returns a colour of a kind; -1 is the room's: one of the style's, where it has some for that kind, alike in one room."""

@@ -20,6 +20,7 @@ from catalogs.kind_book import KindBook
 from catalogs.schema import Comfort
 from catalogs.styles import Leaning
 from solver.decorations.decoration_settings import DecorationSettings
+from solver.decorations.looks_by_kind import looks_by_kind
 from solver.dressed import Looks
 from solver.geometry import to_mm
 
@@ -133,7 +134,7 @@ class _DressingTables:
         insides = {(kind, millimetres(one.size)): self._insides(kind, one.size) for kind, one in known.furniture.items()}
         self._added("turn", map(math.radians, range(180)), lambda angle: (abs(math.cos(angle)), abs(math.sin(angle))))
         named = known.kinds_by_name().items()
-        looks = Looks(known, colours, [bool(self._palette(name)) for name in known.decorations])
+        looks = Looks(looks_by_kind(known), colours, [bool(self._palette(name)) for name in known.decorations])
         return CompiledDressing(
             self._data(), looks, self._words, surfaces, insides,
             frozenset(name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")),

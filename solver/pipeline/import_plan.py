@@ -16,6 +16,7 @@ from solver.guessing import with_entrance
 from solver.imported import ImportSettings, PlanImport
 from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported
 from solver.pipeline.fix import fix
+from solver.repair import all_bodies
 from solver.scene import Scene
 from solver.understanding import understood, with_understood_kinds
 from solver.validator import validate
@@ -55,7 +56,7 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
     words = understood(scene, known).understood_as
     if any(room.furniture for room in scene.rooms) and format != OWN:
         fixed = fix(scene, on_conflict="remove", repairs=False, catalogs=known)
-        drawn = {body.id: body.rotation for room in scene.rooms for body in (*room.furniture, *room.decorations)}
+        drawn = {body.id: body.rotation for room in scene.rooms for body in all_bodies(room)}
         broken = {name: issue.message for issue in reversed(validate(scene, known) if fixed.moves else ()) for name in issue.ids}
         for move in fixed.moves:
             far = (move.dx**2 + move.dz**2) ** 0.5

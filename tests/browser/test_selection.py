@@ -83,6 +83,6 @@ def test_pieces_in_error_are_framed_and_named_in_the_services_words(visit: Visit
     visit.open(SMALL.format(4))
     assert visit.count("issues") == 2
     assert sorted(visit.state()["marks"]["error"]) == sorted(wronged)
-    expect(visit.page.locator("#issue_list")).to_contain_text("they share 0.1 m")
-    visit.page.get_by_role("button", name="they share 0.1 m").click()
+    expect(visit.page.locator("#issue_list")).to_contain_text("They share 0.1 m")
+    visit.page.get_by_role("button", name="They share 0.1 m").click()
     assert visit.state()["selected"] == wronged[0]
