@@ -60,12 +60,12 @@ if TYPE_CHECKING:
         import_plan,
         load_catalogs,
     )
-    from solver import explain, export, fix, generate, place, reroll, restyle, validate
+    from solver import explain, export, fix, fix_frame, generate, place, reroll, restyle, validate
     from solver.pipeline.own_plan import furnish
 else:
     from solver import __getattr__ as _flow
 
-    _FLOWS = ("explain", "export", "fix", "generate", "place", "reroll", "restyle", "validate")
+    _FLOWS = ("explain", "export", "fix", "fix_frame", "generate", "place", "reroll", "restyle", "validate")
 
     def __getattr__(name: str) -> object:
         if name == "furnish":
@@ -121,6 +121,7 @@ __all__ = [
     "explain",
     "export",
     "fix",
+    "fix_frame",
     "furnish",
     "generate",
     "import_plan",

@@ -31,7 +31,7 @@ from service.contract import (
 )
 from service.effort import limited_to
 from service.generating import check_size, draw_seed, generate_house
-from solver import explain, export, fix, place, prepare_drag, validate
+from solver import explain, export, fix, fix_frame, place, prepare_drag, validate
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, scene_schema, write, write_scene
 from solver.export_formats import EXPORTERS, Freedom
@@ -85,11 +85,16 @@ def fix_scene(document: object, catalogs: Catalogs) -> Document:
     """
     body = read(FixBody, document)
     check_size(body.scene)
+    locked, moved = tuple(dict.fromkeys(body.locked)), tuple(dict.fromkeys(body.moved))
+    fixed = None
     with limited_to(body.effort) as work:
-        fixed = fix(
-            body.scene, locked=tuple(dict.fromkeys(body.locked)), moved=tuple(dict.fromkeys(body.moved)), on_conflict=body.on_conflict,
-            previous=body.previous, dragging=body.dragging, catalogs=catalogs, clock=perf_counter,
-        )  # fmt: skip
+        if body.dragging:
+            fixed = fix_frame(body.scene, moved, locked=locked, previous=body.previous, catalogs=catalogs, clock=perf_counter)
+        if fixed is None:
+            fixed = fix(
+                body.scene, locked=locked, moved=moved, on_conflict=body.on_conflict, previous=body.previous, catalogs=catalogs,
+                clock=perf_counter,
+            )  # fmt: skip
     return write(replace(fixed, limited=work.limited()))
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from solver.scene import Request, Scene
 
 if TYPE_CHECKING:
-    from solver.pipeline.drag_frames import prepare_drag
+    from solver.pipeline.drag_frames import fix_frame, prepare_drag
     from solver.pipeline.explain import explain
     from solver.pipeline.export import export
     from solver.pipeline.fix import fix
@@ -21,7 +21,12 @@ if TYPE_CHECKING:
     from solver.pipeline.restyle import restyle
     from solver.validator import validate
 else:
-    _MODULES = {"reroll": "pipeline.generate", "prepare_drag": "pipeline.drag_frames", "validate": "validator"}
+    _MODULES = {
+        "fix_frame": "pipeline.drag_frames",
+        "prepare_drag": "pipeline.drag_frames",
+        "reroll": "pipeline.generate",
+        "validate": "validator",
+    }
 
     def __getattr__(name: str) -> object:
         """Imports a flow when it is first named: the scene's types cost none of them, and one costs none of the others."""
@@ -30,4 +35,17 @@ else:
         return getattr(import_module(f"{__name__}.{_MODULES.get(name, 'pipeline.' + name)}"), name)
 
 
-__all__ = ["Request", "Scene", "explain", "export", "fix", "generate", "place", "prepare_drag", "reroll", "restyle", "validate"]
+__all__ = [
+    "Request",
+    "Scene",
+    "explain",
+    "export",
+    "fix",
+    "fix_frame",
+    "generate",
+    "place",
+    "prepare_drag",
+    "reroll",
+    "restyle",
+    "validate",
+]  # fmt: skip

@@ -1,6 +1,6 @@
-"""Questions about everything in a scene at once: how much there is, under which ids.
+"""Questions about everything in a scene at once: how much there is, under which ids, what moved.
 
-Comes in: a scene, or its rooms and people. Goes out: counts, ids. May import: scene, errors.
+Comes in: a scene, or its rooms and people. Goes out: counts, bodies, ids, moves. May import: scene, errors.
 """
 
 from __future__ import annotations
@@ -9,7 +9,11 @@ from collections.abc import Sequence
 
 from solver.dressed import count_decorations
 from solver.errors import SceneError
-from solver.scene import Dynamic, Room, Scene
+from solver.scene import Decoration, Dynamic, Furniture, Move, Room, Scene
+
+MOVED = 0.001
+"""A body that moved by more, m, is listed in `moves` (docs/fix.md)."""
+SentBody = Furniture | Decoration | Dynamic
 
 
 def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
@@ -26,10 +30,29 @@ def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
     }
 
 
+def bodies_of(scene: Scene) -> list[SentBody]:
+    """Returns all bodies of a scene: furniture and decorations room by room, then people and pets."""
+    found: list[SentBody] = []
+    for room in scene.rooms:
+        found += [*room.furniture, *room.decorations]
+    return [*found, *scene.dynamic]
+
+
 def body_ids(scene: Scene) -> list[str]:
-    """Returns the ids of all bodies of a scene: furniture and decorations room by room, then people and pets."""
-    things = [[*(piece.id for piece in room.furniture), *(item.id for item in room.decorations)] for room in scene.rooms]
-    return [*(name for names in things for name in names), *(person.id for person in scene.dynamic)]
+    """Returns the ids of all bodies of a scene, in the order of `bodies_of`."""
+    return [body.id for body in bodies_of(scene)]
+
+
+def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
+    """Lists what moved by more than a millimetre, or turned; all that is in the second scene is in the first."""
+    sent = {body.id: body for body in bodies_of(before)}
+    moves = []
+    for body in bodies_of(after):
+        old = sent[body.id]
+        dx, dz = round(body.x - old.x, 4), round(body.z - old.z, 4)
+        if abs(dx) > MOVED or abs(dz) > MOVED or (body.rotation - old.rotation) % 360:
+            moves.append(Move(body.id, dx, dz, body.rotation))
+    return tuple(moves)
 
 
 def check_ids(field_name: str, wanted: Sequence[str], known: Sequence[str]) -> None:

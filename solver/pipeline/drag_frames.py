@@ -1,7 +1,7 @@
-"""A frame of a drag, from scene to scene: what /fix answers while a piece is dragged.
+"""fix_frame(): a frame of a drag, from scene to scene: what /fix answers while a piece is dragged.
 
-Comes in: a Scene with a piece where it is wished, and the poses of the last frame. Goes out: the Scene, only its room changed. May import:
-every stage.
+Comes in: a Scene with a piece where it is wished, and the poses of the last frame. Goes out: Fixed, only its room changed. May import:
+every stage. Not here: the whole repair once the piece is let go (fix).
 
 The last few rooms in hand are kept prepared: preparing one takes ten times as long as answering a frame. A frame is of the same drag where
 its room differs from the one prepared in nothing but where the piece in hand, and what goes along with it, is. What it carries may be
@@ -15,27 +15,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, TypeVar
 
-from catalogs import Catalogs
+from catalogs import Catalogs, load_catalogs
+from solver.certificate import certified
+from solver.errors import RequestError
 from solver.free_places import footprint
 from solver.pipeline.drag import NO_ANSWER, Dragging, FrameAnswer, alone, opening_of, riders_of
+from solver.pipeline.timing import Clock, Timing
 from solver.repair import all_bodies
-from solver.scene import Decoration, Dynamic, Furniture, Pose, Room, Scene
+from solver.scene import Conflict, Decoration, Dynamic, Fixed, Furniture, Pose, Room, Scene
+from solver.scene_bodies import SentBody, bodies_of, body_ids, check_ids, moves_between
 from solver.understanding import understood
 
 MOST_KEPT: Final = 4
 """Drags that are kept prepared: one a person who drags, of a few."""
 SAME_M: Final = 2e-4
 """Two ways that bodies went which differ by no more are the same: poses are written to a tenth of a millimetre."""
-SentBody = Furniture | Decoration | Dynamic
 Body = TypeVar("Body", Furniture, Decoration, Dynamic)
-
-
-@dataclass(frozen=True)
-class DragFrame:
-    """A frame that was answered: the scene, and what the core says of it."""
-
-    scene: Scene
-    answer: FrameAnswer
 
 
 @dataclass(frozen=True)
@@ -60,7 +55,7 @@ def prepare_drag(scene: Scene, label: str, *, locked: Sequence[str] = (), catalo
     if room is None:
         return PreparedDrag(None, ())
     own = alone(scene, room)
-    return PreparedDrag(opening_of(own, label, locked, catalogs), tuple(body.id for body in bodies_of(own)))
+    return PreparedDrag(opening_of(own, label, locked, catalogs), tuple(body_ids(own)))
 
 
 def _room_of(scene: Scene, label: str) -> Room | None:
@@ -96,28 +91,62 @@ class _Kept:
 _kept: deque[_Kept] = deque(maxlen=MOST_KEPT)
 
 
-def frame_of(scene: Scene, label: str, locked: Sequence[str], previous: Mapping[str, Pose], catalogs: Catalogs) -> DragFrame | None:
-    """Answers a frame of a drag.
+def fix_frame(  # noqa: PLR0913 - keyword-only options of the public door
+    scene: Scene,
+    moved: Sequence[str],
+    *,
+    locked: Sequence[str] = (),
+    previous: Sequence[Pose] = (),
+    catalogs: Catalogs | None = None,
+    clock: Clock | None = None,
+) -> Fixed | None:
+    """Answers a frame of a drag, quickly: where all in the room of the piece in hand is now (docs/fix.md). No issues are listed.
 
     Args:
         scene: the piece in hand where it is wished, with all that goes along with it, the rest where it was before the drag.
-        label: id of the piece in hand.
-        locked: ids that stay.
-        previous: poses of the last frame, by id.
-        catalogs: whose kinds are known.
+        moved: id of the piece in hand, and no other.
+        locked: ids that stay, besides pieces that say so themselves.
+        previous: poses of the last frame.
+        catalogs: whose kinds are known; ours by default.
+        clock: a clock in seconds, to fill `timing_ms`.
 
     Returns:
-        The frame, the scene as sent where it has no answer; None where the piece cannot be dragged by itself.
+        The scene as it is now, as sent and with a conflict where no place was found; None where the piece cannot be dragged by itself:
+        `fix` answers then.
+
+    Raises:
+        RequestError: `moved` does not name one piece.
+        SceneError: an id is not in the scene.
+
+    Example:
+        >>> from compose_homes import Furniture, Room, Scene, fix_frame
+        >>> sofa = Furniture("sofa", "sofa", x=-0.5, z=2.0, width=2.0, depth=0.9, height=0.8)
+        >>> frame = fix_frame(Scene(rooms=(Room("den", width=4, depth=4, furniture=(sofa,)),)), ["sofa"])
+        >>> frame.scene.rooms[0].furniture[0].x
+        1.0
     """
-    room = _room_of(scene, label)
+    check_ids("locked", locked, body_ids(scene))
+    check_ids("moved", moved, body_ids(scene))
+    if len(moved) != 1:
+        raise RequestError("moved", f"names {len(moved)} bodies", "the one that is dragged")
+    label, timing, known = moved[0], Timing(clock), catalogs or load_catalogs()
+    words = understood(scene, known)
+    room = _room_of(words.scene, label)
     if room is None:
         return None
-    own = alone(scene, room)
-    kept = _taken(own, label, frozenset(locked), catalogs, previous)
+    own, last = alone(words.scene, room), {pose.id: pose for pose in previous}
+    kept = _taken(own, label, frozenset(locked), known, last)
     try:
-        return None if kept.drag is None else _answered(scene, own, label, kept.drag, previous)
+        if kept.drag is None:
+            return None
+        answer = _answered(own, label, kept.drag, last)
     finally:
         _kept.append(kept)
+    message = f"not found while it is dragged: a place for {label} and those around it"
+    conflicts = (Conflict((label,), message, ()),) if answer.outcome == NO_ANSWER else ()
+    after = certified(words.in_their_words(_after(words.scene, own, answer)))
+    timing.lap("placement")
+    return Fixed(after, moves_between(scene, after), (), conflicts, (), {**timing.ms, "work": float(answer.work)}, words.understood_as)
 
 
 def _taken(scene: Scene, label: str, locked: frozenset[str], catalogs: Catalogs, previous: Mapping[str, Pose]) -> _Kept:
@@ -134,7 +163,7 @@ def _taken(scene: Scene, label: str, locked: frozenset[str], catalogs: Catalogs,
         room = scene.rooms[0]
         scene = replace(scene, rooms=(_moved_room(room, {label: (last.x, last.z)}),))
     opening = opening_of(scene, label, sorted(locked), catalogs)
-    going = frozenset({label}) if opening is None else riders_of(opening, [body.id for body in bodies_of(scene)])
+    going = frozenset({label}) if opening is None else riders_of(opening, body_ids(scene))
     return _Kept(scene, label, locked, catalogs, going, None if opening is None else Dragging(opening))
 
 
@@ -159,16 +188,20 @@ def _spot(body: SentBody | Pose) -> tuple[float, float]:
     return body.x, body.z
 
 
-def _answered(scene: Scene, own: Scene, label: str, drag: Dragging, previous: Mapping[str, Pose]) -> DragFrame:
+def _answered(own: Scene, label: str, drag: Dragging, previous: Mapping[str, Pose]) -> FrameAnswer:
     bodies = bodies_of(own)
     wish = next(body for body in bodies if body.id == label)
     poses = [previous.get(body.id, body) for body in bodies]
-    answer = drag.frame(wish.x, wish.z, [value for pose in poses for value in (pose.x, pose.z)])
+    return drag.frame(wish.x, wish.z, [value for pose in poses for value in (pose.x, pose.z)])
+
+
+def _after(scene: Scene, own: Scene, answer: FrameAnswer) -> Scene:
+    """Returns the scene with the bodies of one room where the core says; as it is where it found no place."""
     if answer.outcome == NO_ANSWER:
-        return DragFrame(scene, answer)
-    spots = dict(zip((body.id for body in bodies), zip(answer.spots[::2], answer.spots[1::2], strict=True), strict=True))
+        return scene
+    spots = dict(zip(body_ids(own), zip(answer.spots[::2], answer.spots[1::2], strict=True), strict=True))
     rooms = tuple(_moved_room(room, spots) if room.id == own.rooms[0].id else room for room in scene.rooms)
-    return DragFrame(replace(scene, rooms=rooms, dynamic=_moved(scene.dynamic, spots)), answer)
+    return replace(scene, rooms=rooms, dynamic=_moved(scene.dynamic, spots))
 
 
 def _moved_room(room: Room, spots: Mapping[str, tuple[float, float]]) -> Room:
@@ -182,11 +215,6 @@ def _moved(bodies: Sequence[Body], spots: Mapping[str, tuple[float, float]]) -> 
 def _at(body: Body, spot: tuple[float, float]) -> Body:
     x, z = spot
     return replace(body, x=x, z=z)
-
-
-def bodies_of(scene: Scene) -> list[SentBody]:
-    """Returns all that is in a scene of one room, in the order of a frame's spots."""
-    return [*(body for room in scene.rooms for body in all_bodies(room)), *scene.dynamic]
 
 
 def _empty(scene: Scene) -> Scene:

@@ -17,8 +17,6 @@ from solver.furnish import space_of
 from solver.furnish.zones import bounds_of, outline_edges
 from solver.named_assets import with_assets
 from solver.pipeline.conflicts import conflicts_of
-from solver.pipeline.drag import NO_ANSWER
-from solver.pipeline.drag_frames import frame_of
 from solver.pipeline.left_over import cleaned, unexplained
 from solver.pipeline.repair_room import RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
 from solver.pipeline.timing import Clock, Timing
@@ -27,14 +25,13 @@ from solver.repair import (
     RepairSettings,
     RoomProblem,
     Walls,
-    all_bodies,
     people_out_of_the_way,
     put_to_rest,
     seated_along,
     with_walls_told,
 )
-from solver.scene import WALLS, Conflict, Decoration, Dynamic, Fixed, Furniture, Issue, Move, Pose, Room, Scene, robot_width_of
-from solver.scene_bodies import body_ids, check_ids
+from solver.scene import WALLS, Conflict, Fixed, Issue, Pose, Room, Scene, robot_width_of
+from solver.scene_bodies import body_ids, check_ids, moves_between
 from solver.understanding import understood
 from solver.validator import RULES, Checked, check
 
@@ -45,8 +42,6 @@ SCENE_WORK = 400_000.0
 so that a repaired scene is repaired on the same terms again; as much again for saying why not, dealt to the broken ones."""
 WHY_SHARE = 10
 """Of the work of saying why not, where nothing is offered that would help, this part: what is found at all is mostly found at once."""
-MOVED = 0.001
-"""A body that moved by more, m, is listed in `moves` (docs/fix.md)."""
 
 
 def fix(  # noqa: PLR0913 - keyword-only options of the public door
@@ -56,7 +51,6 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     moved: Sequence[str] = (),
     on_conflict: str = "report",
     previous: Sequence[Pose] = (),
-    dragging: bool = False,
     repairs: bool = True,
     catalogs: Catalogs | None = None,
     clock: Clock | None = None,
@@ -69,13 +63,12 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         moved: ids that are held most strongly.
         on_conflict: "report" leaves what cannot stand as sent and names it; "remove" takes the least important out.
         previous: poses of the last answer, while something is dragged: pieces stay near them, unless elsewhere is clearly better.
-        dragging: whether this is a frame of a drag: the room of the one piece in `moved` is answered, quickly, and no issues are listed.
         repairs: whether conflicts are to say what would help; telling why costs less without.
         catalogs: whose kinds and room types are known; ours by default.
         clock: a clock in seconds, to fill `timing_ms`.
 
     Raises:
-        RequestError: `on_conflict` is none of the two; `moved` does not name the one piece that is dragged.
+        RequestError: `on_conflict` is none of the two.
         SceneError: an id is not in the scene.
 
     Example:
@@ -85,11 +78,11 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
         >>> [(move.id, move.dx) for move in fixed.moves]
         [('sofa', 1.5)]
     """
-    _check_wishes(scene, locked, moved, on_conflict)
+    if on_conflict not in ON_CONFLICT:
+        raise RequestError("on_conflict", f"is {on_conflict!r}", ", ".join(ON_CONFLICT))
+    check_ids("locked", locked, body_ids(scene))
+    check_ids("moved", moved, body_ids(scene))
     timing, known = Timing(clock), catalogs or load_catalogs()
-    if dragging and (frame := _dragged(scene, locked, moved, previous, known)) is not None:
-        timing.lap("placement")
-        return replace(frame, timing_ms={**timing.ms, **frame.timing_ms})
     seats = {person.on for person in scene.dynamic if person.on is not None and person.id in locked}
     settings = RepairSettings(
         known,
@@ -121,29 +114,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of the public door
     conflicts = [*(one for one in more if not one.ids), *conflicts, *(one for one in more if one.ids)]
     removed = _removed(scene, house.scene, conflicts)
     answer = certified(words.in_their_words(with_assets(house.scene, known)))
-    return Fixed(answer, _moves(scene, answer), removed, tuple(conflicts), house.issues, timing.ms, words.understood_as)
-
-
-def _dragged(scene: Scene, locked: Sequence[str], moved: Sequence[str], previous: Sequence[Pose], catalogs: Catalogs) -> Fixed | None:
-    """Answers a frame of a drag; None where the piece is none that can be dragged by itself."""
-    if len(moved) != 1:
-        raise RequestError("moved", f"names {len(moved)} bodies", "the one that is dragged")
-    words = understood(scene, catalogs)
-    frame = frame_of(words.scene, moved[0], locked, {pose.id: pose for pose in previous}, catalogs)
-    if frame is None:
-        return None
-    message = f"not found while it is dragged: a place for {moved[0]} and those around it"
-    conflicts = (Conflict((moved[0],), message, ()),) if frame.answer.outcome == NO_ANSWER else ()
-    timing = {"work": float(frame.answer.work)}
-    answer = certified(words.in_their_words(frame.scene))
-    return Fixed(answer, _moves(scene, answer), (), conflicts, (), timing, words.understood_as)
-
-
-def _check_wishes(scene: Scene, locked: Sequence[str], moved: Sequence[str], on_conflict: str) -> None:
-    if on_conflict not in ON_CONFLICT:
-        raise RequestError("on_conflict", f"is {on_conflict!r}", ", ".join(ON_CONFLICT))
-    check_ids("locked", locked, body_ids(scene))
-    check_ids("moved", moved, body_ids(scene))
+    return Fixed(answer, moves_between(scene, answer), removed, tuple(conflicts), house.issues, timing.ms, words.understood_as)
 
 
 def _share(rooms: int) -> float:
@@ -243,19 +214,3 @@ def _removed(before: Scene, after: Scene, conflicts: Sequence[Conflict]) -> tupl
     there, carried = set(body_ids(after)), "what carries it was removed"
     reasons = {label: conflict.message for conflict in reversed(conflicts) for label in conflict.ids}
     return tuple({"id": label, "reason": reasons.get(label, carried)} for label in body_ids(before) if label not in there)
-
-
-def _moves(before: Scene, after: Scene) -> tuple[Move, ...]:
-    """Lists what moved by more than a millimetre, or turned."""
-    sent = {body.id: body for body in _everything(before)}
-    moves = []
-    for body in _everything(after):
-        old = sent[body.id]
-        dx, dz = round(body.x - old.x, 4), round(body.z - old.z, 4)
-        if abs(dx) > MOVED or abs(dz) > MOVED or (body.rotation - old.rotation) % 360:
-            moves.append(Move(body.id, dx, dz, body.rotation))
-    return tuple(moves)
-
-
-def _everything(scene: Scene) -> list[Furniture | Decoration | Dynamic]:
-    return [*(body for room in scene.rooms for body in all_bodies(room)), *scene.dynamic]

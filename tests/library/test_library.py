@@ -32,6 +32,7 @@ def test_every_function_is_told_with_an_example_that_runs() -> None:
         "explain",
         "export",
         "fix",
+        "fix_frame",
         "furnish",
         "import_plan",
         "generate",

@@ -9,8 +9,8 @@ from functools import cache
 from catalogs import load_catalogs
 from solver import Request, Scene, generate
 from solver.pipeline.drag import NO_ANSWER, Dragging, FrameAnswer, alone, opening_of
-from solver.pipeline.drag_frames import bodies_of
 from solver.scene import Decoration, Dynamic, Furniture
+from solver.scene_bodies import bodies_of
 from solver.streams import Stream
 
 Body = Furniture | Decoration | Dynamic

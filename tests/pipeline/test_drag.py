@@ -18,9 +18,9 @@ from solver.furnish.zones import bounds_of
 from solver.geometry import Rect
 from solver.pieces import Arrangement, Placed, Space
 from solver.pipeline.drag import DRAWN, NO_ANSWER, PLACED, STAYED, Dragging, opening_of
-from solver.pipeline.drag_frames import bodies_of
 from solver.repair import InHand, RepairSettings, RoomProblem, Walls, in_hand
 from solver.scene import WALLS, robot_width_of
+from solver.scene_bodies import bodies_of
 from tests.oracles.rules import faults, unreached
 from tests.pipeline.drags import Step, dense_rooms, dragged, jump, neighbours, scene_at, spots_of
 from tests.pipeline.fix_rooms import body, room_of

@@ -1,18 +1,19 @@
-"""fix() of a frame of a drag: as the core answers it, in the room of the piece in hand alone; others fall back on the whole repair."""
+"""fix_frame(), a frame of a drag: as the core answers it, in the room of the piece in hand alone; others fall back on the whole repair."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import asdict, replace
 
 import pytest
 
 from catalogs import load_catalogs
 from service.calls import fix_scene, take_in_hand
-from solver import Scene, fix, validate
+from solver import Scene, fix, fix_frame, validate
 from solver.errors import RequestError
 from solver.exchange import write_scene
-from solver.pipeline.drag_frames import bodies_of
 from solver.scene import Decoration, Fixed, Furniture, Pose
+from solver.scene_bodies import bodies_of
 from tests.pipeline.drags import dense_rooms, dragged, home, scene_at, way
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
 
@@ -51,15 +52,21 @@ def _gone(one: object, dx: float, dz: float) -> tuple[float, float]:
     return round(one.x + dx, 4), round(one.z + dz, 4)  # type: ignore[attr-defined]
 
 
+def frame(scene: Scene, label: str, previous: Sequence[Pose] = ()) -> Fixed:
+    fixed = fix_frame(scene, [label], previous=previous)
+    assert fixed is not None
+    return fixed
+
+
 def frames(scene: Scene, label: str, alone: bool = False) -> list[Fixed]:
-    """A drag by fix(); with `alone` the piece is sent where it is wished without what it carries."""
+    """A drag by fix_frame(); with `alone` the piece is sent where it is wished without what it carries."""
     found, last = [], poses_of(scene)
     for wish in way(scene, label, FRAMES):
         asked = sent(scene, label, wish)
         if alone:
             spots = [value for one in bodies_of(scene) for value in (wish if one.id == label else (one.x, one.z))]
             asked = scene_at(scene, spots, label)
-        fixed = fix(asked, moved=[label], previous=last, dragging=True)
+        fixed = frame(asked, label, last)
         found.append(fixed)
         last = poses_of(fixed.scene)
     return found
@@ -91,7 +98,7 @@ def test_only_the_room_of_the_piece_in_hand_is_answered() -> None:
     there = replace(piece, x=piece.x + 0.4, z=piece.z + 0.3, wall=None)
     moved = replace(room, furniture=tuple(there if one is piece else one for one in room.furniture))
     asked = replace(whole, rooms=tuple(moved if one is room else one for one in whole.rooms))
-    fixed = fix(asked, moved=[piece.id], previous=poses_of(whole), dragging=True)
+    fixed = frame(asked, piece.id, poses_of(whole))
     for before, after in zip(asked.rooms, fixed.scene.rooms, strict=True):
         assert after.id == room.id or after == before
     assert {move.id for move in fixed.moves} <= {
@@ -103,14 +110,14 @@ def test_only_the_room_of_the_piece_in_hand_is_answered() -> None:
 
 def test_what_moved_is_told_against_what_was_sent() -> None:
     scene = room_of(body("sofa_1", -0.5, 2.0, (2.0, 0.9, 0.8)), body("box_1", 3.0, 3.5, (0.4, 0.4, 0.4)))
-    fixed = fix(scene, moved=["room_0/sofa_1"], previous=[Pose("room_0/sofa_1", 1.0, 2.0, 0)], dragging=True)
+    fixed = frame(scene, "room_0/sofa_1", [Pose("room_0/sofa_1", 1.0, 2.0, 0)])
     assert [(move.id, move.dx, move.dz) for move in fixed.moves] == [("room_0/sofa_1", 1.5, 0.0)]
     assert errors(fixed.scene) == []
 
 
 def test_without_a_valid_place_the_scene_comes_back_with_a_conflict_and_no_repairs() -> None:
     scene = room_of(*(body(f"box_{k}", 1.0, 1.0, (1.5, 1.5, 0.4)) for k in range(2)), width=2.0, depth=2.0)
-    fixed = fix(scene, moved=["room_0/box_0"], dragging=True)
+    fixed = frame(scene, "room_0/box_0")
     assert fixed.scene == scene
     assert [(conflict.ids, conflict.repairs) for conflict in fixed.conflicts] == [(("room_0/box_0",), ())]
 
@@ -119,15 +126,18 @@ def test_a_piece_that_stands_on_another_is_repaired_as_ever() -> None:
     scene = next(scene for scene in dense_rooms(1) if any(piece.on for piece in scene.rooms[0].furniture))
     piece = next(piece for piece in scene.rooms[0].furniture if piece.on)
     asked = sent(scene, piece.id, (piece.x + 0.1, piece.z))
-    once, ever = (fix(asked, moved=[piece.id], previous=poses_of(scene), dragging=flag) for flag in (True, False))
-    assert once == ever
+    assert fix_frame(asked, [piece.id], previous=poses_of(scene)) is None
+    document = {"scene": write_scene(asked), "moved": [piece.id], "previous": [asdict(pose) for pose in poses_of(scene)]}
+    once, ever = (fix_scene(document | {"dragging": flag}, load_catalogs()) for flag in (True, False))
+    assert {**once, "timing_ms": {}} == {**ever, "timing_ms": {}}
+    assert once["scene"] == write_scene(fix(asked, moved=[piece.id], previous=poses_of(scene)).scene)
 
 
 @pytest.mark.parametrize("moved", [[], ["room_0/box_0", "room_0/box_1"]])
 def test_a_frame_names_the_one_piece_in_hand(moved: list[str]) -> None:
     scene = room_of(*(body(f"box_{k}", 1.0 + k, 1.0, (0.5, 0.5, 0.4)) for k in range(2)))
     with pytest.raises(RequestError, match="moved"):
-        fix(scene, moved=moved, dragging=True)
+        fix_frame(scene, moved)
 
 
 def test_drags_of_several_rooms_and_catalogs_are_kept_apart() -> None:
@@ -138,7 +148,7 @@ def test_drags_of_several_rooms_and_catalogs_are_kept_apart() -> None:
     last = [poses_of(one), poses_of(other)]
     for k in range(FRAMES):
         for n, scene in enumerate((one, other)):
-            fixed = fix(sent(scene, labels[n], wishes[n][k]), moved=[labels[n]], previous=last[n], dragging=True)
+            fixed = frame(sent(scene, labels[n], wishes[n][k]), labels[n], last[n])
             assert fixed.scene == apart[n][k].scene
             last[n] = poses_of(fixed.scene)
 
