@@ -6,7 +6,7 @@ Comes in and goes out: integers (mm) and `Rect`. May import: nothing of ours.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Final, NamedTuple, TypeVar
 
 Number = TypeVar("Number", int, float)
@@ -62,6 +62,12 @@ def extents(width: float, depth: float, rotation: float) -> tuple[float, float]:
     angle = math.radians(rotation % 180)
     c, s = abs(math.cos(angle)), abs(math.sin(angle))
     return width * c + depth * s, width * s + depth * c
+
+
+def doubled_area(corners: Sequence[tuple[float, float]]) -> float:
+    """Returns twice the area within corners (x, z), in squares of their unit: positive where they go clockwise seen from above."""
+    following = (*corners[1:], *corners[:1])
+    return sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in zip(corners, following, strict=True))
 
 
 def walls_beside(wall: str) -> tuple[str, str]:

@@ -4,14 +4,15 @@ Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by 
 May import: errors, fields, what an asset may be called. Not here: reading and writing (exchange), rules (validate).
 Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen from above, 0 facing
 south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner; `y` is its underside. Edges lie on
-integer millimetres, so a centre may end in 0.0005. Each field's type states what a reader accepts (solver/fields.py).
+integer millimetres, so a centre may end in 0.0005. Each field's type states what a reader accepts (solver/fields.py); in `extra` it
+keeps the keys it does not know.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated, Any, ClassVar, Final
+from typing import Annotated, ClassVar, Final
 
 from annotated_types import Ge, Le, MinLen
 
@@ -44,6 +45,7 @@ from solver.fields import (
     Whole,
     late,
 )
+from solver.geometry import doubled_area
 
 FORMAT: Final = "compose-scene/1"
 MAX_SEED: Final = MAX_WHOLE
@@ -74,11 +76,6 @@ Seed = Annotated[int, Ge(0), Le(MAX_SEED), WHOLE]
 RobotWidth = Annotated[float, STRICT, Ge(0.1), Le(2.0)]
 WallThickness = Annotated[float, STRICT, Ge(0.0), Le(1.0)]
 Extent = Annotated[float, STRICT, Ge(2.0), Le(1000.0)]
-
-
-def _extra() -> Any:
-    """Declares where a reader keeps the keys it does not know."""
-    return field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -134,7 +131,7 @@ class Size(Record):
     width: PositiveMetres
     depth: PositiveMetres
     height: PositiveMetres = 2.8
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -144,7 +141,7 @@ class Level(Record):
     index: Whole = 0
     elevation: Number = 0.0
     height: PositiveMetres = 2.8
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -153,7 +150,7 @@ class Flooring(Record):
 
     type: Text = "wood"
     color: Text = "#b08d57"
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -162,7 +159,7 @@ class WallFinish(Record):
 
     type: Text = "plaster"
     color: Text = "#f0ede6"
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -199,7 +196,7 @@ class Opening(Record):
     render_panel: Flag = True
     edge: Index | None = field(default=None, metadata={OMITTED: True})
     open: OpenShare | None = field(default=None, metadata={OMITTED: True})
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -228,7 +225,7 @@ class Furniture(Record):
     locked: Flag = False
     kind: Text | None = field(default=None, metadata={OMITTED: True})
     asset: OwnAsset | None = field(default=None, metadata={OMITTED: True})
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -249,7 +246,7 @@ class Decoration(Record):
     color: Text | None = None
     kind: Text | None = field(default=None, metadata={OMITTED: True})
     asset: OwnAsset | None = field(default=None, metadata={OMITTED: True})
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -268,7 +265,7 @@ class Dynamic(Record):
     height: PositiveMetres = 1.7
     color: Text | None = field(default=None, metadata={OMITTED: True})
     on: Text | None = field(default=None, metadata={OMITTED: True})
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -298,15 +295,17 @@ class Room(Record):
     openings: tuple[Opening, ...] = ()
     furniture: tuple[Furniture, ...] = ()
     decorations: tuple[Decoration, ...] = late(())
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
     @property
     def floor_m2(self) -> float:
         """Its floor between wall lines, m2."""
-        if not self.outline:
-            return self.width * self.depth
-        following = (*self.outline[1:], self.outline[0])
-        return abs(sum(x0 * z1 - z0 * x1 for (x0, z0), (x1, z1) in zip(self.outline, following, strict=True))) / 2
+        return abs(doubled_area(self.outline)) / 2 if self.outline else self.width * self.depth
+
+    @property
+    def corners(self) -> tuple[tuple[float, float], ...]:
+        """The corners of its wall lines, as its outline lists them; a rectangle's clockwise from the north-west."""
+        return self.outline or ((0.0, 0.0), (self.width, 0.0), (self.width, self.depth), (0.0, self.depth))
 
 
 @dataclass(frozen=True)
@@ -325,7 +324,7 @@ class Scene(Record):
     adjacency: Annotated[tuple[tuple[Whole, Whole], ...], Says(ADJACENCY)] = ()
     dynamic: tuple[Dynamic, ...] = ()
     certificate: Free | None = None
-    extra: Mapping[str, object] = _extra()
+    extra: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ Comes in: a scene. Goes out: nothing, or what is wrong. May import: scene.
 
 from __future__ import annotations
 
+from solver.geometry import doubled_area
 from solver.plain import Wrong
 from solver.scene import Room, Scene
 
@@ -41,6 +42,5 @@ def _check_corners(outline: tuple[tuple[float, float], ...]) -> None:
         next_x, next_z = corners[(index + 1) % len(corners)]
         if x != next_x and z != next_z:
             raise Wrong("begins a line that runs at an angle", "corners joined along x or z").inside(index).inside("outline")
-    following = [*corners[1:], corners[0]]
-    if sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in zip(corners, following, strict=True)) == 0:
+    if doubled_area(corners) == 0:
         raise Wrong("encloses nothing", "at least 4 corners around some floor").inside("outline")

@@ -16,9 +16,10 @@ from solver.exports.kind_facts import classes_of
 from solver.exports.model import FloorPlate, HouseModel, Paint
 from solver.exports.paints import PLAIN_FLOOR, paints_of
 from solver.exports.wall_bands import WallBands, thick
-from solver.exports.wall_edges import corners_of, on_lattice, signed_area
+from solver.exports.wall_edges import on_lattice
 from solver.exports.wall_lines import RoomFinder, openings_of, runs_of
 from solver.exports.wall_panels import Storey, WallPlan, boxes_of, fittings_of, panels_of
+from solver.geometry import doubled_area
 from solver.scene import Room, Scene
 
 ROUNDING_ERROR: Final = 1e-6
@@ -70,10 +71,9 @@ def style_of(scene: Scene) -> str | None:
 
 def _floor(room: Room, plan: WallPlan, outer: tuple[float | None, ...]) -> FloorPlate:
     """Returns a room's floor, its corners clockwise whichever way the room lists them."""
-    corners = corners_of(room)
-    area = signed_area(corners)
+    area = doubled_area(room.corners) / 2
     storey = plan.storey(room.level)
-    placed = tuple((on_lattice(room.x + x), on_lattice(room.z + z)) for x, z in corners)
+    placed = tuple((on_lattice(room.x + x), on_lattice(room.z + z)) for x, z in room.corners)
     flooring = room.flooring
     return FloorPlate(
         id=room.id,

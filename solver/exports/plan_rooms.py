@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Final, Literal, NamedTuple
 
 from solver.exports.model import FloorPlate, WallPanel
+from solver.geometry import doubled_area
 
 PlanBox = tuple[float, float, float, float]
 """West, north, east and south, m."""
@@ -103,11 +104,6 @@ def _turning(corners: Sequence[tuple[float, float]]) -> list[tuple[float, float]
     return [b for a, b, c in neighbours if not (a[0] == b[0] == c[0] or a[1] == b[1] == c[1])] or list(corners)
 
 
-def area_of(corners: Sequence[tuple[float, float]]) -> float:
-    """Returns the area within clockwise corners, m2."""
-    return sum(x * b - a * z for (x, z), (a, b) in zip(corners, (*corners[1:], corners[0]), strict=True)) / 2
-
-
 def chord(corners: Sequence[tuple[float, float]], axis: Literal["x", "z"], at: float) -> tuple[float, float] | None:
     """Returns the longest stretch along an axis within corners at a coordinate across it."""
     along, across = (0, 1) if axis == "x" else (1, 0)
@@ -119,7 +115,7 @@ def chord(corners: Sequence[tuple[float, float]], axis: Literal["x", "z"], at: f
 
 def label_of(room: PlanRoom) -> RoomLabel:
     """Returns where a room's name stands: least over furniture, next to the middle; smaller or upright where the room is narrow."""
-    words, area = words_of(room.plate.type), area_of(room.corners)
+    words, area = words_of(room.plate.type), doubled_area(room.corners) / 2
     x0, z0, x1, z1 = _bounds(room.corners)
     wide, high = max(len(words), 7) * _WIDE * room.letters, 2 * LINE * room.letters
     upright = wide > 0.94 * (x1 - x0) and z1 - z0 > x1 - x0

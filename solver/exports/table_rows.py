@@ -18,7 +18,6 @@ from solver.dressed import THING_WALLS, DressedRows, Look, count_decorations, ro
 from solver.exports.kind_facts import KindFacts, book_of, decoration_facts, furniture_facts, living_facts
 from solver.exports.model import PlacedOpening
 from solver.exports.wall_bands import WallBands
-from solver.exports.wall_edges import corners_of
 from solver.exports.wall_lines import RoomFinder, openings_of
 from solver.scene import EXTERIOR, Decoration, Dynamic, Furniture, Room, Scene
 
@@ -48,7 +47,7 @@ def rows_of(scene: Scene, catalogs: Catalogs) -> dict[str, list[Row]]:
 
 
 def _room(seed: int | None, room: Room, report: Mapping[str, Any]) -> Row:
-    corners = [[round(room.x + x, 6), round(room.z + z, 6)] for x, z in corners_of(room)]
+    corners = [[round(room.x + x, 6), round(room.z + z, 6)] for x, z in room.corners]
     where = room.x, room.z, room.width, room.depth, round(room.floor_m2, 4), corners, room.flooring.type if room.flooring else None
     counts = len(room.furniture), count_decorations(room)
     proof = report.get("cost"), report.get("proven"), report.get("best"), [entry["piece"] for entry in report.get("left_out", ())]

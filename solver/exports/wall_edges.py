@@ -5,9 +5,9 @@ Comes in: rooms. Goes out: `OutlineEdge`s, m. May import: the ground floor.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
+from solver.geometry import doubled_area
 from solver.scene import Room
 
 PlanAxis = Literal["x", "z"]
@@ -36,23 +36,10 @@ def on_lattice(metres: float) -> float:
     return round(metres * 1000) / 1000
 
 
-def corners_of(room: Room) -> tuple[tuple[float, float], ...]:
-    """Returns a room's corners, room-relative, clockwise from the north-west as the room lists them."""
-    if room.outline and len(room.outline) >= 3:
-        return tuple((x, z) for x, z in room.outline)
-    return (0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth)
-
-
-def signed_area(corners: Sequence[tuple[float, float]]) -> float:
-    """Returns the area within corners, m2: negative where they go counter-clockwise seen from above."""
-    following = (*corners[1:], *corners[:1])
-    return sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in zip(corners, following, strict=True)) / 2
-
-
 def edges_of(room: Room) -> list[OutlineEdge]:
     """Returns a room's edges in the order of its outline's points: north, east, south, west for a rectangle."""
-    corners = corners_of(room)
-    clockwise = signed_area(corners) >= 0
+    corners = room.corners
+    clockwise = doubled_area(corners) >= 0
     pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
     return [_edge(room, a, b, clockwise)._replace(number=number) for number, (a, b) in enumerate(pairs)]
 

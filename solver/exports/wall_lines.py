@@ -15,7 +15,7 @@ from typing import Literal, NamedTuple
 from solver.demanded import demand
 from solver.exports.model import PlacedOpening
 from solver.exports.wall_bands import EDGE_WORK, WallBands, thick
-from solver.exports.wall_edges import Line, OutlineEdge, PlanAxis, corners_of, edges_of, on_lattice
+from solver.exports.wall_edges import Line, OutlineEdge, PlanAxis, edges_of, on_lattice
 from solver.scene import Opening, Room
 
 _NEGLIGIBLE = 1e-6
@@ -155,14 +155,14 @@ class RoomFinder:
 
 
 def _bounds(room: Room) -> tuple[float, float, float, float]:
-    corners = corners_of(room)
+    corners = room.corners
     xs, zs = [x for x, _ in corners], [z for _, z in corners]
     return room.x + min(xs), room.z + min(zs), room.x + max(xs), room.z + max(zs)
 
 
 def _encloses(room: Room, x: float, z: float) -> bool:
     """Tells whether a point relative to a room's corner is within its outline."""
-    corners = corners_of(room)
+    corners = room.corners
     demand(EDGE_WORK * len(corners))
     inside = False
     for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):

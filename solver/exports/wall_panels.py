@@ -15,7 +15,7 @@ from solver.demanded import demand
 from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpening, WallBox, WallPanel
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
 from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE
-from solver.exports.wall_edges import Line, PlanAxis, corners_of
+from solver.exports.wall_edges import Line, PlanAxis
 from solver.exports.wall_lines import RoomFinder, WallRun
 from solver.scene import Room
 from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, between, cut_at_holes, door_bars, window_bars
@@ -136,7 +136,7 @@ def _panel(stretch: _Stretch, corners: Mapping[PlanAxis, Sequence[float]]) -> Wa
 
 def _finish_corners(rooms: Sequence[Room]) -> dict[PlanAxis, list[float]]:
     """Returns where rooms with a finish end along x and along z, each place once, m."""
-    corners = [(room.x + x, room.z + z) for room in rooms if room.walls for x, z in corners_of(room)]
+    corners = [(room.x + x, room.z + z) for room in rooms if room.walls for x, z in room.corners]
     return {"x": list(dict.fromkeys(x for x, _ in corners)), "z": list(dict.fromkeys(z for _, z in corners))}
 
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, strip_at, to_mm
+from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, doubled_area, strip_at, to_mm
 from solver.pieces import Doorway, Space, Zone
 from solver.relations.subject import Opened, Scope
 from solver.scene import WALLS, Opening, Room, Sides
@@ -130,7 +130,7 @@ def outline_edges(room: Room) -> list[WallLine]:
     """Returns the edges of a room's outline, from its first point on; empty without an outline."""
     points = [(to_mm(x), to_mm(z)) for x, z in room.outline or ()]
     following = points[1:] + points[:1]
-    clockwise = sum(x0 * z1 - z0 * x1 for (x0, z0), (x1, z1) in zip(points, following, strict=True)) > 0
+    clockwise = doubled_area(points) > 0
     edges: list[WallLine] = []
     for (x0, z0), (x1, z1) in zip(points, following, strict=True):
         if z0 == z1:

@@ -69,5 +69,4 @@ def _walls(one: Decoration, room: Room, half_wall: float) -> Iterator[tuple[floa
 
 
 def _edges(room: Room) -> list[PlanEdge]:
-    corners = room.outline or ((0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth))
-    return edges_of_corners(0, [(to_mm(x), to_mm(z)) for x, z in corners])
+    return edges_of_corners(0, [(to_mm(x), to_mm(z)) for x, z in room.corners])

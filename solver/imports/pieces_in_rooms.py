@@ -91,8 +91,7 @@ def _written(sizes: Sequence[float]) -> str:
 
 
 def _outline(room: Room) -> list[FloorCorner]:
-    corners = room.outline or ((0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth))
-    return [(to_mm(room.x + x), to_mm(room.z + z)) for x, z in corners]
+    return [(to_mm(room.x + x), to_mm(room.z + z)) for x, z in room.corners]
 
 
 def _sort(meaning: Meaning | None, catalogs: Catalogs) -> str | None:

@@ -1,6 +1,6 @@
 """Polygons whose edges all run along x or z, in whole mm: their edges, areas, and whether they are simple.
 
-Comes in and goes out: corners (x, z), mm; clockwise seen from above where it matters (x east, z south). May import: nothing of ours.
+Comes in and goes out: corners (x, z), mm; clockwise seen from above where it matters (x east, z south). May import: geometry.
 """
 
 from __future__ import annotations
@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
+
+from solver.geometry import doubled_area
 
 FloorCorner = tuple[int, int]
 FloorCorners = list[FloorCorner]
@@ -32,12 +34,6 @@ class PlanEdge(NamedTuple):
     def length(self) -> int:
         """Its length, mm."""
         return self.high - self.low
-
-
-def doubled_area(corners: Sequence[tuple[float, float]]) -> float:
-    """Returns twice the area within corners, mm2: positive where they go clockwise seen from above."""
-    following = [*corners[1:], *corners[:1]]
-    return sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in zip(corners, following, strict=True))
 
 
 def tidied(corners: Sequence[FloorCorner]) -> FloorCorners:

@@ -13,8 +13,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
+from solver.geometry import doubled_area
 from solver.imports.drawn import PlanNotes, Spot
-from solver.imports.rectilinear import FloorCorners, doubled_area, is_simple, tidied
+from solver.imports.rectilinear import FloorCorners, is_simple, tidied
 from solver.imports.steps_inside import stepped
 
 NEAR: Final = 25.0

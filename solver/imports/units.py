@@ -11,6 +11,7 @@ from statistics import median
 from typing import Final
 
 from solver.errors import FieldError
+from solver.geometry import doubled_area
 from solver.imported import ALLOWED_UNITS, UNITS
 from solver.imports.drawn import DrawnOpening, DrawnPlan, PlanNotes
 
@@ -59,7 +60,7 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
     if doors:
         found, told, size = _within(median(doors), DOOR_WIDTHS), "doors' median width", median(doors)
     else:
-        sides = [abs(_area(room.points)) ** 0.5 for room in plan.rooms]
+        sides = [(abs(doubled_area(room.points)) / 2) ** 0.5 for room in plan.rooms]
         size = median(sides) if sides else 0.0
         found, told = _within(size, LIKELY_ROOM), "rooms' median side"
     if len(found) != 1:
@@ -77,8 +78,3 @@ def told_by_doors(openings: Sequence[DrawnOpening]) -> float | None:
 
 def _within(size: float, limits: tuple[float, float]) -> list[str]:
     return [name for name, metres in UNITS.items() if limits[0] <= size * metres <= limits[1]]
-
-
-def _area(points: tuple[tuple[float, float], ...]) -> float:
-    following = (*points[1:], *points[:1])
-    return sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in zip(points, following, strict=True)) / 2

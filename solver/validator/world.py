@@ -117,8 +117,7 @@ def home_of(scene: Scene, person: Dynamic) -> str | None:
 
 
 def _place(room: Room, people: tuple[Dynamic, ...]) -> PlacedRoom:
-    corners = room.outline or ((0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth))
-    outline = outline_of([(exact(x), exact(z)) for x, z in corners])
+    outline = outline_of([(exact(x), exact(z)) for x, z in room.corners])
     holes = tuple(hole for opening in room.openings if (hole := _hole(opening, outline)) is not None)
     return PlacedRoom(room, exact(room.x), exact(room.z), outline, holes, people)
 

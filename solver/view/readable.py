@@ -12,7 +12,7 @@ from typing import Final
 
 from solver.scene import Decoration, Dynamic, Opening, Room, Scene
 from solver.view.nesting import ShownBody, carried_by, people_in, remarks, sections, strangers, together
-from solver.view.wording import TextLine, area_of, decimal, number, proofs, target_of, visible, written
+from solver.view.wording import TextLine, decimal, number, proofs, target_of, visible, written
 
 FLAT: Final = 0.02
 """What is no higher is a rug or a mat, of which only the extents are of interest, m."""
@@ -73,7 +73,7 @@ def _room(room: Room, people: Sequence[Dynamic]) -> Iterator[TextLine]:
     yield TextLine(f"    type: {_text(room.type)}")
     yield TextLine(f"    position: [{decimal(room.x)}, {decimal(room.z)}]")
     outdoor = ", outdoors" if room.outdoor else ""
-    yield TextLine(f"    size: {number(room.width)} × {number(room.depth)}m   # {area_of(room):.1f} m²{outdoor}")
+    yield TextLine(f"    size: {number(room.width)} × {number(room.depth)}m   # {room.floor_m2:.1f} m²{outdoor}")
     yield from _openings("doors", [opening for opening in room.openings if opening.kind != "window"])
     yield from _openings("windows", [opening for opening in room.openings if opening.kind == "window"])
     carried = carried_by(room)

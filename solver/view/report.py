@@ -14,7 +14,7 @@ from typing import Any, Final, NamedTuple
 from solver.scene import Dynamic, Furniture, Issue, Opening, Room, Scene
 from solver.scene_bodies import body_ids, counted
 from solver.view.nesting import ShownBody, carried_by, people_in, remarks, sections, strangers, together
-from solver.view.wording import TextLine, area_of, is_changed, number, proofs, room_certificates, target_of, visible, written
+from solver.view.wording import TextLine, is_changed, number, proofs, room_certificates, target_of, visible, written
 
 WRONG: Final = ">> "
 FLAGGED: Final = "!! "
@@ -124,7 +124,7 @@ def _room(room: Room, people: Sequence[Dynamic], scene: Scene, found: _Findings)
     issues = found.of_room.get(room.id, ())
     yield TextLine("")
     where = f"{'outdoors, ' if room.outdoor else ''}at [{_metres(room.x)}, {_metres(room.z)}] of the house"
-    extents = f"{_metres(room.width)} × {_metres(room.depth)} m, {area_of(room):.2f} m²"
+    extents = f"{_metres(room.width)} × {_metres(room.depth)} m, {room.floor_m2:.2f} m²"
     title = f"{visible(room.id)} ({visible(room.type)}): {extents}, {where}"
     yield TextLine(f"{WRONG if issues else FINE}{title}{_marks(issues, False)}")
     yield from (_issue(issue, 1) for issue in issues)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from solver.certificate import true_of
-from solver.scene import EXTERIOR, Opening, Room, Scene
+from solver.scene import EXTERIOR, Opening, Scene
 
 
 @dataclass(frozen=True)
@@ -37,15 +37,6 @@ def decimal(metres: float) -> str:
 def visible(value: Any) -> str:
     """Writes what a line may hold: everything printable, so that a name is never two lines."""
     return "".join(letter if letter.isprintable() else f"\\U{ord(letter):08x}" for letter in str(value))
-
-
-def area_of(room: Room) -> float:
-    """Returns the floor's area between the wall lines, m2."""
-    if not room.outline:
-        return room.width * room.depth
-    following = [*room.outline[1:], room.outline[0]]
-    twice = sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in zip(room.outline, following, strict=True))
-    return abs(twice) / 2
 
 
 def target_of(opening: Opening) -> str:

@@ -22,9 +22,10 @@ from solver.body_parts import BodyPart
 from solver.exchange import write_scene
 from solver.exports import HouseModel, describe
 from solver.exports.model import Cuboid, Paint
-from solver.exports.plan_rooms import area_of, clear_corners
+from solver.exports.plan_rooms import clear_corners
 from solver.named_kinds import with_kinds
 from tests.architecture.tree import ROOT
+from tests.imports.plans import floor_area
 
 MM = 0.001
 REQUESTS = (
@@ -154,7 +155,7 @@ def test_clear_floors_agree(models: list[HouseModel], built: list[dict[str, Any]
         for plate, theirs in zip(model.rooms, page["floors"], strict=True):
             corners = clear_corners(plate, model.panels)
             extents = [max(ends) - min(ends) for ends in zip(*corners, strict=True)]
-            assert close((area_of(corners), *extents), (theirs["area"], theirs["width"], theirs["depth"])), plate.id
+            assert close((floor_area(corners), *extents), (theirs["area"], theirs["width"], theirs["depth"])), plate.id
 
 
 def test_fittings_agree(models: list[HouseModel], built: list[dict[str, Any]]) -> None:

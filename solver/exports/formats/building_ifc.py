@@ -15,8 +15,9 @@ from solver.body_parts import BodyPart
 from solver.exports.ifc_pieces import Entity, IfcPieces, printable
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening, WallPanel
 from solver.exports.paints import PLAIN_WALL, SURFACES
-from solver.exports.plan_rooms import area_of, clear_corners, words_of
+from solver.exports.plan_rooms import clear_corners, words_of
 from solver.exports.writers import ExportSettings, Files
+from solver.geometry import doubled_area
 from solver.wall_fittings import FRAME, GLASS_THICKNESS
 
 DATE: Final = "1980-01-01T00:00:00"
@@ -111,7 +112,7 @@ class _Building:
         kind = "EXTERNAL" if room.outdoor else "INTERNAL"
         space = one.rooted("IfcSpace", "space", room.id, **said, ObjectPlacement=at, Representation=shape, PredefinedType=kind)
         self.spaces[room.id] = space
-        areas = {"NetFloorArea": area_of(corners), "GrossFloorArea": room.area}
+        areas = {"NetFloorArea": doubled_area(corners) / 2, "GrossFloorArea": room.area}
         amounts = [one.new("IfcQuantityArea", Name=name, AreaValue=round(area, 6)) for name, area in areas.items()]
         amounts.append(one.new("IfcQuantityLength", Name="Height", LengthValue=round(height, 6)))
         known = one.rooted("IfcElementQuantity", "space sizes", room.id, Name="Qto_SpaceBaseQuantities", Quantities=amounts)
