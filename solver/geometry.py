@@ -164,11 +164,6 @@ class Rect(NamedTuple):
         """Returns how far the edge at a wall is from that wall of a room's rectangle; negative beyond it."""
         return (self.line(wall) - room.line(wall)) * INWARDS[wall]
 
-    def point_at(self, wall: str, along: int, into: int) -> tuple[int, int]:
-        """Returns the point (x, z) at a coordinate along a wall, so far inside of it."""
-        across = self.line(wall) + INWARDS[wall] * into
-        return (along, across) if wall in ALONG_X else (across, along)
-
     def distance_to_point(self, point: tuple[float, float]) -> float:
         """Returns how far a point (x, z) is; 0 inside."""
         return math.hypot(max(self.x0 - point[0], point[0] - self.x1, 0), max(self.z0 - point[1], point[1] - self.z1, 0))

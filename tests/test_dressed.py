@@ -19,9 +19,9 @@ from solver.scene import Level, Request, Room, Scene
 from solver.scene_bodies import counted
 from solver.validator import check, metrics
 from solver.validator.kinds import kinds_of
-from solver.validator.opening import front_travels
 from solver.validator.sent_rooms import room_bytes
 from solver.validator.world import world_of
+from tests.validator.travels import front_travels
 
 KNOWN = load_catalogs()
 REQUESTS = (

@@ -17,7 +17,6 @@ from solver.geometry import (
     rotate,
     strip,
     strip_at,
-    turned,
     wall_faced,
     wall_turned,
     walls_beside,
@@ -40,7 +39,6 @@ def test_a_strip_lies_at_its_wall_and_is_as_deep_as_asked(wall: str) -> None:
     assert made.line(wall) == ROOM.line(wall)
     assert made.wall_distance(OPPOSITE[wall], ROOM) == ROOM.wall_distance(OPPOSITE[wall], strip(ROOM, wall, (0, 0), 300)) * -1
     assert made == strip_at(wall, ROOM.line(wall), (700, 900), 300)
-    assert Rect.around(ROOM.point_at(wall, 800, 150), turned(200, 300, ROTATION_AT_WALL[wall])) == made
 
 
 def test_distances_of_points_and_rectangles() -> None:

@@ -18,7 +18,6 @@ from service.packed_catalogs import packed
 from solver import generate
 from solver.errors import ComposeError, FieldError
 from solver.exchange import FORMATS, dump_scene, load_text, read_request, write_request
-from solver.export_formats import EXPORTERS
 from solver.plain import Document
 from solver.scene import Issue, Request, Scene
 from solver.streams import Stream
@@ -27,8 +26,7 @@ from solver.version import VERSION
 SPLITS: Final = {"train": 90, "validation": 5, "test": 5}
 """Parts of a hundred. By the seed's hash alone, so that a home stays in its split however large the set grows."""
 JSON: Final = "json"
-DATASET_FORMATS: Final = (JSON, *EXPORTERS)
-"""What `--formats` may name: json, the scenes in the table of houses; and every format of `export`, in archives."""
+"""The format that stands for the scenes in the table of houses, beside those of `export`, in archives."""
 
 
 class Shard(NamedTuple):
@@ -71,7 +69,7 @@ class DatasetPlan:
     Args:
         folder: where.
         requests: what each seed's home is asked to be.
-        formats: of DATASET_FORMATS.
+        formats: JSON, and those of `export`.
         shard_size: seeds of a shard.
         catalogs: by name, packed; `fingerprints` go with them.
         fingerprints: of the catalogs.

@@ -20,8 +20,6 @@ from solver.imports.steps_inside import stepped
 
 NEAR: Final = 25.0
 """Lines no farther apart, mm, are one."""
-MOST_SHIFT: Final = 60.0
-"""A wall is moved by no more, mm; what would have to is slanted."""
 STRAIGHT: Final = math.tan(math.radians(1.0))
 """How far from an axis a long edge may run and still be straight."""
 TINY: Final = 40.0

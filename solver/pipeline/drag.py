@@ -13,11 +13,10 @@ from typing import Final, NamedTuple
 
 from catalogs import Catalogs
 from solver.core import taken
-from solver.furnish import space_of
-from solver.furnish.zones import bounds_of, outline_edges
+from solver.pipeline.room_spaces import room_problem
 from solver.placement import problem_bytes
-from solver.repair import RepairSettings, RoomProblem, Walls, in_hand
-from solver.scene import EXTERIOR, WALLS, Room, Scene, robot_width_of
+from solver.repair import RepairSettings, in_hand
+from solver.scene import EXTERIOR, Room, Scene
 from solver.validator import RULES, room_alone
 
 VERSION: Final = 1
@@ -66,17 +65,15 @@ def opening_of(scene: Scene, label: str, locked: Sequence[str], catalogs: Catalo
     settings = RepairSettings(catalogs, locked=frozenset(locked), moved=frozenset((label,)), walk=RULES["unreachable"] == "error")
     (room,) = scene.rooms
     room = replace(room, furniture=tuple(replace(one, wall=None) if one.id == label else one for one in room.furniture))
-    space, lines = space_of(room, scene.wall_thickness, robot_width_of(scene)), bounds_of(room)
-    edges = outline_edges(room) or [(wall, lines.line(wall), *lines.along(wall)) for wall in WALLS]
-    walls = Walls(space.clear, space.clear.x0 - lines.x0, tuple(edges))
-    hand = in_hand(RoomProblem(room, space, walls, settings), label, scene.dynamic)
+    task = room_problem(scene, room, (), settings)
+    hand = in_hand(task, label, scene.dynamic)
     if hand is None:
         return None
     judged = room_alone(replace(scene, rooms=(room,)), catalogs)
     numbers = {body.id: number for number, body in enumerate(judged.bodies)}
     if len(numbers) < len(judged.bodies):
         return None
-    problem = problem_bytes(space, hand.pieces)
+    problem = problem_bytes(task.space, hand.pieces)
     movers = [_MOVER.pack(numbers[piece.label], reach) for piece, reach in zip(hand.pieces, hand.reaches, strict=True)]
     riders = [_RIDER.pack(hand.riders.get(body.id, NOBODY), *use) for body, use in zip(judged.bodies, judged.uses, strict=True)]
     head = _HEAD.pack(VERSION, len(problem), len(judged.rows), len(movers), len(riders), hand.held)

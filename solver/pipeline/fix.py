@@ -13,24 +13,21 @@ from catalogs import Catalogs, load_catalogs
 from solver.answers import ON_CONFLICT
 from solver.certificate import certified
 from solver.errors import RequestError
-from solver.furnish import space_of
-from solver.furnish.zones import bounds_of, outline_edges
 from solver.named_assets import with_assets
 from solver.pipeline.conflicts import conflicts_of
 from solver.pipeline.left_over import cleaned, unexplained
 from solver.pipeline.repair_room import RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
+from solver.pipeline.room_spaces import room_problem
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import is_call_spent
 from solver.repair import (
     RepairSettings,
-    RoomProblem,
-    Walls,
     people_out_of_the_way,
     put_to_rest,
     seated_along,
     with_walls_told,
 )
-from solver.scene import WALLS, Conflict, Fixed, Issue, Pose, Room, Scene, robot_width_of
+from solver.scene import Conflict, Fixed, Issue, Pose, Room, Scene
 from solver.scene_bodies import body_ids, check_ids, moves_between
 from solver.understanding import understood
 from solver.validator import RULES, Checked, check
@@ -129,15 +126,6 @@ def _by_room(issues: Iterable[Issue]) -> Mapping[str | None, Sequence[Issue]]:
     return found
 
 
-def _problem(scene: Scene, room: Room, errors: Iterable[Issue], settings: RepairSettings) -> RoomProblem:
-    """Returns a room as it is to be repaired; `errors` are its own."""
-    space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
-    lines = bounds_of(room)
-    edges = outline_edges(room) or [(wall, lines.line(wall), *lines.along(wall)) for wall in WALLS]
-    walls = Walls(space.clear, space.clear.x0 - lines.x0, tuple(edges))
-    return RoomProblem(room, space, walls, settings, tuple(errors))
-
-
 def _with_rooms(house: Checked, rooms: Mapping[str, Room]) -> Checked:
     """Returns the house with some rooms changed, checked again; who sits goes along with the seat."""
     scene = house.scene
@@ -150,7 +138,7 @@ def _with_rooms(house: Checked, rooms: Mapping[str, Room]) -> Checked:
 def _all_at_rest(house: Checked, errors: Sequence[Issue], settings: RepairSettings, moved: Collection[str]) -> Checked:
     """Puts what floats on what carries it, at its wall or on the floor; some things were just moved away from under others."""
     here = _by_room(errors)
-    problems = [_problem(house.scene, room, here[room.id], settings) for room in house.scene.rooms if room.id in here]
+    problems = [room_problem(house.scene, room, here[room.id], settings) for room in house.scene.rooms if room.id in here]
     return _with_rooms(house, {problem.room.id: put_to_rest(problem, moved) for problem in problems})
 
 
@@ -162,7 +150,7 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     broken = _rooms_to_look_at(alone.scene, alone.errors)
     settings = replace(settings, explaining_work=_share(len(broken)) / (1 if settings.offering else WHY_SHARE))
     here = _by_room(alone.errors)
-    problems = {room.id: _problem(alone.scene, room, here[room.id], settings) for room in alone.scene.rooms}
+    problems = {room.id: room_problem(alone.scene, room, here[room.id], settings) for room in alone.scene.rooms}
     repairs = {
         name: repair_room(problem) if name in broken and not is_call_spent() else unchanged(problem) for name, problem in problems.items()
     }
@@ -195,7 +183,7 @@ def _people_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked,
     for room in scene.rooms:
         here = [person for person in scene.dynamic if person.room in (room.id, None if len(scene.rooms) == 1 else room.id)]
         if here and room.id in wrong:
-            crowd = people_out_of_the_way(_problem(scene, room, errors[room.id], settings), here, room.id in closed)
+            crowd = people_out_of_the_way(room_problem(scene, room, errors[room.id], settings), here, room.id in closed)
             people |= {person.id: person for person in crowd.people}
             words = {label: f"not found: no free place for {label} in {room.id} is in nobody's way" for label in crowd.stuck}
             conflicts += [Conflict((label,), why, ({"action": "leave_out", "id": label},)) for label, why in words.items()]
@@ -206,7 +194,7 @@ def _people_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked,
 def _walls_told(house: Checked, settings: RepairSettings) -> Checked:
     """Returns the house in which moved pieces say at which walls they are."""
     touched = [room for room in house.scene.rooms if any(piece.id in settings.moved for piece in room.furniture)]
-    return _with_rooms(house, {room.id: with_walls_told(_problem(house.scene, room, (), settings)) for room in touched})
+    return _with_rooms(house, {room.id: with_walls_told(room_problem(house.scene, room, (), settings)) for room in touched})
 
 
 def _removed(before: Scene, after: Scene, conflicts: Sequence[Conflict]) -> tuple[Mapping[str, str], ...]:

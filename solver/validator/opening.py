@@ -12,14 +12,12 @@ from itertools import chain
 from struct import Struct, pack
 from typing import Any, Final, NamedTuple
 
-from catalogs import Catalogs
 from solver.demanded import demand
-from solver.scene import Scene
 from solver.validator.judging import Finding, RuleCase
-from solver.validator.kinds import KindFronts, Kinds, kinds_of
-from solver.validator.sent_rooms import ask, room_bytes
+from solver.validator.kinds import KindFronts, Kinds
+from solver.validator.sent_rooms import ask
 from solver.validator.shells import ShellBox, shell_of
-from solver.validator.world import PlacedRoom, World, world_of
+from solver.validator.world import PlacedRoom, World
 
 WALL: Final = "wall"
 """What a front meets that meets a wall."""
@@ -116,12 +114,6 @@ def _travel(place: PlacedRoom, body: int, front: tuple[str, bool, float, bool], 
     if meets == _NOTHING:
         return FrontTravel(piece, name, slides, reach, reach, None, must_open)
     return FrontTravel(piece, name, slides, travel / _MILLIONTHS, reach, WALL if meets < 0 else place.bodies[meets].id, must_open)
-
-
-def front_travels(scene: Scene, catalogs: Catalogs) -> dict[str, list[FrontTravel]]:
-    """Returns how far every front of a scene opens, by room."""
-    world, kinds = world_of(scene), kinds_of(catalogs)
-    return {place.room.id: travels_of(world, place, kinds, room_bytes(world, place, kinds)) for place in world.places}
 
 
 def certified_fronts(travels: Sequence[FrontTravel]) -> dict[str, dict[str, Any]]:

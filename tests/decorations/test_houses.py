@@ -13,9 +13,9 @@ from catalogs import load_catalogs
 from solver import Request, generate, reroll
 from solver.exchange import dump_text, write_scene
 from solver.scene import Room, Scene
-from solver.validator.opening import front_travels
 from solver.view import view
 from tests.decorations.oracle import complaints, shares, turned
+from tests.validator.travels import front_travels
 
 KNOWN = load_catalogs()
 CASES: list[dict[str, Any]] = [

@@ -10,9 +10,10 @@ from tqdm import tqdm
 
 from catalogs import load_catalogs
 from solver.exports import describe
-from solver.validator.opening import ENOUGH, front_travels
+from solver.validator.opening import ENOUGH
 from tests.exports.opening import open_all
 from tests.exports.physics_targets import decorated
+from tests.validator.travels import front_travels
 
 MOST_WHOLLY = 0.9
 """At least so many of all fronts open wholly."""

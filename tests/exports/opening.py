@@ -12,8 +12,9 @@ import numpy as np
 from catalogs import Catalogs
 from solver.exports import HouseModel
 from solver.scene import Scene
-from solver.validator.opening import WALL, FrontTravel, front_travels
+from solver.validator.opening import WALL, FrontTravel
 from tests.exports.physics import mjcf, started
+from tests.validator.travels import front_travels
 
 DEEP: Final = 0.0006
 """Solids that overlap by less touch, m."""

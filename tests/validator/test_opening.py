@@ -15,8 +15,9 @@ from solver import Request, generate
 from solver.exports import describe
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
 from solver.validator import validate
-from solver.validator.opening import WALL, FrontTravel, front_travels
+from solver.validator.opening import WALL, FrontTravel
 from tests.exports.opening import open_all
+from tests.validator.travels import front_travels
 
 KNOWN = load_catalogs()
 STEP = 0.5

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from solver.geometry import ROTATION_AT_WALL, turned
+from solver.geometry import ALONG_X, INWARDS, ROTATION_AT_WALL, turned
 from solver.pieces import Candidate
 from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
@@ -49,7 +49,8 @@ def _standing(subject: Subject, walls: TakenWalls, effects: Sequence[Effect]) ->
 
 def at_wall(scope: Scope, kind: Kind, wall: str, centre_mm: int, cost: float) -> Candidate:
     """Returns the candidate with its back at a wall, its middle at a coordinate along it."""
-    anchor = scope.clear.point_at(wall, centre_mm, scope.gap_mm + kind.size[1] // 2)
+    across = scope.clear.line(wall) + INWARDS[wall] * (scope.gap_mm + kind.size[1] // 2)
+    anchor = (centre_mm, across) if wall in ALONG_X else (across, centre_mm)
     return Candidate(kind.name, kind.size, ROTATION_AT_WALL[wall], wall, anchor, (DRAW, DRAW), cost=cost)
 
 
