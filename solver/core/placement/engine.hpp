@@ -174,8 +174,20 @@ struct NumberedRect {
   i64 number;
 };
 
-struct QueuedCell {
-  i32 cell, row;
+// Cells from `first` to before `last` along both axes.
+struct Cells {
+  i32 first[2], last[2];
+};
+
+// An end of a block along an axis, and where its number among the cuts is wanted.
+struct Edge {
+  i64 at;
+  i32* cell;
+};
+
+// Free cells side by side along z, from `first` to before `last`; its component's number.
+struct Run {
+  i32 first, last, component;
 };
 
 struct Reached {
@@ -187,8 +199,12 @@ struct WalkGrid {
   One<GridState> state;
   Rows<NumberedRect> blocks, targets;
   Table<i64> cuts;
-  Span<i64> labels, areas;
-  Span<QueuedCell> queue;
+  Span<Edge> edges;
+  Span<Cells> block_cells;
+  Span<u64> blocked;  // cells, a bit each, row by row along x, each of whole words
+  Span<Run> runs;    // row by row
+  Span<i32> first_run;  // by row, and where they end
+  Span<i64> areas;
   Rows<Reached> reached;
   Table<i64> positions;  // mm, not doubled; the last column is the origin's
 };

@@ -5,6 +5,8 @@
 
 namespace placement {
 
+constexpr u64 ALL = ~0ULL;
+
 // Adds where the person's centre may be while it touches a side of a piece that stands between low and high.
 static void add_side_target(
     const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high, i64 piece, i64 side) {
@@ -108,84 +110,121 @@ static void gather_blocks(const Room& room, const WalkGrid& grid, const Rows<Num
   }
 }
 
-// Writes the sorted cuts of an axis, without repeats; returns how many.
-static i64 cut(const WalkGrid& grid, i64 axis, i64 low, i64 high) {
+// Writes the sorted cuts of an axis, without repeats, and which cells each block covers; returns how many cuts there are.
+static i32 cut(const WalkGrid& grid, i64 axis, i64 low, i64 high) {
   const Span<i64> cuts = grid.cuts.row(axis);
-  i64 n = 2;
-  cuts[0] = low;
-  cuts[1] = high;
+  const Span<Edge> edges = grid.edges;
+  i32 count = 0;
   for (i64 k = 0; k < grid.state->blocks; k++) {
-    const i64 edges[] = {grid.blocks[k].low[axis], grid.blocks[k].high[axis]};
-    for (const i64 edge : edges) {
-      if (edge <= low || edge >= high) continue;
-      i64 at = n;
-      while (cuts[at - 1] > edge) at--;
-      if (cuts[at - 1] == edge) continue;
-      for (i64 to = n; to > at; to--) cuts[to] = cuts[to - 1];
-      cuts[at] = edge;
-      n++;
+    Cells& cells = grid.block_cells[k];
+    const Edge both[] = {{grid.blocks[k].low[axis], &cells.first[axis]}, {grid.blocks[k].high[axis], &cells.last[axis]}};
+    for (const Edge& edge : both) {
+      i32 at = count++;
+      for (; at > 0 && edges[at - 1].at > edge.at; at--) edges[at] = edges[at - 1];
+      edges[at] = edge;
     }
   }
-  return n;
+  i32 n = 1, k = 0;
+  cuts[0] = low;
+  for (; k < count && edges[k].at <= low; k++) *edges[k].cell = 0;
+  for (; k < count && edges[k].at < high; k++) {
+    if (edges[k].at > cuts[n - 1]) cuts[n++] = edges[k].at;
+    *edges[k].cell = n - 1;
+  }
+  for (; k < count; k++) *edges[k].cell = n;
+  cuts[n] = high;
+  return n + 1;
 }
 
-i64 first_cell(const WalkGrid& grid, i64 axis, i64 value) {
-  constexpr i64 FEW = 24;  // so many are counted through rather than halved
-  const i64* cuts = grid.cuts.row(axis).data;
-  i64 low = 0, high = grid.state->cuts[axis];
-  while (high - low > FEW) {
-    const i64 middle = (low + high) / 2;
-    if (cuts[middle] < value) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
+// How many cuts are below a value.
+static i32 cuts_below(const i64* cuts, i32 count, i64 value) {
+  i32 below = 0;  // so many are below it, and of `left` more it is not known
+  for (i32 left = count; left > 0;) {
+    const i32 half = (left + 1) / 2;
+    below += cuts[below + half - 1] < value ? half : 0;
+    left -= half;
   }
-  i64 below = low;
-  for (i64 k = low; k < high; k++) below += cuts[k] < value;
   return below;
 }
 
-// Labels cells 0 where free, -1 where blocked.
-static void mark_blocked(const WalkGrid& grid, i64 nx, i64 nz) {
-  for (i64 k = 0; k < nx * nz; k++) grid.labels[k] = 0;
-  for (i64 k = 0; k < grid.state->blocks; k++) {
-    const NumberedRect& block = grid.blocks[k];
-    const i64 x0 = first_cell(grid, 0, block.low[0]), x1 = least(first_cell(grid, 0, block.high[0]), nx);
-    const i64 z0 = first_cell(grid, 1, block.low[1]), z1 = least(first_cell(grid, 1, block.high[1]), nz);
-    for (i64 i = x0; i < x1; i++) {
-      for (i64 j = z0; j < z1; j++) grid.labels[i * nz + j] = -1;
-    }
+// The words of a row of cells; the last cell has a blocked one behind it, and that a free one.
+static i32 words_of(i32 nz) { return (nz + 1) / 64 + 1; }
+
+// Marks cells of a row from `first` to before `last` as blocked.
+static void block(u64* words, i32 first, i32 last) {
+  const i32 begin = first / 64, end = (last - 1) / 64;
+  for (i32 w = begin; w <= end && first < last; w++) {
+    const u64 from = w == begin ? ALL << first % 64 : ALL, to = w == end ? ALL >> (63 - (last - 1) % 64) : ALL;
+    words[w] |= from & to;
   }
 }
 
-// Gives a free cell of a row beside one of a component that component's number and queues it.
-static void flood_to(const WalkGrid& grid, i64 cell, i64 row, i64 number, i64& queued) {
-  if (grid.labels[cell] != 0) return;
-  grid.labels[cell] = number;
-  grid.queue[queued++] = {static_cast<i32>(cell), static_cast<i32>(row)};
+// Marks the cells that blocks cover.
+static void mark_blocked(const WalkGrid& grid, i32 nx, i32 nz) {
+  const i32 words = words_of(nz);
+  for (i32 k = 0; k < nx * words; k++) grid.blocked[k] = 0;
+  for (i32 i = 0; i < nx; i++) block(&grid.blocked[i * words], nz, nz + 1);
+  for (i64 k = 0; k < grid.state->blocks; k++) {
+    const auto& [first, last] = grid.block_cells[k];
+    for (i32 i = first[0]; i < last[0]; i++) block(&grid.blocked[i * words], first[1], last[1]);
+  }
 }
 
-// Numbers the components of free cells from 1 and sums their areas, doubled millimetres squared.
-static void flood(const WalkGrid& grid, i64 nx, i64 nz) {
-  const Span<i64> xs = grid.cuts.row(0), zs = grid.cuts.row(1);
-  i64 count = 0, start = 0;
-  for (i64 row = 0; row < nx; row++) {
-    for (; start < (row + 1) * nz; start++) {
-      if (grid.labels[start] != 0) continue;
+// The first cell of a row from one on that is blocked, or, by ALL, that is free.
+static i32 next_cell(const u64* words, i32 from, u64 flipped) {
+  i32 w = from / 64;
+  u64 left = (words[w] ^ flipped) & ALL << from % 64;
+  while (left == 0) left = words[++w] ^ flipped;
+  return 64 * w + __builtin_ctzll(left);
+}
+
+// The first run that is known to be joined with one; its `component` is its own number.
+static i32 first_joined(const Span<Run>& runs, i32 k) {
+  while (runs[k].component != k) k = runs[k].component = runs[runs[k].component].component;
+  return k;
+}
+
+// Joins the runs of a row, which begin at `own`, with those of the row before that they touch.
+static void join_rows(const Span<Run>& runs, i32 before, i32 own, i32 end) {
+  for (i32 a = before, b = own; a < own && b < end;) {
+    if (runs[a].first < runs[b].last && runs[b].first < runs[a].last) {
+      const i32 one = first_joined(runs, a), two = first_joined(runs, b);
+      runs[most(one, two)].component = least(one, two);
+    }
+    (runs[a].last < runs[b].last ? a : b)++;
+  }
+}
+
+// Finds the runs of free cells, row by row; each has the number of one of its component that is not behind it, the first its own.
+static void find_runs(const WalkGrid& grid, i32 nx, i32 nz) {
+  i32 count = 0, before = 0;
+  for (i32 row = 0; row < nx; row++) {
+    const u64* const words = &grid.blocked[row * words_of(nz)];
+    const i32 own = grid.first_run[row] = count;
+    for (i32 first = next_cell(words, 0, ALL), last; first < nz; first = next_cell(words, last, ALL)) {
+      last = next_cell(words, first, 0);
+      grid.runs[count] = {first, last, count};
       count++;
-      i64 queued = 0, area = 0;
-      flood_to(grid, start, row, count, queued);
-      while (queued > 0) {
-        const auto [cell, i] = grid.queue[--queued];
-        const i64 j = cell - i * nz;
-        area += (xs[i + 1] - xs[i]) * (zs[j + 1] - zs[j]);
-        if (i > 0) flood_to(grid, cell - nz, i - 1, count, queued);
-        if (i + 1 < nx) flood_to(grid, cell + nz, i + 1, count, queued);
-        if (j > 0) flood_to(grid, cell - 1, i, count, queued);
-        if (j + 1 < nz) flood_to(grid, cell + 1, i, count, queued);
+    }
+    join_rows(grid.runs, before, own, count);
+    before = own;
+  }
+  grid.first_run[nx] = count;
+}
+
+// Numbers the components of free cells from 1, by their first cells, and sums their areas, doubled millimetres squared.
+static void number_components(const WalkGrid& grid, i32 nx) {
+  const Span<i64> xs = grid.cuts.row(0), zs = grid.cuts.row(1);
+  i32 count = 0, k = 0;
+  for (i32 row = 0; row < nx; row++) {
+    for (Run& run : runs_of(grid, row)) {
+      if (run.component == k++) {
+        run.component = ++count;
+        grid.areas[count] = 0;
+      } else {
+        run.component = grid.runs[run.component].component;
       }
-      grid.areas[count] = area;
+      grid.areas[run.component] += (xs[row + 1] - xs[row]) * (zs[run.last] - zs[run.first]);
     }
   }
   grid.state->components = count;
@@ -195,26 +234,27 @@ static void flood(const WalkGrid& grid, i64 nx, i64 nz) {
 static Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
   Cells cells;
   for (i64 axis = 0; axis < 2; axis++) {
-    cells.first[axis] = most<i64>(first_cell(grid, axis, target.low[axis]) - 1, 0);
-    cells.last[axis] = least(first_cell(grid, axis, target.high[axis]), grid.state->cuts[axis] - 1);
+    const i64* const cuts = grid.cuts.row(axis).data;
+    const i32 count = static_cast<i32>(grid.state->cuts[axis]), low = cuts_below(cuts, count, target.low[axis]);
+    i32 high = low;
+    while (high < count && cuts[high] < target.high[axis]) high++;
+    cells.first[axis] = most(low - 1, 0);
+    cells.last[axis] = least(high, count - 1);
   }
   return cells;
 }
 
 // Counts what each component meets, of the targets of one number one.
-static void count_reached(const WalkGrid& grid, i64 nz) {
+static void count_reached(const WalkGrid& grid) {
   for (i64 c = 0; c <= grid.state->components; c++) grid.reached[c] = {0, -1};
   for (i64 k = 0; k < grid.state->targets; k++) {
-    const Cells cells = cells_of(grid, grid.targets[k]);
-    for (i64 i = cells.first[0]; i < cells.last[0]; i++) {
-      for (i64 j = cells.first[1]; j < cells.last[1]; j++) {
-        const i64 label = grid.labels[i * nz + j];
-        if (label > 0 && grid.reached[label].last != grid.targets[k].number) {
-          grid.reached[label].last = grid.targets[k].number;
-          grid.reached[label].count++;
-        }
-      }
-    }
+    const i64 number = grid.targets[k].number;
+    any_met(grid, cells_of(grid, grid.targets[k]), [&](i32 component) {
+      Reached& reached = grid.reached[component];
+      reached.count += reached.last != number;
+      reached.last = number;
+      return false;
+    });
   }
 }
 
@@ -227,14 +267,10 @@ static i64 entered_of(const Room& room, const WalkGrid& grid) {
     }
     return best;
   }
-  const i64 nz = grid.state->cuts[1] - 1;
-  const Cells cells = cells_of(grid, grid.targets[0]);
-  for (i64 i = cells.first[0]; i < cells.last[0]; i++) {
-    for (i64 j = cells.first[1]; j < cells.last[1]; j++) {
-      const i64 c = grid.labels[i * nz + j];
-      if (c > 0 && (best == 0 || grid.reached[c].count > grid.reached[best].count)) best = c;
-    }
-  }
+  any_met(grid, cells_of(grid, grid.targets[0]), [&](i32 c) {
+    if (best == 0 || grid.reached[c].count > grid.reached[best].count) best = c;
+    return false;
+  });
   return best;
 }
 
@@ -248,10 +284,11 @@ static bool part_floor(const Room& room, const WalkGrid& grid) {
     if (2 * space.low[axis] + grow >= 2 * space.high[axis] - grow) return false;
   }
   for (i64 axis = 0; axis < 2; axis++) state.cuts[axis] = cut(grid, axis, 2 * space.low[axis] + grow, 2 * space.high[axis] - grow);
-  const i64 nx = state.cuts[0] - 1, nz = state.cuts[1] - 1;
+  const i32 nx = static_cast<i32>(state.cuts[0]) - 1, nz = static_cast<i32>(state.cuts[1]) - 1;
   mark_blocked(grid, nx, nz);
-  flood(grid, nx, nz);
-  count_reached(grid, nz);
+  find_runs(grid, nx, nz);
+  number_components(grid, nx);
+  count_reached(grid);
   return true;
 }
 
@@ -270,15 +307,16 @@ static bool has_least_floor(const Room& room, const WalkGrid& grid, i64 componen
   const i64 wanted = 4 * room.space->least_floor;
   if (grid.areas[component] < wanted || grid.areas[component] >= SURELY * wanted) return grid.areas[component] >= wanted;
   const Span<i64> xs = grid.cuts.row(0), zs = grid.cuts.row(1);
-  const i64 nx = grid.state->cuts[0] - 1, nz = grid.state->cuts[1] - 1;
+  const i32 nx = static_cast<i32>(grid.state->cuts[0]) - 1, nz = static_cast<i32>(grid.state->cuts[1]) - 1;
   i64 area = 0;
-  for (i64 i = 0; i < nx; i++) {
-    for (i64 j = 0; j < nz; j++) {
-      if (grid.labels[i * nz + j] != component) continue;
-      area += area_within(xs[i + 1] - xs[i], zs[j + 1] - zs[j], [&](i64 x, i64 z) {
-        x += i, z += j;
-        return x < 0 || x >= nx || z < 0 || z >= nz || grid.labels[x * nz + z] < 0;
-      });
+  for (i32 i = 0; i < nx; i++) {
+    for (const Run& run : runs_of(grid, i)) {
+      for (i32 j = run.first; j < run.last && run.component == component; j++) {
+        area += area_within(xs[i + 1] - xs[i], zs[j + 1] - zs[j], [&](i32 x, i32 z) {
+          x += i, z += j;
+          return x < 0 || x >= nx || z < 0 || z >= nz || (grid.blocked[x * words_of(nz) + z / 64] >> z % 64 & 1);
+        });
+      }
     }
   }
   return area >= wanted;

@@ -9,16 +9,24 @@
 
 namespace placement {
 
-// Cells from `first` to before `last` along both axes.
-struct Cells {
-  i64 first[2], last[2];
-};
+// The runs of a row of cells.
+inline Span<Run> runs_of(const WalkGrid& grid, i32 row) {
+  const i32 first = grid.first_run[row];
+  return {grid.runs.data + first, grid.first_run[row + 1] - first};
+}
 
-// The number of the first cut of an axis at or above a value.
-i64 first_cell(const WalkGrid& grid, i64 axis, i64 value);
+// Calls `meet(component)` for every run that has one of some cells, row by row, until it says true; tells whether it did.
+template <class Meet> bool any_met(const WalkGrid& grid, const Cells& cells, Meet meet) {
+  for (i32 row = cells.first[0]; row < cells.last[0]; row++) {
+    for (const Run& run : runs_of(grid, row)) {
+      if (run.first < cells.last[1] && cells.first[1] < run.last && meet(run.component)) return true;
+    }
+  }
+  return false;
+}
 
 // Tells whether all doors and use sides are joined, and the doors by ways as wide as asked, with the bodies at integer positions, mm.
-// Leaves labels, cuts and the entered component in `grid`.
+// Leaves runs, cuts and the entered component in `grid`.
 bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions);
 
 // Finds what bodies cover wherever they stand between low and high, mm; returns how many rectangles, numbered by their parts.

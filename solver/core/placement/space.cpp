@@ -163,16 +163,19 @@ static Nodes new_nodes(const Sizes& sizes) {
 static WalkGrid new_grid(const Sizes& sizes) {
   const i64 blocks = sizes.pieces + sizes.walls;
   const i64 cuts = 2 * blocks + 2;
-  const i64 cells = (cuts - 1) * (cuts - 1);
+  const i64 runs = (cuts - 1) * (cuts / 2);
   WalkGrid grid;
   grid.state = new_one<GridState>();
   grid.blocks = reserved_rows<NumberedRect>(blocks);
   grid.targets = reserved_rows<NumberedRect>(sizes.doors + OPTIONS * sizes.pieces);
   grid.cuts = new_table<i64>(2, cuts);
-  grid.labels = new_span<i64>(cells);
-  grid.queue = new_span<QueuedCell>(cells);
-  grid.areas = new_span<i64>(cells + 1);
-  grid.reached = reserved_rows<Reached>(cells + 1);
+  grid.edges = new_span<Edge>(2 * blocks);
+  grid.block_cells = new_span<Cells>(blocks);
+  grid.blocked = new_span<u64>((cuts - 1) * (cuts / 64 + 1));
+  grid.runs = new_span<Run>(runs);
+  grid.first_run = new_span<i32>(cuts);
+  grid.areas = new_span<i64>(runs + 1);
+  grid.reached = reserved_rows<Reached>(runs + 1);
   grid.positions = new_zeroes<i64>(2, sizes.variables + 1);
   return grid;
 }

@@ -4,32 +4,17 @@
 
 namespace placement {
 
-// A rectangle of floor, doubled millimetres.
-struct Patch {
-  i64 low[2], high[2];
-};
-
-// Tells whether a rectangle of blocked floor touches the component entered and another one.
-static bool divides(const WalkGrid& grid, const Patch& patch) {
-  i64 first[2], last[2];
+// Tells whether cells of blocked floor touch the component entered and another one.
+static bool divides(const WalkGrid& grid, Cells cells) {
   for (i64 axis = 0; axis < 2; axis++) {
-    first[axis] = most<i64>(first_cell(grid, axis, patch.low[axis]) - 1, 0);
-    last[axis] = least(first_cell(grid, axis, patch.high[axis]) + 1, grid.state->cuts[axis] - 1);
+    cells.first[axis] = most(cells.first[axis] - 1, 0);
+    cells.last[axis] = least(cells.last[axis] + 1, static_cast<i32>(grid.state->cuts[axis]) - 1);
   }
-  const i64 nz = grid.state->cuts[1] - 1, entered = grid.state->entered;
   bool inside = false, outside = false;
-  for (i64 i = first[0]; i < last[0]; i++) {
-    for (i64 j = first[1]; j < last[1]; j++) {
-      const i64 label = grid.labels[i * nz + j];
-      if (label == entered) {
-        inside = true;
-      } else if (label > 0) {
-        outside = true;
-      }
-      if (inside && outside) return true;
-    }
-  }
-  return false;
+  return any_met(grid, cells, [&](i32 component) {
+    (component == grid.state->entered ? inside : outside) = true;
+    return inside && outside;
+  });
 }
 
 // Adds a wider row where the bounds leave room for it.
@@ -60,19 +45,18 @@ static void from_zone(const Work& work, const WalkGrid& grid, const Part& part, 
 }
 
 // Adds the rows that make room between a block and the walls it is too near to.
-static void from_walls(const Room& room, const Work& work, const WalkGrid& grid, const NumberedRect& block) {
+static void from_walls(const Room& room, const Work& work, const WalkGrid& grid, i64 number) {
   const SpaceRow& space = *room.space.data;
+  const NumberedRect& block = grid.blocks[number];
   const Part& part = work.parts[block.number];
   for (i64 axis = 0; axis < 2; axis++) {
-    const i64 other = 1 - axis;
-    const i64 low = grid.cuts.at(axis, 0), high = grid.cuts.at(axis, grid.state->cuts[axis] - 1);
+    const i32 cuts = static_cast<i32>(grid.state->cuts[axis]);
+    const i64 low = grid.cuts.at(axis, 0), high = grid.cuts.at(axis, cuts - 1);
     const i64 v = part.variable[axis], offset = part.offset[axis];
-    Patch strip;
-    strip.low[other] = block.low[other];
-    strip.high[other] = block.high[other];
-    strip.low[axis] = strip.high[axis] = low;
+    Cells strip = grid.block_cells[number];
+    strip.first[axis] = strip.last[axis] = 0;
     if (block.low[axis] < low && divides(grid, strip)) add_wide(work, {axis, ORIGIN, v, space.low[axis] + grid.state->width - offset});
-    strip.low[axis] = strip.high[axis] = high;
+    strip.first[axis] = strip.last[axis] = cuts - 1;
     if (block.high[axis] > high && divides(grid, strip)) {
       add_wide(work, {axis, v, ORIGIN, part.extent[axis] + offset + grid.state->width - space.high[axis]});
     }
@@ -80,12 +64,14 @@ static void from_walls(const Room& room, const Work& work, const WalkGrid& grid,
 }
 
 // Adds the rows that make room between two blocks, where what they both cover closes the way.
-static void between_blocks(const Room& room, const Work& work, const WalkGrid& grid, const NumberedRect& a, const NumberedRect& b) {
-  Patch both;
+static void between_blocks(const Room& room, const Work& work, const WalkGrid& grid, i64 one, i64 two) {
+  const NumberedRect &a = grid.blocks[one], &b = grid.blocks[two];
+  const Cells &of_a = grid.block_cells[one], &of_b = grid.block_cells[two];
+  Cells both;
   for (i64 axis = 0; axis < 2; axis++) {
-    both.low[axis] = most(a.low[axis], b.low[axis]);
-    both.high[axis] = least(a.high[axis], b.high[axis]);
-    if (both.low[axis] >= both.high[axis]) return;
+    if (a.low[axis] >= b.high[axis] || b.low[axis] >= a.high[axis]) return;
+    both.first[axis] = most(of_a.first[axis], of_b.first[axis]);
+    both.last[axis] = least(of_a.last[axis], of_b.last[axis]);
   }
   if (!divides(grid, both)) return;
   if (a.number >= 0 && b.number >= 0) {
@@ -101,8 +87,8 @@ i64 add_wider_rows(const Room& room, const Work& work, const WalkGrid& grid) {
   const i64 first = work.counts->wide;
   if (grid.state->entered == 0) return first;
   for (i64 k = 0; k < grid.state->blocks; k++) {
-    if (grid.blocks[k].number >= 0) from_walls(room, work, grid, grid.blocks[k]);
-    for (i64 other = 0; other < k; other++) between_blocks(room, work, grid, grid.blocks[other], grid.blocks[k]);
+    if (grid.blocks[k].number >= 0) from_walls(room, work, grid, k);
+    for (i64 other = 0; other < k; other++) between_blocks(room, work, grid, other, k);
   }
   return first;
 }
