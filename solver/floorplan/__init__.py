@@ -4,7 +4,7 @@ Comes in: `Request` (with a seed), `Catalogs`. Goes out: `FloorPlan`. May import
 stage. Not here: furniture, wall occupancy, validation.
 
     bsp, spine   rectangles that tile the house         access     who is entered through whom, the main entrance
-    classify     a type for every room (fitness)        doors, windows    openings on the lattice
+    classify     a type for every room (fitness)        openings          doors and windows on the lattice
     plan         rooms as the scene has them, doors moved afterwards
 """
 

@@ -15,15 +15,13 @@ from solver.floorplan.access import THROUGH_OTHER, RoomAccess, door_tree, entran
 from solver.floorplan.bsp import partition
 from solver.floorplan.classify import check_forced, classify
 from solver.floorplan.columns import RoomBounds
-from solver.floorplan.doors import Doorways, place_doors, place_entrance, place_garage_doors
 from solver.floorplan.fitness import Fitness
 from solver.floorplan.given import parts_of
-from solver.floorplan.kept_walls import keep_walls
+from solver.floorplan.openings import OpenedHouse, open_walls
 from solver.floorplan.plan import Drawing, FloorPlan, written
 from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
 from solver.floorplan.tiling import LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints
-from solver.floorplan.windows import make_room_for_windows, place_windows
 from solver.geometry import Rect, to_m, to_mm
 from solver.scene import Request
 
@@ -88,15 +86,8 @@ def _planned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPl
 def _opened(layout: Layout, typed: RoomAccess, entrance: tuple[int, str], catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
     """Cuts doors and windows into the walls of typed rooms."""
     tree = door_tree(entrance[0], typed)
-    doorways = Doorways(layout, typed.types, catalogs.rooms, profile=catalogs.profile)
-    place_entrance(doorways, *entrance)
-    place_doors(doorways, tree)
-    garages = place_garage_doors(doorways)
-    place_windows(doorways)
-    keep_walls(doorways, typed.shared)
-    place_windows(doorways)  # where a door stood in the way of a room's only one
-    make_room_for_windows(doorways)
-    drawing = Drawing(layout, typed.types, typed.shared, tuple(doorways.cuts), catalogs)
+    cuts, garages = open_walls(OpenedHouse(layout, typed.types, catalogs.rooms, catalogs.profile), tree, entrance)
+    drawing = Drawing(layout, typed.types, typed.shared, cuts, catalogs)
     return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from math import log
-from typing import Final
+from typing import Final, NamedTuple
 
 from catalogs.schema import RoomType
 from solver.floorplan.access import THROUGH_OTHER, AccessPlan, passing_cost
@@ -34,6 +34,26 @@ def cars_of(kind: RoomType) -> int:
     return max((*asked, *held, 1))
 
 
+class _Limits(NamedTuple):
+    """What of a room type's catalog entry its rooms are measured by; areas in m2, the short side in mm."""
+
+    least: tuple[float, float]
+    typical: float
+    most: float
+    short: int
+    aspect: float
+    dark: float
+    garage_door: bool
+    street: bool
+
+
+def _limits_of(kind: RoomType) -> _Limits:
+    area, plan = kind.area, kind.plan
+    least = area.min[0], area.min[1]
+    dark = DARK if plan.habitable else 0.0
+    return _Limits(least, area.typical, area.max, round(kind.short_side * 1000), kind.aspect, dark, plan.garage_door, plan.street)
+
+
 class Fitness:
     """Costs of types in the rooms of one layout; remembers what it has computed."""
 
@@ -53,35 +73,36 @@ class Fitness:
         self.area = [short * long / 1e6 for short, long in sides]
         self._sides = [(short, long) for short, long in sides]
         self._shape: dict[tuple[int, str], float] = {}
+        self._limits: dict[str, _Limits] = {}
 
     def shape(self, room: int, name: str) -> float:
         """Cost of a type by the room's size, form and outside walls alone."""
         known = self._shape.get((room, name))
         if known is None:
-            known = self._area(room, name) + self._form(room, name) + self._outside(room, name)
+            limits = self._limits.get(name) or self._limits.setdefault(name, _limits_of(self.rooms[name]))
+            known = self._area(room, limits) + self._form(room, limits) + self._outside(room, name, limits)
             self._shape[room, name] = known
         return known
 
-    def _area(self, room: int, name: str) -> float:
-        area, limits = self.area[room], self.rooms[name].area
-        least = limits.min[1 if room in self.access_plan.through else 0]
+    def _area(self, room: int, limits: _Limits) -> float:
+        area, least = self.area[room], limits.least[room in self.access_plan.through]
         if area < least:
             return 10.0 + 20.0 * (least - area) / least
-        over = 2.0 + 8.0 * log(area / limits.max) if area > limits.max else 0.0
+        over = 2.0 + 8.0 * log(area / limits.most) if area > limits.most else 0.0
         return over + 0.7 * abs(log(area / limits.typical))
 
-    def _form(self, room: int, name: str) -> float:
-        kind, (short, long) = self.rooms[name], self._sides[room]
-        return (8.0 if short < round(kind.short_side * 1000) else 0.0) + max(0.0, long / short - kind.aspect)
+    def _form(self, room: int, limits: _Limits) -> float:
+        short, long = self._sides[room]
+        return (8.0 if short < limits.short else 0.0) + max(0.0, long / short - limits.aspect)
 
-    def _outside(self, room: int, name: str) -> float:
-        plan, rect, sides = self.rooms[name].plan, self.layout.rooms[room], self.outside[room]
-        cost = DARK if plan.habitable and not sides else 0.0
-        if plan.garage_door:
-            need = CAR_DOOR_MM * self.cars[name] + 400
+    def _outside(self, room: int, name: str, limits: _Limits) -> float:
+        sides = self.outside[room]
+        cost = 0.0 if sides else limits.dark
+        if limits.garage_door:
+            rect, need = self.layout.rooms[room], CAR_DOOR_MM * self.cars[name] + 400
             wide = [side for side in sides if rect.along(side)[1] - rect.along(side)[0] >= need]
             return cost + (IMPOSSIBLE if not wide else 0.0 if "south" in wide else 1.5)
-        return cost + (IMPOSSIBLE if plan.street and not sides else 0.0)
+        return cost + (IMPOSSIBLE if limits.street and not sides else 0.0)
 
     def access(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""

