@@ -160,7 +160,7 @@ def _end_if_interrupted(swallowed: sys.UnraisableHookArgs) -> None:
 def _begin(make: Callable[[Any], Any], start: Callable[[], None]) -> None:
     _Work.make = staticmethod(make)
     sys.unraisablehook = _end_if_interrupted
-    Thread(target=_end_with_parent, daemon=True).start()
+    Thread(target=end_with_parent, daemon=True).start()
     start()
     if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
         signal.signal(signal.SIGINT, _hear)
@@ -168,7 +168,7 @@ def _begin(make: Callable[[Any], Any], start: Callable[[], None]) -> None:
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
 
-def _end_with_parent() -> None:
+def end_with_parent() -> None:
     """Ends this process when the one that started it has ended, however it did."""
     parent = multiprocessing.parent_process()
     if parent is not None:

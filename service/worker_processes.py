@@ -6,7 +6,6 @@ The service's loop speaks to them itself: a thread for each call would be two mo
 from __future__ import annotations
 
 import asyncio
-import ctypes
 import multiprocessing
 import os
 import pickle
@@ -15,15 +14,16 @@ import socket
 import sys
 from collections.abc import Callable
 from contextlib import suppress
+from threading import Thread
 from typing import Any, Final, NamedTuple, TypeVar
 from weakref import finalize
+
+from service.pool import end_with_parent
 
 T = TypeVar("T")
 
 SIZE_BYTES: Final = 8
 """Before each answer stands how long it is."""
-PR_SET_PDEATHSIG: Final = 1
-"""Of Linux: a process chooses the signal it gets when its parent ends."""
 _CAN_FORK: Final = "forkserver" in multiprocessing.get_all_start_methods()
 _PROCESSES: Final[Any] = multiprocessing.get_context("forkserver" if _CAN_FORK else "spawn")
 if _CAN_FORK:  # a process that has imported all is copied within milliseconds
@@ -80,13 +80,13 @@ class WorkerProcess:
 
 
 def _make_calls(called: socket.socket, nice: int) -> None:
-    """Makes calls until the service has gone, however that ends: then the line ends, and so does the parent, the server of forks.
+    """Makes calls until the service has gone, however that ends; a call that runs then ends with it.
 
-    Ctrl-C is for the service, which ends its processes itself. Elsewhere than on Linux a call that runs comes to its end first.
+    Its parent does not: the server of forks lives on while one of its forks does. Ctrl-C is for the service, which ends its processes
+    itself.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    Thread(target=end_with_parent, daemon=True).start()
     if sys.platform != "win32":
         os.nice(nice)
     with suppress(EOFError, OSError), called.makefile("rb") as asked:

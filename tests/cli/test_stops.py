@@ -6,6 +6,8 @@ import http.client
 import json
 import os
 import signal
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -15,9 +17,9 @@ from urllib.parse import urlsplit
 import pytest
 
 from tests.browser.service_process import ServiceProcess, descendants, running
-from tests.cli.programs import GUARD_S
+from tests.cli.programs import GUARD_S, ROOT
 
-FEW = ("--processes", "1", "--light-processes", "1")
+FEW = ("--processes", "1", "--light-processes", "1", "--request-seconds", f"{GUARD_S}", "--grace-seconds", f"{GUARD_S}")
 SOFAS = {"name": "sofa", "count": 64, "relations": [{"type": "near", "of": "sofa"}]}
 WISH = {"room": {"id": "a", "width": 9, "depth": 9}, "pieces": [SOFAS], "alternatives": 16}
 
@@ -76,3 +78,13 @@ def test_told_twice_or_killed_it_leaves_nothing_running(signals: list[signal.Sig
         until(lambda: all(map(is_gone, processes)))
     assert service.process.returncode in (0, -signal.SIGKILL, -signal.SIGINT)
     assert not [one for one in processes if not is_gone(one) and one != os.getpid()]
+
+
+def test_a_call_without_an_end_ends_with_a_service_that_is_killed(tmp_path: Path) -> None:
+    note = tmp_path / "process"
+    work = f"run(Workers(Settings()).run(endless, {str(note)!r}))"
+    imports = "from asyncio import run; from service.workers import Settings, Workers; from tests.service.heavy import endless"
+    with subprocess.Popen([sys.executable, "-c", f"{imports}; {work}"], cwd=ROOT) as service:
+        until(lambda: note.exists() and note.read_text() != "")
+        service.kill()
+    until(lambda: is_gone(int(note.read_text())))
