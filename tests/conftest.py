@@ -58,15 +58,10 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
     The browser's files go to few workers, those that call the application to one: each of these starts a service of its own. They take
     longest and are begun first. A wrapper comes before pytest-xdist, which reads the marks in the same hook.
     """
-    browsers = sorted({item.path for item in items if item.path.parent == BROWSER_TESTS})
-    calling = {item.path for item in items if "client" in getattr(item, "fixturenames", ())}
-
-    def group(item: pytest.Item) -> str:
-        if item.path in browsers:
-            return f"browser {browsers.index(item.path) % BROWSERS}"
-        return "service" if item.path in calling else item.nodeid.partition("::")[0]
-
+    paths = sorted({item.path for item in items})
+    groups = {path: f"browser {at % BROWSERS}" for at, path in enumerate(path for path in paths if path.parent == BROWSER_TESTS)}
+    groups |= {item.path: "service" for item in items if item.path not in groups and "client" in getattr(item, "fixturenames", ())}
     for item in items:
-        item.add_marker(pytest.mark.xdist_group(group(item)))
-    items.sort(key=lambda item: (item.path not in browsers, item.path not in calling))
+        item.add_marker(pytest.mark.xdist_group(groups.get(item.path) or item.nodeid.partition("::")[0]))
+    items.sort(key=lambda item: groups.get(item.path, "to others"))
     yield

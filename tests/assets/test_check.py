@@ -13,22 +13,24 @@ from service.cli import main
 from solver.exports.asset_levels import levels_of
 from tests.assets.makers import folder, shape, under
 
-FILES = {
-    "Bar Stools/barStool_2.glb": under(shape("bar_stool"), scale=[100] * 3),
-    "loungeSofa.glb": shape("loveseat"),
-    "dining-table-oak.glb": under(shape("dining_table"), scale=[1 / 0.0254] * 3),
-    "rock.glb": shape("armchair"),
-    "giant_sofa.glb": under(shape("sofa"), scale=[10] * 3),
-    "sub/loungeSofa.glb": shape("sofa"),
-    "Vase.GLB": shape("vase"),
-    "sofa_broken.glb": shape("sofa")[:-1],
-}
+
+def files() -> dict[str, bytes]:
+    return {
+        "Bar Stools/barStool_2.glb": under(shape("bar_stool"), scale=[100] * 3),
+        "loungeSofa.glb": shape("loveseat"),
+        "dining-table-oak.glb": under(shape("dining_table"), scale=[1 / 0.0254] * 3),
+        "rock.glb": shape("armchair"),
+        "giant_sofa.glb": under(shape("sofa"), scale=[10] * 3),
+        "sub/loungeSofa.glb": shape("sofa"),
+        "Vase.GLB": shape("vase"),
+        "sofa_broken.glb": shape("sofa")[:-1],
+    }
 
 
 @pytest.fixture
 def checked(tmp_path: Path) -> Path:
     return folder(
-        tmp_path, FILES, {"mine": {"file": "rock.glb", "kinds": ["armchair"], "license": "MIT", "front": "+x", "size": [0.82, 0.8, 0.85]}}
+        tmp_path, files(), {"mine": {"file": "rock.glb", "kinds": ["armchair"], "license": "MIT", "front": "+x", "size": [0.82, 0.8, 0.85]}}
     )
 
 

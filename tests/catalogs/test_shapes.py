@@ -12,11 +12,18 @@ import catalogs
 from catalogs import CatalogError, load_catalogs
 
 OURS = Path(catalogs.__file__).parent
+
+
+def plain(file: Path) -> dict[str, Any]:
+    """Returns what a file of YAML says; libyaml reads it ten times as fast."""
+    return dict(yaml.load(file.read_text(), yaml.CSafeLoader))
+
+
 FILES = sorted((OURS / "shapes").glob("*.yaml"))
 WRITTEN: dict[str, list[dict[str, Any]]] = {
-    name: parts for file in FILES for name, parts in yaml.safe_load(file.read_text()).items()
+    name: parts for file in FILES for name, parts in plain(file).items()
 }  # fmt: skip
-MATERIALS: dict[str, Any] = yaml.safe_load((OURS / "materials.yaml").read_text())
+MATERIALS: dict[str, Any] = plain(OURS / "materials.yaml")
 KNOWN = load_catalogs().model_dump(mode="json")
 KINDS: dict[str, Any] = KNOWN["furniture"] | KNOWN["decorations"]
 FORMS = {"box", "rounded", "cylinder", "cone", "ball", "capsule"}
@@ -46,7 +53,7 @@ def test_every_kind_has_a_shape(kind: str) -> None:
 
 
 def test_no_shape_stands_in_two_files_or_is_of_no_use() -> None:
-    assert len(WRITTEN) == sum(len(yaml.safe_load(file.read_text())) for file in FILES)
+    assert len(WRITTEN) == sum(len(plain(file)) for file in FILES)
     names = {entry.get("shape") or kind for kind, entry in KINDS.items()} | {entry.get("name") for entry in KINDS.values()}
     poses = {f"{kind}_{pose}" for kind in KINDS for pose in ("seated", "upright")}
     assert set(WRITTEN) <= names | poses

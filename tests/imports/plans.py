@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from copy import deepcopy
 from typing import Any
 
 from solver.imported import ImportSettings, PlanImport
@@ -31,7 +30,7 @@ def piece(name: str, x: float, y: float, **more: Any) -> Feature:
 
 
 def collection(*features: Feature, **more: Any) -> dict[str, Any]:
-    return {"type": "FeatureCollection", "unit": "m", "features": deepcopy(list(features)), **more}
+    return {"type": "FeatureCollection", "unit": "m", "features": json.loads(json.dumps(features)), **more}
 
 
 def read(document: object, name: str = "", **settings: Any) -> PlanImport:
