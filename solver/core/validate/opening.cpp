@@ -1,4 +1,5 @@
-// How far the fronts of a room's furniture open before a part of one meets something, and what: by small steps, each judged for itself.
+// How far the fronts of a room's furniture open before a part of one meets something, and what: by small steps, each judged for itself but
+// those in which no point of the part comes as far as the nearest thing is away.
 // Everything is in the frame of the furniture, m, x to its right, y up, z to its front; boxes are told apart along the fifteen axes of two,
 // round solids along some more: what these do not tell apart meets, by a few mm too soon at most.
 #include "validate/room.hpp"
@@ -9,6 +10,9 @@ constexpr f64 COSINE = 0.99996192306417131, SINE = 0.0087265354983739347;  // of
 constexpr i32 DIRECTIONS = 16;                                              // across a round solid, within half a turn
 constexpr f64 ACROSS_COSINE = 0.98078528040323043, ACROSS_SINE = 0.19509032201612825;  // from one of them to the next
 constexpr f64 STEP_DEGREES = 0.5, STEP_METRES = 0.0025;
+constexpr i64 STEPS = 2000;               // a front makes at most
+constexpr f64 STEP_SHARE = 0.00873;       // of its distance from the hinge: no point moves farther in a step
+constexpr f64 SURELY_METRES = 0.00001;    // bounds farther apart than this are so whatever was rounded
 constexpr f64 TOUCHING_METRES = 0.00025;  // a front is so much smaller at every side: what touches it does not stop it
 constexpr f64 CLEAR_METRES = 0.001;        // boxes whose bounds are that far apart need no closer look
 constexpr f64 FLAT_METRES = 0.03;         // what lies on the floor and is no higher is walked on, and opened over
@@ -121,9 +125,13 @@ static Span3 span_of(const SolidBox& box) {
   return {minus(box.at, half), {box.at.x + half.x, box.at.y + half.y, box.at.z + half.z}};
 }
 
-static bool share(const Span3& a, const Span3& b) {
-  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y && a.low.z < b.high.z && b.low.z < a.high.z;
+// How far apart two are along the axis where they are farthest; below 0 where they share space.
+static f64 apart(const Span3& a, const Span3& b) {
+  const f64 x = most(a.low.x - b.high.x, b.low.x - a.high.x), y = most(a.low.y - b.high.y, b.low.y - a.high.y);
+  return most(most(x, y), most(a.low.z - b.high.z, b.low.z - a.high.z));
 }
+
+static bool share(const Span3& a, const Span3& b) { return apart(a, b) < 0; }
 
 // A box of a body, as seen from the furniture; shares of the body's own box.
 static SolidBox box_of(const BodyRow& row, const UnitBox& part, const Frame& frame, i64 body) {
@@ -209,6 +217,13 @@ static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const Li
   return found;
 }
 
+// How far a point of a part moves at most in a step.
+static f64 farthest_step(const Front& front, const Point& hinge, const SolidBox& part) {
+  if (front.slides) return STEP_METRES;
+  const Point away = minus(part.at, hinge);
+  return STEP_SHARE * (__builtin_sqrt(dot(away, away)) + __builtin_sqrt(dot(part.half, part.half)));
+}
+
 // A front of a body, and the numbers of its parts.
 struct Moving {
   const Front& front;
@@ -223,24 +238,31 @@ static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& c
   const Span<UnitBox> all = room.parts_of(room.bodies[moving.body]);
   const Point hinge{front.x * row.width, front.y * row.height, front.z * row.depth};
   List<SolidBox> parts;
+  List<i64> clear_until;  // by part: the first step in which it may meet anything
   for (const i64 part : moving.parts) {
     SolidBox box = box_of(row, all[part], frame, moving.body);
     const Point half = minus(box.half, {TOUCHING_METRES, TOUCHING_METRES, TOUCHING_METRES});
     box.half = {most(half.x, 0.0), most(half.y, 0.0), most(half.z, 0.0)};
     parts.add(box);
+    clear_until.add(0);
   }
   const f64 length = absolute(front.slides ? front.end * row.depth : front.end), step = front.slides ? STEP_METRES : STEP_DEGREES;
   const List<Obstacle> others = obstacles(room, shell, carries, moving.body, frame, swept(front, hinge, parts, length));
   f64 cosine = 1, sine = 0, way = 0;
   const f64 by = front.end < 0 ? -SINE : SINE;
-  for (i64 k = 0; k < 2000 && others.size() > 0; k++) {
-    for (const SolidBox& part : parts) {
-      const SolidBox now = moved_box(front, hinge, cosine, sine, front.end < 0 ? -way : way, part);
+  for (i64 k = 0; k < STEPS && others.size() > 0; k++) {
+    for (i32 i = 0; i < parts.size(); i++) {
+      if (k < clear_until[i]) continue;
+      const SolidBox now = moved_box(front, hinge, cosine, sine, front.end < 0 ? -way : way, parts[i]);
       const Span3 bounds = span_of(now);
+      f64 room_left = INFINITE;
       for (const Obstacle& other : others) {
-        if (!share(bounds, other.span) || !meet_each_other(now, other.box)) continue;
+        const f64 gap = apart(bounds, other.span);
+        room_left = least(room_left, gap);
+        if (gap >= 0 || !meet_each_other(now, other.box)) continue;
         return {whole(nearest(most(way - step, 0.0) * 1e6)), other.box.body};
       }
+      clear_until[i] = k + 1 + between<i64>(whole((room_left - SURELY_METRES) / farthest_step(front, hinge, parts[i])), 0, STEPS);
     }
     if (way >= length) break;
     way = least(way + step, length);
