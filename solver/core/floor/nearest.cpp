@@ -16,6 +16,10 @@ struct Axis {
   i64 high;
 
   bool holds(i64 at) const { return low <= at && at <= high; }
+  // Tells whether something taken holds a place that is no farther from the wish than the reach.
+  bool is_in_way(const Interval& taken, i64 reach) const {
+    return taken.low < least(high, wish + reach) && most(low, wish - reach) < taken.high;
+  }
   bool goes_before(i64 a, i64 b) const {
     const i64 far = magnitude(a - wish), farther = magnitude(b - wish);
     return far != farther ? far < farther : a < b;
@@ -23,6 +27,7 @@ struct Axis {
 };
 
 constexpr i64 MOST_MM2 = 0x7FFFFFFFFFFFFFFFLL;
+constexpr i64 FARTHEST_MM = 1LL << 40;  // farther than anything
 
 }  // namespace
 
@@ -65,7 +70,11 @@ NearestPlace nearest_place(const Rect& own, const Rect& area, Span<Rect> blocks,
   const arena::Scope scope;
   const Axis xs{own.x0, area.x0, area.x1 - own.width()}, zs{own.z0, area.z0, area.z1 - own.depth()};
   List<Taken> upwards, downwards;
-  for (const Rect& rect : blocks) upwards.add({{rect.x0 - own.width(), rect.x1}, {rect.z0 - own.depth(), rect.z1}});
+  const i64 window = reach == ANYWHERE ? FARTHEST_MM : reach;
+  for (const Rect& rect : blocks) {
+    const Taken taken{{rect.x0 - own.width(), rect.x1}, {rect.z0 - own.depth(), rect.z1}};
+    if (xs.is_in_way(taken.x, window) && zs.is_in_way(taken.z, window)) upwards.add(taken);
+  }
   stable_sort(upwards.all(), [](const Taken& a, const Taken& b) { return a.z.low < b.z.low; });
   downwards.add_all(upwards.all());
   stable_sort(downwards.all(), [](const Taken& a, const Taken& b) { return a.z.high > b.z.high; });
