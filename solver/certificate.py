@@ -11,6 +11,7 @@ from dataclasses import replace
 from hashlib import sha256
 from typing import Any, Final
 
+from solver.body_rows import FurnitureRows, rows_in
 from solver.pieces import Arrangement
 from solver.scene import Room, Scene
 from solver.scene_bodies import counted
@@ -20,6 +21,7 @@ OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best", "residuals", "fro
 MARK_LENGTH: Final = 12
 ACCESS: Final = "access"
 """What a profile of access makes of the whole home."""
+_POSE: Final = "%s" + 6 * " %.4f"
 
 
 def certificate(
@@ -59,12 +61,22 @@ def room_certificate(arrangement: Arrangement, room: Room) -> dict[str, Any]:
 
 def mark_of(room: Room) -> str:
     """Returns a mark that a room has in common with no other placement of furniture in it."""
-    poses = sorted((piece.id, piece.x, piece.y, piece.z, piece.rotation, piece.width, piece.depth) for piece in room.furniture)
     said = [
         f"{room.width:.4f} {room.depth:.4f}",
-        *(f"{name} " + " ".join(f"{number + 0.0:.4f}" for number in pose) for name, *pose in poses),
+        *(_POSE % (name, *(number + 0.0 for number in pose)) for name, *pose in sorted(_poses(room))),
     ]
     return sha256("\n".join(said).encode(errors="surrogatepass")).hexdigest()[:MARK_LENGTH]
+
+
+def _poses(room: Room) -> list[tuple[str, float, float, float, float, float, float]]:
+    """Returns the id, place, rotation, width and depth of each piece of furniture."""
+    rows = rows_in(room, FurnitureRows)
+    if rows is None:
+        return [(piece.id, piece.x, piece.y, piece.z, piece.rotation, piece.width, piece.depth) for piece in room.furniture]
+    return [
+        (name, (x0 + x1) / 2000, low / 1000, (z0 + z1) / 2000, turn, *look.size[:2])
+        for name, look, (_, _, _, _, turn, _, _, _, x0, z0, x1, z1, low, *_) in zip(rows.ids, rows.looks, rows.rows, strict=True)
+    ]
 
 
 def true_of(room: Room, entry: Mapping[str, Any]) -> Mapping[str, Any]:

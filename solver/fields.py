@@ -223,6 +223,22 @@ def late(default: Value) -> Value:
     return cast(Value, declared)
 
 
+def made_later(record: Value, **makers: Callable[[], object]) -> Value:
+    """Returns a record like another one, of which some fields are made when somebody first asks for them."""
+    made: Any = object.__new__(record.__class__)
+    own = made.__dict__
+    own.update(record.__dict__)
+    for name in makers:
+        own.pop(name, None)
+    own[LATER] = {**own.get(LATER, {}), **makers}
+    return cast(Value, made)
+
+
+def maker_in(record: object, name: str) -> Any:
+    """Returns what makes a field of a record later; None where that was told."""
+    return record.__dict__.get(LATER, {}).get(name)
+
+
 class Record:
     """A dataclass that is read from a document, or written as one, key by key.
 

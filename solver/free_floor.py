@@ -14,10 +14,10 @@ from struct import Struct
 from typing import Final
 
 from solver.core import borrowed
-from solver.free_places import FLAT_MM, Block, block_of, footprint, nearest_place, rect_rows
+from solver.free_places import FLAT_MM, Block, decorations_in, furniture_in, nearest_place, rect_rows
 from solver.geometry import Rect, wall_faced
 from solver.pieces import Space
-from solver.scene import WALLS, Decoration, Furniture, Room
+from solver.scene import WALLS, Room
 
 HEADROOM_MM: Final = 2000
 """What hangs higher is walked under: the height of a door."""
@@ -66,17 +66,18 @@ class FreeFloor:
             space: its clear rectangle, and what its doors and its outline keep free.
             uses: by name of piece the sides it is used from, and whether all of them have to be within reach.
         """
-        things: list[Furniture | Decoration] = [*room.furniture, *room.decorations]
-        blocks = [(block_of(thing), thing) for thing in things if thing.height * 1000 > FLAT_MM]
+        furniture = furniture_in(room)
         goals = [
-            Goal(footprint(piece), tuple(wall_faced(side, piece.rotation) for side in sides), need_all)
-            for piece in room.furniture
-            for sides, need_all in [uses.get(piece.name, ((), False))]
+            Goal(piece.block.rect, tuple(wall_faced(side, piece.rotation) for side in sides), need_all)
+            for piece in furniture
+            for sides, need_all in [uses.get(piece.key[1], ((), False))]
             if sides
         ]
+        high = [one for one in (*furniture, *decorations_in(room)) if one.key[4] * 1000 > FLAT_MM]
         kept_free = [Block(zone.rect, -math.inf, math.inf) for zone in space.zones if zone.above_mm < 0]
-        in_the_way = [block.rect for block, thing in blocks if block.low < HEADROOM_MM and _stands(thing)]
-        return cls(space, in_the_way, goals, [*kept_free, *(block for block, _ in blocks)])
+        standing = (one.block for one in high if one.key[0] == "furniture" or not one.rests)
+        in_the_way = [block.rect for block in standing if block.low < HEADROOM_MM]
+        return cls(space, in_the_way, goals, [*kept_free, *(one.block for one in high)])
 
     def add(self, block: Block, in_the_way: bool = True) -> None:
         """Notes that somebody or something is there; who sits is not in the way of those who walk."""
@@ -120,8 +121,3 @@ def sides_seen(walls: Iterable[str]) -> int:
     for wall in walls:
         seen |= 1 << WALL_NUMBERS[wall]
     return seen
-
-
-def _stands(thing: Furniture | Decoration) -> bool:
-    """Tells whether a thing stands in the way of walking: furniture, and what of the decorations stands loose on the floor."""
-    return isinstance(thing, Furniture) or (thing.parent is None and thing.mounted_on_wall is None and thing.y == 0)

@@ -14,9 +14,10 @@ from itertools import chain
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
+from solver.body_rows import BODY_WALLS, BodyRow, DecorationRows, FurnitureRows, Look, rows_in
 from solver.core import borrowed
 from solver.geometry import Rect, extents
-from solver.scene import Decoration, Dynamic, Furniture
+from solver.scene import Decoration, Dynamic, Furniture, Room
 
 FLAT_MM: Final = 20
 """Rugs and mats: what is no higher is no body, one stands on it (docs/scene.md, The rules)."""
@@ -45,6 +46,51 @@ def footprint(body: Furniture | Decoration | Dynamic) -> Rect:
         math.floor((x - width / 2) * 1000 + 1e-6), math.floor((z - depth / 2) * 1000 + 1e-6),
         math.ceil((x + width / 2) * 1000 - 1e-6), math.ceil((z + depth / 2) * 1000 - 1e-6),
     )  # fmt: skip
+
+
+class PlacedBody(NamedTuple):
+    """A body of a room as whoever measures floor reads it.
+
+    Args:
+        block: the space it takes up.
+        key: what its kind is looked up by: sort, name, width, depth and height, m, the kind that the scene names.
+        rotation: degrees.
+        y: of its underside, m.
+        under: the number of the furniture that it is tucked under; -1: none.
+        rests: furniture that stands on a piece; a small thing that is not loose on the floor.
+    """
+
+    block: Block
+    key: tuple[str, str, float, float, float, str | None]
+    rotation: float
+    y: float
+    under: int
+    rests: bool
+
+
+def furniture_in(room: Room) -> list[PlacedBody]:
+    """Returns a room's furniture."""
+    if (rows := rows_in(room, FurnitureRows)) is not None:
+        return [_as_told(*one) for one in zip(rows.ids, rows.looks, rows.rows, strict=True)]
+    numbers = {piece.id: k for k, piece in enumerate(room.furniture)}
+    keyed = ((one, ("furniture", one.name, one.width, one.depth, one.height, one.kind)) for one in room.furniture)
+    return [PlacedBody(block_of(one), key, one.rotation, one.y, numbers.get(one.under or "", -1), one.on is not None) for one, key in keyed]
+
+
+def decorations_in(room: Room) -> list[PlacedBody]:
+    """Returns a room's decorations."""
+    if (rows := rows_in(room, DecorationRows)) is not None:
+        return [_as_told(*one) for one in zip(rows.ids, rows.looks, rows.rows, strict=True)]
+    keyed = ((one, ("decoration", one.name, one.width, one.depth, one.height, one.kind)) for one in room.decorations)
+    rests = (one.parent is not None or one.mounted_on_wall is not None or one.y != 0 for one in room.decorations)
+    return [PlacedBody(block_of(one), key, one.rotation, one.y, -1, rest) for (one, key), rest in zip(keyed, rests, strict=True)]
+
+
+def _as_told(name: str, look: Look, row: BodyRow) -> PlacedBody:
+    _, on, under, wall, rotation, _, _, _, x0, z0, x1, z1, low, *_ = row
+    y, is_thing = low / 1000, look.key[0] == "decoration"
+    block = Block(Rect(x0, z0, x1, z1), y * 1000, (y + look.size[2]) * 1000, name)
+    return PlacedBody(block, look.key, rotation, y, under, on >= 0 or (is_thing and (BODY_WALLS[wall] is not None or low != 0)))
 
 
 def block_of(body: Furniture | Decoration | Dynamic) -> Block:

@@ -5,16 +5,17 @@ Comes in: a Room and its Arrangement. Goes out: the Room with its furniture. May
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from catalogs import Catalogs
 from catalogs.schema import FurnitureSpec
 from catalogs.styles import Style
-from solver.geometry import half_m, to_m
-from solver.pieces import Arrangement, Placed
-from solver.scene import Furniture, Room
+from solver.body_rows import BODY, BODY_WALLS, FurnitureRows, furniture_look, told
+from solver.pieces import Arrangement, Placed, StandingRows
+from solver.scene import Room
 from solver.streams import Stream
 
 PLAIN_COLOUR = "#9a9a9a"
@@ -40,12 +41,35 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
     for it, which all pieces of the room with that palette then share, or else of its kind's own colours; all pieces of one kind
     in a room share it.
     """
-    ids = ids_of(room, arrangement, catalogs)
-    kinds = sorted({placed.chosen.kind for placed in arrangement.placed})
-    known = {kind: _NamedKind(catalogs.name_of(kind), catalogs.furniture.get(kind)) for kind in kinds}
+    content, kinds, looks = arrangement.standing or _standing(arrangement.placed, catalogs)
+    present = {number: kinds[number][0] for number, *_ in BODY.iter_unpack(content)}
+    known = {kind: _NamedKind(catalogs.name_of(kind), catalogs.furniture.get(kind)) for kind in sorted(set(present.values()))}
     colours = _colours(known, style, stream)
-    pieces = tuple(_piece(placed, ids, colours, known[placed.chosen.kind]) for placed in arrangement.placed)
-    return replace(room, furniture=pieces)
+    rows = FurnitureRows(content, room, looks, {number: colours[kind] for number, kind in present.items()})
+    return told(room, rows)
+
+
+def _standing(placed: Sequence[Placed], catalogs: Catalogs) -> StandingRows:
+    """Returns pieces as the core tells of those that it places."""
+    kinds = tuple({(one.chosen.kind, one.chosen.size_mm): None for one in placed})
+    places, rows = {one.label: place for place, one in enumerate(placed)}, []
+    counts: Counter[str] = Counter()
+    for one in placed:
+        way, name = one.chosen, catalogs.name_of(one.chosen.kind)
+        counts[name] += 1
+        carriers = places.get(way.on or "", -1), places.get(way.under or "", -1)
+        turn = BODY_WALLS.index(one.wall), one.rotation, 0, counts[name], 0
+        rows.append(BODY.pack(kinds.index((way.kind, way.size_mm)), *carriers, *turn, *one.footprint, way.bottom_mm, *way.size_mm))
+    looks = {(number, *size): furniture_look(kind, size, catalogs) for number, (kind, size) in enumerate(kinds)}
+    return StandingRows(b"".join(rows), kinds, looks)
+
+
+def kinds_placed(arrangement: Arrangement) -> list[str]:
+    """Returns the kinds of the pieces that stand."""
+    if arrangement.standing is None:
+        return [one.chosen.kind for one in arrangement.placed]
+    content, kinds, _ = arrangement.standing
+    return [kinds[number][0] for number, *_ in BODY.iter_unpack(content)]
 
 
 def recoloured(room: Room, catalogs: Catalogs, stream: Stream, style: Style) -> Room:
@@ -78,25 +102,3 @@ def _colours(kinds: Mapping[str, _NamedKind], style: Style | None, stream: Strea
         if palette:
             matching[palette] = colours[kind]
     return colours
-
-
-def _piece(placed: Placed, ids: dict[str, str], colours: dict[str, str], known: _NamedKind) -> Furniture:
-    chosen, rect = placed.chosen, placed.footprint
-    width, depth, height = chosen.size_mm
-    return Furniture(
-        id=ids[placed.label],
-        name=known.name,
-        category=known.category,
-        x=half_m(rect.x0 + rect.x1),
-        y=to_m(chosen.bottom_mm),
-        z=half_m(rect.z0 + rect.z1),
-        rotation=placed.rotation,
-        width=to_m(width),
-        depth=to_m(depth),
-        height=to_m(height),
-        color=colours[chosen.kind],
-        wall=placed.wall,
-        under=ids.get(chosen.under or ""),
-        on=ids.get(chosen.on or ""),
-        kind=chosen.kind if known.spec else None,
-    )

@@ -1,7 +1,7 @@
 """What furnish hands to placement: a room's space, and every wanted piece with all its candidates.
 
 Comes in: nothing. Goes out: plain frozen data in integer millimetres, room-relative (the room's north-west corner of its
-wall *lines* is the origin). May import: geometry. Placement never has to ask back: what a piece may do is all here.
+wall *lines* is the origin). May import: geometry, body_rows. Placement never has to ask back: what a piece may do is all here.
 
 Cost is one number for everything: quadratic terms are weight x metres squared, preference costs are added to them.
 """
@@ -12,6 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, Protocol
 
+from solver.body_rows import LooksBySize
+from solver.fields import late, maker_in
 from solver.geometry import Rect, turned
 
 Extents = tuple[int, int, int]
@@ -209,14 +211,23 @@ class Piece:
 class RowNames(Protocol):
     """What the numbers stand for in the core's rows about what a room of a type wants."""
 
+    @property
+    def kinds(self) -> NamedKinds:
+        """The kinds of the room's type, by their numbers."""
+
+    @property
+    def looks(self) -> LooksBySize:
+        """How furniture of these kinds looks."""
+
     def labels(self, rows: Sequence[tuple[int, int, int]]) -> list[str]:
         """Returns the labels of wanted pieces, in their order: rows of spec, number and side of floor (NameRow of core/rooms/made.hpp)."""
 
-    def kind(self, number: int) -> tuple[str, Extents]:
-        """Returns the name and size of a kind."""
-
     def candidate(self, row: bytes, labels: Sequence[str]) -> Candidate:
         """Returns a candidate from its row."""
+
+
+NamedKinds = tuple[tuple[str, Extents], ...]
+"""Names and sizes of kinds, by their numbers."""
 
 
 class WantedRows(NamedTuple):
@@ -237,6 +248,14 @@ class Placed:
     rotation: int
     wall: str | None
     footprint: Rect
+
+
+class StandingRows(NamedTuple):
+    """Pieces that stand as bodies (`BODY` of body_rows.py), the kinds that they are of, and how these look."""
+
+    content: bytes
+    kinds: NamedKinds
+    looks: LooksBySize
 
 
 class Residuals(NamedTuple):
@@ -261,7 +280,7 @@ class Arrangement:
     """
 
     room: str
-    placed: tuple[Placed, ...]
+    placed: tuple[Placed, ...] = late(())
     left_out: tuple[tuple[str, str], ...] = ()
     cost: float = 0.0
     proven: bool = True
@@ -269,3 +288,9 @@ class Arrangement:
     notes: tuple[str, ...] = field(default=())
     best: bool = True
     residuals: Residuals | None = None
+
+    @property
+    def standing(self) -> StandingRows | None:
+        """The pieces as rows, where the core told them so; None where they were placed one by one."""
+        found: StandingRows | None = getattr(maker_in(self, "placed"), "standing", None)
+        return found

@@ -293,7 +293,7 @@ class Room(Record):
     exterior_walls: Sides | None = None
     wall_flags: Sides | None = None
     openings: tuple[Opening, ...] = ()
-    furniture: tuple[Furniture, ...] = ()
+    furniture: tuple[Furniture, ...] = late(())
     decorations: tuple[Decoration, ...] = late(())
     extra: Mapping[str, object] = field(default_factory=dict)
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from solver.dressed import count_decorations
+from solver.body_rows import count_decorations, count_furniture
 from solver.errors import SceneError
 from solver.scene import Decoration, Dynamic, Furniture, Move, Room, Scene
 
@@ -24,7 +24,7 @@ def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
         "rooms": len(rooms),
         "doors": len(openings) - windows,
         "windows": windows,
-        "furniture": sum(len(room.furniture) for room in rooms),
+        "furniture": sum(map(count_furniture, rooms)),
         "decorations": sum(map(count_decorations, rooms)),
         "dynamic": len(people),
     }

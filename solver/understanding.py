@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 from catalogs import Catalogs
 from catalogs.synonyms import own_names, synonyms_of
+from solver.body_rows import furniture_names
 from solver.scene import Decoration, Furniture, Room, Scene
 
 
@@ -48,7 +49,7 @@ def understood(scene: Scene, catalogs: Catalogs) -> Understood:
         catalogs: kinds, and what others call them.
     """
     ours = own_names(catalogs)
-    if all(piece.name in ours for room in scene.rooms for piece in room.furniture):
+    if all(name in ours for room in scene.rooms for name in furniture_names(room)):
         return Understood(scene, {}, {})
     words: dict[str, str] = {}
     sent: dict[str, Furniture] = {}

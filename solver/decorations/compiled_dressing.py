@@ -19,9 +19,9 @@ from catalogs.insides import InsideSurface, insides_of
 from catalogs.kind_book import KindBook
 from catalogs.schema import Comfort
 from catalogs.styles import Leaning
+from solver.body_rows import LooksBySize
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.decorations.looks_by_kind import looks_by_kind
-from solver.dressed import Looks
 from solver.geometry import to_mm
 
 Item = TypeVar("Item")
@@ -61,6 +61,8 @@ class CompiledDressing:
     Args:
         data: its bytes.
         looks: how the kinds of decorations look, as its rows count them.
+        colours: what each is drawn from.
+        styled: whether those are the style's.
         words: the numbers of names.
         surfaces: of furniture, by name and size.
         insides: what carries things inside furniture, by kind and size.
@@ -73,7 +75,9 @@ class CompiledDressing:
     """
 
     data: bytes
-    looks: Looks
+    looks: LooksBySize
+    colours: Sequence[Sequence[str]]
+    styled: Sequence[bool]
     words: Mapping[str, int]
     surfaces: Mapping[tuple[str, SizeMm], TableRange]
     insides: Mapping[tuple[str, SizeMm], TableRange]
@@ -134,9 +138,9 @@ class _DressingTables:
         insides = {(kind, millimetres(one.size)): self._insides(kind, one.size) for kind, one in known.furniture.items()}
         self._added("turn", map(math.radians, range(180)), lambda angle: (abs(math.cos(angle)), abs(math.sin(angle))))
         named = known.kinds_by_name().items()
-        looks = Looks(looks_by_kind(known), colours, [bool(self._palette(name)) for name in known.decorations])
+        styled = [bool(self._palette(name)) for name in known.decorations]
         return CompiledDressing(
-            self._data(), looks, self._words, surfaces, insides,
+            self._data(), looks_by_kind(known), colours, styled, self._words, surfaces, insides,
             frozenset(name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")),
             known.use_sides(), {name: kind.comfort for name, kind in known.furniture.items() if kind.comfort}, dict(self._fronts()),
             KindBook(known), made_from,

@@ -12,14 +12,14 @@ from typing import Final, NamedTuple
 
 from catalogs.entries import Side
 from catalogs.schema import Comfort
+from solver.body_rows import DecorationRows
 from solver.decorations.compiled_dressing import CompiledDressing, millimetres
 from solver.decorations.decoration_settings import DecorationSettings
-from solver.dressed import DressedRows
 from solver.free_floor import DOORWAY, HEADROOM_MM, WALL_NUMBERS, sides_seen
-from solver.free_places import FLAT_MM, footprint
+from solver.free_places import FLAT_MM, PlacedBody, furniture_in
 from solver.geometry import OPPOSITE, Rect, strip_at, to_mm, wall_faced
 from solver.pieces import Space
-from solver.scene import WALLS, Furniture, Opening, Room
+from solver.scene import WALLS, Opening, Room
 
 AT_WALL_MM: Final = 150
 """Nothing hangs on a wall that a front comes so near to as it opens. Our choice."""
@@ -47,24 +47,23 @@ def decorated_rows(room: Room, space: Space, known: CompiledDressing, settings: 
         settings: how high the room is, and what of its floor is kept free.
         state: the stream's.
     """
-    numbers = {piece.id: k for k, piece in enumerate(room.furniture)}
+    furniture = furniture_in(room)
     openings = [_opening(opening) for opening in room.openings if opening.wall is not None]
     pieces: list[bytes] = []
     kept: list[Rect] = []
-    for piece in room.furniture:
-        said = _said_of(known, (piece.name, piece.kind, piece.width, piece.depth, piece.height), piece.rotation)
-        own, low, height = footprint(piece), to_mm(piece.y), to_mm(piece.height)
-        under = -1 if piece.under is None else numbers.get(piece.under, -1)
-        stands = piece.height * 1000 > FLAT_MM and piece.y * 1000 < HEADROOM_MM
-        pieces.append(_PIECE.pack(*own, low, low + height, said.kind_row, under, said.faced, stands, said.use_row))
-        if piece.on is None:
+    for piece in furniture:
+        said = _said_of(known, piece.key, piece.rotation)
+        own, low, height = piece.block.rect, to_mm(piece.y), to_mm(piece.key[4])
+        stands = piece.key[4] * 1000 > FLAT_MM and piece.y * 1000 < HEADROOM_MM
+        pieces.append(_PIECE.pack(*own, low, low + height, said.kind_row, piece.under, said.faced, stands, said.use_row))
+        if not piece.rests:
             kept += said.kept_floor(own)
         if said.front is not None and to_mm(piece.y + said.front.above) < HEADROOM_MM:
             opened = said.front.over(own)
             kept.append(opened)
             openings += _fronts_at_walls(piece, opened, said.front.above, space)
     kept += settings.kept.get(room.id, ())
-    counts = len(room.furniture), len(openings), len(space.zones), len(space.doorways), len(kept), 0
+    counts = len(furniture), len(openings), len(space.zones), len(space.doorways), len(kept), 0
     flags = known.words.get(room.type, -1), room.outdoor, not room.outline, bool(room.accent)
     lines = to_mm(room.width), to_mm(room.depth)
     rows = [_ROOM.pack(state, *space.clear, room.width, room.depth, *lines, to_mm(settings.height), space.robot_mm, *flags, *counts)]
@@ -110,9 +109,9 @@ class _Said(NamedTuple):
 
 
 @lru_cache(maxsize=4096)
-def _said_of(known: CompiledDressing, looks: tuple[str, str | None, float, float, float], rotation: float) -> _Said:
-    """Returns what a dressing says of furniture: by its name, the kind that the scene names, its width, depth and height, and its turn."""
-    name, said, width, depth, height = looks
+def _said_of(known: CompiledDressing, key: tuple[str, str, float, float, float, str | None], rotation: float) -> _Said:
+    """Returns what a dressing says of furniture by what its kind is looked up by, and its turn."""
+    _, name, width, depth, height, said = key
     size, is_right = millimetres((width, depth, height)), rotation % 90 == 0
     kind = said or known.book.kind_of("furniture", name, (width, depth, height)) or name
     sides, need_all = known.uses.get(name, ((), False))
@@ -137,12 +136,12 @@ def _strips(comforts: Mapping[Side, Comfort], turn: int) -> Iterator[_Strip]:
         yield _Strip(wall_faced(side, turn), (behind, 0) if at_low else (0, behind), to_mm(wish.depth))
 
 
-def _fronts_at_walls(piece: Furniture, opened: Rect, above: float, space: Space) -> Iterator[bytes]:
+def _fronts_at_walls(piece: PlacedBody, opened: Rect, above: float, space: Space) -> Iterator[bytes]:
     """Yields where nothing hangs on a wall because a front opens along it or towards it, over that floor and from that height on."""
     bottom = to_mm(piece.y + above)
     for wall in WALLS:
         if opened.wall_distance(wall, space.clear) <= AT_WALL_MM:
-            yield _OPENING.pack(WALL_NUMBERS[wall], 0, *opened.along(wall), bottom, to_mm(piece.y + piece.height))
+            yield _OPENING.pack(WALL_NUMBERS[wall], 0, *opened.along(wall), bottom, to_mm(piece.y + piece.key[4]))
 
 
 def _opening(opening: Opening) -> bytes:
@@ -157,6 +156,6 @@ def stream_after(answer: bytes) -> int:
     return int(_ANSWER.unpack_from(answer)[0])
 
 
-def rows_told(answer: bytes, room: Room, known: CompiledDressing) -> DressedRows:
+def rows_told(answer: bytes, room: Room, known: CompiledDressing) -> DecorationRows:
     """Returns the things of an answer."""
-    return DressedRows(answer[_ANSWER.size :], room, known.looks)
+    return DecorationRows(answer[_ANSWER.size :], room, known.looks, known.colours, known.styled)

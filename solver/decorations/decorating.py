@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final, NamedTuple
 
+from solver.body_rows import count_furniture, told
 from solver.core import borrowed
 from solver.decorations.compiled_dressing import compiled_dressing
 from solver.decorations.decorated_rows import decorated_rows, rows_told, stream_after
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.demanded import demand
-from solver.dressed import dressed
 from solver.pieces import Space
 from solver.scene import Room
 from solver.streams import Stream
@@ -54,11 +54,11 @@ def decorated_rooms(bare: Iterable[BareRoom], settings: DecorationSettings) -> l
         dressing = core.write(known.data)
         begun = core.mark()
         for room, space, stream in bare:
-            demand(PAIR_WORK * len(room.furniture) ** 2)
+            demand(PAIR_WORK * count_furniture(room) ** 2)
             rows = decorated_rows(room, space, known, settings, stream.state)
             packed = core.call("dress", dressing, len(known.data), core.write(rows), len(rows))
             answer = core.read(packed & 0xFFFFFFFF, packed >> 32)
             core.release(begun)
             stream.state = stream_after(answer)
-            made.append(dressed(room, rows_told(answer, room, known)))
+            made.append(told(room, rows_told(answer, room, known)))
     return made

@@ -1,6 +1,6 @@
 """How decorations look, by the number of their kind and their size.
 
-Comes in: catalogs. Goes out: looks, each made once. May import: catalogs, dressed. Not here: colours (compiled_dressing).
+Comes in: catalogs. Goes out: looks, each made once. May import: catalogs, body_rows. Not here: colours (compiled_dressing).
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from typing import Final
 
 from catalogs import Catalogs
 from catalogs.kind_book import UPRIGHT, KindBook
-from solver.dressed import Look
+from solver.body_rows import Look
 
 _MOST_LOOKS: Final = 20_000
 
@@ -29,7 +29,7 @@ class LooksByKind(dict[tuple[int, int, int, int], Look]):
         kind = self._book.kind_of("decoration", name, size) if name in self._tipped else name
         if len(self) >= _MOST_LOOKS:
             self.clear()
-        look = self[key] = Look(name, kind, size)
+        look = self[key] = Look("decoration", name, kind, size)
         return look
 
 

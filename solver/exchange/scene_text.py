@@ -6,18 +6,17 @@ Comes in: a scene. Goes out: bytes. May import: the ground floor. The fields' ty
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from json.encoder import encode_basestring as quoted
 from typing import Any, Final, NamedTuple
 
-from solver.dressed import THING_WALLS, DressedRows, Look, rows_in
+from solver.body_rows import BODY_WALLS, DecorationRows, FurnitureRows, Look, furniture_ids
 from solver.exchange import json_text
 from solver.exchange.text import dump_plain
 from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
-from solver.fields import EXTRA
+from solver.fields import EXTRA, LATER
 from solver.plain import Wrong, plain
-from solver.scene import Furniture, Opening, Room, Scene
+from solver.scene import Furniture, Opening, Scene
 
 MOST_TEXTS: Final = 4096
 """Texts whose JSON is kept."""
@@ -61,9 +60,10 @@ def _unless_none(name: str, writer: Callable[[Any], str]) -> Callable[[Any], str
 def _record(record: Any) -> str:
     if getattr(record, EXTRA, None):
         return json_text.dump(write(record)).rstrip()
-    if record.__class__ is Room and (rows := rows_in(record)) is not None:
-        record = replace(record, decorations=rows)  # type: ignore[arg-type] # `_any` writes it
     text, writers, values = _layout(record.__class__)
+    if LATER in record.__dict__:
+        told, record = record.__dict__, object.__new__(record.__class__)
+        record.__dict__.update(told | told[LATER])  # `_any` writes what makes the bodies
     return text % tuple([writer(value) for writer, value in zip(writers, values(record), strict=True)])
 
 
@@ -80,32 +80,58 @@ def _items(values: Iterable[Any]) -> str:
     return f"[{','.join(map(_any, values))}]"
 
 
-def _things(things: DressedRows) -> str:
-    """Writes decorations that are told as rows."""
-    before, parts = _TEXTS[things.room.id][:-1], []
-    ids, colours = [quoted(piece.id) for piece in things.room.furniture], map(_TEXTS.__getitem__, things.colours)
-    for look, color, (_, parent, wall, rotation, _, number, x0, z0, x1, z1, low, *_) in zip(
-        things.looks, colours, things.rows, strict=True
+def _pieces(pieces: FurnitureRows) -> str:
+    """Writes furniture that is told as rows."""
+    before, parts, looks = _TEXTS[pieces.room.id][:-1], [], [_FRAGMENTS[look] for look in pieces.looks]
+    ids = [f'{before}/{look.name}_{row[6]}"' for look, row in zip(looks, pieces.rows, strict=True)] + ["null"]
+    for name, look, color, (_, on, under, wall, rotation, _, _, _, x0, z0, x1, z1, low, *_) in zip(
+        ids, looks, pieces.colours, pieces.rows, strict=False
     ):
-        named, head, size, kind = _FRAGMENTS[look]
-        ids.append(name := f'{before}/{named}_{number}"')
         parts.append(
-            f'{{"id":{name},{head}{ids[parent] if parent >= 0 else "null"},"mounted_on_wall":{_WALLS[wall]},"x":{(x0 + x1) / 2000!r},'
-            f'"y":{low / 1000!r},"z":{(z0 + z1) / 2000!r},"rotation":{rotation},{size},"color":{color}{kind}}}'
+            f'{{"id":{name},{look.named}"category":{look.category},"x":{(x0 + x1) / 2000!r},"y":{low / 1000!r},"z":{(z0 + z1) / 2000!r},'
+            f'"rotation":{rotation},{look.size},"color":{_TEXTS[color]},"wall":{_WALLS[wall]},"under":{ids[under]},"on":{ids[on]},'
+            f'"locked":false{look.kind}}}'
         )
     return f"[{','.join(parts)}]"
 
 
-class _Fragments(dict[Look, tuple[str, str, str, str]]):
-    """What is written of all things that look alike: the name within an id, the keys after the id, those of the size, and the kind."""
+def _things(things: DecorationRows) -> str:
+    """Writes decorations that are told as rows."""
+    before, parts = _TEXTS[things.room.id][:-1], []
+    ids, colours = [*map(quoted, furniture_ids(things.room))], map(_TEXTS.__getitem__, things.colours)
+    for of, color, (_, parent, _, wall, rotation, _, number, _, x0, z0, x1, z1, low, *_) in zip(
+        things.looks, colours, things.rows, strict=True
+    ):
+        look = _FRAGMENTS[of]
+        ids.append(name := f'{before}/{look.name}_{number}"')
+        parts.append(
+            f'{{"id":{name},{look.named}"parent":{ids[parent] if parent >= 0 else "null"},"mounted_on_wall":{_WALLS[wall]},'
+            f'"x":{(x0 + x1) / 2000!r},"y":{low / 1000!r},"z":{(z0 + z1) / 2000!r},'
+            f'"rotation":{rotation},{look.size},"color":{color}{look.kind}}}'
+        )
+    return f"[{','.join(parts)}]"
 
-    def __missing__(self, look: Look) -> tuple[str, str, str, str]:
+
+class _Fragment(NamedTuple):
+    """What is written of all bodies that look alike: the name within an id, and the keys of name, size and kind; the category."""
+
+    name: str
+    named: str
+    size: str
+    kind: str
+    category: str
+
+
+class _Fragments(dict[Look, _Fragment]):
+    """What is written of all bodies that look alike."""
+
+    def __missing__(self, look: Look) -> _Fragment:
         if len(self) >= MOST_TEXTS:
             self.clear()
         width, depth, height = map(_number, look.size)
         name, kind = quoted(look.name), _unless_none("kind", _TEXTS.__getitem__)(look.kind)
         size = f'"width":{width},"depth":{depth},"height":{height}'
-        found = self[look] = name[1:-1], f'"name":{name},"parent":', size, kind
+        found = self[look] = _Fragment(name[1:-1], f'"name":{name},', size, kind, _TEXTS[look.category])
         return found
 
 
@@ -139,10 +165,10 @@ _TEXTS: Final = _Texts()
 _FRAGMENTS: Final = _Fragments()
 _BY_CLASS: Final[dict[type[Any], Callable[[Any], str]]] = {
     type(None): lambda _: "null", bool: {False: "false", True: "true"}.__getitem__, int: repr, float: _number, tuple: _items,
-    Furniture: _record, Opening: _record, DressedRows: _things,
+    Furniture: _record, Opening: _record, FurnitureRows: _pieces, DecorationRows: _things,
 }  # fmt: skip
 _WRITERS: Final[dict[Callable[[Any], Any], Callable[[Any], str]]] = {
     write_number: _number, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,
 }  # fmt: skip
 """What writes as text what a function of the document's writer writes."""
-_WALLS: Final = [_TEXTS[wall] for wall in THING_WALLS]
+_WALLS: Final = [_TEXTS[wall] for wall in BODY_WALLS]

@@ -14,7 +14,7 @@ from typing import Any, Final
 
 from catalogs import Catalogs
 from catalogs.kind_book import KindBook
-from solver.dressed import THING_WALLS, DressedRows, Look, count_decorations, rows_in
+from solver.body_rows import BODY_WALLS, DecorationRows, FurnitureRows, Look, count_decorations, count_furniture, rows_in
 from solver.exports.kind_facts import KindFacts, book_of, decoration_facts, furniture_facts, living_facts
 from solver.exports.model import PlacedOpening
 from solver.exports.wall_bands import WallBands
@@ -49,7 +49,7 @@ def rows_of(scene: Scene, catalogs: Catalogs) -> dict[str, list[Row]]:
 def _room(seed: int | None, room: Room, report: Mapping[str, Any]) -> Row:
     corners = [[round(room.x + x, 6), round(room.z + z, 6)] for x, z in room.corners]
     where = room.x, room.z, room.width, room.depth, round(room.floor_m2, 4), corners, room.flooring.type if room.flooring else None
-    counts = len(room.furniture), count_decorations(room)
+    counts = count_furniture(room), count_decorations(room)
     proof = report.get("cost"), report.get("proven"), report.get("best"), [entry["piece"] for entry in report.get("left_out", ())]
     return seed, room.id, room.index, room.type, room.level, room.outdoor, *where, *counts, *proof
 
@@ -59,19 +59,23 @@ def _pieces(scene: Scene, book: KindBook) -> Iterator[Row]:
     frames = {room.id: (scene.seed, room, elevations.get(room.level, 0.0)) for room in scene.rooms}
     for frame in frames.values():
         room = frame[1]
-        for piece in room.furniture:
+        pieces, things = rows_in(room, FurnitureRows), rows_in(room, DecorationRows)
+        origin = [round(2000 * edge) for edge in (room.x, frame[2], room.z)]
+        if [edge / 2000 for edge in origin] != [room.x, frame[2], room.z]:
+            pieces = things = None
+        for piece in room.furniture if pieces is None else ():
             key = book.kind_of("furniture", piece.name, (piece.width, piece.depth, piece.height), piece.kind)
             facts, carried = furniture_facts(book, piece.name, key, piece.category), (piece.on, piece.under, piece.wall)
             yield _body(frame, piece, "furniture", facts, carried)
-        rows, origin = rows_in(room), [round(2000 * edge) for edge in (room.x, frame[2], room.z)]
-        if rows is not None and [edge / 2000 for edge in origin] == [room.x, frame[2], room.z]:
-            yield from _things(frame, rows, book, origin)
-        else:
-            rows = None
-        for thing in room.decorations if rows is None else ():
+        if pieces is not None:
+            ids = (*pieces.ids, None)
+            yield from _told(frame, pieces, book, origin, [(ids[row[1]], ids[row[2]]) for row in pieces.rows])
+        for thing in room.decorations if things is None else ():
             key = book.kind_of("decoration", thing.name, (thing.width, thing.depth, thing.height), thing.kind)
             facts = decoration_facts(book, thing.name, key)
             yield _body(frame, thing, "decoration", facts, (thing.parent, None, thing.mounted_on_wall))
+        if things is not None:
+            yield from _told(frame, things, book, origin, [(parent, None) for parent in things.parents])
     for one in scene.dynamic:
         if one.room in frames:
             facts = living_facts(book, one.kind, one.on is not None)
@@ -80,6 +84,8 @@ def _pieces(scene: Scene, book: KindBook) -> Iterator[Row]:
 
 _Frame = tuple[int | None, Room, float]
 """A home's seed, a room, and how high its floor is, m."""
+_Carriers = tuple[str | None, str | None]
+"""What carries a body, what it is under."""
 _Carried = tuple[str | None, str | None, str | None]
 """What carries a body, what it is under, the wall it is at."""
 
@@ -94,23 +100,27 @@ def _body(frame: _Frame, body: Furniture | Decoration | Dynamic, sort: str, fact
     return seed, *named, *place, *size, mass, body.color, *carried
 
 
-def _things(frame: _Frame, rows: DressedRows, book: KindBook, origin: Sequence[int]) -> Iterator[Row]:
-    """Yields the rows of decorations that are told as rows, in a room that begins at half millimetres: no sum need be rounded."""
+def _told(
+    frame: _Frame, bodies: FurnitureRows | DecorationRows, book: KindBook, origin: Sequence[int], carried: Sequence[_Carriers]
+) -> Iterator[Row]:
+    """Yields the rows of bodies that are told as rows, in a room that begins at half millimetres: no sum need be rounded."""
     (seed, room, _), (west, floor, north) = frame, origin
     name = room.id
-    told = zip(rows.ids, rows.looks, rows.parents, rows.colours, rows.rows, strict=True)
-    for label, look, parent, color, (_, _, wall, rotation, _, _, x0, z0, x1, z1, low, *_) in told:
-        facts, size, mass = _facts_of_look(book, look)
+    told = zip(bodies.ids, bodies.looks, carried, bodies.colours, bodies.rows, strict=True)
+    for label, look, carriers, color, (_, _, _, wall, rotation, _, _, _, x0, z0, x1, z1, low, *_) in told:
+        of_look, size, mass = _facts_of_look(book, look)
         place = (west + x0 + x1) / 2000, (floor + 2 * low) / 2000, (north + z0 + z1) / 2000, float(rotation)
-        yield (seed, label, name, "decoration", look.name, *facts, *place, *size, mass, color, parent, None, THING_WALLS[wall])
+        yield (seed, label, name, *of_look, *place, *size, mass, color, *carriers, BODY_WALLS[wall])
 
 
 @lru_cache(maxsize=1 << 13)
-def _facts_of_look(book: KindBook, look: Look) -> tuple[tuple[str | None, str], tuple[float, float, float], float]:
-    """Returns of things that look alike the key and category of their kind, their size and mass."""
-    facts = decoration_facts(book, look.name, book.kind_of("decoration", look.name, look.size, look.kind))
+def _facts_of_look(book: KindBook, look: Look) -> tuple[tuple[str, str, str | None, str], tuple[float, float, float], float]:
+    """Returns of bodies that look alike their sort, name, and the key and category of their kind; their size and mass."""
+    sort = look.key[0]
+    key = book.kind_of(sort, look.name, look.size, look.kind)
+    facts = furniture_facts(book, look.name, key, look.category) if sort == "furniture" else decoration_facts(book, look.name, key)
     width, depth, height = look.size
-    return (facts.key, facts.category), look.size, round(facts.mass * (width * depth * height / facts.volume), 4)
+    return (sort, look.name, facts.key, facts.category), look.size, round(facts.mass * (width * depth * height / facts.volume), 4)
 
 
 def _door(seed: int | None, one: PlacedOpening) -> Row:

@@ -8,13 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from struct import Struct
 from typing import Final, TypeVar, get_args
 
 from catalogs.checks import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Run
+from solver.body_rows import LooksBySize, furniture_look
 from solver.furnish.floor_about import FloorAbout, asked_about, floors_about
 from solver.geometry import to_mm
+from solver.pieces import NamedKinds
 from solver.relations.relation import distance_mm
 from solver.relations.subject import Kind, SurfaceHeight
 
@@ -31,7 +34,7 @@ _SORTS: Final = ("door", "window", "exterior", "plain", "short", "long")
 _ROW: Final = {
     name: Struct(layout)
     for name, layout in {
-        "kind": "<3q12i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
+        "kind": "<3q14i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
         "sort": "<2id", "side": "<i", "comfort": "<2i2qd4q2iq", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
         "end": "<i", "triangle": "<i",
     }.items()
@@ -50,13 +53,20 @@ class CompiledType:
         data: its bytes.
         specs: the pieces that its rows speak of.
         kinds: the kinds that its rows speak of.
+        looks: how furniture of these looks.
         made_from: the room type and what it was compiled with.
     """
 
     data: bytes
     specs: tuple[PieceSpec, ...]
     kinds: tuple[Kind, ...]
+    looks: LooksBySize
     made_from: tuple[object, ...]
+
+    @cached_property
+    def named(self) -> NamedKinds:
+        """Names and sizes of the kinds."""
+        return tuple((kind.name, kind.size) for kind in self.kinds)
 
 
 _kept: dict[tuple[int, ...], CompiledType] = {}
@@ -80,9 +90,9 @@ def compiled_type(room_type: RoomType | None, catalogs: Catalogs, name: str = ""
             _kept.pop(next(iter(_kept)), None)
         tables = _Tables(catalogs, name if room_type and not room_type.outdoor else None)
         specs = tuple(spec for spec in (room_type.pieces if room_type else ()) if not spec.without)
-        found = _kept[key] = CompiledType(
-            tables.compiled(room_type.run if room_type else None, specs), specs, tuple(tables.kinds.values()), made_from
-        )
+        data, kinds = tables.compiled(room_type.run if room_type else None, specs), tuple(tables.kinds.values())
+        looks = {(number, *kind.size): furniture_look(kind.name, kind.size, catalogs) for number, kind in enumerate(kinds)}
+        found = _kept[key] = CompiledType(data, specs, kinds, looks, made_from)
     return found
 
 
@@ -108,6 +118,7 @@ class _Tables:
         self._rows: dict[str, list[bytes]] = {name: [] for name in _ROW}
         self._words: dict[str, int] = {}
         self._surfaces: dict[str, int] = {}
+        self._names: dict[str, int] = {}
         self._among: dict[str, int] = {}
 
     def compiled(self, run: Run | None, specs: Sequence[PieceSpec]) -> bytes:
@@ -151,7 +162,8 @@ class _Tables:
         use = self._sides(kind.use_sides)
         comforts = self._added("comfort", about, self._comfort)
         used = len(kind.use_sides), sides, kind.need_all
-        self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, *used, *levels, *parts, *use, *comforts))
+        name = self._names.setdefault(self._catalogs.name_of(kind.name), len(self._names))
+        self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, *used, *levels, *parts, *use, *comforts, name, 0))
 
     def _comfort(self, floor: FloorAbout) -> tuple[float, ...]:
         return (SIDES.index(floor.side), *floor[1:-2], -1 if floor.other is None else SIDES.index(floor.other), floor.off)

@@ -9,9 +9,10 @@ from collections.abc import Sequence
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
+from solver.body_rows import LooksBySize
 from solver.furnish.compiled_types import RELATION_WORDS, SIDES, WALLS_ASKED, CompiledType
 from solver.geometry import Rect
-from solver.pieces import Attach, Candidate, Extents, Link, Piece, Space, Stand, Zone
+from solver.pieces import Attach, Candidate, Link, NamedKinds, Piece, Space, Stand, Zone
 from solver.relations.subject import Scope
 from solver.scene import WALLS
 
@@ -132,14 +133,19 @@ class TypeNames(NamedTuple):
 
     known: CompiledType
 
+    @property
+    def kinds(self) -> NamedKinds:
+        """The kinds of the room's type, by their numbers."""
+        return self.known.named
+
+    @property
+    def looks(self) -> LooksBySize:
+        """How furniture of these kinds looks."""
+        return self.known.looks
+
     def labels(self, rows: Sequence[tuple[int, int, int]]) -> list[str]:
         """Returns the labels of wanted pieces, in their order."""
         return labels_of(rows, self.known)
-
-    def kind(self, number: int) -> tuple[str, Extents]:
-        """Returns the name and size of a kind."""
-        kind = self.known.kinds[number]
-        return kind.name, kind.size
 
     def candidate(self, row: bytes, labels: Sequence[str]) -> Candidate:
         """Returns a candidate from its row."""

@@ -15,7 +15,7 @@ from catalogs import Catalogs
 from catalogs.dwellers import Dweller, Seats
 from catalogs.entries import Surface
 from solver.free_floor import FreeFloor, Goal
-from solver.free_places import block_of, footprint
+from solver.free_places import block_of, decorations_in, footprint
 from solver.geometry import half_m, rotate, wall_faced
 from solver.people.sights import Sight, faces, sights
 from solver.scene import Dynamic, Furniture, Room
@@ -148,7 +148,7 @@ def _seated(person: Dynamic, piece: Furniture, seat: Surface, place: tuple[int, 
 def _on_top(room: Room, placed: Dynamic) -> Dynamic:
     """Returns somebody on top of the cushions and blankets that lie there on the seat."""
     own = block_of(placed)
-    there = (block_of(thing) for thing in room.decorations)
+    there = (thing.block for thing in decorations_in(room))
     tops = [
         block.high for block in there if block.rect.overlaps(own.rect) and round(own.low) < round(block.high) <= round(own.low) + CUSHION_MM
     ]

@@ -9,8 +9,8 @@ from collections.abc import Container
 from dataclasses import replace
 
 from catalogs import Catalogs
+from solver.body_rows import count_decorations
 from solver.decorations import BareRoom, DecorationSettings, decorated_rooms
-from solver.dressed import count_decorations
 from solver.pipeline.accessible import floors_asked_for
 from solver.pipeline.room_spaces import spaces_in
 from solver.scene import Scene

@@ -17,7 +17,7 @@ from solver.errors import SceneError
 from solver.exchange import checked_request, write_request
 from solver.floorplan import FloorPlan, door_positions, draw, wall_thickness_of, with_door_at
 from solver.furnish import space_of, unwanted_pieces, wanted_pieces, wanted_rows
-from solver.furnished import furnished
+from solver.furnished import furnished, kinds_placed
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
@@ -196,7 +196,7 @@ def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
     """Returns how many of the room type's requirements the arrangement does not meet."""
     room_type = setting.catalogs.rooms.get(room.type)
     requires = room_type.requires if room_type else ()
-    names = [setting.catalogs.name_of(placed.chosen.kind) for placed in arrangement.placed] if requires else []
+    names = list(map(setting.catalogs.name_of, kinds_placed(arrangement))) if requires else []
     return sum(not any(names.count(name) >= number for name, number in either.items()) for either in requires)
 
 
@@ -237,8 +237,8 @@ def _written(rooms: Iterable[Room], arrangements: Mapping[str, Arrangement], set
 
 
 def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Request, setting: _Setting) -> Scene:
-    written, outline = _written(plan.rooms, arrangements, setting), plan.drawing.layout.outline
-    rooms = tuple(with_materials(room, setting.catalogs, setting.style, setting.seed) for room in written)
+    bare = (with_materials(room, setting.catalogs, setting.style, setting.seed) for room in plan.rooms)
+    rooms, outline = _written(bare, arrangements, setting), plan.drawing.layout.outline
     of_plan = {
         "spine": plan.spine,
         "unjoined": [list(pair) for pair in plan.unjoined],

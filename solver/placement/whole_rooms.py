@@ -6,14 +6,17 @@ Comes in: `WantedRows`. Goes out: Arrangements in whole millimetres, the same as
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Iterator, Sequence, Set
+from dataclasses import dataclass
 from itertools import pairwise
 from struct import Struct
 from typing import Final, NamedTuple
 
+from solver.body_rows import BODY
 from solver.core import CoreInstance, borrowed
+from solver.fields import made_later
 from solver.geometry import Rect
-from solver.pieces import Arrangement, Placed, Residuals, WantedRows
+from solver.pieces import Arrangement, Placed, Residuals, RowNames, StandingRows, WantedRows
 from solver.placement.arrange import CANNOT_STAND, NOT_FOUND, NOT_WALKABLE, REASONS
 from solver.placement.budget import Budget
 from solver.placement.layout import COVERED, NO_WAY, SPENT
@@ -109,24 +112,54 @@ def _residuals(core: CoreInstance, answers: Sequence[_Answer]) -> list[Residuals
     return [None if one.made.widened else judged.residuals for one, judged in zip(answers, answer.rooms, strict=True)]
 
 
+@dataclass(frozen=True)
+class _Placing:
+    """The pieces of a room that stand, as the core told them; called, it makes them.
+
+    Args:
+        names: what the numbers mean.
+        wanted: what the wanted pieces are called by.
+        ways: how those that stand were placed.
+        standing: the same as bodies.
+    """
+
+    names: RowNames
+    wanted: bytes
+    ways: bytes
+    standing: StandingRows
+
+    def __call__(self) -> tuple[Placed, ...]:
+        labels, candidate = self.labels(), self.names.candidate
+        return tuple(
+            Placed(labels[piece], candidate(way, labels), rotation, _WALL_NAMES[wall], Rect(x0, z0, x1, z1))
+            for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(self.ways)
+        )
+
+    def labels(self) -> list[str]:
+        """Returns the labels of the wanted pieces."""
+        return self.names.labels(list(_NAME.iter_unpack(self.wanted)))
+
+
 def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None) -> Arrangement:
     made, data = answer.made, answer.rows
     ends = [_MADE.size]
-    for row, count in ((_NAME, made.names), (_PLACED, made.placed), (_LEFT_OUT, made.left_out)):
+    for row, count in ((_NAME, made.names), (_PLACED, made.placed), (BODY, made.placed), (_LEFT_OUT, made.left_out)):
         ends.append(ends[-1] + row.size * count)
-    names, standing, missing = (data[start:end] for start, end in pairwise(ends))
-    labels = room.names.labels(list(_NAME.iter_unpack(names)))
-    placed = tuple(
-        Placed(labels[piece], room.names.candidate(way, labels), rotation, _WALL_NAMES[wall], Rect(x0, z0, x1, z1))
-        for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(standing)
-    )
-    holds = f"{clear_size(room.space.clear)} and holds {len(placed)} pieces"
-    rows = list(_LEFT_OUT.iter_unpack(missing))
-    gone = {labels[row[0]] for row in rows}
-    left_out = tuple(_reason(room, row, (labels, gone), holds) for row in rows)
+    names, ways, bodies, missing = (data[start:end] for start, end in pairwise(ends))
+    placing = _Placing(room.names, names, ways, StandingRows(bodies, room.names.kinds, room.names.looks))
+    left_out = tuple(_reasons(room, placing, [*_LEFT_OUT.iter_unpack(missing)], made.placed)) if made.left_out else ()
     notes = () if made.walkable else (NOT_WALKABLE,)
     proven, best = bool(made.proven), bool(made.best)
-    return Arrangement(room.space.room, placed, left_out, made.cost, proven, made.solves, notes, best, residuals)
+    arrangement = Arrangement(room.space.room, (), left_out, made.cost, proven, made.solves, notes, best, residuals)
+    return made_later(arrangement, placed=placing)
+
+
+def _reasons(room: WantedRows, placing: _Placing, rows: Sequence[Sequence[int]], count: int) -> Iterator[tuple[str, str]]:
+    """Yields the label of each piece that was left out, and why."""
+    labels = placing.labels()
+    gone = {labels[row[0]] for row in rows}
+    for row in rows:
+        yield _reason(room, row, (labels, gone), f"{clear_size(room.space.clear)} and holds {count} pieces")
 
 
 def _reason(room: WantedRows, row: Sequence[int], pieces: tuple[Sequence[str], Set[str]], holds: str) -> tuple[str, str]:
@@ -135,5 +168,5 @@ def _reason(room: WantedRows, row: Sequence[int], pieces: tuple[Sequence[str], S
     piece, why, parent, kind, at_walls, *free = row
     by_wall = dict(zip(NUMBERED_WALLS, free, strict=True))
     longest = {wall: by_wall[wall] for wall in WALLS} if at_walls else {}
-    needed = room_needed(room.names.kind(kind), named_parent(labels[parent], gone) if parent >= 0 else None, longest, holds)
+    needed = room_needed(room.names.kinds[kind], named_parent(labels[parent], gone) if parent >= 0 else None, longest, holds)
     return labels[piece], f"{_WHY[why]}; {needed}"

@@ -214,7 +214,7 @@ def _goes_with(one: Furniture | Decoration, piece: Furniture, rule: AccessRule) 
 
 def _before(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
     for piece, taken in _pieces(rule, place, world):
-        side = side_of(piece, "front")
+        side = side_of(piece.rotation, "front")
         frame = turned(_clear(place, world), side), [turned(box, side) for box in taken]
         own = turned(_footprint(piece), side)
         if rule.deep is None:
@@ -228,7 +228,7 @@ def _along(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[Access
     for piece, taken in _pieces(rule, place, world):
         depths = []
         for name in ("left", "right"):
-            side = side_of(piece, name)
+            side = side_of(piece.rotation, name)
             own = turned(_footprint(piece), side)
             depths.append(depth_before(turned(_clear(place, world), side), [turned(box, side) for box in taken], own.z1, (own.x0, own.x1)))
         for needs, has in ((rule.least, max(depths)), (rule.other or 0.0, min(depths))):

@@ -43,6 +43,6 @@ def room_alone(scene: Scene, catalogs: Catalogs) -> RoomAlone:
 
 
 def _use(body: AnyBody, kinds: Kinds) -> tuple[int, int]:
-    use = kinds.use(body.name) if isinstance(body, Furniture) and is_body(body) else None
-    bits = sum({_BIT[side_of(body, side)] for side in use.sides}) if use else 0
+    use = kinds.use(body.name) if isinstance(body, Furniture) and is_body(body.height) else None
+    bits = sum({_BIT[side_of(body.rotation, side)] for side in use.sides}) if use else 0
     return (0, bits) if use and use.need == "all" else (bits, 0)

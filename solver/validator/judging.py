@@ -65,7 +65,7 @@ class RuleCase:
 
     def name(self, body: int) -> str:
         """Returns the id of a body by its place in the room."""
-        return self.room.bodies[body].id
+        return self.room.ids[body]
 
 
 class Finding(NamedTuple):

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 from struct import Struct, pack
-from typing import Final, NamedTuple, TypeAlias
+from typing import Final, NamedTuple
 
 from catalogs import Catalogs
 from catalogs.dressing import DecorationKind
@@ -20,10 +20,8 @@ from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
 from solver.body_parts import is_round
 from solver.validator.lattice import exact
+from solver.validator.world import KindKey
 
-KindKey: TypeAlias = tuple[str, str, float, float, float, str | None]
-"""What a body's kind is looked up by: "furniture" or "decoration", name, width, depth and height, the kind that the scene names; or
-"person", the kind, no size, and SEATED of those who sit."""
 SEATED: Final = "seated"
 _MOST_KNOWN: Final = 20_000
 """Keys whose rows are kept."""

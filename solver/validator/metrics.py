@@ -15,7 +15,7 @@ from solver.scene_bodies import counted
 from solver.understanding import understood
 from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.lattice import PER_METRE
-from solver.validator.reaching import LEAST_FLOOR, is_body, missed_sides
+from solver.validator.reaching import LEAST_FLOOR, missed_sides, used_pieces
 from solver.validator.sent_rooms import ask
 from solver.validator.walk import Walk, walks
 from solver.validator.world import world_of
@@ -79,7 +79,5 @@ def _met(walked: tuple[Walk, ...], kinds: Kinds) -> Iterator[bool]:
     for walk in walked:
         for place in walk.places:
             entered = walk.floor(place) >= LEAST_FLOOR
-            for number, piece in enumerate(place.room.furniture):
-                use = kinds.use(piece.name) if is_body(piece) else None
-                if use is not None:
-                    yield entered and not missed_sides(walk, place, number, use)
+            for number, use in used_pieces(place, kinds):
+                yield entered and not missed_sides(walk, place, number, use)

@@ -12,6 +12,7 @@ from itertools import chain
 from struct import Struct, pack
 from typing import Any, Final, NamedTuple
 
+from solver.body_rows import furniture_ids
 from solver.demanded import demand
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import KindFronts, Kinds
@@ -91,7 +92,8 @@ def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> li
         return []
     demand(FRONT_WORK * sum(len(fronts.each) for _, fronts in openers) * place.count_bodies())
     told = _OPENED.iter_unpack(ask("open_fronts", front_bytes(openers, shell_of(world, place), rows)))
-    return [_travel(place, body, front, next(told)) for body, fronts in openers for front in fronts.each]
+    names = furniture_ids(place.room)
+    return [_travel(place, names[body], front, next(told)) for body, fronts in openers for front in fronts.each]
 
 
 def front_bytes(openers: Sequence[_Opener], shell: Sequence[float], rows: bytes) -> bytes:
@@ -104,16 +106,14 @@ def front_bytes(openers: Sequence[_Opener], shell: Sequence[float], rows: bytes)
 
 def openers_in(place: PlacedRoom, kinds: Kinds) -> list[_Opener]:
     """Returns the pieces of a room that have fronts, by their number there."""
-    keys = (("furniture", one.name, one.width, one.depth, one.height, one.kind) for one in place.room.furniture)
-    return [(number, fronts) for number, key in enumerate(keys) if (fronts := kinds.fronts(key)).each]
+    return [(number, fronts) for number, (key, _) in enumerate(place.pieces) if (fronts := kinds.fronts(key)).each]
 
 
-def _travel(place: PlacedRoom, body: int, front: tuple[str, bool, float, bool], row: Sequence[int]) -> FrontTravel:
+def _travel(place: PlacedRoom, piece: str, front: tuple[str, bool, float, bool], row: Sequence[int]) -> FrontTravel:
     (name, slides, reach, must_open), (travel, meets) = front, row
-    piece = place.room.furniture[body].id
     if meets == _NOTHING:
         return FrontTravel(piece, name, slides, reach, reach, None, must_open)
-    return FrontTravel(piece, name, slides, travel / _MILLIONTHS, reach, WALL if meets < 0 else place.bodies[meets].id, must_open)
+    return FrontTravel(piece, name, slides, travel / _MILLIONTHS, reach, WALL if meets < 0 else place.ids[meets], must_open)
 
 
 def certified_fronts(travels: Sequence[FrontTravel]) -> dict[str, dict[str, Any]]:

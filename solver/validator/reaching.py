@@ -12,6 +12,7 @@ from catalogs.schema import Use
 from solver.geometry import LEAST_FLOOR_MM2
 from solver.scene import Furniture
 from solver.validator.judging import Finding, RuleCase
+from solver.validator.kinds import Kinds
 from solver.validator.lattice import PER_METRE, exact, words
 from solver.validator.walk import Walk
 from solver.validator.world import FLAT, PlacedRoom, World, side_of
@@ -26,22 +27,30 @@ def unreachable(case: RuleCase) -> Iterator[Finding]:
     if walk.floor(place) < LEAST_FLOOR:
         yield Finding((), world.robot, _room_message(world, walk, place))
         return
-    for number, piece in enumerate(place.room.furniture):
-        use = case.kinds.use(piece.name) if is_body(piece) else None
-        missed = missed_sides(walk, place, number, use) if use else ()
-        if use and missed:
+    for number, use in used_pieces(place, case.kinds):
+        missed = missed_sides(walk, place, number, use)
+        if missed:
+            piece = place.room.furniture[number]
             yield Finding((piece.id,), world.robot, _side_message(world, piece, use, missed))
 
 
-def is_body(piece: Furniture) -> bool:
-    """Tells whether a piece is higher than a rug."""
-    return exact(piece.height) > FLAT
+def is_body(height: float) -> bool:
+    """Tells whether furniture of some height, m, is higher than a rug."""
+    return exact(height) > FLAT
+
+
+def used_pieces(place: PlacedRoom, kinds: Kinds) -> Iterator[tuple[int, Use]]:
+    """Yields the pieces of a room that are used from a side, by their numbers there, and from which."""
+    for number, ((_, name, _, _, height, _), _) in enumerate(place.pieces):
+        use = kinds.use(name)
+        if use is not None and is_body(height):
+            yield number, use
 
 
 def missed_sides(walk: Walk, place: PlacedRoom, number: int, use: Use) -> tuple[str, ...]:
     """Returns the use sides of a piece, by its number in its room, that the square cannot come to; none where enough are reached."""
-    piece = place.room.furniture[number]
-    missed = tuple(side for side in use.sides if not walk.touches(place, number, side_of(piece, side)))
+    _, rotation = place.pieces[number]
+    missed = tuple(side for side in use.sides if not walk.touches(place, number, side_of(rotation, side)))
     return missed if use.need == "all" or len(missed) == len(use.sides) else ()
 
 
@@ -57,5 +66,5 @@ def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
 
 def _side_message(world: World, piece: Furniture, use: Use, missed: tuple[str, ...]) -> str:
     joined = " and its " if use.need == "all" else " or its "
-    sides = joined.join(f"{side} ({side_of(piece, side)})" for side in missed)
+    sides = joined.join(f"{side} ({side_of(piece.rotation, side)})" for side in missed)
     return f"a square of {words(world.robot)} cannot come to {piece.id}'s {sides}"

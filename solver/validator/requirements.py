@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
 from catalogs.schema import RoomType
+from solver.body_rows import furniture_names
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.world import PlacedRoom
 
@@ -21,9 +22,11 @@ _NEVER_TRIED: Final = "it was not asked for, or was taken away"
 def missing_required(case: RuleCase) -> Iterator[Finding]:
     """A required piece is not there; the reason is what the scene's certificate gives."""
     place = case.room
-    there = Counter(piece.name for piece in place.room.furniture)
     known = case.kinds.rooms.get(place.room.type)
-    for line in known.requires if known else ():
+    if known is None or not known.requires:
+        return
+    there = Counter(furniture_names(place.room))
+    for line in known.requires:
         if any(there[name] >= count for name, count in line.items()):
             continue
         wanted = " or ".join(name if count == 1 else f"{count} {name}" for name, count in line.items())

@@ -12,13 +12,13 @@ from itertools import count
 from struct import Struct
 from typing import Final, NamedTuple
 
+from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, rows_in
 from solver.core import borrowed
-from solver.dressed import DressedRows, rows_in
 from solver.scene import WALLS
-from solver.validator.kinds import NO_KIND, SEATED, KindKey, KindRows, Kinds
+from solver.validator.kinds import NO_KIND, SEATED, KindRows, Kinds
 from solver.validator.lattice import ExactBox, WallEdge
 from solver.validator.squares import squares, window_zone
-from solver.validator.world import WAYS, Hole, PlacedRoom, World, turns_of
+from solver.validator.world import WAYS, Hole, KindKey, PlacedRoom, World, turns_of
 
 _ROOM: Final = Struct("<5q14i")
 _BOX: Final = Struct("<4q")
@@ -58,10 +58,10 @@ def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:
     outline = place.outline
     shell = (outline.inside, outline.missing, edges, ways, doors, windows)
     kinds_sent, kind_sizes = of_kinds.sent()
-    sizes = (*map(len, shell), *kind_sizes, len(bodies.told), bodies.names, bodies.things, bodies.first_thing, 0)
+    sizes = (*map(len, shell), *kind_sizes, len(bodies.told), bodies.names, *bodies.counts)
     head = _ROOM.pack(world.half_wall, *outline.bounds, *sizes)
     boxes = [_BOX.pack(*box) for box in (*outline.inside, *outline.missing)]
-    return b"".join([head, *boxes, *edges, *ways, *doors, *windows, kinds_sent, *bodies.told, bodies.rows_of_things])
+    return b"".join([head, *boxes, *edges, *ways, *doors, *windows, kinds_sent, *bodies.told, bodies.rows])
 
 
 def storey_bytes(
@@ -120,50 +120,53 @@ def _edge(edge: WallEdge) -> bytes:
 
 
 class _SentBodies(NamedTuple):
-    """A room's bodies: those told one by one, how many ids there are; small things that are told as rows, and where their ids begin."""
+    """A room's bodies: those told one by one; how many ids there are; those told as rows.
+
+    `counts`: how much furniture and how many small things are told as rows, and where the ids of the latter begin.
+    """
 
     told: list[bytes]
     names: int
-    things: int = 0
-    first_thing: int = 0
-    rows_of_things: bytes = b""
+    rows: bytes
+    counts: tuple[int, int, int]
 
 
 def _bodies(place: PlacedRoom, kinds: _KindTable) -> _SentBodies:
     """Returns furniture, small things and people; ids are numbered as they come, equal ones alike."""
     room, none = place.room, -1
-    numbers: dict[str | None, int] = {None: none}
+    pieces, things = rows_in(room, FurnitureRows), rows_in(room, DecorationRows)
+    numbers: dict[str | None, int] = {}
     pack, number = _BODY.pack, numbers.setdefault
-    rows = []
-    for piece in room.furniture:
-        width, depth, height = piece.width, piece.depth, piece.height
-        kind = kinds["furniture", piece.name, width, depth, height, piece.kind]
-        place_of = piece.x, piece.y, piece.z, width, depth, height, _turn(piece.rotation)
-        ids = number(piece.id, len(numbers)), number(piece.on, len(numbers)), number(piece.under, len(numbers))
-        rows.append(pack(*place_of, _FURNITURE, *ids, _WALL.get(piece.wall, _NO_SUCH_WALL), kind))
-    dressed, first = rows_in(room), len(numbers)
-    if dressed is not None and place.people:
-        numbers.update(zip(dressed.ids, count(first)))
-    for thing in room.decorations if dressed is None else ():
+    told = []
+    for piece, (key, rotation) in zip(room.furniture, place.pieces, strict=True) if pieces is None else ():
+        place_of = piece.x, piece.y, piece.z, piece.width, piece.depth, piece.height, _turn(rotation)
+        ids = [none if name is None else number(name, len(numbers)) for name in (piece.id, piece.on, piece.under)]
+        told.append(pack(*place_of, _FURNITURE, *ids, _WALL.get(piece.wall, _NO_SUCH_WALL), kinds[key]))
+    if pieces is not None and (place.people or things is None):
+        numbers.update(zip(pieces.ids, count()))
+    first = len(numbers) if pieces is None else len(pieces)
+    if things is not None and place.people:
+        numbers.update(zip(things.ids, count(first)))
+    for thing in room.decorations if things is None else ():
         width, depth, height = thing.width, thing.depth, thing.height
         kind = kinds["decoration", thing.name, width, depth, height, thing.kind]
         place_of = thing.x, thing.y, thing.z, width, depth, height, _turn(thing.rotation)
-        ids = number(thing.id, len(numbers)), number(thing.parent, len(numbers)), none
-        rows.append(pack(*place_of, _DECORATION, *ids, _WALL.get(thing.mounted_on_wall, _NO_SUCH_WALL), kind))
+        ids = [none if name is None else number(name, len(numbers)) for name in (thing.id, thing.parent)]
+        told.append(pack(*place_of, _DECORATION, *ids, none, _WALL.get(thing.mounted_on_wall, _NO_SUCH_WALL), kind))
     for person in place.people:
         kind = kinds["person", person.kind, 0.0, 0.0, 0.0, None if person.on is None else SEATED]
         place_of = person.x, person.y, person.z, person.width, person.depth, person.height, _turn(person.rotation)
-        ids = number(person.id, len(numbers)), number(person.on, len(numbers)), none
-        rows.append(pack(*place_of, _PERSON, *ids, none, kind))
-    if dressed is None:
-        return _SentBodies(rows, len(numbers))
-    return _SentBodies(rows, max(len(numbers), first + len(dressed)), len(dressed), first, _things(dressed, kinds))
+        ids = [none if name is None else number(name, len(numbers)) for name in (person.id, person.on)]
+        told.append(pack(*place_of, _PERSON, *ids, none, none, kind))
+    as_rows = [rows for rows in (pieces, things) if rows is not None]
+    counts = 0 if pieces is None else len(pieces), 0 if things is None else len(things), first
+    return _SentBodies(told, max(len(numbers), first + counts[1]), b"".join([_as_told(rows, kinds) for rows in as_rows]), counts)
 
 
-def _things(dressed: DressedRows, kinds: _KindTable) -> bytes:
-    """Returns small things that are told as rows already, and behind them how each is turned, and its kind."""
-    turned = [_turn(row[3]) + kinds[look.key].to_bytes(8, "little") for row, look in zip(dressed.rows, dressed.looks, strict=True)]
-    return dressed.content + b"".join(turned)
+def _as_told(bodies: BodyRows, kinds: _KindTable) -> bytes:
+    """Returns bodies that are told as rows already, and behind them how each is turned, and its kind."""
+    turned = [_turn(row[4]) + kinds[look.key].to_bytes(8, "little") for row, look in zip(bodies.rows, bodies.looks, strict=True)]
+    return bodies.content + b"".join(turned)
 
 
 @lru_cache(maxsize=1024)

@@ -10,11 +10,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final, TypeAlias
 
-from solver.dressed import count_decorations
+from solver.body_rows import FurnitureRows, count_decorations, count_furniture, decoration_ids, furniture_ids, rows_in
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
 
 AnyBody: TypeAlias = Furniture | Decoration | Dynamic
+KindKey: TypeAlias = tuple[str, str, float, float, float, str | None]
+"""What a body's kind is looked up by: "furniture" or "decoration", name, width, depth and height, the kind that the scene names; or
+"person", the kind, no size, and SEATED of those who sit."""
 
 SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
@@ -56,13 +59,26 @@ class PlacedRoom:
         return (edge for edge in self.outline.edges if edge is not None)
 
     @cached_property
+    def pieces(self) -> Sequence[tuple[KindKey, float]]:
+        """What kind of furniture each piece in it is, and its rotation."""
+        rows = rows_in(self.room, FurnitureRows)
+        if rows is not None:
+            return [(look.key, row[4]) for look, row in zip(rows.looks, rows.rows, strict=True)]
+        return [(("furniture", one.name, one.width, one.depth, one.height, one.kind), one.rotation) for one in self.room.furniture]
+
+    @cached_property
     def bodies(self) -> tuple[AnyBody, ...]:
-        """All that is in it: furniture, small things, people; the core's answers number them so."""
+        """All that is in it: furniture, small things, people."""
         return (*self.room.furniture, *self.room.decorations, *self.people)
+
+    @cached_property
+    def ids(self) -> Sequence[str]:
+        """The ids of all that is in it; the core's answers number it so."""
+        return [*furniture_ids(self.room), *decoration_ids(self.room), *(one.id for one in self.people)]
 
     def count_bodies(self) -> int:
         """Returns how many bodies it has."""
-        return len(self.room.furniture) + count_decorations(self.room) + len(self.people)
+        return count_furniture(self.room) + count_decorations(self.room) + len(self.people)
 
 
 @dataclass(frozen=True)
@@ -127,9 +143,9 @@ def turns_of(rotation: float) -> int:
     return round(rotation % 360 / 90) % 4
 
 
-def side_of(body: AnyBody, name: str) -> str:
-    """Returns where a side of the catalog (front, back, left = -x, right = +x, unrotated) looks in the room."""
-    return SIDES[(turns_of(body.rotation) + {"front": 0, "right": 1, "back": 2, "left": 3}[name]) % 4]
+def side_of(rotation: float, name: str) -> str:
+    """Returns where a side of the catalog (front, back, left = -x, right = +x, unrotated) of a body looks in the room."""
+    return SIDES[(turns_of(rotation) + {"front": 0, "right": 1, "back": 2, "left": 3}[name]) % 4]
 
 
 def _hole(opening: Opening, outline: Outline) -> Hole | None:

@@ -19,7 +19,7 @@ GROUND_FLOOR = {
     "core",
     "scene",
     "scene_bodies",
-    "dressed",
+    "body_rows",
     "named_kinds",
     "understanding",
     "named_assets",

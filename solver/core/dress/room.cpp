@@ -104,7 +104,7 @@ void DecoratedRoom::add(
   const i32 drawn = colour(choice, row, parent);
   i32 same = 1;
   for (const Carrier& one : carriers) same += one.word == kind.word;
-  things.add({choice.kind, static_cast<i32>(parent), at, turned, drawn, same, rect, low, size});
+  things.add({choice.kind, static_cast<i32>(parent), NOBODY, at, turned, drawn, same, 0, rect, low, size});
   const i64 number = carriers.size();
   if (parent != NOBODY || wall != Wall::none || size.height > FLAT_MM) blocks.add({rect, low, low + size.height, number});
   carriers.add({rect, low, low + size.height, turned, kind.word, known.surfaces_of(kind.surfaces), parent});

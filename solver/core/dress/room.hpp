@@ -62,15 +62,17 @@ struct Zone {
   i64 is_outline;  // a missing part of the rectangle
 };
 
-// A thing that was put into the room. `parent`: the number of a piece, or behind those of a thing. `colour`: -1 is the room's accent.
-// `number` counts what the room has of its word, furniture first.
+// A thing that was put into the room. `parent`: the number of a piece, or behind those of a thing. `under`: nobody. `colour`: -1 is the
+// room's accent. `number` counts what the room has of its word, furniture first.
 struct Thing {
   i32 kind;
   i32 parent;
+  i32 under;
   i32 wall;
   i32 rotation;
   i32 colour;
   i32 number;
+  i32 unused;
   Rect rect;
   i64 low;
   Size size;

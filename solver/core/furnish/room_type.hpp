@@ -66,6 +66,8 @@ struct Kind {
   Range parts;
   Range use;      // of `sides`: the same sides in order
   Range comforts;
+  i32 name;  // the same for kinds of one name
+  i32 unused;
 
   Extent size() const { return {width, depth}; }
   bool is_used_from(Side side) const { return use_sides >> static_cast<i32>(side) & 1; }

@@ -53,6 +53,7 @@ class Making {
     }
     if (!made_.failed) {
       add_placed();
+      add_standing();
       add_left_out();
     }
     return written(problem);
@@ -130,6 +131,33 @@ class Making {
     return Wall::none;
   }
 
+  // The number of a wanted piece among those that stand, -1 where it does not.
+  i32 standing(i64 piece) const {
+    for (i32 i = 0; i < placed_.size(); i++) {
+      if (placed_[i].piece == piece) return i;
+    }
+    return -1;
+  }
+
+  void add_standing() {
+    for (const PlacedRow& one : placed_) {
+      StandingRow row = {};
+      row.kind = one.way.kind;
+      row.on = one.way.is_on ? standing(one.way.parent) : -1;
+      row.under = one.way.is_under ? standing(one.way.parent) : -1;
+      row.wall = static_cast<Wall>(one.wall);
+      row.rotation = static_cast<i32>(one.rotation);
+      row.number = 1;
+      for (const StandingRow& other : standing_) row.number += name_of(other) == name_of(row);
+      row.rect = one.footprint;
+      row.low = one.way.bottom;
+      room_.size_of(one.way, row.size);
+      standing_.add(row);
+    }
+  }
+
+  i32 name_of(const StandingRow& row) const { return room_.type.kinds[row.kind].name; }
+
   void add_left_out() {
     for (const placement::LeftOut& one : whole_.left_out) {
       if (room_.wanted.pieces[static_cast<i32>(one.piece)].floor_side >= 0) continue;
@@ -154,10 +182,12 @@ class Making {
     made_.left_out = left_out_.size();
     made_.problem = problem == nullptr ? 0 : problem->size;
     const Span<const i64> numbers = {reinterpret_cast<const i64*>(problem), static_cast<i32>(made_.problem)};
-    Writer writer(sizeof(MadeRoom) + bytes_of(names.all()) + bytes_of(placed_.all()) + bytes_of(left_out_.all()) + 8 * made_.problem);
+    const i64 rows = bytes_of(names.all()) + bytes_of(placed_.all()) + bytes_of(standing_.all()) + bytes_of(left_out_.all());
+    Writer writer(sizeof(MadeRoom) + rows + 8 * made_.problem);
     writer.put(Span<MadeRoom>{&made_, 1});
     writer.put(names.all());
     writer.put(placed_.all());
+    writer.put(standing_.all());
     writer.put(left_out_.all());
     writer.put(numbers);
     return writer.written();
@@ -168,6 +198,7 @@ class Making {
   WholeRoom whole_ = {};
   MadeRoom made_ = {};
   List<PlacedRow> placed_;
+  List<StandingRow> standing_;
   List<LeftOutRow> left_out_;
 };
 

@@ -10,8 +10,8 @@ namespace rooms {
 // no way to stand, the floor is covered enough, the work was spent.
 enum Why : i64 { CANNOT_STAND, NOT_FOUND, NO_WAY, COVERED, SPENT };
 
-// The answer's beginning. How many rows follow of names, of pieces that stand and of those left out, and how many numbers of the final
-// problem (confirm.hpp) follow these.
+// The answer's beginning. How many rows follow of names, of pieces that stand (twice: as they were placed, and as bodies) and of those left
+// out, and how many numbers of the final problem (confirm.hpp) follow these.
 struct MadeRoom {
   i64 names, placed, left_out, problem;
   i64 failed;    // whether the search found nothing, or what breaks a rule: a fault of ours
@@ -34,6 +34,15 @@ struct PlacedRow {
   i64 piece, rotation, wall;
   Rect footprint;
   furnish::Candidate way;
+};
+
+// The same piece as a body: `on` and `under` are numbers of pieces that stand, -1 nobody; `number` counts those of one name.
+struct StandingRow {
+  i32 kind, on, under;
+  Wall wall;
+  i32 rotation, colour, number, unused;
+  Rect rect;
+  i64 low, size[3];
 };
 
 // A piece left out: its smallest way to stand, and by wall the longest stretch that is free at its depth and height, mm.

@@ -23,7 +23,7 @@ static Body body_of(const BodyRow& row) {
   return body;
 }
 
-static BodyRow body_row(const ThingRow& thing, const ThingLook& look) {
+static BodyRow body_row(const ThingRow& thing, const ThingLook& look, Sort sort) {
   constexpr f64 MM = 1000.0;
   const auto middle = [](i64 low, i64 high) { return static_cast<f64>(low + high) / (2.0 * MM); };
   const auto metres = [](i64 length) { return static_cast<f64>(length) / MM; };
@@ -31,30 +31,37 @@ static BodyRow body_row(const ThingRow& thing, const ThingLook& look) {
   row.x = middle(thing.rect.x0, thing.rect.x1), row.y = metres(thing.low), row.z = middle(thing.rect.z0, thing.rect.z1);
   row.width = metres(thing.width), row.depth = metres(thing.depth), row.height = metres(thing.height);
   row.cosine = look.cosine, row.sine = look.sine, row.cosine_size = look.cosine_size, row.sine_size = look.sine_size;
-  row.turn = look.turn, row.quarters = look.quarters, row.sort = Sort::decoration;
-  row.under = -1, row.wall = thing.wall == static_cast<i32>(Wall::none) ? -1 : thing.wall;
+  row.turn = look.turn, row.quarters = look.quarters, row.sort = sort;
+  row.wall = thing.wall == static_cast<i32>(Wall::none) ? -1 : thing.wall;
   row.kind = look.kind >= 0 && look.kind < (1 << 30) ? static_cast<i32>(look.kind) : -1;
   return row;
+}
+
+// Reads bodies that are sent as they were put there; their ids are numbered from `first` on.
+static void read_things(Reader& reader, i32 count, Sort sort, i32 first, List<BodyRow>& rows) {
+  const Span<ThingRow> things = reader.take<ThingRow>(count);
+  const Span<ThingLook> looks = reader.take<ThingLook>(count);
+  const i32 before = rows.size();
+  for (i32 i = 0; i < count; i++) rows.add(body_row(things[i], looks[i], sort)).name = first + i;
+  const auto id = [&](i32 number) {
+    if (number >= rows.size()) fail(Failure::bad_request);
+    return number < 0 ? -1 : rows[number].name;
+  };
+  for (i32 i = 0; i < count; i++) rows[before + i].on = id(things[i].on), rows[before + i].under = id(things[i].under);
 }
 
 // Reads the bodies: furniture, small things, people.
 static Span<BodyRow> body_rows(const RoomRow& sent, Reader& reader) {
   const Span<BodyRow> told = reader.take<BodyRow>(sent.bodies);
-  if (sent.things == 0) return told;
-  const Span<ThingRow> things = reader.take<ThingRow>(sent.things);
-  const Span<ThingLook> looks = reader.take<ThingLook>(sent.things);
-  const Span<BodyRow> rows = reserved<BodyRow>(told.size + things.size);
+  if (sent.furniture == 0 && sent.things == 0) return told;
+  List<BodyRow> rows;
   i32 furniture = 0;
-  for (; furniture < told.size && told[furniture].sort == Sort::furniture; furniture++) rows[furniture] = told[furniture];
-  for (i32 i = 0; i < things.size; i++) {
-    const i32 parent = things[i].parent;
-    if (parent >= furniture + i) fail(Failure::bad_request);
-    BodyRow& row = rows[furniture + i] = body_row(things[i], looks[i]);
-    row.name = sent.first_thing + i;
-    row.on = parent < 0 ? -1 : rows[parent].name;
-  }
-  for (i32 i = furniture; i < told.size; i++) rows[things.size + i] = told[i];
-  return rows;
+  while (furniture < told.size && told[furniture].sort == Sort::furniture) rows.add(told[furniture++]);
+  if (furniture > 0 && sent.furniture > 0) fail(Failure::bad_request);
+  read_things(reader, sent.furniture, Sort::furniture, 0, rows);
+  read_things(reader, sent.things, Sort::decoration, sent.first_thing, rows);
+  for (i32 i = furniture; i < told.size; i++) rows.add(told[i]);
+  return rows.all();
 }
 
 Room read_room(Reader& reader) {

@@ -112,9 +112,9 @@ struct Body {
   bool rests() const { return row->sort == Sort::decoration && (row->on >= 0 || row->wall >= 0 || row->y != 0.0); }
 };
 
-// A small thing as it was put into the room, mm. `parent` counts the furniture, then the things; -1 is nobody.
+// Furniture or a small thing as it was put into the room, mm. `on` and `under` count the furniture, then the things; -1 is nobody.
 struct ThingRow {
-  i32 kind_of_dressing, parent, wall, rotation, colour, number;
+  i32 kind_there, on, under, wall, rotation, colour, number, unused;
   Rect rect;
   i64 low, width, depth, height;
 };
@@ -127,11 +127,12 @@ struct ThingLook {
   i64 kind;
 };
 
-// `things` that are sent as they were put there come between the furniture and the people; their ids are numbered from `first_thing` on.
+// What is sent as it was put there: `furniture`, its ids numbered from 0 on, and then no other furniture is sent; and `things`, between the
+// furniture and the people, their ids numbered from `first_thing` on.
 struct RoomRow {
   i64 half_wall;
   Rect bounds;
-  i32 inside, missing, edges, ways, doors, windows, kinds, surfaces, parts, bodies, names, things, first_thing, padding;
+  i32 inside, missing, edges, ways, doors, windows, kinds, surfaces, parts, bodies, names, furniture, things, first_thing;
 };
 
 struct Room {

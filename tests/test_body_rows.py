@@ -1,4 +1,4 @@
-"""Decorations that are made when they are asked for: what asks for rows and what asks for decorations say the same."""
+"""Furniture and decorations that are made when they are asked for: what asks for rows and what asks for bodies say the same."""
 
 from __future__ import annotations
 
@@ -12,9 +12,11 @@ import pytest
 from catalogs import load_catalogs
 from service.dataset.table_schemas import SCHEMAS
 from solver import generate
-from solver.dressed import count_decorations, rows_in
+from solver.body_rows import DecorationRows, FurnitureRows, count_decorations, count_furniture, furniture_ids, furniture_names, rows_in
+from solver.certificate import mark_of
 from solver.exchange import dump_scene, dump_text, write_scene
 from solver.exports.table_rows import rows_of
+from solver.free_places import decorations_in, furniture_in
 from solver.scene import Level, Request, Room, Scene
 from solver.scene_bodies import counted
 from solver.validator import check, metrics
@@ -33,23 +35,32 @@ REQUESTS = (
 
 
 def untold(scene: Scene) -> Scene:
-    """The same with its decorations one by one."""
+    """The same with its bodies one by one."""
     return replace(scene, rooms=tuple(Room(**{name: getattr(room, name) for name in Room.__dataclass_fields__}) for room in scene.rooms))
 
 
 @pytest.fixture(scope="module", params=REQUESTS, ids=lambda request: str(request.seed))
 def homes(request: pytest.FixtureRequest) -> tuple[Scene, Scene]:
-    """A home as it is made, its decorations told as rows, and the same with each decoration made."""
+    """A home as it is made, its bodies told as rows, and the same with each body made."""
     return generate(request.param, catalogs=KNOWN).scene, untold(generate(request.param, catalogs=KNOWN).scene)
 
 
 def test_rows_are_kept_and_nothing_is_made_before_it_is_asked_for(homes: tuple[Scene, Scene]) -> None:
     told, made = homes
-    assert all(rows_in(room) is not None for room in told.rooms)
-    assert all(rows_in(room) is None for room in made.rooms)
+    for sort in (FurnitureRows, DecorationRows):
+        assert all(rows_in(room, sort) is not None for room in told.rooms)
+        assert all(rows_in(room, sort) is None for room in made.rooms)
+    nobody_asked = (told.request or {}).get("people") is False  # who places people looks at the furniture about them
+    assert not nobody_asked or not any({"furniture", "decorations"} & room.__dict__.keys() for room in told.rooms)
+    assert [count_furniture(room) for room in told.rooms] == [len(room.furniture) for room in made.rooms]
     assert [count_decorations(room) for room in told.rooms] == [len(room.decorations) for room in made.rooms]
     assert counted(told.rooms, told.dynamic) == counted(made.rooms, made.dynamic)
     assert sum(map(count_decorations, told.rooms)) > 20
+    for room, other in zip(told.rooms, made.rooms, strict=True):
+        assert (furniture_ids(room), furniture_names(room)) == (furniture_ids(other), furniture_names(other))
+        assert furniture_in(room) == furniture_in(other)
+        assert decorations_in(room) == decorations_in(other)
+        assert mark_of(room) == mark_of(other)
 
 
 def test_a_home_is_written_alike(homes: tuple[Scene, Scene]) -> None:
@@ -80,7 +91,7 @@ def test_a_home_s_tables_are_alike(homes: tuple[Scene, Scene]) -> None:
             for home in homes
         ]
         told, made = moved
-        assert any(rows_in(room) for room in told.rooms)
+        assert any(rows_in(room, DecorationRows) for room in told.rooms)
         assert rows_of(told, KNOWN) == rows_of(made, KNOWN)
     assert {name: {len(row) for row in rows} for name, rows in rows_of(told, KNOWN).items()} == {
         name: {len(SCHEMAS[name])} for name in SCHEMAS if name != "houses"
@@ -116,8 +127,8 @@ def test_rooms_are_copied_pickled_and_changed_like_any_other() -> None:
     for way in (copy.copy, copy.deepcopy, lambda room: pickle.loads(pickle.dumps(room)), lambda room: replace(room, type="den")):
         told = next(room for room in generate(REQUESTS[0], catalogs=KNOWN).scene.rooms if count_decorations(room))
         done = way(told)
-        assert rows_in(done) is None
-        assert done.decorations == told.decorations
+        assert rows_in(done, FurnitureRows) is rows_in(done, DecorationRows) is None
+        assert (done.furniture, done.decorations) == (told.furniture, told.decorations)
         assert replace(done, type=told.type) == told
         assert hash((done.id, done.decorations[0].id)) == hash((told.id, told.decorations[0].id))
     assert replace(told, decorations=()).decorations == Room("empty").decorations == ()

@@ -1,0 +1,214 @@
+"""The bodies of a room as the core told them: rows of numbers, of which furniture and decorations are made when somebody asks for them.
+
+Comes in: the core's rows, how kinds look, the room. Goes out: a room whose `furniture` and `decorations` are made later; the rows. May
+import: scene. A home has some five hundred bodies, and whoever judges, counts or writes it needs numbers alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from struct import Struct
+from typing import Any, ClassVar, Final, TypeVar
+
+from catalogs import Catalogs
+from solver.fields import made_later, maker_in
+from solver.scene import WALLS, Decoration, Furniture, Room
+
+BODY: Final = Struct("<8i8q")
+"""Kind, on, under, wall, rotation, colour, number, nothing; x0, z0, x1, z1, low, width, depth, height, mm.
+
+`on` and `under` count the furniture, then the things; -1 is nobody. `number` counts the room's bodies of one name.
+"""
+BODY_WALLS: Final = (*WALLS, None)
+"""The walls that bodies stand or hang at, as they are numbered."""
+BodyRow = tuple[int, ...]
+RowsT = TypeVar("RowsT", bound="BodyRows")
+
+
+class Look:
+    """What bodies of a kind and size have in common: name, kind, width, depth and height, m, category; `key` says all of it but that."""
+
+    __slots__ = ("category", "key", "kind", "name", "size")
+
+    def __init__(self, sort: str, name: str, kind: str | None, size: tuple[float, float, float], category: str | None = None) -> None:
+        self.name, self.kind, self.size, self.category, self.key = name, kind, size, category, (sort, name, *size, kind)
+
+
+LooksBySize = Mapping[tuple[int, int, int, int], Look]
+"""How bodies look, by the number of their kind and their size, mm."""
+
+
+def furniture_look(kind: str, size_mm: tuple[int, int, int], catalogs: Catalogs) -> Look:
+    """Returns how furniture of a kind looks in some size."""
+    spec, (width, depth, height) = catalogs.furniture.get(kind), size_mm
+    size = width / 1000, depth / 1000, height / 1000
+    return Look("furniture", catalogs.name_of(kind), kind if spec else None, size, spec.category if spec else "misc")
+
+
+class BodyRows:
+    """The bodies of one sort in a room, in the order in which they were put there; called, it makes them.
+
+    Args:
+        content: as the core told them.
+        room: the room; with its furniture, where they stand on that.
+        looks: how they look.
+    """
+
+    field: ClassVar[str]
+
+    def __init__(self, content: bytes, room: Room, looks: LooksBySize) -> None:
+        self.content, self.room, self._looks = content, room, looks
+
+    def __len__(self) -> int:
+        return len(self.content) // BODY.size
+
+    def __call__(self) -> tuple[Any, ...]:
+        """Returns the bodies."""
+        raise NotImplementedError
+
+    @cached_property
+    def rows(self) -> Sequence[BodyRow]:
+        """What was told of each."""
+        return [*BODY.iter_unpack(self.content)]
+
+    @cached_property
+    def looks(self) -> Sequence[Look]:
+        """The look of each."""
+        known = self._looks
+        return [known[kind, width, depth, height] for kind, _, _, _, _, _, _, _, _, _, _, _, _, width, depth, height in self.rows]
+
+    @cached_property
+    def ids(self) -> Sequence[str]:
+        """The id of each."""
+        before = f"{self.room.id}/"
+        return [f"{before}{look.name}_{row[6]}" for look, row in zip(self.looks, self.rows, strict=True)]
+
+    @property
+    def colours(self) -> Sequence[str | None]:
+        """The colour of each."""
+        raise NotImplementedError
+
+    def _made(self, of: type[Any], more: Sequence[Mapping[str, Any]]) -> tuple[Any, ...]:
+        """Makes the bodies; `more` is what those of their class alone have."""
+        made = []
+        for name, look, color, row, others in zip(self.ids, self.looks, self.colours, self.rows, more, strict=True):
+            _, _, _, _, rotation, _, _, _, x0, z0, x1, z1, low, *_ = row
+            body = object.__new__(of)
+            own = body.__dict__  # a frozen dataclass's own `__init__` takes three times as long
+            own["id"], own["name"], own["rotation"], own["color"], own["kind"], own["extra"] = (
+                name,
+                look.name,
+                rotation,
+                color,
+                look.kind,
+                {},
+            )
+            own["x"], own["y"], own["z"] = (x0 + x1) / 2000, low / 1000, (z0 + z1) / 2000
+            own["width"], own["depth"], own["height"] = look.size
+            own.update(others)
+            made.append(body)
+        return tuple(made)
+
+
+class FurnitureRows(BodyRows):
+    """The furniture of a room; `by_kind` has the colour of each kind by its number."""
+
+    field = "furniture"
+
+    def __init__(self, content: bytes, room: Room, looks: LooksBySize, by_kind: Mapping[int, str]) -> None:
+        super().__init__(content, room, looks)
+        self._by_kind = by_kind
+
+    def __call__(self) -> tuple[Furniture, ...]:
+        """Returns the furniture."""
+        ids = (*self.ids, None)
+        names = zip(self.looks, self.rows, strict=True)
+        more = [{"category": look.category, "wall": BODY_WALLS[row[3]], "under": ids[row[2]], "on": ids[row[1]]} for look, row in names]
+        return self._made(Furniture, more)
+
+    @property
+    def colours(self) -> Sequence[str]:
+        """The colour of each."""
+        return [self._by_kind[row[0]] for row in self.rows]
+
+
+class DecorationRows(BodyRows):
+    """The decorations of a furnished room.
+
+    Args:
+        content: as the core told them.
+        room: the room, furnished.
+        looks: how they look.
+        colours: what each kind is drawn from.
+        styled: whether those are the style's.
+    """
+
+    field = "decorations"
+
+    def __init__(self, content: bytes, room: Room, looks: LooksBySize, colours: Sequence[Sequence[str]], styled: Sequence[bool]) -> None:
+        super().__init__(content, room, looks)
+        self._drawn_from, self._styled = colours, styled
+
+    def __call__(self) -> tuple[Decoration, ...]:
+        """Returns the decorations."""
+        more = [{"parent": parent, "mounted_on_wall": BODY_WALLS[row[3]]} for parent, row in zip(self.parents, self.rows, strict=True)]
+        return self._made(Decoration, more)
+
+    @cached_property
+    def parents(self) -> Sequence[str | None]:
+        """The id of what each lies on or hangs over, if anything."""
+        ids = [*furniture_ids(self.room), *self.ids]
+        return [None if row[1] < 0 else ids[row[1]] for row in self.rows]
+
+    @cached_property
+    def colours(self) -> Sequence[str | None]:
+        """The colour of each: one of its kind's; or the room's: of the style's for that kind, alike in one room, or its accent."""
+        return [self._colour(row[0], row[5]) for row in self.rows]
+
+    def _colour(self, kind: int, number: int) -> str | None:
+        colours = self._drawn_from[kind]
+        if number >= 0:
+            return colours[number]
+        return colours[self.room.index % len(colours)] if self._styled[kind] else self.room.accent
+
+
+def told(room: Room, rows: BodyRows) -> Room:
+    """Returns a room whose bodies of one sort are made of rows when somebody asks for them."""
+    return made_later(room, **{rows.field: rows})
+
+
+def rows_in(room: Room, of: type[RowsT]) -> RowsT | None:
+    """Returns the rows that a room's bodies of a sort are made of, or None where they are told one by one."""
+    found: RowsT | None = maker_in(room, of.field)
+    return found
+
+
+def furniture_ids(room: Room) -> Sequence[str]:
+    """Returns the ids of a room's furniture."""
+    rows = rows_in(room, FurnitureRows)
+    return [piece.id for piece in room.furniture] if rows is None else rows.ids
+
+
+def decoration_ids(room: Room) -> Sequence[str]:
+    """Returns the ids of a room's decorations."""
+    rows = rows_in(room, DecorationRows)
+    return [thing.id for thing in room.decorations] if rows is None else rows.ids
+
+
+def furniture_names(room: Room) -> Sequence[str]:
+    """Returns the names of a room's furniture."""
+    rows = rows_in(room, FurnitureRows)
+    return [piece.name for piece in room.furniture] if rows is None else [look.name for look in rows.looks]
+
+
+def count_furniture(room: Room) -> int:
+    """Returns how many pieces of furniture a room has."""
+    rows = rows_in(room, FurnitureRows)
+    return len(room.furniture) if rows is None else len(rows)
+
+
+def count_decorations(room: Room) -> int:
+    """Returns how many decorations a room has."""
+    rows = rows_in(room, DecorationRows)
+    return len(room.decorations) if rows is None else len(rows)
