@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import random
+
 import numpy as np
 import pytest
 
@@ -33,6 +35,28 @@ def test_faces_that_look_opposite_ways_are_one_line_only_where_they_lie_before_e
 def test_faces_that_look_the_same_way_are_one_line_wherever_they_lie() -> None:
     one, other = straightened([rectangle(0, 0, 4000, 4000), rectangle(4100, 500, 8000, 4020)], [0, 0])
     assert max(z for _, z in one.corners) == max(z for _, z in other.corners)
+
+
+def jagged(seed: int) -> list[Spot]:
+    """A room whose first wall goes to and fro a little."""
+    rng = random.Random(seed)
+    wall = [(0.0, 0.0)]
+    for _ in range(rng.randint(1, 5)):
+        x, z = wall[-1]
+        wall.append((x + rng.choice((20, 35, 100, 300, 2000, 3000)), z + rng.choice((0, 0, 20, 24, 25, 40, 48, -24))))
+    return [*wall, (wall[-1][0], 3000.0), (0.0, 3000.0)]
+
+
+WORST: list[Spot] = [(0, 0), (2000, 0), (2035, 40), (2055, 40), (2090, 60), (4090, 85), (4090, 3000), (0, 3000)]
+
+
+def test_no_wall_is_moved_by_more_than_the_documents_say() -> None:
+    """Points of one run lie within 50 mm, and its line within 25 mm of where it would lie by itself."""
+    shifts = []
+    for room in (*map(jagged, range(400)), WORST):
+        end = max(x for x, _ in room)
+        shifts.append(straightened([room, rectangle(end + 1000, -24, end + 45_000, 3000)], [0, 0])[0].shift)
+    assert 60 < max(shifts) <= 75
 
 
 def test_slanted_rooms_share_the_cells_they_are_cut_into(monkeypatch: pytest.MonkeyPatch) -> None:
