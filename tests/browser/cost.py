@@ -74,10 +74,10 @@ def _steps_of(events: Sequence[Document]) -> Steps:
 
 @dataclass(frozen=True)
 class Summary:
-    """The first, the middle one and the longest of several times, ms."""
+    """The middle one and the longest of several times, in their unit."""
 
-    median_ms: float
-    longest_ms: float
+    median: float
+    longest: float
 
     @staticmethod
     def of(times: Sequence[float]) -> Summary:

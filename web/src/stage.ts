@@ -4,7 +4,7 @@ import type { Catalog, Issue, Scene } from "./contract";
 import { AssetLibrary } from "./house/asset_library";
 import { drawable } from "./house/drawable";
 import { House, type Hit } from "./house/house";
-import { rehearse, rehearseKinds } from "./house/rehearsal";
+import { rehearse } from "./house/rehearsal";
 import { ShapeBook } from "./house/shapes";
 import { styleOf } from "./house/frame";
 import { kindSitter, roomSitter, type Looks } from "./house/sitters";
@@ -175,7 +175,6 @@ export class Stage {
     this.#book = new ShapeBook(catalog);
     this.#library = new AssetLibrary(catalog.assets ?? {}, assetFile);
     this.#library.onCount = (count) => showAssetCount(within("assets_shown"), count);
-    if (!this.#house) rehearseKinds(catalog);
   }
 
   /** Draws a kind onto a small canvas, as it looks in the style of the house shown. */

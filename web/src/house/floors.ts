@@ -1,11 +1,13 @@
 /** Floors, one mesh a flooring type; ceilings; and the accents of rooms inside as a thin line along their walls. */
 import {
-  BackSide, BufferGeometry, Color, Float32BufferAttribute, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, ShapeUtils, Vector2,
+  BufferGeometry, Color, Float32BufferAttribute, Group, Mesh, MeshBasicMaterial, ShapeUtils, Vector2,
 } from "three";
 import type { Room } from "../contract";
 import { floorTexture, TEXTURE_SPAN } from "./floor_textures";
 import { keptMaterial } from "./kept";
+import { litMaterial, type LitMaterial } from "./lit";
 import { cornersOf } from "./plan";
+import { faceMaterial } from "./wall_shader";
 import type { Storey } from "./walls";
 
 const CEILING = "#f6f3ec";
@@ -15,11 +17,13 @@ const ACCENT_INSET = 0.14;
 const ACCENT_WIDTH = 0.035;
 const ACCENT_RISE = 0.004;
 
-/** Triangles that all look up. */
+/** Triangles that all look up, or all down. */
 class FloorDraft {
   readonly positions: number[] = [];
   readonly coordinates: number[] = [];
   readonly colors: number[] = [];
+
+  constructor(readonly facing: 1 | -1 = 1) {}
 
   add(points: readonly Vector2[], y: number, color: string, alongZ = false): void {
     const tint = new Color(color);
@@ -28,7 +32,7 @@ class FloorDraft {
       const [a, b, c] = corners;
       if (!a || !b || !c) continue;
       const turned = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-      for (const corner of turned > 0 ? [a, c, b] : [a, b, c]) {
+      for (const corner of turned * this.facing > 0 ? [a, c, b] : [a, b, c]) {
         this.positions.push(corner.x, y, corner.y);
         this.coordinates.push(...(alongZ ? [corner.y, corner.x] : [corner.x, corner.y]).map((metres) => metres / TEXTURE_SPAN));
         this.colors.push(tint.r, tint.g, tint.b);
@@ -41,7 +45,7 @@ class FloorDraft {
     geometry.setAttribute("position", new Float32BufferAttribute(this.positions, 3));
     geometry.setAttribute("uv", new Float32BufferAttribute(this.coordinates, 2));
     geometry.setAttribute("color", new Float32BufferAttribute(this.colors, 3));
-    geometry.setAttribute("normal", new Float32BufferAttribute(this.positions.map((_, i) => (i % 3 === 1 ? 1 : 0)), 3));
+    geometry.setAttribute("normal", new Float32BufferAttribute(this.positions.map((_, i) => (i % 3 === 1 ? this.facing : 0)), 3));
     return geometry;
   }
 }
@@ -68,9 +72,9 @@ function accentBands(room: Room): Vector2[][] {
   ];
 }
 
-function floorMaterial(type: string): MeshStandardMaterial {
+function floorMaterial(type: string): LitMaterial {
   const map = floorTexture(type);
-  return keptMaterial(`floor of ${map ? type : "nothing known"}`, () => new MeshStandardMaterial({ vertexColors: true, roughness: 0.9, map }));
+  return keptMaterial(`floor of ${map ? type : "nothing known"}`, () => litMaterial({ vertexColors: true, roughness: 0.9, map }));
 }
 
 /** The floors of a house. The caller disposes of them with `disposeOf`. */
@@ -96,10 +100,10 @@ export function floorMeshes(rooms: readonly Room[], storeys: ReadonlyMap<number,
 
 /** The ceilings of the rooms inside, seen only from below. */
 export function ceilingMesh(rooms: readonly Room[], storeys: ReadonlyMap<number, Storey>): Mesh {
-  const draft = new FloorDraft();
+  const draft = new FloorDraft(-1);
   for (const room of rooms) {
     const storey = storeys.get(room.level);
     if (!room.outdoor && storey) draft.add(outlineOf(room), storey.elevation + storey.height, CEILING);
   }
-  return new Mesh(draft.build(), keptMaterial("ceiling", () => new MeshStandardMaterial({ vertexColors: true, roughness: 1, emissive: LAMPLIGHT, side: BackSide })));
+  return new Mesh(draft.build(), faceMaterial("ceiling", { emissive: LAMPLIGHT }));
 }

@@ -2,8 +2,9 @@
  * The materials that all parts share. A part's size, colour and finish are its instance's: the vertex shader makes the
  * solid of its size (rounding and taper are metres, never stretched) and lays the pattern on in metres.
  */
-import { MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
+import { MeshDepthMaterial, NoBlending, NormalBlending, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
 import { keptMaterial } from "./kept";
+import { litMaterial, type LitMaterial } from "./lit";
 import { RULE } from "./part_geometry";
 import { patternSpans, patternUniform } from "./patterns";
 
@@ -57,6 +58,9 @@ vec2 weave(vec3 at) {
 /** Rougher than this metal is no mirror. */
 const MIRROR_ROUGHNESS = 0.07;
 
+/** How much of what falls on bare metal it mirrors. */
+const METAL = 0.55;
+
 const REFLECTION = /* glsl */ `
 {
   // Metal and glass show the sky, brighter above than below: there is no picture of the surroundings to mirror.
@@ -75,7 +79,9 @@ const REFLECTION = /* glsl */ `
     totalEmissiveRadiance = shown * 0.8 + vec3(0.22 * band + 0.25 * flatly);
     diffuseColor.rgb *= 0.3;
   }
-  metalnessFactor *= 0.55;
+#ifndef STANDARD
+  diffuseColor.rgb *= 1.0 - ${METAL} * vFinish.y;
+#endif
 }`;
 
 /** What is nearly black is lifted: else its shape is lost in the shade. */
@@ -100,12 +106,13 @@ function paint(shader: WebGLProgramParametersWithUniforms): void {
     .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vTint;\nvarying vec4 vFinish;\nvarying vec2 vWeave;")
     .replace("#include <color_fragment>", "diffuseColor *= vTint;\ndiffuseColor.rgb *= texture(patterns, vec3(vWeave, floor(vFinish.w + 0.5))).r;" + LIFT)
     .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vFinish.x;")
-    .replace("#include <metalnessmap_fragment>", "float metalnessFactor = vFinish.y;")
+    .replace("#include <metalnessmap_fragment>", `float metalnessFactor = ${METAL} * vFinish.y;`)
     .replace("#include <emissivemap_fragment>", REFLECTION);
 }
 
-function lit(clear: boolean): MeshStandardMaterial {
-  const material = new MeshStandardMaterial({ transparent: clear, depthWrite: !clear });
+/** What is solid does not blend either: told so, it is drawn with the shader of what is clear. */
+function lit(clear: boolean): LitMaterial {
+  const material = litMaterial({ transparent: clear, depthWrite: !clear, blending: clear ? NormalBlending : NoBlending });
   material.onBeforeCompile = paint;
   material.customProgramCacheKey = () => "part";
   return material;
@@ -119,8 +126,8 @@ function shadow(): MeshDepthMaterial {
 }
 
 interface PartMaterials {
-  readonly solid: MeshStandardMaterial;
-  readonly clear: MeshStandardMaterial;
+  readonly solid: LitMaterial;
+  readonly clear: LitMaterial;
   readonly shadow: MeshDepthMaterial;
 }
 

@@ -4,7 +4,7 @@
  */
 import type { Object3D } from "three";
 import type { Body, Catalog, Opening, Room, Scene } from "../contract";
-import { FLOOR_TYPES, floorTexture } from "./floor_textures";
+import { FLOOR_TYPES } from "./floor_textures";
 import { House } from "./house";
 import { makeNextPattern } from "./patterns";
 import { ShapeBook } from "./shapes";
@@ -53,7 +53,6 @@ function* shadersAndPatterns(prepare: (root: Object3D) => void): Generator<void>
   prepare(houseOf(SAMPLE).root);
   yield;
   while (makeNextPattern()) yield;
-  for (const type of FLOOR_TYPES) yield void floorTexture(type);
 }
 
 async function inSteps(steps: Iterable<void>, wanted: () => boolean): Promise<void> {

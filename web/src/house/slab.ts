@@ -1,12 +1,13 @@
 /** The slab that a house stands on: under each room of the lowest storey, a little wider than it. */
-import { BoxGeometry, Mesh, MeshStandardMaterial } from "three";
-import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
+import { Mesh } from "three";
 import type { Room } from "../contract";
-import { keptMaterial } from "./kept";
 import { cornersOf } from "./plan";
+import { mergeQuads, quadsOf } from "./quad_mesh";
+import { faceMaterial } from "./wall_shader";
 
 export const SLAB_MARGIN = 0.35;
 const THICKNESS = 0.16;
+const COLOR = "#9a9d9f";
 /** Floors lie this much over the slab, so that the two never fight for a pixel. */
 const GAP = 0.02;
 
@@ -36,13 +37,12 @@ export function stripsOf(room: Room): Ground[] {
 /** The slab under rooms, its top under the ground `y` [m]; null where there are none. */
 export function slab(rooms: readonly Room[], y: number): Mesh | null {
   const lowest = Math.min(...rooms.map(({ level }) => level));
-  const boxes = rooms.filter(({ level }) => level === lowest).flatMap(stripsOf).map(({ x0, x1, z0, z1 }) => {
-    const box = new BoxGeometry(x1 - x0 + 2 * SLAB_MARGIN, THICKNESS, z1 - z0 + 2 * SLAB_MARGIN);
-    return box.translate((x0 + x1) / 2, y - THICKNESS / 2 - GAP, (z0 + z1) / 2);
-  });
-  if (boxes.length === 0) return null;
-  const mesh = new Mesh(mergeGeometries(boxes), keptMaterial("slab", () => new MeshStandardMaterial({ color: "#9a9d9f", roughness: 1 })));
+  const top = y - GAP;
+  const quads = rooms.filter(({ level }) => level === lowest).flatMap(stripsOf).flatMap(({ x0, x1, z0, z1 }) => quadsOf(
+    { x0: x0 - SLAB_MARGIN, x1: x1 + SLAB_MARGIN, y0: top - THICKNESS, y1: top, z0: z0 - SLAB_MARGIN, z1: z1 + SLAB_MARGIN }, COLOR,
+  ));
+  if (quads.length === 0) return null;
+  const mesh = new Mesh(mergeQuads(quads), faceMaterial("slab"));
   mesh.receiveShadow = true;
-  for (const box of boxes) box.dispose();
   return mesh;
 }

@@ -1,12 +1,11 @@
 /** Draws walls cut at a height: one mesh for all that is solid, one for the glass. */
-import { Group, Mesh, MeshStandardMaterial } from "three";
+import { Group, Mesh } from "three";
 import { clipBelow } from "./boxes";
 import { mergeQuads, quadsOf, type ColoredQuad } from "./quad_mesh";
 import type { Room } from "../contract";
 import { finishOf, outerPiecesOf, type Finish, type OuterPanel } from "./finishes";
-import { keptMaterial } from "./kept";
 import { facesOf, SKIRTING, type Face } from "./wall_faces";
-import { wallMaterial } from "./wall_shader";
+import { faceMaterial } from "./wall_shader";
 import type { WallPanel } from "./wall_panel";
 import { heightAt, type WallCut } from "./wall_cut";
 import { fittingsOf, wallPanelsOf, type Surface, type WallPart, type WallPlan } from "./walls";
@@ -29,9 +28,8 @@ const FINISHES: Readonly<Record<string, { readonly pattern: string; readonly rou
 const CUT = "#5b5f66";
 const COLORS: Readonly<Record<Surface, string>> = { railing: "#8a7a66", frame: "#f1ede4", threshold: "#8a7152", glass: "#9fd0ee" };
 
-function glass(): MeshStandardMaterial {
-  return new MeshStandardMaterial({ vertexColors: true, transparent: true, opacity: 0.38, roughness: 0.15, depthWrite: false });
-}
+const PANE_ROUGHNESS = 0.15;
+const GLASS = { transparent: true, opacity: 0.38, depthWrite: false } as const;
 
 /** A house's walls, to be drawn at any height. */
 export class Walls {
@@ -51,13 +49,10 @@ export class Walls {
     const ends = cut.before.size > 0 ? { openStart: true, openEnd: true } : {};
     const stone = this.#panels.flatMap((panel) => facesOf({ ...panel, ...ends }, heightAt(cut, panel.outward, panel.elevation))
       .map((face) => this.#colored(face, panel)));
-    const solid = new Mesh(mergeQuads([...stone, ...this.#boxes(cut, ["railing", "frame", "threshold"])]), wallMaterial());
+    const solid = new Mesh(mergeQuads([...stone, ...this.#boxes(cut, ["railing", "frame", "threshold"])]), faceMaterial("wall"));
     solid.castShadow = true;
     solid.receiveShadow = true;
-    const panes = new Mesh(
-      mergeQuads(this.#boxes(cut, ["glass"])),
-      keptMaterial("glass", glass),
-    );
+    const panes = new Mesh(mergeQuads(this.#boxes(cut, ["glass"]).map((quad) => ({ ...quad, roughness: PANE_ROUGHNESS }))), faceMaterial("glass", GLASS));
     return new Group().add(solid, panes);
   }
 

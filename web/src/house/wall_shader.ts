@@ -1,6 +1,7 @@
-/** The material of walls: colour, pattern and roughness are their vertices'. From afar a pattern fades into its mean. */
-import { MeshStandardMaterial, type WebGLProgramParametersWithUniforms } from "three";
+/** The materials of walls and of what is flat as they are: colour, pattern and roughness are their vertices'. From afar a pattern fades into its mean. */
+import { NoBlending, NormalBlending, type MeshStandardMaterialParameters, type WebGLProgramParametersWithUniforms } from "three";
 import { keptMaterial } from "./kept";
+import { litMaterial, type LitMaterial } from "./lit";
 import { MORTAR, patternLayer, patternUniform } from "./patterns";
 
 const WOVEN = /* glsl */ `
@@ -26,12 +27,12 @@ function weave(shader: WebGLProgramParametersWithUniforms): void {
     .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vWeave.w;");
 }
 
-/** The material of all walls. */
-export function wallMaterial(): MeshStandardMaterial {
-  return keptMaterial("wall", () => {
-    const material = new MeshStandardMaterial({ vertexColors: true });
+/** A material that all share which ask for it by this name; what vertices do not say is plain and rough. All are drawn with one shader. */
+export function faceMaterial(name: string, look: MeshStandardMaterialParameters = {}): LitMaterial {
+  return keptMaterial(name, () => {
+    const material = litMaterial({ vertexColors: true, blending: look.transparent ? NormalBlending : NoBlending, ...look });
     material.onBeforeCompile = weave;
-    material.customProgramCacheKey = () => "wall";
+    material.customProgramCacheKey = () => "face";
     return material;
   });
 }

@@ -1,6 +1,6 @@
 /** The sun with its shadows, the light of the sky, and the ground around the house: grass to who walks, else the shadows alone. */
 import {
-  Box3, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Group, HemisphereLight, Matrix4, Mesh, MeshLambertMaterial, ShadowMaterial, Vector3,
+  Box3, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Group, HemisphereLight, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, ShadowMaterial, Vector3,
 } from "three";
 
 export const SKY = new Color("#b9c8d6");
@@ -47,12 +47,20 @@ function seenBySun({ min, max }: Box3, centre: Vector3): Box3 {
   return new Box3().setFromPoints(corners.map((corner) => corner.sub(centre).applyMatrix4(away))).expandByScalar(MARGIN);
 }
 
+/** The ground on which a house and its trees lie, and where their shadows fall. */
+function shadedBy(bounds: Box3): Box3 {
+  const shadow = SUN.clone().multiplyScalar(-(TALLEST - GROUND) / SUN.y);
+  const house = bounds.clone().expandByScalar(MARGIN);
+  return house.union(house.clone().translate(shadow));
+}
+
 export class Daylight {
   readonly root = new Group();
   readonly #sun = new DirectionalLight("#fff4e2", 2.2);
-  readonly #grass = new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false });
-  readonly #shadows = new ShadowMaterial({ opacity: 0.22, depthWrite: false });
-  readonly #ground: Mesh<BufferGeometry, MeshLambertMaterial | ShadowMaterial> = new Mesh(groundGeometry(), this.#shadows);
+  readonly #grass = new Mesh(groundGeometry(), new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+  /** As large as shadows reach: every pixel of it costs. */
+  readonly #shadows = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), new ShadowMaterial({ opacity: 0.22, depthWrite: false }));
+  readonly #ground = new Group().add(this.#grass, this.#shadows);
 
   constructor() {
     const { shadow } = this.#sun;
@@ -61,8 +69,8 @@ export class Daylight {
     Object.assign(shadow, { radius: 4, intensity: 0.7, normalBias: 0.03, bias: -0.0004 });
     const fill = new DirectionalLight("#d5e3ff", 0.8);
     fill.position.set(1, 0.7, -0.4);
-    this.#ground.receiveShadow = true;
-    this.#ground.renderOrder = -1;
+    for (const mesh of [this.#grass, this.#shadows]) Object.assign(mesh, { receiveShadow: true, renderOrder: -1 });
+    this.sow(false);
     this.root.add(new HemisphereLight("#f4f6ff", "#b8aea2", 2.5), this.#sun, this.#sun.target, fill, this.#ground);
   }
 
@@ -73,7 +81,8 @@ export class Daylight {
 
   /** Lays grass around the house, or only the shadows that fall there. */
   sow(isGrass: boolean): void {
-    this.#ground.material = isGrass ? this.#grass : this.#shadows;
+    this.#grass.visible = isGrass;
+    this.#shadows.visible = !isGrass;
   }
 
   /** Lights a house and lays the ground around it. */
@@ -86,7 +95,10 @@ export class Daylight {
     const seen = seenBySun(bounds, centre);
     Object.assign(camera, { left: seen.min.x, right: seen.max.x, top: seen.max.y, bottom: seen.min.y, near: radius * 0.5, far: radius * 3.5 });
     camera.updateProjectionMatrix();
-    this.#ground.position.set(centre.x, bounds.min.y + GROUND, centre.z);
-    this.#ground.scale.setScalar(radius);
+    this.#grass.position.set(centre.x, bounds.min.y + GROUND, centre.z);
+    this.#grass.scale.setScalar(radius);
+    const shaded = shadedBy(bounds);
+    shaded.getCenter(this.#shadows.position).setY(bounds.min.y + GROUND);
+    shaded.getSize(this.#shadows.scale).setY(1);
   }
 }

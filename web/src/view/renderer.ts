@@ -1,5 +1,6 @@
-/** The renderer as the machine can afford it: without a graphics card edges of things and of shadows stay hard. */
+/** The renderer as the machine can afford it: without a graphics card edges of things and of shadows stay hard, and nothing has highlights. */
 import { BasicShadowMap, PCFShadowMap, WebGLRenderer } from "three";
+import { lightPlainly } from "../house/lit";
 
 /** What draws with a processor says so by name. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
@@ -22,7 +23,10 @@ function made(isFine: boolean): WebGLRenderer {
 /** Where a processor draws, smooth edges and soft shadows would cost more than all else: they are left out, and nothing is made twice. */
 export function rendererForMachine(): WebGLRenderer {
   const plain = made(false);
-  if (isSoftware(plain.getContext())) return plain;
+  if (isSoftware(plain.getContext())) {
+    lightPlainly();
+    return plain;
+  }
   plain.dispose();
   plain.forceContextLoss();
   return made(true);
