@@ -13,7 +13,7 @@ from typing import Final
 from catalogs import Catalogs
 from catalogs.kind_book import UPRIGHT
 from catalogs.synonyms import Meaning, Synonyms, synonyms_of, words_of
-from solver.geometry import to_mm
+from solver.geometry import extents, to_mm
 from solver.imports.carried_things import RESTING, covers
 from solver.imports.drawn import DrawnPiece, PlanNotes
 from solver.imports.rectilinear import FloorCorner, holds
@@ -29,8 +29,12 @@ TUCKED: Final = 0.005
 """A seat is under a table if their footprints share more, m."""
 LARGEST: Final = 50.0
 """Nothing in a home is larger, m."""
+ABOVE_SILL: Final = 0.02
+"""What is higher than a window's sill by no more, m, is drawn to stand beneath it: it is taken as high as the sill."""
 OVERHEAD: Final = 1.6
-"""What hangs higher, m, and is known for no decoration, is left out: a lamp at the ceiling."""
+"""Furniture that begins higher, m, hangs on the wall: a board."""
+HUNG: Final = "wall_cabinet"
+"""What hangs on the wall under its own name, as there is no kind of it."""
 
 
 def with_pieces(
@@ -56,22 +60,30 @@ def with_pieces(
         kind = piece.kind if meaning is not None and meaning.key == _plain(piece.kind) else None
         room, sizes = rooms[place], tuple(max(0.001, round(one, 3)) for one in size)
         body = replace(piece, x=round(x - room.x, 4), z=round(z - room.z, 4), size=(sizes[0], sizes[1], sizes[2]))
-        if piece.decoration or (meaning is not None and meaning.sort == "decoration"):
+        if piece.decoration or _hangs(meaning, piece.y):
             if piece.size is None:
                 unsized[piece.name, _written(sizes)] += 1
             decorations[place].append(_decoration(body, room, len(decorations[place]), kind))
-        elif (meaning is not None and meaning.sort == "other") or piece.y > OVERHEAD:
+        elif meaning is not None and meaning.sort == "other":
             notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
         else:
             if piece.size is None:
                 notes.guess(piece.where, "size", _written(sizes), f"{piece.name!r:.60}: the file gives no size")
-            furniture[place].append(_furniture(body, room, furniture[place], kind))
+            furniture[place].append(_furniture(_on_whole_mm(body), room, furniture[place], kind))
     for (name, taken), count in unsized.items():
         notes.guess("plan", "size", taken, f"{name!r:.60}: the file gives no size of {count} of them")
     return [
-        replace(room, furniture=tuple(_tucked(standing, catalogs)), decorations=tuple(small))
+        replace(room, furniture=tuple(_beneath_sills(room, _tucked(standing, catalogs), notes)), decorations=tuple(small))
         for room, standing, small in zip(rooms, furniture, decorations, strict=True)
     ]
+
+
+def _on_whole_mm(piece: DrawnPiece) -> DrawnPiece:
+    """Returns a piece moved by less than a millimetre so that its footprint, squared up, begins on whole ones: it takes up its size."""
+    width, depth, _ = piece.size or (0.0, 0.0, 0.0)
+    reach = extents(width, depth, round(piece.rotation / 90) * 90.0)
+    x, z = (round((at - wide / 2) * 1000) / 1000 + wide / 2 for at, wide in zip((piece.x, piece.z), reach, strict=True))
+    return replace(piece, x=round(x, 4), z=round(z, 4))
 
 
 def _meaning(piece: DrawnPiece, synonyms: Synonyms) -> Meaning | None:
@@ -79,6 +91,13 @@ def _meaning(piece: DrawnPiece, synonyms: Synonyms) -> Meaning | None:
     if piece.size and min(piece.size) <= 0:
         return None
     return synonyms.said(_plain(piece.kind)) or synonyms.meaning(piece.name, piece.size)
+
+
+def _hangs(meaning: Meaning | None, above: float) -> bool:
+    """Tells whether a thing is none that stands on the floor: a decoration, or what hangs on the wall, from so high on, m."""
+    if meaning is None:
+        return above > OVERHEAD
+    return meaning.sort == "decoration" or meaning.key == HUNG or (meaning.sort == "furniture" and above > OVERHEAD)
 
 
 def _plain(kind: str | None) -> str | None:
@@ -109,6 +128,18 @@ def _tucked(standing: Sequence[Furniture], catalogs: Catalogs) -> list[Furniture
         near = [(_shared(one, table), table.id) for table in tables] if sort == "seating" and one.width <= SEAT_WIDTH else []
         share, name = max(near, default=(0.0, ""))
         found.append(replace(one, under=name) if share > TUCKED else one)
+    return found
+
+
+def _beneath_sills(room: Room, standing: Sequence[Furniture], notes: PlanNotes) -> list[Furniture]:
+    """Returns furniture as high as a sill of the room where it is hardly higher: a tap, drawn with its sink."""
+    sills = sorted({opening.sill for opening in room.openings if opening.kind == "window"})
+    found = []
+    for one in standing:
+        sill = next((sill for sill in sills if 0 < one.y + one.height - sill <= ABOVE_SILL and sill > one.y), None)
+        if sill is not None:
+            notes.change("furniture", one.id, one.y + one.height - sill, f"taken as high as a window's sill, {sill:g} m")
+        found.append(one if sill is None else replace(one, height=round(sill - one.y, 3)))
     return found
 
 

@@ -124,11 +124,12 @@ def _candidates(body: Body, floor: _Floor) -> tuple[Candidate, ...]:
     ways = _loose(body, floor.problem)
     if table is None or not isinstance(body, Furniture):
         return ways
-    seats = _seats(body, table, floor.problem.settings)
-    if not footprint(body).overlaps(footprint(table).shrunk(-AT_TABLE_MM)):
+    straight = replace(body, rotation=squared(body.rotation))  # as it will stand, wherever it goes
+    seats = _seats(straight, table, floor.problem.settings)
+    if not footprint(straight).overlaps(footprint(table).shrunk(-AT_TABLE_MM)):
         return (*ways, *seats)
     free = tuple(replace(way, cost=way.cost + FREE_COST) for way in ways)
-    return (replace(_in_frame(drawn_out(body, table), table), under=table.id), *free, *seats)
+    return (replace(_in_frame(drawn_out(straight, table), table), under=table.id), *free, *seats)
 
 
 def _seats(chair: Furniture, table: Body, settings: RepairSettings) -> tuple[Candidate, ...]:
@@ -166,8 +167,8 @@ def _in_frame(child: Body, parent: Body) -> Candidate:
     """The one way of a body that keeps its place in another's frame."""
     turn = squared(parent.rotation)
     own, other = footprint(child), footprint(parent)
-    dx = (own.x0 + own.x1 - other.x0 - other.x1) // 2
-    dz = (own.z0 + own.z1 - other.z0 - other.z1) // 2
+    dx = own.x0 - other.x0 - (other.width - own.width) // 2  # as the core counts, so that nothing drifts where one is odd
+    dz = own.z0 - other.z0 - (other.depth - own.depth) // 2
     across, along = rotate(dx, dz, -turn % 360)
     attach = Attach(parent.id, parent.name, (across, across), (along, along))
     rotation = (squared(child.rotation) - turn) % 360

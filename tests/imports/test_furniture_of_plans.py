@@ -1,0 +1,78 @@
+"""Furniture as people draw it: chairs at an angle and pushed in, cabinets on the wall, a tap above the sill; all of it stays."""
+
+from __future__ import annotations
+
+import pytest
+
+from solver import fix
+from solver.imported import PlanImport
+from solver.scene import Furniture, Room, Scene
+from tests.imports.plans import Feature, box, collection, line, piece, read
+
+DOOR = line("door", (0.2, 0), (1.1, 0))
+
+
+def imported(*features: Feature, width: float = 5.0, depth: float = 4.6) -> PlanImport:
+    return read(collection(box("Kitchen", 0, 0, width, depth), DOOR, *features, wall_thickness=0.1, y="down"), furniture=True)
+
+
+def chair(x: float, y: float, turn: float) -> Feature:
+    return piece("Chair", x, y, rotation=turn, width=0.4, depth=0.42, height=0.9)
+
+
+def names(answer: PlanImport) -> list[str]:
+    return sorted(one.name for one in answer.scene.rooms[0].furniture)
+
+
+def errors(answer: PlanImport) -> list[str]:
+    return [issue.message for issue in answer.issues if issue.severity == "error"]
+
+
+def test_six_chairs_at_an_oval_table_stay() -> None:
+    """Those at its corners are drawn at 45 degrees: squared up they take no more floor than a chair."""
+    table = piece("Oval table", 2.5, 2.4, width=1.1, depth=1.5, height=0.74)
+    corners = [chair(2.1, 3.0, 135), chair(2.1, 1.9, 45), chair(2.86, 1.85, 319.6), chair(2.91, 2.98, 223.9)]
+    answer = imported(table, *corners, chair(2.0, 2.43, 90), chair(2.99, 2.42, 270))
+    assert names(answer) == ["Chair"] * 6 + ["Oval table"]
+    assert errors(answer) == []
+
+
+@pytest.mark.parametrize("off", [0.0, 0.0002, 0.0005, 0.0007])
+@pytest.mark.parametrize("turn", [0, 90, 180, 270])
+def test_a_repaired_chair_at_a_table_does_not_drift(off: float, turn: int) -> None:
+    """It is drawn too far under its table, at any fraction of a millimetre; a second repair changes nothing."""
+    x, z = {0: (0.0, -0.2), 90: (-0.2, 0.0), 180: (0.0, 0.2), 270: (0.2, 0.0)}[turn]
+    table = Furniture("table", "dining_table", x=2.0, z=2.0, rotation=0, width=0.8, depth=0.8, height=0.74)
+    seat = Furniture(
+        "seat", "dining_chair", x=2.0 + x + off, z=2.0 + z + off, rotation=turn, width=0.4, depth=0.42, height=0.9, under="table"
+    )
+    (room,) = fix(Scene(rooms=(Room("r", width=4.0, depth=4.0, furniture=(table, seat)),))).scene.rooms
+    again = fix(Scene(rooms=(room,)))
+    assert again.scene.rooms[0].furniture == room.furniture
+    assert [one.id for one in room.furniture] == ["table", "seat"]
+    assert not [issue for issue in again.issues if issue.severity == "error"]
+
+
+def test_cabinets_and_boards_on_the_wall_hang_there() -> None:
+    cabinet = piece("Kitchen upper cabinet", 2.0, 0.25, width=0.6, depth=0.36, height=0.7, elevation=1.5)
+    board = piece("Bedside table", 3.5, 0.26, width=0.44, depth=0.41, height=0.02, elevation=1.71)
+    answer = imported(cabinet, board, piece("Kitchen cabinet", 2.0, 0.37, width=0.6, depth=0.6, height=0.85))
+    (room,) = answer.scene.rooms
+    assert {(one.name, one.mounted_on_wall) for one in room.decorations} == {("Kitchen upper cabinet", "north"), ("Bedside table", "north")}
+    assert names(answer) == ["Kitchen cabinet"]
+    assert errors(answer) == []
+
+
+def test_lamps_at_the_ceiling_are_left_out() -> None:
+    answer = imported(piece("Pendant lamp", 2.0, 2.0, width=0.4, depth=0.4, height=0.4, elevation=1.9))
+    assert not answer.scene.rooms[0].decorations
+    assert any("no furniture" in one["reason"] for one in answer.unread)
+
+
+def test_a_sink_whose_tap_is_drawn_a_little_above_the_sill_stays_beneath_the_window() -> None:
+    window = line("window", (2.0, 0), (3.2, 0), sill=1.05, height=1.2)
+    answer = imported(window, piece("Sink", 2.6, 0.38, width=1.2, depth=0.64, height=1.055))
+    (sink,) = answer.scene.rooms[0].furniture
+    assert (sink.height, round(sink.x, 2), sink.z < 0.45) == (1.05, 2.6, True)
+    assert [(one["of"], one["amount"]) for one in answer.changes if "sill" in one["message"]] == [(sink.id, 0.005)]
+    assert errors(answer) == []
