@@ -6,7 +6,7 @@ Comes in: the rooms of a Scene. Goes out: a `RoomMarks` for each. May import: th
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -52,7 +52,8 @@ def marks_of(rooms: Sequence[Room]) -> list[RoomMarks]:
     """
     places = {room.id: k for k, room in enumerate(rooms)}
     ways = _ways(rooms, places)
-    return [_marks(room, ways[k]) for k, room in enumerate(rooms)]
+    listed = Counter(name for room in rooms for name in {opening.id for opening in room.openings})
+    return [_marks(room, ways[k], listed) for k, room in enumerate(rooms)]
 
 
 def _ways(rooms: Sequence[Room], places: dict[str, int]) -> list[dict[int, bool]]:
@@ -78,11 +79,13 @@ def _joined(rooms: Sequence[Room], places: dict[str, int]) -> Iterator[tuple[int
             by_id.setdefault(opening.id, k)
 
 
-def _marks(room: Room, ways: dict[int, bool]) -> RoomMarks:
+def _marks(room: Room, ways: dict[int, bool], listed: Mapping[str, int]) -> RoomMarks:
+    """Returns what can be told of a room; a door that a second room lists leads there, even where it says outside."""
     area = max(room.floor_m2, LEAST_M * LEAST_M)
     long = max(room.width, room.depth, LEAST_M)
     windows = Counter(_is_small(opening) for opening in room.openings if opening.kind == "window")
-    doors = [opening for opening in room.openings if opening.kind in WAYS and opening.connects_to == EXTERIOR]
+    outside = [opening for opening in room.openings if opening.connects_to == EXTERIOR and listed[opening.id] == 1]
+    doors = [opening for opening in outside if opening.kind in WAYS]
     front = "main" if any(opening.main_entrance for opening in doors) else "door" if doors else ""
     short = max(min(room.width, room.depth, area / long), LEAST_M)
     return RoomMarks(

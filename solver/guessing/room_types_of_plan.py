@@ -1,31 +1,20 @@
 """The types of a plan's rooms: by their names, else by what stands in them, else by their form; the last two weighed for all rooms at once.
 
-Comes in: a Scene, catalogs. Goes out: a RoomGuess for each room whose type the catalogs do not know. Deterministic: the types are
-those of least cost that exchanging one room's type, or those of two rooms, does not make cheaper.
+Comes in: a Scene, catalogs. Goes out: a RoomGuess for each room whose type the catalogs do not know.
 """
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Final
 
 from catalogs import Catalogs
 from catalogs.room_names import RoomMeaning, room_names_of
 from solver.guessed import RoomGuess
 from solver.guessing.room_marks import RoomMarks, marks_of
 from solver.guessing.suiting import Suiting
+from solver.guessing.types_in_home import TypesInHome
 from solver.scene import Room, Scene
-
-SWEEPS: Final = 12
-"""How often all rooms are looked at anew, at most."""
-NOTHING: Final = 1e-9
-"""Costs that differ by less are alike."""
-ONLY: Final = frozenset({"kitchen", "living_room", "dining_room", "bedroom_master", "laundry"})
-"""Types that are handed over: of which a home mostly has one."""
-SWAPPED: Final = 24
-"""Rooms of a home of which pairs are exchanged; of larger homes only single rooms change."""
 
 
 def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] | None = None) -> tuple[RoomGuess, ...]:
@@ -54,7 +43,7 @@ def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] |
             found[room.id] = RoomGuess(room.id, fixed[k], "name", said, None, _by_name(room, said, meaning, fixed[k]))
         else:
             fixed[k] = ""
-    for k, guess in _by_form(scene.rooms, marks, Suiting(marks, catalogs, program), fixed).items():
+    for k, guess in _by_form(scene.rooms, TypesInHome(Suiting(marks, catalogs), fixed, program)).items():
         found[scene.rooms[k].id] = guess
     return tuple(found[room.id] for room in scene.rooms if room.id in found)
 
@@ -84,19 +73,14 @@ def _by_name(room: Room, said: str, meaning: RoomMeaning, type_name: str) -> str
     return f"{room.id} is taken for {type_name}: it is called {said!r:.60}" + ("" if meaning.plain else ", which holds such a word")
 
 
-def _by_form(rooms: Sequence[Room], marks: Sequence[RoomMarks], suiting: Suiting, fixed: Mapping[int, str]) -> dict[int, RoomGuess]:
+def _by_form(rooms: Sequence[Room], home: TypesInHome) -> dict[int, RoomGuess]:
     """Guesses the types of all other rooms together."""
-    free = [k for k in range(len(rooms)) if k not in fixed]
-    if not free:
-        return {}
-    home = _Home(suiting, fixed, len(rooms))
-    home.settle(free)
     found = {}
-    for k in free:
-        ranked = home.ranked(k)
-        by = "pieces" if marks[k].pieces else "form"
+    for k in home.free:
+        marks, ranked = home.marks[k], home.ranked(k)
+        by = "pieces" if marks.pieces else "form"
         instead = ranked[1] if by == "form" and len(ranked) > 1 else None
-        found[k] = RoomGuess(rooms[k].id, home.types[k], by, rooms[k].type, instead, _words(rooms[k].id, home.types[k], marks[k], by))
+        found[k] = RoomGuess(rooms[k].id, home.types[k], by, rooms[k].type, instead, _words(rooms[k].id, home.types[k], marks, by))
     return found
 
 
@@ -106,77 +90,3 @@ def _words(room: str, type_name: str, marks: RoomMarks, by: str) -> str:
     doors, windows = len(marks.ways) + bool(marks.front), marks.large + marks.small
     told = f"{marks.area:.1f} m2, {doors} door{'s' * (doors != 1)}, {windows} window{'s' * (windows != 1)}, and what it lies beside"
     return f"{room} is taken for {type_name}: {told}"
-
-
-class _Home:
-    """The types given so far, and what they cost. A room of a kind that we have no type for is as if it were not there."""
-
-    def __init__(self, suiting: Suiting, fixed: Mapping[int, str], count: int) -> None:
-        self._suiting = suiting
-        self.types: list[str] = [fixed.get(k, "") for k in range(count)]
-        self._alone = [{name: suiting.alone(k, name) for name in suiting.types[k]} for k in range(count)]
-
-    def settle(self, free: Sequence[int]) -> None:
-        """Gives the free rooms types: the plainest first, then each again until nothing changes, pairs exchanged."""
-        margin = {k: self._margin(k) for k in free}
-        for k in sorted(free, key=lambda k: (-margin[k], k)):
-            self.types[k] = self.ranked(k)[0]
-        for _ in range(SWEEPS):
-            before = list(self.types)
-            for k in free:
-                self.types[k] = self.ranked(k)[0]
-            if len(free) <= SWAPPED:
-                self._exchange(free)
-                self._hand_over(free)
-            if self.types == before:
-                return
-
-    def _margin(self, room: int) -> float:
-        costs = sorted(self._alone[room].values())
-        return costs[1] - costs[0] if len(costs) > 1 else 0.0
-
-    def ranked(self, room: int) -> list[str]:
-        """Returns the types a room may have, best first, the others' types given."""
-        others = Counter(kind for k, kind in enumerate(self.types) if kind and k != room)
-
-        def cost(name: str) -> float:
-            return self._near(room, name) + self._suiting.in_all({**others, name: others[name] + 1})
-
-        return sorted(self._suiting.types[room], key=lambda name: (round(cost(name), 9), name))
-
-    def _near(self, room: int, name: str) -> float:
-        ways = self._suiting.marks[room].ways
-        joined = sum(self._suiting.joined(name, self.types[there], is_open) for there, is_open in ways if self.types[there])
-        return self._alone[room].get(name, 1e6) + joined
-
-    def _hand_over(self, free: Sequence[int]) -> None:
-        """Gives the type of a room, of which a home mostly has one, to another room, and that room what then suits it best."""
-        for owner in free:
-            if self.types[owner] not in ONLY:
-                continue
-            for heir in free:
-                kept = self.types[owner], self.types[heir]
-                if kept[0] == kept[1] or self._alone[heir].get(kept[0]) is None:
-                    continue
-                before = self._together(owner, heir)
-                self.types[heir] = kept[0]
-                self.types[owner] = self.ranked(owner)[0]
-                if self._together(owner, heir) < before - NOTHING:
-                    break
-                self.types[owner], self.types[heir] = kept
-
-    def _together(self, one: int, other: int) -> float:
-        """Returns what two rooms cost as they are, the numbers of rooms included; a door between them counts twice."""
-        counted = self._suiting.in_all(Counter(name for name in self.types if name))
-        return self._near(one, self.types[one]) + self._near(other, self.types[other]) + counted
-
-    def _exchange(self, free: Sequence[int]) -> None:
-        """Exchanges the types of two rooms where that is cheaper."""
-        for i, a in enumerate(free):
-            for b in free[i + 1 :]:
-                if self.types[a] == self.types[b]:
-                    continue
-                before = self._near(a, self.types[a]) + self._near(b, self.types[b])
-                self.types[a], self.types[b] = self.types[b], self.types[a]
-                if self._near(a, self.types[a]) + self._near(b, self.types[b]) > before - NOTHING:
-                    self.types[a], self.types[b] = self.types[b], self.types[a]

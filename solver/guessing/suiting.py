@@ -1,4 +1,4 @@
-"""How well types suit the rooms of a plan: one number, lower is better, of one room, of two that a door joins, of the home.
+"""How well types suit the rooms of a plan: one number, lower is better, of one room, and of two that a door joins.
 
 Comes in: what can be told of the rooms, the room types. Goes out: `Suiting`. Areas, sides and what one may walk through are the
 catalog's; the weights are our choice.
@@ -6,7 +6,7 @@ catalog's; the weights are our choice.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import log
 from typing import Final
 
@@ -25,16 +25,6 @@ ELSEWHERE: Final = 0.0001
 TELLING: Final = frozenset({"bed", "bathroom", "vehicle"})
 BESIDE_PIECES: Final = 0.5
 """How much a room's form tells where something stands in it."""
-BEDROOMS: Final = ("bedroom", "bedroom_master", "kids_bedroom")
-WANTED: Final = {"kitchen": 6.0, "bathroom": 6.0, "living_room": 3.5, "bedroom": 5.0}
-"""Cost of a home of several rooms without the type; any bedroom will do."""
-ONE_MORE: Final = {
-    "kitchen": 6.0, "bathroom": 1.2, "living_room": 3.0, "dining_room": 4.0, "office": 1.5, "laundry": 3.0, "foyer": 3.0, "hallway": 0.7,
-    "bedroom_master": 4.0, "kids_bedroom": 0.6, "bedroom": 0.4,
-}  # fmt: skip
-"""Cost of each more of a type than there are usually."""
-RARE: Final = {"office": 1.2, "laundry": 1.2, "workshop": 4.0, "garage": 1.0, "foyer": 0.3, "kids_bedroom": 0.2}
-"""Cost of the first of a type that many homes do without."""
 HALL_WIDTH: Final = 2.0
 """From this width on, m, a room one only walks through is ever less likely one."""
 LONG_HALL: Final = 2.5
@@ -50,8 +40,6 @@ SHUT_OFF: Final = 1.5
 TOO_LARGE, TOO_NARROW = 3.0, 4.0
 """Cost of a floor beyond the catalog's limits by a factor of e, and of a side below its least. The limits are those of homes drawn here;
 in plans of others a kitchen of 5 m2 is no rarity, so they weigh as a preference and not as a law."""
-MISCOUNTED: Final = 4.0
-"""Cost of each room more or less than a programme counts."""
 
 
 class Suiting:
@@ -60,15 +48,12 @@ class Suiting:
     Args:
         marks: what can be told of the rooms.
         catalogs: the room types.
-        program: how many rooms of each type there are, where that is known; bedrooms count as one type.
     """
 
-    def __init__(self, marks: Sequence[RoomMarks], catalogs: Catalogs, program: Mapping[str, int] | None = None) -> None:
-        self.marks, self.kinds, self._program = marks, catalogs.rooms, program
+    def __init__(self, marks: Sequence[RoomMarks], catalogs: Catalogs) -> None:
+        self.marks, self.kinds = marks, catalogs.rooms
         self._has_windows = any(one.large + one.small for one in marks)
         self._pieces = {name: _pieces_of(kind, catalogs) for name, kind in self.kinds.items()}
-        self.types = [[name for name in self.kinds if self.alone(room, name) < NEVER] for room in range(len(marks))]
-        """The types that each room may have."""
 
     def alone(self, room: int, name: str) -> float:
         """Returns the cost of a type in a room by its floor, windows, doors to the outside and pieces."""
@@ -95,7 +80,7 @@ class Suiting:
         if a.outdoor or b.outdoor:
             return 0.0
         if is_open:
-            return -0.8 if a.plan.passage and b.plan.passage else 3.0
+            return -0.8 if a.plan.passage and b.plan.passage else 6.0
         leaf = 0.5 if a.plan.passage and b.plan.passage else 0.0
         through = a.plan.way_through or b.plan.way_through
         if not through:
@@ -103,33 +88,7 @@ class Suiting:
         if any(kind.plan.way_through and not kind.plan.habitable for kind in (a, b)):
             return leaf - 0.4
         shown = sum(kind.plan.habitable or kind.plan.wet for kind in (a, b) if not kind.plan.way_through)
-        return leaf + 0.5 * shown
-
-    def in_all(self, counts: Mapping[str, int]) -> float:
-        """Returns the cost of the numbers of rooms of each type."""
-        if self._program is not None:
-            return self._miscounted(counts, self._program)
-        indoors = sum(number for name, number in counts.items() if not self.kinds[name].outdoor)
-        cost = 0.0
-        if indoors > 2:
-            bedrooms = sum(counts.get(name, 0) for name in BEDROOMS)
-            there = {**counts, "bedroom": bedrooms}
-            cost += sum(missed for name, missed in WANTED.items() if not there.get(name))
-            cost += 1.0 if bedrooms > 1 and not counts.get("bedroom_master") else 0.0
-            cost += 3.0 if counts.get("kids_bedroom") and bedrooms == counts["kids_bedroom"] else 0.0
-        usual = {"bathroom": 1 + indoors // 6, "bedroom": 1 + indoors // 6, "kids_bedroom": 1}
-        for name, number in counts.items():
-            cost += ONE_MORE.get(name, 0.0) * max(0, number - usual.get(name, 1)) + RARE.get(name, 0.0)
-        return round(cost, 9)
-
-    def _miscounted(self, counts: Mapping[str, int], program: Mapping[str, int]) -> float:
-        there: dict[str, int] = {}
-        for name, number in counts.items():
-            home = self.kinds[name].home
-            word = home.word or name if home else name
-            there[word] = there.get(word, 0) + number
-        words = {*there, *program} - {"hallway"}
-        return MISCOUNTED * sum(abs(there.get(word, 0) - program.get(word, 0)) for word in sorted(words))
+        return leaf + 0.75 * shown
 
 
 def _pieces_of(kind: RoomType, catalogs: Catalogs) -> dict[str, float]:
@@ -158,7 +117,7 @@ def _size(marks: RoomMarks, kind: RoomType) -> float:
     width = min(kind.home.width, kind.short_side) if kind.home else kind.short_side
     thin = max(0.0, log(width / marks.short))
     long = max(0.0, marks.long / marks.short - max(kind.aspect, kind.home.aspect if kind.home else 0.0))
-    return 1.2 * abs(log(marks.area / typical)) + TOO_LARGE * far + TOO_NARROW * thin + 0.8 * min(long, 4.0)
+    return 1.2 * abs(log(marks.area / typical)) + TOO_LARGE * far + TOO_NARROW * thin + 0.5 * min(long, 4.0)
 
 
 def _light(marks: RoomMarks, kind: RoomType) -> float:
@@ -167,8 +126,8 @@ def _light(marks: RoomMarks, kind: RoomType) -> float:
     if kind.plan.habitable:
         return 0.0 if marks.large else 2.5 if marks.small else 4.0
     if kind.plan.wet:
-        return 1.5 if marks.large else -0.8 if marks.small else 0.0
-    return (1.0 if kind.plan.way_through else 0.2) * marks.large
+        return 0.8 if marks.large else -0.8 if marks.small else 0.0
+    return (0.6 if kind.plan.way_through else 0.2) * marks.large
 
 
 def _front(marks: RoomMarks, kind: RoomType, indoors: int) -> float:

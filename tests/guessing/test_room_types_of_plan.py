@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
+from itertools import product
 
+import numpy as np
 import pytest
 
 from catalogs import load_catalogs
 from solver import generate
 from solver.guessing import guessed_types
 from solver.guessing.room_marks import marks_of
+from solver.guessing.room_numbers import RoomNumbers
 from solver.guessing.suiting import Suiting
 from solver.scene import EXTERIOR, Furniture, Opening, Request, Room, Scene
 from tests.guessing.plans import as_plan
@@ -36,7 +39,7 @@ def test_hidden_types_are_found(furnished: bool) -> None:
             for k, room in enumerate(home.rooms):
                 right += BEDROOMS.get(room.type, room.type) == BEDROOMS.get(found[f"r{k}"], found[f"r{k}"])
                 count += 1
-    assert right / count >= (0.98 if furnished else 0.85)
+    assert right / count >= (0.98 if furnished else 0.92)
 
 
 def test_known_types_stay_and_names_win_over_what_stands_there() -> None:
@@ -108,3 +111,36 @@ def test_only_rooms_indoors_count_as_those_a_hallway_leads_to(outdoor: bool) -> 
     last = replace(home.rooms[2], outdoor=outdoor)
     leading, shut = (Suiting(marks_of(rooms), KNOWN).alone(0, "hallway") for rooms in ((*home.rooms[:2], last), home.rooms[:2]))
     assert (leading == shut) == outdoor
+
+
+@pytest.mark.parametrize("seed", seeds(range(20, 40), 7))
+def test_no_other_types_of_a_small_home_are_cheaper(seed: int) -> None:
+    """All ways to give four rooms one of the eight types that suit each best are tried, and summed up plainly."""
+    plan = as_plan(generate(Request(seed=seed, program="studio")).scene)
+    marks = marks_of(plan.rooms)
+    suiting, names = Suiting(marks, KNOWN), list(KNOWN.rooms)
+    numbers = RoomNumbers(KNOWN.rooms, len(marks), None)
+    alone = [{name: suiting.alone(k, name) for name in names} for k in range(len(marks))]
+
+    def cost(given: tuple[str, ...]) -> float:
+        doors = {(min(k, there), max(k, there), is_open) for k, one in enumerate(marks) for there, is_open in one.ways}
+        total = sum(alone[k][name] for k, name in enumerate(given)) + sum(
+            suiting.joined(given[a], given[b], is_open) for a, b, is_open in doors
+        )
+        counts = np.zeros((1, len(names)), dtype=np.int64)
+        for name in given:
+            total += numbers.more(counts)[0][names.index(name)]
+            counts[0, names.index(name)] += 1
+        return float(total + numbers.missing(counts)[0])
+
+    found = cost(tuple(types(plan).values()))
+    best = [sorted(one, key=lambda name: one[name])[:8] for one in alone]
+    assert found <= min(map(cost, product(*best))) + 1e-6
+
+
+def test_a_door_that_two_rooms_list_leads_from_one_to_the_other_though_both_say_outside() -> None:
+    door = Opening("d", "door", "south", 1.0, 0.9, 2.1, connects_to=EXTERIOR)
+    rooms = (Room("a", width=4, depth=3, openings=(door,)), Room("b", width=4, depth=3, z=3.0, openings=(replace(door, wall="north"),)))
+    first, second = marks_of(rooms)
+    assert (first.front, second.front) == ("", "")
+    assert (first.ways, second.ways) == (((1, False),), ((0, False),))
