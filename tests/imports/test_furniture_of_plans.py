@@ -74,5 +74,5 @@ def test_a_sink_whose_tap_is_drawn_a_little_above_the_sill_stays_beneath_the_win
     answer = imported(window, piece("Sink", 2.6, 0.38, width=1.2, depth=0.64, height=1.055))
     (sink,) = answer.scene.rooms[0].furniture
     assert (sink.height, round(sink.x, 2), sink.z < 0.45) == (1.05, 2.6, True)
-    assert [(one["of"], one["amount"]) for one in answer.changes if "sill" in one["message"]] == [(sink.id, 0.005)]
+    assert [(one["of"], one["amount"]) for one in answer.changes if "sill" in str(one["message"])] == [(sink.id, 0.005)]
     assert errors(answer) == []
