@@ -9,8 +9,9 @@ Comes in: `DrawnShape`s. Goes out: a `DrawnPlan`. May import: drawn, walls_alone
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Final, Literal, NamedTuple
@@ -35,6 +36,8 @@ PASSED: Final = ("furniture", "möbel", "mobilier", "meuble", "mueble", "arredo"
 NO_DOOR: Final = ("outdoor", "indoor")
 LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
+ALIKE: Final = 0.01
+"""Walls are as thick as one another whose thicknesses differ by no more than this share."""
 WIDER: Final = 1.4
 """A door's opening may be so many times as wide as its leaf."""
 SAME: Final = 0.6
@@ -158,15 +161,28 @@ def _thickness(walls: Sequence[DrawnBox]) -> float | None:
 
 
 def _solid_walls(shapes: Sequence[tuple[DrawnShape, str | None]]) -> tuple[DrawnWall, ...]:
-    """Returns the walls that are drawn as boxes of four corners."""
-    found = []
+    """Returns the walls that are drawn as boxes of four corners: long ones, and short ones that are as thick as a long one."""
+    long, short = list[DrawnWall](), list[tuple[DrawnBox, str]]()
     for one, sort in shapes:
         if sort == "wall" and one.closed and len({*one.points}) == 4:
-            x0, z0, x1, z1 = _box(one.points)
+            x0, z0, x1, z1 = box = _box(one.points)
             thin, (start, end) = min(x1 - x0, z1 - z0), _longer(one.points)
             if thin and math.dist(start, end) >= LONG * thin:
-                found.append(DrawnWall(start, end, thin, one.where))
-    return tuple(found)
+                long.append(DrawnWall(start, end, thin, one.where))
+            elif thin:
+                short.append((box, one.where))
+    known = sorted({wall.thickness for wall in long})
+    return (*long, *(wall for box, where in short for wall in _short_walls(box, where, known)))
+
+
+def _short_walls(box: DrawnBox, where: str, known: Sequence[float]) -> Iterator[DrawnWall]:
+    """Yields a short piece of wall along each axis across which it is as thick as some wall is known to be."""
+    x0, z0, x1, z1 = box
+    x, z = (x0 + x1) / 2, (z0 + z1) / 2
+    for start, end, thickness in (((x0, z), (x1, z), z1 - z0), ((x, z0), (x, z1), x1 - x0)):
+        near = known[max(0, bisect_left(known, thickness) - 1) :][:2]
+        if any(abs(one - thickness) <= ALIKE * thickness for one in near):
+            yield DrawnWall(start, end, thickness, where)
 
 
 def _room(shape: DrawnShape, texts: Sequence[DrawnText]) -> DrawnRoom:

@@ -53,19 +53,24 @@ class WallDepths:
                 low, high = sorted((wall.start[along], wall.end[along]))
                 bands[wall.level, "xz"[along]].append((low, high, (wall.start[1 - along] + wall.end[1 - along]) / 2, wall.thickness))
         self._bands = {key: np.array(found).T for key, found in bands.items()}
+        self._alike = {key: np.unique(np.rint(found[2:]), axis=1, return_inverse=True)[1].ravel() for key, found in self._bands.items()}
+        """Which pieces lie in one line and are as thick."""
 
     def __bool__(self) -> bool:
         return bool(self._bands)
 
     def behind(self, edge: PlanEdge, level: int, at: float) -> WallBand | None:
-        """Returns the wall that lies at a coordinate across an edge, over most of its length; None where there is none."""
+        """Returns the wall that lies at a coordinate across an edge, its pieces over most of its length; None where there is none."""
         if (level, edge.axis) not in self._bands:
             return None
         low, high, line, thickness = self._bands[level, edge.axis]
         common = np.minimum(high, edge.high) - np.maximum(low, edge.low)
         common[np.abs(line - at) > thickness / 2 + BESIDE] = 0.0
-        most = int(common.argmax())
-        return WallBand(float(line[most]), float(thickness[most])) if common[most] >= min(LEAST, edge.length / 2) else None
+        alike = self._alike[level, edge.axis]
+        covered = np.bincount(alike, np.maximum(common, 0.0))
+        most = int(covered.argmax())
+        first = int((alike == most).argmax())
+        return WallBand(float(line[first]), float(thickness[first])) if covered[most] >= min(LEAST, edge.length / 2) else None
 
     def face(self, edge: PlanEdge, level: int) -> int | None:
         """Returns where the inner face is of the wall that an edge is drawn in; None where it is drawn in none."""

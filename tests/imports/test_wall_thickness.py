@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from compose_homes import load, validate
+from compose_homes import Request, generate, load, validate
 from solver import export
 from solver.imported import PlanImport
 from solver.scene import Room, Scene
@@ -55,6 +55,35 @@ def test_our_exports_read_back(house: Scene, format: str) -> None:
     doors = [{(one.kind, one.connects_to) for one in room.openings} for room in found]
     assert [len(one) for one in doors] == [len(room.openings) for room in house.rooms]
     assert [issue.message for issue in validate(after) if issue.severity == "error"] == []
+
+
+def outside(room: Room, house: Scene, wall: int) -> float:
+    """How much of a wall no other room lies at, m, by steps of 5 cm."""
+    x0, z0, x1, z1 = room.x, room.z, room.x + room.width, room.z + room.depth
+    steps = round(((x1 - x0) if wall in (0, 2) else (z1 - z0)) / 0.05)
+    free = 0
+    for step in range(steps):
+        along = 0.05 * step + 0.025
+        x, z = ((x0 + along, z0 - 0.01), (x1 + 0.01, z0 + along), (x0 + along, z1 + 0.01), (x0 - 0.01, z0 + along))[wall]
+        free += not any(one.x < x < one.x + one.width and one.z < z < one.z + one.depth for one in house.rooms)
+    return 0.05 * free
+
+
+@pytest.mark.parametrize("outline", ["rectangle", "L", "T", "U"])
+def test_a_drawing_tells_how_thick_each_outer_wall_is(outline: str) -> None:
+    """Of a wall that is cut to pieces shorter than they are thick, too; what the corner of another outer wall hides is not seen."""
+    seen = 0
+    for seed, (inner, outer) in enumerate(((0.115, 0.42), (0.15, 0.365), (0.24, 0.3)), 9100):
+        house = generate(Request(seed=seed, program="large", outline=outline, wall_thickness=inner, outer_wall_thickness=outer)).scene
+        after = again(house, "dxf").scene
+        assert after.wall_thickness == pytest.approx(inner, abs=CLOSE)
+        for before, room in zip(house.rooms, after.rooms, strict=True):
+            pairs = zip(outer_of(before, house), outer_of(room, after), strict=True)
+            for wall, (one, other) in enumerate(pairs):
+                if outside(before, house, wall) >= outer:
+                    assert abs(one - other) <= CLOSE, (seed, before.id, wall)
+                    seen += one != inner
+    assert seen > 30
 
 
 def test_gaps_between_inner_faces_are_the_walls() -> None:

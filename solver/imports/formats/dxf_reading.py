@@ -21,6 +21,8 @@ from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, plan_o
 METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0}
 """What `$INSUNITS` says."""
 MOST_ENTITIES: Final = 50_000
+BODY: Final = "KIND"
+"""What our export's furniture has for an attribute: a wall clock is no wall."""
 DEEPEST: Final = 8
 """Blocks within blocks."""
 
@@ -77,7 +79,7 @@ def _opened(space: Any) -> Iterator[_Entity]:
             raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
         kind = one.dxftype()
         inner = (*names, one.dxf.name) if kind == "INSERT" else names
-        if kind == "INSERT" and depth < DEEPEST and sort_within(inner):
+        if kind == "INSERT" and depth < DEEPEST and sort_within(inner) and not one.has_attrib(BODY):
             for part in reversed(list(islice(one.virtual_entities(), MOST_ENTITIES))):
                 own = () if part.dxf.layer == "0" else (part.dxf.layer,)
                 ahead.append((part, (*inner, *own), number, depth + 1))
