@@ -173,9 +173,10 @@ def validate_scene(document: object, catalogs: Catalogs) -> Document:
     check_ids("flagged", flagged, body_ids(scene))
     issues = validate(scene, catalogs)
     is_wanted = body.flagged is not None if body.report is None else body.report
-    words = Lines(*report(scene, issues, flagged)) if is_wanted else None
+    measured = metrics(scene, catalogs)
+    words = Lines(*report(scene, _areas(measured), issues, flagged)) if is_wanted else None
     access = None if body.access is None or body.access == NO_ACCESS else access_of(scene, body.access, catalogs).document()
-    return write(ValidateAnswer(tuple(issues), metrics(scene, catalogs), understood(scene, catalogs).understood_as, words, access))
+    return write(ValidateAnswer(tuple(issues), measured, understood(scene, catalogs).understood_as, words, access))
 
 
 def view_scene(document: object, _: Catalogs | None = None) -> Document:
@@ -187,7 +188,13 @@ def view_scene(document: object, _: Catalogs | None = None) -> Document:
     Raises:
         FieldError: a field is wrong.
     """
-    return write(Lines(*view(read(ViewBody, document).scene)))
+    scene = read(ViewBody, document).scene
+    return write(Lines(*view(scene, _areas(metrics(scene)))))
+
+
+def _areas(measured: Document) -> dict[str, float]:
+    """Returns the clear floors of rooms by their ids, m2."""
+    return {name: room["clear_area"] for name, room in measured["rooms"].items()}
 
 
 def explain_place(document: object, catalogs: Catalogs) -> Document:

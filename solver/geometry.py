@@ -39,6 +39,11 @@ def to_m(millimetres: int) -> float:
     return millimetres / 1000
 
 
+def square_metres(area: float) -> str:
+    """Writes an area, m2, to a tenth; half a tenth is more, whatever a sum of parts made of its last digits."""
+    return f"{area + 1e-7:.1f} m²"
+
+
 def half_m(double_mm: int) -> float:
     """Converts a sum of two millimetre edges to the metres of their middle (at most 4 decimals)."""
     return double_mm / 2000

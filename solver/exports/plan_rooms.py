@@ -76,8 +76,8 @@ def words_of(room_type: str) -> str:
     return words[:1].upper() + words[1:]
 
 
-def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel]) -> list[tuple[float, float]]:
-    """Returns a floor's corners moved in to the faces of its walls."""
+def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel], half: float = 0.0) -> list[tuple[float, float]]:
+    """Returns a floor's corners moved in to the faces of its walls, and by `half` metres where it has none."""
     walls = [panel for panel in panels if panel.level == plate.level]
     corners = _turning(plate.corners)
     lines = []
@@ -91,7 +91,7 @@ def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel]) -> list[tuple[
             w for w in walls if w.axis == axis and abs(w.line - line) <= w.thickness / 2 and min(w.end, high) - max(w.start, low) > least
         ]
         wall = min(near, key=lambda w: abs(w.line - line), default=None)
-        lines.append((axis, line if wall is None else wall.line + inward * wall.thickness / 2))
+        lines.append((axis, line + inward * half if wall is None else wall.line + inward * wall.thickness / 2))
     made = []
     for (axis, line), (_, before) in zip(lines, (lines[-1], *lines[:-1]), strict=True):
         made.append((before, line) if axis == "x" else (line, before))

@@ -13,6 +13,7 @@ from typing import Final
 from solver.exports.plan_facades import too_short
 from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, label_box, number_box
 from solver.exports.xml_text import xml_text
+from solver.geometry import square_metres
 
 SCALES: Final = (20, 25, 50, 75, 100, 150, 200, 250, 500, 1000, 2000)
 PAPER: Final = (408.0, 285.0)
@@ -137,7 +138,7 @@ def room_name(label: RoomLabel) -> str:
     x0, z0, x1, z1 = (round(edge * 1000) for edge in label_box(label))
     size, x, y = label.size * 1000, label.x * 1000, label.z * 1000
     turned = f' transform="rotate(-90 {x:.0f} {y:.0f})"' if label.upright else ""
-    rows = (xml_text(label.words), f"{label.area:.1f} m²")
+    rows = (xml_text(label.words), square_metres(label.area))
     first, second = y - 0.18 * size, y + (LINE - 0.3) * size
     return (
         f'<rect class="back" x="{x0}" y="{z0}" width="{x1 - x0}" height="{z1 - z0}" rx="{size * 0.3:.0f}"/><g{turned}>'

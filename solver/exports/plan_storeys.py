@@ -14,6 +14,7 @@ from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, Pl
 from solver.exports.plan_facades import Facades, chains_of
 from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, clear_sizes, label_of, words_of
 from solver.exports.plan_sheet import PlanSheet, sheet_for
+from solver.geometry import square_metres
 from solver.wall_fittings import between
 
 Place = tuple[float, float]
@@ -178,7 +179,9 @@ def _named(
 ) -> tuple[list[RoomLabel], list[Dimension]]:
     labels, lines = [], []
     for plate in rooms:
-        planned = PlanRoom(plate, clear_corners(plate, model.panels), obstacles[plate.id], sheet.letters, sheet.numbers)
+        planned = PlanRoom(
+            plate, clear_corners(plate, model.panels, model.thickness / 2), obstacles[plate.id], sheet.letters, sheet.numbers
+        )
         labels.append(label_of(planned))
         lines += clear_sizes(planned, labels[-1])
     return labels, lines
@@ -189,6 +192,6 @@ def _words(model: HouseModel, labels: list[RoomLabel], sheet: PlanSheet, storey:
     rooms = "1 room" if len(indoors) == 1 else f"{len(indoors)} rooms"
     return [
         words_of(model.name) + storey,
-        f"{rooms}, {sum(label.area for label in indoors):.1f} m² indoors. Scale 1:{sheet.scale} as printed.",
+        f"{rooms}, {square_metres(sum(label.area for label in indoors))} indoors. Scale 1:{sheet.scale} as printed.",
         "Lengths in metres. Areas and room sizes between wall faces; outside to wall lines.",
     ]

@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
+from solver.geometry import square_metres
 from solver.scene import Decoration, Dynamic, Opening, Room, Scene
 from solver.view.nesting import ShownBody, carried_by, people_in, remarks, sections, strangers, together
 from solver.view.wording import TextLine, decimal, number, proofs, target_of, visible, written
@@ -21,13 +22,17 @@ _RESERVED: Final = frozenset({"null", "true", "false", "yes", "no", "on", "off"}
 _NESTED: Final = "decorations"
 
 
-def view(scene: Scene) -> tuple[str, tuple[str | None, ...]]:
+def view(scene: Scene, areas: Mapping[str, float]) -> tuple[str, tuple[str | None, ...]]:
     """Writes a scene for a person to read.
+
+    Args:
+        scene: the scene.
+        areas: rooms' clear floors by their ids, m2.
 
     Returns:
         The text, and for each of its lines the id of the body it shows, or None.
     """
-    return written([*_header(scene), *_plan(scene), TextLine(""), *_rooms(scene), *_adjacency(scene)])
+    return written([*_header(scene), *_plan(scene), TextLine(""), *_rooms(scene, areas), *_adjacency(scene)])
 
 
 def _header(scene: Scene) -> Iterator[TextLine]:
@@ -54,13 +59,13 @@ def _plan(scene: Scene) -> Iterator[TextLine]:
     yield TextLine(f"  corridors: {len(scene.corridors)}")
 
 
-def _rooms(scene: Scene) -> Iterator[TextLine]:
+def _rooms(scene: Scene, areas: Mapping[str, float]) -> Iterator[TextLine]:
     if not scene.rooms:
         yield TextLine("rooms: {}")
     else:
         yield TextLine("rooms:")
     for room in scene.rooms:
-        yield from _room(room, people_in(scene, room))
+        yield from _room(room, people_in(scene, room), areas[room.id])
         yield TextLine("")
     nowhere = strangers(scene)
     if nowhere:
@@ -68,12 +73,12 @@ def _rooms(scene: Scene) -> Iterator[TextLine]:
         yield TextLine("")
 
 
-def _room(room: Room, people: Sequence[Dynamic]) -> Iterator[TextLine]:
+def _room(room: Room, people: Sequence[Dynamic], area: float) -> Iterator[TextLine]:
     yield TextLine(f"  {_text(room.id)}:")
     yield TextLine(f"    type: {_text(room.type)}")
     yield TextLine(f"    position: [{decimal(room.x)}, {decimal(room.z)}]")
     outdoor = ", outdoors" if room.outdoor else ""
-    yield TextLine(f"    size: {number(room.width)} × {number(room.depth)}m   # {room.floor_m2:.1f} m²{outdoor}")
+    yield TextLine(f"    size: {number(room.width)} × {number(room.depth)}m   # {square_metres(area)} clear{outdoor}")
     yield from _openings("doors", [opening for opening in room.openings if opening.kind != "window"])
     yield from _openings("windows", [opening for opening in room.openings if opening.kind == "window"])
     carried = carried_by(room)

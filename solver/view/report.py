@@ -25,25 +25,29 @@ FRAME: Final = "Positions are from each room's north-west corner, x east and z s
 
 
 class _Findings(NamedTuple):
-    """What is wrong, by whom it concerns: bodies, rooms where no body is named, and what a person flagged."""
+    """What is known of a scene beside itself: clear floors by room, m2; what is wrong, by whom it concerns, and what a person flagged."""
 
+    areas: Mapping[str, float]
     of_body: Mapping[str, Sequence[Issue]]
     of_room: Mapping[str, Sequence[Issue]]
     flagged: frozenset[str]
 
 
-def report(scene: Scene, issues: Sequence[Issue], flagged: Sequence[str] = ()) -> tuple[str, tuple[str | None, ...]]:
+def report(
+    scene: Scene, areas: Mapping[str, float], issues: Sequence[Issue], flagged: Sequence[str] = ()
+) -> tuple[str, tuple[str | None, ...]]:
     """Writes all there is to know about a scene and what is wrong with it.
 
     Args:
         scene: the scene.
+        areas: rooms' clear floors by their ids, m2.
         issues: what the validator says of it.
         flagged: ids of bodies that a person finds problematic.
 
     Returns:
         The text, and for each of its lines the id of the body it speaks of, or None.
     """
-    found = _sorted_out(issues, flagged)
+    found = _sorted_out(areas, issues, flagged)
     rooms = [line for room in scene.rooms for line in _room(room, people_in(scene, room), scene, found)]
     nowhere = [line for person in strangers(scene) for line in _body(0, person, found)]
     if nowhere:
@@ -51,7 +55,7 @@ def report(scene: Scene, issues: Sequence[Issue], flagged: Sequence[str] = ()) -
     return written([*_head(scene, issues, found), *rooms, *nowhere, *_flags(scene, found), *_summary(issues)])
 
 
-def _sorted_out(issues: Sequence[Issue], flagged: Sequence[str]) -> _Findings:
+def _sorted_out(areas: Mapping[str, float], issues: Sequence[Issue], flagged: Sequence[str]) -> _Findings:
     of_body: dict[str, list[Issue]] = {}
     of_room: dict[str, list[Issue]] = {}
     for issue in issues:
@@ -59,7 +63,7 @@ def _sorted_out(issues: Sequence[Issue], flagged: Sequence[str]) -> _Findings:
             of_body.setdefault(name, []).append(issue)
         if not issue.ids and issue.room is not None:
             of_room.setdefault(issue.room, []).append(issue)
-    return _Findings(of_body, of_room, frozenset(flagged))
+    return _Findings(areas, of_body, of_room, frozenset(flagged))
 
 
 def _head(scene: Scene, issues: Sequence[Issue], found: _Findings) -> Iterator[TextLine]:
@@ -124,7 +128,7 @@ def _room(room: Room, people: Sequence[Dynamic], scene: Scene, found: _Findings)
     issues = found.of_room.get(room.id, ())
     yield TextLine("")
     where = f"{'outdoors, ' if room.outdoor else ''}at [{_metres(room.x)}, {_metres(room.z)}] of the house"
-    extents = f"{_metres(room.width)} × {_metres(room.depth)} m, {room.floor_m2:.2f} m²"
+    extents = f"{_metres(room.width)} × {_metres(room.depth)} m, {found.areas[room.id]:.2f} m² clear"
     title = f"{visible(room.id)} ({visible(room.type)}): {extents}, {where}"
     yield TextLine(f"{WRONG if issues else FINE}{title}{_marks(issues, False)}")
     yield from (_issue(issue, 1) for issue in issues)

@@ -147,7 +147,7 @@ def test_a_bare_house_stays_bare_when_rerolled() -> None:
 
 
 def test_the_readable_yaml_nests_things_under_what_carries_them(pair: tuple[Scene, Scene]) -> None:
-    text, lines = view(pair[0])
+    text, lines = view(pair[0], {room.id: 0.0 for room in pair[0].rooms})
     rows = text.splitlines()
     at = {body: k for k, body in enumerate(lines) if body}
     indents = [len(row) - len(row.lstrip()) for row in rows]

@@ -153,7 +153,7 @@ def test_clear_floors_agree(models: list[HouseModel], built: list[dict[str, Any]
     for model, page in zip(models, built, strict=True):
         assert len(model.rooms) == len(page["floors"]) > 0
         for plate, theirs in zip(model.rooms, page["floors"], strict=True):
-            corners = clear_corners(plate, model.panels)
+            corners = clear_corners(plate, model.panels, model.thickness / 2)
             extents = [max(ends) - min(ends) for ends in zip(*corners, strict=True)]
             assert close((floor_area(corners), *extents), (theirs["area"], theirs["width"], theirs["depth"])), plate.id
 

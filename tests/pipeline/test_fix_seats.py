@@ -101,7 +101,7 @@ def test_documents_keep_the_seat_and_the_view_shows_it() -> None:
     scene = read_scene(write_scene(scene_of(seat(2, 2), people=(sitter(2, 2.05),))))
     assert scene.dynamic[0].on == "room_0/armchair_1"
     assert write_scene(scene)["dynamic"][0]["on"] == "room_0/armchair_1"
-    text, lines = view(scene)
+    text, lines = view(scene, {room.id: 0.0 for room in scene.rooms})
     (line,) = [line for line, shown in zip(text.splitlines(), lines, strict=True) if shown == "person_1"]
     assert "on room_0/armchair_1" in line
     assert validate(scene, load_catalogs()) == ()

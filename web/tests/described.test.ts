@@ -24,7 +24,7 @@ function described(scene: Scene, book: ShapeBook): unknown {
   };
   const paints = book.doorPaints(styleOf(scene));
   return {
-    floors: scene.rooms.map((room) => clearFloorOf(room, plan.runs)),
+    floors: scene.rooms.map((room) => clearFloorOf(room, plan.runs, scene.wall_thickness)),
     panels: wallPanelsOf(plan),
     fittings: fittingsOf(plan),
     openings: plan.openings,

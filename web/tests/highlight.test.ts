@@ -8,7 +8,7 @@ const LINES = [
   "floor_plan:",
   "  size: 20 × 15m",
   "    position: [5.7, 0.0]",
-  "    size: 5.7 × 5.6m   # 31.4 m²",
+  "    size: 5.7 × 5.6m   # 31.4 m² clear",
   "      - wall: south    # → hallway_0",
   "      - sofa: [2.85, 0.50]   # 2.2×0.9×0.85m",
   "  - hallway_0 ↔ living_room_8",

@@ -11,7 +11,7 @@ import { draftNames, Inspector } from "./inspector";
 import { Pencil, type ToolName } from "./pencil";
 import { PictureBeneath } from "./picture_beneath";
 import { Reflow } from "./reflow";
-import { atOrigin, draftOf, sceneOf, UNTYPED } from "./scene_draft";
+import { UNTYPED, atOrigin, clearAreas, draftOf, sceneOf } from "./scene_draft";
 import { Sheet } from "./sheet";
 import { FINE, GRID } from "./snapping";
 import { say, type Words } from "../words/language";
@@ -187,7 +187,7 @@ export class Board {
     this.#toolbar.enable("undo", this.#plan.canUndo);
     this.#toolbar.enable("redo", this.#plan.canRedo);
     for (const name of ["furnish", "show"]) this.#toolbar.enable(name, isPlan);
-    this.#inspector.show([this.#beneath()]);
+    this.#inspector.show([this.#beneath()], clearAreas(this.#plan.draft, this.#reflow.base));
     const head = this.#issues.length === 0 ? (isPlan ? say("Nothing is wrong with the plan") : say("Nothing is drawn yet")) : say("{count} to look at", { count: this.#issues.length });
     this.#found.replaceChildren(group(head, ...this.#issues.map((issue) => button(tellSentence(issue.message, this.scene), () => this.#plan.choose({ room: issue.room ?? null }), { className: `issue issue-${issue.severity}` }))));
     this.#draw();
@@ -198,7 +198,7 @@ export class Board {
     const wrong = new Set(this.#issues.filter(({ severity }) => severity === "error").map(({ room }) => room ?? ""));
     this.#sheet.draw(this.#plan.draft, {
       ...this.#plan.chosen, ghost: this.#ghost, wrong, measured: this.#picture.measured, picture: this.#picture.picture, furnished: this.#furnished,
-      names: ({ id }) => inWords(names.get(id) ?? id), colors: (room) => this.#color(room),
+      names: ({ id }) => inWords(names.get(id) ?? id), areas: clearAreas(this.#plan.draft, this.#reflow.base), colors: (room) => this.#color(room),
     });
   }
 

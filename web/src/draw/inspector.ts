@@ -2,15 +2,14 @@
 import type { OpeningKind } from "../contract";
 import { inWords } from "../panel/programme";
 import { roomNames } from "../panel/room";
-import { areaOf, wallsOf, type Wall } from "./corners";
+import { wallsOf, type Wall } from "./corners";
 import { OPENING_SIZES, wallLengthened, wallsAt, withOpening, withOpeningChanged, withoutOpening, withoutRoom, withType, type Draft, type DraftOpening, type DraftRoom } from "./draft";
 import type { DrawnPlan } from "./drawn_plan";
 import { button, choiceField, group, hint, lengthField, row, switchField } from "./elements";
 import { UNTYPED } from "./scene_draft";
 import { inMetres } from "./sheet";
-import { say, sayNumber, type Words } from "../words/language";
+import { say, sayArea, type Words } from "../words/language";
 
-const SQUARE_METRE = 1e6;
 const GUESS = say("Guess it");
 
 const WALL_WORDS: Readonly<Record<string, Words>> = { "x1": "north", "x-1": "south", "z1": "west", "z-1": "east" };
@@ -38,11 +37,13 @@ function capital(words: string): string {
 export class Inspector {
   /** The types that a room can be of. */
   types: readonly string[] = [];
+  #areas: ReadonlyMap<string, number> = new Map();
 
   constructor(readonly host: HTMLElement, readonly plan: DrawnPlan, readonly said: (words: string) => void) {}
 
-  /** Shows what is chosen; `beneath` are the picture's own controls. What has the focus keeps it. */
-  show(beneath: readonly HTMLElement[]): void {
+  /** Shows what is chosen; `beneath` are the picture's own controls, `areas` the rooms' clear floors [m²]. What has the focus keeps it. */
+  show(beneath: readonly HTMLElement[], areas: ReadonlyMap<string, number>): void {
+    this.#areas = areas;
     const { draft, chosen } = this.plan;
     const room = draft.rooms.find(({ id }) => id === chosen.room);
     const opening = draft.openings.find(({ id }) => id === chosen.opening);
@@ -71,7 +72,7 @@ export class Inspector {
   #room(room: DraftRoom): HTMLElement[] {
     const name = draftNames(this.plan.draft).get(room.id) ?? room.id;
     const types = [["", GUESS] as const, ...this.types.map((type) => [type, inWords(type)] as const)];
-    const title = `${capital(name)}, ${sayNumber(areaOf(room.corners) / SQUARE_METRE, 1)} m²`;
+    const title = `${capital(name)}, ${this.#area(room.id)}`;
     return [group(title,
       choiceField(say("Type"), types, room.type ?? "", (type) => this.plan.step(withType(this.plan.settled, room.id, type || null))),
       ...namedWalls(room).map(({ wall, words }) => this.#wall(room, wall, words)),
@@ -123,17 +124,21 @@ export class Inspector {
     this.#take(withOpeningChanged(this.plan.settled, opening.id, { kind, height, sill, isMainEntrance: false }), "");
   }
 
+  #area(id: string): string {
+    return sayArea(this.#areas.get(id) ?? 0);
+  }
+
   #rooms(draft: Draft): HTMLElement {
-    const total = draft.rooms.reduce((sum, { corners }) => sum + areaOf(corners), 0) / SQUARE_METRE;
+    const total = draft.rooms.reduce((sum, { id }) => sum + (this.#areas.get(id) ?? 0), 0);
     const names = draftNames(draft);
     const list = document.createElement("div");
     list.className = "drawing-rooms";
-    list.append(...draft.rooms.map(({ id, corners }) => {
-      const choose = button(`${capital(names.get(id) ?? id)}, ${sayNumber(areaOf(corners) / SQUARE_METRE, 1)} m²`, () => this.plan.choose({ room: id }));
+    list.append(...draft.rooms.map(({ id }) => {
+      const choose = button(`${capital(names.get(id) ?? id)}, ${this.#area(id)}`, () => this.plan.choose({ room: id }));
       choose.setAttribute("aria-pressed", String(this.plan.chosen.room === id));
       return choose;
     }));
     const words = draft.rooms.length === 0 ? say("Draw a rectangle for each room, or press N for one of 4 by 3 m.") : say("A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.");
-    return group(say("{count} rooms, {area} m²", { count: draft.rooms.length, area: sayNumber(total, 1) }), list, hint(words));
+    return group(say("{count} rooms, {area}", { count: draft.rooms.length, area: sayArea(total) }), list, hint(words));
   }
 }

@@ -1,7 +1,10 @@
 /** A scene as a plan to be drawn on, and a drawn plan as a scene, what stood in its rooms where it stood. */
 import type { Body, Opening, Room, Scene, Side } from "../contract";
+import { clearFloorOf } from "../house/clear_floor";
+import { drawable } from "../house/drawable";
 import { openingsOf, type PlacedOpening } from "../house/openings";
 import { cornersOf } from "../house/plan";
+import { runsOf } from "../house/wall_runs";
 import { boxOf, doubleArea, tidied, type Corners, type Wall } from "./corners";
 import { wallsAt, type Draft, type DraftOpening, type DraftRoom } from "./draft";
 
@@ -127,6 +130,14 @@ function withRoomMoved<Person extends Scene["dynamic"][number]>(body: Person, dr
   return relative(body, room.from.x - metres(x0), room.from.z - metres(z0));
 }
 
+
+/** The clear floor of each room of a drawn plan [m²], by its id. */
+export function clearAreas(draft: Draft, base: Scene | null): ReadonlyMap<string, number> {
+  const bare = draft.rooms.map((room) => ({ ...room, from: room.from && { ...room.from, furniture: [], decorations: [] } }));
+  const { rooms, wall_thickness: thickness } = drawable(sceneOf({ ...draft, rooms: bare }, base));
+  const runs = runsOf(rooms, thickness);
+  return new Map(rooms.map((room) => [room.id, clearFloorOf(room, runs, thickness).area]));
+}
 
 /** A scene with its north-western corner at nought, where houses begin. */
 export function atOrigin(scene: Scene): Scene {

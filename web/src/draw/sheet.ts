@@ -1,8 +1,8 @@
 /** The sheet that is drawn on: a plan as SVG, in millimetres, with what is chosen and what is about to be drawn. */
 import type { Room } from "../contract";
-import { areaOf, boxOf, wallsOf, type Box, type Corners, type Point } from "./corners";
+import { boxOf, wallsOf, type Box, type Corners, type Point } from "./corners";
 import type { Draft, DraftOpening, DraftRoom } from "./draft";
-import { say, sayNumber } from "../words/language";
+import { say, sayArea, sayNumber } from "../words/language";
 
 const SVG = "http://www.w3.org/2000/svg";
 /** How thick a wall is drawn [mm]; what is nearer than that to a line of the sheet is on it. */
@@ -40,6 +40,8 @@ export interface Marks {
   readonly measured: readonly Point[];
   readonly picture: Picture | null;
   readonly names: (room: DraftRoom) => string;
+  /** Clear floors [m²]. */
+  readonly areas: ReadonlyMap<string, number>;
   readonly colors: (room: DraftRoom) => string;
 }
 
@@ -212,11 +214,11 @@ export class Sheet {
     return [make("path", { class: "leaf", d: `M${point(pivot, line)}L${point(pivot, tip)}A${width} ${width} 0 0 ${isClockwise ? 0 : 1} ${point(far, line)}`, ...stroke })];
   }
 
-  #name(room: DraftRoom, { names }: Marks): SVGElement {
+  #name(room: DraftRoom, { names, areas }: Marks): SVGElement {
     const { x, z, width } = nameAt(room.corners);
     const fitting = width / (LETTER * names(room).length);
     const size = Math.max(SMALLEST * this.#perPixel, Math.min(LARGEST * this.#perPixel, fitting));
-    const area = `${sayNumber(areaOf(room.corners) / METRE / METRE, 1)} m²`;
+    const area = sayArea(areas.get(room.id) ?? 0);
     return make("text", { class: "room-name", x, y: z, "font-size": size },
       make("tspan", { x, dy: "-0.1em" }, names(room)), make("tspan", { class: "area", x, dy: "1.2em" }, area));
   }

@@ -5,7 +5,7 @@ import { clearFloorOf } from "../house/clear_floor";
 import { drawable } from "../house/drawable";
 import { runsOf } from "../house/wall_runs";
 import { inWords } from "./programme";
-import { say, sayName, sayNumber } from "../words/language";
+import { say, sayArea, sayName, sayNumber } from "../words/language";
 
 function metres(length: number): string {
   return `${sayNumber(length, 2, "short")} m`;
@@ -30,14 +30,14 @@ export function roomNames(scene: { readonly rooms: readonly Pick<Room, "id" | "t
 /** What there is to say of a room, as pairs of a word and what it is. */
 export function factsOf(room: Room, scene: Scene): [string, string][] {
   const names = roomNames(scene);
-  const clear = clearFloorOf(room, runsOf(scene.rooms, scene.wall_thickness));
+  const clear = clearFloorOf(room, runsOf(scene.rooms, scene.wall_thickness), scene.wall_thickness);
   const windows = room.openings.filter(({ kind }) => kind === "window").length;
   const doors = room.openings.filter(({ kind }) => kind !== "window").map((door) => leadsTo(door, names));
   const people = scene.dynamic.filter((body) => body.room === room.id).map((body) => body.kind);
   const facts: [string, string][] = [
     [say("Type"), inWords(room.type)],
     [say("Size"), `${metres(clear.width)} × ${metres(clear.depth)}`],
-    [say("Area"), `${sayNumber(clear.area, 1)} m²`],
+    [say("Area"), sayArea(clear.area)],
     [say("Floor"), room.flooring?.type ?? say("not said")],
     [say("Doors"), doors.length > 0 ? say("to {rooms}", { rooms: doors.join(", ") }) : say("none")],
     [say("Windows"), String(windows)],

@@ -4,16 +4,16 @@ import { clearFloorOf } from "../house/clear_floor";
 import { drawable } from "../house/drawable";
 import { runsOf } from "../house/wall_runs";
 import { readSaved, savedPicture, type SavedHead, type SavedHome } from "./saved_calls";
-import { say, sayName, sayNumber } from "../words/language";
+import { say, sayArea, sayName } from "../words/language";
 
 /** What is told of a home, row by row. */
 export function factsOf({ head, scene }: SavedHome): Record<string, string> {
   const { rooms, wall_thickness: thickness } = drawable(scene);
   const runs = runsOf(rooms, thickness);
-  const area = rooms.filter(({ outdoor }) => !outdoor).reduce((sum, room) => sum + clearFloorOf(room, runs).area, 0);
+  const area = rooms.filter(({ outdoor }) => !outdoor).reduce((sum, room) => sum + clearFloorOf(room, runs, thickness).area, 0);
   return {
     [say("Rooms")]: String(scene.rooms.length),
-    [say("Floor")]: say("{area} m² indoors", { area: sayNumber(area, 1) }),
+    [say("Floor")]: say("{area} indoors", { area: sayArea(area) }),
     [say("Furniture")]: String(count(scene, "furniture")),
     [say("Decorations")]: String(count(scene, "decorations")),
     [say("Room types")]: scene.rooms.map(({ type }) => sayName(type)).sort().join(", "),

@@ -11,7 +11,7 @@ import { hang, labelElement, type LabelElement } from "./label_elements";
 import { clearest, type Kept } from "./label_layout";
 import { RANK, roomsAhead, type Asked } from "./label_wishes";
 import type { Viewport } from "./viewport";
-import { sayNumber } from "../words/language";
+import { sayArea } from "../words/language";
 
 interface RoomLabel extends LabelElement {
   readonly room: Room;
@@ -51,8 +51,8 @@ export class RoomLabels {
     this.#house = house;
     for (const { element } of this.#labels) element.remove();
     this.#labels = rooms.map((room) => {
-      const { area } = clearFloorOf(room, house.runs);
-      const label = labelElement("room-label", words(room.type), { dot: room.accent, second: `${sayNumber(area, 1)} m²` });
+      const { area } = clearFloorOf(room, house.runs, house.scene.wall_thickness);
+      const label = labelElement("room-label", words(room.type), { dot: room.accent, second: sayArea(area) });
       const elevation = storeys.get(room.level)?.elevation ?? 0;
       const spots = SPOTS.filter(([u, v]) => holds(room, room.x + u * room.width, room.z + v * room.depth));
       return Object.assign(label, { room, elevation, area, spots, spot: SPOTS[0] as Spot, at: [room.x + room.width / 2, elevation, room.z + room.depth / 2] as Point });

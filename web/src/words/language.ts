@@ -40,6 +40,11 @@ export function sayNumber(value: number, places: number, form: "whole" | "short"
   return (form === "short" ? String(Number(written)) : written).replace(".", POINT);
 }
 
+/** An area [m²]: half a tenth is more, whatever a sum of parts made of its last digits. */
+export function sayArea(area: number): string {
+  return `${sayNumber(area + 1e-7, 1)} m²`;
+}
+
 /** Words in which numbers have the reader's point, where they are nothing but a number, with its unit or without. */
 export function sayDecimals(words: string): string {
   return words.replace(/^(\d+)\.(\d+)(?=$| )/, `$1${POINT}$2`);

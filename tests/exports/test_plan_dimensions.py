@@ -1,0 +1,134 @@
+"""Every length and area on a plan is the scene's own, to the millimetre, for fresh homes of all outlines; read from the SVG alone."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+import pytest
+
+from service.calls import view_scene
+from solver import Request, Scene, export, generate
+from solver.exchange import write_scene
+from solver.scene import Room
+from tests.sweeps import seeds
+
+SVG = "{http://www.w3.org/2000/svg}"
+CHAIN = re.compile(r"M(-?\d+) (-?\d+)([HV])(-?\d+)((?:M-?\d+ -?\d+[vh]\d+)+)")
+MARK = re.compile(r"M(-?\d+) (-?\d+)([vh])(\d+)")
+PLACE = re.compile(r"translate\((-?\d+) (-?\d+)\)rotate\(-90\)")
+ROUNDED = 1
+"""What is written in whole millimetres may be off by, mm."""
+HOMES: list[dict[str, object]] = [
+    {"program": "family", "outline": "L", "outdoor": True},
+    {"program": "large", "outline": "U"},
+    {"program": "one_bed", "outline": "T"},
+    {"program": "studio", "wall_thickness": 0.14},
+    {"area": 95.0},
+    {"width": 17.0, "depth": 9.0},
+    {"program": "family", "outline": ((0, 0), (14, 0), (14, 7), (9, 7), (9, 12), (0, 12))},
+]
+
+
+class Chain(NamedTuple):
+    """A chain of dimensions: whether it runs from west to east, where it lies across, and its marks along, mm."""
+
+    along_x: bool
+    at: int
+    marks: tuple[int, ...]
+
+
+def chains(root: ElementTree.Element) -> list[Chain]:
+    (drawn,) = (path.get("d", "") for path in root.iter(f"{SVG}path") if path.get("class") == "line")
+    found = []
+    for x, y, way, end, ticks in (one.groups() for one in CHAIN.finditer(drawn)):
+        at = int(y) if way == "H" else int(x)
+        ends = [(int(a), int(b)) for a, b, _, _ in MARK.findall(ticks)]
+        marks = tuple(a if way == "H" else b for a, b in ends)
+        assert (marks[0], marks[-1]) == (int(x if way == "H" else y), int(end))
+        found.append(Chain(way == "H", at, marks))
+    assert "".join(one.group(0) for one in CHAIN.finditer(drawn)) == drawn
+    return found
+
+
+def numbers(root: ElementTree.Element) -> Iterator[tuple[bool, int, int, str]]:
+    """Every length that is written: whether along x, its middle along and its place across, mm, and the words."""
+    for text in root.iter(f"{SVG}text"):
+        words = text.text or ""
+        if text.get("class") == "number" and re.fullmatch(r"\d+\.\d\d", words):
+            turned = PLACE.fullmatch(text.get("transform", ""))
+            x, y = (int(turned[1]), int(turned[2])) if turned else (int(text.get("x", "")), int(text.get("y", "")))
+            yield (False, y, x, words) if turned else (True, x, y, words)
+
+
+def corners_of(room: Room) -> list[tuple[float, float]]:
+    inner = room.outline or ((0.0, 0.0), (room.width, 0.0), (room.width, room.depth), (0.0, room.depth))
+    return [(room.x + x, room.z + z) for x, z in inner]
+
+
+def lines_of(scene: Scene, axis: int) -> set[int]:
+    """Where wall lines and the ends of openings are along an axis, 0 from west to east, mm."""
+    found = {round(corner[axis] * 1000) for room in scene.rooms for corner in corners_of(room)}
+    for room in scene.rooms:
+        for one in room.openings:
+            corners = corners_of(room)
+            edges = list(zip(corners, (*corners[1:], corners[0]), strict=True))
+            sides = {"north": 0, "east": 1, "south": 2, "west": 3}
+            a, b = edges[one.edge] if one.edge is not None else edges[sides[str(one.wall)]]
+            low = min(a[axis], b[axis])
+            if a[1 - axis] == b[1 - axis]:
+                found |= {round((low + one.position + side * one.width / 2) * 1000) for side in (-1, 1)}
+    return found
+
+
+def is_near(value: int, among: set[int]) -> bool:
+    return any(abs(value - one) <= ROUNDED for one in among)
+
+
+def clear_area(room: Room, half: int) -> str:
+    """The floor within an outline of walls along x and z that go clockwise, `half` mm of each inside; half a tenth is more."""
+    corners = [(round(x * 1000), round(z * 1000)) for x, z in corners_of(room)]
+    edges = list(zip(corners, (*corners[1:], corners[0]), strict=True))
+    moved = []
+    for before, after in zip((edges[-1], *edges[:-1]), edges, strict=True):
+        (a, z), (b, _) = next(edge for edge in (before, after) if edge[0][1] == edge[1][1])  # from west to east, its room is south of it
+        (x, c), (_, d) = next(edge for edge in (before, after) if edge[0][0] == edge[1][0])  # from north to south, its room is west of it
+        moved.append((x - half if d > c else x + half, z + half if b > a else z - half))
+    twice = sum(x * d - c * z for (x, z), (c, d) in zip(moved, (*moved[1:], moved[0]), strict=True))
+    tenths = (twice + 100_000) // 200_000
+    return f"{tenths // 10}.{tenths % 10} m²"
+
+
+@pytest.mark.parametrize("seed", seeds(range(91000, 91012), 6))
+@pytest.mark.parametrize("asked", HOMES, ids=str)
+def test_lengths_and_areas_are_the_scenes(asked: dict[str, object], seed: int) -> None:
+    scene = generate(Request(seed=seed, decorate=True, **asked)).scene  # type: ignore[arg-type]
+    ((_, content),) = export(scene, "svg").items()
+    root = ElementTree.fromstring(content)
+    drawn, written = chains(root), list(numbers(root))
+    half = round(scene.wall_thickness * 500)
+    for chain in drawn:
+        lines = lines_of(scene, 0 if chain.along_x else 1)
+        faces = {line + side * half for line in lines for side in (-1, 0, 1)}
+        assert [mark for mark in chain.marks if not is_near(mark, faces)] == []
+    for along_x, middle, across, words in written:
+        said = [
+            f"{(b - a) / 1000:.2f}"
+            for chain in drawn
+            if chain.along_x == along_x and 0 <= chain.at - across < 400
+            for a, b in pairwise(chain.marks)
+            if a <= middle <= b
+        ]
+        assert any(abs(float(words) - float(one)) < 0.0101 for one in said), (words, said)
+    for axis, along_x in ((0, True), (1, False)):
+        lines = {round(corner[axis] * 1000) for room in scene.rooms for corner in corners_of(room)}
+        assert f"{(max(lines) - min(lines) + 2 * half) / 1000:.2f}" in {words for one, *_, words in written if one == along_x}
+    texts = [text.text or "" for text in root.iter(f"{SVG}text")]
+    areas = sorted(words for words in texts if words.endswith(" m²"))
+    told = sorted(re.findall(r"# (\d+\.\d m²) clear", str(view_scene({"scene": write_scene(scene)})["text"])))
+    assert areas == told
+    indoors = sorted(clear_area(room, half) for room in scene.rooms if not room.outdoor)
+    assert len(indoors) >= 2 and [one for one in indoors if one not in areas] == []
