@@ -44,6 +44,50 @@ def test_rooms_measure_on_the_sheet_what_they_measure_in_the_scene(visit: Visit)
     assert {f"{size[side] + walls:.2f}" for side in ("width", "depth")} <= told
 
 
+SIZES = """which => [...document.querySelector(which).shadowRoot.querySelectorAll('text')].flatMap(one => {
+    const [style, at] = [getComputedStyle(one), one.getScreenCTM()];
+    const hidden = style.visibility === 'hidden' || one.getClientRects().length === 0;
+    return hidden ? [] : [[one.textContent, one.classList.contains('name'), parseFloat(style.fontSize) * Math.hypot(at.a, at.b)]];
+})"""
+"""The words of a sheet that are seen, whether each is a name, and how high its letters are, px."""
+HOMES = {"?program=family&decorate=true&seed=42": True, "?program=studio&seed=9": True, "?program=large&outline=T&seed=5": False}
+"""Homes, and whether there is room for their lengths in the plan."""
+
+
+@pytest.mark.parametrize("home", HOMES)
+def test_numbers_and_areas_are_read_or_left_out(visit: Visit, home: str) -> None:
+    page = visit.page
+    page.set_viewport_size({"width": 1440, "height": 900})
+    scene = visit.open(home)["scene"]
+    page.locator("#fold_reading").click()
+    areas = 0
+    for key, which in (("4", "#stage .plan-sheet"), ("5", "#beside .plan-sheet")):
+        page.keyboard.press(key)
+        page.wait_for_function(f"() => document.querySelector('{which}').shadowRoot.querySelector('svg text')")
+        visit.settle()
+        seen = page.evaluate(SIZES, which)
+        assert [one for one in seen if one[2] < (8 if one[1] else 10.9)] == []
+        assert sum(name for _, name, _ in seen) >= len(scene["rooms"])
+        areas += sum("m²" in words for words, _, _ in seen)
+        if which.startswith("#stage") and HOMES[home]:
+            assert sum(bool(re.fullmatch(r"[0-9]+[.][0-9]{2}", words)) for words, _, _ in seen) >= 2 * len(scene["rooms"])
+    assert areas >= len(scene["rooms"])
+
+
+def test_letters_stay_as_large_as_the_view_comes_nearer(visit: Visit) -> None:
+    planned(visit, 4)
+    before = visit.page.evaluate(SIZES, "#stage .plan-sheet")
+    canvas = visit.page.locator("#stage > canvas").bounding_box()
+    assert canvas
+    visit.page.mouse.move(canvas["x"] + canvas["width"] / 2, canvas["y"] + canvas["height"] / 2)
+    for _ in range(4):
+        visit.page.mouse.wheel(0, -240)
+        visit.settle()
+    after = visit.page.evaluate(SIZES, "#stage .plan-sheet")
+    assert min(size for _, _, size in after) >= 8
+    assert max(size for _, _, size in after) < 1.5 * max(size for _, _, size in before)
+
+
 def test_a_piece_is_chosen_moved_and_put_back_in_the_plan(visit: Visit) -> None:
     answer = planned(visit, 4)
     room = max(answer["scene"]["rooms"], key=lambda room: room["width"] * room["depth"])

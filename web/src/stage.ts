@@ -10,6 +10,7 @@ import { styleOf } from "./house/frame";
 import { kindSitter, roomSitter, type Looks } from "./house/sitters";
 import { save } from "./panel/files";
 import { showAssetCount } from "./panel/asset_count";
+import type { DrawPlan } from "./plan/drawn_sheet";
 import { PlanBeside } from "./plan/plan_beside";
 import { PlanSheet } from "./plan/plan_sheet";
 import { assetFile, floor, planOf } from "./service";
@@ -70,7 +71,7 @@ export class Stage {
     this.#labels = new Labels(within("labels"), this.#viewport);
     this.#looking = new Looking(this.#viewport, this.#labels, async (scene, signal) => (await floor(scene, [], signal)).rooms);
     this.#looking.onFailure = (reason) => this.onFailure(reason);
-    const draw = (scene: Scene, signal: AbortSignal): Promise<string> => planOf(this.storeys.planned(scene), null, signal);
+    const draw: DrawPlan = (scene, scale, signal) => planOf(this.storeys.planned(scene), scale, signal);
     this.sheet = new PlanSheet(this.#viewport, draw, (reason) => this.onFailure(reason));
     const place = document.getElementById("beside");
     this.beside = place && new PlanBeside(place, within("camera_split"), draw, (reason) => this.onFailure(reason));

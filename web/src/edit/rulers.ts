@@ -1,6 +1,6 @@
 /** Lines and words drawn over the house: distances, guides, a tape, arrows. They follow the camera and cost no draw call. */
 import { Vector3 } from "three";
-import { keptInside, type Kept } from "../view/label_layout";
+import { keptInside, layOut, type Kept } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 
 export type RulerLook = "gap" | "guide" | "tape" | "hold" | "wish";
@@ -101,7 +101,9 @@ export class Rulers {
       const [x, y] = [from.x + (to.x - from.x) * at, from.y + (to.y - from.y) * at];
       if (!label || label.hidden) continue;
       const extent = { width: (line.words?.length ?? 0) * WORDS.letter + WORDS.beside, height: WORDS.height };
-      const place = keptInside({ x, y, ...extent }, this.viewport.size);
+      const inside = keptInside({ x, y, ...extent }, this.viewport.size);
+      const [clear] = line.act ? [] : layOut([{ ...inside, ...extent, importance: 0 }], [...(this.viewport.overlaid.get("handles") ?? []), ...written]);
+      const place = clear ?? inside; // lengths that can be typed stay on their lines
       label.style.transform = `translate(-50%, -50%) translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`;
       written.push({ ...place, ...extent });
     }

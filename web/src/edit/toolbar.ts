@@ -39,7 +39,10 @@ export class Toolbar {
 
   enable(name: string, enabled: boolean): void {
     const button = this.#buttons.get(name);
-    if (button) button.disabled = !enabled;
+    if (!button) return;
+    const hadFocus = document.activeElement === button;
+    button.disabled = !enabled;
+    if (hadFocus && !enabled) this.host.closest<HTMLElement>("[tabindex]")?.focus(); // it is seen no more
   }
 
   press(name: string, pressed: boolean): void {

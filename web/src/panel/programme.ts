@@ -138,7 +138,7 @@ export class Programme {
   }
 
   #saidOf(choice: string): string {
-    if (choice === PLAIN) return "";
+    if (choice === PLAIN) return say("A rectangle cut into rooms.");
     if (choice === BY_AREA) return say("The service takes the programme that suits the area.");
     if (choice === OWN) return say("What is left empty is the service's choice.");
     const says = this.#catalog?.presets?.[choice.slice(PRESET.length)]?.says;

@@ -3,12 +3,25 @@ import type { Scene } from "../contract";
 import type { PlacedBody } from "../house/frame";
 import { isAbort } from "../service";
 
-/** Asks for a scene's plan as SVG text, in millimetres of the house. */
-export type DrawPlan = (scene: Scene, signal: AbortSignal) => Promise<string>;
+/** Asks for a scene's plan as SVG text, in millimetres of the house, its letters as large as on paper at 1 to `scale`. */
+export type DrawPlan = (scene: Scene, scale: number, signal: AbortSignal) => Promise<string>;
+
+/** How high numbers and names are on paper [mm]; how high numbers, and names alone, are at least on the screen [px]. */
+const [NUMBERS, NAMES, LEAST, LEAST_ALONE] = [2.1, 2.9, 11, 14];
+/** The scales that are asked for, each so much larger than the one before; and up to which one rooms have space for their sizes. */
+const [SMALLEST, STEP, LARGEST, ROOMY] = [20, 1.1, 2000, 165];
+
+/** How a sheet is drawn that is read where a millimetre of the house is so many pixels: its scale, and whether there is room for lengths. */
+export function readableAt(pixels: number): { readonly scale: number; readonly lengths: boolean } {
+  const step = (least: number): number => Math.round(SMALLEST * STEP ** Math.max(0, Math.ceil(Math.log(least / SMALLEST) / Math.log(STEP))));
+  const lengths = step(LEAST / (NUMBERS * pixels)) <= ROOMY;
+  return { scale: Math.min(LARGEST, lengths ? step(LEAST / (NUMBERS * pixels)) : step(LEAST_ALONE / (NAMES * pixels))), lengths };
+}
 
 const MM = 1000;
 const SVG = "http://www.w3.org/2000/svg";
 const RULES = ":host{position:absolute;inset:0}svg{display:block;width:100%;height:100%;pointer-events:none}use[data-id]{pointer-events:auto;cursor:pointer}"
+  + ".unsized :is(.line,.tick,.number,.back:has(+.number)){display:none}"
   + ".chosen{fill:#ffb000;fill-opacity:.18;stroke:#b36b00;stroke-width:3;vector-effect:non-scaling-stroke}";
 
 /** The `transform` of a body on the sheet. */
@@ -17,7 +30,7 @@ export function transformOf({ x, z, turn }: Pick<PlacedBody, "x" | "z" | "turn">
   return `translate(${rounded(x * MM)} ${rounded(z * MM)})rotate(${rounded((-turn * 180) / Math.PI)})`;
 }
 
-export class DrawnSheet {
+export abstract class DrawnSheet {
   readonly root: ShadowRoot;
   readonly host = document.createElement("div");
   /** Told when another drawing is there. */
@@ -29,6 +42,7 @@ export class DrawnSheet {
   #scene: Scene | null = null;
   #isShown = false;
   #text = "";
+  #scale = 0;
 
   constructor(readonly draw: DrawPlan, readonly failed: (reason: unknown) => void) {
     this.host.className = "plan-sheet";
@@ -50,9 +64,25 @@ export class DrawnSheet {
     this.#asked.abort();
     const { signal } = (this.#asked = new AbortController());
     this.host.ariaBusy = "true";
-    this.draw(scene, signal).then((text) => { if (!signal.aborted) this.#take(text); }, (reason: unknown) => {
+    this.#scale = readableAt(this.pixels(scene)).scale;
+    this.draw(scene, this.#scale, signal).then((text) => { if (!signal.aborted) this.#take(text); }, (reason: unknown) => {
       if (!isAbort(reason)) this.failed(reason);
     }).finally(() => { if (!signal.aborted) this.host.ariaBusy = "false"; });
+  }
+
+  /** How many pixels a millimetre of a home is on this sheet. */
+  abstract pixels(scene: Scene): number;
+
+  /** The sheet is seen at another size: it is drawn anew for that, lengths are left out where there is no room for them, and so are small words. */
+  resized(): void {
+    if (!this.#scene || !this.#isShown) return;
+    const pixels = this.pixels(this.#scene);
+    const { scale, lengths } = readableAt(pixels);
+    if (scale !== this.#scale) this.again();
+    this.#drawn?.classList.toggle("unsized", !lengths);
+    for (const words of this.#drawn?.querySelectorAll<SVGTextElement>("text:not(.number, .name)") ?? []) {
+      words.style.visibility = Number(words.getAttribute("font-size")) * pixels < LEAST ? "hidden" : "";
+    }
   }
 
   /** Asks for the same home again: it is to be drawn otherwise. */
@@ -78,6 +108,11 @@ export class DrawnSheet {
       const body = this.#bodies.get(id);
       return body instanceof SVGGraphicsElement ? [[id, this.#framed(body)] as const] : [];
     }));
+  }
+
+  /** The home that is drawn, or will be once it is looked at. */
+  get scene(): Scene | null {
+    return this.#scene;
   }
 
   /** The drawing, once it is there and looked at. */
@@ -109,5 +144,6 @@ export class DrawnSheet {
     this.#drawn = read;
     this.#bodies = new Map([...read.querySelectorAll<SVGElement>("use[data-id]")].map((use) => [use.dataset.id ?? "", use]));
     this.onDrawn();
+    this.resized();
   }
 }

@@ -8,6 +8,9 @@ const MM = 1000;
 const MEASURED = 10;
 
 export class PlanSheet extends DrawnSheet {
+  /** Millimetres of the house a pixel, as they were last. */
+  #followed = 0;
+
   constructor(readonly viewport: Viewport, draw: DrawPlan, failed: (reason: unknown) => void) {
     super(draw, failed);
     viewport.canvas.before(this.host);
@@ -15,13 +18,26 @@ export class PlanSheet extends DrawnSheet {
     this.onDrawn = () => viewport.invalidate();
   }
 
+  override pixels(): number {
+    const [from, to] = this.#measured();
+    return from && to ? Math.max(0, to.x - from.x) / (MEASURED * MM) : 0;
+  }
+
+  #measured() {
+    return [this.viewport.project(new Vector3(0, 0, 0)), this.viewport.project(new Vector3(MEASURED, 0, 0))] as const;
+  }
+
   /** Shows the part of the sheet that the camera sees. */
   #follow(): void {
     const drawn = this.shown;
     if (!drawn) return;
-    const [from, to] = [this.viewport.project(new Vector3(0, 0, 0)), this.viewport.project(new Vector3(MEASURED, 0, 0))];
+    const [from, to] = this.#measured();
     if (!from || !to || to.x <= from.x) return;
     const scale = (MEASURED * MM) / (to.x - from.x);
+    if (scale !== this.#followed) {
+      this.#followed = scale;
+      this.resized();
+    }
     const { width, height } = this.viewport.size;
     const box = [-from.x * scale, -from.y * scale, width * scale, height * scale].map((value) => value.toFixed(1)).join(" ");
     if (drawn.getAttribute("viewBox") !== box) drawn.setAttribute("viewBox", box);

@@ -8,6 +8,8 @@ export interface Preset {
   readonly fov: number;
   /** How much wider the view is than the house. */
   readonly margin?: number;
+  /** The share of the view's height that is left free at its foot. */
+  readonly foot?: number;
 }
 
 export type PresetName = "top" | "corner" | "plan";
@@ -23,7 +25,7 @@ export const PRESETS: Readonly<Record<PresetName, Preset>> = {
   top: { from: [[0, 1, 0.0001]], fov: 12 },
   // From so far that heights move nothing aside: what is drawn on the ground lies under what is pointed at.
   // Around the house the sheet has its dimensions and its title.
-  plan: { from: [[0, 1, 0.0001]], fov: 1, margin: 1.3 },
+  plan: { from: [[0, 1, 0.0001]], fov: 1, margin: 1.4, foot: 0.14 },
   // The first is looked from unless another one shows the house clearly larger in the window as it is.
   corner: { from: [24, 40, 58].flatMap((turn) => [44, 50].map((height) => towards(turn, height))), fov: 30 },
 };
@@ -77,15 +79,15 @@ interface Fitted {
 }
 
 /** The nearest place from which all points are seen within the planes that bound the view; what is left over is left on both sides. */
-function fitted(points: readonly Vector[], from: Vector, { fov, margin = MARGIN }: Preset, { aspect, covered = 0 }: Window): Fitted {
+function fitted(points: readonly Vector[], from: Vector, { fov, margin = MARGIN, foot = 0 }: Preset, { aspect, covered = 0 }: Window): Fitted {
   const { right, up, back } = axesOf(from);
   const slope = Math.tan((fov * Math.PI) / 360) / margin;
   const seen = points.map((point) => [dot(point, right), dot(point, up), dot(point, back)] as const);
   const reach = (k: 0 | 1, side: 1 | -1, steep: number): number => Math.max(...seen.map((at) => side * at[k] + steep * at[2]));
-  const [aside, above] = [slope * aspect, slope * (1 - 2 * covered)];
-  const [east, west, top, bottom] = [reach(0, 1, aside), reach(0, -1, aside), reach(1, 1, above), reach(1, -1, slope)];
-  const depth = Math.max((east + west) / (2 * aside), (top + bottom) / (above + slope));
-  const height = (top - above * depth + (slope * depth - bottom)) / 2;
+  const [aside, above, below] = [slope * aspect, slope * (1 - 2 * covered), slope * (1 - 2 * foot)];
+  const [east, west, top, bottom] = [reach(0, 1, aside), reach(0, -1, aside), reach(1, 1, above), reach(1, -1, below)];
+  const depth = Math.max((east + west) / (2 * aside), (top + bottom) / (above + below));
+  const height = (top - above * depth + (below * depth - bottom)) / 2;
   const eye = plus(plus(plus([0, 0, 0], right, (east - west) / 2), up, height), back, depth);
   const distance = depth - seen.reduce((sum, at) => sum + at[2], 0) / seen.length;
   return { framing: { eye, target: plus(eye, back, -distance), fov }, distance };
