@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterator
 
@@ -12,6 +13,7 @@ from tests.browser.conftest import PIXEL_RATIO
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import violations
 from tests.browser.visit import Visit
+from tests.imports import plans
 
 OPENED = "() => { for (const one of document.querySelectorAll('#controls details')) one.open = true; }"
 CUT_OFF = """() => [...document.querySelectorAll('#controls :is(button, a, label, h1, h2), .views button, .status span')]
@@ -64,3 +66,37 @@ def test_german_is_whole_fits_and_gives_way_to_english(german: Visit) -> None:
     assert page.evaluate("JSON.stringify(compose.scene)") == left
     expect(page.get_by_role("button", name="Undo")).to_be_enabled()
     assert german.console == []
+
+
+ENGLISH = re.compile(r"\b(?:the|is|are|was|as|of|and|or|its?|to|by|no|not|with|at)\b")
+"""Words that hardly an English sentence is without, and that are not German ones."""
+TOWN = plans.collection(
+    plans.polygon("Kitchen", (0, 0), (4.03, 0), (4, 3), (0, 3)), plans.box("Salon", 4.1, 0, 9, 3), plans.box("Sliver", 20, 0, 20.1, 3),
+    plans.line("door", (1, 0), (1.9, 0)), plans.line("window", (1, 30), (2, 30)), plans.piece("Sofa", 30, 30, width=2, depth=1, height=1),
+    plans.piece("Fridge", 0.1, 0.2, width=0.6, depth=0.6, height=1.8), plans.piece("Bett", 6, 1.5),
+)  # fmt: skip
+
+
+def test_what_is_read_and_what_is_refused_is_said_in_german(german: Visit) -> None:
+    page = german.page
+    german.open(HOME)
+    chooser, notice = page.locator("#file"), page.get_by_role("alert")
+    chooser.set_input_files({"name": "town.json", "mimeType": "application/json", "buffer": json.dumps({**TOWN, "unit": None}).encode()})
+    expect(page.locator("#imported")).to_be_visible()
+    report = page.locator("#imported_list")
+    for heading in ("Angenommen", "Weggelassen", "Geändert"):
+        expect(report.get_by_role("heading", name=re.compile(heading))).to_be_visible()
+    lines = report.locator("li").all_inner_texts()
+    assert len(lines) > 6
+    assert [line for line in lines if ENGLISH.search(line)] == []
+    for content in (b"", b"[1", b'{"rooms": [{"width": -1}]}', json.dumps(plans.collection(plans.box("a", 0, 0, 4000, 3))).encode()):
+        chooser.set_input_files({"name": "x.json", "mimeType": "application/json", "buffer": content})
+        expect(notice).to_be_visible()
+        words = notice.inner_text()
+        assert not ENGLISH.search(re.sub(r"Expecting.*", "", words)), words
+        page.locator(".notice-close").click()
+    page.goto(f"{german.address}embed#program=castle")
+    said = page.locator("#embed_said")
+    expect(said).to_contain_text("kein Raumprogramm heißt")
+    assert not ENGLISH.search(said.inner_text())
+    assert [line for line in german.console if "422" not in line] == []

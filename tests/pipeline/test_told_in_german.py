@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import random
-import re
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,16 +12,8 @@ import pytest
 from solver import Request, Scene, explain, fix, generate, validate
 from tests.pipeline.test_fix import stirred
 from tests.sweeps import seeds
+from tests.told_forms import has_form
 
-TABLE = Path(__file__).parents[2] / "web" / "src" / "words" / "told.de.json"
-HOLE = re.compile(r"\\\{(\w+)\\\}")
-NUMBER, ANY = r"-?[\d.]+", ".+"
-FORMS = [
-    re.compile(HOLE.sub(lambda hole: f"(?P<{hole[1]}>{NUMBER if re.fullmatch(r'n[0-9]?', hole[1]) else ANY})", re.escape(english)))
-    for english in json.loads(TABLE.read_text("utf-8"))
-]
-SENTENCES = {"why", "whys", "effect", "lengths"}
-"""What stands in these holes is a sentence in its turn."""
 LOCKED, EXPLAINED = 6, 3
 ASKED: list[dict[str, object]] = [
     {"program": "studio", "decorate": True},
@@ -34,15 +23,6 @@ ASKED: list[dict[str, object]] = [
     {"width": 8.0, "depth": 6.0, "decorate": True},
     {"width": 20.0, "depth": 4.0},
 ]
-
-
-def has_form(said: str) -> bool:
-    """Tells whether a sentence is in one of the table's forms, and so is every sentence within it."""
-    for form in FORMS:
-        found = form.fullmatch(said)
-        if found and all(has_form(inner) or hole == "whys" for hole, inner in found.groupdict().items() if hole in SENTENCES):
-            return True
-    return False
 
 
 def said_of(scene: Scene) -> Iterator[str]:

@@ -1,6 +1,7 @@
 /** The page's only way out: calls of the service that served it. */
 import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, Furniture, GenerateAnswer, HouseRequest, ImportAnswer, PlaceAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 import { inPageWords } from "./plan/plan_words";
+import { say } from "./words/language";
 
 /** What is known of a refusal beside its words. */
 interface Refusal {
@@ -44,7 +45,7 @@ const WORDS: Readonly<Record<number, readonly [string, string]>> = {
 
 /** Turns a refusal into words; the service's own come first. */
 export function problemFrom(status: number, document: ProblemDocument | null, retryAfter: number | null = null): ServiceProblem {
-  const [known, why] = WORDS[status] ?? [`The service refused (${status})`, "It gave no reason."];
+  const [known, why] = WORDS[status] ?? [say("The service refused ({status})", { status }), "It gave no reason."];
   const [title, detail] = [document?.title ?? known, document?.detail ?? why];
   return new ServiceProblem(title, detail, { fields: document?.errors ?? [], status, retryAfter });
 }
@@ -193,7 +194,7 @@ export async function readFile({ name, content }: GivenFile, signal: AbortSignal
     return await ask("import", { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal });
   } catch (reason) {
     if (!(reason instanceof ServiceProblem) || reason.fields.length === 0) throw reason;
-    throw new ServiceProblem(`${name} holds no scene that can be read`, reason.detail, reason);
+    throw new ServiceProblem(say("{name} holds no scene that can be read", { name }), reason.detail, reason);
   }
 }
 

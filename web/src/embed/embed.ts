@@ -4,7 +4,8 @@ import type { Scene } from "../contract";
 import { carriedTo } from "../memory/carrying";
 import { catalog, generate, readFile, ServiceProblem } from "../service";
 import { Stage } from "../stage";
-import { say, sayAny, sayDocument } from "../words/language";
+import { refusalWords } from "../panel/field_words";
+import { say, sayDocument } from "../words/language";
 import { framedIn, pageOf, type Framed } from "./embed_address";
 
 function within<T extends HTMLElement>(id: string): T {
@@ -57,7 +58,8 @@ class Frame {
   }
 
   #tell(reason: unknown): void {
-    this.#said.textContent = reason instanceof ServiceProblem ? `${sayAny(reason.title)}. ${sayAny(reason.detail)}` : say("The home cannot be shown here.");
+    const { title, lines } = refusalWords(reason);
+    this.#said.textContent = reason instanceof ServiceProblem ? [title, ...lines].join(". ") : say("The home cannot be shown here.");
   }
 }
 

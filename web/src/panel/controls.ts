@@ -7,6 +7,7 @@ import { asNumber } from "./number_text";
 import { readWish } from "./plain_wishes";
 import { inWords, Programme } from "./programme";
 import { say } from "../words/language";
+import { tellPlainly } from "../words/telling";
 
 export class Controls {
   onGenerate: (request: HouseRequest) => void = () => undefined;
@@ -37,7 +38,7 @@ export class Controls {
     this.#catalog = catalog;
     this.#programme.offer(catalog);
     for (const name of Object.keys(catalog.styles ?? {})) this.#offerStyle(name);
-    for (const [name, { says }] of Object.entries(catalog.access ?? {})) this.#offerAccess(name, says);
+    for (const [name, { says }] of Object.entries(catalog.access ?? {})) this.#offerAccess(name, tellPlainly(says));
     this.#sayStyle();
   }
 

@@ -1,11 +1,12 @@
 /** The diagnosis: the service's report of the shown home, what to copy, what to repair. */
 import type { FixRequest } from "../contract";
-import { fix, isAbort, report, ServiceProblem } from "../service";
+import { fix, isAbort, report } from "../service";
 import type { Home } from "../state/home";
 import { fixWords } from "./fix_words";
 import { LineList } from "./line_list";
 import { reportLines } from "./report_lines";
-import { say, sayAny } from "../words/language";
+import { say } from "../words/language";
+import { refusalWords } from "./field_words";
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
@@ -101,7 +102,8 @@ export class Diagnose {
   #explain(reason: unknown): void {
     if (isAbort(reason)) return;
     this.#dialog.setAttribute("aria-busy", "false");
-    this.#say(reason instanceof ServiceProblem ? [sayAny(reason.title), sayAny(reason.detail)] : [String(reason)]);
+    const { title, lines } = refusalWords(reason);
+    this.#say([title, ...lines]);
   }
 
   #say(words: readonly string[]): void {

@@ -1,6 +1,8 @@
 /** What the service says of wrong fields, in the form's words: by the field's label, and what to enter. */
 import type { FieldProblem } from "../contract";
-import { say, sayAny } from "../words/language";
+import { ServiceProblem } from "../service";
+import { say } from "../words/language";
+import { tellPlainly } from "../words/telling";
 
 const NUMBER = /^(a (?:whole )?number(?: [^:]*)?)(?::|$)/;
 
@@ -18,17 +20,12 @@ function calledIn(form: HTMLFormElement, field: Field): { readonly name: string;
   return { name: whole.replace(unit, "").trim(), unit: /^(m²?)(?![\w²])/.exec(unit.trim())?.[1] ?? "" };
 }
 
-/** What number a field takes, as the service says it. */
-function numberWords(number: string): string {
-  const [, kind, from, to] = /^(a (?:whole )?number) from (\S+) to (\S+)$/.exec(number) ?? [];
-  return from === undefined || to === undefined ? sayAny(number) : sayAny(`${kind} from {from} to {to}`, { from, to });
-}
-
 /** What to say beside a field. */
 export function fieldWords({ problem, allowed }: FieldProblem, unit = ""): string {
   const number = NUMBER.exec(allowed)?.[1];
-  if (number !== undefined) return say("Enter {number}", { number: `${numberWords(number)}${unit ? ` ${unit}` : ""}` });
-  return !allowed || problem.includes(allowed) ? problem : say("{problem}; allowed: {allowed}", { problem, allowed });
+  if (number !== undefined) return say("Enter {number}", { number: `${tellPlainly(number)}${unit ? ` ${unit}` : ""}` });
+  const said = tellPlainly(problem);
+  return !allowed || problem.includes(allowed) ? said : say("{problem}; allowed: {allowed}", { problem: said, allowed: tellPlainly(allowed) });
 }
 
 /** The field of the form that a problem is about. */
@@ -50,4 +47,11 @@ export function formWords(form: HTMLFormElement, problems: readonly FieldProblem
     return `${calledIn(form, field).name}: ${words.charAt(0).toLowerCase()}${words.slice(1)}`;
   });
   return lines.length > 0 && lines.every((line) => line !== null) ? lines : null;
+}
+
+/** What a failure says, and each field that it names in a line. */
+export function refusalWords(reason: unknown): { readonly title: string; readonly lines: readonly string[] } {
+  if (!(reason instanceof ServiceProblem)) return { title: say("The page failed"), lines: [String(reason)] };
+  const lines = reason.fields.map((field) => `${tellPlainly(field.field)}: ${fieldWords(field)}`);
+  return { title: tellPlainly(reason.title), lines: lines.length > 0 ? lines : [tellPlainly(reason.detail)] };
 }

@@ -1,6 +1,7 @@
 /** Files: the scene shown is saved whole, a scene or plan dropped or chosen is read by the service. */
 import type { Scene } from "../contract";
 import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile } from "../service";
+import { tellPlainly } from "../words/telling";
 
 export function fileName(scene: Scene, format: FileFormat): string {
   return `compose-${scene.seed}.${format}`;
@@ -53,7 +54,7 @@ export class Files {
   /** Fills the menu with what the service can write; without an answer there is nothing to choose. */
   async #offerFormats(): Promise<void> {
     const formats = await exportFormats(new AbortController().signal).catch(() => []);
-    this.#formats.replaceChildren(...formats.map(({ name, words }) => new Option(`${name}: ${words}`, name)));
+    this.#formats.replaceChildren(...formats.map(({ name, words }) => new Option(`${name}: ${tellPlainly(words)}`, name)));
     this.#formats.closest(".export")?.toggleAttribute("hidden", formats.length === 0);
   }
 

@@ -1,13 +1,17 @@
 /** What became of a file that was read: what was changed, guessed and left out, each in the service's words. */
 import type { ImportAnswer } from "../contract";
-import { say } from "../words/language";
+import { say, sayDecimals } from "../words/language";
+import { tell, tellPlainly, tellSentence } from "../words/telling";
 
 /** The list's parts, those with nothing to say left out. */
-export function importLines({ changes, guesses, unread }: ImportAnswer): { readonly title: string; readonly lines: readonly string[] }[] {
+export function importLines({ scene, changes, guesses, unread }: ImportAnswer): { readonly title: string; readonly lines: readonly string[] }[] {
+  const known = new Set(scene.rooms.flatMap((room) => [room, ...room.furniture, ...room.decorations, ...room.openings].map(({ id }) => id)));
+  const called = (of: string): string => (known.has(of) ? tellSentence(of, scene) : tellPlainly(of));
+  const told = (words: string): string => tell(words, scene);
   const parts = [
-    { title: say("Guessed"), lines: guesses.map(({ of, what, taken, message }) => `${of}, ${what}: ${taken}; ${message}`) },
-    { title: say("Left out"), lines: unread.map(({ place, reason }) => `${place}: ${reason}`) },
-    { title: say("Changed"), lines: changes.map(({ of, message }) => (message.split(" ").includes(of) || of === "plan" ? message : `${of}: ${message}`)) },
+    { title: say("Guessed"), lines: guesses.map(({ of, what, taken, message }) => `${called(of)}, ${told(what)}: ${sayDecimals(told(taken))}; ${told(message)}`) },
+    { title: say("Left out"), lines: unread.map(({ place, reason }) => `${called(place)}: ${told(reason)}`) },
+    { title: say("Changed"), lines: changes.map(({ of, message }) => (message.split(" ").includes(of) || of === "plan" ? tellSentence(message, scene) : `${called(of)}: ${told(message)}`)) },
   ];
   return parts.filter(({ lines }) => lines.length > 0);
 }

@@ -1,6 +1,7 @@
 /** What the service refuses, or that it is gone, in words over the canvas. */
 import { ServiceProblem } from "../service";
-import { say, sayAny } from "../words/language";
+import { say } from "../words/language";
+import { refusalWords } from "./field_words";
 
 /** Does again what was refused. */
 export type Again = () => void;
@@ -36,16 +37,17 @@ export class Notice {
   /** Says what went wrong; without `again` a person does it again by hand. */
   show(reason: unknown, again: Again | null = null): void {
     this.#retry = again;
-    const problem = reason instanceof ServiceProblem ? reason : new ServiceProblem(say("The page failed"), String(reason));
-    const lines = this.inWords(problem);
-    this.#title.textContent = lines ? wrongFields(lines.length) : sayAny(problem.title);
-    this.#detail.textContent = lines ? lines.join("\n") : sayAny(problem.detail);
-    this.#key.hidden = problem.status !== 401;
-    const passes = problem.fields.length === 0 || problem.status === 503 || problem.status === 429;
-    this.#again.hidden = !again || !passes || problem.status === 401 || problem.status === 413;
+    const { fields = [], status = null, retryAfter = null }: Partial<ServiceProblem> = reason instanceof ServiceProblem ? reason : {};
+    const ofForm = reason instanceof ServiceProblem ? this.inWords(reason) : null;
+    const { title, lines } = ofForm ? { title: wrongFields(ofForm.length), lines: ofForm } : refusalWords(reason);
+    this.#title.textContent = title;
+    this.#detail.textContent = lines.join("\n");
+    this.#key.hidden = status !== 401;
+    const passes = fields.length === 0 || status === 503 || status === 429;
+    this.#again.hidden = !again || !passes || status === 401 || status === 413;
     this.host.hidden = false;
-    this.#countDown(problem.retryAfter ?? 0);
-    if (problem.status === 401) this.#field().focus();
+    this.#countDown(retryAfter ?? 0);
+    if (status === 401) this.#field().focus();
   }
 
   hide(): void {

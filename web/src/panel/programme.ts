@@ -3,6 +3,7 @@ import { numberOrText } from "../address";
 import type { Catalog, Counts, HouseRequest } from "../contract";
 import { asNumber } from "./number_text";
 import { say, sayName } from "../words/language";
+import { tellPlainly } from "../words/telling";
 
 const PLAIN = "";
 const BY_AREA = "by_area";
@@ -142,6 +143,6 @@ export class Programme {
     if (choice === BY_AREA) return say("The service takes the programme that suits the area.");
     if (choice === OWN) return say("What is left empty is the service's choice.");
     const says = this.#catalog?.presets?.[choice.slice(PRESET.length)]?.says;
-    return says ? `${inWords(says)}.` : "";
+    return says ? `${inWords(tellPlainly(says))}.` : "";
   }
 }

@@ -14,7 +14,9 @@ const HOLE = /\{(\w+)\}/;
 const NUMBER_HOLE = /^n\d?$/;
 /** A hole of this name holds sentences, with `and` between them. */
 const SENTENCES_HOLE = "whys";
-const NUMBER = "-?\\d+(?:\\.\\d+)?";
+const NUMBER = "-?\\d+(?:,\\d{3})*(?:\\.\\d+)?(?:e[+-]?\\d+)?";
+/** What somebody wrote: it is nobody's to tell otherwise. */
+const QUOTED = /^(?:'[^']*'|"[^"]*")$/;
 /** Nothing is nested deeper than this. */
 const DEEPEST = 8;
 /** What has a number goes without "the": bedroom 2. */
@@ -25,7 +27,7 @@ const FAR = 1000;
 const SUM = " + ";
 /** An id or a name of the catalogs, alone; and those within words: a room's and a number, or parts that are joined. */
 const ID = /^(?:[\p{L}\d_]+\/)?[\p{L}_][\p{L}\d_]*$/u;
-const IDS = /(?<![\p{L}\d_/])(?:[\p{L}\d_]+\/)?[\p{L}\d]+(?:_[\p{L}\d]+)+(?![\p{L}\d_/])/gu;
+const IDS = /(?<![\p{L}\d_/'"])(?:[\p{L}\d_]+\/)?[\p{L}\d]+(?:_[\p{L}\d]+)+(?![\p{L}\d_/])/gu;
 
 const escaped = (text: string): string => text.replace(/[\\^$.*+?()[\]{}|/]/g, "\\$&");
 
@@ -35,7 +37,7 @@ function formsOf(table: Readonly<Record<string, string>>): Form[] {
   return Object.entries(table).sort(([one], [other]) => rank(other) - rank(one)).map(([english, words]) => {
     const parts = english.split(HOLE); // text and names of holes in turn
     const looks = parts.map((part, at) => (at % 2 === 0 ? escaped(part) : NUMBER_HOLE.test(part) ? `(${NUMBER})` : "(.+?)")).join("");
-    return { looks: new RegExp(`^${looks}$`), holes: parts.filter((_, at) => at % 2 === 1), words, own: ownIn(english) };
+    return { looks: new RegExp(`^${looks}$`, "s"), holes: parts.filter((_, at) => at % 2 === 1), words, own: ownIn(english) };
   });
 }
 
@@ -89,13 +91,14 @@ function row(english: string, parts: RegExp, told: (one: string) => string | nul
 }
 
 function part(english: string, name: Called, depth: number): string {
+  if (QUOTED.test(english)) return english;
   const one = (words: string): string | null => formed(words, name, depth + 1) ?? spoken(words) ?? name(words);
   return (english.includes(SUM) && !english.includes(" = ") ? row(english, / \+ /, one) : null)
     ?? formed(english, name, depth) ?? spoken(english) ?? row(english, /, | and /, one) ?? name(english) ?? numbers(english);
 }
 
 function numbers(english: string): string {
-  return english.replace(new RegExp(`(?<![\\w.])${NUMBER}(?![\\w.])`, "g"), (number) => sayNumber(Number(number), number.split(".")[1]?.length ?? 0));
+  return english.replace(new RegExp(`(?<![\\w.])${NUMBER}(?![\\w.])`, "g"), (number) => sayNumber(Number(number.replaceAll(",", "")), number.split(".")[1]?.length ?? 0));
 }
 
 /** What the service says of a scene, or of none that is known. */
@@ -104,11 +107,16 @@ export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { room
   return told ?? said.replace(IDS, (id) => {
     const room = roomWords(id, rooms);
     const words = room ?? idWords(id);
-    return (room === null && !id.includes("/")) || NUMBERED.test(words) ? words : `the ${words}`;
+    return TOLD || (room === null && !id.includes("/")) || NUMBERED.test(words) ? words : `the ${words}`;
   });
 }
 
-/** The same, begun as a sentence begins. */
+/** What the service says of a document: ids and keys stay as they are written there. */
+export function tellPlainly(said: string): string {
+  return formed(said, () => null, 0) ?? spoken(said) ?? said;
+}
+
+/** The same as `tell`, begun as a sentence begins. */
 export function tellSentence(said: string, scene?: { readonly rooms: Rooms }): string {
   const words = tell(said, scene);
   return words.charAt(0).toUpperCase() + words.slice(1);
