@@ -5,19 +5,21 @@ Comes in: rooms, their spaces, who was there before. Goes out: people and pets. 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import lru_cache
+from typing import Final
 
 from catalogs import Catalogs
 from catalogs.dwellers import Dweller
-from catalogs.entries import Side
 from solver.free_floor import FreeFloor, Goal
 from solver.free_places import block_of
 from solver.people.poses import POSES, Surroundings
 from solver.pieces import Space
 from solver.scene import Dynamic, Room
 from solver.streams import Stream
+
+_use_sides: Final = lru_cache(maxsize=4)(Catalogs.use_sides)
 
 
 @dataclass(frozen=True)
@@ -67,10 +69,6 @@ class _Drawing:
         self.rooms, self.household, self.there = rooms, household, list(there)
         self._surroundings: dict[str, Surroundings] = {}
 
-    @cached_property
-    def _uses(self) -> Mapping[str, tuple[tuple[Side, ...], bool]]:
-        return self.household.catalogs.use_sides()
-
     def people_rooms(self, name: str, entry: Dweller) -> None:
         """Draws somebody for some of the rooms, until there are enough in the house."""
         for room in self.rooms:
@@ -111,7 +109,7 @@ class _Drawing:
     def _place(self, one: Dynamic, room: Room, entry: Dweller, stream: Stream) -> bool:
         """Places somebody in a room; tells whether there was a place."""
         if room.id not in self._surroundings:
-            floor = FreeFloor.of_room(room, self.household.space_of(room), self._uses)
+            floor = FreeFloor.of_room(room, self.household.space_of(room), _use_sides(self.household.catalogs))
             self._surroundings[room.id] = Surroundings(room, floor, self.household.catalogs)
         floor, poses = self._surroundings[room.id].floor, list(entry.poses)
         stream.shuffle(poses)

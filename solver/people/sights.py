@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 from catalogs import Catalogs
@@ -23,6 +24,7 @@ FULLY: Final = math.cos(math.radians(40))
 for, the rest is for whoever measures to another point of it."""
 OPENINGS: Final = ("door", "garage_door", "window")
 SCREEN: Final = "tv"
+_kinds_by_name: Final = lru_cache(maxsize=4)(Catalogs.kinds_by_name)
 
 
 @dataclass(frozen=True)
@@ -35,7 +37,7 @@ class Sight:
 
 def sights(room: Room, space: Space, catalogs: Catalogs) -> list[Sight]:
     """Returns what there is to look at: the room's furniture in its order, then its openings."""
-    named = catalogs.kinds_by_name()
+    named = _kinds_by_name(catalogs)
     found = []
     for piece in room.furniture:
         kind = named.get(piece.name)

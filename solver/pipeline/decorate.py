@@ -5,19 +5,20 @@ Comes in: a Scene, which rooms. Goes out: the Scene; furniture stays as it is. M
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Callable, Container
 from dataclasses import replace
 
 from catalogs import Catalogs
 from solver.body_rows import count_decorations
 from solver.decorations import BareRoom, DecorationSettings, decorated_rooms
+from solver.pieces import Space
 from solver.pipeline.accessible import floors_asked_for
 from solver.pipeline.room_spaces import spaces_in
-from solver.scene import Scene
+from solver.scene import Room, Scene
 from solver.streams import Stream
 
 
-def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int) -> Scene:
+def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int, space_of: Callable[[Room], Space] | None = None) -> Scene:
     """Decorates the rooms of those ids anew if the scene's request asks for it, each from a stream of its own.
 
     Args:
@@ -25,6 +26,7 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
         rooms: ids; what decorated them before goes.
         catalogs: what to decorate with.
         seed: decides.
+        space_of: tells a room's space, where that is known.
     """
     asked = scene.request or {}
     wanted, style = asked.get("decorate") is True, asked.get("style")
@@ -34,7 +36,7 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
 
     anew = [room for room in scene.rooms if room.id in rooms]
     if wanted:
-        space = spaces_in(scene)
+        space = space_of or spaces_in(scene)
         bare = (BareRoom(room, space(room), Stream(seed, "decorations", room.index)) for room in anew)
         done = {room.id: room for room in decorated_rooms(bare, settings)}
     else:

@@ -21,12 +21,14 @@ from solver.furnished import furnished, kinds_placed
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
+from solver.people import Household
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.accessible import with_access, with_walker
 from solver.pipeline.decorate import decorated
 from solver.pipeline.inhabited import home_catalogs, inhabited
 from solver.pipeline.opened import with_fronts
 from solver.pipeline.reasons import with_lengths
+from solver.pipeline.room_spaces import spaces_in
 from solver.pipeline.staying import Staying, around, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place, place_wanted
@@ -66,6 +68,8 @@ class _Setting:
     """The rooms of a scene that is furnished: one may list a door into another alone."""
     asked: dict[str, _Asked] = field(default_factory=dict, compare=False)
     """What was found of rooms in which something stays, by their ids."""
+    spaces: dict[str, tuple[Room, Space]] = field(default_factory=dict, compare=False)
+    """The rooms that were looked at last, and their spaces, by the rooms' ids."""
 
 
 def generate(
@@ -105,9 +109,10 @@ def generate(
     plan, arrangements = _furnished_plan(plan, setting)
     scene = _scene(plan, arrangements, asked, setting)
     timing.lap("furniture")
-    scene = decorated(scene, {room.id for room in scene.rooms}, known, seed)
+    spaces = {room.id: _space(room, setting) for room in plan.rooms}
+    scene = decorated(scene, {room.id for room in scene.rooms}, known, seed, lambda room: spaces[room.id])
     timing.lap("decorations")
-    scene = inhabited(scene, scene.rooms, setting.catalogs, seed)
+    scene = inhabited(scene, scene.rooms, Household(seed, setting.catalogs, lambda room: spaces[room.id]))
     timing.lap("people")
     checked = check(scene, known)
     scene = with_access(with_fronts(scene, checked), known)
@@ -160,7 +165,11 @@ def _around(room: Room, setting: _Setting) -> _Asked:
 
 
 def _space(room: Room, setting: _Setting) -> Space:
-    return replace(space_of(room, setting.thickness, setting.robot_width, setting.others), cover_mm2=_cover_mm2(room, setting))
+    known = setting.spaces.get(room.id)
+    if known is None or known[0] is not room:
+        space = space_of(room, setting.thickness, setting.robot_width, setting.others)
+        known = setting.spaces[room.id] = room, replace(space, cover_mm2=_cover_mm2(room, setting))
+    return known[1]
 
 
 def _cover_mm2(room: Room, setting: _Setting) -> int:
@@ -309,7 +318,8 @@ def reroll(
     new = decorated(new, done, known, setting.seed)
     new = replace(new, rooms=tuple(with_things(room, stays[room.id]) if room.id in stays else room for room in new.rooms))
     timing.lap("decorations")
-    new = inhabited(new, [room for room in new.rooms if room.id in done], setting.catalogs, setting.seed, scene.dynamic)
+    household = Household(setting.seed, setting.catalogs, spaces_in(new))
+    new = inhabited(new, [room for room in new.rooms if room.id in done], household, scene.dynamic)
     timing.lap("people")
     checked = check(new, known)
     new, issues = with_access(with_fronts(new, checked, done), known), checked.issues

@@ -11,7 +11,6 @@ from dataclasses import replace
 from catalogs import Catalogs
 from solver.people import Household, peopled
 from solver.pipeline.accessible import access_in
-from solver.pipeline.room_spaces import spaces_in
 from solver.scene import Dynamic, Room, Scene
 from solver.scene_bodies import counted
 
@@ -23,16 +22,16 @@ def home_catalogs(scene: Scene, known: Catalogs) -> Catalogs:
     return known.for_access(access_in(scene)).of_home([room.type for room in scene.rooms], planned)
 
 
-def inhabited(scene: Scene, rooms: Sequence[Room], home: Catalogs, seed: int, before: Sequence[Dynamic] | None = None) -> Scene:
+def inhabited(scene: Scene, rooms: Sequence[Room], household: Household, before: Sequence[Dynamic] | None = None) -> Scene:
     """Returns a scene with people and pets in some of its rooms; nobody comes where its request says so.
 
     Args:
         scene: the house.
         rooms: of its rooms, those that are peopled.
-        home: the catalogs for its home.
-        seed: decides.
+        household: who may come, by the catalogs for its home.
         before: who was in the house, where only these rooms are peopled anew; those elsewhere stay. None: all come anew.
     """
-    household = home.model_copy(update={"people": {}}) if (scene.request or {}).get("people") is False else home
-    people = peopled(rooms, Household(seed, household, spaces_in(scene)), before)
+    if (scene.request or {}).get("people") is False:
+        household = replace(household, catalogs=household.catalogs.model_copy(update={"people": {}}))
+    people = peopled(rooms, household, before)
     return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counted(scene.rooms, people)})

@@ -11,9 +11,11 @@ from catalogs import Catalogs, load_catalogs
 from solver.furnished import recoloured
 from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
+from solver.people import Household
 from solver.pipeline.decorate import decorated
 from solver.pipeline.inhabited import home_catalogs, inhabited
 from solver.pipeline.opened import with_fronts
+from solver.pipeline.room_spaces import spaces_in
 from solver.pipeline.timing import Clock, Timing
 from solver.scene import Generated, Room, Scene
 from solver.scene_bodies import counted
@@ -64,7 +66,7 @@ def restyle(
         new = decorated(new, {room.id for room in new.rooms}, known, seed)
         timing.lap("decorations")
         if scene.dynamic and (was or asked.get("decorate") is True):
-            new = inhabited(new, new.rooms, home_catalogs(new, known), seed)
+            new = inhabited(new, new.rooms, Household(seed, home_catalogs(new, known), spaces_in(new)))
         new = replace(new, certificate={**(new.certificate or {}), "counts": counted(new.rooms, new.dynamic)})
         timing.lap("people")
     checked = check(new, known)
