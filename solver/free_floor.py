@@ -87,7 +87,8 @@ class FreeFloor:
 
     def obstacles(self, own: Block) -> list[Rect]:
         """Returns what is taken at the heights of a body."""
-        return [block.rect for block in self.blocks if block.between(own.low, own.high)]
+        low, high = own.low, own.high
+        return [block.rect for block in self.blocks if block.low < high and low < block.high]
 
     def nearest(self, own: Block, gap_mm: int = 0) -> Rect | None:
         """Returns the free place nearest to a body with a gap all around, the gap included, or None where there is none."""

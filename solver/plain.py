@@ -77,7 +77,12 @@ def plain(value: Any, depth: int = 0) -> Any:
     if depth == MAX_NESTING:
         raise Wrong("is nested too deeply", f"{MAX_NESTING} levels")
     if isinstance(value, Mapping):
-        return {_key(key): item if item.__class__ in _ATOMS else _inside(key, item, depth) for key, item in value.items()}
+        return {
+            key if key.__class__ is str and key.isascii() else _key(key): item
+            if (of := item.__class__) in _ATOMS or (of is str and item.isascii())
+            else _inside(key, item, depth)
+            for key, item in value.items()
+        }
     if isinstance(value, (list, tuple)):
         return [item if item.__class__ in _ATOMS else _inside(index, item, depth) for index, item in enumerate(value)]
     raise Wrong(f"is a {type(value).__name__}", "a mapping, list, text, finite number, true, false or null")

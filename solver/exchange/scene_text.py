@@ -20,6 +20,8 @@ from solver.scene import Furniture, Opening, Scene
 
 MOST_TEXTS: Final = 4096
 """Texts whose JSON is kept."""
+MOST_LENGTHS: Final = 1 << 14
+"""Lengths whose JSON is kept: 8 m of half millimetres."""
 
 
 def dump_scene(scene: Scene, format: str) -> bytes:
@@ -82,13 +84,13 @@ def _items(values: Iterable[Any]) -> str:
 
 def _pieces(pieces: FurnitureRows) -> str:
     """Writes furniture that is told as rows."""
-    before, parts, looks = _TEXTS[pieces.room.id][:-1], [], [_FRAGMENTS[look] for look in pieces.looks]
+    before, half, parts, looks = _TEXTS[pieces.room.id][:-1], _HALF_MM, [], [_FRAGMENTS[look] for look in pieces.looks]
     ids = [f'{before}/{look.name}_{row[6]}"' for look, row in zip(looks, pieces.rows, strict=True)] + ["null"]
     for name, look, color, (_, on, under, wall, rotation, _, _, _, x0, z0, x1, z1, low, *_) in zip(
         ids, looks, pieces.colours, pieces.rows, strict=False
     ):
         parts.append(
-            f'{{"id":{name},{look.named}"category":{look.category},"x":{(x0 + x1) / 2000!r},"y":{low / 1000!r},"z":{(z0 + z1) / 2000!r},'
+            f'{{"id":{name},{look.named}"category":{look.category},"x":{half[x0 + x1]},"y":{half[2 * low]},"z":{half[z0 + z1]},'
             f'"rotation":{rotation},{look.size},"color":{_TEXTS[color]},"wall":{_WALLS[wall]},"under":{ids[under]},"on":{ids[on]},'
             f'"locked":false{look.kind}}}'
         )
@@ -97,7 +99,7 @@ def _pieces(pieces: FurnitureRows) -> str:
 
 def _things(things: DecorationRows) -> str:
     """Writes decorations that are told as rows."""
-    before, parts = _TEXTS[things.room.id][:-1], []
+    before, half, parts = _TEXTS[things.room.id][:-1], _HALF_MM, []
     ids, colours = [*map(quoted, furniture_ids(things.room))], map(_TEXTS.__getitem__, things.colours)
     for of, color, (_, parent, _, wall, rotation, _, number, _, x0, z0, x1, z1, low, *_) in zip(
         things.looks, colours, things.rows, strict=True
@@ -106,10 +108,19 @@ def _things(things: DecorationRows) -> str:
         ids.append(name := f'{before}/{look.name}_{number}"')
         parts.append(
             f'{{"id":{name},{look.named}"parent":{ids[parent] if parent >= 0 else "null"},"mounted_on_wall":{_WALLS[wall]},'
-            f'"x":{(x0 + x1) / 2000!r},"y":{low / 1000!r},"z":{(z0 + z1) / 2000!r},'
-            f'"rotation":{rotation},{look.size},"color":{color}{look.kind}}}'
+            f'"x":{half[x0 + x1]},"y":{half[2 * low]},"z":{half[z0 + z1]},"rotation":{rotation},{look.size},"color":{color}{look.kind}}}'
         )
     return f"[{','.join(parts)}]"
+
+
+class _HalfMillimetres(dict[int, str]):
+    """Metres as JSON, by their half millimetres; those that are met often are kept."""
+
+    def __missing__(self, length: int) -> str:
+        if len(self) >= MOST_LENGTHS:
+            self.clear()
+        text = self[length] = repr(length / 2000)
+        return text
 
 
 class _Fragment(NamedTuple):
@@ -163,6 +174,7 @@ class _Texts(dict[Any, str]):
 
 _TEXTS: Final = _Texts()
 _FRAGMENTS: Final = _Fragments()
+_HALF_MM: Final = _HalfMillimetres()
 _BY_CLASS: Final[dict[type[Any], Callable[[Any], str]]] = {
     type(None): lambda _: "null", bool: {False: "false", True: "true"}.__getitem__, int: repr, float: _number, tuple: _items,
     Furniture: _record, Opening: _record, FurnitureRows: _pieces, DecorationRows: _things,

@@ -40,13 +40,13 @@ def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed], gone: Con
     longest = {}
     if any(a.wall for a in piece.candidates):
         longest = {wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0) for wall in WALLS}
-    at = parent and named_parent(parent, gone)
+    at = parent and named_parent(parent, parent in gone)
     return room_needed((least.kind, least.size_mm), at, longest, f"{clear_size(space.clear)} and holds {len(placed)} pieces")
 
 
-def named_parent(parent: str, gone: Container[str]) -> str:
+def named_parent(parent: str, is_gone: bool) -> str:
     """Names the piece at whose slot another one stands, and says so where that was left out, too."""
-    return f"{parent}, which was left out itself" if parent in gone else parent
+    return f"{parent}, which was left out itself" if is_gone else parent
 
 
 def room_needed(least: tuple[str, Extents], parent: str | None, longest: Mapping[str, int], room: str) -> str:

@@ -6,7 +6,7 @@ Comes in: `WantedRows`. Goes out: Arrangements in whole millimetres, the same as
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from struct import Struct
@@ -129,15 +129,15 @@ class _Placing:
     standing: StandingRows
 
     def __call__(self) -> tuple[Placed, ...]:
-        labels, candidate = self.labels(), self.names.candidate
+        labels, candidate = self.names.labels(list(_NAME.iter_unpack(self.wanted))), self.names.candidate
         return tuple(
             Placed(labels[piece], candidate(way, labels), rotation, _WALL_NAMES[wall], Rect(x0, z0, x1, z1))
             for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(self.ways)
         )
 
-    def labels(self) -> list[str]:
-        """Returns the labels of the wanted pieces."""
-        return self.names.labels(list(_NAME.iter_unpack(self.wanted)))
+    def label(self, number: int) -> str:
+        """Returns the label of a wanted piece that is no floor."""
+        return self.names.labels([_NAME.unpack_from(self.wanted, _NAME.size * number)])[0]
 
 
 def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None) -> Arrangement:
@@ -156,17 +156,9 @@ def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None)
 
 def _reasons(room: WantedRows, placing: _Placing, rows: Sequence[Sequence[int]], count: int) -> Iterator[tuple[str, str]]:
     """Yields the label of each piece that was left out, and why."""
-    labels = placing.labels()
-    gone = {labels[row[0]] for row in rows}
-    for row in rows:
-        yield _reason(room, row, (labels, gone), f"{clear_size(room.space.clear)} and holds {count} pieces")
-
-
-def _reason(room: WantedRows, row: Sequence[int], pieces: tuple[Sequence[str], Set[str]], holds: str) -> tuple[str, str]:
-    """Returns the label of a piece that was left out, and why; `pieces` are all labels, and those that were left out."""
-    labels, gone = pieces
-    piece, why, parent, kind, at_walls, *free = row
-    by_wall = dict(zip(NUMBERED_WALLS, free, strict=True))
-    longest = {wall: by_wall[wall] for wall in WALLS} if at_walls else {}
-    needed = room_needed(room.names.kinds[kind], named_parent(labels[parent], gone) if parent >= 0 else None, longest, holds)
-    return labels[piece], f"{_WHY[why]}; {needed}"
+    gone, holds = {row[0] for row in rows}, f"{clear_size(room.space.clear)} and holds {count} pieces"
+    for piece, why, parent, kind, at_walls, *free in rows:
+        by_wall = dict(zip(NUMBERED_WALLS, free, strict=True))
+        longest = {wall: by_wall[wall] for wall in WALLS} if at_walls else {}
+        at = named_parent(placing.label(parent), parent in gone) if parent >= 0 else None
+        yield placing.label(piece), f"{_WHY[why]}; {room_needed(room.names.kinds[kind], at, longest, holds)}"
