@@ -40,7 +40,8 @@ class WallBands:
 
     def __init__(self, rooms: Sequence[Room], thickness: float) -> None:
         self.thickness = thickness
-        self.edges = [edge for room in rooms for edge in edges_of(room)]
+        self.by_room = [edges_of(room) for room in rooms]
+        self.edges = [edge for edges in self.by_room for edge in edges]
         self._facing: dict[tuple[int, PlanAxis, int], list[OutlineEdge]] = defaultdict(list)
         for edge in sorted(self.edges, key=_line):
             level, axis, _ = edge.line

@@ -41,10 +41,10 @@ def edges_of(room: Room) -> list[OutlineEdge]:
     corners = room.corners
     clockwise = doubled_area(corners) >= 0
     pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
-    return [_edge(room, a, b, clockwise)._replace(number=number) for number, (a, b) in enumerate(pairs)]
+    return [_edge(room, a, b, clockwise, number) for number, (a, b) in enumerate(pairs)]
 
 
-def _edge(room: Room, a: tuple[float, float], b: tuple[float, float], clockwise: bool) -> OutlineEdge:
+def _edge(room: Room, a: tuple[float, float], b: tuple[float, float], clockwise: bool, number: int) -> OutlineEdge:
     along_x = abs(b[0] - a[0]) >= abs(b[1] - a[1])
     forwards = (b[0] > a[0] if along_x else b[1] > a[1]) == clockwise
     origin, across = (room.x, room.z + a[1]) if along_x else (room.z, room.x + a[0])
@@ -52,4 +52,4 @@ def _edge(room: Room, a: tuple[float, float], b: tuple[float, float], clockwise:
     side = ("north" if forwards else "south") if along_x else ("east" if forwards else "west")
     line: Line = (room.level, "x" if along_x else "z", on_lattice(across))
     inward: Literal[1, -1] = 1 if side in ("north", "west") else -1
-    return OutlineEdge(line, on_lattice(origin + min(ends)), on_lattice(origin + max(ends)), inward, side, room)
+    return OutlineEdge(line, on_lattice(origin + min(ends)), on_lattice(origin + max(ends)), inward, side, room, number)

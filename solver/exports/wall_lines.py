@@ -72,8 +72,7 @@ def _kind(covering: Sequence[OutlineEdge]) -> Literal["wall", "railing"] | None:
 def openings_of(rooms: Sequence[Room], bands: WallBands, finder: RoomFinder) -> list[PlacedOpening]:
     """Returns every opening of a house once; of the entries under one id the one that draws the leaf, whose hinge and swing count."""
     kept: dict[str, tuple[OutlineEdge, float, Opening]] = {}
-    for room in rooms:
-        edges = edges_of(room)
+    for room, edges in zip(rooms, bands.by_room, strict=True):
         sides = edges_of(_as_rectangle(room)) if room.outline else edges
         for opening in room.openings:
             spot = _spot(edges, sides, opening)

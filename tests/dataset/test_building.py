@@ -231,3 +231,18 @@ def test_processes_that_always_end_are_said(job: Callable[[int], int], capfd: py
 @pytest.mark.parametrize("by", [signal.SIGKILL, signal.SIGINT])
 def test_what_an_ended_process_was_at_is_done_again(tmp_path: Path, by: signal.Signals) -> None:
     assert list(spread(partial(ends_once, tmp_path, by), range(20), 2, nothing, 2)) == [job * job for job in range(20)]
+
+
+def test_a_shard_is_made_without_pandas_and_what_needs_it_later_finds_it(tmp_path: Path) -> None:
+    code = (
+        "import sys\n"
+        "from service.cli import main\n"
+        "assert main([*sys.argv[2:], '--out', sys.argv[1], '--workers', '1']) == 0\n"
+        "assert 'pandas' not in sys.modules\n"
+        "import pyarrow as pa\n"
+        "assert pa.table({'a': [1.0, None]}).to_pandas()['a'].isna().sum() == 1\n"
+        "import pandas as pd\n"
+        "assert pa.array(pd.Series([1.0, None])).null_count == 1\n"
+    )
+    small = ("dataset", "--width", "6", "--depth", "5", "--seeds", "1-2", "--shard-size", "2")
+    subprocess.run([sys.executable, "-c", code, tmp_path / "made", *small], check=True)
