@@ -12,7 +12,7 @@ from functools import lru_cache
 from typing import Final, NamedTuple
 
 from catalogs.schema import Catalogs
-from catalogs.synonyms import BEFORE, LEAST_GUESSED, NEARLY, words_of
+from catalogs.synonyms import BEFORE, LEAST_GUESSED, NEARLY, joined, spans_of, words_of
 
 MOST_WORDS: Final = 8
 """Words of a part of a room's name, and parts of it, that are looked at."""
@@ -44,14 +44,14 @@ class RoomNames:
         self._types = frozenset(catalogs.rooms)
         self._by_phrase: dict[str, str] = {}
         for key in catalogs.rooms:
-            self._by_phrase.setdefault(_phrase(words_of(key)), key)
+            self._by_phrase.setdefault(joined(words_of(key)), key)
         for key, entry in catalogs.room_names.items():
             for phrase in entry.known_as if entry.says != "nothing" else ():
-                self._by_phrase.setdefault(_phrase(words_of(phrase)), key)
+                self._by_phrase.setdefault(joined(words_of(phrase)), key)
         self._endings = tuple(sorted((word for word in self._by_phrase if _may_end(word)), key=lambda word: (-len(word), word)))
         self._by_phrase.pop("", None)
         vague = (word for entry in catalogs.room_names.values() if entry.says == "nothing" for word in entry.known_as)
-        self._vague = frozenset(_phrase(words_of(word)) for word in vague)
+        self._vague = frozenset(joined(words_of(word)) for word in vague)
 
     def meaning(self, name: str) -> RoomMeaning | None:
         """Returns what a name of a room means; None where it tells nothing.
@@ -59,7 +59,7 @@ class RoomNames:
         The whole name counts first, then the first of its parts that tells something (`Living / Dining`): its last words (a
         master bath), else its first (a chambre d'amis).
         """
-        whole = self._by_phrase.get(_phrase(words_of(name)))
+        whole = self._by_phrase.get(joined(words_of(name)))
         if whole is not None:
             return RoomMeaning(whole, plain=True)
         parts = [words_of(part)[:MOST_WORDS] for part in PARTED.split(name)[:MOST_WORDS]]
@@ -69,10 +69,7 @@ class RoomNames:
 
     def _within(self, words: Sequence[str]) -> str | None:
         """Returns what a part of a name means, by its longest last words, else first, else inner ones."""
-        count = len(words)
-        spans = [*((k, count) for k in range(count)), *((0, k) for k in range(count - 1, 0, -1))]
-        spans += [(i, j) for i in range(1, count) for j in range(count - 1, i, -1)]
-        return next((key for i, j in spans if (key := self._by_phrase.get(_phrase(words[i:j])))), None)
+        return next((key for i, j in spans_of(len(words)) if (key := self._by_phrase.get(joined(words[i:j])))), None)
 
     def _nearly(self, told: Sequence[str]) -> RoomMeaning | None:
         """Returns the meaning of a word that is written together with another, or misspelled."""
@@ -88,10 +85,6 @@ class RoomNames:
 def room_names_of(catalogs: Catalogs) -> RoomNames:
     """Returns the room names that catalogs tell."""
     return RoomNames(catalogs)
-
-
-def _phrase(words: Sequence[str]) -> str:
-    return "".join(words)
 
 
 def _may_end(phrase: str) -> bool:

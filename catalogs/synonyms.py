@@ -72,6 +72,17 @@ def _singular(word: str) -> str:
     return word[:-1] if len(word) >= LEAST_PART and word.endswith("s") and not word.endswith(("ss", "us", "is")) else word
 
 
+def joined(words: Iterable[str]) -> str:
+    """Returns words as one: however they are written together, they are looked up by this."""
+    return "".join(words)
+
+
+def spans_of(count: int) -> list[tuple[int, int]]:
+    """Returns the runs among so many words in the order in which they count: all, the longest last ones, first ones, inner ones."""
+    outer = [*((k, count) for k in range(count)), *((0, k) for k in range(count - 1, 0, -1))]
+    return outer + [(i, j) for i in range(1, count) for j in range(count - 1, i, -1)]
+
+
 class Synonyms:
     """The names of others, found by their words.
 
@@ -91,13 +102,13 @@ class Synonyms:
             for phrase in entry.known_as if entry.says != "nothing" else ():
                 self._add(phrase, self._wanted(key))
         vague = (word for entry in catalogs.synonyms.values() if entry.says == "nothing" for word in entry.known_as)
-        self._vague = frozenset(_joined(words_of(word)) for word in vague) - {""}
+        self._vague = frozenset(joined(words_of(word)) for word in vague) - {""}
         self._parts = frozenset(self._by_phrase) | self._vague
         self.meaning = lru_cache(maxsize=_MANY)(self._meaning)
         """What a foreign name with a size (None: not told) means; None where nobody can tell."""
 
     def _add(self, phrase: str, wanted: Iterable[_Wanted]) -> None:
-        known = self._by_phrase.setdefault(_joined(words_of(phrase)), {})
+        known = self._by_phrase.setdefault(joined(words_of(phrase)), {})
         for one in wanted:
             known.setdefault(*one)
 
@@ -120,17 +131,14 @@ class Synonyms:
     def _meaning(self, name: str, size: KindSize | None = None) -> Meaning | None:
         words = words_of(name)
         cut = next((k for k, word in enumerate(words) if word in BEFORE and k), len(words))
-        whole = self._nearest(_joined(words), size, NAMED_SO)
-        return whole or self._within(words[:cut], size) or self._misspelled(_joined(words), size)
+        whole = self._nearest(joined(words), size, NAMED_SO)
+        return whole or self._within(words[:cut], size) or self._misspelled(joined(words), size)
 
     def _within(self, words: Sequence[str], size: KindSize | None) -> Meaning | None:
         """Returns what a part of a name means: its longest, last words (a round end table), else its first (lit d'enfant)."""
         words = tuple(part for word in words for part in self._apart(word))
-        count = len(words)
-        spans = [(0, count), *((k, count) for k in range(1, count)), *((0, k) for k in range(count - 1, 0, -1))]
-        spans += [(i, j) for i in range(1, count) for j in range(count - 1, i, -1)]
-        for start, end in spans:
-            phrase = _joined(words[start:end])
+        for start, end in spans_of(len(words)):
+            phrase = joined(words[start:end])
             if phrase in self._by_phrase and phrase not in self._vague:
                 rest = (*words[:start], *words[end:])
                 plain = all(word in self._vague for word in rest)
@@ -176,10 +184,6 @@ def own_names(catalogs: Catalogs) -> frozenset[str]:
 def synonyms_of(catalogs: Catalogs) -> Synonyms:
     """Returns the names of others that catalogs tell."""
     return Synonyms(catalogs)
-
-
-def _joined(words: Iterable[str]) -> str:
-    return "".join(words)
 
 
 def _difference(one: KindSize, other: KindSize, most: float) -> float | None:

@@ -267,11 +267,6 @@ class Core:
             found.append(Choice(boxes[first].label, name, ways, (boxes[first].stand, stands)))
         return found
 
-    @property
-    def found(self) -> bool:
-        """Whether the last search found a placement."""
-        return bool(self.engine.nodes.result[layout.FOUND])
-
     def solution(self) -> Solution | None:
         """Returns what the last search found."""
         return solution_of(self.engine)

@@ -101,11 +101,6 @@ def pull_back(engine: Engine) -> bool:
     return bool(engine.instance.call("pull_back", engine.desk))
 
 
-def search(engine: Engine, limit: int, ceiling: float, walk: bool) -> None:
-    """Finds the cheapest placement of the problem in `work`; the outcome is left in `nodes`."""
-    engine.instance.call("search", engine.desk, limit, ceiling, walk)
-
-
 def hand_over(engine: Engine, solution: Solution) -> None:
     """Puts what a search found where `settle`, `final_problem` and `confirm` look for it."""
     call = engine.call

@@ -7,13 +7,12 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from solver.placement import kernel
 from solver.placement.problem import Problem
 from tests.bench.baseline import Guess, guess
 from tests.bench.rooms import house_problems, room_problem
 from tests.oracles import sums
 from tests.oracles.optimum import Optimum, optimum
-from tests.oracles.problems import laid_out, solve
+from tests.oracles.problems import laid_out, search, solve
 from tests.oracles.verdict import verdict
 
 LIMIT = 20_000
@@ -51,7 +50,7 @@ def stage(problems: Sequence[Problem]) -> Callable[[], None]:
 
     def run() -> None:
         for engine in engines:
-            kernel.search(engine, LIMIT, float("inf"), False)
+            search(engine, LIMIT)
 
     return run
 

@@ -94,11 +94,16 @@ def solve(problem: Problem, *, limit: int = LIMIT, ceiling: float = float("inf")
         ValueError: a variable has two anchors.
     """
     engine = laid_out(problem)
-    kernel.search(engine, limit, ceiling, False)
+    search(engine, limit, ceiling)
     found, result = solution_of(engine), engine.nodes.result
     if found is None:
         return Outcome(float("inf"), None, (), bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES]))
     return Outcome(found.cost, found.positions, found.rows, found.proven, found.solves)
+
+
+def search(engine: Engine, limit: int, ceiling: float = float("inf")) -> None:
+    """Finds the cheapest placement of the problem in `work`, nobody walking; the outcome is left in `nodes`."""
+    engine.instance.call("search", engine.desk, limit, ceiling, False)
 
 
 def on_lattice(problem: Problem, outcome: Outcome) -> list[list[int]]:
