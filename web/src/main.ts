@@ -204,7 +204,7 @@ class Page {
       "[": () => turnOver("controls"),
       "]": () => turnOver("reading"),
       "?": () => this.#keys.open(),
-      Escape: () => this.#home.select(null),
+      Escape: () => { if (!this.#others.hide()) this.#home.select(null); },
     };
     acts[event.key.length === 1 ? event.key.toLowerCase() : event.key]?.();
   }

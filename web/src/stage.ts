@@ -189,6 +189,7 @@ export class Stage {
   }
 
   look(way: PresetName | "walk"): void {
+    if (way === "walk") this.onSelect(null); // what is said of a piece would hide the way
     this.#looking.look(way);
   }
 

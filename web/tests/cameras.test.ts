@@ -1,11 +1,11 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { blend, cornersOfBounds, frame, PRESETS, type Bounds } from "../src/view/cameras";
+import { blend, cornersOfBounds, frame, PRESETS, windowOf, type Bounds, type Window } from "../src/view/cameras";
 
 const BOUNDS: Bounds = { min: [0, 0, 0], max: [20, 1, 15] };
 
-function seen(preset: keyof typeof PRESETS, aspect: number, covered = 0): Vector3[] {
-  const { eye, target, fov } = frame(cornersOfBounds(BOUNDS), PRESETS[preset], { aspect, covered });
+function seen(preset: keyof typeof PRESETS, aspect: number, covered: Omit<Window, "aspect"> = {}): Vector3[] {
+  const { eye, target, fov } = frame(cornersOfBounds(BOUNDS), PRESETS[preset], { aspect, ...covered });
   const camera = new PerspectiveCamera(fov, aspect, 0.1, 1000);
   camera.position.set(...eye);
   camera.lookAt(new Vector3(...target));
@@ -35,13 +35,22 @@ describe("a preset", () => {
 
   it("leaves as much beside the house on both sides, and nothing of it under what lies over the top", () => {
     for (const aspect of [0.5, 1, 1.8]) {
-      const at = seen("corner", aspect, 0.08);
+      const at = seen("corner", aspect, { covered: 0.08 });
       const [xs, ys] = [at.map(({ x }) => x), at.map(({ y }) => y)];
       expect(Math.max(...ys), `${aspect}`).toBeLessThan(1 - 2 * 0.08);
       expect(Math.min(...ys), `${aspect}`).toBeGreaterThan(-1);
       const tight = Math.max(...xs.map(Math.abs)) > 0.9 || Math.max(...ys) - Math.min(...ys) > 2 * 0.92 * 0.9;
       expect(tight, `${aspect}`).toBe(true);
     }
+  });
+
+  it("shows nothing on a phone's canvas under the toolbar and the switch of views", () => {
+    const [width, height] = [390, 505];
+    const { aspect, ...covered } = windowOf({ width, height });
+    const ys = seen("corner", aspect, covered).map(({ y }) => ((1 - y) / 2) * height);
+    expect(Math.min(...ys)).toBeGreaterThan(52);
+    expect(Math.max(...ys)).toBeLessThan(height - 60);
+    expect(windowOf({ width: 1176, height: 845 }).beneath).toBe(0);
   });
 
   it("from the top has north up and east to the right", () => {

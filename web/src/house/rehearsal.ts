@@ -66,8 +66,3 @@ async function inSteps(steps: Iterable<void>, wanted: () => boolean): Promise<vo
 export async function rehearse(prepare: (root: Object3D) => void, wanted: () => boolean): Promise<void> {
   await inSteps(shadersAndPatterns(prepare), wanted);
 }
-
-/** Builds everything of a catalog once: what is built twice is built faster. */
-export function rehearseKinds(catalog: Catalog): void {
-  houseOf(catalog).dispose();
-}

@@ -42,10 +42,24 @@ export interface Framing {
   readonly fov: number;
 }
 
-/** The canvas: its width over its height, and the share of its height that something lies over at the top. */
+/** The canvas: its width over its height, and the shares of its height that something lies over at the top and at the foot. */
 export interface Window {
   readonly aspect: number;
   readonly covered?: number;
+  readonly beneath?: number;
+}
+
+/** So much of the canvas lies under its toolbar, and of a narrow one under the switch of views, which lies across its foot [CSS pixels]. */
+const TOOLBAR = 52;
+const SWITCH = 60;
+const NARROW = 560;
+/** No more of the canvas than this share is left to either. */
+const MOST_COVERED = 0.2;
+
+/** What a canvas of a size [CSS pixels] leaves free. */
+export function windowOf({ width, height }: { readonly width: number; readonly height: number }): Window {
+  const share = (pixels: number): number => Math.min(MOST_COVERED, pixels / height);
+  return { aspect: width / height, covered: share(TOOLBAR), beneath: width < NARROW ? share(SWITCH) : 0 };
 }
 
 const MARGIN = 1.06;
@@ -79,12 +93,12 @@ interface Fitted {
 }
 
 /** The nearest place from which all points are seen within the planes that bound the view; what is left over is left on both sides. */
-function fitted(points: readonly Vector[], from: Vector, { fov, margin = MARGIN, foot = 0 }: Preset, { aspect, covered = 0 }: Window): Fitted {
+function fitted(points: readonly Vector[], from: Vector, { fov, margin = MARGIN, foot = 0 }: Preset, { aspect, covered = 0, beneath = 0 }: Window): Fitted {
   const { right, up, back } = axesOf(from);
   const slope = Math.tan((fov * Math.PI) / 360) / margin;
   const seen = points.map((point) => [dot(point, right), dot(point, up), dot(point, back)] as const);
   const reach = (k: 0 | 1, side: 1 | -1, steep: number): number => Math.max(...seen.map((at) => side * at[k] + steep * at[2]));
-  const [aside, above, below] = [slope * aspect, slope * (1 - 2 * covered), slope * (1 - 2 * foot)];
+  const [aside, above, below] = [slope * aspect, slope * (1 - 2 * covered), slope * (1 - 2 * Math.max(foot, beneath))];
   const [east, west, top, bottom] = [reach(0, 1, aside), reach(0, -1, aside), reach(1, 1, above), reach(1, -1, below)];
   const depth = Math.max((east + west) / (2 * aside), (top + bottom) / (above + below));
   const height = (top - above * depth + (below * depth - bottom)) / 2;

@@ -4,7 +4,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { timed } from "../timing";
-import { blend, frame, plus, PRESETS, type Framing, type PresetName, type Vector } from "./cameras";
+import { blend, frame, plus, PRESETS, windowOf, type Framing, type PresetName, type Vector } from "./cameras";
 import { Daylight, GROUND_REACH, SKY } from "./daylight";
 import type { Kept } from "./label_layout";
 import { Orbiting, type OrbitStep } from "./orbiting";
@@ -15,8 +15,6 @@ import { gazeOf, type Pose } from "./walk";
 /** Moves something by the seconds since the last frame; false when it has arrived. */
 export type Motion = (seconds: number) => boolean;
 
-/** So much of the canvas lies under its toolbar [CSS pixels]. */
-const TOOLBAR = 52;
 const FLIGHT_SECONDS = 0.6;
 /** After a long frame things go on from where they were rather than jump [s]. */
 const LONGEST_STEP = 0.25;
@@ -167,8 +165,7 @@ export class Viewport {
 
   /** Looks at the house in one of the presets, flying there unless told to jump. */
   look(preset: PresetName, jump = false): void {
-    const covered = Math.min(0.2, TOOLBAR / this.#size.height);
-    const goal = frame(this.#outline, PRESETS[preset], { aspect: this.camera.aspect, covered });
+    const goal = frame(this.#outline, PRESETS[preset], windowOf(this.#size));
     this.#preset = preset;
     this.#fly(goal, jump);
   }
