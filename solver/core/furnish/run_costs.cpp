@@ -14,28 +14,26 @@ constexpr f64 LANDING_COST = 10.0, END_COST = 6.0;
 constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 2.0;
 
 f64 row_cost(const Drawn& drawn) {
-  const Items& items = drawn.items;
-  const i32 last = items.size - 1;
-  f64 sum = 0.0;
-  for (i32 i = 0; i <= last; i++) {
-    const bool landing = items[i]->has(LANDING_TRAIT), end = items[i]->has(END_TRAIT);
-    if (!landing && !end) continue;
-    i32 within = 0;
-    for (i32 other = i - 1; other <= i + 1; other += 2) {
-      const bool there = other >= 0 && other <= last, turns = there && most(i, other) == drawn.first;
-      if (landing && (!there || turns || !items[other]->has(WORKTOP_TRAIT))) sum += LANDING_COST;
-      within += there && !(turns && drawn.form == Form::opposite) && !items[other]->has(END_TRAIT);
-    }
-    if (end && within == 2) sum += END_COST;
+  // What is drawn is guessed by no processor: nothing here branches on it.
+  const bool goes_on = drawn.form != Form::opposite;
+  i32 landings = 0, ends = 0;
+  bool lands = false, is_within = false;  // whether there is worktop right before an item, and whether what is there makes it no end
+  for (i32 i = 0; i < drawn.items.size; i++) {
+    const Item& item = *drawn.items[i];
+    const bool turns = i + 1 == drawn.first, there = i + 1 < drawn.items.size;
+    const Item& next = *drawn.items[i + there];
+    const bool lands_after = there & !turns & next.has(WORKTOP_TRAIT), within_after = there & (!turns | goes_on) & !next.has(END_TRAIT);
+    landings += item.has(LANDING_TRAIT) * (!lands + !lands_after);
+    ends += item.has(END_TRAIT) & is_within & within_after;
+    lands = !turns & item.has(WORKTOP_TRAIT);
+    is_within = (!turns | goes_on) & !item.has(END_TRAIT);
   }
-  return sum;
+  return LANDING_COST * landings + END_COST * ends;
 }
 
 f64 worktop_cost(const RoomType& type, const Drawn& drawn) {
   i64 length = 0;
-  for (const Item* item : drawn.items) {
-    if (item->has(WORKTOP_TRAIT)) length += item->width;
-  }
+  for (const Item* item : drawn.items) length += item->width * item->has(WORKTOP_TRAIT);
   if (drawn.form == Form::corner) length -= drawn.items[drawn.first]->depth;
   return type.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(length) / 1000.0, 0.0) : 0.0;
 }

@@ -151,13 +151,12 @@ void RunPlanner::draw_items(Stream& stream, Drawn& drawn) const {
   drawn.items = {drawn_.data, 0};
   for (i32 i = 0; i < order.size; i++) {
     const Member& member = *order[mirrored ? order.size - 1 - i : i];
-    if (!member.required && stream.chance(MISSED_CHANCE)) {
-      drawn.cost += MISSED_COST;
-      continue;
-    }
-    const Item& item = stream.pick(member.items);
-    drawn_[drawn.items.size++] = &item;
-    drawn.cost += item.cost;
+    const bool missed = !member.required && stream.chance(MISSED_CHANCE);
+    const Item& item = member.items[Stream(stream).below(member.items.size)];
+    stream.skip(!missed);  // no branch on what is drawn, which no processor guesses
+    drawn_[drawn.items.size] = &item;
+    drawn.items.size += !missed;
+    drawn.cost += missed * MISSED_COST + !missed * item.cost;
   }
 }
 
@@ -179,7 +178,8 @@ bool RunPlanner::draw(Stream& stream, f64 lowest, Drawn& drawn) const {
 void RunPlanner::cut_in_two(Drawn& drawn) const {
   const i32 size = drawn.items.size, hidden = static_cast<i32>(end_at(drawn.wall, drawn.high));
   const auto may_turn = [&](i32 i) {
-    return drawn.items[i]->corner[hidden] != nullptr && drawn.items[i + 1]->depth <= drawn.items[i]->depth;
+    const bool is_corner = drawn.items[i]->corner[hidden] != nullptr, is_deep = drawn.items[i + 1]->depth <= drawn.items[i]->depth;
+    return is_corner & is_deep;
   };
   i32 corners = 0;
   const bool round = drawn.number(ROUND).chance(CORNER_CHANCE);

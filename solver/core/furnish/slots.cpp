@@ -63,12 +63,15 @@ static bool has_anchor(const Group& group, Point anchor) {
   return false;
 }
 
-List<Candidate> best_of_each(const Subject& subject, List<Candidate>& found) {
+List<Candidate> best_of_each(const Subject& subject, const List<Candidate>& found) {
   bool corners = false;
   for (const Rule& rule : subject.rules) corners = corners || rule.word == Word::in_corner;
-  stable_sort(found.all(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  List<const Candidate*> by_cost;
+  for (const Candidate& one : found) by_cost.add(&one);
+  stable_sort(by_cost.all(), [](const Candidate* a, const Candidate* b) { return a->cost < b->cost; });
   List<Group> groups;
-  for (const Candidate& one : found) {
+  for (const Candidate* each : by_cost) {
+    const Candidate& one = *each;
     const i32 turns = is_alike_turned(subject.kind(one)) ? 180 : 360;
     Group& group = group_of(groups, one, one.rotation % turns);
     const i32 few = corners && one.wall == Wall::none ? 4 : 2;

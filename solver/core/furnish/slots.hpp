@@ -13,6 +13,6 @@ bool must_have_slot(Span<Rule> rules);
 List<Candidate> slots_of(const Subject& subject, Span<Effect> effects, const Preferences& preferences);
 
 // Keeps, for every variant, wall and way round, the cheapest anchors: a few for the wanted variant, one for the others.
-List<Candidate> best_of_each(const Subject& subject, List<Candidate>& found);
+List<Candidate> best_of_each(const Subject& subject, const List<Candidate>& found);
 
 }  // namespace furnish
