@@ -136,17 +136,6 @@ static i32 cut(const WalkGrid& grid, i64 axis, i64 low, i64 high) {
   return n + 1;
 }
 
-// How many cuts are below a value.
-static i32 cuts_below(const i64* cuts, i32 count, i64 value) {
-  i32 below = 0;  // so many are below it, and of `left` more it is not known
-  for (i32 left = count; left > 0;) {
-    const i32 half = (left + 1) / 2;
-    below += cuts[below + half - 1] < value ? half : 0;
-    left -= half;
-  }
-  return below;
-}
-
 // The words of a row of cells; the last cell has a blocked one behind it, and that a free one.
 static i32 words_of(i32 nz) { return (nz + 1) / 64 + 1; }
 
@@ -235,11 +224,14 @@ static Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
   Cells cells;
   for (i64 axis = 0; axis < 2; axis++) {
     const i64* const cuts = grid.cuts.row(axis).data;
-    const i32 count = static_cast<i32>(grid.state->cuts[axis]), low = cuts_below(cuts, count, target.low[axis]);
-    i32 high = low;
-    while (high < count && cuts[high] < target.high[axis]) high++;
-    cells.first[axis] = most(low - 1, 0);
-    cells.last[axis] = least(high, count - 1);
+    const i64 count = grid.state->cuts[axis];
+    i64 low = 0, high = 0;  // cuts below its ends: there are few, and each comparison is as good as a guess
+    for (i64 k = 0; k < count; k++) {
+      low += cuts[k] < target.low[axis];
+      high += cuts[k] < target.high[axis];
+    }
+    cells.first[axis] = static_cast<i32>(most<i64>(low - 1, 0));
+    cells.last[axis] = static_cast<i32>(least(high, count - 1));
   }
   return cells;
 }
