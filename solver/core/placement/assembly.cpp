@@ -15,19 +15,8 @@ static bool must_part(const Room& room, const Work& work, const Part& a, const P
   return one.under != b.piece && one.on != b.piece && two.under != a.piece && two.on != a.piece;
 }
 
-// Adds an option to a choice where the bounds allow it; true where they hold it anyway.
-static bool offer(const Work& work, i64 choice, const DifferenceRow& row) {
-  i64 lowest = 0, highest = 0;
-  if (row.i != row.j) {
-    if (row.j != ORIGIN) {
-      lowest = work.low.at(row.axis, row.j);
-      highest = work.high.at(row.axis, row.j);
-    }
-    if (row.i != ORIGIN) {
-      lowest -= work.high.at(row.axis, row.i);
-      highest -= work.low.at(row.axis, row.i);
-    }
-  }
+// Adds an option to a choice where the least and the most that the bounds allow it allow it; true where they hold it anyway.
+static bool offer(const Work& work, i64 choice, i64 lowest, i64 highest, const DifferenceRow& row) {
   if (lowest >= row.s) return true;
   if (highest >= row.s) work.options[OPTIONS * choice + work.choice_size[choice]++] = row;
   return false;
@@ -39,8 +28,10 @@ static bool keep_apart(const Work& work, i64 choice, const Part& a, const Part& 
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 u = a.variable[axis], v = b.variable[axis];
     const i64 shift = a.offset[axis] - b.offset[axis];
-    if (offer(work, choice, {axis, u, v, a.extent[axis] + shift})) return false;
-    if (offer(work, choice, {axis, v, u, b.extent[axis] - shift})) return false;
+    const i64 lowest = u == v ? 0 : work.low.at(axis, v) - work.high.at(axis, u);
+    const i64 highest = u == v ? 0 : work.high.at(axis, v) - work.low.at(axis, u);
+    if (offer(work, choice, lowest, highest, {axis, u, v, a.extent[axis] + shift})) return false;
+    if (offer(work, choice, -highest, -lowest, {axis, v, u, b.extent[axis] - shift})) return false;
   }
   return true;
 }
@@ -50,8 +41,9 @@ static bool keep_clear(const Work& work, i64 choice, const Part& part, const Zon
   work.choice_size[choice] = 0;
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 v = part.variable[axis], offset = part.offset[axis];
-    if (offer(work, choice, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis]})) return false;
-    if (offer(work, choice, {axis, ORIGIN, v, zone.high[axis] - offset})) return false;
+    const i64 lowest = work.low.at(axis, v), highest = work.high.at(axis, v);
+    if (offer(work, choice, -highest, -lowest, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis]})) return false;
+    if (offer(work, choice, lowest, highest, {axis, ORIGIN, v, zone.high[axis] - offset})) return false;
   }
   return true;
 }
@@ -86,9 +78,10 @@ static bool bounds_hold(const Work& work) {
 // Notes what the problem is once a piece was added, so that the next problem can go on from there.
 static void note(const Work& work, i64 piece, i64 decision) {
   const Counts& counts = *work.counts.data;
-  const i64 wide = work.sizes[0], deep = work.sizes[1];
-  work.marks[piece] = {decision, {wide, deep}, counts.rows, counts.parts, counts.choices, counts.pulls};
-  for (i64 axis = 0; axis < 2; axis++) {
+  const i64 wide = work.sizes[0], deep = work.sizes[1], last = piece > 0 ? work.marks[piece - 1].bounds : -1;
+  const i64 bounds = decision == ABSENT ? last : piece;
+  work.marks[piece] = {decision, {wide, deep}, counts.rows, counts.parts, counts.choices, counts.pulls, bounds};
+  for (i64 axis = 0; axis < 2 && decision != ABSENT; axis++) {
     for (i64 v = 0; v < work.sizes[axis]; v++) {
       work.marked_bounds.at(piece, axis, v) = work.low.at(axis, v);
       work.marked_bounds.at(piece, 2 + axis, v) = work.high.at(axis, v);
@@ -111,8 +104,8 @@ static i64 go_back(const Work& work, const Decisions& decisions) {
   for (i64 axis = 0; axis < 2; axis++) {
     work.sizes[axis] = mark.sizes[axis];
     for (i64 v = 0; v < mark.sizes[axis]; v++) {
-      work.low.at(axis, v) = work.marked_bounds.at(first - 1, axis, v);
-      work.high.at(axis, v) = work.marked_bounds.at(first - 1, 2 + axis, v);
+      work.low.at(axis, v) = work.marked_bounds.at(mark.bounds, axis, v);
+      work.high.at(axis, v) = work.marked_bounds.at(mark.bounds, 2 + axis, v);
     }
   }
   return first;

@@ -52,6 +52,7 @@ struct Mark {
   i64 decision;
   i64 sizes[2];
   i64 rows, parts, choices, pulls;
+  i64 bounds;  // the last piece that stands, whose `marked_bounds` these are, or -1
 };
 
 // A problem: variables with bounds and anchors, pulls, fixed rows, and choices. Choice c has the options 4c ... 4c + choice_size[c] - 1.
@@ -291,6 +292,6 @@ template <class T> inline T place_of(const Table<T>& positions, i64 axis, i64 va
   return positions.at(axis, variable < 0 ? positions.columns - 1 : variable);
 }
 
-static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 7 * 8 && sizeof(Counters) == 16 * 8 && sizeof(GridState) == 8 * 8);
+static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 8 * 8 && sizeof(Counters) == 16 * 8 && sizeof(GridState) == 8 * 8);
 
 }  // namespace placement

@@ -19,11 +19,13 @@ void propagate(const Program& program, i32 count) {
     for (i32 r = 2 * n; r < 2 * n + count; r++) {
       const auto [i, j, rest] = program.rows[r];
       const f64 lowest = least[i] - rest, highest = most[j] + rest;
-      if (least[j] < lowest - ROUNDING && j < n) {
+      const bool is_higher = least[j] < lowest - ROUNDING, is_lower = most[i] > highest + ROUNDING;
+      if (!is_higher && !is_lower) continue;
+      if (is_higher && j < n) {
         least[j] = lowest;
         changed = true;
       }
-      if (most[i] > highest + ROUNDING && i < n) {
+      if (is_lower && i < n) {
         most[i] = highest;
         changed = true;
       }
