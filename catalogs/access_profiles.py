@@ -73,6 +73,13 @@ class AccessProfile(Entry):
         """Tells whether leaves must not swing into rooms of a type."""
         return any(rule.out and rule.is_about(room) for rule in self.rules)
 
+    def floor_of(self, piece: str, size: tuple[float, float, float]) -> float:
+        """Returns the floor that a piece of a size takes, m2, with the strips that are to be empty along its sides and before its front."""
+        about = [rule for rule in self.rules if piece in rule.pieces]
+        along = max((rule.least + (rule.other or 0.0) for rule in about if rule.what == "along"), default=0.0)
+        deep = max((rule.least for rule in about if rule.what == "deep"), default=0.0)
+        return (size[0] + along) * (size[1] + deep)
+
     def leaf(self, main: bool) -> float:
         """Returns how wide a door's opening is to be cut, the main entrance's or another's, m: a multiple of 5 cm."""
         doors = (rule for rule in self.rules if rule.what == "door" and (main or not rule.main))

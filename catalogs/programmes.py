@@ -36,6 +36,11 @@ class Home(Entry):
             raise ValueError("no room of this width and aspect has such an area")
         return self
 
+    def larger_by(self, floor: float) -> Home:
+        """Returns the same with so much more floor, m2."""
+        least, typical, most = (round(area + floor, 2) for area in self.area)
+        return self.model_copy(update={"area": (least, typical, most)})
+
 
 RoomWord = Annotated[str, Names("word for rooms", "the room types and their words")]
 

@@ -394,4 +394,7 @@ def _room_at_home(catalogs: Catalogs, name: str, there: frozenset[str], planned:
     cover = sum(width * depth for width, depth, _ in sizes) / room.area.typical
     pieces = tuple(piece.model_copy(update={"without": ()}) if piece in more else piece for piece in pieces)
     wished = tuple(min(share + cover, 1.0) for share in room.cover) if room.cover else None
-    return room.model_copy(update={"pieces": pieces, "cover": wished})
+    home = room.home
+    if home and catalogs.profile:
+        home = home.larger_by(sum(map(catalogs.profile.floor_of, (catalogs.name_of(one.variants[0].kind) for one in more), sizes)))
+    return room.model_copy(update={"pieces": pieces, "cover": wished, "home": home})

@@ -66,6 +66,18 @@ def test_rooms_are_as_large_as_the_profile_says() -> None:
         assert room.floor_m2 >= sizes[room.type].area[0] - 1e-9
 
 
+def test_a_studio_has_room_about_its_bed_and_a_bathroom_one_can_get_out_of() -> None:
+    """Seven square metres are a bed of 1.5 x 2 m and strips of 1.2 and 0.9 m along it."""
+    least = CATALOGS.access["din_18040_2"].homes["living_room"].area[0] + 7.0
+    for seed in range(60_000, 60_006):
+        scene = generate(Request(seed=seed, program="studio", access="din_18040_2")).scene
+        living, bath = (next(room for room in scene.rooms if room.type == name) for name in ("living_room", "bathroom"))
+        assert living.width * living.depth >= least
+        assert [one.swing for one in bath.openings if one.kind == "door"] == ["out"]
+    family_living = [room for room in family(4, access="din_18040_2").scene.rooms if room.type == "living_room"]
+    assert family_living[0].width * family_living[0].depth <= CATALOGS.access["din_18040_2"].homes["living_room"].area[2]
+
+
 def test_what_is_furnished_anew_keeps_what_is_asked_for() -> None:
     made = family(90_000, access="din_18040_2_r", decorate=True).scene
     again = reroll(made, [room.id for room in made.rooms], seed=77).scene

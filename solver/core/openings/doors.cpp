@@ -28,6 +28,9 @@ Cut with_leaf(Cut cut, i64 leaf) {
   return cut;
 }
 
+// Whether a leaf that sweeps a room's floor should swing out of it.
+bool swings_wrongly(const House& house, i64 leaf) { return leaf != NONE && house.rooms[leaf].has(MUST_SWING_OUT); }
+
 // What may be cut into a wall: a leaf into the room entered, the other way, and no leaf at all. Between two rooms of passages it is a
 // passage from the start. Hallways and their like are swung into last, last of all what must be swung out of.
 Forms forms_of(const House& house, const Joint& joint, i64 number) {
@@ -56,9 +59,10 @@ class Shuffle {
     for (Span<Cut>& before : before_) before = reserved<Cut>(doorways.house.joints.size + 2);
   }
 
-  // False, and nothing changed, where none of a bounded number of tries works.
-  bool add(const Cut& cut) {
+  // False, and nothing changed, where none of a bounded number of tries works. `strict`: no leaf comes to swing in that should swing out.
+  bool add(const Cut& cut, bool strict) {
     tries_ = TRIES;
+    strict_ = strict;
     return add(cut, EJECTIONS);
   }
 
@@ -70,7 +74,7 @@ class Shuffle {
     if (cut.kind == CutKind::door) {
       const i64 sides[] = {cut.room, cut.other};
       for (const i64 leaf : sides) {
-        if (leaf != cut.leaf) forms.add(with_leaf(cut, leaf));
+        if (leaf != cut.leaf && !(strict_ && swings_wrongly(doorways_.house, leaf))) forms.add(with_leaf(cut, leaf));
       }
       if (cut.other != NONE) {
         Cut open = with_leaf(cut, NONE);
@@ -121,6 +125,7 @@ class Shuffle {
 
   Doorways& doorways_;
   i32 tries_ = 0;
+  bool strict_ = false;
   Span<Cut> before_[EJECTIONS + 1];
 };
 
@@ -133,21 +138,35 @@ void place_entrance(Doorways& doorways) {
   doorways.add(doorways.best_outside(cut).placed);
 }
 
+// Places one of some forms where it is in nobody's way, or where others can give way to it; `best` is the best place in any case.
+static bool place_in_the_clear(Doorways& doorways, Shuffle& shuffle, const Forms& forms, const Joint& joint, bool strict, Offer& best) {
+  i32 allowed = 0;
+  while (allowed < forms.size && !(strict && swings_wrongly(doorways.house, forms.each[allowed].leaf))) allowed++;
+  best = {INFINITE, forms.each[0]};
+  for (i32 i = 0; i < allowed && best.score >= COLLISION; i++) {
+    const Offer offer = doorways.best(forms.each[i], joint.over);
+    if (offer.score < best.score) best = offer;
+  }
+  if (best.score < COLLISION) {
+    doorways.add(best.placed);
+    return true;
+  }
+  for (i32 i = 0; i < allowed; i++) {
+    if (shuffle.add(forms.each[i], strict)) return true;
+  }
+  return false;
+}
+
 void place_doors(Doorways& doorways) {
   const House& house = doorways.house;
   Shuffle shuffle(doorways);
   for (i32 i = 0; i < house.joints.size; i++) {
     const Joint& joint = house.joints[i];
     const Forms forms = forms_of(house, joint, i + 1);
-    Offer best{INFINITE, forms.each[0]};
-    for (const Cut& form : forms) {
-      const Offer offer = doorways.best(form, joint.over);
-      if (offer.score < best.score) best = offer;
-      if (offer.score < COLLISION) break;
-    }
-    bool shuffled = false;
-    for (i32 k = 0; best.score >= COLLISION && k < forms.size && !shuffled; k++) shuffled = shuffle.add(forms.each[k]);
-    if (!shuffled) doorways.add(best.placed);
+    Offer best;
+    const bool placed = place_in_the_clear(doorways, shuffle, forms, joint, true, best) ||
+                        place_in_the_clear(doorways, shuffle, forms, joint, false, best);
+    if (!placed) doorways.add(best.placed);
   }
 }
 

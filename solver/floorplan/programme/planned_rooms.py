@@ -127,7 +127,8 @@ def _preset_for(request: Request, catalogs: Catalogs) -> str:
 
     def strays(name: str) -> tuple[float, str]:
         rooms = types_of({word: count for word, count in catalogs.presets[name].rooms.items() if count}, catalogs)
-        floor = sum(_home(catalogs.rooms[room]).area[1] for room in rooms) * WALLS_SHARE
+        kinds = catalogs.of_home(rooms).rooms
+        floor = sum(_home(kinds[room]).area[1] for room in rooms) * WALLS_SHARE
         stretch = log(area / floor)
         return max(stretch, -SHRINKING * stretch), name
 
@@ -188,7 +189,8 @@ def planned_rooms(types: Sequence[str], catalogs: Catalogs, area_m2: float | Non
         catalogs: the room types' limits.
         area_m2: floor the house is wished to have, hallways included; the rooms' typical areas by default.
     """
-    kinds = [catalogs.rooms[name] for name in types]
+    rooms = catalogs.of_home(types).rooms
+    kinds = [rooms[name] for name in types]
     homes = [_home(kind) for kind in kinds]
     scale = 1.0 if area_m2 is None else _scale(homes, area_m2 / WALLS_SHARE)
     sizes = [_size(home, scale) for home in homes]

@@ -8,6 +8,7 @@ where the walls allow.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import takewhile
 from math import inf
 from typing import Final, NamedTuple
 
@@ -142,6 +143,10 @@ class Doorways:
         """Returns the type of a room."""
         return self.rooms[self.types[room]]
 
+    def swings_wrongly(self, leaf: int | None) -> bool:
+        """Tells whether a leaf that sweeps a room's floor should swing out of it."""
+        return leaf is not None and self.profile is not None and self.profile.swings_out(self.types[leaf])
+
     def side(self, cut: Cut, room: int) -> OpeningSide:
         """Returns an opening as one of its rooms sees it."""
         wall, half = cut.wall_of(room), cut.width // 2
@@ -223,14 +228,20 @@ def place_doors(doorways: Doorways, tree: Sequence[tuple[Joint, int]]) -> None:
     walls = {(joint.a, joint.b): (joint.low, joint.high) for joint, _ in tree}
     for number, (joint, entered) in enumerate(sorted(tree, key=lambda item: (item[0].length, item[0])), start=1):
         forms = tuple(_forms(doorways, joint, entered, number))
-        offers: list[tuple[float, Cut]] = []
-        for form in forms:
-            offers.append(doorways.best(form, (joint.low, joint.high)))
-            if offers[-1][0] < COLLISION:
+        for strict in (True, False):
+            tried = list(takewhile(lambda form: not doorways.swings_wrongly(form.leaf), forms)) if strict else list(forms)
+            offers: list[tuple[float, Cut]] = []
+            for form in tried:
+                offers.append(doorways.best(form, (joint.low, joint.high)))
+                if offers[-1][0] < COLLISION:
+                    break
+            if offers and min(offer[0] for offer in offers) < COLLISION:
+                doorways.add(min(offers, key=lambda offer: offer[0])[1])
                 break
-        score, placed = min(offers, key=lambda offer: offer[0])
-        if score < COLLISION or not any(_Shuffle(doorways, walls).add(form) for form in forms):
-            doorways.add(placed)
+            if any(_Shuffle(doorways, walls, strict).add(form) for form in tried):
+                break
+        else:
+            doorways.add(min(offers, key=lambda offer: offer[0])[1])
 
 
 def _forms(doorways: Doorways, joint: Joint, entered: int, number: int) -> Iterator[Cut]:
@@ -248,8 +259,8 @@ def _forms(doorways: Doorways, joint: Joint, entered: int, number: int) -> Itera
 class _Shuffle:
     """Adds an opening wherever the few others in its way can be added elsewhere in the same manner."""
 
-    def __init__(self, doorways: Doorways, walls: Mapping[tuple[int, int], tuple[int, int]]) -> None:
-        self.doorways, self.walls, self.tries = doorways, walls, TRIES
+    def __init__(self, doorways: Doorways, walls: Mapping[tuple[int, int], tuple[int, int]], strict: bool) -> None:
+        self.doorways, self.walls, self.tries, self.strict = doorways, walls, TRIES, strict
 
     def add(self, cut: Cut, depth: int = EJECTIONS) -> bool:
         """Adds the opening; False, and nothing changed, where none of a bounded number of tries works."""
@@ -275,7 +286,8 @@ class _Shuffle:
         stretches = self.doorways.layout.exposed[cut.room][cut.wall] if outside else (self.walls[min(cut.sides), max(cut.sides)],)
         forms = [cut]
         if cut.kind == "door":
-            forms += [cut._replace(leaf=leaf) for leaf in (cut.room, cut.other) if leaf != cut.leaf]
+            leaves = [leaf for leaf in (cut.room, cut.other) if not (self.strict and self.doorways.swings_wrongly(leaf))]
+            forms += [cut._replace(leaf=leaf) for leaf in leaves if leaf != cut.leaf]
         if cut.kind == "door" and cut.other is not None:
             forms.append(cut._replace(id=cut.id.replace("door", "passage"), kind="passage", leaf=None))
         return (
