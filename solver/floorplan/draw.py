@@ -21,7 +21,7 @@ from solver.floorplan.openings import OpenedHouse, open_walls
 from solver.floorplan.plan import Drawing, FloorPlan, written
 from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
-from solver.floorplan.tiling import LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints
+from solver.floorplan.tiling import LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints, set_apart, trimmed
 from solver.geometry import Rect, to_m, to_mm
 from solver.scene import Request
 
@@ -85,9 +85,12 @@ def _planned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPl
 
 def _opened(layout: Layout, typed: RoomAccess, entrance: tuple[int, str], catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
     """Cuts doors and windows into the walls of typed rooms."""
+    rects = set_apart(layout, [catalogs.rooms[name].outdoor for name in typed.types])
+    if rects != layout.rooms:
+        typed = replace(typed, shared=trimmed(typed.shared, rects, layout.walls.door_wall))
     tree = door_tree(entrance[0], typed)
-    cuts, garages = open_walls(OpenedHouse(layout, typed.types, catalogs.rooms, catalogs.profile), tree, entrance)
-    drawing = Drawing(layout, typed.types, typed.shared, cuts, catalogs)
+    cuts, garages = open_walls(OpenedHouse(layout, rects, typed.types, catalogs.rooms, catalogs.profile), tree, entrance)
+    drawing = Drawing(layout, rects, typed.types, typed.shared, cuts, catalogs)
     return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))
 
 

@@ -15,7 +15,7 @@ from catalogs.schema import RoomType
 from solver.core import borrowed
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
 from solver.floorplan.tiling import LEAF_MM, HouseWalls, Joint, Layout
-from solver.geometry import OPPOSITE, to_mm
+from solver.geometry import OPPOSITE, Rect, to_mm
 from solver.scene import WALLS
 
 KINDS: Final = ("door", "passage", "window", "garage_door")
@@ -93,9 +93,10 @@ def has_small_panes(kind: RoomType) -> bool:
 
 
 class OpenedHouse(NamedTuple):
-    """What openings are cut into: rooms with types, and the access profile they are made for."""
+    """What openings are cut into: rooms as they are written, with types, and the access profile they are made for."""
 
     layout: Layout
+    rects: Sequence[Rect]
     types: Sequence[str]
     rooms: Mapping[str, RoomType]
     profile: AccessProfile | None = None
@@ -143,7 +144,7 @@ def rows_of(house: OpenedHouse, joints: Sequence[tuple[Joint, int]], entrance: t
     kinds = {name: _kind_numbers(name, house, walls, wishes) for name in dict.fromkeys(house.types)}
     stretches = [(room, _WALL[wall], *one) for room, outside in enumerate(layout.exposed) for wall, free in outside.items() for one in free]
     rooms, first = [], 0
-    for room, rect in enumerate(layout.rooms):
+    for room, rect in enumerate(house.rects):
         traits, cars, *kept = kinds[house.types[room]]
         count = sum(len(free) for free in layout.exposed[room].values())
         rooms.append(_ROOM.pack(*rect, traits, cars, *kept, first, count))

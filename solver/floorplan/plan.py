@@ -25,9 +25,10 @@ GARAGE_DOOR_HEIGHT: Final = 2.2
 
 @dataclass(frozen=True)
 class Drawing:
-    """What the rooms are written from: rectangles, types, shared walls and openings on the lattice."""
+    """What the rooms are written from: the layout, rectangles as written, types, shared walls and openings on the lattice."""
 
     layout: Layout
+    rects: tuple[Rect, ...]
     types: tuple[str, ...]
     shared: tuple[Joint, ...]
     cuts: tuple[Cut, ...]
@@ -82,7 +83,7 @@ def _rooms(drawing: Drawing, ids: tuple[str, ...]) -> tuple[Room, ...]:
 
 
 def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, ...]) -> Room:
-    rect, name = drawing.layout.rooms[index], drawing.types[index]
+    rect, name = drawing.rects[index], drawing.types[index]
     kind = drawing.catalogs.rooms[name]
     outside = drawing.layout.exposed[index]
     walls = drawing.layout.walls
@@ -112,12 +113,12 @@ def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], height
         id=cut.id,
         kind=cut.kind,
         wall=wall,
-        position=half_m(sum(cut.ends) - 2 * drawing.layout.rooms[room].along(wall)[0]),
+        position=half_m(sum(cut.ends) - 2 * drawing.rects[room].along(wall)[0]),
         width=to_m(cut.width),
         height=heights[0],
         sill=heights[1],
         connects_to=ids[partner] if partner is not None else EXTERIOR,
-        hinge=_hinge(cut, drawing.layout.rooms[cut.room if cut.leaf is None else cut.leaf]) if cut.kind == "door" else None,
+        hinge=_hinge(cut, drawing.rects[cut.room if cut.leaf is None else cut.leaf]) if cut.kind == "door" else None,
         swing=("in" if cut.leaf == room else "out") if cut.kind == "door" else None,
         main_entrance=cut.main,
         render_panel=partner is None or room < partner,
@@ -169,7 +170,7 @@ def door_positions(plan: FloorPlan, opening_id: str) -> tuple[int, ...]:
         shared wall first, then its quarters, then every 0.1 m. None lets a leaf or square meet another's.
     """
     drawing = plan.drawing
-    house = OpenedHouse(drawing.layout, drawing.types, drawing.catalogs.rooms)
+    house = OpenedHouse(drawing.layout, drawing.rects, drawing.types, drawing.catalogs.rooms)
     return door_places(house, drawing.shared, drawing.cuts, _cut(plan, opening_id))
 
 

@@ -169,6 +169,38 @@ def joints(layout: Layout) -> tuple[Joint, ...]:
     return tuple([Joint(*stretch) for stretch in layout.met if stretch[4] - stretch[3] >= least])
 
 
+def set_apart(layout: Layout, outdoor: Sequence[bool]) -> tuple[Rect, ...]:
+    """Returns the rooms as they are written: those outdoors begin where the outer wall of the house ends that they lie at.
+
+    A wall grows outwards from its room's face: the lines of rooms on its two sides are apart by what it is thicker than inner walls.
+
+    Args:
+        layout: the rooms.
+        outdoor: which of them are.
+    """
+    more = layout.walls.outer - layout.walls.thickness
+    if not more or not any(outdoor):
+        return layout.rooms
+    met = [stretch for stretch in layout.met if stretch[4] - stretch[3] > more]  # less is but the corner of another wall
+    walls = {(a, wall) for a, b, wall, _, _ in met if outdoor[a] and not outdoor[b]}
+    walls |= {(b, OPPOSITE[wall]) for a, b, wall, _, _ in met if outdoor[b] and not outdoor[a]}
+    by = [{wall: more * ((room, wall) in walls) for wall in WALLS} for room in range(len(outdoor))]
+    return tuple(
+        Rect(rect.x0 + own["west"], rect.z0 + own["north"], rect.x1 - own["east"], rect.z1 - own["south"])
+        for rect, own in zip(layout.rooms, by, strict=True)
+    )
+
+
+def trimmed(shared: Sequence[Joint], rects: Sequence[Rect], least: int) -> tuple[Joint, ...]:
+    """Returns shared walls as far as both rooms, as they are written, lie along them; those that are long enough for a door."""
+    found = []
+    for joint in shared:
+        low, high = (pick(rects[room].along(joint.wall)[end] for room in (joint.a, joint.b)) for end, pick in ((0, max), (1, min)))
+        if high - low >= least:
+            found.append(Joint(joint.a, joint.b, joint.wall, low, high))
+    return tuple(found)
+
+
 def neighbours(count: int, shared: tuple[Joint, ...]) -> list[list[Joint]]:
     """Returns each room's joints, by room index."""
     by_room: list[list[Joint]] = [[] for _ in range(count)]
