@@ -7,7 +7,9 @@ from base64 import b64encode
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from io import BytesIO
 from typing import Final
+from zipfile import ZipFile
 
 from playwright.sync_api import expect
 
@@ -48,6 +50,7 @@ FILES: Final[dict[str, tuple[str, Callable[[], bytes]]]] = {
     "house.json": ("procthor", lambda: exported("procthor")),
     "apartment.json": ("rplan", lambda: json.dumps(apartment()).encode()),
     "home.sh3d": ("sh3d", lambda: exported("sh3d")),
+    "Home.xml": ("sh3d", lambda: ZipFile(BytesIO(exported("sh3d"))).read("Home.xml")),
     "plan.dxf": ("dxf", lambda: exported("dxf")),
     "plan.svg": ("svg", lambda: exported("svg")),
     "building.ifc": ("ifc", lambda: exported("ifc")),
