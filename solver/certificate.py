@@ -21,7 +21,21 @@ OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best", "residuals", "fro
 MARK_LENGTH: Final = 12
 ACCESS: Final = "access"
 """What a profile of access makes of the whole home."""
-_POSE: Final = "%s" + 6 * " %.4f"
+_MOST_TEXTS: Final = 1 << 14
+"""Numbers whose text is kept."""
+
+
+class _Decimals(dict[float, str]):
+    """Numbers to four decimals; those that are met often are kept."""
+
+    def __missing__(self, number: float) -> str:
+        if len(self) >= _MOST_TEXTS:
+            self.clear()
+        text = self[number] = f"{number + 0.0:.4f}"
+        return text
+
+
+_DECIMALS: Final = _Decimals()
 
 
 def certificate(
@@ -63,7 +77,7 @@ def mark_of(room: Room) -> str:
     """Returns a mark that a room has in common with no other placement of furniture in it."""
     said = [
         f"{room.width:.4f} {room.depth:.4f}",
-        *(_POSE % (name, *(number + 0.0 for number in pose)) for name, *pose in sorted(_poses(room))),
+        *(" ".join((name, *map(_DECIMALS.__getitem__, pose))) for name, *pose in sorted(_poses(room))),
     ]
     return sha256("\n".join(said).encode(errors="surrogatepass")).hexdigest()[:MARK_LENGTH]
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from functools import cache, partial
 from importlib.machinery import PathFinder
 from importlib.util import find_spec, module_from_spec
-from operator import call, truth
+from operator import call, itemgetter, truth
 from types import ModuleType, SimpleNamespace
 from typing import Any, Final, NamedTuple
 
@@ -123,7 +123,8 @@ def _taken(osqp: Any, *matrices: SparseColumns) -> list[Any]:
     end: list[Callable[[], object]] = [partial(sys.modules.pop, name, None) for name in instead]
     end.append(partial(sys.modules.update, loaded))
     try:
-        _at_once(partial(loaded.update, sys.modules), partial(sys.modules.update, instead), take, *end)
+        there = filter(itemgetter(1), zip(instead, map(sys.modules.get, instead), strict=True))
+        _at_once(partial(loaded.update, there), partial(sys.modules.update, instead), take, *end)
     except BaseException:
         _at_once(*end)
         raise

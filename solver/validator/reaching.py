@@ -49,8 +49,8 @@ def used_pieces(place: PlacedRoom, kinds: Kinds) -> Iterator[tuple[int, Use]]:
 
 def missed_sides(walk: Walk, place: PlacedRoom, number: int, use: Use) -> tuple[str, ...]:
     """Returns the use sides of a piece, by its number in its room, that the square cannot come to; none where enough are reached."""
-    _, rotation = place.pieces[number]
-    missed = tuple(side for side in use.sides if not walk.touches(place, number, side_of(rotation, side)))
+    (_, rotation), touched = place.pieces[number], walk.touched(place, number)
+    missed = tuple([side for side in use.sides if side_of(rotation, side) not in touched])
     return missed if use.need == "all" or len(missed) == len(use.sides) else ()
 
 

@@ -11,7 +11,7 @@ from typing import Final
 from solver.scene import Issue, Scene
 from solver.validator.crossing import shapes_cross
 from solver.validator.floating import floating
-from solver.validator.judging import Finding, RuleCase
+from solver.validator.judging import JUDGED, Finding, RuleCase
 from solver.validator.lattice import metres
 from solver.validator.opening import front_blocked
 from solver.validator.reaching import unreachable
@@ -50,6 +50,8 @@ CHECKS: Final[dict[str, Callable[[RuleCase], Iterator[Finding]]]] = {check.__nam
 
 def issues_of(rule: str, case: RuleCase) -> tuple[Issue, ...]:
     """Lists what breaks one rule in one room."""
+    if rule in JUDGED and not case.count_told():
+        return ()
     return tuple(_issue(rule, case.room.room.id, found) for found in CHECKS[rule](case))
 
 

@@ -22,7 +22,8 @@ DEEPEST_WALL: Final = exact(0.6)
 """As far as two rooms' wall lines may lie apart at a door between them: it goes through both. Our choice."""
 MOST: Final = 400
 """How many boxes a tile of the floor holds before it is halved: houses of 30 rooms stay one tile. Our choice."""
-_BIT: Final = {wall: 1 << i for i, wall in enumerate(WALLS)}
+_WALLS_OF: Final = [frozenset(wall for i, wall in enumerate(WALLS) if bits >> i & 1) for bits in range(1 << len(WALLS))]
+"""The walls that the bits of a number mean."""
 _AREAS: Final = Struct("<4Q")
 _TAIL: Final = Struct("<3q")
 
@@ -50,9 +51,9 @@ class Walk:
         entered, free = self.areas[place.room.id]
         return entered if only_entered else free
 
-    def touches(self, place: PlacedRoom, number: int, side: str) -> bool:
-        """Tells whether the square can come to touch a side of a piece of furniture, its centre within the side's extent."""
-        return bool(self.sides[place.room.id][number] & _BIT[side])
+    def touched(self, place: PlacedRoom, number: int) -> frozenset[str]:
+        """Returns which walls the sides of a piece look to that the square can come to touch, its centre within their extent."""
+        return _WALLS_OF[self.sides[place.room.id][number]]
 
 
 def walks(world: World) -> tuple[Walk, ...]:
