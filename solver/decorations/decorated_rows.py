@@ -138,9 +138,10 @@ def _strips(comforts: Mapping[Side, Comfort], turn: int) -> Iterator[_Strip]:
 
 def _fronts_at_walls(piece: PlacedBody, opened: Rect, above: float, space: Space) -> Iterator[bytes]:
     """Yields where nothing hangs on a wall because a front opens along it or towards it, over that floor and from that height on."""
-    bottom = to_mm(piece.y + above)
-    for wall in WALLS:
-        if opened.wall_distance(wall, space.clear) <= AT_WALL_MM:
+    bottom, clear = to_mm(piece.y + above), space.clear
+    near = opened.z0 - clear.z0, clear.z1 - opened.z1, clear.x1 - opened.x1, opened.x0 - clear.x0
+    for wall, distance in zip(WALLS, near, strict=True):
+        if distance <= AT_WALL_MM:
             yield _OPENING.pack(WALL_NUMBERS[wall], 0, *opened.along(wall), bottom, to_mm(piece.y + piece.key[4]))
 
 
