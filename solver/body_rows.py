@@ -20,6 +20,8 @@ BODY: Final = Struct("<8i8q")
 
 `on` and `under` count the furniture, then the things; -1 is nobody. `number` counts the room's bodies of one name.
 """
+KIND: Final = Struct("<i92x")
+"""The kind of such a row alone."""
 BODY_WALLS: Final = (*WALLS, None)
 """The walls that bodies stand or hang at, as they are numbered."""
 BodyRow = tuple[int, ...]

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from catalogs import Catalogs
 from catalogs.schema import FurnitureSpec
 from catalogs.styles import Style
-from solver.body_rows import BODY, BODY_WALLS, FurnitureRows, furniture_look, told
+from solver.body_rows import BODY, BODY_WALLS, KIND, FurnitureRows, furniture_look, told
 from solver.pieces import Arrangement, Placed, StandingRows
 from solver.scene import Room
 from solver.streams import Stream
@@ -42,7 +42,7 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
     in a room share it.
     """
     content, kinds, looks = arrangement.standing or _standing(arrangement.placed, catalogs)
-    present = {number: kinds[number][0] for number, *_ in BODY.iter_unpack(content)}
+    present = {number: kinds[number][0] for (number,) in KIND.iter_unpack(content)}
     known = {kind: _NamedKind(catalogs.name_of(kind), catalogs.furniture.get(kind)) for kind in sorted(set(present.values()))}
     colours = _colours(known, style, stream)
     rows = FurnitureRows(content, room, looks, {number: colours[kind] for number, kind in present.items()})
@@ -69,7 +69,7 @@ def kinds_placed(arrangement: Arrangement) -> list[str]:
     if arrangement.standing is None:
         return [one.chosen.kind for one in arrangement.placed]
     content, kinds, _ = arrangement.standing
-    return [kinds[number][0] for number, *_ in BODY.iter_unpack(content)]
+    return [kinds[number][0] for (number,) in KIND.iter_unpack(content)]
 
 
 def recoloured(room: Room, catalogs: Catalogs, stream: Stream, style: Style) -> Room:
