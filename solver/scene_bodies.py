@@ -38,6 +38,16 @@ def bodies_of(scene: Scene) -> list[SentBody]:
     return [*found, *scene.dynamic]
 
 
+def home_of(scene: Scene, person: Dynamic) -> str | None:
+    """Returns the id of the room that a person or pet says it is in; the only room's where it does not say."""
+    return scene.rooms[0].id if person.room is None and len(scene.rooms) == 1 else person.room
+
+
+def people_in(scene: Scene, room: Room) -> tuple[Dynamic, ...]:
+    """Returns the people and pets in a room."""
+    return tuple(person for person in scene.dynamic if home_of(scene, person) == room.id)
+
+
 def body_ids(scene: Scene) -> list[str]:
     """Returns the ids of all bodies of a scene, in the order of `bodies_of`."""
     return [body.id for body in bodies_of(scene)]

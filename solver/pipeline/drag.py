@@ -17,6 +17,7 @@ from solver.pipeline.room_spaces import room_problem
 from solver.placement import problem_bytes
 from solver.repair import RepairSettings, in_hand
 from solver.scene import EXTERIOR, Room, Scene
+from solver.scene_bodies import people_in
 from solver.validator import RULES, room_alone
 
 VERSION: Final = 1
@@ -45,9 +46,7 @@ class FrameAnswer(NamedTuple):
 def alone(scene: Scene, room: Room) -> Scene:
     """Returns the scene with one room only, and who is in it; its doors are the ways into it."""
     ways = tuple(replace(one, connects_to=EXTERIOR) if one.kind != "window" else one for one in room.openings)
-    home = None if len(scene.rooms) == 1 else room.id
-    people = tuple(person for person in scene.dynamic if person.room in (room.id, home))
-    return replace(scene, rooms=(replace(room, openings=ways),), dynamic=people, certificate=None)
+    return replace(scene, rooms=(replace(room, openings=ways),), dynamic=people_in(scene, room), certificate=None)
 
 
 def opening_of(scene: Scene, label: str, locked: Sequence[str], catalogs: Catalogs) -> bytes | None:

@@ -28,7 +28,7 @@ from solver.repair import (
     with_walls_told,
 )
 from solver.scene import Conflict, Fixed, Issue, Pose, Room, Scene
-from solver.scene_bodies import body_ids, check_ids, moves_between
+from solver.scene_bodies import body_ids, check_ids, moves_between, people_in
 from solver.understanding import understood
 from solver.validator import RULES, Checked, check
 
@@ -181,7 +181,7 @@ def _people_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked,
     errors = _by_room(house.errors)
     conflicts: list[Conflict] = []
     for room in scene.rooms:
-        here = [person for person in scene.dynamic if person.room in (room.id, None if len(scene.rooms) == 1 else room.id)]
+        here = people_in(scene, room)
         if here and room.id in wrong:
             crowd = people_out_of_the_way(room_problem(scene, room, errors[room.id], settings), here, room.id in closed)
             people |= {person.id: person for person in crowd.people}

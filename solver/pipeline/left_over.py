@@ -14,6 +14,7 @@ from itertools import compress
 from solver.placement import Budget
 from solver.repair import Repair, RepairSettings, all_bodies, seated_along, without
 from solver.scene import Conflict, Issue, Room, Scene
+from solver.scene_bodies import people_in
 from solver.validator import Checked
 
 WAYS_IN = ("door", "passage", "garage_door")
@@ -90,8 +91,7 @@ class _LeftOver:
 
 
 def _ids_in(scene: Scene, room: Room) -> set[str]:
-    people = {person.id for person in scene.dynamic if person.room == room.id or (person.room is None and len(scene.rooms) == 1)}
-    return people.union(body.id for body in all_bodies(room))
+    return {body.id for body in (*all_bodies(room), *people_in(scene, room))}
 
 
 def _has_no_way_in(scene: Scene, name: str | None) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from typing import Final
 
 from solver.scene import Issue, Scene
+from solver.scene_bodies import home_of
 from solver.validator.crossing import shapes_cross
 from solver.validator.floating import floating
 from solver.validator.judging import JUDGED, Finding, RuleCase
@@ -17,7 +18,6 @@ from solver.validator.opening import front_blocked
 from solver.validator.reaching import unreachable
 from solver.validator.requirements import missing_required
 from solver.validator.standing import blocks_door, blocks_window, out_of_bounds, overlap, wall_far
-from solver.validator.world import home_of
 
 RULES: Final = {
     "out_of_bounds": "error",

@@ -12,6 +12,7 @@ from typing import Final, TypeAlias
 
 from solver.body_rows import FurnitureRows, count_decorations, count_furniture, decoration_ids, furniture_ids, rows_in
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
+from solver.scene_bodies import home_of
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
 
 AnyBody: TypeAlias = Furniture | Decoration | Dynamic
@@ -125,11 +126,6 @@ def world_of(scene: Scene, before: World | None = None) -> World:
         return replace(before, scene=scene, places=placed)
     places = tuple(_place(room, crowd) for room, crowd in zip(scene.rooms, inside, strict=True))
     return World(scene, exact(scene.wall_thickness) // 2, exact(robot_width_of(scene)), places)
-
-
-def home_of(scene: Scene, person: Dynamic) -> str | None:
-    """Returns the id of the room that a person or pet says it is in; the only room's where it does not say."""
-    return scene.rooms[0].id if person.room is None and len(scene.rooms) == 1 else person.room
 
 
 def _place(room: Room, people: tuple[Dynamic, ...]) -> PlacedRoom:
