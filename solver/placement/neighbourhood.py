@@ -176,22 +176,21 @@ class Neighbourhood:
         return way if way.attach is not None else replace(way, within=self.rects[piece.label])
 
 
-def freed_search(space: Space, pieces: Sequence[Piece], budget: Budget, base: Found | None = None) -> Iterator[Found]:
-    """Frees more and more pieces until all can stand and be used; then some more, for what is cheaper.
+def freed_search(space: Space, pieces: Sequence[Piece], budget: Budget) -> Iterator[Found]:
+    """Frees more and more pieces from where they are wished until all can stand and be used; then some more, for what is cheaper.
 
     Args:
         space: the room's.
         pieces: parents before what is attached to them.
         budget: the work it may cost.
-        base: where they stand; where they are wished if None.
 
     Yields:
         What is found.
     """
-    begin = base or as_wished(space, pieces)
-    if begin is None:
+    wished = as_wished(space, pieces)
+    if wished is None:
         return
-    room = Neighbourhood(space, tuple(pieces), begin)
+    room = Neighbourhood(space, tuple(pieces), wished)
     end = -inf
     for freed in room.neighbourhoods():
         found = room.searched(freed, budget)
