@@ -49,6 +49,6 @@ def first_picture_s(playwright: Playwright, path: Path, address: str) -> tuple[f
     started = spent()
     page.goto(address)
     while not shown:
-        page.wait_for_timeout(20)
+        page.wait_for_timeout(100)
     browser.close()
     return started, shown[0]

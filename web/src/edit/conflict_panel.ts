@@ -24,7 +24,7 @@ export class ConflictPanel {
       return words;
     });
     const heading = document.createElement("strong");
-    heading.textContent = refusal.live ? say("It cannot stand there") : say("That cannot be, so all stays as it was");
+    heading.textContent = refusal.live ? say("No place found yet: let go to look harder") : say("That cannot be, so all stays as it was");
     return [heading, ...said, ...(refusal.live ? [] : [this.#repairs(refusal)])];
   }
 
