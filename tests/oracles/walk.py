@@ -1,21 +1,22 @@
-"""Where can a square person's centre come to in one room? Exact in integers, by a flood of its own.
+"""Where can a square person's centre come to in one room? Exact in integers, by parts of a grid.
 
 The centre is free where the open square meets no solid and no wall: the plane less *open* rectangles, so that a gap of
 exactly the person's size lets it through. Every axis is cut at all edges into points and the open intervals between them;
 a product of two such pieces is wholly free or wholly taken, and two neighbours touch where one lies in the other's closure.
+What can be come to from one another is one part.
 Lengths are doubled millimetres, so that half a person is an integer.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections import deque
 from collections.abc import Iterable, Sequence
+
+import numpy as np
+from scipy import ndimage
 
 from solver.geometry import Rect
 from solver.pieces import Doorway, Space
-
-Cell = tuple[int, int]
 
 
 class Flood:
@@ -35,7 +36,11 @@ class Flood:
         taken = [self._grown(rect) for rect in (*solids, *walls)]
         edges = [*taken, *(self._grown(rect) for rect in marks), *((2 * r.x0, 2 * r.z0, 2 * r.x1, 2 * r.z1) for r in marks)]
         self.cuts = tuple(self._cut(axis, edges) for axis in (0, 1))
-        self.taken = [self._inner(rect) for rect in taken]
+        free = np.ones([2 * len(cuts) - 1 for cuts in self.cuts], dtype=bool)
+        for x0, z0, x1, z1 in map(self._inner, taken):
+            free[x0:x1, z0:z1] = False
+        self.parts, _ = ndimage.label(free)
+        """By piece along x and z: the number of its part, 0 where it is taken."""
 
     def _grown(self, rect: Rect) -> tuple[int, int, int, int]:
         return 2 * rect.x0 - self.half, 2 * rect.z0 - self.half, 2 * rect.x1 + self.half, 2 * rect.z1 + self.half
@@ -59,43 +64,24 @@ class Flood:
         cuts = self.cuts[axis]
         return 2 * len(cuts) - 1 if edge > cuts[-1] else 2 * bisect_left(cuts, edge)
 
-    def free(self, cell: Cell) -> bool:
-        """Tells whether a piece of the plane is free."""
-        x, z = cell
-        inside = 0 <= x < 2 * len(self.cuts[0]) - 1 and 0 <= z < 2 * len(self.cuts[1]) - 1
-        return inside and not any(x0 <= x < x1 and z0 <= z < z1 for x0, z0, x1, z1 in self.taken)
-
-    def line(self, rect: tuple[int, int, int, int]) -> set[Cell]:
-        """Returns the free pieces that a closed rectangle of doubled mm (x0, z0, x1, z1), or a segment, meets."""
+    def line(self, rect: tuple[int, int, int, int]) -> list[int]:
+        """Returns the parts that a closed rectangle of doubled mm (x0, z0, x1, z1), or a segment, meets, from west to east."""
         if self.domain[0] > self.domain[2] or self.domain[1] > self.domain[3]:
-            return set()
+            return []
         ranges = []
         for axis in (0, 1):
             cuts, low, high = self.cuts[axis], rect[axis], rect[axis + 2]
             if high < cuts[0] or low > cuts[-1]:
-                return set()
+                return []
             first = 2 * bisect_left(cuts, low) - (0 if low in cuts or low < cuts[0] else 1)
             last = 2 * (bisect_right(cuts, high) - 1) + (0 if high in cuts or high > cuts[-1] else 1)
-            ranges.append(range(first, last + 1))
-        return {(x, z) for x in ranges[0] for z in ranges[1] if self.free((x, z))}
+            ranges.append(slice(first, last + 1))
+        return [part for part in dict.fromkeys(self.parts[tuple(ranges)].ravel().tolist()) if part]
 
-    def reached(self, start: Iterable[Cell]) -> set[Cell]:
-        """Returns everything that can be come to from some pieces."""
-        seen = set(start)
-        queue = deque(seen)
-        while queue:
-            x, z = queue.popleft()
-            for step in ((x + 1, z), (x - 1, z), (x, z + 1), (x, z - 1)):
-                if step not in seen and self.free(step):
-                    seen.add(step)
-                    queue.append(step)
-        return seen
-
-    def area(self, cells: Iterable[Cell]) -> float:
-        """Returns the area of some pieces, m2: of those that are open intervals along both axes."""
-        xs, zs = self.cuts
-        whole = [(x // 2, z // 2) for x, z in cells if x % 2 and z % 2]
-        return sum((xs[x + 1] - xs[x]) * (zs[z + 1] - zs[z]) for x, z in whole) / 4e6
+    def area(self, part: int) -> float:
+        """Returns the area of a part, m2: of its pieces that are open intervals along both axes."""
+        sizes = np.outer(*(np.diff(cuts) for cuts in self.cuts))
+        return float(sizes[self.parts[1::2, 1::2] == part].sum()) / 4e6
 
 
 def entry(space: Space, door: Doorway) -> tuple[int, int, int, int]:
@@ -146,27 +132,21 @@ def missed(space: Space, solids: Sequence[Rect], uses: Sequence[tuple[str, Rect,
         Ids of doors and labels of uses, and FLOOR; empty where all are joined.
     """
     flood = Flood(space, solids, [rect for _, rect, _, _ in uses] + [door.square for door in space.doorways])
-    goals: list[tuple[str, list[set[Cell]], bool]] = [(door.id, [flood.line(entry(space, door))], True) for door in space.doorways]
+    goals: list[tuple[str, list[list[int]], bool]] = [(door.id, [flood.line(entry(space, door))], True) for door in space.doorways]
     for label, rect, walls, need_all in uses:
         goals.append((label, [flood.line(contact(rect, wall, space.robot_mm)) for wall in walls], need_all))
     if not goals:
         return []
-    starts = goals[0][1] if space.doorways else [cells for _, sides, _ in goals for cells in sides]
+    starts = goals[0][1] if space.doorways else [parts for _, sides, _ in goals for parts in sides]
     best: list[str] | None = None
-    seen: set[Cell] = set()
-    for cells in starts:
-        for start in sorted(cells):
-            if start in seen:
-                continue
-            there = flood.reached([start])
-            seen |= there
-            short = [name for name, sides, need_all in goals if not _met(sides, need_all, there)]
-            short += [FLOOR] if flood.area(there) < LEAST_M2 else []
-            if best is None or len(short) < len(best):
-                best = short
+    for part in dict.fromkeys(part for parts in starts for part in parts):
+        short = [name for name, sides, need_all in goals if not _met(sides, need_all, part)]
+        short += [FLOOR] if flood.area(part) < LEAST_M2 else []
+        if best is None or len(short) < len(best):
+            best = short
     return [name for name, _, _ in goals] if best is None else best
 
 
-def _met(sides: Sequence[set[Cell]], need_all: bool, there: set[Cell]) -> bool:
-    met = [not there.isdisjoint(side) for side in sides]
+def _met(sides: Sequence[Sequence[int]], need_all: bool, part: int) -> bool:
+    met = [part in side for side in sides]
     return all(met) if need_all else any(met)
