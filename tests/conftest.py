@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 from collections.abc import Generator, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -37,12 +38,13 @@ BROWSER_TESTS = Path(__file__).parent / "browser"
 
 @pytest.fixture(scope="session")
 def client() -> Iterator[TestClient]:
-    """A client of an application with our own catalogs; a failure of the service comes back as its answer."""
+    """A client of an application with our own catalogs and much time; a failure of the service comes back as its answer."""
     from starlette.testclient import TestClient
 
-    from service.app import create_app
+    from service.app import EMBEDDED, create_app
+    from tests.service.heavy import PATIENCE_S
 
-    with TestClient(create_app(), raise_server_exceptions=False) as client:
+    with TestClient(create_app(settings=replace(EMBEDDED, request_seconds=PATIENCE_S)), raise_server_exceptions=False) as client:
         yield client
 
 

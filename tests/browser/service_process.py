@@ -11,6 +11,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from tests.service.heavy import PATIENCE_S
+
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "service" / "static" / "index.html"
 ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/")
@@ -38,7 +40,7 @@ def running(port: int = 0, *more: str) -> Iterator[ServiceProcess]:
     if not PAGE.exists():
         subprocess.run([sys.executable, str(ROOT / "scripts" / "page.py"), "build"], check=True)
     command = [sys.executable, "-m", "service", "serve", "--port", str(port), *more]
-    environment = {"COMPOSE_HOMES_STORE": "temporary", **os.environ}
+    environment = {"COMPOSE_HOMES_STORE": "temporary", "COMPOSE_HOMES_REQUEST_SECONDS": str(PATIENCE_S), **os.environ}
     with subprocess.Popen(command, cwd=ROOT, env=environment, stderr=subprocess.PIPE, text=True) as process:
         try:
             yield ServiceProcess(process, _said_address(process))

@@ -19,7 +19,7 @@ import pytest
 from tests.browser.service_process import ServiceProcess, descendants, running
 from tests.cli.programs import GUARD_S, ROOT
 
-FEW = ("--processes", "1", "--light-processes", "1", "--request-seconds", f"{GUARD_S}", "--grace-seconds", f"{GUARD_S}")
+FEW = ("--processes", "1", "--light-processes", "1", "--grace-seconds", f"{GUARD_S}")
 SOFAS = {"name": "sofa", "count": 64, "relations": [{"type": "near", "of": "sofa"}]}
 WISH = {"room": {"id": "a", "width": 9, "depth": 9}, "pieces": [SOFAS], "alternatives": 16}
 

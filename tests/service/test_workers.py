@@ -31,7 +31,7 @@ from service.workers import Workers, unless_left
 from tests.service import apart, heavy
 from tests.service.problems import entry_of, problem_of
 
-SETTINGS = Settings(waiting=1)
+SETTINGS = Settings(waiting=1, request_seconds=heavy.PATIENCE_S)
 RUNNING = SETTINGS.running()
 LIGHT = SETTINGS.light_processes
 
