@@ -65,7 +65,7 @@ export class Comparison {
 
 function row(name: string, ...cells: readonly string[]): HTMLElement {
   const made = document.createElement("tr");
-  made.append(Object.assign(document.createElement("th"), { textContent: name, scope: "row" }));
+  made.append(name ? Object.assign(document.createElement("th"), { textContent: name, scope: "row" }) : document.createElement("td"));
   made.append(...cells.map((textContent) => Object.assign(document.createElement("td"), { textContent })));
   return made;
 }

@@ -1,0 +1,213 @@
+"""No violation that axe-core knows in any state of the page that a person can bring it to, light and dark, in English and in German."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+
+import pytest
+from playwright.sync_api import Browser, Route, expect
+
+from tests.browser.conftest import PIXEL_RATIO, SHOWN
+from tests.browser.service_process import ServiceProcess
+from tests.browser.test_accessible import AXE, OVER, RUN, in_conflict, refusing
+from tests.browser.test_language import TOWN
+from tests.browser.visit import Visit, furniture_of
+
+HOME = "?program=studio&decorate=true&seed=3"
+UNDONE = "window.dispatchEvent(new DragEvent('dragleave', {relatedTarget: null})), 0"
+COLOURS = ("light", "dark")
+COMPARE = 3
+"""Which button of a saved home compares it with another."""
+
+
+@pytest.fixture(params=["en-GB", "de-AT"])
+def spoken(request: pytest.FixtureRequest, browser: Browser, service: ServiceProcess) -> Iterator[Visit]:
+    """A visit with a browser of one of the page's languages, whose panels stand open."""
+    context = browser.new_context(
+        viewport={"width": 1280, "height": 800}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", locale=request.param
+    )
+    context.add_init_script(SHOWN)
+    yield Visit(context.new_page(), service.address)
+    context.close()
+
+
+class States:
+    """What axe-core finds, by state and colours; each is looked at in both."""
+
+    def __init__(self, visit: Visit) -> None:
+        self.visit, self.found = visit, dict[str, list[str]]()
+
+    def look(self, state: str, shown: str | None = None) -> None:
+        """Wait until what makes the state is seen, and look at it."""
+        if shown is not None:
+            expect(self.visit.page.locator(shown).first).to_be_visible()
+        for colours in COLOURS:
+            self.visit.page.emulate_media(color_scheme=colours)  # type: ignore[arg-type]
+            self.visit.page.evaluate(AXE.read_text())
+            wrong: list[str] = self.visit.page.evaluate(RUN)
+            assert f"{state}, {colours}" not in self.found
+            self.found[f"{state}, {colours}"] = wrong
+
+    def file(self, name: str, document: object) -> None:
+        """Open a file on the page."""
+        content = json.dumps(document).encode()
+        self.visit.page.locator("#file").set_input_files({"name": name, "mimeType": "application/json", "buffer": content})
+
+    def wrong(self) -> dict[str, list[str]]:
+        """The states in which something is wrong, of which there must be many."""
+        return {state: wrong for state, wrong in self.found.items() if wrong}
+
+
+def test_with_a_home(spoken: Visit) -> None:
+    page, states = spoken.page, States(spoken)
+    scene = spoken.open(HOME)["scene"]
+    page.locator("details.group").evaluate_all("all => all.forEach(one => { one.open = true; })")
+    states.look("all groups open", "#recent_list .recent-home")
+    for button, shown, close in (("#keys", "#keys_dialog", "#keys_close"), ("#diagnose", "#report > *", "#diagnose_close")):
+        page.locator(button).click()
+        states.look(button, shown)
+        page.locator(close).click()
+    page.locator("[data-tool=menu]").click()
+    states.look("menu", "#menu")
+    page.keyboard.press("Escape")
+    page.locator("#tour_again").click()
+    states.look("tour", "#tour")
+    page.keyboard.press("Escape")
+    for key, shown in (("4", "#stage .plan-sheet"), ("5", "#beside .plan-sheet"), ("2", "#stage"), ("1", "#walk_leave"), ("3", "#stage")):
+        page.keyboard.press("Escape")
+        page.locator("#stage").focus()
+        page.keyboard.press(key)
+        spoken.settle()
+        states.look(f"view {key}", shown)
+    for key in ("5", "o", "l"):
+        page.keyboard.press(key)
+    page.locator("#fold_controls").click()
+    states.look("folded, floor and names")
+    page.locator("#fold_controls").click()
+    page.emulate_media(media="print")
+    states.look("printed")
+    page.emulate_media(media="screen")
+    assert scene["rooms"] and spoken.console == []
+    assert states.wrong() == {}
+    assert len(states.found) == 2 * 12
+
+
+def test_with_a_piece(spoken: Visit) -> None:
+    page, states = spoken.page, States(spoken)
+    pieces = list(furniture_of(spoken.open(HOME)))
+    stage = page.locator("#stage")
+    spoken.line_of(pieces[0]).click()
+    stage.focus()
+    states.look("chosen", "#piece")
+    page.keyboard.press("h")
+    states.look("why", "#why ul li")
+    page.keyboard.press("Escape")
+    spoken.line_of(pieces[0]).click()
+    spoken.line_of(pieces[1]).click(modifiers=["Shift"])
+    states.look("several", "#piece")
+    page.keyboard.press("Escape")
+    stage.focus()
+    page.keyboard.press("m")
+    states.look("tape", ".tape-words")
+    page.keyboard.press("Escape")
+    page.keyboard.press("a")
+    states.look("palette", "#palette li button")
+    page.locator("#palette input").first.fill("qqqq")
+    states.look("nothing found in the palette", "#palette")
+    page.locator("#palette input").first.fill("")
+    page.locator("#palette button[data-kind=plant], #palette button[data-kind=armchair]").first.click()
+    spoken.settle()
+    states.look("added, with other places")
+    page.keyboard.press("Escape")
+    page.locator("#room_choice").select_option(index=1)
+    page.locator("#others_now").click()
+    states.look("other arrangements", "#others canvas")
+    page.keyboard.press("Escape")
+    page.route("**/fix", in_conflict)
+    spoken.line_of(pieces[0]).click()
+    stage.focus()
+    page.keyboard.press("ArrowRight")
+    states.look("conflict", "#conflict")
+    assert states.wrong() == {}
+    assert len(states.found) == 2 * 9
+
+
+def test_with_saved_homes_and_files(spoken: Visit) -> None:
+    page, states = spoken.page, States(spoken)
+    scene = spoken.open(HOME)["scene"]
+    page.locator("#saved summary").click()
+    states.look("nothing saved", "#saved")
+    for name in ("one", "another"):
+        made = page.request.post(f"{spoken.address}homes", data={"name": name, "tags": ["x"], "scene": scene})
+        assert made.ok, made.text()
+    page.reload()
+    spoken.settle()
+    page.locator("#saved summary").click()
+    states.look("homes saved", "#saved li b")
+    for at in (0, 1):
+        page.locator("#saved li").nth(at).locator("button").nth(COMPARE).click()
+    states.look("two homes compared", ".saved-comparison table")
+    page.locator(".saved-comparison button").click()
+    page.evaluate(OVER)
+    states.look("a file over the page", "#drop")
+    page.evaluate(UNDONE)
+    states.file("town.json", {**TOWN, "unit": None})
+    states.look("a file that was read", "#imported_list li")
+    states.file("x.json", [1])
+    states.look("a file that is refused", "#notice .notice-detail")
+    page.locator(".notice-close").click()
+    states.file("none.json", {"format": "compose-scene/1", "rooms": []})
+    states.look("no rooms", "#no_rooms")
+    assert states.wrong() == {}
+    assert len(states.found) == 2 * 7
+
+
+def test_with_refusals_and_a_plan(spoken: Visit) -> None:
+    page, states = spoken.page, States(spoken)
+    spoken.open("?width=9&depth=7&seed=3")
+    page.locator("#home summary").evaluate("one => { one.parentElement.open = true; }")
+    page.locator("#width").fill("5000")
+    page.locator("#generate").click()
+    states.look("a wrong field", "#width_problem")
+    page.locator("#width").fill("9")
+    for status in (401, 429, 503):
+        page.route("**/generate", refusing(status))
+        page.locator("#generate").click()
+        states.look(f"refused {status}", "#notice")
+        page.locator(".notice-close").click()
+        page.unroute("**/generate")
+    held: list[Route] = []
+
+    def hold(route: Route) -> None:
+        held.append(route)
+
+    page.route("**/generate", hold)
+    page.locator("#generate").click()
+    states.look("in work", "#progress")
+    held[0].continue_()
+    spoken.settle()
+    page.locator("#draw_this").click()
+    states.look("a plan that is drawn", "#drawing .drawing-rooms button")
+    assert states.wrong() == {}
+    assert len(states.found) == 2 * 6
+
+
+def test_in_a_frame(spoken: Visit) -> None:
+    page, states = spoken.page, States(spoken)
+
+    def opened(address: str, shown: Callable[[], None]) -> None:
+        page.goto("about:blank")
+        page.goto(f"{spoken.address}embed#{address}")
+        shown()
+
+    opened("seed=3&width=9&depth=7", lambda: expect(page.locator("#stage")).to_have_attribute("aria-busy", "false"))
+    states.look("embedded", "#camera_plan")
+    page.locator("#camera_walk").click()
+    states.look("embedded, walking", "#walk_leave")
+    page.locator("#walk_leave").click()
+    page.locator("#camera_plan").click()
+    states.look("embedded, as a plan", ".plan-sheet")
+    opened("program=castle", lambda: expect(page.locator("#embed_said")).to_contain_text("castle"))
+    states.look("embedded, refused", "#embed_said")
+    assert states.wrong() == {}
