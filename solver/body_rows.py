@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from struct import Struct
-from typing import Any, ClassVar, Final, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeVar
 
-from catalogs import Catalogs
 from solver.fields import made_later, maker_in
 from solver.scene import WALLS, Decoration, Furniture, Room
+
+if TYPE_CHECKING:  # a scene is read and written without the catalogs
+    from catalogs import Catalogs
 
 BODY: Final = Struct("<8i8q")
 """Kind, on, under, wall, rotation, colour, number, nothing; x0, z0, x1, z1, low, width, depth, height, mm.
