@@ -31,10 +31,11 @@ THICKEST: Final = 1000
 
 
 class WallBand(NamedTuple):
-    """A wall along an axis: its middle line and its thickness, mm."""
+    """A wall along an axis: its middle line, its thickness, and how much of an edge it covers, mm."""
 
     at: float
     thickness: float
+    covered: float
 
 
 class WallDepths:
@@ -70,7 +71,9 @@ class WallDepths:
         covered = np.bincount(alike, np.maximum(common, 0.0))
         most = int(covered.argmax())
         first = int((alike == most).argmax())
-        return WallBand(float(line[first]), float(thickness[first])) if covered[most] >= min(LEAST, edge.length / 2) else None
+        if covered[most] < min(LEAST, edge.length / 2):
+            return None
+        return WallBand(float(line[first]), float(thickness[first]), float(covered[most]))
 
     def face(self, edge: PlanEdge, level: int) -> int | None:
         """Returns where the inner face is of the wall that an edge is drawn in; None where it is drawn in none."""
@@ -136,6 +139,8 @@ def _own(depths: WallDepths, edge: PlanEdge, level: int, usual: int) -> float | 
     face = edge.at - edge.out * usual / 2
     band = depths.behind(edge, level, face + edge.out * BESIDE)
     if band is None or abs(band.thickness - usual) <= ALIKE or abs(band.at - edge.out * band.thickness / 2 - face) > ALIKE:
+        return None
+    if band.covered < min(band.thickness, edge.length / 2):  # the end of the wall around the corner
         return None
     return to_m(min(1000, round(band.thickness)))
 
