@@ -8,6 +8,7 @@ Frame: x east, z south (readers of files whose y points north turn it round), in
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final, Literal, NamedTuple
@@ -161,6 +162,22 @@ def check_count(what: str, count: int, most: int) -> None:
     """
     if count > most:
         raise FieldError(what, f"are {count:,}", f"at most {most:,}")
+
+
+class Tally:
+    """Counts what is read of a plan, so that one larger than any house is refused before all of it is read."""
+
+    def __init__(self) -> None:
+        self._counts: Counter[str] = Counter()
+
+    def add(self, what: str, count: int = 1, most: int = MOST_POINTS) -> None:
+        """Counts what is about to be read.
+
+        Raises:
+            FieldError: it is more than a house can have.
+        """
+        self._counts[what] += count
+        check_count(what, self._counts[what], most)
 
 
 def check_plan(plan: DrawnPlan) -> None:

@@ -15,7 +15,7 @@ from catalogs.kind_book import UPRIGHT
 from catalogs.synonyms import Meaning, Synonyms, synonyms_of, words_of
 from solver.geometry import extents, to_mm
 from solver.imports.carried_things import RESTING, covers
-from solver.imports.drawn import DrawnPiece, PlanNotes
+from solver.imports.drawn import DrawnPiece, PlanNotes, check_count
 from solver.imports.rectilinear import FloorCorner, holds
 from solver.scene import Decoration, Furniture, Room
 
@@ -27,6 +27,8 @@ TABLE_HEIGHT: Final = 0.46
 """A table that a seat may be under is higher, m."""
 TUCKED: Final = 0.005
 """A seat is under a table if their footprints share more, m."""
+MOST_IN_ROOM: Final = 1_000
+"""Things in a room. Our choice: each may be in the way of each."""
 LARGEST: Final = 50.0
 """Nothing in a home is larger, m."""
 ABOVE_SILL: Final = 0.02
@@ -48,6 +50,8 @@ def with_pieces(
     for piece in pieces:
         x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
         place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
+        if place is not None:
+            check_count(f"things in {rooms[place].id}", len(furniture[place]) + len(decorations[place]) + 1, MOST_IN_ROOM)
         meaning = _meaning(piece, synonyms_of(catalogs))
         size = piece.size or _usual_size(meaning, catalogs)
         if place is None or size is None or not 0 < min(size) <= max(size) <= LARGEST:

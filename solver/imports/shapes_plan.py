@@ -16,6 +16,9 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, OpeningKind, Spot, check_count
 from solver.imports.straighten import turn_of, turned_by
@@ -34,6 +37,8 @@ WORDS: Final[dict[str, tuple[str, ...]]] = {
 PASSED: Final = ("furniture", "möbel", "mobilier", "meuble", "mueble", "arredo", "dimension", "hatch")
 """Words of layers that hold none of these, whatever they lie within."""
 NO_DOOR: Final = ("outdoor", "indoor")
+MOST_DRAWN: Final = 4 * MOST_POINTS
+"""Points of all rooms, walls and openings together."""
 LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 ALIKE: Final = 0.01
@@ -91,7 +96,9 @@ def plan_of_shapes(
         FieldError: there are more shapes than in any home.
     """
     sorts = [shape.sort for shape in shapes]
-    check_count("shapes", sum(sort is not None for sort in sorts), MOST_POINTS)
+    check_count("shapes", sum(sort is not None for sort in sorts) + len(swings), MOST_POINTS)
+    check_count("points of shapes", sum(len(one.points) for one in shapes if one.sort is not None), MOST_DRAWN)
+    check_count("texts", len(texts), MOST_POINTS)
     turn = turn_of([one.points for one in shapes if one.sort == "room"] or [one.points for one in shapes if one.sort == "wall"])
     shapes, texts, swings = _turned(shapes, texts, swings, turn)
     sorted_shapes = list(zip(shapes, sorts, strict=True))
@@ -99,9 +106,13 @@ def plan_of_shapes(
     outlines = [(*one.points, one.points[0]) if one.closed else one.points for one, sort in sorted_shapes if sort == "wall"]
     solid = [_box(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
     faces = [(*room.points, room.points[0]) for room in rooms] or outlines
-    doors = [_swinging(swing, faces, solid) for swing in swings]
-    drawn = [one for one in _openings(shapes, sorts) if not any(_is_leaf(one, swing) for swing in swings)]
-    openings = [one for one in drawn if not any(_is_one((one.start, one.end), (door.start, door.end)) for door in doors)]
+    doors = _swinging(swings, faces, solid)
+    leaves = _Places([(one.hinge, end) for one in swings for end in one.ends])
+    taken = _Places([(one.start, one.end) for one in doors])
+    openings = [
+        one for one in _openings(shapes, sorts)
+        if taken.first(one.start, one.end) is None and (one.kind != "door" or leaves.first(one.start, one.end) is None)
+    ]  # fmt: skip
     length = metres([*doors, *openings])
     walls: list[DrawnWall] = []
     thick: float | None = None
@@ -191,7 +202,9 @@ def _room(shape: DrawnShape, texts: Sequence[DrawnText]) -> DrawnRoom:
 
 def _label(points: Sequence[Spot], texts: Sequence[DrawnText]) -> str:
     """Returns the first text in a room that is no number."""
-    return next((text.words for text in texts if text.words[:1].isalpha() and _holds(points, text.x, text.z)), "")
+    x0, z0, x1, z1 = _box(points)
+    near = (text for text in texts if x0 <= text.x <= x1 and z0 <= text.z <= z1)
+    return next((text.words for text in near if text.words[:1].isalpha() and _holds(points, text.x, text.z)), "")
 
 
 def _holds(points: Sequence[Spot], x: float, z: float) -> bool:
@@ -205,26 +218,58 @@ def _holds(points: Sequence[Spot], x: float, z: float) -> bool:
 def _openings(shapes: Sequence[DrawnShape], sorts: Sequence[str | None]) -> list[DrawnOpening]:
     """Returns openings, each once: the longest of what is drawn in one place; a hole with a leaf in it is a door."""
     found: list[tuple[OpeningKind, Spot, Spot, str]] = []
+    places = _Places([])
     for kind in ("window", "garage_door", "passage", "door"):
         drawn = [(*_longer(one.points), one.where) for one, sort in zip(shapes, sorts, strict=True) if sort == kind]
         for start, end, where in sorted(drawn, key=lambda one: -math.dist(one[0], one[1])):
-            near = next((at for at, one in enumerate(found) if _is_one(one[1:3], (start, end))), None)
+            near = places.first(start, end)
             if near is None and math.dist(start, end) > 0:
                 found.append((kind, start, end, where))
+                places.add(start, end)
             elif near is not None and kind == "door" and found[near][0] == "passage":
                 found[near] = ("door", *found[near][1:])
     return [DrawnOpening(*one) for one in found]
 
 
-def _swinging(swing: DrawnSwing, faces: Sequence[Sequence[Spot]], walls: Sequence[DrawnBox]) -> DrawnOpening:
-    """Returns the door of an arc: shut, its leaf lies at a wall; it is as wide as the gap between pieces of wall there, if there is one."""
-    shut, opened = sorted(swing.ends, key=lambda end: (_to_wall(end, faces), end))
+class _Places:
+    """Where lines are drawn, to find which of them are one with another."""
+
+    def __init__(self, lines: Sequence[tuple[Spot, Spot]]) -> None:
+        self._rows, self._count = np.empty((max(len(lines), 16), 3)), 0
+        for start, end in lines:
+            self.add(start, end)
+
+    def add(self, start: Spot, end: Spot) -> None:
+        """Takes in one more line."""
+        if self._count == len(self._rows):
+            self._rows = np.concatenate((self._rows, np.empty_like(self._rows)))
+        self._rows[self._count] = (*_between(start, end), math.dist(start, end))
+        self._count += 1
+
+    def first(self, start: Spot, end: Spot) -> int | None:
+        """Returns which is the first that is one with a line; None where none is."""
+        (x, z), rows = _between(start, end), self._rows[: self._count]
+        longer = np.maximum(rows[:, 2], math.dist(start, end))
+        near = np.flatnonzero(np.hypot(rows[:, 0] - x, rows[:, 1] - z) < SAME * longer)
+        return int(near[0]) if len(near) else None
+
+
+def _swinging(swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]], walls: Sequence[DrawnBox]) -> list[DrawnOpening]:
+    """Returns the doors of arcs: shut, a leaf lies at a wall; one is as wide as the gap between pieces of wall there, if there is one."""
+    lines = np.array([(*a, *b) for points in faces for a, b in pairwise(points)]).reshape(-1, 4)
+    boxes = np.array(walls, dtype=np.float64).reshape(-1, 4)
+    return [_door_of(swing, lines, boxes) for swing in swings]
+
+
+def _door_of(swing: DrawnSwing, lines: NDArray[np.float64], boxes: NDArray[np.float64]) -> DrawnOpening:
+    shut, opened = sorted(swing.ends, key=lambda end: (_to_wall(end, lines), end))
     along = 0 if abs(shut[0] - swing.hinge[0]) >= abs(shut[1] - swing.hinge[1]) else 1
     low, high = sorted((swing.hinge[along], shut[along]))
     middle, across, width = (low + high) / 2, (swing.hinge[1 - along] + shut[1 - along]) / 2, high - low
-    there = [(box[along], box[along + 2]) for box in walls if box[1 - along] - width / 2 <= across <= box[3 - along] + width / 2]
-    before = max((end for _, end in there if end <= middle), default=low)
-    after = min((start for start, _ in there if start >= middle), default=high)
+    there = boxes[(boxes[:, 1 - along] - width / 2 <= across) & (across <= boxes[:, 3 - along] + width / 2)]
+    ends_before, starts_after = there[there[:, along + 2] <= middle, along + 2], there[there[:, along] >= middle, along]
+    before = float(ends_before.max()) if len(ends_before) else low
+    after = float(starts_after.min()) if len(starts_after) else high
     if width <= after - before <= WIDER * width:
         low, high = before, after
     ends = ((low, across), (high, across)) if along == 0 else ((across, low), (across, high))
@@ -232,33 +277,20 @@ def _swinging(swing: DrawnSwing, faces: Sequence[Sequence[Spot]], walls: Sequenc
     return DrawnOpening("door", *ends, swing.where, hinge=hinge, towards=opened)
 
 
-def _to_wall(spot: Spot, faces: Sequence[Sequence[Spot]]) -> float:
+def _to_wall(spot: Spot, lines: NDArray[np.float64]) -> float:
     """Returns how far a point is from the nearest of some lines."""
-    return min((_to_line(spot, a, b) for points in faces for a, b in pairwise(points)), default=0.0)
-
-
-def _to_line(spot: Spot, a: Spot, b: Spot) -> float:
-    length = math.dist(a, b) ** 2
-    share = 0.0 if not length else ((spot[0] - a[0]) * (b[0] - a[0]) + (spot[1] - a[1]) * (b[1] - a[1])) / length
-    share = min(max(share, 0.0), 1.0)
-    return math.dist(spot, (a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])))
-
-
-def _is_leaf(one: DrawnOpening, swing: DrawnSwing) -> bool:
-    """Tells whether an opening is a door's leaf, drawn open or shut."""
-    radius = math.dist(swing.hinge, swing.ends[0])
-    return one.kind == "door" and any(_is_one((one.start, one.end), (swing.hinge, end)) for end in swing.ends if radius)
+    if not len(lines):
+        return 0.0
+    starts, ways = lines[:, :2], lines[:, 2:] - lines[:, :2]
+    lengths = (ways**2).sum(axis=1)
+    shares = ((np.array(spot) - starts) * ways).sum(axis=1) / np.where(lengths > 0, lengths, 1.0)
+    away = starts + np.clip(shares, 0.0, 1.0)[:, None] * ways - spot
+    return float(np.hypot(away[:, 0], away[:, 1]).min())
 
 
 def _box(points: Sequence[Spot]) -> DrawnBox:
     xs, zs = [x for x, _ in points], [z for _, z in points]
     return min(xs), min(zs), max(xs), max(zs)
-
-
-def _is_one(kept: tuple[Spot, Spot], other: tuple[Spot, Spot]) -> bool:
-    (a, b), (c, d) = ((((one[0][0] + one[1][0]) / 2), ((one[0][1] + one[1][1]) / 2)) for one in (kept, other))
-    (x, z), length = ((a - c), (b - d)), max(math.dist(*kept), math.dist(*other))
-    return math.hypot(x, z) < SAME * length
 
 
 def _between(a: Spot, b: Spot) -> Spot:

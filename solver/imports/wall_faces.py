@@ -62,7 +62,7 @@ def faces_between(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> 
         return []
     if len(xs) * len(zs) * 4 > MOST_CELLS:
         return None
-    found = [outline_of_cells(cells, xs, zs) for cells in _parts(_free(lines, xs, zs)) if _is_room(cells, xs, zs)]
+    found = [outline_of_cells(cells, xs, zs) for cells in _parts(_free(lines, xs, zs), xs, zs) if _is_room(cells, xs, zs)]
     return sorted((one for one in found if one), key=lambda corners: (corners[0][1], corners[0][0]))
 
 
@@ -115,15 +115,19 @@ def _free(lines: Sequence[DrawnLine], xs: NDArray[np.int64], zs: NDArray[np.int6
     return free
 
 
-def _parts(free: NDArray[np.bool_]) -> Iterator[NDArray[np.bool_]]:
-    """Yields the connected parts that do not reach the ring: which cells each covers."""
+def _parts(free: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[NDArray[np.bool_]]:
+    """Yields the connected parts that do not reach the ring and are wide enough for a room: which cells each covers."""
     left = free.copy()
     _taken(left, (0, 0))
-    while left.any():
-        first = np.unravel_index(int(left.argmax()), left.shape)
+    for first in np.argwhere(left).tolist():
+        if not left[first[0], first[1]]:
+            continue
+        spots = np.array(_taken(left, (first[0], first[1])))
+        (west, north), (east, south) = (spots.min(axis=0) - 2) // 2, (spots.max(axis=0) - 1) // 2
+        if min(xs[min(east + 1, len(xs) - 1)] - xs[max(west, 0)], zs[min(south + 1, len(zs) - 1)] - zs[max(north, 0)]) < NARROWEST:
+            continue
         part = np.zeros_like(left)
-        for spot in _taken(left, (int(first[0]), int(first[1]))):
-            part[spot] = True
+        part[tuple(spots.T)] = True
         yield part[2:-1:2, 2:-1:2]
 
 

@@ -72,6 +72,30 @@ def svg(*elements: str, more: str = "") -> bytes:
     return f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='m' {more}>{''.join(elements)}</svg>".encode()
 
 
+def polyline(kind: str, count: int) -> Feature:
+    return {"properties": {"kind": kind}, "geometry": {"type": "LineString", "coordinates": [[at / 50, at % 3] for at in range(count)]}}
+
+
+def dxf(entities: str, blocks: str = "") -> bytes:
+    head = "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n  0\nENDSEC\n"
+    sections = (("BLOCKS", blocks), ("ENTITIES", entities))
+    return (head + "".join(f"  0\nSECTION\n  2\n{name}\n{held}  0\nENDSEC\n" for name, held in sections) + "  0\nEOF\n").encode()
+
+
+def block(name: str, held: str) -> str:
+    return f"  0\nBLOCK\n  8\n0\n  2\n{name}\n 70\n0\n 10\n0\n 20\n0\n 30\n0\n{held}  0\nENDBLK\n  8\n0\n"
+
+
+def insert(name: str, side: int) -> str:
+    return f"  0\nINSERT\n  8\ndoor\n  2\n{name}\n 10\n0\n 20\n0\n 30\n0\n 70\n{side}\n 71\n{side}\n 44\n1.0\n 45\n1.0\n"
+
+
+def procthor(children: list[dict[str, Any]]) -> bytes:
+    table = {"id": "Table|1", "position": {"x": 1, "y": 0.4, "z": 1}, "children": children}
+    return json.dumps({"rooms": [{"id": "a", "roomType": "Kitchen", "floorPolygon": CORNERS}], "objects": [table]}).encode()
+
+
+LINE = "  0\nLINE\n  8\n0\n 10\n0\n 20\n0\n 30\n0\n 11\n1\n 21\n0\n 31\n0\n"
 SVG_ROOM = "<rect id='kitchen' width='4' height='3'/>"
 DOUBLED = "<use href='#a{0}'/><use href='#a{0}'/>"
 SVG_DOOR = "<line data-opening='door' x1='1' y1='0' x2='1.9' y2='0' {}/>"
@@ -164,6 +188,16 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "svg with an opening that is no line": svg(SVG_ROOM, "<rect data-opening='door' width='1' height='1'/>"),
     "svg with an opening towards nothing": svg(SVG_ROOM, SVG_DOOR.format("data-towards='1'")),
     "svg with a height that is none": svg(SVG_ROOM, SVG_DOOR.format("data-height='high'")),
+    "svg of commands without numbers": svg(f"<path class='room' d='M0 0{'z' * 1_000_000}'/>"),
+    "svg of ten thousand texts": svg(SVG_ROOM, "<text x='1' y='1'>Kitchen</text>" * 10_000),
+    "five thousand chairs in a room": many(4_900, lambda at: piece("Chair", 1 + at / 1e4, 1, width=0.4, depth=0.4, height=0.8)),
+    "lines of many points each": many(200, lambda at: polyline("wall", 200)),
+    "dxf of a block inserted a billion times": dxf(insert("door", 32_000), block("door", LINE)),
+    "dxf of an empty block inserted a billion times": dxf(insert("door", 32_000), block("door", "")),
+    "dxf of arrays within arrays": dxf(insert("outer door", 100), block("door", LINE) + block("outer door", insert("door", 300))),
+    "dxf of many parts": dxf(LINE * 90_000),
+    "rplan of many rooms": json.dumps({**apartment(), "room_type": [2] * 100_000}).encode(),
+    "procthor of many children": procthor([{"id": "Book|1", "position": {"x": 1, "y": 1, "z": 1}}] * 20_000),
     "glb that is none": b"glTF" + bytes(40),
 }  # fmt: skip
 

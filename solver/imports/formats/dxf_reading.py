@@ -5,6 +5,7 @@ Its y points up. Read by ezdxf, an extra. Blocks are opened where their name or 
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from importlib import import_module
@@ -23,6 +24,10 @@ METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0}
 MOST_ENTITIES: Final = 50_000
 BODY: Final = "KIND"
 """What our export's furniture has for an attribute: a wall clock is no wall."""
+MOST_PARTS: Final = 250_000
+"""Entities, vertices and entries of tables in a file, counted before it is read."""
+BEGINNING: Final = re.compile(rb"^[ \t]*0[ \t]*\r?$", re.MULTILINE)
+"""The line before the name of a part; some others look like it."""
 DEEPEST: Final = 8
 """Blocks within blocks."""
 
@@ -45,6 +50,8 @@ def read_dxf(content: bytes, metres: float | None = None) -> DrawnPlan:
         raise FieldError("file", "is DXF, which needs ezdxf", "pip install 'compose-homes[dxf]'") from None
     if len(content) > MOST_BYTES:
         raise SyntaxFault(f"larger than {MOST_BYTES >> 20} MB")
+    if sum(1 for _ in BEGINNING.finditer(content)) > MOST_PARTS:
+        raise SyntaxFault(f"of more than {MOST_PARTS:,} entities, vertices and entries")
     try:
         drawing = ezdxf.read(StringIO(content.decode("utf-8", "replace")))
         space = drawing.modelspace()
@@ -71,16 +78,19 @@ def _opened(space: Any) -> Iterator[_Entity]:
         SyntaxFault: with its blocks it is more than in any plan.
     """
     ahead = [(one, (one.dxf.layer,), f"{one.dxf.handle or number}", 0) for number, one in enumerate(space)][::-1]
-    drawn = 0
+    made = len(ahead)
     while ahead:
         one, names, number, depth = ahead.pop()
-        drawn += 1
-        if drawn > MOST_ENTITIES:
-            raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
         kind = one.dxftype()
         inner = (*names, one.dxf.name) if kind == "INSERT" else names
         if kind == "INSERT" and depth < DEEPEST and sort_within(inner) and not one.has_attrib(BODY):
-            for part in reversed(list(islice(one.virtual_entities(), MOST_ENTITIES))):
+            made += one.mcount
+            copies = (one,) if one.mcount == 1 else one.multi_insert() if made <= MOST_ENTITIES else ()
+            parts = list(islice((part for copy in copies for part in copy.virtual_entities()), MOST_ENTITIES))
+            made += len(parts)
+            if made > MOST_ENTITIES:
+                raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities, each as often as its block is inserted")
+            for part in reversed(parts):
                 own = () if part.dxf.layer == "0" else (part.dxf.layer,)
                 ahead.append((part, (*inner, *own), number, depth + 1))
         else:

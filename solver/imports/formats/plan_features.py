@@ -11,7 +11,18 @@ from itertools import pairwise
 from typing import Any, Final
 
 from solver.errors import FieldError
-from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
+from solver.imports.drawn import (
+    MOST_POINTS,
+    MOST_ROOMS,
+    DrawnOpening,
+    DrawnPiece,
+    DrawnPlan,
+    DrawnRoom,
+    DrawnWall,
+    Spot,
+    Tally,
+    check_count,
+)
 from solver.imports.plain_values import a_list, a_number, a_text, an_object, one_of
 from solver.imports.units import unit_named
 from solver.scene import OPENING_KINDS
@@ -37,7 +48,7 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
     openings: list[DrawnOpening] = []
     walls: list[DrawnWall] = []
     pieces: list[DrawnPiece] = []
-    thickness = a_number(document, "wall_thickness", "plan", None)
+    thickness, tally = a_number(document, "wall_thickness", "plan", None), Tally()
     for number, feature in enumerate(a_list(document.get("features"), "features")):
         where = f"features[{number}]"
         said = an_object(an_object(feature, where).get("properties") or {}, f"{where}.properties")
@@ -45,6 +56,14 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
         form = one_of(shape, "type", tuple(KINDS), f"{where}.geometry", required=True)
         kind = one_of(said, "kind", KINDS[form], f"{where}.properties")
         points = _points(shape, form, up, where)
+        if form == "Polygon":
+            tally.add("rooms", most=MOST_ROOMS)
+            tally.add("corners of rooms", len(points))
+        elif form == "Point":
+            tally.add("furniture")
+        else:
+            tally.add("walls" if kind == "wall" else "openings", len(points) - 1 if kind == "wall" else 1)
+            tally.add("points of lines", len(points), 4 * MOST_POINTS)
         if form == "Polygon":
             rooms.append(_room(said, points, where))
         elif form == "Point":

@@ -7,11 +7,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 from typing import Any, Final
 
 from solver.errors import FieldError
 from solver.imports.along_walls import outer_walls
-from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, OpeningKind, Spot, check_count
+from solver.imports.drawn import (
+    MOST_POINTS,
+    MOST_ROOMS,
+    DrawnOpening,
+    DrawnPiece,
+    DrawnPlan,
+    DrawnRoom,
+    DrawnWall,
+    OpeningKind,
+    Spot,
+    check_count,
+)
 from solver.imports.plain_values import a_list, a_number, a_text, an_object
 from solver.scene import OPENING_KINDS
 
@@ -36,16 +48,18 @@ def read_procthor(document: Json) -> DrawnPlan:
     Raises:
         FieldError: something in it cannot be read; names its place.
     """
-    rooms = tuple(_room(an_object(room, f"rooms[{at}]"), f"rooms[{at}]") for at, room in enumerate(a_list(document["rooms"], "rooms")))
+    check_count("rooms", len(a_list(document["rooms"], "rooms")), MOST_ROOMS)
+    rooms = tuple(_room(an_object(room, f"rooms[{at}]"), f"rooms[{at}]") for at, room in enumerate(document["rooms"]))
     walls = {}
     for at, wall in enumerate(a_list(document.get("walls", []), "walls")):
         walls[a_text(an_object(wall, f"walls[{at}]"), "id", f"walls[{at}]")] = (wall, f"walls[{at}]")
     levels = {room.id: room.level for room in rooms}
     openings = []
     for key in ("doors", "windows"):
-        for at, one in enumerate(a_list(document.get(key, []), key)):
+        check_count(key, len(a_list(document.get(key, []), key)), MOST_POINTS)
+        for at, one in enumerate(document.get(key, [])):
             openings.append(_opening(key == "windows", an_object(one, f"{key}[{at}]"), f"{key}[{at}]", walls, levels))
-    pieces = tuple(_pieces(document.get("objects", []), "objects", 0, ""))
+    pieces = tuple(islice(_pieces(document.get("objects", []), "objects", 0, ""), MOST_POINTS + 1))
     said = an_object(document.get("metadata") or {}, "metadata").get("compose")
     thickness = a_number(an_object(said, "metadata.compose"), "wall_thickness", "metadata.compose", None) if said else None
     solid = () if thickness is None else tuple(_outer_walls(document, rooms, thickness))
@@ -152,6 +166,7 @@ def _pieces(objects: object, where: str, depth: int, on: str) -> Iterator[DrawnP
     """Yields things and what lies on them."""
     if depth > DEEPEST:
         raise FieldError(where, "lies too deep", f"at most {DEEPEST} things on each other")
+    check_count(where, len(a_list(objects, where)), MOST_POINTS)
     for at, said in enumerate(a_list(objects, where)):
         place = f"{where}[{at}]"
         one = an_object(said, place)

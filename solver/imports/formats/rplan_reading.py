@@ -38,6 +38,7 @@ def read_rplan(document: Mapping[str, Any]) -> DrawnPlan:
     Raises:
         FieldError: something in it cannot be read; names its place.
     """
+    check_count("room_type", len(a_list(document["room_type"], "room_type")), MOST_POINTS)
     types = [round(a_number({"": value}, "", f"room_type[{at}]")) for at, value in enumerate(a_list(document["room_type"], "room_type"))]
     owned: list[list[Segment]] = [[] for _ in types]
     sides, edges = a_list(document["ed_rm"], "ed_rm"), a_list(document["edges"], "edges")

@@ -21,7 +21,7 @@ from solver.imports.plain_values import FARTHEST, LONGEST
 MOST_DRAWN: Final = 50_000
 """Elements that are drawn, each as often as it is used."""
 MOST_NUMBERS: Final = 200_000
-"""Numbers in all points and paths together."""
+"""Numbers and letters in all points, paths and transforms together."""
 DEEPEST: Final = 200
 """Elements within elements, and uses of uses."""
 NAMES_KEPT: Final = 6
@@ -37,6 +37,7 @@ NOT_DRAWN: Final = frozenset((
     "radialGradient", "foreignObject", "namedview", "image",
 ))  # fmt: skip
 NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+NUMBER_OR_LETTER: Final = re.compile(rf"{NUMBER.pattern}|[a-zA-Z]+?")
 LENGTH: Final = re.compile(rf"\s*({NUMBER.pattern})\s*([a-z]*)\s*")
 STEP: Final = re.compile(r"\s*,?\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([^()]*)\)\s*")
 SvgMatrix = tuple[float, float, float, float, float, float]
@@ -132,9 +133,9 @@ def drawn_elements(root: Element) -> Iterator[SvgElement]:
         where = f"{tag}[{counts.get(tag, 0)}]" + (f" {said['id']!r:.60}" if "id" in said else "")
         counts[tag] = counts.get(tag, 0) + 1
         drawn += 1
-        numbers += sum(len(NUMBER.findall(said.get(key, ""))) for key in ("d", "points", "transform"))
+        numbers += sum(len(NUMBER_OR_LETTER.findall(said.get(key, ""))) for key in ("d", "points", "transform"))
         if drawn > MOST_DRAWN or numbers > MOST_NUMBERS:
-            raise SyntaxFault(f"a drawing of more than {MOST_DRAWN:,} elements or {MOST_NUMBERS:,} numbers")
+            raise SyntaxFault(f"a drawing of more than {MOST_DRAWN:,} elements or {MOST_NUMBERS:,} numbers and commands")
         if turn.depth > DEEPEST:
             raise FieldError(where, f"lies within more than {DEEPEST} elements", "a drawing that is nested less")
         if (tag in NOT_DRAWN and not (turn.said and tag == "symbol")) or _is_hidden(said):
