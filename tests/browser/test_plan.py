@@ -63,7 +63,8 @@ def test_numbers_and_areas_are_read_or_left_out(visit: Visit, home: str) -> None
     areas = 0
     for key, which in (("4", "#stage .plan-sheet"), ("5", "#beside .plan-sheet")):
         page.keyboard.press(key)
-        page.wait_for_function(f"() => document.querySelector('{which}').shadowRoot.querySelector('svg text')")
+        floors = "([which, count]) => document.querySelector(which).shadowRoot.querySelectorAll('polygon.floor').length === count"
+        page.wait_for_function(floors, arg=[which, len(scene["rooms"])])
         visit.settle()
         seen = page.evaluate(SIZES, which)
         assert [one for one in seen if one[2] < (8 if one[1] else 10.9)] == []
