@@ -154,7 +154,7 @@ def title(sheet: PlanSheet, words: Sequence[str]) -> str:
     for index, row in enumerate(words[1:]):
         at = foot + (9.5 + 3.9 * index) * unit
         rows.append(f'<text class="left" x="{left:.0f}" y="{at:.0f}" font-size="{2.5 * unit:.0f}">{xml_text(row)}</text>')
-    return "".join(rows) + _bar(sheet, foot) + _arrow(sheet, foot)
+    return f'<g class="foot">{"".join(rows)}{_bar(sheet, foot)}{_arrow(sheet, foot)}</g>\n'
 
 
 def _bar(sheet: PlanSheet, foot: float) -> str:
@@ -177,5 +177,5 @@ def _arrow(sheet: PlanSheet, foot: float) -> str:
     return (
         f'<path d="M{x:.0f} {y:.0f}l{-half:.0f} {0.25 * high:.0f}L{x:.0f} {y - 0.75 * high:.0f}z" fill="#fff" class="opening"/>'
         f'<path d="M{x:.0f} {y:.0f}l{half:.0f} {0.25 * high:.0f}L{x:.0f} {y - 0.75 * high:.0f}z" fill="#2e2e2e"/>'
-        f'<text class="name" x="{x:.0f}" y="{y - 0.82 * high:.0f}" font-size="{3.4 * unit:.0f}">N</text>\n'
+        f'<text class="name" x="{x:.0f}" y="{y - 0.82 * high:.0f}" font-size="{3.4 * unit:.0f}">N</text>'
     )

@@ -53,6 +53,13 @@ describe("a preset", () => {
     expect(windowOf({ width: 1176, height: 845 }).beneath).toBe(0);
   });
 
+  it("fills a phone's canvas with the plan's rooms, without the sheet round them", () => {
+    const { aspect, ...covered } = windowOf({ width: 390, height: 505 });
+    const at = seen("plan", aspect, covered);
+    expect(Math.max(...at.map(({ x }) => Math.abs(x)))).toBeGreaterThan(0.9);
+    expect(Math.max(...at.flatMap(({ x, y }) => [Math.abs(x), Math.abs(y)]))).toBeLessThan(1);
+  });
+
   it("from the top has north up and east to the right", () => {
     const { eye, target, fov } = frame(cornersOfBounds(BOUNDS), PRESETS.top, { aspect: 1.5 });
     const camera = new PerspectiveCamera(fov, 1.5, 0.1, 1000);

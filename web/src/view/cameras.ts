@@ -6,9 +6,9 @@ export type Vector = readonly [number, number, number];
 export interface Preset {
   readonly from: readonly Vector[];
   readonly fov: number;
-  /** How much wider the view is than the house. */
+  /** How much wider the view is than the house, where the window is not narrow. */
   readonly margin?: number;
-  /** The share of the view's height that is left free at its foot. */
+  /** The share of the view's height that is left free at its foot then. */
   readonly foot?: number;
 }
 
@@ -93,12 +93,13 @@ interface Fitted {
 }
 
 /** The nearest place from which all points are seen within the planes that bound the view; what is left over is left on both sides. */
-function fitted(points: readonly Vector[], from: Vector, { fov, margin = MARGIN, foot = 0 }: Preset, { aspect, covered = 0, beneath = 0 }: Window): Fitted {
+function fitted(points: readonly Vector[], from: Vector, { fov, margin, foot = 0 }: Preset, { aspect, covered = 0, beneath = 0 }: Window): Fitted {
+  const [wider, free] = beneath > 0 || margin === undefined ? [MARGIN, beneath] : [margin, foot]; // a narrow window has no room round the house
   const { right, up, back } = axesOf(from);
-  const slope = Math.tan((fov * Math.PI) / 360) / margin;
+  const slope = Math.tan((fov * Math.PI) / 360) / wider;
   const seen = points.map((point) => [dot(point, right), dot(point, up), dot(point, back)] as const);
   const reach = (k: 0 | 1, side: 1 | -1, steep: number): number => Math.max(...seen.map((at) => side * at[k] + steep * at[2]));
-  const [aside, above, below] = [slope * aspect, slope * (1 - 2 * covered), slope * (1 - 2 * Math.max(foot, beneath))];
+  const [aside, above, below] = [slope * aspect, slope * (1 - 2 * covered), slope * (1 - 2 * free)];
   const [east, west, top, bottom] = [reach(0, 1, aside), reach(0, -1, aside), reach(1, 1, above), reach(1, -1, below)];
   const depth = Math.max((east + west) / (2 * aside), (top + bottom) / (above + below));
   const height = (top - above * depth + (below * depth - bottom)) / 2;
