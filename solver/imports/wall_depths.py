@@ -138,11 +138,21 @@ def outer_thicknesses(
 def _own(depths: WallDepths, edge: PlanEdge, level: int, usual: int) -> float | None:
     face = edge.at - edge.out * usual / 2
     band = depths.behind(edge, level, face + edge.out * BESIDE)
-    if band is None or abs(band.thickness - usual) <= ALIKE or abs(band.at - edge.out * band.thickness / 2 - face) > ALIKE:
-        return None
-    if band.covered < min(band.thickness, edge.length / 2):  # the end of the wall around the corner
+    if band is None or abs(band.thickness - usual) <= ALIKE:
+        band = _hiding(depths, edge, level)
+    elif abs(band.at - edge.out * band.thickness / 2 - face) > ALIKE or band.covered < min(band.thickness, edge.length / 2):
+        return None  # another wall, or the end of the one around the corner
+    if band is None or abs(band.thickness - usual) <= ALIKE:
         return None
     return to_m(min(1000, round(band.thickness)))
+
+
+def _hiding(depths: WallDepths, edge: PlanEdge, level: int) -> WallBand | None:
+    """Returns the wall around a corner between whose faces an edge lies whole: of the edge's own wall nothing is seen there."""
+    low, high = sorted((edge.at, edge.at + edge.out * THICKEST_JOINED))
+    middle = (edge.low + edge.high) / 2
+    band = depths.behind(edge._replace(axis="z" if edge.axis == "x" else "x", low=low, high=high), level, middle)
+    return band if band and edge.length / 2 + abs(band.at - middle) <= band.thickness / 2 else None
 
 
 class FacingEdges:

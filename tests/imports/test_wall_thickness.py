@@ -71,7 +71,7 @@ def outside(room: Room, house: Scene, wall: int) -> float:
 
 @pytest.mark.parametrize("outline", ["rectangle", "L", "T", "U"])
 def test_a_drawing_tells_how_thick_each_outer_wall_is(outline: str) -> None:
-    """Of a wall that is cut to pieces shorter than they are thick, too; what the corner of another outer wall hides is not seen."""
+    """Of a wall that is cut to pieces shorter than they are thick, too, and one that the corner of another outer wall hides."""
     seen = 0
     for seed, (inner, outer) in enumerate(((0.115, 0.42), (0.15, 0.365), (0.24, 0.3)), 9100):
         house = generate(Request(seed=seed, program="large", outline=outline, wall_thickness=inner, outer_wall_thickness=outer)).scene
@@ -80,10 +80,33 @@ def test_a_drawing_tells_how_thick_each_outer_wall_is(outline: str) -> None:
         for before, room in zip(house.rooms, after.rooms, strict=True):
             pairs = zip(outer_of(before, house), outer_of(room, after), strict=True)
             for wall, (one, other) in enumerate(pairs):
-                if outside(before, house, wall) >= outer:
+                if outside(before, house, wall):
                     assert abs(one - other) <= CLOSE, (seed, before.id, wall)
                     seen += one != inner
     assert seen > 30
+
+
+BEHIND_A_CORNER = """
+wall_thickness: 0.1
+rooms:
+- {id: a, x: 0.0, z: 0.0, width: 3.0, depth: 3.0, wall_thickness: [0.4, 0.4, null, 0.4], openings: [
+    {id: ac, kind: door, wall: south, position: 1.0, connects_to: c}]}
+- {id: b, x: 3.15, z: 3.0, width: 2.0, depth: 3.0, wall_thickness: [0.4, 0.4, 0.4], openings: [
+    {id: bc, kind: door, wall: west, position: 1.0, connects_to: c}]}
+- {id: c, x: 0.0, z: 3.0, width: 3.15, depth: 3.0, wall_thickness: [0.4, null, 0.4, 0.4], openings: [
+    {id: ac, kind: door, wall: north, position: 1.0, connects_to: a, render_panel: false},
+    {id: bc, kind: door, wall: east, position: 1.0, connects_to: b, render_panel: false}]}
+"""
+"""The wall of c to the north is an outer one over 15 cm, where the east wall of a ends."""
+
+
+@pytest.mark.parametrize("outer", [0.2, 0.4])
+def test_a_wall_that_the_corner_of_another_hides_is_as_thick_as_that(outer: float) -> None:
+    house = load(BEHIND_A_CORNER.replace("0.4", str(outer)))
+    after = again(house, "dxf").scene
+    thick = [outer_of(room, after) for room in sorted(after.rooms, key=lambda room: (room.z, room.x))]
+    o, i = pytest.approx(outer, abs=CLOSE), pytest.approx(0.1, abs=CLOSE)
+    assert thick == [[o, o, i, o], [o, i, o, o], [o, o, o, i]]
 
 
 def test_gaps_between_inner_faces_are_the_walls() -> None:
