@@ -86,27 +86,28 @@ def test_a_drawing_tells_how_thick_each_outer_wall_is(outline: str) -> None:
     assert seen > 30
 
 
-BEHIND_A_CORNER = """
-wall_thickness: 0.1
-rooms:
-- {id: a, x: 0.0, z: 0.0, width: 3.0, depth: 3.0, wall_thickness: [0.4, 0.4, null, 0.4], openings: [
-    {id: ac, kind: door, wall: south, position: 1.0, connects_to: c}]}
-- {id: b, x: 3.15, z: 3.0, width: 2.0, depth: 3.0, wall_thickness: [0.4, 0.4, 0.4], openings: [
-    {id: bc, kind: door, wall: west, position: 1.0, connects_to: c}]}
-- {id: c, x: 0.0, z: 3.0, width: 3.15, depth: 3.0, wall_thickness: [0.4, null, 0.4, 0.4], openings: [
-    {id: ac, kind: door, wall: north, position: 1.0, connects_to: a, render_panel: false},
-    {id: bc, kind: door, wall: east, position: 1.0, connects_to: b, render_panel: false}]}
-"""
-"""The wall of c to the north is an outer one over 15 cm, where the east wall of a ends."""
-
-
 @pytest.mark.parametrize("outer", [0.2, 0.4])
 def test_a_wall_that_the_corner_of_another_hides_is_as_thick_as_that(outer: float) -> None:
-    house = load(BEHIND_A_CORNER.replace("0.4", str(outer)))
-    after = again(house, "dxf").scene
-    thick = [outer_of(room, after) for room in sorted(after.rooms, key=lambda room: (room.z, room.x))]
-    o, i = pytest.approx(outer, abs=CLOSE), pytest.approx(0.1, abs=CLOSE)
-    assert thick == [[o, o, i, o], [o, i, o, o], [o, o, o, i]]
+    """The wall of c to the north is an outer one over 15 cm, where the east wall of a ends; b's north wall begins beyond that."""
+    h, far = outer / 2, outer - 0.05
+    rooms = [
+        ([(x0, z0), (x1, z0), (x1, z1), (x0, z1), (x0, z0)], {"kind": "room", "name": name})
+        for name, x0, z0, x1, z1 in (("a", 0.05, 0.05, 2.95, 2.95), ("b", 3.2, 3.05, 5.1, 5.95), ("c", 0.05, 3.05, 3.1, 5.95))
+    ]
+    thick = [((0.05 - h, -far), (0.05 - h, 6)), ((2.95 + h, -far), (2.95 + h, 3)), ((5.1 + h, 3), (5.1 + h, 6)),
+             ((-far, 0.05 - h), (3, 0.05 - h)), ((2.95 + outer, 3.05 - h), (5.1, 3.05 - h)), ((-far, 5.95 + h), (5.1, 5.95 + h))]  # fmt: skip
+    thin = [((0, 3), (2.95 + outer, 3)), ((3.15, 3), (3.15, 6))]
+    walls = [(line, {"kind": "wall", "thickness": wide}) for lines, wide in ((thick, outer), (thin, 0.1)) for line in lines]
+    features = [
+        {"type": "Feature", "properties": says, "geometry": {"type": "Polygon", "coordinates": [points]} if says["kind"] == "room"
+         else {"type": "LineString", "coordinates": points}} for points, says in (*rooms, *walls)
+    ]  # fmt: skip
+    document = {"type": "FeatureCollection", "unit": "m", "y": "down", "drawn": "inner", "features": features}
+    scene = read(json.dumps(document).encode(), "plan.json").scene
+    assert scene.wall_thickness == pytest.approx(0.1)
+    assert [room.wall_thickness for room in scene.rooms] == [
+        (outer, outer, None, outer), (outer, outer, outer, None), (outer, None, outer, outer),
+    ]  # fmt: skip
 
 
 def test_gaps_between_inner_faces_are_the_walls() -> None:
