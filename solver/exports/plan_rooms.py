@@ -76,8 +76,8 @@ def words_of(room_type: str) -> str:
     return words[:1].upper() + words[1:]
 
 
-def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel], half: float = 0.0) -> list[tuple[float, float]]:
-    """Returns a floor's corners moved in to the faces of its walls, and by `half` metres where it has none."""
+def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel], half: float) -> list[tuple[float, float]]:
+    """Returns a floor's corners moved in to the faces of its walls, and by `half`, m, where it has none."""
     walls = [panel for panel in panels if panel.level == plate.level]
     corners = _turning(plate.corners)
     lines = []

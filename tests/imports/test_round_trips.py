@@ -18,9 +18,10 @@ HOMES = {
     "an L, decorated": Request(seed=11, program="family", outline="L", decorate=True),
     "a T": Request(seed=12, program="one_bed", outline="T"),
     "a U": Request(seed=12, program="large", outline="U"),
+    "with a garden": Request(seed=13, program="one_bed", outdoor=True),
 }
 PROGRAMMES = tuple(HOMES)
-NOT_READ = ("DECORATIONS", "DIMENSIONS", "FURNITURE", "HIGH", "PEOPLE", "WALLS")
+NOT_READ = ("DECORATIONS", "DIMENSIONS", "FURNITURE", "HIGH", "PEOPLE", "RAILINGS", "WALLS")
 """Layers of our drawings that hold neither rooms nor openings."""
 CLOSE = 0.0101
 """m."""

@@ -103,7 +103,7 @@ class _Building:
     def _space(self, room: FloorPlate) -> None:
         """Writes a room as its clear space, with its areas, and the floor under it."""
         one, storey = self.make_one, self.storeys[room.level]
-        corners = clear_corners(room, self.model.panels)
+        corners = clear_corners(room, self.model.panels, self.model.thickness / 2)
         height = room.ceiling - room.elevation
         clear = [(x, -z) for x, z in reversed(corners)]
         at = one.placed(storey.ObjectPlacement, (0.0, 0.0, 0.0))
