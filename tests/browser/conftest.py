@@ -14,8 +14,6 @@ from tests.chromium import FLAGS, executable
 PIXEL_RATIO = 0.5
 """The canvas has a pixel for two of CSS each way: without a graphics card every pixel costs."""
 
-ONE_PROCESS = "--process-per-site"
-"""Pages open in the process that stands: its start and what it has compiled cost a tenth of a page."""
 JAGGED = "--webgl-antialiasing-mode=none"
 """Smooth edges cost as much as all else that is drawn, and no test looks at them."""
 
@@ -42,18 +40,17 @@ def browser() -> Iterator[Browser]:
     """A headless Chromium with WebGL, one for the whole run."""
     path = executable()
     with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=path, args=[*FLAGS, JAGGED, ONE_PROCESS], timeout=ANSWER_MS)
+        chromium = playwright.chromium.launch(executable_path=path, args=[*FLAGS, JAGGED], timeout=ANSWER_MS)
         yield chromium
         chromium.close()
 
 
 @pytest.fixture(scope="session")
-def context(browser: Browser, service: ServiceProcess) -> Iterator[BrowserContext]:
+def context(browser: Browser) -> Iterator[BrowserContext]:
     """Where pages of 1000 x 600 open that show no flights; what they load stays compiled, what they remember ends with each."""
     context = browser.new_context(viewport={"width": 1000, "height": 600}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce")
     context.add_init_script(SHOWN)
-    # Keeps the window open, whose frame and address bar cost as much as a page in it, and the process of the service's pages.
-    context.new_page().goto(f"{service.address}healthz")
+    context.new_page()  # keeps the window open: a new one, with its frame and its address bar, costs as much as a page in it
     yield context
     context.close()
 
