@@ -62,10 +62,21 @@ class RoomNames:
         whole = self._by_phrase.get(joined(words_of(name)))
         if whole is not None:
             return RoomMeaning(whole, plain=True)
-        parts = [words_of(part)[:MOST_WORDS] for part in PARTED.split(name)[:MOST_WORDS]]
+        parts, told = self._told(name)
         found = next((key for words in parts if (key := self._within(words))), None)
-        told = [word for words in parts for word in words if word not in self._vague]
         return RoomMeaning(found, plain=len(told) <= 1) if found else self._nearly(told)
+
+    def is_plain(self, name: str) -> bool:
+        """Tells whether a name plainly names a room, without a look at what it nearly says."""
+        if joined(words_of(name)) in self._by_phrase:
+            return True
+        parts, told = self._told(name)
+        return len(told) <= 1 and any(self._within(words) for words in parts)
+
+    def _told(self, name: str) -> tuple[list[tuple[str, ...]], list[str]]:
+        """Returns the words of a name's parts, and all of them that tell something."""
+        parts = [words_of(part)[:MOST_WORDS] for part in PARTED.split(name)[:MOST_WORDS]]
+        return parts, [word for words in parts for word in words if word not in self._vague]
 
     def _within(self, words: Sequence[str]) -> str | None:
         """Returns what a part of a name means, by its longest last words, else first, else inner ones."""

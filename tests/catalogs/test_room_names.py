@@ -132,3 +132,11 @@ def test_a_room_type_that_is_none_is_refused_with_its_line(tmp_path: Path) -> No
     (tmp_path / "room_names.yaml").write_text("kitchen: {known_as: [flurble]}\nkichen: {known_as: [cook]}\n")
     with pytest.raises(CatalogError, match=r"room_names\.yaml.*2.*kichen"):
         load_catalogs(tmp_path)
+
+
+def test_a_plain_name_is_one_whose_meaning_is_plain() -> None:
+    said = [*KNOWN.room_names, *(word for entry in KNOWN.room_names.values() for word in entry.known_as)]
+    said += [f"{one} {two}" for one, two in zip(said, said[7:], strict=False)] + [f"x{word}" for word in said] + ["", "7", "path 12"]
+    meanings = {name: NAMES.meaning(name) for name in said}
+    assert {name for name in said if NAMES.is_plain(name)} == {name for name, one in meanings.items() if one and one.plain}
+    assert any(one and not one.plain for one in meanings.values())

@@ -11,7 +11,7 @@ from statistics import median
 from typing import Final, Literal, NamedTuple
 
 from catalogs import load_catalogs
-from catalogs.room_names import room_names_of
+from catalogs.room_names import RoomNames, room_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imports.along_walls import outer_walls
 from solver.imports.bounded_files import xml_of
@@ -192,9 +192,13 @@ def _shapes_plan(elements: Sequence[SvgElement], is_stated: bool, metres: UnitTo
     texts = [DrawnText(one.words, *one.lines[0].points[0]) for one in elements if one.words]
     shapes: list[DrawnShape] = []
     swings: list[DrawnSwing] = []
+    names = room_names_of(load_catalogs())
     for element in [] if is_stated else elements:
-        sort, label = sort_within(element.names), _label(element)
-        for line in element.lines if element.tag != "text" else ():
+        if element.tag == "text" or not element.lines:
+            continue
+        sort = sort_within(element.names)
+        label = _label(element, names) if sort in (None, "room") else ""
+        for line in element.lines:
             if sort == "door" and line.swing:
                 swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where))
                 continue
@@ -204,14 +208,9 @@ def _shapes_plan(elements: Sequence[SvgElement], is_stated: bool, metres: UnitTo
     return plan_of_shapes(shapes, texts, swings, metres, ())
 
 
-def _label(element: SvgElement) -> str:
+def _label(element: SvgElement, names: RoomNames) -> str:
     """Returns the first of a shape's own names that plainly names a room; of a shape without a name, of the group's around it."""
-    names = room_names_of(load_catalogs())
     said = [element.said[key] for key in NAMES if element.said.get(key)] or [
         name for names_of in element.names[-1:] for name in names_of.split(NAMES_APART)
     ]
-    for name in said:
-        meaning = names.meaning(name)
-        if meaning is not None and meaning.plain:
-            return name
-    return ""
+    return next((name for name in said if names.is_plain(name)), "")
