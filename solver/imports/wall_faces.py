@@ -162,16 +162,13 @@ def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int
 def thickness_about(rooms: Sequence[FloorCorners], walls: Sequence[DrawnLine]) -> int | None:
     """Returns how far behind rooms' faces the other faces of their walls are drawn, mm, at most of their length; None without such."""
     found: list[tuple[int, int]] = []
+    along = {axis: np.array([(one.at, one.low, one.high) for one in walls if one.axis == axis]).reshape(-1, 3).T for axis in ("x", "z")}
     for edge in (edge for number, corners in enumerate(rooms) for edge in edges_of_corners(number, corners)):
-        behind = [
-            (one.at - edge.at) * edge.out
-            for one in walls
-            if one.axis == edge.axis
-            and SAME_LINE < (one.at - edge.at) * edge.out <= THICKEST
-            and 2 * (min(one.high, edge.high) - max(one.low, edge.low)) > edge.length
-        ]
-        if behind:
-            found.append((min(behind), edge.length))
+        at, low, high = along[edge.axis]
+        behind = (at - edge.at) * edge.out
+        faces = (behind > SAME_LINE) & (behind <= THICKEST) & (2 * (np.minimum(high, edge.high) - np.maximum(low, edge.low)) > edge.length)
+        if faces.any():
+            found.append((int(behind[faces].min()), edge.length))
     half, total = sum(length for _, length in found) / 2, 0
     for thickness, length in sorted(found):
         total += length

@@ -17,6 +17,8 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.errors import ComposeError, FieldError
+from tests.imports import hostile_buildings
+from tests.imports.hostile_buildings import dxf_block, dxf_insert, dxf_line, dxf_of
 from tests.imports.plans import Feature, box, collection, line, piece, polygon, read
 from tests.imports.test_foreign_formats import apartment, packed, sweet_home
 
@@ -76,26 +78,12 @@ def polyline(kind: str, count: int) -> Feature:
     return {"properties": {"kind": kind}, "geometry": {"type": "LineString", "coordinates": [[at / 50, at % 3] for at in range(count)]}}
 
 
-def dxf(entities: str, blocks: str = "") -> bytes:
-    head = "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1009\n  0\nENDSEC\n"
-    sections = (("BLOCKS", blocks), ("ENTITIES", entities))
-    return (head + "".join(f"  0\nSECTION\n  2\n{name}\n{held}  0\nENDSEC\n" for name, held in sections) + "  0\nEOF\n").encode()
-
-
-def block(name: str, held: str) -> str:
-    return f"  0\nBLOCK\n  8\n0\n  2\n{name}\n 70\n0\n 10\n0\n 20\n0\n 30\n0\n{held}  0\nENDBLK\n  8\n0\n"
-
-
-def insert(name: str, side: int) -> str:
-    return f"  0\nINSERT\n  8\ndoor\n  2\n{name}\n 10\n0\n 20\n0\n 30\n0\n 70\n{side}\n 71\n{side}\n 44\n1.0\n 45\n1.0\n"
-
-
 def procthor(children: list[dict[str, Any]]) -> bytes:
     table = {"id": "Table|1", "position": {"x": 1, "y": 0.4, "z": 1}, "children": children}
     return json.dumps({"rooms": [{"id": "a", "roomType": "Kitchen", "floorPolygon": CORNERS}], "objects": [table]}).encode()
 
 
-LINE = "  0\nLINE\n  8\n0\n 10\n0\n 20\n0\n 30\n0\n 11\n1\n 21\n0\n 31\n0\n"
+LINE = dxf_line(0, 0, 1, 0)
 SVG_ROOM = "<rect id='kitchen' width='4' height='3'/>"
 DOUBLED = "<use href='#a{0}'/><use href='#a{0}'/>"
 SVG_DOOR = "<line data-opening='door' x1='1' y1='0' x2='1.9' y2='0' {}/>"
@@ -160,6 +148,10 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "ifc that is cut off": IFC[:-40],
     "ifc without a schema": IFC.replace(b"IFC4", b"IFC9"),
     "ifc without rooms": IFC,
+    "ifc of a ring of placements": hostile_buildings.ifc_of_placements_in_a_ring,
+    "ifc of a room within itself": hostile_buildings.ifc_of_a_room_within_itself,
+    "ifc of shapes within shapes": hostile_buildings.ifc_of_shapes_within_shapes,
+    "ifc of a large shape often": hostile_buildings.ifc_of_a_large_shape_often,
     "ifc of noise": IFC.replace(b"#1=", b"#1=#1=((("),
     "dxf that is cut off": b"  0\nSECTION\n  2\nENTITIES\n  0\nLWPOLYLINE\n 10\n",
     "dxf of noise": b"  0\nSECTION\n  2\nENTITIES\nxx\nyy\n",
@@ -192,10 +184,11 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "svg of ten thousand texts": svg(SVG_ROOM, "<text x='1' y='1'>Kitchen</text>" * 10_000),
     "five thousand chairs in a room": many(4_900, lambda at: piece("Chair", 1 + at / 1e4, 1, width=0.4, depth=0.4, height=0.8)),
     "lines of many points each": many(200, lambda at: polyline("wall", 200)),
-    "dxf of a block inserted a billion times": dxf(insert("door", 32_000), block("door", LINE)),
-    "dxf of an empty block inserted a billion times": dxf(insert("door", 32_000), block("door", "")),
-    "dxf of arrays within arrays": dxf(insert("outer door", 100), block("door", LINE) + block("outer door", insert("door", 300))),
-    "dxf of many parts": dxf(LINE * 90_000),
+    "dxf of a block inserted a billion times": dxf_of(dxf_insert("door", 32_000, 32_000), dxf_block("door", LINE)),
+    "dxf of an empty block inserted a billion times": dxf_of(dxf_insert("door", 32_000, 32_000), dxf_block("door", "")),
+    "dxf of arrays within arrays": dxf_of(
+        dxf_insert("outer door", 100, 100), dxf_block("door", LINE) + dxf_block("outer door", dxf_insert("door", 300, 300))),
+    "dxf of many parts": dxf_of(LINE * 151_000),
     "rplan of many rooms": json.dumps({**apartment(), "room_type": [2] * 100_000}).encode(),
     "procthor of many children": procthor([{"id": "Book|1", "position": {"x": 1, "y": 1, "z": 1}}] * 20_000),
     "glb that is none": b"glTF" + bytes(40),

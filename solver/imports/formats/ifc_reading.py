@@ -7,7 +7,7 @@ others are named. Spaces are drawn along inner faces, mostly.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from importlib import import_module
 from typing import Any, Final
 
@@ -15,13 +15,37 @@ from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.along_walls import drawn_along
 from solver.imports.bounded_files import MOST_BYTES
-from solver.imports.drawn import MOST_POINTS, DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, check_count
-from solver.imports.formats.ifc_shapes import IfcOutline, solid_of, world_of
+from solver.imports.drawn import (
+    MOST_POINTS,
+    MOST_ROOMS,
+    DrawnLevel,
+    DrawnOpening,
+    DrawnPiece,
+    DrawnPlan,
+    DrawnRoom,
+    DrawnWall,
+    Tally,
+    check_count,
+)
+from solver.imports.formats.ifc_shapes import IfcOutline, IfcShapes
 
 LOWEST_SILL: Final = 0.1
 """A hole without a door that begins so near the floor, m, and is PASSAGE high, is a passage."""
 PASSAGE: Final = 1.8
 MOST_ENTITIES: Final = 400_000
+MOST_RELATIONS: Final = 100_000
+"""Relations of elements that are looked at, each as often as it is."""
+COUNTED: Final = {
+    "IfcBuildingStorey": MOST_ROOMS, **dict.fromkeys(("IfcSpace", "IfcWall", "IfcOpeningElement", "IfcDoor", "IfcWindow",
+                                                      "IfcFurnishingElement"), MOST_POINTS),
+}  # fmt: skip
+"""What is read, and how many of each at most."""
+HOLDERS: Final = {
+    "ContainedInStructure": "RelatingStructure", "Decomposes": "RelatingObject", "Nests": "RelatingObject",
+    "FillsVoids": "RelatingOpeningElement", "VoidsElements": "RelatingBuildingElement",
+}  # fmt: skip
+"""The relations by which something holds an element, the nearest first, and what each calls it."""
+OURS: Final = "Compose_Body"
 HEADER: Final = b"ISO-10303-21"
 Element = Any
 
@@ -59,13 +83,15 @@ class _ReadBuilding:
     def __init__(self, file: Any) -> None:
         self.file = file
         self.unread: list[Unread] = []
+        for kind, most in COUNTED.items():
+            check_count(kind, len(file.by_type(kind)), most)
+        self.tally = Tally()
+        self.shapes = IfcShapes(self.tally)
         self.metres = float(import_module("ifcopenshell.util.unit").calculate_unit_scale(file))
         storeys = sorted(file.by_type("IfcBuildingStorey"), key=lambda one: (one.Elevation or 0.0, one.id()))
         self.storeys = {one.id(): number for number, one in enumerate(storeys)}
-        self.floors = [world_of(one)[2][3] for one in storeys] or [0.0]
+        self.floors = [self.shapes.world_of(one)[2][3] for one in storeys] or [0.0]
         self.levels = [DrawnLevel(number, one.Name or "", self.floors[number]) for number, one in enumerate(storeys)]
-        for kind in ("IfcSpace", "IfcWall", "IfcOpeningElement", "IfcFurnishingElement"):
-            check_count(kind, len(file.by_type(kind)), MOST_POINTS)
 
     def plan(self) -> DrawnPlan:
         """Returns what is drawn."""
@@ -77,19 +103,30 @@ class _ReadBuilding:
             tuple(self.unread),
         )  # fmt: skip
 
+    def _related(self, element: Element, name: str) -> Sequence[Element]:
+        """Returns the relations that an element has of a sort, counted."""
+        found: Sequence[Element] = getattr(element, name, None) or ()
+        self.tally.add("relations", len(found), MOST_RELATIONS)
+        return found
+
+    def _holder(self, element: Element) -> Element | None:
+        for name, key in HOLDERS.items():
+            if found := self._related(element, name):
+                return getattr(found[0], key, None)
+        return None
+
     def _level(self, element: Element) -> int:
         """Returns the storey that an element is in: by what holds it, else by its height."""
-        util = import_module("ifcopenshell.util.element")
-        holder = util.get_container(element) or util.get_aggregate(element)
+        holder = self._holder(element)
         while holder is not None and holder.id() not in self.storeys:
-            holder = util.get_aggregate(holder)
+            holder = self._holder(holder)
         if holder is not None:
             return self.storeys[holder.id()]
-        height = world_of(element)[2][3]
+        height = self.shapes.world_of(element)[2][3]
         return max((number for number, floor in enumerate(self.floors) if floor <= height + 0.5 / self.metres), default=0)
 
     def _solid(self, element: Element, where: str) -> IfcOutline | None:
-        solid = solid_of(element)
+        solid = self.shapes.solid_of(element)
         if solid is None:
             self.unread.append(Unread(where, "its shape is none that is read here: an extruded profile, or flat faces"))
         return solid
@@ -116,21 +153,21 @@ class _ReadBuilding:
             where = _place(wall)
             solid = self._solid(wall, where)
             if solid is not None:
-                start, end, thickness = solid.middle_line(world_of(wall))
+                start, end, thickness = solid.middle_line(self.shapes.world_of(wall))
                 yield DrawnWall((start[0], -start[1]), (end[0], -end[1]), thickness, where, self._level(wall))
 
     def _openings(self) -> Iterator[DrawnOpening]:
         filled = set()
         for kind in ("IfcDoor", "IfcWindow"):
             for element in self.file.by_type(kind):
-                fills = [fill.RelatingOpeningElement for fill in element.FillsVoids or ()]
+                fills = [fill.RelatingOpeningElement for fill in self._related(element, "FillsVoids")]
                 filled |= {hole.id() for hole in fills}
                 made = self._opening(element, fills[0] if fills else None, kind == "IfcWindow")
                 if made is not None:
                     yield made
         seen: set[tuple[float, ...]] = set()
         for hole in self.file.by_type("IfcOpeningElement"):
-            made = None if hole.id() in filled or hole.HasFillings else self._opening(hole, hole, False)
+            made = None if hole.id() in filled or self._related(hole, "HasFillings") else self._opening(hole, hole, False)
             if made is None:
                 continue
             key = (*(round(value * self.metres, 2) for value in (*made.start, *made.end)), float(made.level))
@@ -142,11 +179,12 @@ class _ReadBuilding:
 
     def _opening(self, element: Element, hole: Element | None, is_window: bool) -> DrawnOpening | None:
         """Returns an opening along its wall: as long as the hole that it fills, else as its own words say."""
-        where, frame = _place(element), world_of(element)
-        solid = None if hole is None else solid_of(hole)
-        wall = hole.VoidsElements[0].RelatingBuildingElement if hole is not None and hole.VoidsElements else None
+        where, frame = _place(element), self.shapes.world_of(element)
+        solid = None if hole is None else self.shapes.solid_of(hole)
+        voids = () if hole is None else self._related(hole, "VoidsElements")
+        wall = voids[0].RelatingBuildingElement if voids else None
         if solid is not None and wall is not None:
-            start, end, low, height = solid.along_wall(world_of(wall))
+            start, end, low, height = solid.along_wall(self.shapes.world_of(wall))
         elif getattr(element, "OverallWidth", None):
             x, y, low = (frame[k][3] for k in range(3))
             start, end = (x, y), (x + frame[0][0] * element.OverallWidth, y + frame[1][0] * element.OverallWidth)
@@ -170,11 +208,18 @@ class _ReadBuilding:
             id=name if self._is_ours() else "",
         )  # fmt: skip
 
+    def _said(self, piece: Element) -> dict[str, Any]:
+        """Returns what our export's set of properties says of a piece."""
+        for relation in self._related(piece, "IsDefinedBy"):
+            found = relation.RelatingPropertyDefinition if relation.is_a("IfcRelDefinesByProperties") else None
+            if found is not None and found.is_a("IfcPropertySet") and found.Name == OURS:
+                return {one.Name: one.NominalValue.wrappedValue for one in self._related(found, "HasProperties") if one.NominalValue}
+        return {}
+
     def _pieces(self) -> Iterator[DrawnPiece]:
-        psets = import_module("ifcopenshell.util.element").get_psets
         for piece in self.file.by_type("IfcFurnishingElement"):
-            frame, said = world_of(piece), psets(piece).get("Compose_Body", {})
-            sizes = [said.get(key) for key in ("Width", "Depth", "Height")]
+            frame, said = self.shapes.world_of(piece), self._said(piece)
+            sizes: list[Any] = [said.get(key) for key in ("Width", "Depth", "Height")]
             size = None if None in sizes else (float(sizes[0]), float(sizes[1]), float(sizes[2]))
             level = self._level(piece)
             turn, floor = math.degrees(math.atan2(frame[1][0], frame[0][0])), self.floors[min(level, len(self.floors) - 1)]

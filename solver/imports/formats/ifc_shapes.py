@@ -1,7 +1,7 @@
 """The shapes of IFC that plans need: extruded profiles and flat faces, as their corners in the building.
 
 Comes in: an element of ifcopenshell. Goes out: a `IfcOutline` in the file's unit.
-Placements are 4 x 4 matrices. May import: nothing of ours.
+Placements are 4 x 4 matrices. May import: the ground floor.
 """
 
 from __future__ import annotations
@@ -13,9 +13,15 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.imports.drawn import Tally
+
 Matrix = NDArray[np.float64]
 DEEPEST: Final = 8
 """How deep mapped and clipped shapes are followed."""
+MOST_PLACEMENTS: Final = 50_000
+MOST_ITEMS: Final = 50_000
+MOST_SHAPE_POINTS: Final = 200_000
+"""Points, faces and their corners of all shapes: each as often as an element has it."""
 SHAPES: Final = ("Body", "FootPrint", "Axis", None)
 """Which representation is looked at, in order."""
 
@@ -46,63 +52,114 @@ class IfcOutline(NamedTuple):
         return (float(start[0]), float(start[1])), (float(end[0]), float(end[1])), float(low), float(high - low)
 
 
-def world_of(element: Any) -> Matrix:
-    """Returns where an element is in the building."""
-    placement = element.ObjectPlacement
-    if placement is None:
-        return np.eye(4)
-    found: Matrix = np.asarray(import_module("ifcopenshell.util.placement").get_local_placement(placement), dtype=np.float64)
-    return found
+class IfcShapes:
+    """Places and shapes of one file's elements, counted while they are read: many elements may share what is large."""
 
+    def __init__(self, tally: Tally) -> None:
+        self._tally = tally
+        self._placed: dict[int, Matrix] = {}
 
-def solid_of(element: Any) -> IfcOutline | None:
-    """Returns an element's shape; None where it is none that is understood."""
-    shapes = element.Representation.Representations if element.Representation else ()
-    ordered = sorted(
-        shapes, key=lambda shape: SHAPES.index(shape.RepresentationIdentifier if shape.RepresentationIdentifier in SHAPES else None)
-    )
-    for shape in ordered:
-        for item in shape.Items:
-            for outline, points in _outlines(item, world_of(element), 0):
+    def world_of(self, element: Any) -> Matrix:
+        """Returns where an element is in the building.
+
+        Raises:
+            FieldError: placements stand upon one another in a ring, or are more than in any plan.
+        """
+        ahead, placement = [], element.ObjectPlacement
+        while placement is not None and placement.id() not in self._placed:
+            self._tally.add("placements", 1, MOST_PLACEMENTS)
+            ahead.append(placement)
+            placement = placement.PlacementRelTo
+        found: Matrix = np.eye(4) if placement is None else self._placed[placement.id()]
+        for one in reversed(ahead):
+            found = found @ np.asarray(_util().get_axis2placement(one.RelativePlacement), dtype=np.float64)
+            self._placed[one.id()] = found
+        return found
+
+    def solid_of(self, element: Any) -> IfcOutline | None:
+        """Returns an element's shape; None where it is none that is understood.
+
+        Raises:
+            FieldError: there are more items or points in shapes than in any plan.
+        """
+        shapes = element.Representation.Representations if element.Representation else ()
+        self._tally.add("items of shapes", len(shapes), MOST_ITEMS)
+        ordered = sorted(
+            shapes, key=lambda shape: SHAPES.index(shape.RepresentationIdentifier if shape.RepresentationIdentifier in SHAPES else None)
+        )
+        for shape in ordered:
+            for outline, points in self._all(shape.Items, self.world_of(element), 0):
                 return IfcOutline([(float(x), float(y)) for x, y, _ in outline], points)
-    return None
+        return None
+
+    def _all(self, items: Sequence[Any], frame: Matrix, depth: int) -> Iterator[tuple[Matrix, Matrix]]:
+        self._tally.add("items of shapes", len(items), MOST_ITEMS)
+        for item in items:
+            yield from self._outlines(item, frame, depth)
+
+    def _outlines(self, item: Any, frame: Matrix, depth: int) -> Iterator[tuple[Matrix, Matrix]]:
+        """Yields an item's outline at its foot and all its points."""
+        if depth > DEEPEST:
+            return
+        if item.is_a("IfcMappedItem"):
+            inner = frame @ np.asarray(_util().get_mappeditem_transformation(item))
+            yield from self._all(item.MappingSource.MappedRepresentation.Items, inner, depth + 1)
+        elif item.is_a("IfcBooleanResult"):
+            yield from self._outlines(item.FirstOperand, frame, depth + 1)
+        elif item.is_a("IfcExtrudedAreaSolid"):
+            yield from self._extruded(item, frame)
+        elif item.is_a("IfcManifoldSolidBrep"):
+            yield from _faced([self._loop(face.Bounds[0].Bound) for face in self._counted(item.Outer.CfsFaces)], frame)
+        elif item.is_a("IfcPolygonalFaceSet"):
+            corners = np.asarray(self._counted(item.Coordinates.CoordList), dtype=np.float64)
+            faces = self._counted(item.Faces)
+            yield from _faced([corners[[at - 1 for at in self._counted(face.CoordIndex)]] for face in faces], frame)
+        elif item.is_a("IfcGeometricSet"):
+            for element in self._counted(item.Elements):
+                curve = self._curve(element) if element.is_a("IfcBoundedCurve") else None
+                if curve is not None and len(curve) > 2:
+                    flat = _moved(curve, frame)
+                    yield flat, flat
+
+    def _counted(self, parts: Sequence[Any]) -> Sequence[Any]:
+        self._tally.add("points of shapes", len(parts), MOST_SHAPE_POINTS)
+        return parts
+
+    def _extruded(self, item: Any, frame: Matrix) -> Iterator[tuple[Matrix, Matrix]]:
+        profile = self._profile(item.SweptArea)
+        if profile is None:
+            return
+        if item.Position is not None:
+            frame = frame @ np.asarray(_util().get_axis2placement(item.Position))
+        way = np.asarray(item.ExtrudedDirection.DirectionRatios, dtype=np.float64)
+        way = way / np.linalg.norm(way) * item.Depth
+        foot, head = _moved(profile, frame), _moved(profile + way, frame)
+        yield foot, np.vstack([foot, head])
+
+    def _loop(self, loop: Any) -> Matrix:
+        points = self._counted(getattr(loop, "Polygon", ()))
+        return np.asarray([point.Coordinates for point in points], dtype=np.float64).reshape(-1, 3)
+
+    def _profile(self, area: Any) -> Matrix | None:
+        """Returns the corners of a profile in its plane, z 0."""
+        if area.is_a("IfcRectangleProfileDef"):
+            return _rectangle(area)
+        return self._curve(area.OuterCurve) if area.is_a("IfcArbitraryClosedProfileDef") else None
+
+    def _curve(self, curve: Any) -> Matrix | None:
+        """Returns a curve's points, z 0 where they have none, the last left out where it is the first again."""
+        if curve.is_a("IfcPolyline"):
+            points = [point.Coordinates for point in self._counted(curve.Points)]
+        elif curve.is_a("IfcIndexedPolyCurve"):
+            points = list(self._counted(curve.Points.CoordList))
+        else:
+            return None
+        found = np.asarray([(*point, 0.0)[:3] if len(point) < 3 else point for point in points], dtype=np.float64)
+        return found[:-1] if len(found) > 3 and np.allclose(found[0], found[-1]) else found
 
 
-def _outlines(item: Any, frame: Matrix, depth: int) -> Iterator[tuple[Matrix, Matrix]]:
-    """Yields an item's outline at its foot and all its points."""
-    if depth > DEEPEST:
-        return
-    if item.is_a("IfcMappedItem"):
-        inner = frame @ np.asarray(import_module("ifcopenshell.util.placement").get_mappeditem_transformation(item))
-        for mapped in item.MappingSource.MappedRepresentation.Items:
-            yield from _outlines(mapped, inner, depth + 1)
-    elif item.is_a("IfcBooleanResult"):
-        yield from _outlines(item.FirstOperand, frame, depth + 1)
-    elif item.is_a("IfcExtrudedAreaSolid"):
-        yield from _extruded(item, frame)
-    elif item.is_a("IfcManifoldSolidBrep"):
-        yield from _faced([_loop(face.Bounds[0].Bound) for face in item.Outer.CfsFaces], frame)
-    elif item.is_a("IfcPolygonalFaceSet"):
-        corners = np.asarray(item.Coordinates.CoordList, dtype=np.float64)
-        yield from _faced([corners[[at - 1 for at in face.CoordIndex]] for face in item.Faces], frame)
-    elif item.is_a("IfcGeometricSet"):
-        for element in item.Elements:
-            curve = _curve(element) if element.is_a("IfcBoundedCurve") else None
-            if curve is not None and len(curve) > 2:
-                flat = _moved(curve, frame)
-                yield flat, flat
-
-
-def _extruded(item: Any, frame: Matrix) -> Iterator[tuple[Matrix, Matrix]]:
-    profile = _profile(item.SweptArea)
-    if profile is None:
-        return
-    if item.Position is not None:
-        frame = frame @ np.asarray(import_module("ifcopenshell.util.placement").get_axis2placement(item.Position))
-    way = np.asarray(item.ExtrudedDirection.DirectionRatios, dtype=np.float64)
-    way = way / np.linalg.norm(way) * item.Depth
-    foot, head = _moved(profile, frame), _moved(profile + way, frame)
-    yield foot, np.vstack([foot, head])
+def _util() -> Any:
+    return import_module("ifcopenshell.util.placement")
 
 
 def _faced(faces: Sequence[Matrix], frame: Matrix) -> Iterator[tuple[Matrix, Matrix]]:
@@ -116,39 +173,20 @@ def _faced(faces: Sequence[Matrix], frame: Matrix) -> Iterator[tuple[Matrix, Mat
             yield min(flat, key=lambda face: (round(float(face[0, 2]) / tall, 3), -len(face))), points
 
 
-def _loop(loop: Any) -> Matrix:
-    return np.asarray([point.Coordinates for point in getattr(loop, "Polygon", ())], dtype=np.float64).reshape(-1, 3)
-
-
 def _moved(points: Matrix, frame: Matrix) -> Matrix:
     found: Matrix = points @ frame[:3, :3].T + frame[:3, 3]
     return found
 
 
-def _profile(area: Any) -> Matrix | None:
-    """Returns the corners of a profile in its plane, z 0."""
-    if area.is_a("IfcRectangleProfileDef"):
-        x, y = area.XDim / 2, area.YDim / 2
-        corners = np.asarray([(-x, -y, 0.0), (x, -y, 0.0), (x, y, 0.0), (-x, y, 0.0)])
-        if area.Position is None:
-            return corners
-        (cx, cy), way = area.Position.Location.Coordinates[:2], (1.0, 0.0)
-        if area.Position.RefDirection is not None:
-            way = area.Position.RefDirection.DirectionRatios[:2]
-        length = (way[0] ** 2 + way[1] ** 2) ** 0.5
-        c, s = way[0] / length, way[1] / length
-        placed: Matrix = corners @ np.asarray([(c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0)]) + np.asarray([cx, cy, 0.0])
-        return placed
-    return _curve(area.OuterCurve) if area.is_a("IfcArbitraryClosedProfileDef") else None
-
-
-def _curve(curve: Any) -> Matrix | None:
-    """Returns a curve's points, z 0 where they have none, the last left out where it is the first again."""
-    if curve.is_a("IfcPolyline"):
-        points = [point.Coordinates for point in curve.Points]
-    elif curve.is_a("IfcIndexedPolyCurve"):
-        points = list(curve.Points.CoordList)
-    else:
-        return None
-    found = np.asarray([(*point, 0.0)[:3] if len(point) < 3 else point for point in points], dtype=np.float64)
-    return found[:-1] if len(found) > 3 and np.allclose(found[0], found[-1]) else found
+def _rectangle(area: Any) -> Matrix:
+    x, y = area.XDim / 2, area.YDim / 2
+    corners = np.asarray([(-x, -y, 0.0), (x, -y, 0.0), (x, y, 0.0), (-x, y, 0.0)])
+    if area.Position is None:
+        return corners
+    (cx, cy), way = area.Position.Location.Coordinates[:2], (1.0, 0.0)
+    if area.Position.RefDirection is not None:
+        way = area.Position.RefDirection.DirectionRatios[:2]
+    length = (way[0] ** 2 + way[1] ** 2) ** 0.5
+    c, s = way[0] / length, way[1] / length
+    placed: Matrix = corners @ np.asarray([(c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0)]) + np.asarray([cx, cy, 0.0])
+    return placed
