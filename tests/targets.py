@@ -1,7 +1,7 @@
 """The long measurements behind the README's and BENCHMARKS.md's figures: `make targets`.
 
     python -m tests.targets [houses|homes|floorplan|programme|rooms|imports|calls|nav2|physics|glb|usd|agree|plans|sh3d|engines|drags|
-        thrown|access|sweeps]
+        thrown|access|files|sweeps]
         [--seeds N] [--workers 2]
 
 Prints tables; exit status 1 where a target is missed. The suite runs slices of the same cases.
@@ -39,6 +39,7 @@ from tests.exports.targets import nav2_maps
 from tests.fix_sweep.ruler import thrown_about
 from tests.floorplan.homes import programme_table
 from tests.floorplan.targets import floorplan_table
+from tests.imports.hostile_reading import hostile_files
 from tests.library.targets import imports
 from tests.pipeline.access_targets import accessible_homes
 from tests.pipeline.drag_targets import drags
@@ -55,7 +56,7 @@ SETS: Mapping[str, tuple[dict[str, object], int]] = {
 """Request by name, and by how much fewer seeds than the defaults it gets."""
 UNASKED = (
     "imports", "floorplan", "rooms", "houses", "calls", "nav2", "physics", "glb", "usd", "agree", "plans", "sh3d", "engines", "drags",
-    "thrown", "access", "sweeps",
+    "thrown", "access", "files", "sweeps",
 )  # fmt: skip
 """What is measured where nothing is asked for."""
 PRESET_SETS: Mapping[str, dict[str, object]] = {name: {"program": name} for name in ("studio", "one_bed", "family", "large")}
@@ -236,6 +237,7 @@ def main() -> int:
         "datasets": lambda: datasets(min(asked.seeds, 500)),
         "engines": lambda: engines(min(asked.seeds, 300)),
         "access": lambda: accessible_homes(min(asked.seeds, 120), asked.workers),
+        "files": hostile_files,
         "thrown": lambda: thrown_about(min(asked.seeds, 200), asked.workers),
     }
     if unknown := set(asked.what) - set(measurements):

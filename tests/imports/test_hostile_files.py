@@ -17,8 +17,16 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.errors import ComposeError, FieldError
-from tests.imports import hostile_buildings
-from tests.imports.hostile_buildings import dxf_block, dxf_insert, dxf_line, dxf_of
+from tests.imports.hostile_buildings import (
+    dxf_block,
+    dxf_insert,
+    dxf_line,
+    dxf_of,
+    ifc_of_a_large_shape_often,
+    ifc_of_a_room_within_itself,
+    ifc_of_placements_in_a_ring,
+    ifc_of_shapes_within_shapes,
+)
 from tests.imports.plans import Feature, box, collection, line, piece, polygon, read
 from tests.imports.test_foreign_formats import apartment, packed, sweet_home
 
@@ -148,10 +156,6 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "ifc that is cut off": IFC[:-40],
     "ifc without a schema": IFC.replace(b"IFC4", b"IFC9"),
     "ifc without rooms": IFC,
-    "ifc of a ring of placements": hostile_buildings.ifc_of_placements_in_a_ring,
-    "ifc of a room within itself": hostile_buildings.ifc_of_a_room_within_itself,
-    "ifc of shapes within shapes": hostile_buildings.ifc_of_shapes_within_shapes,
-    "ifc of a large shape often": hostile_buildings.ifc_of_a_large_shape_often,
     "ifc of noise": IFC.replace(b"#1=", b"#1=#1=((("),
     "dxf that is cut off": b"  0\nSECTION\n  2\nENTITIES\n  0\nLWPOLYLINE\n 10\n",
     "dxf of noise": b"  0\nSECTION\n  2\nENTITIES\nxx\nyy\n",
@@ -191,6 +195,8 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "dxf of many parts": dxf_of(LINE * 151_000),
     "rplan of many rooms": json.dumps({**apartment(), "room_type": [2] * 100_000}).encode(),
     "procthor of many children": procthor([{"id": "Book|1", "position": {"x": 1, "y": 1, "z": 1}}] * 20_000),
+    **{make.__name__: make for make in (ifc_of_placements_in_a_ring, ifc_of_a_room_within_itself, ifc_of_shapes_within_shapes,
+                                        ifc_of_a_large_shape_often)},
     "glb that is none": b"glTF" + bytes(40),
 }  # fmt: skip
 
