@@ -22,7 +22,7 @@ from solver.exchange import read, read_request, write_scene
 from solver.export_formats import EXPORTERS
 from solver.imported import PlanImport
 from tests.imports import plans
-from tests.imports.test_hostile_files import MENDED, REFUSED
+from tests.imports.test_hostile_files import MENDED, REFUSED, content_of
 from tests.imports.test_round_trips import again
 from tests.sweeps import seeds
 from tests.told_forms import is_told
@@ -98,13 +98,13 @@ def said_in_import(answer: PlanImport) -> Iterator[str]:
 @pytest.mark.parametrize("name", REFUSED)
 def test_refusals_of_files_are_told(name: str) -> None:
     with pytest.raises(FieldError) as caught:
-        plans.read(REFUSED[name])
+        plans.read(content_of(REFUSED[name]))
     assert [one for one in said_in_refusal(caught.value) if not is_told(one)] == []
 
 
 @pytest.mark.parametrize("name", MENDED)
 def test_what_was_mended_in_files_is_told(name: str) -> None:
-    answer = plans.read(MENDED[name], furniture="sofa" in name)
+    answer = plans.read(content_of(MENDED[name]), furniture="sofa" in name)
     assert [one for one in said_in_import(answer) if not is_told(one)] == []
 
 
