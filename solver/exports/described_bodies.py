@@ -111,7 +111,7 @@ class BodyMaker:
             flat=flat,
             shape=facts.shape,
             parts=self._parts_of(facts.shape, size),
-            paints=self._paints_of(facts.shape, body.color, room.accent),
+            paints=self._paints_of(facts.shape, body.color or facts.color, room.accent),
             labels=facts.labels,
             uses=_uses(facts, body, x, z) if facts.sides and sort == "furniture" else (),
             fronts=fronts_of_shape(self._book, facts.shape, size) if sort == "furniture" else (),

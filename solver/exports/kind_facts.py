@@ -33,7 +33,7 @@ class KindFacts(NamedTuple):
 
     `key` is the catalogs' (None: they do not know it), `shape` the key of its shape. A body weighs `mass`, kg, by the ratio of its box to
     `volume`, m3. `labels` are semantic, the most particular first; `friction` a coefficient; `moves` what the kind says of itself;
-    `sides` those it is used from.
+    `sides` those it is used from; `color` is what furniture has that says none.
     """
 
     key: str | None
@@ -45,6 +45,7 @@ class KindFacts(NamedTuple):
     friction: float
     moves: Literal["free", "fixed"] | None
     sides: Sequence[Side]
+    color: str | None = None
 
 
 @lru_cache(maxsize=8)
@@ -65,7 +66,7 @@ def furniture_facts(book: KindBook, name: str, key: str | None, category: str | 
     """Returns what is known of a piece by its name, its kind's key and the category that its scene says."""
     spec = book.spec("furniture", key) if key else None
     known = category or (spec.category if isinstance(spec, FurnitureSpec) else "misc")
-    return _facts(spec, name, (key, key or "", known))
+    return _facts(spec, name, (key, key or "", known))._replace(color=spec.color if spec else None)
 
 
 @lru_cache(maxsize=1 << 12)

@@ -51,6 +51,7 @@ rooms:
   - {id: w, kind: window, wall: north, position: 2.5, width: 1.6, height: 1.2, sill: 0.9}
   furniture:
   - {id: s, name: sofa, x: 1.2, z: 1.0, rotation: 30, width: 1.9, depth: 0.9, height: 0.85, color: "#335577"}
+  - {id: u, name: armchair, x: 1.2, z: 3.0, width: 0.8, depth: 0.8, height: 0.85}
   - {id: q, name: no_such_thing, x: 4.0, z: 1.0, width: 0.5, depth: 0.6, height: 0.7}
 - id: yard
   type: backyard

@@ -36,6 +36,6 @@ function described(scene: Scene, book: ShapeBook): unknown {
 it.runIf(given)("describes homes", () => {
   const { catalog, scenes } = JSON.parse(readFileSync(given as string, "utf8")) as { catalog: Catalog; scenes: Scene[] };
   const book = new ShapeBook(catalog);
-  writeFileSync(`${given}.page`, JSON.stringify(scenes.map((scene) => described(drawable(scene), book))));
+  writeFileSync(`${given}.page`, JSON.stringify(scenes.map((scene) => described(drawable(scene, catalog), book))));
   expect(scenes.length).toBeGreaterThan(0);
 });
