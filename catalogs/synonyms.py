@@ -105,7 +105,7 @@ class Synonyms:
         self._vague = frozenset(joined(words_of(word)) for word in vague) - {""}
         self._parts = frozenset(self._by_phrase) | self._vague
         self.meaning = lru_cache(maxsize=_MANY)(self._meaning)
-        """What a foreign name with a size (None: not told) means; None where nobody can tell."""
+        """What a foreign name with a size, or a height alone (m; None: not told), means; None where nobody can tell."""
 
     def _add(self, phrase: str, wanted: Iterable[_Wanted]) -> None:
         known = self._by_phrase.setdefault(joined(words_of(phrase)), {})
@@ -128,13 +128,13 @@ class Synonyms:
         """Returns the meaning that a body of a foreign name tells itself, by the key of its kind; None where it is no kind's."""
         return next((one.meaning for one in self._wanted(key) if one.size), None) if key else None
 
-    def _meaning(self, name: str, size: KindSize | None = None) -> Meaning | None:
+    def _meaning(self, name: str, size: KindSize | float | None = None) -> Meaning | None:
         words = words_of(name)
         cut = next((k for k, word in enumerate(words) if word in BEFORE and k), len(words))
         whole = self._nearest(joined(words), size, NAMED_SO)
         return whole or self._within(words[:cut], size) or self._misspelled(joined(words), size)
 
-    def _within(self, words: Sequence[str], size: KindSize | None) -> Meaning | None:
+    def _within(self, words: Sequence[str], size: KindSize | float | None) -> Meaning | None:
         """Returns what a part of a name means: its longest, last words (a round end table), else its first (lit d'enfant)."""
         words = tuple(part for word in words for part in self._apart(word))
         for start, end in spans_of(len(words)):
@@ -156,18 +156,19 @@ class Synonyms:
                     ways.setdefault(end, (*ways[start], word[start:end]))
         return ways.get(len(word), (word,))
 
-    def _misspelled(self, phrase: str, size: KindSize | None) -> Meaning | None:
-        if len(phrase) < LEAST_GUESSED or size is None:
+    def _misspelled(self, phrase: str, size: KindSize | float | None) -> Meaning | None:
+        if len(phrase) < LEAST_GUESSED or not isinstance(size, tuple):
             return None
         return next((found for near in get_close_matches(phrase, sorted(self._by_phrase), 1, NEARLY)
                      if (found := self._nearest(near, size, PERHAPS))), None)  # fmt: skip
 
-    def _nearest(self, phrase: str, size: KindSize | None, most: float) -> Meaning | None:
+    def _nearest(self, phrase: str, size: KindSize | float | None, most: float) -> Meaning | None:
         """Returns the meaning of a phrase that is nearest in size; None where all are too far, or it has none."""
         known = self._by_phrase.get(phrase, {})
         if size is None:
             return next(iter(known), None)
-        measured = [(_difference(size, other, most), meaning) for meaning, other in known.items() if other]
+        sizes = ((size if isinstance(size, tuple) else (*other[:2], size), other, meaning) for meaning, other in known.items() if other)
+        measured = [(_difference(one, other, most), meaning) for one, other, meaning in sizes]
         agreeing = [one for one in measured if one[0] is not None]
         if agreeing:
             return min(agreeing, key=lambda one: one[0] or 0.0)[1]

@@ -76,7 +76,7 @@ class DrawnOpening:
 class DrawnPiece:
     """A thing in the plan: its footprint's middle, its underside `y` above the level's floor, sizes in the file's unit, a turn in degrees.
 
-    `size` None: the file does not say. `kind` is the key of a kind of ours, where the file names one.
+    `size` None: the file does not say; then its `height` may be known. `kind` is the key of a kind of ours, where the file names one.
     """
 
     name: str
@@ -91,6 +91,7 @@ class DrawnPiece:
     id: str = ""
     decoration: bool = False
     kind: str | None = None
+    height: float | None = None
 
 
 class DrawnLevel(NamedTuple):

@@ -91,10 +91,11 @@ def _on_whole_mm(piece: DrawnPiece) -> DrawnPiece:
 
 
 def _meaning(piece: DrawnPiece, synonyms: Synonyms) -> Meaning | None:
-    """Returns what a piece is: of the kind that the file names, if it is one of ours, else by its name and size."""
+    """Returns what a piece is: of the kind that the file names, if it is one of ours, else by its name and size, or its height alone."""
     if piece.size and min(piece.size) <= 0:
         return None
-    return synonyms.said(_plain(piece.kind)) or synonyms.meaning(piece.name, piece.size)
+    found = synonyms.said(_plain(piece.kind)) or synonyms.meaning(piece.name, piece.size)
+    return synonyms.meaning(piece.name, piece.height) if found is None and piece.size is None and piece.height else found
 
 
 def _hangs(meaning: Meaning | None, above: float) -> bool:

@@ -151,6 +151,19 @@ def test_a_house_of_procthor_without_sizes() -> None:
     assert (sofa.rotation, answer.understood_as[sofa.id]) == (180, "sofa")
 
 
+@pytest.mark.parametrize(("name", "asset", "middle", "kind"), [
+    ("Glorp_chair_flurble", "c_1", 0.42, "dining_chair"), ("Glorp_chair_flurble", "c_1", 0.05, None), ("Glorp_flurble", "g_1", 0.4, None),
+    ("GLORPbedflurble", "GLORP_bed_flurble", 0.5, "bed"), ("GLORPbedflurble", "another_bed", 0.5, None),
+])  # fmt: skip
+def test_a_name_that_holds_a_word_of_a_kind_as_high_has_its_size(name: str, asset: str, middle: float, kind: str | None) -> None:
+    corners = [{"x": x, "y": 0.0, "z": z} for x, z in ((0, 0), (0, 4), (5, 4), (5, 0))]
+    thing = {"id": f"{name}|1|0", "assetId": asset, "position": {"x": 2, "y": middle, "z": 2}}
+    answer = read({"rooms": [{"id": "r", "roomType": "Bedroom", "floorPolygon": corners}], "objects": [thing]})
+    assert [answer.understood_as[one.id] for one in answer.scene.rooms[0].furniture] == ([kind] if kind else [])
+    assert [guess["of"] for guess in answer.guesses if guess["what"] == "size"] == (["objects[0]"] if kind else [])
+    assert [left["place"] for left in answer.unread] == ([] if kind else ["objects[0]"])
+
+
 def test_guessed_sizes_of_small_things_are_said_once_a_name() -> None:
     corners = [{"x": x, "y": 0.0, "z": z} for x, z in ((0, 0), (0, 3), (4, 3), (4, 0))]
     plants = [{"id": f"Vase|{x}", "assetId": "p", "position": {"x": x, "y": 0.3, "z": 1}} for x in (1, 2, 3)]

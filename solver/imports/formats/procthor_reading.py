@@ -172,17 +172,24 @@ def _pieces(objects: object, where: str, depth: int, on: str) -> Iterator[DrawnP
         one = an_object(said, place)
         ours, position = _ours(one, place), an_object(one.get("position"), f"{place}.position")
         x, z = _spot(position, f"{place}.position")
-        name = a_text(one, "id", place)
+        name, asset = a_text(one, "id", place), a_text(one, "assetId", place)
         size = _size(ours, place)
         yaw = a_number(an_object(one.get("rotation") or {}, f"{place}.rotation"), "y", f"{place}.rotation", 0.0)
         middle = a_number(position, "y", f"{place}.position", 0.0)
         lies = depth > 0
         yield DrawnPiece(
-            a_text(ours, "name", place) or name.split("|")[0], x, z, middle - size[1] / 2 if size else (middle if lies else 0.0),
-            (180.0 - yaw) % 360, size and (size[0], size[2], size[1]), place, id=name if ours else "",
-            decoration=ours.get("sort") == "decoration" if ours else lies, kind=a_text(one, "assetId", place) if ours else None,
+            a_text(ours, "name", place) or _called(name.split("|")[0], asset), x, z,
+            middle - size[1] / 2 if size else (middle if lies else 0.0), (180.0 - yaw) % 360,
+            size and (size[0], size[2], size[1]), place, id=name if ours else "",
+            decoration=ours.get("sort") == "decoration" if ours else lies, kind=asset if ours else None,
+            height=None if lies else max(0.0, round(2 * middle, 3)),
         )  # fmt: skip
         yield from _pieces(one.get("children") or [], f"{place}.children", depth + 1, name)
+
+
+def _called(name: str, asset: str) -> str:
+    """Returns a name, with its words apart where its asset's name is the same and has them so."""
+    return asset if asset.replace("_", "") == name else name
 
 
 def _size(ours: Json, where: str) -> tuple[float, float, float] | None:
