@@ -95,13 +95,11 @@ def test_a_wall_that_the_corner_of_another_hides_is_as_thick_as_that(outer: floa
         for name, x0, z0, x1, z1 in (("a", 0.05, 0.05, 2.95, 2.95), ("b", 3.2, 3.05, 5.1, 5.95), ("c", 0.05, 3.05, 3.1, 5.95))
     ]
     thick = [((0.05 - h, -far), (0.05 - h, 6)), ((2.95 + h, -far), (2.95 + h, 3)), ((5.1 + h, 3), (5.1 + h, 6)),
-             ((-far, 0.05 - h), (3, 0.05 - h)), ((2.95 + outer, 3.05 - h), (5.1, 3.05 - h)), ((-far, 5.95 + h), (5.1, 5.95 + h))]  # fmt: skip
+             ((-far, 0.05 - h), (3, 0.05 - h)), ((2.95 + outer, 3.05 - h), (5, 3.05 - h)), ((-far, 5.95 + h), (5, 5.95 + h))]  # fmt: skip
     thin = [((0, 3), (2.95 + outer, 3)), ((3.15, 3), (3.15, 6))]
     walls = [(line, {"kind": "wall", "thickness": wide}) for lines, wide in ((thick, outer), (thin, 0.1)) for line in lines]
-    features = [
-        {"type": "Feature", "properties": says, "geometry": {"type": "Polygon", "coordinates": [points]} if says["kind"] == "room"
-         else {"type": "LineString", "coordinates": points}} for points, says in (*rooms, *walls)
-    ]  # fmt: skip
+    shapes = [*((says, "Polygon", [ring]) for ring, says in rooms), *((says, "LineString", line) for line, says in walls)]
+    features = [{"type": "Feature", "properties": says, "geometry": {"type": kind, "coordinates": at}} for says, kind, at in shapes]
     document = {"type": "FeatureCollection", "unit": "m", "y": "down", "drawn": "inner", "features": features}
     scene = read(json.dumps(document).encode(), "plan.json").scene
     assert scene.wall_thickness == pytest.approx(0.1)
