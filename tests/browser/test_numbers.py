@@ -93,7 +93,7 @@ def test_a_dragged_piece_lines_up_and_alt_frees_it(visit: Visit) -> None:
     assert (x, mm(z) % 50) == (4, 0)
     expect(bench.page.locator(".ruler-guide")).to_have_count(0)
     bench.page.keyboard.down("Alt")
-    drag_to(bench, ONE, 4.02, 3.52)
+    drag_to(bench, ONE, 4.02, 3.9)
     expect(bench.page.locator(".ruler-guide")).to_have_count(0)
     let_go(bench)
     bench.page.keyboard.up("Alt")
@@ -178,8 +178,8 @@ def test_copies_and_several_at_once(visit: Visit) -> None:
     aligned = poses(bench.scene())
     assert aligned[ONE][0] == aligned[OTHER][0] == after[ONE][0]
     assert violations(visit) == []
-    bench.page.locator("#piece summary").click()  # it lies over the pieces
-    drag_to(bench, ONE, 2.6, 0.8)
+    bench.page.locator("#piece summary").click()  # it lies over the pieces; folded, over one of them
+    drag_to(bench, OTHER, 2.6, 2.2)
     let_go(bench)
     dragged = poses(bench.scene())
     moved = [dragged[id_of][0] - aligned[id_of][0] for id_of in (ONE, OTHER)]

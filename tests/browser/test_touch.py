@@ -162,7 +162,7 @@ def test_fingers_add_measure_and_look_at_the_plan(touched: Visit) -> None:
     canvas = page.locator("#stage > canvas").bounding_box()
     assert canvas
     x, y = canvas["x"] + canvas["width"] / 2, canvas["y"] + canvas["height"] / 2
-    for across in (-40, 40):
+    for across in (-60, -20):
         page.touchscreen.tap(x + across, y)
     expect(page.locator("#tape")).to_contain_text(re.compile(r"\d m"))
     tap(visit, "tape")

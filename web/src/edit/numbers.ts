@@ -50,6 +50,7 @@ export class Numbers {
     this.tape.onChange = (lines, words) => {
       this.rulers.show("tape", lines);
       [hosts.tape.textContent, hosts.tape.hidden] = [words, words === ""];
+      this.show(null); // under a tape, distances take no click
     };
     stage.takesClick = (hit) => this.tape.click(hit);
   }
@@ -67,7 +68,7 @@ export class Numbers {
     const room = held ? scene?.rooms.find(({ id }) => id === held.room) : found?.room;
     const piece = held?.piece ?? found?.piece ?? null;
     const gaps = this.#gaps.show(scene, room, piece?.id ?? null, held?.piece ?? null);
-    this.rulers.show("gaps", scene && room && piece ? gapLines(gaps, room, piece, this.#ground(room), held ? undefined : (side, to) => this.#gaps.edit(side, to)) : []);
+    this.rulers.show("gaps", scene && room && piece ? gapLines(gaps, room, piece, this.#ground(room), held || this.tape.isOut ? undefined : (side, to) => this.#gaps.edit(side, to)) : []);
     this.rulers.show("guides", held && room ? guideLines(this.#guides, room, this.#ground(room)) : []);
     if (held) this.#handles.show(null, null);
     else this.#showPanels(found?.piece ?? null, chosen.length);
