@@ -67,6 +67,7 @@ def test_with_no_room_chosen_a_kind_goes_to_a_room_of_a_type_that_has_it(visit: 
         with page.expect_request("**/place") as asked:
             page.locator(f"#palette [data-kind={kind}]").click()
         assert sent_by(asked.value)["room"]["type"] in having & {room["type"] for room in scene["rooms"]}
+        page.wait_for_function("() => compose.state.selected !== null")  # the new piece, once its answer is there
         visit.settle()
         page.locator("#stage").focus()
         while visit.state()["selected"] is not None:
