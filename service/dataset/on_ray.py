@@ -58,7 +58,7 @@ def on_cluster(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: in
     threads = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMEXPR")}
     try:
         with _own_signals():
-            ray.init(address, log_to_driver=False, logging_level=logging.ERROR, runtime_env={"env_vars": threads}, **here)
+            _start(address, {"runtime_env": {"env_vars": threads}, **here})
         task = ray.remote(max_retries=RETRIES, retry_exceptions=False)(_do)
         held, ahead = ray.put(make), deque(jobs)
         pending: deque[Any] = deque()
@@ -74,6 +74,16 @@ def on_cluster(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: in
     finally:
         with _own_signals():
             ray.shutdown()
+
+
+def _start(address: str, how: dict[str, Any]) -> None:
+    """Starts or joins a cluster. Ray waits half a minute for a node of this machine and then raises a bare `Exception`."""
+    try:
+        ray.init(address, log_to_driver=False, logging_level=logging.ERROR, **how)
+    except (RuntimeError, ConnectionError, RayError):
+        raise
+    except Exception as error:
+        raise RuntimeError(str(error)) from None
 
 
 @contextmanager

@@ -6,7 +6,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+import ray
+
 from service.cli import main
+from service.dataset.on_ray import LOCAL, on_cluster
+from solver.errors import FieldError
 from tests.dataset.test_building import contents
 
 SMALL = ("dataset", "--width", "6", "--depth", "5", "--seeds", "0-11", "--shard-size", "3", "--formats", "json,csv")
@@ -26,3 +31,12 @@ def test_a_cluster_makes_the_same_bytes_and_is_told_of_faults_of_the_core(tmp_pa
 
 def test_a_cluster_that_is_not_there_is_said(tmp_path: Path) -> None:
     assert on_ray(*SMALL, "--out", str(tmp_path / "ray"), "--ray", "127.0.0.1:9") == 2
+
+
+def test_a_cluster_that_is_too_slow_to_start_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    def too_slow(*_: object, **__: object) -> None:
+        raise Exception("The current node timed out during startup.")
+
+    monkeypatch.setattr(ray, "init", too_slow)
+    with pytest.raises(FieldError, match="timed out during startup"):
+        list(on_cluster(len, ["a job"], 2, LOCAL))
