@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from struct import Struct
-from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeAlias, TypeVar
 
 from solver.fields import made_later, maker_in
 from solver.scene import WALLS, Decoration, Furniture, Room
@@ -27,6 +27,10 @@ KIND: Final = Struct("<i92x")
 BODY_WALLS: Final = (*WALLS, None)
 """The walls that bodies stand or hang at, as they are numbered."""
 BodyRow = tuple[int, ...]
+BodyKey: TypeAlias = tuple[str, str, float, float, float, str | None]
+"""What a body's kind is looked up by: "furniture" or "decoration", name, width, depth and height, m, the kind that the scene names."""
+BodyTurn: TypeAlias = tuple[BodyKey, float]
+"""What a body is, and its rotation."""
 RowsT = TypeVar("RowsT", bound="BodyRows")
 
 
@@ -204,6 +208,14 @@ def furniture_names(room: Room) -> Sequence[str]:
     """Returns the names of a room's furniture."""
     rows = rows_in(room, FurnitureRows)
     return [piece.name for piece in room.furniture] if rows is None else [look.name for look in rows.looks]
+
+
+def furniture_turns(room: Room) -> Sequence[BodyTurn]:
+    """Returns what each piece of a room's furniture is, and its rotation."""
+    rows = rows_in(room, FurnitureRows)
+    if rows is not None:
+        return [(look.key, row[4]) for look, row in zip(rows.looks, rows.rows, strict=True)]
+    return [(("furniture", one.name, one.width, one.depth, one.height, one.kind), one.rotation) for one in room.furniture]
 
 
 def count_furniture(room: Room) -> int:

@@ -14,9 +14,9 @@ from itertools import chain
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
-from solver.body_rows import BODY_WALLS, BodyRow, DecorationRows, FurnitureRows, Look, rows_in
+from solver.body_rows import BODY, BODY_WALLS, BodyRow, DecorationRows, FurnitureRows, Look, rows_in
 from solver.core import borrowed
-from solver.geometry import Rect, extents
+from solver.geometry import Rect, extents, to_mm
 from solver.scene import Decoration, Dynamic, Furniture, Room
 
 FLAT_MM: Final = 20
@@ -75,6 +75,16 @@ def furniture_in(room: Room) -> list[PlacedBody]:
     numbers = {piece.id: k for k, piece in enumerate(room.furniture)}
     keyed = ((one, ("furniture", one.name, one.width, one.depth, one.height, one.kind)) for one in room.furniture)
     return [PlacedBody(block_of(one), key, one.rotation, one.y, numbers.get(one.under or "", -1), one.on is not None) for one, key in keyed]
+
+
+def furniture_as_told(room: Room) -> bytes:
+    """Returns a room's furniture as rows: the core's; where it was told one by one such rows, of no kind, 0 for any that it rests on."""
+    if (rows := rows_in(room, FurnitureRows)) is not None:
+        return rows.content
+    return b"".join([
+        BODY.pack(0, one.rests - 1, one.under, -1, 0, 0, 0, 0, *one.block.rect, to_mm(one.y), *map(to_mm, one.key[2:5]))
+        for one in furniture_in(room)
+    ])  # fmt: skip
 
 
 def decorations_in(room: Room) -> list[PlacedBody]:

@@ -10,15 +10,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final, TypeAlias
 
-from solver.body_rows import FurnitureRows, count_decorations, count_furniture, decoration_ids, furniture_ids, rows_in
+from solver.body_rows import BodyKey, BodyTurn, count_decorations, count_furniture, decoration_ids, furniture_ids, furniture_turns
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.scene_bodies import home_of
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
 
 AnyBody: TypeAlias = Furniture | Decoration | Dynamic
-KindKey: TypeAlias = tuple[str, str, float, float, float, str | None]
-"""What a body's kind is looked up by: "furniture" or "decoration", name, width, depth and height, the kind that the scene names; or
-"person", the kind, no size, and SEATED of those who sit."""
+KindKey: TypeAlias = BodyKey
+"""What a body's kind is looked up by; of people: "person", the kind, no size, and SEATED of those who sit."""
 
 SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
@@ -60,12 +59,9 @@ class PlacedRoom:
         return (edge for edge in self.outline.edges if edge is not None)
 
     @cached_property
-    def pieces(self) -> Sequence[tuple[KindKey, float]]:
+    def pieces(self) -> Sequence[BodyTurn]:
         """What kind of furniture each piece in it is, and its rotation."""
-        rows = rows_in(self.room, FurnitureRows)
-        if rows is not None:
-            return [(look.key, row[4]) for look, row in zip(rows.looks, rows.rows, strict=True)]
-        return [(("furniture", one.name, one.width, one.depth, one.height, one.kind), one.rotation) for one in self.room.furniture]
+        return furniture_turns(self.room)
 
     @cached_property
     def bodies(self) -> tuple[AnyBody, ...]:

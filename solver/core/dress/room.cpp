@@ -4,6 +4,10 @@
 
 namespace dress {
 
+// What hangs higher is walked under: the height of a door.
+constexpr i64 HEADROOM_MM = 2000;
+// Nothing hangs on a wall that a front comes so near to as it opens. Our choice.
+constexpr i64 AT_WALL_MM = 150;
 // How far askew a thing may lie, degrees.
 constexpr i32 JITTER = 15;
 
@@ -14,20 +18,47 @@ static void check(bool right) {
 DecoratedRoom::DecoratedRoom(const Dressing& dressing, Bytes rows) : known(dressing), stream(0) {
   Reader reader(rows.data, rows.size);
   room = reader.take<RoomHeader>(1)[0];
-  pieces = reader.take<Piece>(room.pieces);
-  openings = reader.take<Opening>(room.openings);
+  const Span<Thing> sent = reader.take<Thing>(room.pieces);
+  const Span<i64> numbers = reader.take<i64>(room.pieces);
+  const Span<Manner> manners = reader.take<Manner>(room.manners);
+  openings.add_all(reader.take<Opening>(room.openings));
   zones = reader.take<Zone>(room.zones);
   doors = reader.take<Doorway>(room.doors);
-  kept = reader.take<Rect>(room.kept);
   stream = Stream(room.stream);
-  for (const Piece& piece : pieces) {
-    check(piece.rotation >= 0 && piece.rotation < 360 && piece.rotation % 90 == 0);
-    const i64 number = carriers.size();
-    carriers.add({piece.rect, piece.low, piece.high, piece.rotation, piece.word, known.surfaces_of(piece.surfaces), NOBODY});
-    blocks.add({piece.rect, piece.low, piece.high, number});
-    const Wall ahead = wall_ahead(piece.rotation);
-    const Rect before = strip_at(opposite(ahead), piece.rect.line(ahead), piece.rect.along(ahead), piece.opens);
-    if (piece.opens > 0) opened.add({before, piece.low + piece.opens_above, piece.high, number});
+  pieces = reserved<Piece>(sent.size);
+  for (i32 k = 0; k < sent.size; k++) {
+    check(numbers[k] >= 0 && numbers[k] < manners.size);
+    const Manner& manner = manners[numbers[k]];
+    check(manner.rotation >= 0 && manner.rotation < 360 && manner.rotation % 90 == 0 && manner.kept >= 0 && manner.kept <= 4);
+    const Thing& one = sent[k];
+    const bool in_the_way = one.size.height > FLAT_MM && one.low < HEADROOM_MM;
+    const Piece& piece = pieces[k] = {manner, one.rect, one.low, one.low + one.size.height, one.under, in_the_way};
+    if (one.parent < 0) keep_beside(piece);
+    if (manner.opens > 0) open_fronts(piece);
+    blocks.add({piece.rect, piece.low, piece.high, k});
+    carriers.add({piece.rect, piece.low, piece.high, manner.rotation, manner.word, known.surfaces_of(manner.surfaces), NOBODY});
+  }
+  kept.add_all(reader.take<Rect>(room.kept));
+}
+
+void DecoratedRoom::keep_beside(const Piece& piece) {
+  for (const Beside& one : Span<const Beside>{piece.beside, piece.kept}) {
+    check(static_cast<i32>(one.faced) >= 0 && static_cast<i32>(one.faced) < 4);
+    const Interval side = piece.rect.along(one.faced), over = {side.low + one.low, side.high - one.high};
+    if (over.low < over.high) kept.add(strip_at(opposite(one.faced), piece.rect.line(one.faced), over, one.deep));
+  }
+}
+
+// Notes what a piece's fronts come into: nothing stands there, and nothing hangs where they come near to a wall.
+void DecoratedRoom::open_fronts(const Piece& piece) {
+  const Wall ahead = wall_ahead(piece.rotation);
+  const Rect before = strip_at(opposite(ahead), piece.rect.line(ahead), piece.rect.along(ahead), piece.opens);
+  const i64 bottom = piece.low + piece.opens_above;
+  opened.add({before, bottom, piece.high, carriers.size()});
+  if (bottom >= HEADROOM_MM) return;
+  kept.add(before);
+  for (const Wall wall : WALLS) {
+    if (before.wall_distance(wall, room.clear) <= AT_WALL_MM) openings.add({static_cast<i32>(wall), 0, before.along(wall), bottom, piece.high});
   }
 }
 

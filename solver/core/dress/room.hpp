@@ -1,4 +1,4 @@
-// A furnished room as Python sends it (solver/decorations/core_rows.py), and a room while it is being decorated. Lengths are mm.
+// A furnished room as Python sends it (solver/decorations/decorated_rows.py), and a room while it is being decorated. Lengths are mm.
 #pragma once
 
 #include "dress/dressing.hpp"
@@ -22,28 +22,39 @@ struct RoomHeader {
   i32 outdoor;
   i32 plain;  // it has no outline
   i32 has_accent;
-  i32 pieces, openings, zones, doors, kept;
-  i32 unused;
+  i32 pieces, openings, zones, doors, kept, manners;
 };
 
-// A piece of furniture. `faced`: one comes to it from its front alone. `in_the_way`: of who walks. `sides`: it is used from, as in Goal.
-// Its fronts come so far before it as they `open`, 0 for none, from `opens_above` its underside on.
-struct Piece {
-  Rect rect;
-  i64 low;
-  i64 high;
-  i32 rotation;
+// Floor at a side of a piece that is better kept free: the wall it faces, how far in from the piece's ends it begins and ends.
+struct Beside {
+  Wall faced;
+  i32 low, high;
+  i32 deep;
+};
+
+// What is said of all furniture of a kind and size that is turned so. `faced`: one comes to it from its front alone. `sides`: it is used
+// from, as in Goal. Its fronts come so far before it as they `open`, 0 for none, from `opens_above` its underside on.
+struct Manner {
+  i32 rotation;  // 0 of what stands askew
   i32 word;
   Range surfaces;
   Range insides;
-  i32 under;  // the piece it is tucked under
   i32 faced;
-  i32 in_the_way;
   i32 sides;
   i32 need_all;
   i32 opens;
   i32 opens_above;
-  i32 unused;
+  i32 kept;  // how many of these there are
+  Beside beside[4];
+};
+
+// A piece of furniture. `in_the_way`: of who walks.
+struct Piece : Manner {
+  Rect rect;
+  i64 low;
+  i64 high;
+  i64 under;  // the piece it is tucked under
+  bool in_the_way;
 };
 
 // An opening where nothing hangs: over an interval of its wall, from `bottom` to `top`.
@@ -62,8 +73,9 @@ struct Zone {
   i64 is_outline;  // a missing part of the rectangle
 };
 
-// A thing that was put into the room. `parent`: the number of a piece, or behind those of a thing. `under`: nobody. `colour`: -1 is the
-// room's accent. `number` counts what the room has of its word, furniture first.
+// A piece of furniture as it was put into the room, or a thing. `parent`: what carries it, the number of a piece, or behind those of a
+// thing. `under`: the piece it is tucked under. `colour`: -1 is the room's accent. `number` counts what the room has of its word, furniture
+// first.
 struct Thing {
   i32 kind;
   i32 parent;
@@ -127,10 +139,10 @@ class DecoratedRoom {
   const Dressing& known;
   RoomHeader room;
   Span<Piece> pieces;
-  Span<Opening> openings;
+  List<Opening> openings;
   Span<Zone> zones;
   Span<Doorway> doors;
-  Span<Rect> kept;  // floor that furniture would rather have free
+  List<Rect> kept;  // floor that is better kept free
   Stream stream;
   List<Carrier> carriers;  // the pieces, then the things
   List<Thing> things;
@@ -151,6 +163,8 @@ class DecoratedRoom {
     i32 colour;
   };
 
+  void keep_beside(const Piece& piece);
+  void open_fronts(const Piece& piece);
   i64 root_of(i64 carrier) const;
   bool stands_on(i64 carrier, i64 body) const;
   i32 colour(const Choice& choice, const Row& row, i64 parent);
