@@ -58,7 +58,8 @@ void DecoratedRoom::open_fronts(const Piece& piece) {
   if (bottom >= HEADROOM_MM) return;
   kept.add(before);
   for (const Wall wall : WALLS) {
-    if (before.wall_distance(wall, room.clear) <= AT_WALL_MM) openings.add({static_cast<i32>(wall), 0, before.along(wall), bottom, piece.high});
+    if (before.wall_distance(wall, room.clear) > AT_WALL_MM) continue;
+    openings.add({static_cast<i32>(wall), 0, before.along(wall), bottom, piece.high});
   }
 }
 
