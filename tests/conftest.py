@@ -34,6 +34,8 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and `&` leave 
 BROWSERS = 2
 """Workers with a Chromium and a service of their own; each takes memory, and draws without a graphics card."""
 BROWSER_TESTS = Path(__file__).parent / "browser"
+ONCE = {"client": "service", "native": "native build"}
+"""Fixtures that one worker makes for all, and what the group of their tests is called."""
 
 
 @pytest.fixture(scope="session")
@@ -58,11 +60,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
     """Share the tests, file by file, among the workers of a parallel run, so that what a file makes for its tests is made once.
 
     The browser's files go to few workers, those that call the application to one: each of these starts a service of its own. They take
-    longest and are begun first. A wrapper comes before pytest-xdist, which reads the marks in the same hook.
+    longest and are begun first, as are those that ask the native build. A wrapper comes before pytest-xdist, which reads the marks in the
+    same hook.
     """
     paths = sorted({item.path for item in items})
     groups = {path: f"browser {at % BROWSERS}" for at, path in enumerate(path for path in paths if path.parent == BROWSER_TESTS)}
-    groups |= {item.path: "service" for item in items if item.path not in groups and "client" in getattr(item, "fixturenames", ())}
+    for item in items:
+        for fixture in ONCE.keys() & getattr(item, "fixturenames", ()):
+            groups.setdefault(item.path, ONCE[fixture])
     for item in items:
         item.add_marker(pytest.mark.xdist_group(groups.get(item.path) or item.nodeid.partition("::")[0]))
     items.sort(key=lambda item: groups.get(item.path, "to others"))

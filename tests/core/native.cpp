@@ -1,83 +1,69 @@
-// Arranges rooms natively, with every index checked: `native ROOMS` reads what the host would send and writes what it would read.
+// Answers natively, with every index checked: `native CALL FILE` reads what the host would send and writes what it would read.
 //
-// Of a room: the length of its request (8 bytes), the request, RoomLimits, whether to walk, whether with wide ways (8 bytes each), the
-// budget (a float). Written of it: decisions, what is said of WholeRoom, its pieces' numbers, those left out, the cost, positions along x
-// and z, whether they may be walked between;
-// the final problem and what is said of its optimum; and what becomes of that in whole millimetres.
-#include <stdio.h>
+// Of a request: of each of its parts the length (8 bytes), and the part. Written of it: the answer.
+#include <string.h>
 
-#include "placement/confirm.hpp"
-#include "placement/grid.hpp"
-#include "placement/house.hpp"
-#include "placement/settle.hpp"
-#include "placement/whole.hpp"
+#include "dress/dress.hpp"
+#include "furnish/furnish.hpp"
+#include "homes/search.hpp"
+#include "native_io.hpp"
+#include "native_steps.hpp"
+#include "openings/house.hpp"
+#include "rooms/made.hpp"
+#include "validate/validate.hpp"
 
-using namespace placement;
+static Bytes make_room(Bytes type, Bytes room) { return rooms::made_room(type, room, true, 400'000); }
 
-template <class T> static bool read(FILE* from, T* into, i64 count) {
-  return fread(into, sizeof(T), static_cast<unsigned long>(count), from) == static_cast<unsigned long>(count);
+// An answer of the rules, whose bytes are a struct of their own.
+template <validate::Bytes (*answer)(validate::Bytes)> static Bytes by_rules(Bytes rows) {
+  const validate::Bytes told = answer({rows.data, rows.size});
+  return {told.data, told.size};
 }
 
-template <class T> static void write(const T* from, i64 count) { fwrite(from, sizeof(T), static_cast<unsigned long>(count), stdout); }
+static void tell(Bytes answer) { fwrite(answer.data, 1, static_cast<unsigned long>(answer.size), stdout); }
 
-// Hands over what was found, and writes the final problem, the same as a house's, and what is said of the optimum itself as its answer.
-static void confirm_found(const Desk& desk) {
-  hand_over(desk);
-  const FinalProblem* problem = final_problem(desk);
-  const f64* linear = reinterpret_cast<const f64*>(problem + 1);
-  const f64* start = linear + problem->columns;
-  const f64* multipliers = start + problem->columns + 2 * problem->rows;
-  write(&problem->size, problem->size);
-  const i64 problems[] = {static_cast<i64>(reinterpret_cast<u64>(problem))};
-  const HouseProblem* house = join({problems, 1});
-  write(reinterpret_cast<const u8*>(house), house->bytes);
-  write(judge({problems, 1}, start, multipliers), 1);
-  const Holding* found = confirm(desk, start, multipliers);
-  write(reinterpret_cast<const HoldingRow*>(found + 1), found->rows);
-}
-
-// Puts what was found on whole millimetres, tidied, and writes what became of it, positions along x and z, and what tidying cost.
-static void settle_found(const Desk& desk, bool walk) {
-  const i64 settled = static_cast<i64>(settle(desk, walk, true));
-  write(&settled, 1);
-  for (i64 axis = 0; axis < 2; axis++) write(desk.engine.grid.positions.row(axis).data, desk.engine.work.sizes[axis]);
-  write(desk.added.data, 1);
-}
-
-// Arranges the next room of a file; false at its end.
-static bool arrange_next(FILE* file) {
+// Answers the next request of a file, of one part or of two; false at its end.
+template <Bytes (*answer)(Bytes)> static bool next(FILE* file) {
   const arena::Scope scope;
-  i64 size, walk, wide;
-  RoomLimits limits;
-  f64 budget, spent = 0;
-  if (!read(file, &size, 1)) return false;
-  u8* request = static_cast<u8*>(arena::reserve(size));
-  if (!read(file, request, size) || !read(file, &limits, 1) || !read(file, &walk, 1) || !read(file, &wide, 1) || !read(file, &budget, 1)) {
-    fail(Failure::bad_request);
-  }
-  const Room room = room_of(reinterpret_cast<RoomRequest*>(request));
-  const WholeRoom whole = wide != 0 ? arrange_wide(room, limits, budget, spent) : arrange_whole(room, limits, budget, walk != 0);
-  const Desk* desk = whole.desk;
-  const Engine& engine = desk->engine;
-  write(desk->decisions.data, desk->decisions.size);
-  const i64 said[] = {whole.walk, whole.complete, whole.proven, whole.best, whole.solves, whole.ways};
-  write(said, 6);
-  write(whole.asked.pieces.data, whole.asked.pieces.size);
-  write(whole.left_out.begin(), whole.left_out.size());
-  write(engine.nodes.best_cost.data, 1);
-  if (engine.nodes.result->found) {
-    for (i64 axis = 0; axis < 2; axis++) write(engine.nodes.best.row(axis).data, engine.work.sizes[axis]);
-    const i64 walked = walkable(engine.room, engine.work, engine.grid, engine.grid.positions);
-    write(&walked, 1);
-    confirm_found(*desk);
-    settle_found(*desk, walked != 0);
-  }
-  return true;
+  const Bytes rows = read_bytes(file);
+  if (rows.data != nullptr) tell(answer(rows));
+  return rows.data != nullptr;
 }
+
+template <Bytes (*answer)(Bytes, Bytes)> static bool next(FILE* file) {
+  const arena::Scope scope;
+  const Bytes known = read_bytes(file);
+  if (known.data != nullptr) tell(answer(known, read_bytes(file)));
+  return known.data != nullptr;
+}
+
+struct Call {
+  const char* name;
+  bool (*next)(FILE* file);
+};
+
+static const Call CALLS[] = {
+    {"arrange", placement::arrange_next},
+    {"dress", next<dress::dress_room>},
+    {"furnish", next<furnish::furnish_room>},
+    {"make_room", next<make_room>},
+    {"search_home", next<homes::search>},
+    {"open_walls", next<openings::open_walls>},
+    {"door_places", next<openings::door_places>},
+    {"judge_room", next<by_rules<validate::judge_room>>},
+    {"walk_storey", next<by_rules<validate::walk_storey>>},
+    {"free_floors", next<by_rules<validate::free_floors>>},
+    {"measure_storey", next<by_rules<validate::measure_storey>>},
+    {"open_fronts", next<by_rules<validate::open_fronts>>},
+};
 
 int main(int count, char** words) {
-  FILE* file = count == 2 ? fopen(words[1], "rb") : nullptr;
+  FILE* file = count == 3 ? fopen(words[2], "rb") : nullptr;
   if (file == nullptr) return 2;
-  while (arrange_next(file)) continue;
-  return fclose(file);
+  for (const Call& call : CALLS) {
+    if (strcmp(call.name, words[1]) != 0) continue;
+    while (call.next(file)) continue;
+    return fclose(file);
+  }
+  return 2;
 }

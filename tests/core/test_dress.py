@@ -14,7 +14,7 @@ from solver.decorations import BareRoom, decorated_rooms
 from solver.furnish import space_of
 from solver.streams import Stream
 from tests.core.test_native_dress import answer, request
-from tests.decorations.random_rooms import furnished, random_dressing, random_settings
+from tests.decorations.random_rooms import furnished, random_dressing, random_settings, settings_named
 
 KNOWN = load_catalogs()
 GOLDEN = "4052303eda9c669f6f61d369f4f50d397f503c0ff7691b9c146f44eafe42752c"
@@ -24,7 +24,7 @@ GOLDEN = "4052303eda9c669f6f61d369f4f50d397f503c0ff7691b9c146f44eafe42752c"
 def test_random_rooms_are_decorated_as_they_always_were() -> None:
     digest, things = sha256(), 0
     for seed in range(300):
-        settings = random_settings(Random(f"golden dressing {seed // 10}"), KNOWN)
+        settings = settings_named(f"golden dressing {seed // 10}")
         room, stream = furnished(Random(f"golden {seed}"), KNOWN), Stream(seed, "decorations", "golden")
         made = decorated_rooms([BareRoom(room, space_of(room, 0.1), stream)], settings)[0].decorations
         things += len(made)

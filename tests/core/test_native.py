@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from functools import cache
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 from solver.core import borrowed
@@ -20,28 +16,16 @@ from solver.placement.encode import lay_out
 from solver.placement.layout import FOUND, Floats, Ints
 from solver.placement.space import request_of
 from solver.streams import Stream
-from tests.architecture.tree import ROOT
+from tests.core.native import Native, framed
 from tests.placement.rooms import random_space, random_wanted
 
 ROOMS = 120
-SOURCE = Path(__file__).with_name("native.cpp")
-
-
-@pytest.fixture(scope="module")
-def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The native build."""
-    target = tmp_path_factory.mktemp("native") / "rooms"
-    built = subprocess.run(
-        [sys.executable, "scripts/core.py", "check", SOURCE, target], cwd=ROOT, capture_output=True, text=True, check=False
-    )
-    assert built.returncode == 0, built.stderr
-    return target
 
 
 class Room(NamedTuple):
-    """A room as it is sent to the core, with what comes behind it, and what the core made of it: see native.cpp."""
+    """A room's request with what comes behind it, and what the core made of it: see native_steps.hpp."""
 
-    sent: bytes
+    sent: tuple[bytes, bytes, bytes]
     answer: bytes
 
 
@@ -68,9 +52,8 @@ def room(seed: int) -> Room:
         answer.append(np.array([settled]))
         answer += [engine.grid.positions[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
         answer.append(np.array([added]))
-    head = len(request).to_bytes(8, "little")
-    tail = LIMITS.row.tobytes() + int(walk).to_bytes(8, "little") + int(wide).to_bytes(8, "little") + np.array([Budget().left]).tobytes()
-    return Room(head + request + tail, b"".join(part.tobytes() for part in answer))
+    asked = np.array([walk, wide], dtype=np.int64).tobytes() + np.array([Budget().left]).tobytes()
+    return Room((request, LIMITS.row.tobytes(), asked), b"".join(part.tobytes() for part in answer))
 
 
 def joined_and_judged(problem: Ints, x: Floats, y: Floats) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
@@ -83,15 +66,11 @@ def joined_and_judged(problem: Ints, x: Floats, y: Floats) -> tuple[NDArray[np.u
         return np.frombuffer(core.read(house, size), np.uint8), np.frombuffer(core.read(said, 32), np.uint8)
 
 
-def test_checked_and_as_built_agree_to_the_last_bit(program: Path, tmp_path: Path) -> None:
+def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     rooms = [room(seed) for seed in range(ROOMS)]
-    (tmp_path / "rooms").write_bytes(b"".join(one.sent for one in rooms))
-    run = subprocess.run([program, tmp_path / "rooms"], capture_output=True, check=False)
-    assert run.returncode == 0, "a negative status is the signal of a trap: run it in a debugger"
-    assert run.stdout == b"".join(one.answer for one in rooms)
+    assert native.answers("arrange", (one.sent for one in rooms)) == b"".join(one.answer for one in rooms)
     assert len({one.answer for one in rooms}) > 0.9 * ROOMS
 
 
-def test_the_native_build_stops_at_a_bad_room(program: Path, tmp_path: Path) -> None:
-    (tmp_path / "rooms").write_bytes(room(0).sent[:200])
-    assert subprocess.run([program, tmp_path / "rooms"], capture_output=True, check=False).returncode < 0
+def test_the_native_build_stops_at_a_bad_room(native: Native) -> None:
+    assert native.run("arrange", framed(room(0).sent)[:200]).returncode < 0

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-from pathlib import Path
 from random import Random
 
 from catalogs import load_catalogs
@@ -12,12 +9,11 @@ from solver.core import borrowed
 from solver.furnish import scope_of, space_of
 from solver.furnish.compiled_types import compiled_type
 from solver.furnish.core_rows import room_rows
-from tests.architecture.tree import ROOT
+from tests.core.native import Native
 from tests.furnish.random_types import random_room, random_type
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-SOURCE = Path(__file__).with_name("native_furnish.cpp")
 
 
 def request(seed: int) -> tuple[bytes, bytes]:
@@ -36,11 +32,6 @@ def answer(known: bytes, room: bytes) -> bytes:
         return core.read(packed & 0xFFFFFFFF, packed >> 32)
 
 
-def test_checked_and_as_built_agree_to_the_last_bit(tmp_path: Path) -> None:
-    program = tmp_path / "native"
-    subprocess.run([sys.executable, "scripts/core.py", "check", SOURCE, program], cwd=ROOT, check=True)
+def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     asked = [request(seed) for seed in seeds(range(1200), 4)]
-    (tmp_path / "rooms").write_bytes(b"".join(len(part).to_bytes(8, "little") + part for one in asked for part in one))
-    run = subprocess.run([program, tmp_path / "rooms"], capture_output=True, check=False)
-    assert run.returncode == 0, "a negative status is the signal of a trap: run it in a debugger"
-    assert run.stdout == b"".join(answer(*one) for one in asked)
+    assert native.answers("furnish", asked) == b"".join(answer(*one) for one in asked)

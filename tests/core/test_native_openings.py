@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-from pathlib import Path
-
 from solver.floorplan.openings import ask, open_walls, rows_of
-from tests.architecture.tree import ROOT
+from tests.core.native import Native
 from tests.floorplan.opened import opened_question
 from tests.sweeps import seeds
-
-SOURCE = Path(__file__).with_name("native_openings.cpp")
 
 
 def rows_asked(number: int) -> tuple[tuple[str, bytes], tuple[str, bytes]]:
@@ -24,11 +18,8 @@ def rows_asked(number: int) -> tuple[tuple[str, bytes], tuple[str, bytes]]:
     return ("open_walls", rows_of(house, tree, entrance)), ("door_places", rows_of(house, joint, entrance, others))
 
 
-def test_checked_and_as_built_agree_to_the_last_bit(tmp_path: Path) -> None:
-    program = tmp_path / "native"
-    subprocess.run([sys.executable, "scripts/core.py", "check", SOURCE, program], cwd=ROOT, check=True)
+def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     asked = [one for number in seeds(range(2400), 40) for one in rows_asked(number)]
-    (tmp_path / "houses").write_bytes(b"".join(len(rows).to_bytes(8, "little") + rows for _, rows in asked))
-    run = subprocess.run([program, tmp_path / "houses"], capture_output=True, check=False)
-    assert run.returncode == 0, "a negative status is the signal of a trap: run it in a debugger"
-    assert run.stdout == b"".join(ask(name, rows) for name, rows in asked)
+    for call in ("open_walls", "door_places"):
+        rows = [rows for name, rows in asked if name == call]
+        assert native.answers(call, ([one] for one in rows)) == b"".join(ask(call, one) for one in rows)

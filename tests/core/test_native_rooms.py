@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-from pathlib import Path
-
 import pytest
 
 from solver.core import CoreFailed, borrowed
 from solver.placement import ROOM_WORK
-from tests.architecture.tree import ROOT
+from tests.core.native import Native
 from tests.furnish.wanting_rooms import wanting_room
 from tests.sweeps import seeds
-
-SOURCE = Path(__file__).with_name("native_rooms.cpp")
 
 
 def request(seed: int) -> tuple[bytes, bytes]:
@@ -30,14 +24,9 @@ def answer(known: bytes, room: bytes) -> bytes:
         return core.read(packed & 0xFFFFFFFF, packed >> 32)
 
 
-def test_checked_and_as_built_agree_to_the_last_bit(tmp_path: Path) -> None:
-    program = tmp_path / "native"
-    subprocess.run([sys.executable, "scripts/core.py", "check", SOURCE, program], cwd=ROOT, check=True)
+def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     asked = [request(seed) for seed in seeds(range(600), 6)]
-    (tmp_path / "rooms").write_bytes(b"".join(len(part).to_bytes(8, "little") + part for one in asked for part in one))
-    run = subprocess.run([program, tmp_path / "rooms"], capture_output=True, check=False)
-    assert run.returncode == 0, "a negative status is the signal of a trap: run it in a debugger"
-    assert run.stdout == b"".join(answer(*one) for one in asked)
+    assert native.answers("make_room", asked) == b"".join(answer(*one) for one in asked)
 
 
 @pytest.mark.parametrize("size", [0, 60, -24, -8])

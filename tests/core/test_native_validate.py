@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from dataclasses import replace
-from pathlib import Path
 from random import Random
 from typing import TypeVar
 
@@ -18,12 +15,11 @@ from solver.validator.sent_rooms import ask, room_bytes
 from solver.validator.shells import shell_of
 from solver.validator.walk import walks
 from solver.validator.world import world_of
-from tests.architecture.tree import ROOT
+from tests.core.native import Native
 
 Thing = TypeVar("Thing", Furniture, Decoration)
 
 KNOWN = load_catalogs()
-SOURCE = Path(__file__).with_name("native_validate.cpp")
 ANSWERS = ("judge_room", "walk_storey", "free_floors", "measure_storey", "open_fronts")
 
 
@@ -43,7 +39,7 @@ def thrown_about(scene: Scene, chance: Random) -> Scene:
     return replace(scene, rooms=tuple(rooms))
 
 
-def requests() -> list[tuple[int, bytes]]:
+def requests() -> list[tuple[str, bytes]]:
     """Homes as they are made and thrown about: every room, every storey."""
     found, chance = [], Random("native")
     for seed, preset in enumerate(("studio", "one_bed", "family")):
@@ -51,18 +47,17 @@ def requests() -> list[tuple[int, bytes]]:
         for scene in (made, thrown_about(made, chance), thrown_about(made, chance)):
             world = world_of(scene)
             sent = [(place, room_bytes(world, place, kinds_of(KNOWN))) for place in world.places]
-            found += [(0, rows) for _, rows in sent]
-            found += [(4, front_bytes(openers_in(place, kinds_of(KNOWN)), shell_of(world, place), rows)) for place, rows in sent]
-            found += [(answer, walk.rows) for walk in walks(world) for answer in (1, 2, 3)]
+            found += [("judge_room", rows) for _, rows in sent]
+            found += [
+                ("open_fronts", front_bytes(openers_in(place, kinds_of(KNOWN)), shell_of(world, place), rows)) for place, rows in sent
+            ]
+            found += [(answer, walk.rows) for walk in walks(world) for answer in ("walk_storey", "free_floors", "measure_storey")]
     return found
 
 
-def test_checked_and_as_built_agree_to_the_last_bit(tmp_path: Path) -> None:
-    program = tmp_path / "native"
-    subprocess.run([sys.executable, "scripts/core.py", "check", SOURCE, program], cwd=ROOT, check=True)
+def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     asked = requests()
-    sent = b"".join(number.to_bytes(8, "little") + len(rows).to_bytes(8, "little") + rows for number, rows in asked)
-    (tmp_path / "rows").write_bytes(sent)
-    run = subprocess.run([program, tmp_path / "rows"], capture_output=True, check=False)
-    assert run.returncode == 0, "a negative status is the signal of a trap: run it in a debugger"
-    assert run.stdout == b"".join(ask(ANSWERS[number], rows) for number, rows in asked)
+    for call in ANSWERS:
+        rows = [rows for name, rows in asked if name == call]
+        assert rows
+        assert native.answers(call, ([one] for one in rows)) == b"".join(ask(call, one) for one in rows)

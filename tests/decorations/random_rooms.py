@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from random import Random
 from typing import Any
 
+from catalogs import load_catalogs
 from catalogs.dressing import INDOOR, Dressing
 from catalogs.schema import Catalogs
 from solver.decorations import DecorationSettings
@@ -34,6 +36,12 @@ def furnished(rng: Random, catalogs: Catalogs) -> Room:
             Furniture(f"room_0/{name}_{number}", name, entry.category, x, y, z, turn, width, depth, height, entry.color, under=under)
         )
     return replace(bare, furniture=tuple(pieces), accent=rng.choice((None, "#123456")))
+
+
+@cache
+def settings_named(name: str) -> DecorationSettings:
+    """Returns `random_settings` of our catalogs, by the name of what they are drawn with."""
+    return random_settings(Random(name), load_catalogs())
 
 
 def random_settings(rng: Random, catalogs: Catalogs) -> DecorationSettings:
