@@ -52,6 +52,7 @@ Judge::Judge(Span<const PlannedRoom> rooms, Taste taste, i64 door_wall) : rooms_
     if (room.living() && room.has(DINING)) dining_ |= bit;
     if (!room.has(WAY_THROUGH) && !room.owned()) leaves_ |= bit;
     if (room.has(BED)) beds_ |= bit;
+    if (room.has(BED) || room.has(TOILET)) private_ |= bit;
   }
   living_ = ways_ & ~entry_ & ~kitchen_ & ~dining_;
 }
@@ -68,7 +69,7 @@ HomeVerdict Judge::verdict(const Sheet& sheet) {
     if (room.has(HABITABLE)) found.dark += !is_lit(sheet.boxes[i], i);
   }
   const f64 walked = UNREACHED * ways.unreached + AT_ENTRANCE * ways.at_entrance + OFF_ENTRY * ways.others +
-                     STREETLESS * found.streetless + KITCHEN_BETWEEN * ways.between;
+                     STREETLESS * found.streetless + KITCHEN_BETWEEN * ways.between + taste_.past_kitchen * ways.past_kitchen;
   found.cost = sized + (outline(sheet) + taste_.dark * found.dark) + company() + walked;
   return found;
 }
@@ -148,13 +149,14 @@ f64 Judge::company() const {
   return cost;
 }
 
-// Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to; tells of a kitchen between.
+// Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, private ones that only the kitchen leads to;
+// tells of a kitchen between.
 Judge::Ways Judge::access(const Sheet& sheet) const {
   const u64 hall = (1ULL << (rooms_.size + sheet.hallways)) - (1ULL << rooms_.size);
   const u64 ways = ways_ | hall;
   const u64 start = entry_ ? lowest(entry_) : living_ ? lowest(living_) : hall ? lowest(hall) : 1;
-  const u64 found = reached(ways, start);
-  Ways counted = {__builtin_popcountll(ways & ~found), 0, 0, false};
+  const u64 found = reached(ways, start), past = found & ~kitchen_, around = kitchen_ ? reached(past, start) : found;
+  Ways counted = {__builtin_popcountll(ways & ~found), 0, 0, 0, (past & ~around) != 0};
   for (i32 i = 0; i < rooms_.size; i++) {
     if (rooms_[i].owned()) counted.unreached += !(beside_[i] >> rooms_[i].owner & 1);
     if (!(leaves_ >> i & 1)) continue;
@@ -163,10 +165,10 @@ Judge::Ways Judge::access(const Sheet& sheet) const {
       counted.unreached += !is_behind(i, found);
     } else if (doors == start) {
       (beds_ >> i & 1 ? counted.at_entrance : counted.others)++;
+    } else if (private_ >> i & 1) {
+      counted.past_kitchen += !(doors & around);
     }
   }
-  const u64 past = found & ~kitchen_;
-  counted.between = kitchen_ && (past & ~reached(past, start));
   return counted;
 }
 

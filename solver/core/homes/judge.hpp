@@ -12,10 +12,11 @@ struct HomeVerdict {
   i64 short_rooms, unreached, streetless, dark;
 };
 
-// What outlines cost nothing (width over depth, least and most), and what a habitable room without an outside wall costs.
+// What outlines cost nothing (width over depth, least and most), and what costs: a habitable room without an outside wall, a bedroom or a
+// bathroom that only the kitchen leads to.
 struct Taste {
   f64 low, high;
-  f64 dark;
+  f64 dark, past_kitchen;
 };
 
 // Judges the drawings of one programme. Rooms, and the hallways behind them, are bits of a number.
@@ -27,7 +28,7 @@ class Judge {
 
  private:
   struct Ways {
-    i64 unreached, at_entrance, others;
+    i64 unreached, at_entrance, others, past_kitchen;
     bool between;
   };
   // How long the walls of a room are, in the order of Wall, that other rooms lie at.
@@ -44,7 +45,7 @@ class Judge {
   Span<const PlannedRoom> rooms_;
   Taste taste_;
   i64 door_wall_;
-  u64 ways_ = 0, wet_ = 0, entry_ = 0, kitchen_ = 0, dining_ = 0, living_ = 0, leaves_ = 0, beds_ = 0;
+  u64 ways_ = 0, wet_ = 0, entry_ = 0, kitchen_ = 0, dining_ = 0, living_ = 0, leaves_ = 0, beds_ = 0, private_ = 0;
   u64 beside_[2 * MOST_ROOMS];  // which others share a wall with a room that takes a door
   // The stretches at which others lie, by room and wall.
   Interval covered_[MOST_ROOMS][4][2 * MOST_ROOMS];

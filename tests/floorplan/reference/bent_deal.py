@@ -21,6 +21,8 @@ SHARINGS: Final = 16
 """How often private rooms are shared out among wings; the most even is taken. More makes homes alike."""
 BARE_MM2: Final = 10_000_000
 """A wing with rooms on one side alone counts as so much floor uneven: its hallway serves half as many."""
+IN_WING: Final = 0.75
+"""How often the kitchen of a home with two wings begins one of them, beside the dining room."""
 
 
 class BentDealer(Dealer):
@@ -43,16 +45,34 @@ class BentDealer(Dealer):
     def _wings(self, wings: int) -> Draft:
         stream = self.stream
         bend = stream.pick(BENDS[self.outline])
+        in_wing = wings > 1 and stream.chance(IN_WING)
         single = bend != FREE or stream.chance(SINGLE)
-        public, private = self._in_deep_row() if single else self._chunks()
+        public, private = self._in_deep_row() if single and not in_wing else self._chunks()
         depths = [self._depth(), self._deep() if self.garages else self._depth(), *(self._depth() for _ in range(2 * wings))]
-        strips = [[], [], *self._shared(private, 2 * wings)]
-        behind = public[::-1] if stream.chance(0.8) else list(public)
+        begun: list[Chunk] = [self._entry() if k == 1 else [] for k in range(2 * wings)]
+        kitchens = [column for column in public if self._is_kitchen(column)]
+        rest = [column for column in public if column not in kitchens and not self._is_small(column)]
+        moved = bool(in_wing and kitchens and rest)
+        wing = 0
+        if moved:
+            side = stream.below(2) if bend == FREE else int(bend == NORTH_OUT)
+            wing = stream.below(2)
+            beside = [column for column in public if self._is_small(column)]
+            begun[2 * wing + side] = kitchens + beside + begun[2 * wing + side]
+            public = rest
+        strips = [[], [], *self._shared(private, begun)]
+        behind = public[::-1] if (wing if moved else stream.chance(0.8)) else list(public)
         cut = 0 if single or len(behind) < 2 else self._cut(behind, depths[:2])
         cars = [] if wings > 1 else [(room,) for room in self.garages]
         strips[0], strips[1] = behind[:cut], cars + behind[cut:]
         garages = tuple(self.garages) if wings > 1 else ()
         return Draft("winged" if wings > 1 else "ranch", strips, depths, garages=garages, bend=bend)
+
+    def _is_small(self, column: Sequence[int]) -> bool:
+        return self.planned[column[0]].kind.plan.wet and not self.planned[column[0]].kind.plan.habitable
+
+    def _is_kitchen(self, column: Sequence[int]) -> bool:
+        return self.planned[column[0]].kind.plan.wet and self.planned[column[0]].kind.plan.habitable
 
     def _in_deep_row(self) -> tuple[Chunk, list[Chunk]]:
         """Returns public and private rooms where the public ones lie in one deep row: what is small lies behind the kitchen."""
@@ -68,11 +88,13 @@ class BentDealer(Dealer):
         public[k] = (behind, *public[k]) if self.stream.chance(0.5) else (*public[k], behind)
         return public, private
 
-    def _shared(self, chunks: Sequence[Chunk], count: int) -> list[Chunk]:
-        """Shares private rooms out among the strips of wings, so that the two strips of each are about as long; the entry first."""
-        areas = [sum(self.areas[room] for column in chunk for room in column) for chunk in chunks]
-        entry = self._entry()
-        first = [sum(self.areas[room] for column in entry for room in column) * (k == 1) for k in range(count)]
+    def _shared(self, chunks: Sequence[Chunk], begun: Sequence[Chunk]) -> list[Chunk]:
+        """Shares private rooms out among strips that are begun, so that the two strips of each wing are about as long."""
+
+        def floor(chunk: Chunk) -> int:
+            return sum(self.areas[room] for column in chunk for room in column)
+
+        areas, first, count = [floor(chunk) for chunk in chunks], [floor(chunk) for chunk in begun], len(begun)
 
         def uneven(dealt: Sequence[int]) -> float:
             floors = list(first)
@@ -86,5 +108,4 @@ class BentDealer(Dealer):
         strips: list[Chunk] = [[] for _ in range(count)]
         for chunk, strip in zip(chunks, dealt, strict=True):
             strips[strip] = strips[strip] + chunk if stream.chance(0.5) else chunk + strips[strip]
-        strips[1] = entry + strips[1]
-        return strips
+        return [first + rest for first, rest in zip(begun, strips, strict=True)]

@@ -37,6 +37,8 @@ LIVING_APART: Final = 1.5
 """A living room away from the entry, a dining room away from the living room."""
 KITCHEN_BETWEEN: Final = 3.0
 """A room one lives in, or a hallway, that only the kitchen leads to: each more door leaves a kitchen less wall for its worktop."""
+PAST_KITCHEN: Final = 5.0
+"""Where wings are ours to lay: a bedroom or a bathroom that only the kitchen leads to."""
 OUTLINE: Final = (0.75, 1.9)
 """Width over depth of an outline that costs nothing; beyond, OUTLINE_COST for every unit."""
 BENT_OUTLINE: Final = (0.6, 2.4)
@@ -60,8 +62,10 @@ Covered = dict[int, dict[str, list[tuple[int, int]]]]
 class HomeJudge:
     """Judges the drawings of one programme; it has looked up what each room is once."""
 
-    def __init__(self, planned: Sequence[PlannedRoom], outline: tuple[float, float] = OUTLINE, dark: float = DARK) -> None:
-        self.planned, self.outline, self.dark = planned, outline, dark
+    def __init__(
+        self, planned: Sequence[PlannedRoom], outline: tuple[float, float] = OUTLINE, dark: float = DARK, past_kitchen: float = 0.0
+    ) -> None:
+        self.planned, self.outline, self.dark, self.past_kitchen = planned, outline, dark, past_kitchen
         self.sizes = [one.size for one in planned]
         every = range(len(planned))
 
@@ -80,6 +84,7 @@ class HomeJudge:
         self.leaves = [i for i in every if not planned[i].kind.plan.way_through and planned[i].owner is None]
         self.owned = [(i, one.owner) for i, one in enumerate(planned) if one.owner is not None]
         self.bedrooms = frozenset(i for i in every if any("bed" in line for line in planned[i].kind.requires))
+        self.private = self.bedrooms | {i for i in every if any("toilet" in line for line in planned[i].kind.requires)}
         self.through = [bits([other.type in one.kind.plan.behind and not other.kind.plan.way_through for other in planned])
                         if one.garage else 0 for one in planned]  # fmt: skip
 
@@ -88,10 +93,11 @@ class HomeJudge:
         sizes, short = self._sizes(sheet.boxes)
         met = touching([*sheet.boxes, *sheet.hallways])
         beside = _beside(sheet, met)
-        unreached, at_entrance, others, between = self._access(beside, sheet)
+        unreached, at_entrance, others, past_kitchen, between = self._access(beside, sheet)
         covered = _covered(met)
         streetless = sum("south" in covered.get(i, {}) for i in self.street)
-        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + STREETLESS * streetless + KITCHEN_BETWEEN * between
+        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + STREETLESS * streetless
+        ways = ways + KITCHEN_BETWEEN * between + self.past_kitchen * past_kitchen
         dark = sum(not _lit(sheet.boxes[i], covered.get(i, {})) for i in self.habitable)
         cost = sizes + (self._outline(sheet) + self.dark * dark) + self._company(beside) + ways
         return HomeVerdict(cost, short, unreached, streetless, dark)
@@ -133,14 +139,19 @@ class HomeJudge:
                 cost += LIVING_APART * (not beside[i] & (self.entry | self.living))
         return cost
 
-    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int, bool]:
-        """Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to; tells of a kitchen between."""
+    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int, int, bool]:
+        """Counts rooms that no way leads to, bedrooms and others that only the entrance leads to, private ones that only the kitchen does.
+
+        And tells of a kitchen between.
+        """
         first = len(self.planned)
         hall = (1 << first + len(sheet.hallways)) - (1 << first)
         ways = self.ways | hall
         start = self.entry & -self.entry or self.living & -self.living or hall & -hall or 1
         reached = _reached(beside, ways, start)
-        unreached, at_entrance, others = (ways & ~reached).bit_count(), 0, 0
+        past = reached & ~self.kitchen
+        around = _reached(beside, past, start) if self.kitchen else reached
+        unreached, at_entrance, others, past_kitchen = (ways & ~reached).bit_count(), 0, 0, 0
         for bath, owner in self.owned:
             unreached += not beside[bath] >> owner & 1
         for i in self.leaves:
@@ -150,9 +161,9 @@ class HomeJudge:
             elif doors == start:
                 at_entrance += i in self.bedrooms
                 others += i not in self.bedrooms
-        past = reached & ~self.kitchen
-        between = bool(past & ~_reached(beside, past, start)) if self.kitchen else False
-        return unreached, at_entrance, others, between
+            elif i in self.private:
+                past_kitchen += not doors & around
+        return unreached, at_entrance, others, past_kitchen, bool(past & ~around)
 
     def _behind(self, room: int, beside: Sequence[int], reached: int) -> bool:
         """Tells whether a garage can be entered through a laundry that is reached itself."""
