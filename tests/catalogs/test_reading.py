@@ -108,6 +108,7 @@ SLIPS = [
     Slip(BEDROOM, "single_bed: 1}]", "single_bad: 1}]", "requires.0.single_bad", "single_bad", "unknown piece name"),
     Slip(BEDROOM, "  - piece: nightstand", "  - piece: bed", "pieces.1.piece", "piece: bed", "twice"),
     Slip(KITCHEN, "{stove: 1}", "{stove: 2}", "requires.2", "stove: 2", "required"),
+    Slip(KITCHEN, "- [dishwasher, sink,", f"- [{'dishwasher, ' * 16}sink,", "run.orders.0", "dishwasher, dishwasher", "at most 21"),
     Slip(LAUNDRY, "behind: [bedroom,", "behind: [castle,", "plan.behind.0", "castle", "unknown room type"),
     Slip(OFFICE, "of: desk, gap: -0.3", "of: plant, gap: -0.3", "pieces.1.rules.0.of", "of: plant, gap", "circle"),
     Slip(OFFICE, "gap: -0.3", "gap: [0.3, 0.1]", "pieces.1.rules.0.gap", "gap: [0.3", "least"),

@@ -43,7 +43,7 @@ static void check_type(const RoomType& type) {
     type.rules_of(piece);
     for (Side side : part_of(type.sides, piece.approach)) check(is_one(side, Side::back));
   }
-  for (const Range& order : type.orders) part_of(type.words, order);
+  for (const Range& order : type.orders) check(part_of(type.words, order).size <= MOST_IN_RUN);
   for (i32 word : type.words) check(is_word(word, type));
   for (i32 word : type.worktop) check(is_word(word, type));
   for (i32 word : type.landing) check(is_word(word, type));

@@ -129,6 +129,8 @@ struct PieceSpec {
   f64 skip_cost;
 };
 
+constexpr i32 MOST_IN_RUN = 21;  // pieces in an order of a run (as catalogs/schema.py has it)
+
 // The sizes of the tables, in their order.
 struct TypeHeader {
   i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, comforts;

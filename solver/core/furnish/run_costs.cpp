@@ -13,29 +13,21 @@ constexpr f64 LANDING_COST = 10.0, END_COST = 6.0;
 // Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs.
 constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 2.0;
 
+static i32 count(u64 items) { return __builtin_popcountll(items); }
+
 f64 row_cost(const Drawn& drawn) {
-  // What is drawn is guessed by no processor: nothing here branches on it.
-  const bool goes_on = drawn.form != Form::opposite;
-  i32 landings = 0, ends = 0;
-  bool lands = false, is_within = false;  // whether there is worktop right before an item, and whether what is there makes it no end
-  for (i32 i = 0; i < drawn.items.size; i++) {
-    const Item& item = *drawn.items[i];
-    const bool turns = i + 1 == drawn.first, there = i + 1 < drawn.items.size;
-    const Item& next = *drawn.items[i + there];
-    const bool lands_after = there & !turns & next.has(WORKTOP_TRAIT), within_after = there & (!turns | goes_on) & !next.has(END_TRAIT);
-    landings += item.has(LANDING_TRAIT) * (!lands + !lands_after);
-    ends += item.has(END_TRAIT) & is_within & within_after;
-    lands = !turns & item.has(WORKTOP_TRAIT);
-    is_within = (!turns | goes_on) & !item.has(END_TRAIT);
-  }
-  return LANDING_COST * landings + END_COST * ends;
+  // All items at once: what is drawn is guessed by no processor, so that nothing here branches on it.
+  const u64 cut = 1ULL << drawn.first, ends_row = drawn.form == Form::opposite ? cut : 0;
+  const u64 worktop = drawn.traits.items(WORKTOP_TRAIT), landing = drawn.traits.items(LANDING_TRAIT), end = drawn.traits.items(END_TRAIT);
+  const u64 within = ((1ULL << drawn.items.size) - 1) & ~end;
+  const i32 landed = count(landing & worktop << 1 & ~cut) + count(landing & (worktop & ~cut) >> 1);
+  const i32 ends = count(end & within << 1 & ~ends_row & (within & ~ends_row) >> 1);
+  return LANDING_COST * (2 * count(landing) - landed) + END_COST * ends;
 }
 
 f64 worktop_cost(const RoomType& type, const Drawn& drawn) {
-  i64 length = 0;
-  for (const Item* item : drawn.items) length += item->width * item->has(WORKTOP_TRAIT);
-  if (drawn.form == Form::corner) length -= drawn.items[drawn.first]->depth;
-  return type.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(length) / 1000.0, 0.0) : 0.0;
+  const i64 hidden = drawn.form == Form::corner ? drawn.items[drawn.first]->depth : 0;
+  return type.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(drawn.worktop - hidden) / 1000.0, 0.0) : 0.0;
 }
 
 f64 triangle_cost(const RoomType& type, Span<Candidate> places) {

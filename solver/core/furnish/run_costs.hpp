@@ -5,8 +5,23 @@
 
 namespace furnish {
 
-// What is said of a word in the room's type, as bits.
-enum Trait : u8 { WORKTOP_TRAIT = 1, LANDING_TRAIT = 2, END_TRAIT = 4 };
+// What a run asks of its items: what is said of a word in the room's type; whether an item has one that stands for it in a corner with
+// its left (right) end hidden; whether it is no deeper than the one before it.
+enum Trait : i32 { WORKTOP_TRAIT, LANDING_TRAIT, END_TRAIT, CORNER_TRAIT, SHALLOWER_TRAIT = CORNER_TRAIT + 2, TRAITS };
+
+static_assert(3 * MOST_IN_RUN <= 64);
+
+// The traits of a run's items, a bit each; of one trait those of all items side by side. Three traits a word.
+struct Traits {
+  u64 words[TRAITS / 3];
+
+  void set(Trait trait, u64 is, i32 item = 0) { words[trait / 3] |= is << (trait % 3 * MOST_IN_RUN + item); }
+  // Adds those of an item, where it is held.
+  void add(const Traits& of, u64 held, i32 item) {
+    for (i32 k = 0; k < TRAITS / 3; k++) words[k] |= (of.words[k] & (0 - held)) << item;
+  }
+  u64 items(i32 trait) const { return words[trait / 3] >> (trait % 3 * MOST_IN_RUN) & ((1ULL << MOST_IN_RUN) - 1); }
+};
 
 // A variant of a piece that a run may hold.
 struct Item {
@@ -14,11 +29,10 @@ struct Item {
   i32 kind;
   f64 cost;
   i64 width, depth;
-  u8 traits;
+  i64 worktop;                 // its length as worktop
+  Traits traits;
   const Item* corner[2];       // as wide, standing in a corner with its left (right) end hidden; null where there is none
   const List<Interval>* free;  // by wall: the stretches where it may stand
-
-  bool has(Trait trait) const { return (traits & trait) != 0; }
 };
 
 using Items = Span<const Item*>;
@@ -26,7 +40,7 @@ using Items = Span<const Item*>;
 // What a run may hold of a word.
 struct Member {
   const CountedPiece* piece;  // null: nothing
-  bool required;
+  bool optional;
   Span<Item> items;
 };
 
@@ -57,6 +71,8 @@ enum Laid : i32 { WALL, HIGH, OTHER_HIGH, STRETCH, OTHER_STRETCH, ROUND, ACROSS,
 // A run as it is drawn: its items, and how they are laid.
 struct Drawn {
   Items items;
+  Traits traits;
+  i64 worktop;  // its length
   Stream laid;  // its numbers, read where they are asked for
   Form form;
   Wall wall;

@@ -32,7 +32,7 @@ class RunPlanner {
   Leg leg_in_stretch(Wall wall, Items items, bool reversed, f64 stretch, bool high) const;
   bool has_aisle(const Legs& legs) const;
   bool place(const Legs& legs, Span<Candidate> places) const;
-  void add_member(i32 word, u8 traits);
+  void add_member(i32 word, const Traits& said);
   void add_effects(i32 word);
   Subject subject(i32 word);
   f64 room_cost(const Drawn& drawn, Span<Candidate> places);
@@ -54,10 +54,10 @@ RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const Roo
     : scope_(scope), walls_(walls), type_(type), knee_room_(type) {
   members_ = zeroes<Member>(type.all_words);
   effects_ = zeroes<List<Effect>>(type.all_words);
-  const Span<u8> traits = zeroes<u8>(type.all_words);
-  for (i32 word : type.worktop) traits[word] |= WORKTOP_TRAIT;
-  for (i32 word : type.landing) traits[word] |= LANDING_TRAIT;
-  for (i32 word : type.ends) traits[word] |= END_TRAIT;
+  const Span<Traits> said = zeroes<Traits>(type.all_words);
+  for (i32 word : type.worktop) said[word].set(WORKTOP_TRAIT, 1);
+  for (i32 word : type.landing) said[word].set(LANDING_TRAIT, 1);
+  for (i32 word : type.ends) said[word].set(END_TRAIT, 1);
   nothing_.by_word = zeroes<List<i32>>(type.all_words);
   for (const CountedPiece& piece : counted) {
     if (piece.copies > 0) members_[type.pieces[piece.spec].word].piece = &piece;
@@ -67,7 +67,7 @@ RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const Roo
   best_ = reserved<Candidate>(type.all_words);
   free_ = zeroes<List<Interval>>(4 * type.kinds.size);
   for (i32 word : type.words) {
-    if (members_[word].piece != nullptr && members_[word].items.size == 0) add_member(word, traits[word]);
+    if (members_[word].piece != nullptr && members_[word].items.size == 0) add_member(word, said[word]);
   }
   orders_ = reserved<List<const Member*>>(type.orders.size);
   for (i32 k = 0; k < orders_.size; k++) {
@@ -79,13 +79,14 @@ RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const Roo
 }
 
 // Adds what a run may hold of a word: of all its variants those that suit come first, with the one that stands for them in a corner.
-void RunPlanner::add_member(i32 word, u8 traits) {
+void RunPlanner::add_member(i32 word, const Traits& said) {
   add_effects(word);
   Member& own = members_[word];
   const Span<Variant> all = type_.variants_of(type_.pieces[own.piece->spec]), suited = own.piece->variants;
-  own.required = type_.pieces[own.piece->spec].required;
+  own.optional = !type_.pieces[own.piece->spec].required;
   own.items = {reserved<Item>(suited.size + all.size).data, suited.size};
   const Span<Item> items = {own.items.data, suited.size + all.size};
+  const bool works = said.items(WORKTOP_TRAIT) != 0;
   for (i32 k = 0; k < items.size; k++) {
     const Variant& variant = k < suited.size ? suited[k] : all[k - suited.size];
     const Kind& kind = type_.kinds[variant.kind];
@@ -94,12 +95,14 @@ void RunPlanner::add_member(i32 word, u8 traits) {
       List<Interval>& found = free[static_cast<i32>(wall)];
       if (found.size() == 0) found = walls_.stretches(wall, kind, false);
     }
-    items[k] = {word, variant.kind, variant.cost, kind.width, kind.depth, traits, {nullptr, nullptr}, free};
+    items[k] = {word, variant.kind, variant.cost, kind.width, kind.depth, works ? kind.width : 0, said, {nullptr, nullptr}, free};
   }
   for (Item& item : own.items) {
-    for (i32 k = all.size - 1; k >= 0 && item.has(WORKTOP_TRAIT); k--) {
+    for (i32 k = all.size - 1; k >= 0 && works; k--) {
       const Item& other = items[suited.size + k];
-      if (all[k].corner >= 0 && other.width == item.width) item.corner[all[k].corner] = &other;
+      if (all[k].corner < 0 || other.width != item.width) continue;
+      item.corner[all[k].corner] = &other;
+      item.traits.set(static_cast<Trait>(CORNER_TRAIT + all[k].corner), 1);
     }
   }
 }
@@ -147,17 +150,32 @@ static i64 length_of(const Items& items) {
 void RunPlanner::draw_items(Stream& stream, Drawn& drawn) const {
   const Span<const Member*> order = stream.pick(orders_).all();
   const bool mirrored = stream.chance(0.5);
-  drawn.cost = stream.up_to(PREFERENCE);
-  drawn.items = {drawn_.data, 0};
+  f64 cost = stream.up_to(PREFERENCE);
+  Traits traits = {};
+  u64 numbers[2 * MOST_IN_RUN];  // all that may be drawn: what is depends on those before
+  Stream ahead(stream);
+  for (i32 k = 0; k < 2 * order.size; k++) numbers[k] = ahead.bits();
+  i64 worktop = 0, depth = 0;
+  i32 size = 0, used = 0;
   for (i32 i = 0; i < order.size; i++) {
     const Member& member = *order[mirrored ? order.size - 1 - i : i];
-    const bool missed = !member.required && stream.chance(MISSED_CHANCE);
-    const Item& item = member.items[Stream(stream).below(member.items.size)];
-    stream.skip(!missed);  // no branch on what is drawn, which no processor guesses
-    drawn_[drawn.items.size] = &item;
-    drawn.items.size += !missed;
-    drawn.cost += missed * MISSED_COST + !missed * item.cost;
+    const bool missed = member.optional & Stream::chance(numbers[used], MISSED_CHANCE);
+    const Item& item = member.items[Stream::below(numbers[used + member.optional], member.items.size)];
+    const u64 held = !missed;  // no branch on what is drawn, which no processor guesses
+    used += member.optional + !missed;
+    drawn_[size] = &item;
+    traits.add(item.traits, held, size);
+    traits.set(SHALLOWER_TRAIT, held & (item.depth <= depth), size);
+    depth = missed ? depth : item.depth;
+    worktop += missed ? 0 : item.worktop;
+    size += !missed;
+    cost += missed ? MISSED_COST : item.cost;
   }
+  stream.skip(used);
+  drawn.items = {drawn_.data, size};
+  drawn.traits = traits;
+  drawn.worktop = worktop;
+  drawn.cost = cost;
 }
 
 // Draws a run: at a wall, round a corner, or with its second part at the opposite wall. Always draws as many numbers; false where what
@@ -177,18 +195,14 @@ bool RunPlanner::draw(Stream& stream, f64 lowest, Drawn& drawn) const {
 // fronts it would come before.
 void RunPlanner::cut_in_two(Drawn& drawn) const {
   const i32 size = drawn.items.size, hidden = static_cast<i32>(end_at(drawn.wall, drawn.high));
-  const auto may_turn = [&](i32 i) {
-    const bool is_corner = drawn.items[i]->corner[hidden] != nullptr, is_deep = drawn.items[i + 1]->depth <= drawn.items[i]->depth;
-    return is_corner & is_deep;
-  };
-  i32 corners = 0;
   const bool round = drawn.number(ROUND).chance(CORNER_CHANCE);
-  for (i32 i = 0; round && i + 1 < size; i++) corners += may_turn(i);
+  u64 corners = round ? drawn.traits.items(CORNER_TRAIT + hidden) & drawn.traits.items(SHALLOWER_TRAIT) >> 1 : 0;
   drawn.form = Form::straight;
   drawn.first = size;
-  if (corners > 0) {
-    i32 left = static_cast<i32>(whole(drawn.number(CUT).unit() * corners)), at = 0;
-    while (!may_turn(at) || left-- > 0) at++;
+  if (corners != 0) {
+    const i64 before = whole(drawn.number(CUT).unit() * __builtin_popcountll(corners));
+    for (i64 k = 0; k < before; k++) corners &= corners - 1;
+    const i32 at = __builtin_ctzll(corners);
     const Item*& item = drawn.items[at];
     drawn.form = Form::corner;
     drawn.first = at + 1;
@@ -285,7 +299,7 @@ Span<Candidate> RunPlanner::best(Stream& stream) {
   f64 lowest = INFINITE;
   for (i32 i = 0; i < DRAWS; i++) {
     arena::Scope scope;
-    Drawn drawn{{}, stream, Form::straight, Wall::none, false, 0, 0.0};
+    Drawn drawn{{}, {}, 0, stream, Form::straight, Wall::none, false, 0, 0.0};
     if (!draw(stream, lowest, drawn)) continue;
     const f64 by_items = drawn.cost + row_cost(drawn) + worktop_cost(type_, drawn);
     if (by_items >= lowest) continue;

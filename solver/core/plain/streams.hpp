@@ -30,13 +30,20 @@ class Stream {
   f64 up_to(f64 most) { return 0.0 + most * unit(); }
 
   // In [0, n): the upper half of the 128 bits of the product with n.
-  i32 below(i32 n) {
-    const u64 drawn = bits(), times = static_cast<u64>(n);
+  i32 below(i32 n) { return below(bits(), n); }
+  static i32 below(u64 drawn, i32 n) {
+    const u64 times = static_cast<u64>(n);
     const u64 low = (drawn & 0xFFFFFFFFULL) * times;
     return static_cast<i32>(((drawn >> 32) * times + (low >> 32)) >> 32);
   }
 
-  bool chance(f64 probability) { return unit() < probability; }
+  // Whether unit() is less than a probability, which scales exactly.
+  bool chance(f64 probability) { return chance(bits(), probability); }
+  static constexpr bool chance(u64 drawn, f64 probability) {
+    const f64 scaled = probability * 0x1p53;
+    const i64 below = static_cast<i64>(scaled);
+    return static_cast<i64>(drawn >> 11) < below + (static_cast<f64>(below) < scaled);
+  }
 
   template <class T> T& pick(Span<T> options) {
     if (options.size < 1) fail(Failure::bad_request);
