@@ -11,7 +11,7 @@ from functools import lru_cache
 from hashlib import blake2b
 from itertools import chain
 from math import sqrt
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 from pydantic.json_schema import SkipJsonSchema
@@ -47,10 +47,6 @@ RelationWord = Literal[
     "against_wall", "in_corner", "beside", "in_front_of", "opposite", "facing", "near", "far_from", "around",
     "aligned_with", "centred", "in_row", "at_window", "near_door", "far_from_door", "on", "under",
 ]  # fmt: skip
-
-MOST_IN_RUN: Final = 21
-"""Pieces in one order of a run (`solver/core/furnish/room_type.hpp` has it, too)."""
-
 
 class Use(Entry):
     """Who uses a piece must get to these sides: `any` one of them, or `all`; `clearance` is the depth wished there, m."""
@@ -238,7 +234,7 @@ class Run(Entry):
     beside them at both sides, `ends` those that belong at an end of the run, `triangle` the three a cook walks between.
     """
 
-    orders: tuple[Annotated[Words, Field(max_length=MOST_IN_RUN)], ...] = Field(min_length=1)
+    orders: tuple[Annotated[Words, Field(max_length=21)], ...] = Field(min_length=1)
     worktop: Words = ()
     landing: Words = ()
     ends: Words = ()

@@ -129,7 +129,7 @@ struct PieceSpec {
   f64 skip_cost;
 };
 
-constexpr i32 MOST_IN_RUN = 21;  // pieces in an order of a run (as catalogs/schema.py has it)
+constexpr i32 MOST_IN_RUN = 21;  // pieces in an order of a run (`Run.orders` of catalogs/schema.py has it, too)
 
 // The sizes of the tables, in their order.
 struct TypeHeader {
