@@ -48,6 +48,7 @@ RelationWord = Literal[
     "aligned_with", "centred", "in_row", "at_window", "near_door", "far_from_door", "on", "under",
 ]  # fmt: skip
 
+
 class Use(Entry):
     """Who uses a piece must get to these sides: `any` one of them, or `all`; `clearance` is the depth wished there, m."""
 
