@@ -333,3 +333,15 @@ def borrowed(roomy: bool = False) -> Iterator[CoreInstance]:
     instance = taken(roomy)
     yield instance
     _lay_idle(instance)
+
+
+def ask(name: str, *contents: bytes) -> bytes:
+    """Calls an export that takes bytes, each as their address and size, and answers with bytes.
+
+    Raises:
+        CoreFailed: an error within the core; the bytes are no request.
+        CoreFull: it takes more memory than there is.
+    """
+    with borrowed() as core:
+        told = core.call(name, *(number for content in contents for number in (core.write(content), len(content))))
+        return core.read(told & 0xFFFFFFFF, told >> 32)

@@ -7,21 +7,32 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
+from itertools import accumulate, chain, pairwise
 from json.encoder import encode_basestring as quoted
+from struct import Struct, pack, unpack_from
 from typing import Any, Final, NamedTuple
 
-from solver.body_rows import BODY_WALLS, DecorationRows, FurnitureRows, Look, furniture_ids
+from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, Look, furniture_ids, rows_in
 from solver.exchange import json_text
 from solver.exchange.text import dump_plain
 from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
 from solver.fields import EXTRA, LATER
 from solver.plain import Wrong, plain
-from solver.scene import Furniture, Opening, Scene
+from solver.scene import Decoration, Furniture, Opening, Scene
 
 MOST_TEXTS: Final = 4096
 """Texts whose JSON is kept."""
-MOST_LENGTHS: Final = 1 << 14
-"""Lengths whose JSON is kept: 8 m of half millimetres."""
+_TOLD: Final = "\0"
+"""Stands for what rows tell until the core has written it: no JSON holds it."""
+_GAPS: Final = {
+    "id": 0, "on": 1, "parent": 1, "under": 2, "wall": 3, "mounted_on_wall": 3, "x": 4, "y": 5, "z": 6, "rotation": 7, "color": 8,
+}  # fmt: skip
+"""The keys of bodies that rows tell of each, as the core numbers them (solver/core/text/bodies.hpp)."""
+_NO_GAP: Final = "9"
+_HEADER: Final = Struct("<4i")
+_LOOK: Final = Struct("<3q")
+_PIECE: Final = Struct("<2q")
+_BODIES: Final = Struct("<2iq")
 
 
 def dump_scene(scene: Scene, format: str) -> bytes:
@@ -32,7 +43,8 @@ def dump_scene(scene: Scene, format: str) -> bytes:
     """
     if format == "json":
         try:
-            return f"{_record(scene)}\n".encode()
+            parts = [part.encode() for part in f"{_record(scene)}\n".split(_TOLD)]
+            return b"".join(chain.from_iterable(zip(parts, [*_texts_told(scene), b""], strict=True)))
         except (Wrong, TypeError, ValueError):  # the document's writer says where
             pass
     return dump_plain(write_scene(scene), format)
@@ -82,68 +94,62 @@ def _items(values: Iterable[Any]) -> str:
     return f"[{','.join(map(_any, values))}]"
 
 
-def _pieces(pieces: FurnitureRows) -> str:
-    """Writes furniture that is told as rows."""
-    before, half, parts, looks = _TEXTS[pieces.room.id][:-1], _HALF_MM, [], [_FRAGMENTS[look] for look in pieces.looks]
-    ids = [f'{before}/{look.name}_{row[6]}"' for look, row in zip(looks, pieces.rows, strict=True)] + ["null"]
-    for name, look, color, (_, on, under, wall, rotation, _, _, _, x0, z0, x1, z1, low, *_) in zip(
-        ids, looks, pieces.colours, pieces.rows, strict=False
-    ):
-        parts.append(
-            f'{{"id":{name},{look.named}"category":{look.category},"x":{half[x0 + x1]},"y":{half[2 * low]},"z":{half[z0 + z1]},'
-            f'"rotation":{rotation},{look.size},"color":{_TEXTS[color]},"wall":{_WALLS[wall]},"under":{ids[under]},"on":{ids[on]},'
-            f'"locked":false{look.kind}}}'
-        )
-    return f"[{','.join(parts)}]"
+def _texts_told(scene: Scene) -> Iterable[bytes]:
+    """Returns the lists of bodies that are told as rows, in the order in which the scene holds them."""
+    rooms = () if scene.extra else [room for room in scene.rooms if not room.extra]
+    found = [rows_in(room, sort) for room in rooms for sort in (FurnitureRows, DecorationRows)]
+    told = [rows for rows in found if rows is not None]
+    if not told:
+        return ()
+    from solver.core import ask  # noqa: PLC0415 - whoever has rows has loaded it
+
+    looks, texts = dict[Look, int](), dict[str, int]()
+    rows = [_as_asked(one, looks, texts) for one in told]
+    contents = [text.encode() for text in texts]
+    head = _HEADER.pack(len(looks), len(contents), len(rows), 0), pack(f"<{len(contents)}q", *map(len, contents))
+    answer = ask("bodies_text", b"".join([*head, _padded(b"".join(contents)), *map(_LOOKS.__getitem__, looks), *rows]))
+    ends = accumulate(unpack_from(f"<{len(rows)}q", answer), initial=8 * len(rows))
+    return [answer[start:end] for start, end in pairwise(ends)]
 
 
-def _things(things: DecorationRows) -> str:
-    """Writes decorations that are told as rows."""
-    before, half, parts = _TEXTS[things.room.id][:-1], _HALF_MM, []
-    ids, colours = [*map(quoted, furniture_ids(things.room))], map(_TEXTS.__getitem__, things.colours)
-    for of, color, (_, parent, _, wall, rotation, _, number, _, x0, z0, x1, z1, low, *_) in zip(
-        things.looks, colours, things.rows, strict=True
-    ):
-        look = _FRAGMENTS[of]
-        ids.append(name := f'{before}/{look.name}_{number}"')
-        parts.append(
-            f'{{"id":{name},{look.named}"parent":{ids[parent] if parent >= 0 else "null"},"mounted_on_wall":{_WALLS[wall]},'
-            f'"x":{half[x0 + x1]},"y":{half[2 * low]},"z":{half[z0 + z1]},"rotation":{rotation},{look.size},"color":{color}{look.kind}}}'
-        )
-    return f"[{','.join(parts)}]"
+def _as_asked(told: BodyRows, looks: dict[Look, int], texts: dict[str, int]) -> bytes:
+    """Returns bodies as the core reads them; looks and texts are numbered as they come."""
+    carriers = furniture_ids(told.room) if isinstance(told, DecorationRows) else ()
+    worn = [
+        number
+        for look, color in zip(told.looks, told.colours, strict=True)
+        for number in (looks.setdefault(look, len(looks)), texts.setdefault(_TEXTS[color], len(texts)))
+    ]
+    ids = [texts.setdefault(quoted(name), len(texts)) for name in carriers]
+    before = texts.setdefault(quoted(f"{told.room.id}/")[:-1], len(texts))
+    counts = _BODIES.pack(len(told), len(ids), before)
+    return b"".join([counts, told.content, pack(f"<{len(worn)}i", *worn), pack(f"<{len(ids)}q", *ids)])
 
 
-class _HalfMillimetres(dict[int, str]):
-    """Metres as JSON, by their half millimetres; those that are met often are kept."""
+class _LookTexts(dict[Look, bytes]):
+    """What is written of all bodies that look alike, with gaps for what is not alike, as the core reads it."""
 
-    def __missing__(self, length: int) -> str:
-        if len(self) >= MOST_LENGTHS:
-            self.clear()
-        text = self[length] = repr(length / 2000)
-        return text
-
-
-class _Fragment(NamedTuple):
-    """What is written of all bodies that look alike: the name within an id, and the keys of name, size and kind; the category."""
-
-    name: str
-    named: str
-    size: str
-    kind: str
-    category: str
-
-
-class _Fragments(dict[Look, _Fragment]):
-    """What is written of all bodies that look alike."""
-
-    def __missing__(self, look: Look) -> _Fragment:
+    def __missing__(self, look: Look) -> bytes:
         if len(self) >= MOST_TEXTS:
             self.clear()
-        width, depth, height = map(_number, look.size)
-        name, kind = quoted(look.name), _unless_none("kind", _TEXTS.__getitem__)(look.kind)
-        size = f'"width":{width},"depth":{depth},"height":{height}'
-        found = self[look] = _Fragment(name[1:-1], f'"name":{name},', size, kind, _TEXTS[look.category])
+        width, depth, height = look.size
+        size: dict[str, Any] = {"width": width, "depth": depth, "height": height, "kind": look.kind}
+        is_furniture = look.key[0] == "furniture"
+        body: Any = Furniture("", look.name, look.category, **size) if is_furniture else Decoration("", look.name, **size)
+        text, writers, values = _layout(body.__class__)
+        filled = zip(shape_of(body.__class__).names, writers, values(body), strict=True)
+        marked = [f"{_TOLD}{_GAPS[name]}{_TOLD}" if name in _GAPS else writer(value) for name, writer, value in filled]
+        parts = (text % tuple(marked)).split(_TOLD)
+        pieces = [(part.encode(), int(gap)) for part, gap in zip(parts[::2], [*parts[1::2], _NO_GAP], strict=True)]
+        whole, name = b"".join([part for part, _ in pieces]), quoted(look.name)[1:-1].encode()
+        rows = [_PIECE.pack(len(part), gap) for part, gap in pieces]
+        found = self[look] = b"".join([_LOOK.pack(len(rows), len(whole), len(name)), *rows, _padded(whole), _padded(name)])
         return found
+
+
+def _padded(content: bytes) -> bytes:
+    """Returns bytes that end at a multiple of 8."""
+    return content + bytes(-len(content) % 8)
 
 
 def _number(value: Any) -> str:
@@ -173,14 +179,12 @@ class _Texts(dict[Any, str]):
 
 
 _TEXTS: Final = _Texts()
-_FRAGMENTS: Final = _Fragments()
-_HALF_MM: Final = _HalfMillimetres()
+_LOOKS: Final = _LookTexts()
 _BY_CLASS: Final[dict[type[Any], Callable[[Any], str]]] = {
     type(None): lambda _: "null", bool: {False: "false", True: "true"}.__getitem__, int: repr, float: _number, tuple: _items,
-    Furniture: _record, Opening: _record, FurnitureRows: _pieces, DecorationRows: _things,
+    Furniture: _record, Opening: _record, FurnitureRows: lambda _: _TOLD, DecorationRows: lambda _: _TOLD,
 }  # fmt: skip
 _WRITERS: Final[dict[Callable[[Any], Any], Callable[[Any], str]]] = {
     write_number: _number, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,
 }  # fmt: skip
 """What writes as text what a function of the document's writer writes."""
-_WALLS: Final = [_TEXTS[wall] for wall in BODY_WALLS]

@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 
 from catalogs.access_profiles import AccessProfile
 from catalogs.schema import RoomType
-from solver.core import borrowed
+from solver.core import ask
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
 from solver.floorplan.tiling import LEAF_MM, HouseWalls, Joint, Layout
 from solver.geometry import OPPOSITE, Rect, to_mm
@@ -179,14 +179,3 @@ def _cut(row: Sequence[int]) -> Cut:
     kind, number, room, wall, other, centre, width, leaf, main = row
     sides = (None if one == _NONE else one for one in (other, leaf))
     return Cut(KINDS[kind], number, room, WALLS[wall], next(sides), centre, width, next(sides), bool(main))
-
-
-def ask(name: str, rows: bytes) -> bytes:
-    """Returns the core's answer.
-
-    Raises:
-        CoreFailed: the rows are no request.
-    """
-    with borrowed() as core:
-        packed = core.call(name, core.write(rows), len(rows))
-        return core.read(packed & 0xFFFFFFFF, packed >> 32)

@@ -9,7 +9,7 @@ from collections.abc import Sequence, Set
 
 from catalogs.checks import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec
-from solver.core import borrowed
+from solver.core import ask
 from solver.furnish.compiled_types import CompiledType, compiled_type
 from solver.furnish.core_rows import Answer, TypeNames, answer_of, pieces_of, place_rows, room_rows
 from solver.furnish.zones import scope_of
@@ -83,9 +83,7 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
 
 def _asked(known: CompiledType, room: bytes) -> Answer:
     """Asks the core what a room wants."""
-    with borrowed() as core:
-        packed = core.call("furnish", core.write(known.data), len(known.data), core.write(room), len(room))
-        return answer_of(core.read(packed & 0xFFFFFFFF, packed >> 32))
+    return answer_of(ask("furnish", known.data, room))
 
 
 def _why_nowhere(piece: PieceSpec, wanted: Set[str]) -> str:

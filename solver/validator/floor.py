@@ -10,10 +10,10 @@ from struct import Struct
 from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
+from solver.core import ask
 from solver.scene import Scene
 from solver.validator.accessibility import turning_squares
 from solver.validator.lattice import ExactBox, metres
-from solver.validator.sent_rooms import ask
 from solver.validator.squares import squares, window_zone
 from solver.validator.walk import walks
 from solver.validator.world import PlacedRoom, World, world_of

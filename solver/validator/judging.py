@@ -11,8 +11,8 @@ from functools import cached_property
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
+from solver.core import ask
 from solver.validator.kinds import Kinds
-from solver.validator.sent_rooms import ask
 from solver.validator.walk import Walk
 from solver.validator.world import PlacedRoom, World
 

@@ -10,13 +10,13 @@ from struct import Struct
 from typing import Any, Final
 
 from catalogs import Catalogs
+from solver.core import ask
 from solver.scene import Scene
 from solver.scene_bodies import counted
 from solver.understanding import understood
 from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.lattice import PER_METRE
 from solver.validator.reaching import LEAST_FLOOR, missed_sides, used_pieces
-from solver.validator.sent_rooms import ask
 from solver.validator.walk import Walk, walks
 from solver.validator.world import world_of
 

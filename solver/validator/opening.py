@@ -13,10 +13,10 @@ from struct import Struct, pack
 from typing import Any, Final, NamedTuple
 
 from solver.body_rows import furniture_ids
+from solver.core import ask
 from solver.demanded import demand
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import KindFronts, Kinds
-from solver.validator.sent_rooms import ask
 from solver.validator.shells import shell_of
 from solver.validator.world import PlacedRoom, World
 

@@ -13,7 +13,6 @@ from struct import Struct
 from typing import Final, NamedTuple
 
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, rows_in
-from solver.core import borrowed
 from solver.scene import WALLS
 from solver.validator.kinds import NO_KIND, SEATED, KindRows, Kinds
 from solver.validator.lattice import ExactBox, WallEdge
@@ -33,18 +32,6 @@ _NO_SUCH_WALL: Final = 4
 _FURNITURE, _DECORATION, _PERSON = 0, 1, 2
 _ALONG, _CROSSWISE, _BETWEEN = 0, 1, 2
 """How a body is turned: its width along x, along z, or neither."""
-
-
-def ask(name: str, content: bytes) -> bytes:
-    """Asks the core what takes bytes and answers with bytes.
-
-    Raises:
-        CoreFailed: the bytes are no room or storey, or hold lengths beyond a million kilometres.
-        CoreFull: it takes more memory than there is.
-    """
-    with borrowed() as core:
-        told = core.call(name, core.write(content), len(content))
-        return core.read(told & 0xFFFFFFFF, told >> 32)
 
 
 def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:

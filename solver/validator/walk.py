@@ -13,9 +13,10 @@ from dataclasses import dataclass
 from struct import Struct
 from typing import Final
 
+from solver.core import ask
 from solver.scene import EXTERIOR, WALLS
 from solver.validator.lattice import ExactBox, WallEdge, exact
-from solver.validator.sent_rooms import ask, room_bytes, storey_bytes
+from solver.validator.sent_rooms import room_bytes, storey_bytes
 from solver.validator.world import OPPOSITE, WAYS, Hole, PlacedRoom, World
 
 DEEPEST_WALL: Final = exact(0.6)

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from solver.core import CoreFailed
-from solver.floorplan.programme.home_search import GIVEN, FoundHome, HomeVerdict, ask, find_home, find_home_within
+from solver.core import CoreFailed, ask
+from solver.floorplan.programme.home_search import GIVEN, FoundHome, HomeVerdict, find_home, find_home_within
 from tests.core.test_native_homes import rows_of
 from tests.floorplan.reference.asked import between
 from tests.floorplan.reference.given_search import GivenSearch
@@ -67,7 +67,7 @@ def test_bytes_that_are_spoiled_end_in_an_answer_or_a_refusal() -> None:
         for _ in range(rng.randint(1, 4)):
             rows[rng.randrange(len(rows))] = rng.randrange(256)
         try:
-            ask(bytes(rows))
+            ask("find_home", bytes(rows))
         except CoreFailed:
             refused += 1
     assert 0 < refused < 120
@@ -76,4 +76,4 @@ def test_bytes_that_are_spoiled_end_in_an_answer_or_a_refusal() -> None:
 @pytest.mark.parametrize("size", [0, 3, 23, 24, 100])
 def test_bytes_that_are_cut_off_are_refused(size: int) -> None:
     with pytest.raises(CoreFailed, match="the request is none"):
-        ask(rows_of(home_question(0))[:size])
+        ask("find_home", rows_of(home_question(0))[:size])

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from solver.floorplan.programme.home_search import GIVEN, ask, home_rows, rows_within
+from solver.core import ask
+from solver.floorplan.programme.home_search import GIVEN, home_rows, rows_within
 from tests.core.native import Native
 from tests.floorplan.searches import HomeQuestion, home_question
 from tests.sweeps import seeds
@@ -17,4 +18,4 @@ def rows_of(question: HomeQuestion) -> bytes:
 
 def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     asked = [rows_of(home_question(number)) for number in seeds(range(1200), 4)]
-    assert native.answers("search_home", ([rows] for rows in asked)) == b"".join(ask(rows) for rows in asked)
+    assert native.answers("search_home", ([rows] for rows in asked)) == b"".join(ask("find_home", rows) for rows in asked)

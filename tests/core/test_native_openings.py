@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from solver.floorplan.openings import ask, open_walls, rows_of
+from solver.core import ask
+from solver.floorplan.openings import open_walls, rows_of
 from tests.core.native import Native
 from tests.floorplan.opened import opened_question
 from tests.sweeps import seeds

@@ -8,10 +8,11 @@ from typing import TypeVar
 
 from catalogs import load_catalogs
 from solver import generate
+from solver.core import ask
 from solver.scene import Decoration, Furniture, Request, Scene
 from solver.validator.kinds import kinds_of
 from solver.validator.opening import front_bytes, openers_in
-from solver.validator.sent_rooms import ask, room_bytes
+from solver.validator.sent_rooms import room_bytes
 from solver.validator.shells import shell_of
 from solver.validator.walk import walks
 from solver.validator.world import world_of

@@ -6,8 +6,8 @@ from random import Random
 
 import pytest
 
-from solver.core import CoreFailed
-from solver.floorplan.openings import ask, door_places, open_walls
+from solver.core import CoreFailed, ask
+from solver.floorplan.openings import door_places, open_walls
 from tests.core.test_native_openings import rows_asked
 from tests.floorplan.opened import opened_question
 from tests.floorplan.reference import openings as reference

@@ -7,11 +7,11 @@ from random import Random
 import pytest
 
 from catalogs import load_catalogs
-from solver.core import CoreFailed
+from solver.core import CoreFailed, ask
 from solver.scene import Decoration, Furniture, Room, Scene
 from solver.validator import metrics, validate
 from solver.validator.kinds import kinds_of
-from solver.validator.sent_rooms import ask, room_bytes
+from solver.validator.sent_rooms import room_bytes
 from solver.validator.world import world_of
 
 KNOWN = load_catalogs()

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
-from solver.core import borrowed
+from solver.core import ask
 from solver.fields import RECTANGLE
 from solver.floorplan.programme.planned_rooms import PlannedRoom
 from solver.floorplan.programme.skeletons import bent_kind, kinds_for
@@ -93,7 +93,7 @@ def find_home(
     Returns:
         None where nothing has the outline; a rectangle is always found.
     """
-    return _read(ask(home_rows(planned, frame_of, seed, walls, outline)), len(planned))
+    return _read(ask("find_home", home_rows(planned, frame_of, seed, walls, outline)), len(planned))
 
 
 def find_home_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]], seed: int, walls: HouseWalls) -> FoundHome | None:
@@ -105,7 +105,7 @@ def find_home_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[
         seed: the house's seed.
         walls: how thick walls are.
     """
-    return _read(ask(rows_within(planned, tilings, seed, walls)), len(planned))
+    return _read(ask("find_home", rows_within(planned, tilings, seed, walls)), len(planned))
 
 
 def home_rows(
@@ -138,17 +138,6 @@ def _rows(
     counts = [len(tiling) for tiling in tilings] + [0] * (len(tilings) % 2)
     rects = [_RECT.pack(*rect) for tiling in tilings for rect in tiling]
     return b"".join([header, *(_room_row(one, planned) for one in planned), *kinds, pack(f"<{len(counts)}i", *counts), *rects])
-
-
-def ask(rows: bytes) -> bytes:
-    """Returns the core's answer.
-
-    Raises:
-        CoreFailed: the rows are no request.
-    """
-    with borrowed() as core:
-        packed = core.call("find_home", core.write(rows), len(rows))
-        return core.read(packed & 0xFFFFFFFF, packed >> 32)
 
 
 def _read(answer: bytes, rooms: int) -> FoundHome | None:

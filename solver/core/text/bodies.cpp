@@ -1,0 +1,207 @@
+#include "text/bodies.hpp"
+
+#include "plain/lists.hpp"
+
+namespace text {
+
+namespace {
+
+constexpr i64 FARTHEST_MM = 1'000'000'000;  // metres with four decimals then have no more digits than a float keeps
+constexpr i64 LONGEST_NUMBER = 32;
+constexpr i64 WORD = 8;
+
+Bytes word(const char* text) {
+  i64 size = 0;
+  while (text[size] != 0) size++;
+  return {reinterpret_cast<u8*>(const_cast<char*>(text)), size};
+}
+
+// Text that grows.
+class Text {
+ public:
+  void put(Bytes part) {
+    reach(part.size);
+    u8* to = data_ + size_;
+    if (part.size > 4 * WORD) {
+      __builtin_memcpy(to, part.data, static_cast<unsigned long>(part.size));
+    } else {  // most are of a few letters
+      for (i64 i = 0; i < part.size; i++) to[i] = part.data[i];
+    }
+    size_ += part.size;
+  }
+  void put(u8 letter) {
+    reach(1);
+    data_[size_++] = letter;
+  }
+  void whole(i64 number) {
+    u8 digits[LONGEST_NUMBER];
+    i64 at = LONGEST_NUMBER;
+    u64 left = static_cast<u64>(magnitude(number));
+    do digits[--at] = static_cast<u8>('0' + left % 10);
+    while ((left /= 10) != 0);
+    if (number < 0) digits[--at] = '-';
+    put({digits + at, LONGEST_NUMBER - at});
+  }
+  // Half millimetres in metres, as Python writes a float.
+  void metres(i64 halves) {
+    if (magnitude(halves) > 2 * FARTHEST_MM) fail(Failure::bad_request);
+    const i64 size = magnitude(halves);
+    if (halves < 0) put('-');
+    whole(size / 2000);
+    i64 left = size % 2000 * 5, unit = 1000;
+    put('.');
+    do {
+      put(static_cast<u8>('0' + left / unit));
+      left %= unit;
+      unit /= 10;
+    } while (left != 0);
+  }
+  Bytes all() const { return {data_, size_}; }
+
+ private:
+  void reach(i64 more) {
+    if (size_ + more <= room_) return;
+    room_ = 2 * (size_ + more) + 4096;
+    u8* wider = static_cast<u8*>(arena::reserve(room_));
+    if (size_ > 0) __builtin_memcpy(wider, data_, static_cast<unsigned long>(size_));
+    data_ = wider;
+  }
+
+  u8* data_ = nullptr;
+  i64 size_ = 0;
+  i64 room_ = 0;
+};
+
+struct Look {
+  Span<Piece> pieces;
+  u8* text;
+  Bytes name;
+};
+
+// Bodies of one sort in a room.
+struct Told {
+  Bytes before;
+  Span<BodyRow> bodies;
+  Span<Worn> worn;
+  Span<i64> carriers;
+};
+
+class Writing {
+ public:
+  explicit Writing(Bytes rows) : reader_(rows.data, rows.size), header_(reader_.take<TextsRow>(1)[0]) {
+    const Span<i64> sizes = reader_.take<i64>(header_.texts);
+    i64 all = 0;
+    for (const i64 size : sizes) all += checked(size);
+    u8* at = bytes(all);
+    for (const i64 size : sizes) texts_.add({at, size}), at += size;
+    for (i32 i = 0; i < header_.looks; i++) read_look();
+  }
+
+  Bytes answer() {
+    const Span<i64> sizes = reserved<i64>(header_.sorts);
+    for (i64& size : sizes) {
+      const i64 before = written_.all().size;
+      write(read_bodies());
+      size = written_.all().size - before;
+    }
+    const Bytes text = written_.all();
+    Writer writer(bytes_of(sizes) + text.size);
+    writer.put(sizes);
+    writer.put(Span<u8>{text.data, static_cast<i32>(text.size)});
+    return writer.written();
+  }
+
+ private:
+  static i64 checked(i64 size) {
+    if (size < 0 || size > 1 << 28) fail(Failure::bad_request);
+    return size;
+  }
+  u8* bytes(i64 size) { return reader_.take<u8>(static_cast<i32>(checked(size))).data; }
+  Bytes text(i64 number) const {
+    if (number < 0 || number >= texts_.size()) fail(Failure::bad_request);
+    return texts_[number];
+  }
+
+  void read_look() {
+    const LookRow& row = reader_.take<LookRow>(1)[0];
+    const Span<Piece> pieces = reader_.take<Piece>(static_cast<i32>(checked(row.pieces)));
+    i64 size = 0;
+    for (const Piece& piece : pieces) size += checked(piece.size);
+    if (size != row.size) fail(Failure::bad_request);
+    u8* text = bytes(row.size);
+    looks_.add({pieces, text, {bytes(row.name_size), row.name_size}});
+  }
+
+  Told read_bodies() {
+    const BodiesRow& row = reader_.take<BodiesRow>(1)[0];
+    Told told{text(row.before), reader_.take<BodyRow>(row.bodies), reader_.take<Worn>(row.bodies), reader_.take<i64>(row.carriers)};
+    for (const Worn& worn : told.worn) {
+      if (worn.look < 0 || worn.look >= looks_.size()) fail(Failure::bad_request);
+    }
+    return told;
+  }
+
+  void write(const Told& told) {
+    written_.put('[');
+    for (i32 i = 0; i < told.bodies.size; i++) {
+      if (i > 0) written_.put(',');
+      const Look& look = looks_[told.worn[i].look];
+      u8* at = look.text;
+      for (const Piece& piece : look.pieces) {
+        written_.put({at, piece.size});
+        at += piece.size;
+        fill(told, i, piece.gap);
+      }
+    }
+    written_.put(']');
+  }
+
+  void fill(const Told& told, i32 number, Gap gap) {
+    const BodyRow& body = told.bodies[number];
+    switch (gap) {
+      case Gap::id: return own_id(told, number);
+      case Gap::on: return id(told, body.on);
+      case Gap::under: return id(told, body.under);
+      case Gap::wall: return wall(body.wall);
+      case Gap::x: return written_.metres(body.rect.x0 + body.rect.x1);
+      case Gap::y: return written_.metres(2 * body.low);
+      case Gap::z: return written_.metres(body.rect.z0 + body.rect.z1);
+      case Gap::rotation: return written_.whole(body.rotation);
+      case Gap::colour: return written_.put(text(told.worn[number].colour));
+      case Gap::none: return;
+    }
+    fail(Failure::bad_request);
+  }
+
+  void own_id(const Told& told, i32 number) {
+    written_.put(told.before);
+    written_.put(looks_[told.worn[number].look].name);
+    written_.put('_');
+    written_.whole(told.bodies[number].number);
+    written_.put('"');
+  }
+
+  void id(const Told& told, i32 number) {
+    if (number < 0) return written_.put(word("null"));
+    if (number < told.carriers.size) return written_.put(text(told.carriers[number]));
+    if (number - told.carriers.size >= told.bodies.size) fail(Failure::bad_request);
+    own_id(told, number - told.carriers.size);
+  }
+
+  void wall(i32 number) {
+    constexpr const char* NAMES[] = {"\"north\"", "\"south\"", "\"east\"", "\"west\""};
+    written_.put(word(number >= 0 && number < 4 ? NAMES[number] : "null"));
+  }
+
+  Reader reader_;
+  const TextsRow& header_;
+  List<Bytes> texts_;
+  List<Look> looks_;
+  Text written_;
+};
+
+}  // namespace
+
+Bytes bodies_text(Bytes rows) { return Writing(rows).answer(); }
+
+}  // namespace text
