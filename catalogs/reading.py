@@ -20,6 +20,7 @@ from catalogs.dressing_checks import holding_faults
 from catalogs.dwellers import Dweller
 from catalogs.entries import Synonym
 from catalogs.faults import CatalogError, Fault
+from catalogs.guessing import Evidence, Mark
 from catalogs.insides import insides_of
 from catalogs.misfits import misfit
 from catalogs.programmes import Preset
@@ -48,6 +49,7 @@ _SECTIONS: Final[dict[str, Any]] = {
     "synonyms": dict[str, Synonym],
     "room_names": dict[str, Synonym],
     "access": dict[str, AccessProfile],
+    "guessing": dict[Mark, Evidence],
 }
 """What each file of a catalog holds: `<section>.yaml`."""
 _FILES: Final = (*(f"{section}.yaml" for section in _SECTIONS), f"{_ROOMS}/<type>.yaml", f"{_SHAPES}/<any>.yaml")
@@ -55,7 +57,7 @@ _SHAPE_FILE: Final[Any] = dict[str, ShapeParts]
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
     "fingerprint": True, "assets": True, "shapes": True, "materials": True, "synonyms": True, "room_names": True, "habits": True,
-    "access": True,
+    "access": True, "guessing": True,
     "styles": {"__all__": {"materials"}},
     "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},

@@ -39,6 +39,7 @@ from catalogs.entries import (
     Synonym,
     Words,
 )  # fmt: skip
+from catalogs.guessing import Evidence, Mark
 from catalogs.programmes import Home, Preset
 from catalogs.shapes import Material, Solid
 from catalogs.styles import Style
@@ -271,10 +272,7 @@ class FlooringSpec(Entry):
 
 
 class Catalogs(Entry):
-    """Everything the project knows, by name; `fingerprint` identifies the exact data that homes follow from (hex, 12 digits).
-
-    `shapes` are written out for every kind of furniture and decoration that has one. `assets` are the user's own, by name.
-    """
+    """Everything the project knows, by name; `fingerprint` identifies the exact data that homes follow from (hex, 12 digits)."""
 
     furniture: dict[str, FurnitureSpec]
     floorings: dict[str, FlooringSpec]
@@ -286,8 +284,10 @@ class Catalogs(Entry):
     people: dict[str, Dweller] = Field(default_factory=dict)
     materials: dict[str, Material] = Field(default_factory=dict)
     shapes: dict[str, tuple[Solid, ...]] = Field(default_factory=dict)
+    """Written out for every kind of furniture and decoration that has one."""
     synonyms: dict[str, Synonym] = Field(default_factory=dict)
     room_names: dict[str, Synonym] = Field(default_factory=dict)
+    guessing: dict[Mark, Evidence] = Field(default_factory=dict)
     habits: dict[str, Habit] = Field(default_factory=dict)
     access: dict[str, AccessProfile] = Field(default_factory=dict)
     assets: dict[str, Asset] = Field(default_factory=dict)

@@ -41,7 +41,7 @@ class TypesInHome:
         self._alone = {k: np.array([suiting.alone(k, name) for name in self._names]) for k in self.free}
         self._joined = _joined(suiting) if self.free else np.zeros((2, 0, 0))
         indoors = sum(not one.outdoor for k, one in enumerate(self.marks) if fixed.get(k) != "")
-        self._numbers = RoomNumbers(suiting.kinds, indoors, program)
+        self._numbers = RoomNumbers(suiting.catalogs, indoors, program)
         start = [self._names.index(fixed[k]) if fixed.get(k) else self._none for k in range(len(self.marks))]
         self._types = self._settled(np.array(start, dtype=np.int64)) if self.free else np.array(start, dtype=np.int64)
 

@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import replace
 from itertools import product
+from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
 
-from catalogs import load_catalogs
+from catalogs import Catalogs, load_catalogs
+from catalogs.guessing import Mark
 from solver import generate
 from solver.guessing import guessed_types
-from solver.guessing.room_marks import marks_of
+from solver.guessing.room_marks import RoomMarks, marks_of
 from solver.guessing.room_numbers import RoomNumbers
 from solver.guessing.suiting import Suiting
 from solver.scene import EXTERIOR, Furniture, Opening, Request, Room, Scene
@@ -76,6 +79,45 @@ def test_a_programme_tells_how_many_there_are() -> None:
         assert found == Counter({"bedroom": program["bedrooms"], "office": program.get("office", 0)}) - Counter()
 
 
+def test_what_marks_cost_is_a_catalogs_own(tmp_path: Path) -> None:
+    """One bedroom like another is an office where offices are the rule, and a narrow room no kitchen where those are wide."""
+    (tmp_path / "guessing.yaml").write_text("first: {types: {office: -9}}\nwidth: {cost: 40, types: {kitchen: 3}}", encoding="utf-8")
+    own = load_catalogs(tmp_path)
+    home = as_plan(generate(Request(seed=3, program="family")).scene)
+    ours, theirs = ([guess.type for guess in guessed_types(home, one)] for one in (KNOWN, own))
+    assert ("office" in theirs, "office" in ours) == (True, False)
+    galley = Suiting(marks_of([Room("a", width=5.0, depth=2.4)]), KNOWN), Suiting(marks_of([Room("a", width=5.0, depth=2.4)]), own)
+    assert galley[0].alone(0, "kitchen") < galley[0].alone(0, "bedroom") + 1 < galley[1].alone(0, "kitchen")
+
+
+def costs_by(catalogs: Catalogs) -> list[float]:
+    """What rooms of many forms, doors between all types, and homes of many rooms cost."""
+    forms = product((1.0, 30.0), (0.8, 4.0), ("", "door", "main"), (0, 1), (0, 1), (0, 4), (frozenset[str](), frozenset({"bed"})))
+    marks = [
+        RoomMarks(area, short, 9.0, tuple((there, False) for there in range(ways)), front, large, small, False, False, pieces)
+        for area, short, front, large, small, ways, pieces in forms
+    ]
+    suiting, names = Suiting(marks, catalogs), list(catalogs.rooms)
+    found = [suiting.alone(k, name) for k in range(len(marks)) for name in names]
+    found += [suiting.joined(one, other, is_open) for one in names for other in names for is_open in (False, True)]
+    homes = np.vstack([np.zeros((1, len(names)), np.int64), np.eye(len(names), dtype=np.int64) * 2])
+    for program in (None, {"kitchen": 1}):
+        numbers = RoomNumbers(catalogs, 12, program)
+        found += [*numbers.more(homes).ravel(), *numbers.missing(homes)]
+    return found
+
+
+@pytest.fixture(scope="module")
+def told() -> list[float]:
+    return costs_by(KNOWN)
+
+
+@pytest.mark.parametrize("mark", get_args(Mark))
+def test_each_mark_tells_something(mark: str, told: list[float]) -> None:
+    without = KNOWN.model_copy(update={"guessing": {name: told for name, told in KNOWN.guessing.items() if name != mark}})
+    assert costs_by(without) != told
+
+
 def test_the_same_plan_gives_the_same_guesses() -> None:
     home = as_plan(generate(Request(seed=5, program="family")).scene)
     assert guessed_types(home, KNOWN) == guessed_types(home, KNOWN)
@@ -119,7 +161,7 @@ def test_no_other_types_of_a_small_home_are_cheaper(seed: int) -> None:
     plan = as_plan(generate(Request(seed=seed, program="studio")).scene)
     marks = marks_of(plan.rooms)
     suiting, names = Suiting(marks, KNOWN), list(KNOWN.rooms)
-    numbers = RoomNumbers(KNOWN.rooms, len(marks), None)
+    numbers = RoomNumbers(KNOWN, len(marks), None)
     alone = [{name: suiting.alone(k, name) for name in names} for k in range(len(marks))]
 
     def cost(given: tuple[str, ...]) -> float:
