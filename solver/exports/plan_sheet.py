@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Final
 
+from solver.exports.model import PlacedOpening
 from solver.exports.plan_facades import too_short
 from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, label_box, number_box
 from solver.exports.xml_text import xml_text
@@ -22,6 +23,8 @@ MARGIN, STRIP, GAP, LEAST_WIDTH = 28.0, 19.0, 6.0, 150.0
 """Round the house, of the title below, between chains of dimensions, of the whole; mm on paper."""
 LETTERS, NUMBERS, TITLE = 2.9, 2.1, 5.0
 """Heights of letters, mm on paper."""
+ENTRANCE: Final = (0.8, 2.6, 3.0)
+"""How far from its wall the mark of the main entrance is, how deep and how wide, mm on paper."""
 _STYLE: Final = (
     "text{{font-family:Helvetica,Arial,sans-serif;fill:#1a1a1a;text-anchor:middle}}"
     ".floor,.walls{{stroke:none}}.walls{{fill:#2e2e2e}}"
@@ -33,7 +36,7 @@ _STYLE: Final = (
     ".line{{fill:none;stroke:#505050;stroke-width:{hair:g}}}"
     ".tick{{fill:none;stroke:#1a1a1a;stroke-width:{bold:g}}}"
     ".number{{font-size:{numbers:g}px}}.name{{font-weight:bold}}.back{{fill:#fff;fill-opacity:.85}}"
-    ".left{{text-anchor:start}}"
+    ".left{{text-anchor:start}}.entrance{{fill:#1a1a1a;stroke:none}}"
 )
 
 
@@ -85,6 +88,17 @@ def sheet_for(bounds: PlanBox, wanted: int | None = None) -> PlanSheet:
     margin, strip = MARGIN * scale / 1000, STRIP * scale / 1000
     more = max(0.0, LEAST_WIDTH * scale / 1000 - (east - west + 2 * margin)) / 2
     return PlanSheet(west - margin - more, north - margin, east + margin + more, south + margin + strip, scale)
+
+
+def entrance_mark(opening: PlacedOpening, sheet: PlanSheet) -> str:
+    """Returns a triangle before the main entrance that points at it from outside, beyond its leaf where that swings out."""
+    outward = 1 if opening.rooms[0] is None else -1 if opening.rooms[1] is None else -opening.towards
+    apart, deep, wide = (length * sheet.scale for length in ENTRANCE)
+    apart += opening.thickness * 500 + (opening.end - opening.start) * 1000 * (opening.towards == outward)
+    at, tip = (opening.start + opening.end) * 500, opening.line * 1000 + outward * apart
+    corners = [(at, tip), (at - wide / 2, tip + outward * deep), (at + wide / 2, tip + outward * deep)]
+    points = " ".join(f"{x:.0f},{z:.0f}" for x, z in (corners if opening.axis == "x" else [(z, x) for x, z in corners]))
+    return f'<polygon class="entrance" points="{points}"/>\n'
 
 
 def dimension(line: Dimension, sheet: PlanSheet, backed: bool = False) -> tuple[str, str, str]:

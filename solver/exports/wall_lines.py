@@ -65,8 +65,7 @@ def _kind(covering: Sequence[OutlineEdge]) -> Literal["wall", "railing"] | None:
     """Returns what stands on a stretch of a line, given the edges that cover it."""
     if not any(edge.room.wall_flags is None or getattr(edge.room.wall_flags, edge.side) for edge in covering):
         return None
-    is_shared = len({edge.inward for edge in covering}) == 2
-    return "railing" if not is_shared and all(edge.room.outdoor for edge in covering) else "wall"
+    return "railing" if all(edge.room.outdoor for edge in covering) else "wall"
 
 
 def openings_of(rooms: Sequence[Room], bands: WallBands, finder: RoomFinder) -> list[PlacedOpening]:

@@ -63,6 +63,27 @@ def test_leaves_open_to_the_side_and_from_the_end_that_the_scene_says() -> None:
         assert stands.shut[along] == pytest.approx(other, abs=FRAME + 0.001)
 
 
+@pytest.mark.parametrize("name", ["own", "family"])
+def test_a_mark_points_at_the_main_entrance_from_outside(name: str) -> None:
+    model = homes.described(name)
+    (root,) = svg.plans(written(model))
+    marks = [one for one in root.iter(f"{svg.SVG}polygon") if one.get("class") == "entrance"]
+    doors = [one for one in model.openings if one.is_main_entrance]
+    assert len(marks) == len(doors) == 1
+    corners = [tuple(map(float, pair.split(","))) for pair in marks[0].get("points", "").split()]
+    along, across = (0, 1) if doors[0].axis == "x" else (1, 0)
+    line, middle = doors[0].line * 1000, (doors[0].start + doors[0].end) * 500
+    tip = min(corners, key=lambda corner: abs(corner[across] - line))
+    assert tip[along] == pytest.approx(middle, abs=1)
+    assert sum(corner[along] for corner in corners) / 3 == pytest.approx(middle, abs=1)
+    boxes = [[[pick(corner[axis] for corner in room.corners) * 1000 for axis in (0, 1)] for pick in (min, max)] for room in model.rooms]
+    for corner in corners:
+        assert abs(corner[across] - line) > doors[0].thickness * 500
+        if doors[0].towards * (corner[across] - line) > 0:
+            assert abs(corner[across] - line) > (doors[0].end - doors[0].start) * 1000
+        assert not any(low[0] < corner[0] < high[0] and low[1] < corner[1] < high[1] for low, high in boxes)
+
+
 def number_boxes(line: Dimension, size: float) -> list[PlanBox]:
     """The floor that the numbers of a dimension line take."""
     found = []

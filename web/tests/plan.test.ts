@@ -59,6 +59,12 @@ describe("runs of wall", () => {
     ]);
   });
 
+  it("are railings between two rooms outdoors", () => {
+    const drawn = runs(room("a", [0, 0, 4, 3], { outdoor: true }), room("b", [4, 0, 4, 3], { outdoor: true }));
+    expect(drawn).toContain("z@4 0-3 railing");
+    expect(drawn.filter((run) => run.endsWith("wall"))).toEqual([]);
+  });
+
   it("meet although adding metres in binary does not", () => {
     const shared = runs(room("a", [0, 0, 0.1 + 0.2, 3]), room("b", [0.3, 0, 2, 3])).filter((run) => run.startsWith("z@0.3"));
     expect(shared).toEqual(["z@0.3 0-3 wall"]);

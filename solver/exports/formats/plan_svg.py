@@ -15,7 +15,7 @@ from solver.body_parts import BodyPart
 from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening
 from solver.exports.paints import shade
 from solver.exports.plan_rooms import PlanBox, words_of
-from solver.exports.plan_sheet import dimension, room_name, title
+from solver.exports.plan_sheet import dimension, entrance_mark, room_name, title
 from solver.exports.plan_storeys import PlanStorey, drawing_ranks, open_leaf, opening_box, storeys_of
 from solver.exports.plan_symbols import HIGH, marks_of
 from solver.exports.writers import ExportSettings, Files
@@ -41,6 +41,7 @@ def _drawn(model: HouseModel, storey: PlanStorey) -> Iterator[str]:
     yield _path("walls", storey.walls) + _path("opening", storey.railings)
     yield from map(_opening, storey.openings)
     yield from map(_stated, storey.openings)
+    yield from (entrance_mark(opening, storey.sheet) for opening in storey.openings if opening.is_main_entrance)
     yield from (_leaf(leaf) for leaf in storey.leaves if leaf.motion == "swing")
     yield _dimensions(storey)
     yield from map(room_name, storey.labels)

@@ -26,8 +26,7 @@ export interface Run {
 /** What stands between two neighbouring cuts of a line, given the edges that cover that stretch. */
 function kindOf(covering: readonly Edge[]): RunKind | null {
   if (!covering.some((edge) => edge.room.wall_flags[edge.side] !== false)) return null;
-  const shared = covering.some((edge) => edge.inward === 1) && covering.some((edge) => edge.inward === -1);
-  return !shared && covering.every((edge) => edge.room.outdoor) ? "railing" : "wall";
+  return covering.every((edge) => edge.room.outdoor) ? "railing" : "wall";
 }
 
 function runsOnLine(edges: readonly BandedEdge[], usual: number, bridges: ReadonlySet<string>): Run[] {
