@@ -17,6 +17,7 @@ from solver.scene import EXTERIOR, Request
 from tests.floorplan import checks, homes, silhouettes
 
 CATALOGS = load_catalogs()
+LIVED_IN = {"living_room", "dining_room", "kitchen"}
 
 
 def planned(**fields: Any) -> FloorPlan:
@@ -68,6 +69,21 @@ def test_one_comes_in_through_the_foyer_from_the_street(outline: str) -> None:
         plan = planned(seed=seed, program="family", outline=outline)
         ((room, door),) = checks.entrances(plan.rooms)
         assert (room.type, door.wall, door.connects_to) == ("foyer", "south", EXTERIOR)
+
+
+@pytest.mark.parametrize("outline", homes.OUTLINES)
+def test_gardens_lie_at_living_spaces_and_take_nobodys_light(outline: str) -> None:
+    entered = []
+    for seed in range(500, 540):
+        rooms = planned(seed=seed, program="family", outline=outline, outdoor=True).rooms
+        kinds = {room.id: room.type for room in rooms}
+        for room in rooms:
+            if room.outdoor:
+                entered.append({kinds[str(o.connects_to)] for o in room.openings if o.connects_to in kinds} <= LIVED_IN)
+            elif CATALOGS.rooms[room.type].plan.habitable:
+                assert any(o.kind == "window" for o in room.openings), (seed, room.id)
+    assert len(entered) > 50
+    assert sum(entered) >= 0.75 * len(entered)
 
 
 def test_the_seed_draws_outlines_and_two_of_five_are_no_rectangles() -> None:

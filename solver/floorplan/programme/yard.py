@@ -1,21 +1,23 @@
 """A garden for a planned home: a strip beside the house, or behind an axial one, where no room loses its only window.
 
+Of a house that is no rectangle it lies at the living spaces, in a court or wherever else they have an outer wall.
+
 Comes in: a planned home. Goes out: the same with a backyard and, where there is a way to it, a patio.
 May import: the ground floor, catalogs, the floor plan's layout.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Final
+from typing import Final, NamedTuple
 
 from catalogs.schema import Catalogs
 from solver.floorplan.access import AccessPlan
 from solver.floorplan.programme.home_access import HomeAccess
 from solver.floorplan.programme.home_search import Frame
-from solver.floorplan.tiling import Joint, Layout, exterior_sides
-from solver.geometry import Rect, strip
+from solver.floorplan.tiling import Joint, Layout, Stretches
+from solver.geometry import Rect
 
 YARD_MM: Final = 5000
 """How deep the strip of garden is. Our choice: a patio of 14 m2 is then nearly as long as wide, with space for a tree."""
@@ -25,6 +27,10 @@ PATIO_MM: Final = (3400, 2800)
 """Lengths tried for a patio: 17 and 14 m2."""
 BACKYARD_MM: Final = 4400
 """Least length of a backyard: 22 m2, the least in which its type holds two doors."""
+LIT_MM: Final = 1800
+"""Least outer wall that lights a room: a window of 1.2 m and 0.3 m of wall at each end."""
+BEHIND: Final = ("north", "east", "west")
+"""Where a garden may lie that not all of a side is free for: not at the street."""
 BACKYARD: Final = "backyard"
 PATIO: Final = "patio"
 
@@ -67,44 +73,100 @@ def with_yard(home: PlannedHome, frame: Frame, catalogs: Catalogs) -> PlannedHom
     along = frame.depth if home.kind == "axial" else frame.width
     if along and along < YARD_MM + HOUSE_MM:
         return replace(home, notes=(*home.notes, f"no backyard: the house takes the whole plot of {along / 1000:g} m"))
-    sides = ("north",) if home.kind == "axial" else ("east", "west")
+    bent = sum(rect.width * rect.depth for rect in home.layout.rooms) < home.layout.outline.width * home.layout.outline.depth
+    sides = BEHIND if bent else ("north",) if home.kind == "axial" else ("east", "west")
     offers = [offer for side in sides for offer in _offers(home, side, catalogs)]
+    if bent:
+        offers = [offer for offer in sorted(offers, key=lambda offer: -offer.lived_in) if _suits(home, offer, catalogs)]
     if not offers:
         return replace(home, notes=(*home.notes, "no backyard: no living space or hallway lies at that side of the house"))
-    side, names, spans = max(offers, key=lambda offer: len(offer[1]))
-    missing = () if PATIO in names else ("no patio: beside the backyard no living space or hallway leads to one",)
-    return _beside(replace(home, notes=(*home.notes, *missing)), side, names, spans)
+    best = max(offers, key=lambda offer: (bent and offer.lived_in == len(offer.names), len(offer.names)))
+    missing = () if PATIO in best.names else ("no patio: beside the backyard no living space or hallway leads to one",)
+    return _beside(replace(home, notes=(*home.notes, *missing)), best)
 
 
-Offer = tuple[str, tuple[str, ...], tuple[tuple[int, int], ...]]
+class _Offer(NamedTuple):
+    """A garden: what its parts are, where they lie in the house's frame, mm, and to how many of them a living space leads."""
+
+    names: tuple[str, ...]
+    rects: tuple[Rect, ...]
+    lived_in: int
 
 
-def _offers(home: PlannedHome, side: str, catalogs: Catalogs) -> Iterator[Offer]:
-    """Yields gardens along a side that can be entered: their types and where they start and end along it."""
-    (low, high), least = home.layout.outline.along(side), home.layout.walls.door_wall
-    ways = [
-        rect.along(side)
-        for rect, name in zip(home.layout.rooms, home.types, strict=True)
-        if catalogs.rooms[name].plan.way_through and side in exterior_sides(rect, home.layout.outline)
-    ]
+def _offers(home: PlannedHome, side: str, catalogs: Catalogs) -> Iterator[_Offer]:
+    """Yields gardens along the outer walls of a side that can be entered."""
+    least = home.layout.walls.door_wall
+    for line, stretches in _facades(home.layout, side).items():
+        for low, high in _merged([over for _, over in stretches]):
+            ways = [(room, over) for room, over in stretches if catalogs.rooms[home.types[room]].plan.way_through]
+            lived = [over for room, over in ways if catalogs.rooms[home.types[room]].plan.habitable]
+            every = [over for _, over in ways]
+            for names, spans in _parts(low, high):
+                if all(_entered(span, every, least) for span in spans):
+                    rects = tuple(_outside(line, side, span) for span in spans)
+                    yield _Offer(names, rects, sum(_entered(span, lived, least) for span in spans))
+
+
+def _parts(low: int, high: int) -> Iterator[tuple[tuple[str, ...], tuple[tuple[int, int], ...]]]:
+    """Yields how a garden along a stretch of wall may be shared out."""
     for patio in PATIO_MM:
         if high - low - patio >= BACKYARD_MM:
             for cut, names in ((low + patio, (PATIO, BACKYARD)), (high - patio, (BACKYARD, PATIO))):
-                if _entered((low, cut), ways, least) and _entered((cut, high), ways, least):
-                    yield side, names, ((low, cut), (cut, high))
-    if _entered((low, high), ways, least):
-        yield side, (BACKYARD,), ((low, high),)
+                yield names, ((low, cut), (cut, high))
+    yield (BACKYARD,), ((low, high),)
+
+
+def _facades(layout: Layout, side: str) -> dict[int, list[tuple[int, tuple[int, int]]]]:
+    """Returns the outer walls of a side, by the line they lie on: rooms and stretches, mm."""
+    found: dict[int, list[tuple[int, tuple[int, int]]]] = {}
+    for room, exposed in enumerate(layout.exposed):
+        for over in exposed.get(side, ()):
+            found.setdefault(layout.rooms[room].line(side), []).append((room, over))
+    return found
+
+
+def _merged(stretches: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Returns stretches with those that follow each other as one."""
+    merged: list[tuple[int, int]] = []
+    for low, high in sorted(stretches):
+        if merged and merged[-1][1] == low:
+            merged[-1] = merged[-1][0], high
+        else:
+            merged.append((low, high))
+    return merged
+
+
+def _outside(line: int, side: str, span: tuple[int, int]) -> Rect:
+    """Returns the strip of garden outside a stretch of wall."""
+    if side == "north":
+        return Rect(span[0], line - YARD_MM, span[1], line)
+    return Rect(*((line, span[0], line + YARD_MM) if side == "east" else (line - YARD_MM, span[0], line)), span[1])
 
 
 def _entered(span: tuple[int, int], ways: Sequence[tuple[int, int]], least: int) -> bool:
     return any(min(span[1], high) - max(span[0], low) >= least for low, high in ways)
 
 
-def _beside(home: PlannedHome, side: str, names: tuple[str, ...], spans: tuple[tuple[int, int], ...]) -> PlannedHome:
-    """Makes the plot longer on one side and lays the gardens there."""
-    outline = home.layout.outline
-    x, z = (YARD_MM if side == "west" else 0), (YARD_MM if side == "north" else 0)
-    whole = Rect(0, 0, outline.x1 + (side != "north") * YARD_MM, outline.z1 + z)
-    rooms = [*(rect.moved(x, z) for rect in home.layout.rooms), *(strip(whole, side, span, YARD_MM) for span in spans)]
-    layout = replace(home.layout, outline=whole, rooms=tuple(rooms))
-    return replace(home, layout=layout, types=(*home.types, *names))
+def _suits(home: PlannedHome, offer: _Offer, catalogs: Catalogs) -> bool:
+    """Tells whether a garden lies over no room, is large enough, and takes no room's only light."""
+    rooms = home.layout.rooms
+    if any(one.overlaps(room) for one in offer.rects for room in rooms):
+        return False
+    if any(max(rect.width, rect.depth) < BACKYARD_MM for rect, name in zip(offer.rects, offer.names, strict=True) if name == BACKYARD):
+        return False
+    after = replace(home.layout, rooms=(*rooms, *offer.rects)).exposed
+    habitable = [i for i, name in enumerate(home.types) if catalogs.rooms[name].plan.habitable]
+    return all(_is_lit(after[i]) or not _is_lit(home.layout.exposed[i]) for i in habitable)
+
+
+def _is_lit(exposed: Mapping[str, Stretches]) -> bool:
+    return any(high - low >= LIT_MM for stretches in exposed.values() for low, high in stretches)
+
+
+def _beside(home: PlannedHome, offer: _Offer) -> PlannedHome:
+    """Lays the gardens beside the house and makes the plot as large as both."""
+    rooms = [*home.layout.rooms, *offer.rects]
+    west, north = min(rect.x0 for rect in rooms), min(rect.z0 for rect in rooms)
+    moved = tuple(rect.moved(-west, -north) for rect in rooms)
+    outline = Rect(0, 0, max(rect.x1 for rect in moved), max(rect.z1 for rect in moved))
+    return replace(home, layout=replace(home.layout, outline=outline, rooms=moved), types=(*home.types, *offer.names))
