@@ -292,7 +292,9 @@ def export_files(document: object, catalogs: Catalogs, format: str) -> Files:
         FieldError: a field is wrong, or the format's library is not installed.
     """
     body = _sent(document)
-    return export(body.scene, format, free=cast(Freedom, body.free), strict=body.strict, scale=body.scale, catalogs=catalogs)
+    return export(
+        body.scene, format, free=cast(Freedom, body.free), strict=body.strict, scale=body.scale, called=body.called, catalogs=catalogs
+    )
 
 
 def export_one(document: object, catalogs: Catalogs, format: str) -> ExportedFile:

@@ -170,6 +170,7 @@ class ExportBody(Record):
     free: Annotated[str, OneOf(*FREEDOMS)] = "light"
     strict: Flag = False
     scale: Annotated[Annotated[int, Ge(20), Le(2000), WHOLE] | None, Says("of an svg plan, 1 to so much")] = None
+    called: Annotated[Mapping[Text, Text], Says("what an svg plan calls room types, by type")] = field(default_factory=dict)
     issues: Any = None
     timing_ms: Any = None
     understood_as: Any = None

@@ -5,7 +5,7 @@ Comes in: a storey's floors, walls and what stands in the way. Goes out: `RoomLa
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, NamedTuple
 
@@ -28,10 +28,15 @@ LONGEST: Final = 28
 """Letters of the longest name that is written whole."""
 LINE: Final = 1.25
 """From one line of text to the next, as a share of its height."""
-_SAID: Final = {"bedroom_master": "master bedroom", "garage_2car": "garage for two cars", "garage_3car": "garage for three cars"}
+_SAID: Final = {
+    "bedroom_master": "master bedroom", "kids_bedroom": "kids' bedroom", "garage_2car": "garage for two cars",
+    "garage_3car": "garage for three cars",
+}  # fmt: skip
 """What one says of room types whose names' parts stand in another order, or are short."""
 _LEAST_SHRINK: Final = 0.62
 """How much smaller a name may be written to fit its room."""
+_UPRIGHT: Final = 0.75
+"""A name is written upright where level it would have to be smaller than this share of that."""
 
 
 class Dimension(NamedTuple):
@@ -47,10 +52,13 @@ class Dimension(NamedTuple):
 
 
 class RoomLabel(NamedTuple):
-    """A room's name and clear area in m2, where: its middle, m; `upright` is written from south to north; `size`: letters' height, m."""
+    """A room's name in one row or two, and its clear area in m2, where: its middle, m.
+
+    `upright` is written from south to north; `size`: letters' height, m.
+    """
 
     room: FloorPlate
-    words: str
+    rows: tuple[str, ...]
     area: float
     x: float
     z: float
@@ -60,18 +68,19 @@ class RoomLabel(NamedTuple):
 
 @dataclass(frozen=True)
 class PlanRoom:
-    """A room to be labelled: its clear corners, what stands in it, the height of letters of its name and of numbers, m."""
+    """A room to be labelled: its name, its clear corners, what stands in it, the height of letters of its name and of numbers, m."""
 
     plate: FloorPlate
+    words: str
     corners: Sequence[tuple[float, float]]
     obstacles: Sequence[Obstacle]
     letters: float
     numbers: float
 
 
-def words_of(room_type: str) -> str:
-    """Returns a room type as a plan names it."""
-    words = _SAID.get(room_type) or " ".join(room_type.replace("_", " ").split())
+def words_of(room_type: str, called: Mapping[str, str] | None = None) -> str:
+    """Returns a room type as a plan names it: as it is `called`, else in English."""
+    words = (called or {}).get(room_type) or _SAID.get(room_type) or " ".join(room_type.replace("_", " ").split())
     words = words if len(words) <= LONGEST else words[: LONGEST - 1].rstrip() + "…"
     return words[:1].upper() + words[1:]
 
@@ -114,15 +123,18 @@ def chord(corners: Sequence[tuple[float, float]], axis: Literal["x", "z"], at: f
 
 
 def label_of(room: PlanRoom) -> RoomLabel:
-    """Returns where a room's name stands: least over furniture, next to the middle; smaller or upright where the room is narrow."""
-    words, area = words_of(room.plate.type), doubled_area(room.corners) / 2
+    """Returns where a room's name stands: least over furniture, next to the middle; in two rows, smaller or upright where it is narrow."""
+    area = doubled_area(room.corners) / 2
     x0, z0, x1, z1 = _bounds(room.corners)
-    wide, high = max(len(words), 7) * _WIDE * room.letters, 2 * LINE * room.letters
-    upright = wide > 0.94 * (x1 - x0) and z1 - z0 > x1 - x0
-    if upright:
-        wide, high = high, wide
-    shrink = min(1.0, max(_LEAST_SHRINK, min(0.94 * (x1 - x0) / wide, 0.94 * (z1 - z0) / high)))
-    wide, high = wide * shrink, high * shrink
+
+    def fit(rows: tuple[str, ...], upright: bool) -> float:
+        wide, high = _extent(rows, upright, room.letters)
+        return min(1.0, 0.94 * (x1 - x0) / wide, 0.94 * (z1 - z0) / high) * (_UPRIGHT if upright else 1.0)
+
+    ways = [((room.words,), False), *((rows, False) for rows in _in_two(room.words)), ((room.words,), True)]
+    rows, upright = max(ways, key=lambda way: fit(*way))
+    shrink = max(_LEAST_SHRINK, fit(rows, upright) / (_UPRIGHT if upright else 1.0))
+    wide, high = _extent(rows, upright, room.letters * shrink)
     best, least = ((x0 + x1) / 2, (z0 + z1) / 2), float("inf")
     for i in _STEPS:
         x = x0 + wide / 2 + i * max(0.0, x1 - x0 - wide)
@@ -135,14 +147,24 @@ def label_of(room: PlanRoom) -> RoomLabel:
             cost += covered(box, room.obstacles) + (0.0 if _within(box, room.corners) else 10.0)
             if cost < least:
                 best, least = (x, z), cost
-    return RoomLabel(room.plate, words, area, *best, upright, room.letters * shrink)
+    return RoomLabel(room.plate, rows, area, *best, upright, room.letters * shrink)
+
+
+def _in_two(words: str) -> list[tuple[str, ...]]:
+    """Returns a name of several words in two rows, the longer as short as can be."""
+    cuts = [(words[:at], words[at + 1 :]) for at, letter in enumerate(words) if letter == " "]
+    return [min(cuts, key=lambda rows: max(map(len, rows)))] if cuts else []
+
+
+def _extent(rows: tuple[str, ...], upright: bool, size: float) -> tuple[float, float]:
+    """Returns how wide and high a name and the area below it are, m."""
+    wide, high = max(7, *map(len, rows)) * _WIDE * size, (len(rows) + 1) * LINE * size
+    return (high, wide) if upright else (wide, high)
 
 
 def label_box(label: RoomLabel) -> PlanBox:
     """Returns the floor that a label takes."""
-    wide, high = max(len(label.words), 7) * _WIDE * label.size, 2 * LINE * label.size
-    if label.upright:
-        wide, high = high, wide
+    wide, high = _extent(label.rows, label.upright, label.size)
     return label.x - wide / 2, label.z - high / 2, label.x + wide / 2, label.z + high / 2
 
 

@@ -12,31 +12,32 @@ from typing import Final
 
 from solver.exports.model import PlacedOpening
 from solver.exports.plan_facades import too_short
-from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, label_box, number_box
+from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, number_box
 from solver.exports.xml_text import xml_text
 from solver.geometry import square_metres
 
 SCALES: Final = (20, 25, 50, 75, 100, 150, 200, 250, 500, 1000, 2000)
 PAPER: Final = (408.0, 285.0)
 """What a printer reaches of an A3 sheet, mm; either way round. A smaller plan makes a smaller sheet."""
-MARGIN, STRIP, GAP, LEAST_WIDTH = 28.0, 19.0, 6.0, 150.0
+MARGIN, STRIP, GAP, LEAST_WIDTH = 28.0, 21.0, 6.0, 150.0
 """Round the house, of the title below, between chains of dimensions, of the whole; mm on paper."""
-LETTERS, NUMBERS, TITLE = 2.9, 2.1, 5.0
+LETTERS, NUMBERS, TITLE = 2.5, 2.1, 5.0
 """Heights of letters, mm on paper."""
 ENTRANCE: Final = (0.8, 2.6, 3.0)
 """How far from its wall the mark of the main entrance is, how deep and how wide, mm on paper."""
 _STYLE: Final = (
-    "text{{font-family:Helvetica,Arial,sans-serif;fill:#1a1a1a;text-anchor:middle}}"
-    ".floor,.walls{{stroke:none}}.walls{{fill:#2e2e2e}}"
+    "text{{font-family:Helvetica,Arial,sans-serif;fill:#1a1a1a;text-anchor:middle;"
+    "paint-order:stroke;stroke:#fff;stroke-width:{halo:g};stroke-opacity:.8;stroke-linejoin:round}}"
+    ".floor,.walls{{stroke:none}}.walls,.entrance{{fill:#2e2e2e}}"
     ".body{{stroke:#5c5c5c;stroke-width:{fine:g}}}.item{{stroke:#7a7a7a;stroke-width:{hair:g}}}"
     ".high{{fill:none;stroke:#7a7a7a;stroke-width:{hair:g};stroke-dasharray:{dash:g}}}"
     ".opening{{fill:#fff;stroke:#2e2e2e;stroke-width:{fine:g}}}"
     ".arc{{fill:none;stroke:#2e2e2e;stroke-width:{hair:g}}}"
     ".dashed{{fill:none;stroke:#2e2e2e;stroke-width:{hair:g};stroke-dasharray:{dash:g}}}"
-    ".line{{fill:none;stroke:#505050;stroke-width:{hair:g}}}"
+    ".line{{fill:none;stroke:#8a8a8a;stroke-width:{hair:g}}}"
     ".tick{{fill:none;stroke:#1a1a1a;stroke-width:{bold:g}}}"
-    ".number{{font-size:{numbers:g}px}}.name{{font-weight:bold}}.back{{fill:#fff;fill-opacity:.85}}"
-    ".left{{text-anchor:start}}.entrance{{fill:#1a1a1a;stroke:none}}"
+    ".number{{font-size:{numbers:g}px}}.name{{font-weight:bold}}"
+    ".left{{text-anchor:start}}"
 )
 
 
@@ -68,7 +69,7 @@ class PlanSheet:
     def opened(self, said: str) -> str:
         """Returns the file's beginning: its size, on paper and in the house, more attributes, and how things are drawn."""
         left, top, wide, high = self.west * 1000, self.north * 1000, (self.east - self.west) * 1000, (self.south - self.north) * 1000
-        strokes = {"hair": 0.09, "fine": 0.13, "bold": 0.3, "dash": 0.7, "numbers": NUMBERS}
+        strokes = {"hair": 0.09, "fine": 0.13, "bold": 0.3, "dash": 0.7, "numbers": NUMBERS, "halo": 0.7}
         style = _STYLE.format(**{name: round(paper * self.scale, 3) for name, paper in strokes.items()})
         return (
             '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -90,29 +91,18 @@ def sheet_for(bounds: PlanBox, wanted: int | None = None) -> PlanSheet:
     return PlanSheet(west - margin - more, north - margin, east + margin + more, south + margin + strip, scale)
 
 
-def entrance_mark(opening: PlacedOpening, sheet: PlanSheet) -> str:
-    """Returns a triangle before the main entrance that points at it from outside, beyond its leaf where that swings out."""
-    outward = 1 if opening.rooms[0] is None else -1 if opening.rooms[1] is None else -opening.towards
-    apart, deep, wide = (length * sheet.scale for length in ENTRANCE)
-    apart += opening.thickness * 500 + (opening.end - opening.start) * 1000 * (opening.towards == outward)
-    at, tip = (opening.start + opening.end) * 500, opening.line * 1000 + outward * apart
-    corners = [(at, tip), (at - wide / 2, tip + outward * deep), (at + wide / 2, tip + outward * deep)]
-    points = " ".join(f"{x:.0f},{z:.0f}" for x, z in (corners if opening.axis == "x" else [(z, x) for x, z in corners]))
-    return f'<polygon class="entrance" points="{points}"/>\n'
-
-
-def dimension(line: Dimension, sheet: PlanSheet, backed: bool = False) -> tuple[str, str, str]:
-    """Returns a chain of dimensions: (its line as a path, its ticks as a path, its numbers), `backed` on a light ground."""
+def dimension(line: Dimension, sheet: PlanSheet) -> tuple[str, str, str]:
+    """Returns a chain of dimensions: (its line as a path, its ticks as a path, its numbers)."""
     at, stops, tick = line.at * 1000, [stop * 1000 for stop in line.stops], 0.9 * sheet.scale
     along_x = line.axis == "x"
     path = f"M{stops[0]:.0f} {at:.0f}H{stops[-1]:.0f}" if along_x else f"M{at:.0f} {stops[0]:.0f}V{stops[-1]:.0f}"
     points = [(stop, at) if along_x else (at, stop) for stop in stops]
     path += "".join(f"M{x:.0f} {y - tick:.0f}v{2 * tick:.0f}" if along_x else f"M{x - tick:.0f} {y:.0f}h{2 * tick:.0f}" for x, y in points)
     ticks = "".join(f"M{x - tick * 0.6:.0f} {y + tick * 0.6:.0f}l{tick * 1.2:.0f} {-tick * 1.2:.0f}" for x, y in points)
-    return path, ticks, "".join(_numbers(line, sheet, backed))
+    return path, ticks, "".join(_numbers(line, sheet))
 
 
-def _numbers(line: Dimension, sheet: PlanSheet, backed: bool) -> Iterator[str]:
+def _numbers(line: Dimension, sheet: PlanSheet) -> Iterator[str]:
     """Yields the numbers of a chain; what is too long for its length stands one row further, or not at all where that is taken."""
     raised_to = float("-inf")
     size = sheet.numbers
@@ -124,20 +114,7 @@ def _numbers(line: Dimension, sheet: PlanSheet, backed: bool) -> Iterator[str]:
                 continue
             raised_to, above = text + half + 0.2 * size, 1.45 * size
         at, words = ((text, line.at - above) if line.axis == "x" else (line.at - above, text)), f"{end - start:.2f}"
-        if backed:
-            yield _back(at, number_box(end - start, size), line.axis == "z")
         yield number(words, at, line.axis == "z")
-
-
-def _back(at: tuple[float, float], box: tuple[float, float], upright: bool) -> str:
-    """Returns a light ground for a number whose baseline has its middle there."""
-    wide, high = box[0] * 1000, box[1] * 1000
-    x, y, wide, high = (
-        (at[0] * 1000 - 0.86 * high, at[1] * 1000 - wide / 2, high, wide)
-        if upright
-        else (at[0] * 1000 - wide / 2, at[1] * 1000 - 0.86 * high, wide, high)
-    )
-    return f'<rect class="back" x="{x:.0f}" y="{y:.0f}" width="{wide:.0f}" height="{high:.0f}"/>'
 
 
 def number(words: str, at: tuple[float, float], upright: bool) -> str:
@@ -148,17 +125,28 @@ def number(words: str, at: tuple[float, float], upright: bool) -> str:
 
 
 def room_name(label: RoomLabel) -> str:
-    """Returns a room's name and area on a light ground."""
-    x0, z0, x1, z1 = (round(edge * 1000) for edge in label_box(label))
+    """Returns a room's name and area."""
     size, x, y = label.size * 1000, label.x * 1000, label.z * 1000
     turned = f' transform="rotate(-90 {x:.0f} {y:.0f})"' if label.upright else ""
-    rows = (xml_text(label.words), square_metres(label.area))
-    first, second = y - 0.18 * size, y + (LINE - 0.3) * size
-    return (
-        f'<rect class="back" x="{x0}" y="{z0}" width="{x1 - x0}" height="{z1 - z0}" rx="{size * 0.3:.0f}"/><g{turned}>'
-        f'<text class="name" x="{x:.0f}" y="{first:.0f}" font-size="{size:.0f}">{rows[0]}</text>'
-        f'<text x="{x:.0f}" y="{second:.0f}" font-size="{size * 0.86:.0f}">{rows[1]}</text></g>\n'
+    top = y + (0.92 - (len(label.rows) + 1) / 2 * LINE) * size
+    names = "".join(
+        f'<text class="name" x="{x:.0f}" y="{top + row * LINE * size:.0f}" font-size="{size:.0f}">{xml_text(words)}</text>'
+        for row, words in enumerate(label.rows)
     )
+    last = top + (len(label.rows) * LINE - 0.02) * size
+    area = f'<text x="{x:.0f}" y="{last:.0f}" font-size="{size * 0.86:.0f}">{square_metres(label.area)}</text>'
+    return f"<g{turned}>{names}{area}</g>\n"
+
+
+def entrance_mark(opening: PlacedOpening, sheet: PlanSheet) -> str:
+    """Returns a triangle before the main entrance that points at it from outside, beyond its leaf where that swings out."""
+    outward = 1 if opening.rooms[0] is None else -1 if opening.rooms[1] is None else -opening.towards
+    apart, deep, wide = (length * sheet.scale for length in ENTRANCE)
+    apart += opening.thickness * 500 + (opening.end - opening.start) * 1000 * (opening.towards == outward)
+    at, tip = (opening.start + opening.end) * 500, opening.line * 1000 + outward * apart
+    corners = [(at, tip), (at - wide / 2, tip + outward * deep), (at + wide / 2, tip + outward * deep)]
+    points = " ".join(f"{x:.0f},{z:.0f}" for x, z in (corners if opening.axis == "x" else [(z, x) for x, z in corners]))
+    return f'<polygon class="entrance" points="{points}"/>\n'
 
 
 def title(sheet: PlanSheet, words: Sequence[str]) -> str:
@@ -167,7 +155,8 @@ def title(sheet: PlanSheet, words: Sequence[str]) -> str:
     rows = [f'<text class="left name" x="{left:.0f}" y="{foot + 4 * unit:.0f}" font-size="{TITLE * unit:.0f}">{xml_text(words[0])}</text>']
     for index, row in enumerate(words[1:]):
         at = foot + (9.5 + 3.9 * index) * unit
-        rows.append(f'<text class="left" x="{left:.0f}" y="{at:.0f}" font-size="{2.5 * unit:.0f}">{xml_text(row)}</text>')
+        style = "left scale" if index == len(words) - 2 else "left"
+        rows.append(f'<text class="{style}" x="{left:.0f}" y="{at:.0f}" font-size="{2.5 * unit:.0f}">{xml_text(row)}</text>')
     return f'<g class="foot">{"".join(rows)}{_bar(sheet, foot)}{_arrow(sheet, foot)}</g>\n'
 
 

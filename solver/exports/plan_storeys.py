@@ -6,7 +6,7 @@ Comes in: a described house. Goes out: `PlanStorey`s, m. May import: the model, 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -46,10 +46,13 @@ class PlanStorey:
     words: list[str]
 
 
-def storeys_of(model: HouseModel, scale: int | None = None) -> list[PlanStorey]:
-    """Returns the storeys of a house, the lowest first, drawn at 1 to `scale`; a house without rooms has an empty one."""
+def storeys_of(model: HouseModel, scale: int | None = None, called: Mapping[str, str] | None = None) -> list[PlanStorey]:
+    """Returns the storeys of a house, the lowest first, drawn at 1 to `scale`; a house without rooms has an empty one.
+
+    `called` says what room types are named, where not in English.
+    """
     levels = sorted({room.level for room in model.rooms}) or [0]
-    return [_storey(model, level, len(levels) > 1, scale) for level in levels]
+    return [_storey(_Asked(model, scale, called or {}), level, len(levels) > 1) for level in levels]
 
 
 def open_leaf(leaf: DoorLeaf) -> OpenLeaf:
@@ -106,17 +109,24 @@ def opening_box(opening: PlacedOpening, share: float = 1.0) -> PlanBox:
     return (opening.start, low, opening.end, high) if opening.axis == "x" else (low, opening.start, high, opening.end)
 
 
-def _storey(model: HouseModel, level: int, several: bool, scale: int | None) -> PlanStorey:
+class _Asked(NamedTuple):
+    model: HouseModel
+    scale: int | None
+    called: Mapping[str, str]
+
+
+def _storey(asked: _Asked, level: int, several: bool) -> PlanStorey:
+    model = asked.model
     rooms = [room for room in model.rooms if room.level == level]
     inside = {room.id for room in rooms}
     openings = [opening for opening in model.openings if opening.level == level]
     here = {opening.id for opening in openings}
     walls = _walls(model, level)
     facades = Facades(rooms, openings, model.thickness / 2, walls)
-    sheet = sheet_for(facades.bounds() if rooms else (0.0, 0.0, 1.0, 1.0), scale)
+    sheet = sheet_for(facades.bounds() if rooms else (0.0, 0.0, 1.0, 1.0), asked.scale)
     bodies = [body for body in model.bodies if body.room in inside]
     leaves = [leaf for leaf in model.leaves if leaf.id in here]
-    labels, lines = _named(model, sheet, rooms, _obstacles(rooms, bodies, openings, leaves))
+    labels, lines = _named(asked, sheet, rooms, _obstacles(rooms, bodies, openings, leaves))
     return PlanStorey(
         stem=f"{model.name}_level_{level}" if several else model.name,
         sheet=sheet,
@@ -175,13 +185,12 @@ def _swept(leaf: DoorLeaf) -> PlanBox:
 
 
 def _named(
-    model: HouseModel, sheet: PlanSheet, rooms: list[FloorPlate], obstacles: dict[str, list[Obstacle]]
+    asked: _Asked, sheet: PlanSheet, rooms: list[FloorPlate], obstacles: dict[str, list[Obstacle]]
 ) -> tuple[list[RoomLabel], list[Dimension]]:
     labels, lines = [], []
     for plate in rooms:
-        planned = PlanRoom(
-            plate, clear_corners(plate, model.panels, model.thickness / 2), obstacles[plate.id], sheet.letters, sheet.numbers
-        )
+        corners = clear_corners(plate, asked.model.panels, asked.model.thickness / 2)
+        planned = PlanRoom(plate, words_of(plate.type, asked.called), corners, obstacles[plate.id], sheet.letters, sheet.numbers)
         labels.append(label_of(planned))
         lines += clear_sizes(planned, labels[-1])
     return labels, lines
@@ -192,6 +201,7 @@ def _words(model: HouseModel, labels: list[RoomLabel], sheet: PlanSheet, storey:
     rooms = "1 room" if len(indoors) == 1 else f"{len(indoors)} rooms"
     return [
         words_of(model.name) + storey,
-        f"{rooms}, {square_metres(sum(label.area for label in indoors))} indoors. Scale 1:{sheet.scale} as printed.",
+        f"{rooms}, {square_metres(sum(label.area for label in indoors))} indoors.",
         "Lengths in metres. Areas and room sizes between wall faces; outside to wall lines.",
+        f"Scale 1:{sheet.scale} as printed.",
     ]

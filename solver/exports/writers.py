@@ -30,13 +30,14 @@ class ExportSettings:
     """How to write: the format's name; what a format may ask for: the scene's document as JSON, and its rooms' free floor.
 
     `floors` returns for each room its id as `room`, and under `free` rectangles [x0, z0, x1, z1] that the robot covers, room-relative m;
-    `scale` is a plan's, 1 to so much.
+    `scale` is a plan's, 1 to so much; `called` says what its room types are named, where not in English.
     """
 
     format: str
     scene_text: Callable[[], str] = lambda: "null"
     floors: Callable[[], Sequence[Mapping[str, Any]]] = tuple
     scale: int | None = None
+    called: Mapping[str, str] | None = None
 
 
 def written_as(model: HouseModel, settings: ExportSettings) -> Files:

@@ -5,7 +5,7 @@ Comes in: Scene. Goes out: files by name. May import: every stage. Not here: wha
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
@@ -26,7 +26,14 @@ TOLD: Final = 20
 
 
 def export(  # noqa: PLR0913 - keyword-only options of the public door
-    scene: Scene, format: str, *, free: Freedom = "light", strict: bool = False, scale: int | None = None, catalogs: Catalogs | None = None
+    scene: Scene,
+    format: str,
+    *,
+    free: Freedom = "light",
+    strict: bool = False,
+    scale: int | None = None,
+    called: Mapping[str, str] | None = None,
+    catalogs: Catalogs | None = None,
 ) -> Files:
     """Writes a scene in a format.
 
@@ -36,6 +43,7 @@ def export(  # noqa: PLR0913 - keyword-only options of the public door
         free: what a simulator may move: "none", "light" things that stand, or all that is "standing".
         strict: refuses a scene with errors; else the files say them.
         scale: of an SVG plan, 1 to so much; by default the largest that A3 holds.
+        called: what an SVG plan calls room types, by type; by default in English.
         catalogs: what kinds of bodies look like and weigh; ours by default.
 
     Returns:
@@ -56,11 +64,18 @@ def export(  # noqa: PLR0913 - keyword-only options of the public door
     errors = [issue for issue in issues if issue.severity == "error"]
     if errors and strict:
         raise SceneError("scene", f"has {len(errors)} errors: {errors[0].message}", "a scene without errors, or without strict")
-    return export_each(scene, (format,), known, issues, free, scale=scale)[format]
+    return export_each(scene, (format,), known, issues, free, scale=scale, called=called)[format]
 
 
 def export_each(  # noqa: PLR0913 - what export() is asked for, and what it has found out
-    scene: Scene, formats: Sequence[str], catalogs: Catalogs, issues: Sequence[Issue], free: Freedom, *, scale: int | None = None
+    scene: Scene,
+    formats: Sequence[str],
+    catalogs: Catalogs,
+    issues: Sequence[Issue],
+    free: Freedom,
+    *,
+    scale: int | None = None,
+    called: Mapping[str, str] | None = None,
 ) -> dict[str, Files]:
     """Returns the files of a scene in several formats, described once.
 
@@ -71,6 +86,7 @@ def export_each(  # noqa: PLR0913 - what export() is asked for, and what it has 
         issues: what the validator says of the scene.
         free: what a simulator may move.
         scale: of an SVG plan, 1 to so much.
+        called: what an SVG plan calls room types, by type.
 
     Raises:
         RequestError: there is no such format, or what it needs is not installed.
@@ -85,7 +101,7 @@ def export_each(  # noqa: PLR0913 - what export() is asked for, and what it has 
     def text() -> str:
         return dump_scene(kept, "json").decode().rstrip()
 
-    return {name: written_as(model, ExportSettings(name, text, lambda: floors(scene), scale)) for name in formats}
+    return {name: written_as(model, ExportSettings(name, text, lambda: floors(scene), scale, called)) for name in formats}
 
 
 def _check_sides(scene: Scene) -> None:

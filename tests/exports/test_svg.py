@@ -122,6 +122,22 @@ def test_rooms_are_named_with_their_clear_areas_and_sizes() -> None:
     assert {"Living room", "23.9 m²", "Office", "6.5 m²", "7.90", "5.90", "4.90", "14.10", "10.10", "N", "5 m"} <= set(texts)
 
 
+def test_rooms_are_named_as_they_are_called() -> None:
+    called = {"living_room": "Wohnzimmer <1>", "no_such_room": "Nichts"}
+    (root,) = svg.plans(written_as(homes.described("own"), ExportSettings("svg", called=called)))
+    names = {text.text for text in root.iter(f"{svg.SVG}text") if text.get("class") == "name"}
+    assert {"Wohnzimmer <1>", "Office"} <= names
+    assert "Living room" not in names
+
+
+@pytest.mark.parametrize("scale", [75, 300])
+def test_names_stay_between_the_walls_in_two_rows_where_one_is_too_long(scale: int) -> None:
+    (storey,) = storeys_of(homes.described("family"), scale)
+    rows = [label.rows for label in storey.labels]
+    assert any(len(one) == 2 for one in rows) == (scale == 300)
+    assert [box for box in map(label_box, storey.labels) for wall in storey.walls if meet(box, wall)] == []
+
+
 def test_the_plan_is_to_scale() -> None:
     model = homes.described("family")
     (storey,), (root,) = storeys_of(model), svg.plans(written(model))

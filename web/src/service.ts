@@ -1,6 +1,6 @@
 /** The page's only way out: calls of the service that served it. */
 import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, Furniture, GenerateAnswer, HouseRequest, ImportAnswer, PlaceAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
-import { inPageWords } from "./plan/plan_words";
+import { inPageWords, roomsCalled } from "./plan/plan_words";
 import { say } from "./words/language";
 
 /** What is known of a refusal beside its words. */
@@ -172,8 +172,8 @@ export async function exportedFile(scene: Scene, format: string, signal: AbortSi
 
 /** The plan of a scene as SVG, at 1 to a scale; at what fits its paper where none is given. */
 export function planOf(scene: Scene, scale: number | null, signal: AbortSignal): Promise<string> {
-  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene, ...(scale === null ? {} : { scale }) }), signal };
-  return askFor(async (response) => inPageWords(await response.text(), scene), "export/svg", init);
+  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene, called: roomsCalled(scene), ...(scale === null ? {} : { scale }) }), signal };
+  return askFor(async (response) => inPageWords(await response.text()), "export/svg", init);
 }
 
 /** The whole scene as a file's text. */

@@ -108,7 +108,7 @@ class _DxfPlan:
             self._chain(line)
         for label in storey.labels:
             self._label(label)
-        for row, words in enumerate((storey.words[0], *storey.words[2:])):
+        for row, words in enumerate(storey.words[:-1]):
             at = (storey.sheet.west + storey.sheet.gap, -storey.sheet.south + storey.sheet.gap * (2 - row))
             self._words(words, at, _Look(storey.sheet.letters, align="LEFT"))
         return self._written()
@@ -200,8 +200,9 @@ class _DxfPlan:
         self.space.new_entity("DIMENSION", said)
 
     def _label(self, label: RoomLabel) -> None:
-        turn, step = (90.0 if label.upright else 0.0), label.size * LINE / 2
-        for words, away in ((label.words, -step), (f"{label.area:.1f} m²", step)):
+        turn, rows = (90.0 if label.upright else 0.0), (*label.rows, f"{label.area:.1f} m²")
+        for row, words in enumerate(rows):
+            away = (row + 0.5 - len(rows) / 2) * label.size * LINE
             at = (label.x + away, label.z) if label.upright else (label.x, label.z + away)
             self._words(words, _flat(*at), _Look(label.size * 0.9, turn))
 

@@ -28,7 +28,7 @@ FLOOR_LIGHTER: Final = 0.86
 
 def write(model: HouseModel, settings: ExportSettings) -> Files:
     """Writes `<house>.svg`, or `<house>_level_<n>.svg` where there are several storeys."""
-    return {f"{storey.stem}.svg": "".join(_drawn(model, storey)).encode() for storey in storeys_of(model, settings.scale)}
+    return {f"{storey.stem}.svg": "".join(_drawn(model, storey)).encode() for storey in storeys_of(model, settings.scale, settings.called)}
 
 
 def _drawn(model: HouseModel, storey: PlanStorey) -> Iterator[str]:
@@ -41,8 +41,8 @@ def _drawn(model: HouseModel, storey: PlanStorey) -> Iterator[str]:
     yield _path("walls", storey.walls) + _path("opening", storey.railings)
     yield from map(_opening, storey.openings)
     yield from map(_stated, storey.openings)
-    yield from (entrance_mark(opening, storey.sheet) for opening in storey.openings if opening.is_main_entrance)
     yield from (_leaf(leaf) for leaf in storey.leaves if leaf.motion == "swing")
+    yield from (entrance_mark(opening, storey.sheet) for opening in storey.openings if opening.is_main_entrance)
     yield _dimensions(storey)
     yield from map(room_name, storey.labels)
     yield title(storey.sheet, storey.words) + "</svg>\n"
@@ -146,8 +146,7 @@ def _leaf(leaf: DoorLeaf) -> str:
 
 
 def _dimensions(storey: PlanStorey) -> str:
-    drawn = [dimension(line, storey.sheet) for line in storey.outside]
-    drawn += [dimension(line, storey.sheet, backed=True) for line in storey.inside]
+    drawn = [dimension(line, storey.sheet) for line in (*storey.outside, *storey.inside)]
     paths, ticks, numbers = ("".join(one[i] for one in drawn) for i in range(3))
     return f'<path class="line" d="{paths}"/><path class="tick" d="{ticks}"/>\n{numbers}\n'
 

@@ -7,7 +7,7 @@ import { isAbort } from "../service";
 export type DrawPlan = (scene: Scene, scale: number, signal: AbortSignal) => Promise<string>;
 
 /** How high numbers and names are on paper [mm]; how high numbers, and names alone, are at least on the screen [px]. */
-const [NUMBERS, NAMES, LEAST, LEAST_ALONE] = [2.1, 2.9, 11, 14];
+const [NUMBERS, NAMES, LEAST, LEAST_ALONE] = [2.1, 2.5, 11, 13];
 /** The scales that are asked for, each so much larger than the one before; and up to which one rooms have space for their sizes. */
 const [SMALLEST, STEP, LARGEST, ROOMY] = [20, 1.1, 2000, 165];
 
@@ -21,7 +21,7 @@ export function readableAt(pixels: number): { readonly scale: number; readonly l
 const MM = 1000;
 const SVG = "http://www.w3.org/2000/svg";
 const RULES = ":host{position:absolute;inset:0}svg{display:block;width:100%;height:100%;pointer-events:none}use[data-id]{pointer-events:auto;cursor:pointer}"
-  + ".unsized :is(.line,.tick,.number,.back:has(+.number),.foot){display:none}"
+  + ".unsized :is(.line,.tick,.number,.foot),.scale{display:none}"
   + ".chosen{fill:#ffb000;fill-opacity:.18;stroke:#b36b00;stroke-width:3;vector-effect:non-scaling-stroke}";
 
 /** The `transform` of a body on the sheet. */

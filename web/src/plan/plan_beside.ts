@@ -6,7 +6,7 @@ import { DrawnSheet, type DrawPlan } from "./drawn_sheet";
 const NAME = "split";
 const MM = 1000;
 /** What is seen beyond the lines of the outermost walls [m]. */
-const ROUND = 0.5;
+const ROUND = 0.7;
 
 export class PlanBeside extends DrawnSheet {
   /** Called with the body clicked, or null for a click beside all. */
