@@ -34,6 +34,8 @@ describe("a walk", () => {
     const straight: Pose = { eye: [0.7, EYE_HEIGHT, 1], yaw: -Math.PI / 2, pitch: 0 }; // east, to a wall at 2 m
     const beyond = turnedToSight(straight, ([x, , z]) => x < 2 && z > 0 && z < 11); // a hall that runs south
     expect(gazeOf(beyond)[2]).toBeGreaterThan(0.9);
+    const slit = ([x, , z]: readonly [number, number, number]): boolean => Math.hypot(x - 0.7, z - 1) < 1 || (z > 1 && Math.abs(x - 0.7) < 0.1) || (x > 0.7 && Math.hypot(x - 0.7, z - 1) < 4);
+    expect(gazeOf(turnedToSight(straight, slit))[2]).toBeLessThan(0.75); // what is seen far away through a slit fills less of a view than the room ahead
     expect(turnedToSight(straight, ([x, , z]) => Math.hypot(x - 0.7, z - 1) < 5)).toEqual(straight);
     expect(turnedToSight(straight, () => false)).toEqual(straight);
   });

@@ -33,12 +33,14 @@ const INSIDE = 0.7;
 /** A little down: furniture stands below the eyes. */
 const FIRST_PITCH = -0.12;
 
-/** One looks so many times to each side, so far apart [rad], up to so far and in such steps [m]; turning is to show so much more [m]. */
+/** One looks so many times to each side, so far apart [rad], up to so far and in such steps [m]; a view is so many glances to each side wide. */
 const GLANCES = 6;
+const BESIDE = 3;
 const GLANCE = Math.PI / 12;
 const FARTHEST = 12;
 const GLANCED = 0.25;
-const WORTH_TURNING = 0.5;
+/** Turning is to show so much more [square root of m]. */
+const WORTH_TURNING = 0.1;
 
 const clamp = (value: number, least: number, most: number): number => Math.min(most, Math.max(least, value));
 
@@ -56,7 +58,7 @@ export function firstPose(entrance: Entrance | null, bounds: Bounds): Pose {
   return { eye, yaw, pitch: FIRST_PITCH };
 }
 
-/** Turns the head to where one sees farthest, a cone's width of it; straight on where nothing is gained by turning. */
+/** Turns the head to where a view shows most: depth all across it, no wall before half of it; straight on where nothing is gained by turning. */
 export function turnedToSight(pose: Pose, sees: (place: Vector) => boolean): Pose {
   const { eye, yaw } = pose;
   const farAt = (step: number): number => {
@@ -65,11 +67,12 @@ export function turnedToSight(pose: Pose, sees: (place: Vector) => boolean): Pos
     while (far < FARTHEST && sees([eye[0] - sin * (far + GLANCED), eye[1], eye[2] - cos * (far + GLANCED)])) far += GLANCED;
     return far;
   };
-  const fars = Array.from({ length: 2 * GLANCES + 1 }, (_, k) => farAt(k - GLANCES));
-  const mean = (at: number): number => (fars[at - 1]! + fars[at]! + fars[at + 1]!) / 3;
-  let best = GLANCES;
-  for (let k = 1; k < 2 * GLANCES; k += 1) if (mean(k) > mean(best) + WORTH_TURNING) best = k;
-  return { ...pose, yaw: yaw + (best - GLANCES) * GLANCE };
+  const reach = GLANCES + BESIDE;
+  const fars = Array.from({ length: 2 * reach + 1 }, (_, k) => Math.sqrt(farAt(k - reach)));
+  const shown = (turn: number): number => fars.slice(turn + reach - BESIDE, turn + reach + BESIDE + 1).reduce((sum, far) => sum + far) / (2 * BESIDE + 1);
+  let best = 0;
+  for (let turn = -GLANCES; turn <= GLANCES; turn += 1) if (shown(turn) > shown(best) + WORTH_TURNING) best = turn;
+  return { ...pose, yaw: yaw + best * GLANCE };
 }
 
 /** Keeps one's eyes near the house [m]. */
