@@ -22,6 +22,7 @@ _LINE_STEPS: Final = (0.12, 0.88, 0.2, 0.8, 0.3, 0.7, 0.4, 0.6, 0.5)
 _WIDE: Final = 0.66
 """How wide a bold letter is on average in the widest of the fonts asked for, as a share of its height."""
 _DIGIT: Final = 0.6
+_RAISED: Final = ("", *"¹²³⁴⁵⁶⁷⁸⁹")
 _CORNER: Final = 0.35
 """What a wall that ends at a corner may reach beyond it, m: more than half of the thickest."""
 LONGEST: Final = 28
@@ -212,9 +213,15 @@ def _clear_size(room: PlanRoom, axis: Literal["x", "z"], obstacles: Sequence[Obs
     return best
 
 
+def length_of(metres: float) -> str:
+    """Returns a length to the millimetre as drawings write it: metres, and millimetres beside whole centimetres raised."""
+    centimetres, rest = divmod(round(metres * 1000), 10)
+    return f"{centimetres // 100}.{centimetres % 100:02d}{_RAISED[rest]}"
+
+
 def number_box(metres: float, size: float) -> tuple[float, float]:
     """Returns how wide and high a length is when written, m."""
-    return len(f"{metres:.2f}") * _DIGIT * size, size
+    return len(length_of(metres)) * _DIGIT * size, size
 
 
 def covered(box: PlanBox, obstacles: Iterable[Obstacle]) -> float:

@@ -12,7 +12,7 @@ from typing import Final
 
 from solver.exports.model import PlacedOpening
 from solver.exports.plan_facades import too_short
-from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, number_box
+from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, length_of, number_box
 from solver.exports.xml_text import xml_text
 from solver.geometry import square_metres
 
@@ -113,7 +113,7 @@ def _numbers(line: Dimension, sheet: PlanSheet) -> Iterator[str]:
             if text - half < raised_to:
                 continue
             raised_to, above = text + half + 0.2 * size, 1.45 * size
-        at, words = ((text, line.at - above) if line.axis == "x" else (line.at - above, text)), f"{end - start:.2f}"
+        at, words = ((text, line.at - above) if line.axis == "x" else (line.at - above, text)), length_of(end - start)
         yield number(words, at, line.axis == "z")
 
 

@@ -13,13 +13,17 @@ import pytest
 from service.calls import view_scene
 from solver import Request, Scene, export, generate
 from solver.exchange import write_scene
+from solver.pipeline.import_plan import import_plan
 from solver.scene import Room
+from tests.architecture.tree import ROOT
 from tests.sweeps import seeds
 
 SVG = "{http://www.w3.org/2000/svg}"
 CHAIN = re.compile(r"M(-?\d+) (-?\d+)([HV])(-?\d+)((?:M-?\d+ -?\d+[vh]\d+)+)")
 MARK = re.compile(r"M(-?\d+) (-?\d+)([vh])(\d+)")
 PLACE = re.compile(r"translate\((-?\d+) (-?\d+)\)rotate\(-90\)")
+WRITTEN = re.compile(r"(\d+)\.(\d\d)([¹²³⁴-⁹]?)")
+RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 ROUNDED = 1
 """What is written in whole millimetres may be off by, mm."""
 HOMES: list[dict[str, object]] = [
@@ -58,10 +62,17 @@ def numbers(root: ElementTree.Element) -> Iterator[tuple[bool, int, int, str]]:
     """Every length that is written: whether along x, its middle along and its place across, mm, and the words."""
     for text in root.iter(f"{SVG}text"):
         words = text.text or ""
-        if text.get("class") == "number" and re.fullmatch(r"\d+\.\d\d", words):
+        if text.get("class") == "number" and WRITTEN.fullmatch(words):
             turned = PLACE.fullmatch(text.get("transform", ""))
             x, y = (int(turned[1]), int(turned[2])) if turned else (int(text.get("x", "")), int(text.get("y", "")))
             yield (False, y, x, words) if turned else (True, x, y, words)
+
+
+def millimetres(words: str) -> int:
+    """A length as it is written: metres, raised the millimetres beside whole centimetres."""
+    found = WRITTEN.fullmatch(words)
+    assert found
+    return int(found[1]) * 1000 + int(found[2]) * 10 + (RAISED.index(found[3]) if found[3] else 0)
 
 
 def corners_of(room: Room) -> list[tuple[float, float]]:
@@ -105,7 +116,21 @@ def clear_area(room: Room, half: int) -> str:
 @pytest.mark.parametrize("seed", seeds(range(91000, 91012), 6))
 @pytest.mark.parametrize("asked", HOMES, ids=str)
 def test_lengths_and_areas_are_the_scenes(asked: dict[str, object], seed: int) -> None:
-    scene = generate(Request(seed=seed, decorate=True, **asked)).scene  # type: ignore[arg-type]
+    check(generate(Request(seed=seed, decorate=True, **asked)).scene)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("format", ["svg", "dxf", "sh3d", "ifc"])
+def test_those_of_a_plan_that_was_read_are_its_own(format: str) -> None:
+    made = generate(Request(seed=91020, program="family", outline="L", wall_thickness=0.13)).scene
+    ((name, content),) = export(made, format).items()
+    check(import_plan(content, name).scene)
+
+
+def test_those_of_a_drawn_plan_are_its_own() -> None:
+    check(import_plan((ROOT / "docs" / "plan.geojson").read_bytes(), "plan.geojson").scene)
+
+
+def check(scene: Scene) -> None:
     ((_, content),) = export(scene, "svg").items()
     root = ElementTree.fromstring(content)
     drawn, written = chains(root), list(numbers(root))
@@ -116,16 +141,16 @@ def test_lengths_and_areas_are_the_scenes(asked: dict[str, object], seed: int) -
         assert [mark for mark in chain.marks if not is_near(mark, faces)] == []
     for along_x, middle, across, words in written:
         said = [
-            f"{(b - a) / 1000:.2f}"
+            b - a
             for chain in drawn
             if chain.along_x == along_x and 0 <= chain.at - across < 400
             for a, b in pairwise(chain.marks)
             if a <= middle <= b
         ]
-        assert any(abs(float(words) - float(one)) < 0.0101 for one in said), (words, said)
+        assert any(abs(millimetres(words) - one) <= ROUNDED for one in said), (words, said)
     for axis, along_x in ((0, True), (1, False)):
         lines = {round(corner[axis] * 1000) for room in scene.rooms for corner in corners_of(room)}
-        assert f"{(max(lines) - min(lines) + 2 * half) / 1000:.2f}" in {words for one, *_, words in written if one == along_x}
+        assert max(lines) - min(lines) + 2 * half in {millimetres(words) for one, *_, words in written if one == along_x}
     texts = [text.text or "" for text in root.iter(f"{SVG}text")]
     areas = sorted(words for words in texts if words.endswith(" m²"))
     told = sorted(re.findall(r"# (\d+\.\d m²) clear", str(view_scene({"scene": write_scene(scene)})["text"])))

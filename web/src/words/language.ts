@@ -47,7 +47,7 @@ export function sayArea(area: number): string {
 
 /** Words in which numbers have the reader's point, where they are nothing but a number, with its unit or without. */
 export function sayDecimals(words: string): string {
-  return words.replace(/^(\d+)\.(\d+)(?=$| )/, `$1${POINT}$2`);
+  return words.replace(/^(\d+)\.(\d+)(?=$|[ ¹²³⁴-⁹])/, `$1${POINT}$2`);
 }
 
 /** Words of the page, or of somebody else where they are known, with values for their `{names}`. */
