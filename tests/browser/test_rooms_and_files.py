@@ -59,7 +59,7 @@ def test_what_is_saved_is_the_scene(visit: Visit) -> None:
     assert json.loads(text) == scene
     name, text = saved(visit, "yaml")
     assert name == "compose-4.yaml"
-    assert yaml.safe_load(text) == scene
+    assert yaml.load(text, yaml.CSafeLoader) == scene
 
 
 def test_a_dropped_yaml_file_is_shown(visit: Visit) -> None:

@@ -42,7 +42,7 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     words[words.index("--output") + 1] = str(path)
     words[words.index("--catalog") + 1] = str(ROOT / words[words.index("--catalog") + 1])
     assert main(words) == 0
-    return dict(yaml.safe_load(path.read_text()))
+    return dict(yaml.load(path.read_text(), yaml.CSafeLoader))
 
 
 def test_what_the_example_adds_is_in_the_house(house: dict[str, Any]) -> None:

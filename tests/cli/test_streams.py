@@ -42,7 +42,7 @@ def house() -> bytes:
 
 
 def test_generate_writes_the_scene_and_nothing_else(house: bytes) -> None:
-    scene = yaml.safe_load(house)
+    scene = yaml.load(house, yaml.CSafeLoader)
     assert scene["format"] == "compose-scene/1"
     assert (scene["seed"], scene["size"]["width"], scene["size"]["depth"]) == (42, 7.0, 5.0)
 
@@ -71,7 +71,7 @@ def test_a_house_goes_through_pipes(house: bytes, monkeypatch: pytest.MonkeyPatc
 
 
 def spoiled(house: bytes) -> dict[str, Any]:
-    scene: dict[str, Any] = yaml.safe_load(house)
+    scene: dict[str, Any] = yaml.load(house, yaml.CSafeLoader)
     room = max(scene["rooms"], key=lambda room: len(room["furniture"]))
     room["furniture"][0]["x"] = -3.0
     return scene
@@ -83,7 +83,7 @@ def test_errors_in_a_scene_are_exit_status_1(house: bytes, tmp_path: Path, capfd
     found = compose("validate", str(path))
     assert found.returncode == 1
     assert "error out_of_bounds" in said(found)
-    assert any(issue["rule"] == "out_of_bounds" for issue in yaml.safe_load(found.stdout)["issues"])
+    assert any(issue["rule"] == "out_of_bounds" for issue in yaml.load(found.stdout, yaml.CSafeLoader)["issues"])
     assert main(["fix", str(path), "-o", str(tmp_path / "fixed.yaml")]) == 0
     assert capfdbinary.readouterr().out == b""
     assert main(["validate", str(tmp_path / "fixed.yaml")]) == 0

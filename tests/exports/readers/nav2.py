@@ -42,7 +42,7 @@ class GridMap:
 
 def read_map(files: Mapping[str, bytes], name: str = "map.yaml") -> GridMap:
     """A map as `trinary` mode reads it."""
-    said = yaml.safe_load(files[name])
+    said = yaml.load(files[name], yaml.CSafeLoader)
     assert said["mode"] == "trinary" and said["negate"] == 0
     grey = np.asarray(Image.open(io.BytesIO(files[said["image"]])), dtype=np.float64)[::-1]
     probability = (255 - grey) / 255
