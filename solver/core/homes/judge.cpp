@@ -52,6 +52,7 @@ Judge::Judge(Span<const PlannedRoom> rooms, Taste taste, i64 door_wall) : rooms_
     if (room.living() && room.has(DINING)) dining_ |= bit;
     if (!room.has(WAY_THROUGH) && !room.owned()) leaves_ |= bit;
     if (room.has(BED)) beds_ |= bit;
+    if (room.owned()) suites_ |= 1ULL << room.owner;
     if (room.has(BED) || room.has(TOILET)) private_ |= bit;
   }
   living_ = ways_ & ~entry_ & ~kitchen_ & ~dining_;
@@ -70,7 +71,7 @@ HomeVerdict Judge::verdict(const Sheet& sheet) {
   }
   const f64 walked = UNREACHED * ways.unreached + AT_ENTRANCE * ways.at_entrance + OFF_ENTRY * ways.others +
                      STREETLESS * found.streetless + KITCHEN_BETWEEN * ways.between + taste_.past_kitchen * ways.past_kitchen;
-  found.cost = sized + (outline(sheet) + taste_.dark * found.dark) + company() + walked;
+  found.cost = sized + (outline(sheet) + taste_.dark * found.dark) + company() + smallness(sheet) + walked;
   return found;
 }
 
@@ -147,6 +148,17 @@ f64 Judge::company() const {
     }
   }
   return cost;
+}
+
+// What it costs that no bedroom with a bathroom of its own is as large as every other bedroom.
+f64 Judge::smallness(const Sheet& sheet) const {
+  i64 suite = 0, other = 0;
+  for (i32 i = 0; i < rooms_.size; i++) {
+    if (!(beds_ >> i & 1)) continue;
+    i64& largest = suites_ >> i & 1 ? suite : other;
+    largest = most(largest, area(sheet.boxes[i]));
+  }
+  return suite && suite < other ? taste_.small_suite : 0.0;
 }
 
 // Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, private ones that only the kitchen leads to;

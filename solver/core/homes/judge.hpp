@@ -13,10 +13,10 @@ struct HomeVerdict {
 };
 
 // What outlines cost nothing (width over depth, least and most), and what costs: a habitable room without an outside wall, a bedroom or a
-// bathroom that only the kitchen leads to.
+// bathroom that only the kitchen leads to, a bedroom with a bathroom of its own that is smaller than another.
 struct Taste {
   f64 low, high;
-  f64 dark, past_kitchen;
+  f64 dark, past_kitchen, small_suite;
 };
 
 // Judges the drawings of one programme. Rooms, and the hallways behind them, are bits of a number.
@@ -37,6 +37,7 @@ class Judge {
   f64 sizes(const Sheet& sheet, i64& short_rooms) const;
   f64 outline(const Sheet& sheet) const;
   f64 company() const;
+  f64 smallness(const Sheet& sheet) const;
   Ways access(const Sheet& sheet) const;
   u64 reached(u64 ways, u64 start) const;
   bool is_behind(i32 room, u64 reached) const;
@@ -45,7 +46,7 @@ class Judge {
   Span<const PlannedRoom> rooms_;
   Taste taste_;
   i64 door_wall_;
-  u64 ways_ = 0, wet_ = 0, entry_ = 0, kitchen_ = 0, dining_ = 0, living_ = 0, leaves_ = 0, beds_ = 0, private_ = 0;
+  u64 ways_ = 0, wet_ = 0, entry_ = 0, kitchen_ = 0, dining_ = 0, living_ = 0, leaves_ = 0, beds_ = 0, private_ = 0, suites_ = 0;
   u64 beside_[2 * MOST_ROOMS];  // which others share a wall with a room that takes a door
   // The stretches at which others lie, by room and wall.
   Interval covered_[MOST_ROOMS][4][2 * MOST_ROOMS];

@@ -16,7 +16,7 @@ from solver.floorplan.programme.skeletons import bent_kind, kinds_for
 from solver.streams import Stream
 from tests.floorplan.reference.bent_deal import BentDealer
 from tests.floorplan.reference.bent_drafts import BentDrawer
-from tests.floorplan.reference.cost import BENT_OUTLINE, PAST_KITCHEN, HomeJudge
+from tests.floorplan.reference.cost import BENT_OUTLINE, HomeJudge
 from tests.floorplan.reference.deal import Dealer, moved
 from tests.floorplan.reference.drafts import Draft, Drawer, Misfit, Sheet
 
@@ -81,7 +81,7 @@ class HomeSearch:
             self.judge = HomeJudge(planned)
             self.drawers = {kind: Drawer(self.judge.sizes, frame_of(kind)) for kind in kinds_for(planned)}
         else:
-            self.judge = HomeJudge(planned, BENT_OUTLINE, past_kitchen=PAST_KITCHEN)
+            self.judge = HomeJudge(planned, BENT_OUTLINE, bent=True)
             self.drawers = {bent_kind(planned, outline): BentDrawer(self.judge.sizes, outline)}
 
     def run(self) -> FoundHome | None:
