@@ -21,7 +21,7 @@ export function readableAt(pixels: number): { readonly scale: number; readonly l
 const MM = 1000;
 const SVG = "http://www.w3.org/2000/svg";
 const RULES = ":host{position:absolute;inset:0}svg{display:block;width:100%;height:100%;pointer-events:none}use[data-id]{pointer-events:auto;cursor:pointer}"
-  + ".unsized :is(.line,.tick,.number,.foot),.scale{display:none}"
+  + ".unsized :is(.line,.tick,.number,.foot),.scale{display:none}svg>rect{fill:none}"
   + ".chosen{fill:#ffb000;fill-opacity:.18;stroke:#b36b00;stroke-width:3;vector-effect:non-scaling-stroke}";
 
 /** The `transform` of a body on the sheet. */
