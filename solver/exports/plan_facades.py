@@ -44,16 +44,11 @@ def chains_of(facades: Facades, gap: float) -> list[Dimension]:
     for side in SIDES:
         axis: Literal["x", "z"] = "x" if side in ("north", "south") else "z"
         low, high = (x0, x1) if axis == "x" else (z0, z1)
-        rows = [_openings(facades, side, low, high), _rooms(facades, side, low, high)]
+        rows = [stops for stops in (_openings(facades, side, low, high), _rooms(facades, side, low, high)) if len(stops) > 2]
         if side in ("north", "west"):
             rows.append((low, high))
         edge, away = {"north": (z0, -1), "south": (z1, 1), "west": (x0, -1), "east": (x1, 1)}[side]
-        unlike: list[tuple[float, ...]] = []
-        for stops in rows:
-            whole = len(stops) == 2
-            if stops not in unlike and (not whole or side in ("north", "west")):
-                unlike.append(stops)
-        found += [chain(axis, edge + away * gap * (index + 1.6), stops) for index, stops in enumerate(unlike)]
+        found += [chain(axis, edge + away * gap * (index + 1.6), stops) for index, stops in enumerate(dict.fromkeys(rows))]
     return found
 
 

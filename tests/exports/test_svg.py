@@ -14,7 +14,7 @@ from solver.exports.model import DoorLeaf, HouseModel
 from solver.exports.plan_rooms import Dimension, PlanBox, label_box, number_box
 from solver.exports.plan_storeys import PlanStorey, drawing_ranks, open_leaf, storeys_of
 from solver.exports.plan_symbols import marks_of
-from solver.scene import Room, Scene
+from solver.scene import Opening, Room, Scene
 from solver.wall_fittings import FRAME
 from tests.exports import homes
 from tests.exports.agreement import differences
@@ -136,6 +136,15 @@ def test_names_stay_between_the_walls_in_two_rows_where_one_is_too_long(scale: i
     rows = [label.rows for label in storey.labels]
     assert any(len(one) == 2 for one in rows) == (scale == 300)
     assert [box for box in map(label_box, storey.labels) for wall in storey.walls if meet(box, wall)] == []
+
+
+def test_the_whole_is_the_outermost_chain_where_a_side_has_no_openings() -> None:
+    """Two rooms beside each other, their doors to the south: what is seen from the north is their wall, then the whole."""
+    doors = [(Opening(id=name, kind="door", wall="south", position=2.0, width=0.9, height=2.0),) for name in ("one", "two")]
+    rooms = (Room("den", width=4, depth=3, openings=doors[0]), Room("lab", x=4, width=5, depth=3, openings=doors[1]))
+    (storey,) = storeys_of(describe(Scene(rooms=rooms), load_catalogs()))
+    north = sorted((line for line in storey.outside if line.axis == "x" and line.at < 0), key=lambda line: -line.at)
+    assert [len(line.stops) for line in north] == [3, 2]
 
 
 def test_the_plan_is_to_scale() -> None:
