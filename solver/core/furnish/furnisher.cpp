@@ -35,14 +35,16 @@ bool Furnisher::add(const CountedPiece& counted, i32 number, const Preferences& 
     effect.rule = &rule;
     effect.relation->effect(subject, rule, effect);
   }
-  List<Candidate> ways = found_for(subject, effects.all(), preferences);
+  List<Candidate*> ways = found_for(subject, effects.all(), preferences);
   if (ways.size() == 0) return false;
-  stable_sort(ways.all(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  stable_sort(ways.all(), IS_CHEAPER);
+  Candidate as_planned;
   if (planned != nullptr && number == 1) {
-    List<Candidate> with_plan;
-    with_plan.add(*planned);
-    for (Candidate other : ways) {
-      other.cost += OFF_PLAN_COST;
+    as_planned = *planned;
+    List<Candidate*> with_plan;
+    with_plan.add(&as_planned);
+    for (Candidate* other : ways) {
+      other->cost += OFF_PLAN_COST;
       with_plan.add(other);
     }
     ways = with_plan;
@@ -53,8 +55,8 @@ bool Furnisher::add(const CountedPiece& counted, i32 number, const Preferences& 
   return true;
 }
 
-List<Candidate> Furnisher::found_for(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const {
-  List<Candidate> found = slots_of(subject, effects, preferences);
+List<Candidate*> Furnisher::found_for(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const {
+  List<Candidate*> found = slots_of(subject, effects, preferences);
   if (!must_have_slot(subject.rules)) found.add_all(alone(subject, effects, preferences).all());
   return found;
 }
@@ -83,14 +85,14 @@ static f64 cost_by_relations(const Subject& subject, Span<Effect> effects, const
 }
 
 // The ways to stand at walls and in the room, costed by every relation, the best few of each sort.
-List<Candidate> Furnisher::alone(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const {
+List<Candidate*> Furnisher::alone(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const {
   f64 missed = 0.0, pull = DRAW;
   for (const Effect& effect : effects) {
     if (effect.slots.size() > 0) missed += effect.rule->cost;
     pull = most(pull, effect.weight);
   }
-  List<Candidate> found;
-  for (Candidate candidate : own_candidates(subject, walls_, effects)) {
+  List<Candidate*> found;
+  for (Candidate& candidate : own_candidates(subject, walls_, effects)) {
     f64 cost = candidate.cost + missed + preferences.cost(subject, candidate);
     if (candidate.wall == Wall::none) cost += cost_in_the_way(subject, candidate) + cost_facing_wall(subject, candidate);
     cost += cost_by_relations(subject, effects, candidate);
@@ -98,7 +100,7 @@ List<Candidate> Furnisher::alone(const Subject& subject, Span<Effect> effects, c
     candidate.cost = rounded_6(cost);
     candidate.weight = pull;
     for (const Effect& effect : effects) effect.relation->keep(subject, effect, candidate);
-    found.add(candidate);
+    found.add(&candidate);
   }
   return best_of_each(subject, found);
 }
@@ -111,18 +113,18 @@ static bool has_kind(const List<i32>& kinds, i32 kind) {
 }
 
 // Adds the rows of a piece; later pieces may relate to it.
-void Furnisher::keep(const CountedPiece& counted, i32 number, Span<Candidate> ways, Span<Effect> effects) {
+void Furnisher::keep(const CountedPiece& counted, i32 number, Span<Candidate*> ways, Span<Effect> effects) {
   const i32 before = links.size();
   for (const Effect& effect : effects) links.add_all(effect.links.all());
-  candidates.add_all(ways);
+  for (const Candidate* way : ways) candidates.add(*way);
   const i32 piece = pieces.size();
   const PieceSpec& spec = type_.pieces[counted.spec];
   const i32 bonds = links.size() - before;
   pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, bonds, -1, spec.required, spec.with_next, spec.skip_cost});
   earlier_.by_word[type_.pieces[counted.spec].word].add(piece);
   List<i32> kinds;
-  for (const Candidate& way : ways) {
-    if (!has_kind(kinds, way.kind)) kinds.add(way.kind);
+  for (const Candidate* way : ways) {
+    if (!has_kind(kinds, way->kind)) kinds.add(way->kind);
   }
   earlier_.kinds.add(kinds);
 }
@@ -138,9 +140,10 @@ Furnisher::Meant Furnisher::meant(const Candidate& candidate) const {
 }
 
 // Marks where a piece would like best to stand, so that later pieces are first wished elsewhere.
-void Furnisher::intend(Span<Candidate> ways) {
+void Furnisher::intend(Span<Candidate*> ways) {
   Meant& own = meant_.add({-1, 0, {0, 0}});
-  for (const Candidate& way : ways) {
+  for (const Candidate* each : ways) {
+    const Candidate& way = *each;
     const Meant place = meant(way);
     if (place.kind < 0) continue;
     const Rect rect = Rect::around(place.centre, turned(type_.kinds[way.kind].size(), place.rotation));

@@ -38,12 +38,12 @@ class Furnisher {
     Point centre;
   };
 
-  List<Candidate> found_for(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const;
-  List<Candidate> alone(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const;
+  List<Candidate*> found_for(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const;
+  List<Candidate*> alone(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const;
   f64 cost_in_the_way(const Subject& subject, const Candidate& candidate) const;
-  void keep(const CountedPiece& counted, i32 number, Span<Candidate> ways, Span<Effect> effects);
+  void keep(const CountedPiece& counted, i32 number, Span<Candidate*> ways, Span<Effect> effects);
   Meant meant(const Candidate& candidate) const;
-  void intend(Span<Candidate> ways);
+  void intend(Span<Candidate*> ways);
 
   const Scope& scope_;
   const RoomType& type_;

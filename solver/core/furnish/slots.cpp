@@ -13,18 +13,18 @@ bool must_have_slot(Span<Rule> rules) {
   return false;
 }
 
-List<Candidate> slots_of(const Subject& subject, Span<Effect> effects, const Preferences& preferences) {
+List<Candidate*> slots_of(const Subject& subject, Span<Effect> effects, const Preferences& preferences) {
   const bool must = must_have_slot(subject.rules);
-  List<Candidate> found;
+  List<Candidate*> found;
   for (i32 i = 0; i < effects.size; i++) {
     if (must && !is_must(*effects[i].rule)) continue;
     f64 missed = 0.0;
     for (i32 j = 0; j < effects.size; j++) {
       if (j != i && effects[j].slots.size() > 0) missed += effects[j].rule->cost;
     }
-    for (Candidate slot : effects[i].slots) {
+    for (Candidate& slot : effects[i].slots) {
       slot.cost = rounded_6(rounded_6(slot.cost + missed) + preferences.cost(subject, slot));
-      found.add(slot);
+      found.add(&slot);
     }
   }
   return found;
@@ -37,7 +37,7 @@ struct Group {
   i32 kind;
   Wall wall;
   i32 way_round;
-  List<Candidate> ways;
+  List<Candidate*> ways;
 };
 
 }  // namespace
@@ -57,28 +57,26 @@ static Group& group_of(List<Group>& groups, const Candidate& one, i32 way_round)
 }
 
 static bool has_anchor(const Group& group, Point anchor) {
-  for (const Candidate& way : group.ways) {
-    if (way.anchor.x == anchor.x && way.anchor.z == anchor.z) return true;
+  for (const Candidate* way : group.ways) {
+    if (way->anchor.x == anchor.x && way->anchor.z == anchor.z) return true;
   }
   return false;
 }
 
-List<Candidate> best_of_each(const Subject& subject, const List<Candidate>& found) {
+List<Candidate*> best_of_each(const Subject& subject, const List<Candidate*>& found) {
   bool corners = false;
   for (const Rule& rule : subject.rules) corners = corners || rule.word == Word::in_corner;
-  List<const Candidate*> by_cost;
-  for (const Candidate& one : found) by_cost.add(&one);
-  stable_sort(by_cost.all(), [](const Candidate* a, const Candidate* b) { return a->cost < b->cost; });
+  stable_sort(found.all(), IS_CHEAPER);
   List<Group> groups;
-  for (const Candidate* each : by_cost) {
+  for (Candidate* each : found) {
     const Candidate& one = *each;
     const i32 turns = is_alike_turned(subject.kind(one)) ? 180 : 360;
     Group& group = group_of(groups, one, one.rotation % turns);
     const i32 few = corners && one.wall == Wall::none ? 4 : 2;
     const i32 room = one.kind == subject.variants[0].kind ? few : few / 2;
-    if (group.ways.size() < room && !has_anchor(group, one.anchor)) group.ways.add(one);
+    if (group.ways.size() < room && !has_anchor(group, one.anchor)) group.ways.add(each);
   }
-  List<Candidate> best;
+  List<Candidate*> best;
   for (const Group& group : groups) best.add_all(group.ways.all());
   return best;
 }

@@ -11,7 +11,9 @@ template <class T> class List {
     return data_[size_++] = value;
   }
   void add_all(Span<T> values) {
-    for (const T& value : values) add(value);
+    while (room_ - size_ < values.size) grow();
+    copy(values.data, data_ + size_, values.size);
+    size_ += values.size;
   }
   void cut(i32 size) { size_ = least(size, size_); }
   T& operator[](i64 at) const {
@@ -28,8 +30,12 @@ template <class T> class List {
     if (room_ > (1 << 24)) fail(Failure::memory_full);
     room_ = most(8, 2 * room_);
     T* wider = reserved<T>(room_).data;
-    for (i32 i = 0; i < size_; i++) wider[i] = data_[i];
+    copy(data_, wider, size_);
     data_ = wider;
+  }
+  static void copy(const T* from, T* to, i32 count) {
+    static_assert(__is_trivially_copyable(T));
+    if (count > 0) __builtin_memcpy(to, from, static_cast<unsigned long>(count) * sizeof(T));
   }
 
   T* data_ = nullptr;
