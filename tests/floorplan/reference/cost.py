@@ -38,9 +38,9 @@ LIVING_APART: Final = 1.5
 KITCHEN_BETWEEN: Final = 3.0
 """A room one lives in, or a hallway, that only the kitchen leads to: each more door leaves a kitchen less wall for its worktop."""
 PAST_KITCHEN: Final = 5.0
-"""Where wings are ours to lay: a bedroom or a bathroom that only the kitchen leads to."""
+"""But in a rectangle of our own: a bedroom or a bathroom that only the kitchen leads to."""
 SMALL_SUITE: Final = 4.0
-"""There, too: the largest bedroom has no bathroom of its own, and another has."""
+"""Likewise: the largest bedroom has no bathroom of its own, and another has."""
 OUTLINE: Final = (0.75, 1.9)
 """Width over depth of an outline that costs nothing; beyond, OUTLINE_COST for every unit."""
 BENT_OUTLINE: Final = (0.6, 2.4)
@@ -142,7 +142,7 @@ class HomeJudge:
         return cost
 
     def _is_small(self, boxes: Sequence[Rect]) -> bool:
-        """Tells of a bedroom with a bathroom of its own that is smaller than another bedroom, where wings are ours to lay."""
+        """Tells of a bedroom with a bathroom of its own that is smaller than another bedroom, but in a rectangle of our own."""
         owners = {owner for _, owner in self.owned}
         floors = {i: boxes[i].width * boxes[i].depth for i in self.bedrooms}
         suites = [floor for i, floor in floors.items() if i in owners]
