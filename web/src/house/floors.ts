@@ -16,6 +16,8 @@ const LAMPLIGHT = "#8f8b84";
 const ACCENT_INSET = 0.14;
 const ACCENT_WIDTH = 0.035;
 const ACCENT_RISE = 0.004;
+/** Drawn after what stands on it: a pixel that is hidden is not lit. */
+const BEHIND = 1;
 
 /** Triangles that all look up, or all down. */
 class FloorDraft {
@@ -91,7 +93,7 @@ export function floorMeshes(rooms: readonly Room[], storeys: ReadonlyMap<number,
   }
   for (const [type, draft] of drafts) {
     const mesh = new Mesh(draft.build(), floorMaterial(type));
-    mesh.receiveShadow = true;
+    Object.assign(mesh, { receiveShadow: true, renderOrder: BEHIND });
     group.add(mesh);
   }
   group.add(new Mesh(accents.build(), keptMaterial("accent", () => new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.75 }))));

@@ -2,11 +2,10 @@
 import {
   BufferGeometry, Color, InstancedBufferAttribute, InstancedInterleavedBuffer, InstancedMesh, InterleavedBufferAttribute, Sphere, Vector3,
 } from "three";
-import type { PartForm } from "../contract";
 import type { PlacedBody } from "./frame";
 import { movedWith, turnedWith, type Swing } from "./fronts";
 import type { Paint } from "./paints";
-import { solidGeometry, solidOf, type Solid } from "./part_geometry";
+import { solidGeometry, solidOf, SOLIDS, type Solid } from "./part_geometry";
 import { partMaterials } from "./part_shader";
 import { patternLayer } from "./patterns";
 import type { Part } from "./parts";
@@ -14,7 +13,6 @@ import type { Part } from "./parts";
 /** Roundings [m]: of a soft-edged block, never more than this share of its thinnest side. */
 const ROUNDING = 0.035;
 const ROUNDING_SHARE = 0.42;
-const SOLIDS: readonly Solid[] = ["box", "rounded", "round", "ball", "capsule"];
 /** Every solid can be drawn twice: solid, and seen through. */
 const BATCHES = SOLIDS.length * 2;
 const MATRIX = 16;
@@ -22,12 +20,8 @@ const MATRIX = 16;
 const LOOK = 12;
 const LOOKS = ["span", "tint", "finish"] as const;
 
-const first: Readonly<Record<PartForm, number>> = Object.fromEntries(
-  (["box", "rounded", "cylinder", "cone", "ball", "capsule"] as const).map((form) => [form, SOLIDS.indexOf(solidOf(form)) * 2]),
-) as Record<PartForm, number>;
-
 function batchOf(part: Part): number {
-  return first[part.form] + (part.paint.opacity < 1 ? 1 : 0);
+  return SOLIDS.indexOf(solidOf(part)) * 2 + (part.paint.opacity < 1 ? 1 : 0);
 }
 
 function shapeNumber({ form, size, taper }: Part): number {

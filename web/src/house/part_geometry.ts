@@ -1,18 +1,22 @@
 /**
- * The four solids that all parts are drawn with, of unit size; the shader gives them theirs (part_shader.ts).
+ * The solids that all parts are drawn with, of unit size; the shader gives them theirs (part_shader.ts).
  *
  * `position` and `normal` are what the shader mixes with the size: a block's and a capsule's positions are corners without
  * their rounding, which goes along the normal. `side` tells the shader which rule a vertex follows.
  */
 import { BufferAttribute, BufferGeometry } from "three";
-import type { PartForm } from "../contract";
+import type { Part } from "./parts";
 
-export type Solid = "box" | "rounded" | "round" | "ball" | "capsule";
+export type Solid = "box" | "rounded" | "round" | "stick" | "ball" | "bead" | "capsule";
+export const SOLIDS: readonly Solid[] = ["box", "rounded", "round", "stick", "ball", "bead", "capsule"];
 
 /** Rules of vertices: faces of a block by their axis, then a ball, a cylinder's mantle and caps, a capsule. */
 export const RULE = { block: 0, ball: 3, mantle: 4, cap: 5, capsule: 6 } as const;
 
 const AROUND = 18;
+/** What is round and no wider [m] has fewer faces, which are nowhere 2.5 mm off. */
+const SMALL = 0.06;
+const AROUND_SMALL = 10;
 
 class Draft {
   readonly #rows: number[][] = [];
@@ -78,27 +82,26 @@ function block(rounded: boolean): BufferGeometry {
 }
 
 /** A ring of vertices at a height; `make` gives position and normal for the ring's sine and cosine. */
-function ring(draft: Draft, rule: number, make: (x: number, z: number) => readonly [readonly number[], readonly number[]], around = AROUND): number[] {
+function ring(draft: Draft, rule: number, make: (x: number, z: number) => readonly [readonly number[], readonly number[]], around: number): number[] {
   return Array.from({ length: around + 1 }, (_, i) => {
     const turn = (i / around) * 2 * Math.PI;
     return draft.vertex(...make(Math.sin(turn), Math.cos(turn)), i / around, rule);
   });
 }
 
-function round(): BufferGeometry {
+function round(around: number): BufferGeometry {
   const draft = new Draft();
-  draft.grid([-0.5, 0.5].map((y) => ring(draft, RULE.mantle, (x, z) => [[x / 2, y, z / 2], [x, 0, z]])));
+  draft.grid([-0.5, 0.5].map((y) => ring(draft, RULE.mantle, (x, z) => [[x / 2, y, z / 2], [x, 0, z]], around)));
   for (const towards of [-1, 1]) {
     const normal = [0, towards, 0];
-    const rim = ring(draft, RULE.cap, (x, z) => [[x / 2, towards / 2, z / 2], normal]);
+    const rim = ring(draft, RULE.cap, (x, z) => [[x / 2, towards / 2, z / 2], normal], around);
     draft.fan(draft.vertex([0, towards / 2, 0], normal, 0, RULE.cap), rim, towards > 0);
   }
   return draft.build();
 }
 
-function ball(): BufferGeometry {
+function ball(rows: number, around: number): BufferGeometry {
   const draft = new Draft();
-  const [rows, around] = [10, 16];
   draft.grid(Array.from({ length: rows + 1 }, (_, i) => {
     const [y, out] = [-Math.cos((i / rows) * Math.PI), Math.sin((i / rows) * Math.PI)];
     return ring(draft, RULE.ball, (x, z) => [[(x * out) / 2, y / 2, (z * out) / 2], [x * out, y, z * out]], around);
@@ -118,7 +121,10 @@ function capsule(): BufferGeometry {
   return draft.build();
 }
 
-const MAKERS: Readonly<Record<Solid, () => BufferGeometry>> = { box: () => block(false), rounded: () => block(true), round, ball, capsule };
+const MAKERS: Readonly<Record<Solid, () => BufferGeometry>> = {
+  box: () => block(false), rounded: () => block(true), capsule,
+  round: () => round(AROUND), stick: () => round(AROUND_SMALL), ball: () => ball(10, 16), bead: () => ball(6, AROUND_SMALL),
+};
 const made = new Map<Solid, BufferGeometry>();
 
 /** A solid's geometry, made once for the life of the page; batches share its attributes. */
@@ -128,7 +134,10 @@ export function solidGeometry(solid: Solid): BufferGeometry {
   return geometry;
 }
 
-/** The solid that draws a form: a cone is a cylinder that tapers to nothing. */
-export function solidOf(form: PartForm): Solid {
-  return form === "cylinder" || form === "cone" ? "round" : form;
+/** The solid that draws a part: a cone is a cylinder that tapers to nothing. */
+export function solidOf({ form, size: [x, y, z], axis }: Pick<Part, "form" | "size" | "axis">): Solid {
+  if (form === "ball") return Math.max(x, y, z) > SMALL ? "ball" : "bead";
+  if (form !== "cylinder" && form !== "cone") return form;
+  const across = { x: Math.max(y, z), y: Math.max(x, z), z: Math.max(x, y) }[axis];
+  return across > SMALL ? "round" : "stick";
 }

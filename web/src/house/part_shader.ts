@@ -62,7 +62,7 @@ const MIRROR_ROUGHNESS = 0.07;
 const METAL = 0.55;
 
 const REFLECTION = /* glsl */ `
-{
+if (vFinish.y + vFinish.z > 0.0) {
   // Metal and glass show the sky, brighter above than below: there is no picture of the surroundings to mirror.
   vec3 up = normalize((viewMatrix * vec4(0.0, 1.0, 0.0, 0.0)).xyz);
   vec3 seen = normalize(vViewPosition);

@@ -10,6 +10,8 @@ const THICKNESS = 0.16;
 const COLOR = "#9a9d9f";
 /** Floors lie this much over the slab, so that the two never fight for a pixel. */
 const GAP = 0.02;
+/** Drawn after the floors that hide it. */
+const BEHIND = 2;
 
 /** A rectangle of the ground [m]. */
 export interface Ground {
@@ -43,6 +45,6 @@ export function slab(rooms: readonly Room[], y: number): Mesh | null {
   ));
   if (quads.length === 0) return null;
   const mesh = new Mesh(mergeQuads(quads), faceMaterial("slab"));
-  mesh.receiveShadow = true;
+  Object.assign(mesh, { receiveShadow: true, renderOrder: BEHIND });
   return mesh;
 }
