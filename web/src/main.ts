@@ -374,7 +374,7 @@ class Page {
 
   /** What is chosen already is gone to: in the text arrows go from line to line, in the house they move the piece. */
   #chooseInText(id: string, adds: boolean): void {
-    if (adds) return this.#home.toggleChosen(id);
+    if (adds || this.#stage.adds) return this.#home.toggleChosen(id);
     if (this.#home.selected === id) element("stage").focus();
     this.#home.select(id);
   }

@@ -43,6 +43,8 @@ export class Stage {
   onSelect: (id: string | null) => void = () => undefined;
   /** Called with the body that was clicked with Shift. */
   onAlso: (id: string) => void = () => undefined;
+  /** Whether what is clicked joins what is chosen, as with Shift: fingers have none. */
+  adds = false;
   /** Told of a click first; true where that is all that comes of it. */
   takesClick: (hit: Hit | null) => boolean = () => false;
   /** Called with the room whose floor was clicked, or null for a click beside all. */
@@ -76,7 +78,7 @@ export class Stage {
     const place = document.getElementById("beside");
     this.beside = place && new PlanBeside(place, within("camera_split"), draw, (reason) => this.onFailure(reason));
     if (this.beside) {
-      this.beside.onSelect = (id) => this.onSelect(id);
+      this.beside.onSelect = (id) => { if (this.adds && id !== null) this.onAlso(id); else this.onSelect(id); };
       this.beside.onAlso = (id) => this.onAlso(id);
       this.beside.onWished = () => { if (this.#isPlan) this.look("corner"); }; // not two plans
     }
@@ -268,7 +270,7 @@ export class Stage {
   #click(clientX: number, clientY: number, adds: boolean): void {
     const hit = this.#hitAt(clientX, clientY);
     if (this.takesClick(hit)) return;
-    if (adds) {
+    if (adds || this.adds) {
       if (hit?.kind === "body") this.onAlso(hit.body.id);
       return;
     }

@@ -124,11 +124,14 @@ export class Acts {
     });
   }
 
-  /** Keeps what is chosen, to be pasted. Tells whether there was anything. */
-  copy(): boolean {
+  /** Keeps what is chosen, to be pasted. */
+  copy(): void {
     const { scene } = this.home;
     if (scene && this.home.chosen.length > 0) this.#clips = clipped(scene, this.home.chosen);
-    return this.home.chosen.length > 0;
+  }
+
+  get canPaste(): boolean {
+    return this.#clips.length > 0;
   }
 
   /** Puts what was copied into a room, among what stands there if it can. */

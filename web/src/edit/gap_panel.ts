@@ -2,6 +2,7 @@
 import type { Furniture, Room, Scene, Side } from "../contract";
 import { gapsOf, type Gap } from "./gaps";
 import { lengthTyped, lengthWords } from "./lengths";
+import { replaceKeepingFocus } from "../panel/focus";
 import { say, sayName } from "../words/language";
 
 /** What a distance is measured to. */
@@ -30,7 +31,7 @@ export class GapPanel {
     this.host.hidden = !room || !piece;
     this.#gaps = scene && room && piece ? gapsOf(scene, room, piece) : [];
     const shown = JSON.stringify([id, this.#gaps]);
-    if (shown !== this.#shown) this.#rows.replaceChildren(...this.#gaps.flatMap((gap) => this.#row(gap)));
+    if (shown !== this.#shown) replaceKeepingFocus(this.#rows, this.#gaps.flatMap((gap) => this.#row(gap)));
     this.#shown = shown;
     return this.#gaps;
   }

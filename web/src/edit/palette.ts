@@ -2,6 +2,7 @@
 import type { Catalog } from "../contract";
 import { words } from "../house/frame";
 import type { Favourites } from "./favourites";
+import { LONG_PRESS } from "./hand";
 import type { FurnitureKind } from "./scene_edits";
 import { say, sayNumber } from "../words/language";
 
@@ -170,35 +171,46 @@ export class Palette {
     return star;
   }
 
-  /** A click chooses the kind; pulled out with a mouse it is dragged into the house. */
+  /** A click chooses the kind; pulled out with a mouse, or once a finger has stayed on it, it is dragged into the house. */
   #listen(choose: HTMLElement, kind: FurnitureKind): void {
-    let from: { readonly x: number; readonly y: number } | null = null;
+    let from: PointerEvent | null = null;
     let isDragged = false;
+    let staying: ReturnType<typeof setTimeout> | undefined;
     const at = (event: PointerEvent): { x: number; y: number } => ({ x: event.clientX, y: event.clientY });
+    const begin = (event: PointerEvent): void => {
+      isDragged = true;
+      this.host.classList.add("aside");
+      choose.setPointerCapture(event.pointerId);
+      this.others.over(kind, at(event));
+    };
+    const end = (): void => {
+      clearTimeout(staying);
+      this.host.classList.remove("aside");
+      from = null;
+    };
     choose.addEventListener("click", () => {
       if (!isDragged) this.onChoose(kind);
       isDragged = false;
     });
     choose.addEventListener("pointerdown", (event) => {
       isDragged = false;
-      from = event.button === 0 && event.pointerType !== "touch" ? at(event) : null;
+      from = event.button === 0 ? event : null;
+      if (event.pointerType === "touch") staying = setTimeout(() => begin(event), LONG_PRESS);
     });
     choose.addEventListener("pointermove", (event) => {
-      if (!from || (!isDragged && Math.hypot(event.clientX - from.x, event.clientY - from.y) <= STILL)) return;
-      isDragged = true;
-      this.host.classList.add("aside");
-      choose.setPointerCapture(event.pointerId);
-      this.others.over(kind, at(event));
+      if (!from || (!isDragged && Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) <= STILL)) return;
+      if (isDragged) this.others.over(kind, at(event));
+      else if (event.pointerType === "touch") end(); // it scrolls the list
+      else begin(event);
     });
+    choose.addEventListener("touchmove", (event) => { if (isDragged) event.preventDefault(); }, { passive: false });
     choose.addEventListener("pointerup", (event) => {
       if (from && isDragged && this.isOpen) this.others.drop(kind, at(event));
       else if (from && isDragged) this.others.over(kind, null);
-      this.host.classList.remove("aside");
-      from = null;
+      end();
     });
     choose.addEventListener("pointercancel", () => {
-      from = null;
-      this.host.classList.remove("aside");
+      end();
       this.others.over(kind, null);
     });
   }

@@ -4,6 +4,7 @@ import { words } from "../house/frame";
 import { lengthTyped, lengthWords } from "./lengths";
 import type { Alignment } from "./many_edits";
 import { EXTENTS, isSizable, sizeRange, variantsOf } from "./size_range";
+import { replaceKeepingFocus } from "../panel/focus";
 import { say, sayNumber, type Words } from "../words/language";
 
 export interface PieceWords {
@@ -28,14 +29,14 @@ export class PiecePanel {
     host.replaceChildren(this.#title, this.#body);
   }
 
-  /** Shows what is chosen: a piece of furniture, a decoration, or several. */
+  /** Shows what is chosen: a piece of furniture, a decoration, or several; who changes it by keys goes on with them. */
   show(catalog: Catalog | null, piece: Furniture | null, thing: Body | null, count: number): void {
     const shown = JSON.stringify([piece, thing?.id, thing?.color, count, catalog !== null]);
     if (shown === this.#shown) return;
     this.#shown = shown;
     this.host.hidden = count === 0 || (!piece && !thing);
     this.#title.textContent = count > 1 ? say("{count} chosen: line up", { count }) : say("Size, angle, colour");
-    this.#body.replaceChildren(...(count > 1 ? this.#alignments() : piece ? this.#ofPiece(catalog, piece) : thing ? [this.#colors(catalog, thing, null)] : []));
+    replaceKeepingFocus(this.#body, (count > 1 ? this.#alignments() : piece ? this.#ofPiece(catalog, piece) : thing ? [this.#colors(catalog, thing, null)] : []));
   }
 
   #alignments(): HTMLElement[] {

@@ -2,6 +2,7 @@
 import type { Furniture, Scene } from "../contract";
 import type { Editor } from "./editor";
 import { freshId, type FurnitureKind } from "./scene_edits";
+import { replaceKeepingFocus } from "../panel/focus";
 import { say } from "../words/language";
 
 /** How many places are asked for. */
@@ -63,12 +64,11 @@ export class Places {
     const offer = this.#offer;
     this.host.hidden = !offer || offer.pieces.length < 2;
     if (!offer || this.host.hidden) return;
-    const [words, hadFocus] = [document.createElement("span"), this.host.contains(document.activeElement) ? document.activeElement?.textContent : null];
+    const words = document.createElement("span");
     words.textContent = say("Place {at} of {of}", { at: offer.at + 1, of: offer.pieces.length });
     words.setAttribute("role", "status");
     const buttons = [button("◀", say("The place before"), () => this.flip(-1)), button("▶", say("Another place"), () => this.flip(1)), button("✕", say("Keep it here"), () => this.hide())];
-    this.host.replaceChildren(words, ...buttons);
-    buttons.find(({ textContent }) => textContent === hadFocus)?.focus();
+    replaceKeepingFocus(this.host, [words, ...buttons]);
   }
 
   /** Another thing was done: the places are no longer offered. Tells whether any were. */

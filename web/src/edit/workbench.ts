@@ -257,7 +257,10 @@ export class Workbench {
       { name: "right", words: "Turn right", sign: "⟳", keys: "E", ofPiece: true, act: () => acts.turn(-90) },
       { name: "lock", words: "Lock", sign: "Lock", keys: "K", ofPiece: true, act: onPiece((id) => this.editor.toggleLock(id)) },
       { name: "delete", words: "Delete", sign: "Delete", keys: "Delete", ofPiece: true, act: () => acts.remove() },
-      { name: "duplicate", words: "Copy beside", sign: "Copy", keys: "Control+D", ofPiece: true, act: () => acts.duplicate() },
+      { name: "duplicate", words: "Copy beside", sign: "Duplicate", keys: "Control+D", ofPiece: true, act: () => acts.duplicate() },
+      { name: "several", words: "Choose several", sign: "Several", ofPiece: true, act: () => this.#chooseSeveral(!this.stage.adds) },
+      { name: "copy", words: "Copy, to be pasted", sign: "Copy", keys: "Control+C", ofPiece: true, act: () => this.#copy() },
+      { name: "paste", words: "Paste into the chosen room", sign: "Paste", keys: "Control+V", act: () => this.#acts.paste(this.#roomMeant()) },
       { name: "tape", words: "Tape measure", sign: "Tape", keys: "M", act: () => this.#measureWithTape() },
       { name: "why", words: "Why here?", sign: "Why?", keys: "H", ofPiece: true, act: () => this.#explain() },
       { name: "add", words: "Add a piece", sign: "+ Add", keys: "A", act: () => this.#openPalette() },
@@ -279,6 +282,17 @@ export class Workbench {
     this.#toolbar.press("tape", isOut);
   }
 
+  /** What is clicked or tapped joins what is chosen, or takes its place again. */
+  #chooseSeveral(adds: boolean): void {
+    this.stage.adds = adds;
+    this.#toolbar.press("several", adds);
+  }
+
+  #copy(): void {
+    this.#acts.copy();
+    this.#offer();
+  }
+
   /** Offers what can be done now. */
   #offer(): void {
     const found = this.home.find(this.home.selected);
@@ -286,7 +300,9 @@ export class Workbench {
     this.#toolbar.enable("undo", this.home.canUndo);
     this.#toolbar.enable("redo", this.home.canRedo);
     for (const name of ["left", "right", "delete"]) this.#toolbar.enable(name, this.#acts.canChange);
-    this.#toolbar.enable("duplicate", this.home.selected !== null);
+    if (this.home.selected === null) this.#chooseSeveral(false);
+    for (const name of ["duplicate", "copy", "several"]) this.#toolbar.enable(name, this.home.selected !== null);
+    this.#toolbar.enable("paste", this.#acts.canPaste);
     for (const name of ["lock", "why"]) this.#toolbar.enable(name, found !== null);
     this.#toolbar.press("lock", isLocked);
   }
@@ -338,7 +354,7 @@ export class Workbench {
     const key = event.key.toLowerCase();
     const isText = !(getSelection()?.isCollapsed ?? true);
     if (key === "d" && this.home.selected !== null) return () => this.#acts.duplicate();
-    if (key === "c" && this.home.selected !== null && !isText) return () => { this.#acts.copy(); };
+    if (key === "c" && this.home.selected !== null && !isText) return () => this.#copy();
     if (key === "v") return () => this.#acts.paste(this.#roomMeant());
     if (key === "y" || (key === "z" && event.shiftKey)) return () => this.editor.redo();
     return key === "z" ? () => this.editor.undo() : null;
