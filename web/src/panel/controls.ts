@@ -108,7 +108,8 @@ export class Controls {
     if (!read || "unread" in read) return unread === null;
     this.#asked = text;
     this.#programme.show(read.wish);
-    this.#fitOutline(true);
+    if (read.wish.area === undefined) this.#fitOutline(true);
+    else for (const name of ["width", "depth"] as const) this.#write(name, ""); // what stood there says another area
     return true;
   }
 

@@ -6,6 +6,9 @@ import { tellPlainly } from "../words/telling";
 
 const NUMBER = /^(a (?:whole )?number(?: [^:]*)?)(?::|$)/;
 
+/** What the service says of a file that is none of its formats. */
+const UNKNOWN_FILE = /^(is in none of the formats|the text is not UTF-8)/;
+
 type Field = HTMLInputElement | HTMLSelectElement;
 
 function labelOf(form: HTMLFormElement, field: Field): HTMLElement | null {
@@ -49,9 +52,17 @@ export function formWords(form: HTMLFormElement, problems: readonly FieldProblem
   return lines.length > 0 && lines.every((line) => line !== null) ? lines : null;
 }
 
+/** What is wrong with a file as a whole. */
+function fileWords({ problem }: FieldProblem): string {
+  if (UNKNOWN_FILE.test(problem)) return say("It is none of the files that are read here: scenes as JSON, YAML or .glb, and plans of Sweet Home 3D, DXF, IFC, SVG, ProcTHOR, RPLAN, GeoJSON.");
+  if (problem.startsWith("the text is empty")) return say("It is empty.");
+  const words = tellPlainly(problem);
+  return `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
+}
+
 /** What a failure says, and each field that it names in a line. */
 export function refusalWords(reason: unknown): { readonly title: string; readonly lines: readonly string[] } {
   if (!(reason instanceof ServiceProblem)) return { title: say("The page failed"), lines: [String(reason)] };
-  const lines = reason.fields.map((field) => `${tellPlainly(field.field)}: ${fieldWords(field)}`);
+  const lines = reason.fields.map((field) => (field.field === "file" ? fileWords(field) : `${tellPlainly(field.field)}: ${fieldWords(field)}`));
   return { title: tellPlainly(reason.title), lines: lines.length > 0 ? lines : [tellPlainly(reason.detail)] };
 }

@@ -1,5 +1,6 @@
-/** The service's issues, by rule; choosing one shows the body it names, or else its room. */
+/** The service's issues, by rule, and what to do about them; choosing one shows the body it names, and its room. */
 import type { Issue, Scene } from "../contract";
+import { say } from "../words/language";
 import { tell, tellSentence } from "../words/telling";
 
 /** Issues of one rule, in the service's order. */
@@ -19,13 +20,22 @@ export function groupsOf(issues: readonly Issue[]): IssueGroup[] {
 export class Issues {
   /** Called with a body's id. */
   onChoose: (id: string) => void = () => undefined;
-  /** Called with a room's id, where no body is named. */
+  /** Called with the room that an issue is in: its other arrangements are offered. */
   onChooseRoom: (id: string) => void = () => undefined;
 
-  constructor(readonly section: HTMLElement, readonly list: HTMLElement) {}
+  readonly #words: HTMLElement | null;
+  readonly #diagnose: HTMLElement | null;
+
+  constructor(readonly section: HTMLElement, readonly list: HTMLElement) {
+    this.#words = section.querySelector("#issue_words");
+    this.#diagnose = section.querySelector("#issue_diagnose");
+  }
 
   show(issues: readonly Issue[], scene: Scene): void {
+    const isWrong = issues.some(({ severity }) => severity === "error");
     this.section.hidden = issues.length === 0;
+    if (this.#words) this.#words.textContent = isWrong ? say("Choose one to go to it. Diagnose repairs all errors as one step.") : say("Warnings: the home works, less well. Choose one to go to it; move or delete the piece, take the step back, or take one of the room's other arrangements.");
+    this.#diagnose?.toggleAttribute("hidden", !isWrong);
     this.list.replaceChildren(...groupsOf(issues).map((group) => this.#group(group, scene)));
   }
 
@@ -55,6 +65,6 @@ export class Issues {
 
   #choose({ ids: [first], room }: Issue): void {
     if (first !== undefined) this.onChoose(first);
-    else if (room) this.onChooseRoom(room);
+    if (room) this.onChooseRoom(room);
   }
 }

@@ -1,4 +1,4 @@
-/** The links that skip to a region: they only move the focus, since an address that changes would open its house again. */
+/** Links that skip to a region: they only move the focus, since an address that changes would open its house again. Buttons that press another. */
 
 import { fold, type Panel } from "./preferences";
 
@@ -9,5 +9,8 @@ export function listenToSkips(): void {
       if (link.hash === "#controls" || link.hash === "#reading") fold(link.hash.slice(1) as Panel, false);
       document.getElementById(link.hash.slice(1))?.focus();
     });
+  }
+  for (const button of document.querySelectorAll<HTMLElement>("[data-presses]")) {
+    button.addEventListener("click", () => document.getElementById(button.dataset.presses ?? "")?.click());
   }
 }
