@@ -117,7 +117,9 @@ def test_a_random_sequence_is_kept_to_the_byte(visit: Visit, seed: int) -> None:
             assert changed(visit, lambda: visit.page.keyboard.press("Control+z")) != shown
             assert changed(visit, lambda: visit.page.keyboard.press("Control+y")) == shown
         elif act == "back and forth":
-            changed(visit, visit.page.locator("#random").click)
+            other = changed(visit, visit.page.locator("#random").click)
+            assert changed(visit, visit.page.go_back) == shown
+            assert changed(visit, visit.page.go_forward) == other
             assert changed(visit, visit.page.go_back) == shown
         elif act == "away":
             visit.page.goto(visit.address + "healthz")
