@@ -94,16 +94,17 @@ def _end(run: WallRun, end: float, onward: Literal[1, -1], crossing: Sequence[Wa
     """
     _, axis, line = run.line
     demand(EDGE_WORK * len(crossing))
+    near = run.shift + NEGLIGIBLE
     walls = [
         other for other in crossing
-        if abs(other.line[2] - end) <= other.shift + NEGLIGIBLE and other.start <= line + run.shift and line - run.shift <= other.end
+        if abs(other.line[2] - end) <= other.shift + NEGLIGIBLE and other.start <= line + near and line - near <= other.end
     ]  # fmt: skip
     if not walls:
         return _End(0.0, False)
     middles = [((other.line[2] - end) * onward, other.thickness / 2) for other in walls]
     if run.kind == "railing":
         return _End(min(middle - half for middle, half in middles), True)
-    goes_on = len(walls) > 1 or any(other.start + run.shift < line < other.end - run.shift for other in walls)
+    goes_on = len(walls) > 1 or any(other.start + near < line < other.end - near for other in walls)
     if axis == "x" and not goes_on:
         return _End(sum(middles[0]), False)
     return _End(min(max(middle for middle, _ in middles), *(middle + half for middle, half in middles)), True)

@@ -43,12 +43,13 @@ LINES_APART: Final = 20
 
 @dataclass(frozen=True)
 class PlanFile:
-    """A file: its name, its content, the document in it where it is JSON or YAML, and its unit, m, where the caller says it."""
+    """A file: its name, its content, the document in it where it is JSON or YAML; its unit, m, and catalogs, as the caller says."""
 
     name: str
     content: bytes
     document: object = None
     metres: float | None = None
+    catalogs: Catalogs | None = None
 
 
 class PlanReader(NamedTuple):
@@ -85,7 +86,7 @@ READERS: Final[Mapping[str, PlanReader]] = {
     "svg": PlanReader(
         "SVG: shapes called rooms, walls, doors, windows",
         lambda file: is_svg(file.content),
-        lambda file: read_svg(file.content, file.metres),
+        lambda file: read_svg(file.content, file.metres, file.catalogs),
     ),
     "ifc": PlanReader("IFC 2x3 and 4", lambda file: is_ifc(file.content), lambda file: read_ifc(file.content)),
 }
@@ -111,7 +112,7 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
         FieldError: something in it cannot be read, or no room is left of it; names the place.
     """
     notes = PlanNotes()
-    plan = READERS[format].read(replace(file, metres=unit_named(settings.unit)))
+    plan = READERS[format].read(replace(file, metres=unit_named(settings.unit), catalogs=catalogs))
     notes.unread += plan.unread
     check_plan(plan)
     plan = of_one_level(plan, settings.level, notes)

@@ -21,6 +21,7 @@ from solver.scene import Scene
 from solver.understanding import understood, with_understood_kinds
 from solver.validator import validate
 
+CENTIMETRE: Final = 0.01
 OWN: Final = "scene"
 """What our own documents are called among the formats."""
 
@@ -77,8 +78,13 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
 
 def _moved(far: float, rotation: float, drawn: float, broken: str | None) -> str:
     """Says how a piece was moved, m, and which rule it breaks where it is drawn, if it breaks one itself."""
-    turned = f" and turned to {rotation:g} degrees" if (rotation - drawn) % 360 else ""
-    return f"moved by {far:.2f} m{turned}: {f'as it is drawn, {broken}' if broken else 'others needed its place'}"
+    why = f"as it is drawn, {broken}" if broken else "others needed its place"
+    turned = abs((rotation - drawn + 180) % 360 - 180)
+    if not turned:
+        return f"moved by {far:.2f} m: {why}" if far >= CENTIMETRE else f"moved by less than 1 cm: {why}"
+    if far >= CENTIMETRE:
+        return f"moved by {far:.2f} m and turned to {rotation:g} degrees: {why}"
+    return f"turned by {turned:.2g} degrees to {rotation:g}: {why if broken else 'things stand along walls or across them'}"
 
 
 def _read(file: PlanFile, settings: ImportSettings, catalogs: Catalogs) -> tuple[Scene, PlanNotes, str]:

@@ -191,3 +191,16 @@ def ifc_whose_axes_have_no_length() -> bytes:
 def ifc_far_away() -> bytes:
     return ifc_of(*_IFC_ROOM, "#10=IFCCARTESIANPOINT((1.E400,-1.E300,0.));", "#11=IFCAXIS2PLACEMENT3D(#10,$,$);",
                   "#12=IFCLOCALPLACEMENT($,#11);", ifc_space(9, "#12"))  # fmt: skip
+
+
+@hostile
+def ifc_of_axes_without_a_length() -> bytes:
+    axes = ("#20=IFCDIRECTION((0.,0.,0.));", "#21=IFCAXIS2PLACEMENT3D(#1,#20,#20);", "#22=IFCLOCALPLACEMENT($,#21);")
+    return ifc_of(*_IFC_ROOM, *axes, ifc_space(9, "#22"))
+
+
+@hostile
+def ifc_of_a_way_without_a_length() -> bytes:
+    """What is extruded goes nowhere."""
+    room = (line.replace("(0.,0.,1.)", "(0.,0.,0.)") if line.startswith("#3=") else line for line in _IFC_ROOM)
+    return ifc_of(*room, ifc_space(9))

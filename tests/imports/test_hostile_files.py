@@ -24,6 +24,8 @@ from tests.imports.hostile_buildings import (
     dxf_of,
     ifc_of_a_large_shape_often,
     ifc_of_a_room_within_itself,
+    ifc_of_a_way_without_a_length,
+    ifc_of_axes_without_a_length,
     ifc_of_placements_in_a_ring,
     ifc_of_shapes_within_shapes,
 )
@@ -196,7 +198,7 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "rplan of many rooms": json.dumps({**apartment(), "room_type": [2] * 100_000}).encode(),
     "procthor of many children": procthor([{"id": "Book|1", "position": {"x": 1, "y": 1, "z": 1}}] * 20_000),
     **{make.__name__: make for make in (ifc_of_placements_in_a_ring, ifc_of_a_room_within_itself, ifc_of_shapes_within_shapes,
-                                        ifc_of_a_large_shape_often)},
+                                        ifc_of_a_large_shape_often, ifc_of_axes_without_a_length, ifc_of_a_way_without_a_length)},
     "glb that is none": b"glTF" + bytes(40),
 }  # fmt: skip
 

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from catalogs import load_catalogs
+from compose_homes import import_plan
 from solver.errors import FieldError
 from solver.imported import PlanImport
 from tests.imports.plans import opening, read, rooms_of
@@ -53,6 +57,16 @@ def test_the_root_may_say_the_unit_and_elements_what_they_are() -> None:
     assert (found.id, found.type, found.width, found.depth, found.extra) == ("wash", "laundry", 3.0, 2.0, {"name": "Utility"})
     front = opening(found, "front")
     assert (front.wall, front.position, front.hinge, front.swing, front.main_entrance) == ("south", 1.45, "start", "in", True)
+
+
+def test_shapes_are_rooms_by_the_names_of_the_callers_catalog(tmp_path: Path) -> None:
+    """A closed shape called `gynaeceum` tells nothing to our catalogs."""
+    file = (b"<svg xmlns='http://www.w3.org/2000/svg' data-unit='cm'><rect id='kitchen' width='300' height='300'/>"
+            b"<rect id='gynaeceum' x='300' width='400' height='300'/></svg>")  # fmt: skip
+    (tmp_path / "room_names.yaml").write_text("bedroom: {known_as: [gynaeceum]}", encoding="utf-8")
+    ours, theirs = (import_plan(file, "plan.svg", catalogs=one).scene.rooms for one in (None, load_catalogs(tmp_path)))
+    assert [room.type for room in ours] == ["kitchen"]
+    assert [room.type for room in theirs] == ["kitchen", "bedroom"]
 
 
 def test_transforms_uses_and_inner_drawings_are_worked_out() -> None:

@@ -13,6 +13,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.errors import FieldError
 from solver.imports.drawn import Tally
 
 Matrix = NDArray[np.float64]
@@ -72,7 +73,7 @@ class IfcShapes:
             placement = placement.PlacementRelTo
         found: Matrix = np.eye(4) if placement is None else self._placed[placement.id()]
         for one in reversed(ahead):
-            found = found @ np.asarray(_util().get_axis2placement(one.RelativePlacement), dtype=np.float64)
+            found = found @ _axes(one.RelativePlacement)
             self._placed[one.id()] = found
         return found
 
@@ -130,9 +131,9 @@ class IfcShapes:
         if profile is None:
             return
         if item.Position is not None:
-            frame = frame @ np.asarray(_util().get_axis2placement(item.Position))
+            frame = frame @ _axes(item.Position)
         way = np.asarray(item.ExtrudedDirection.DirectionRatios, dtype=np.float64)
-        way = way / np.linalg.norm(way) * item.Depth
+        way = way / _length(way, item.ExtrudedDirection) * item.Depth
         foot, head = _moved(profile, frame), _moved(profile + way, frame)
         yield foot, np.vstack([foot, head])
 
@@ -162,6 +163,31 @@ def _util() -> Any:
     return import_module("ifcopenshell.util.placement")
 
 
+def _axes(placement: Any) -> Matrix:
+    """Returns a placement's frame.
+
+    Raises:
+        FieldError: its axes have no length, or are one.
+    """
+    with np.errstate(invalid="ignore", divide="ignore"):
+        found = np.asarray(_util().get_axis2placement(placement), dtype=np.float64)
+    if not np.isfinite(found).all():
+        raise FieldError(f"#{placement.id()}", "is a placement without a direction", "axes that have a length and are not one")
+    return found
+
+
+def _length(way: Matrix, said: Any) -> float:
+    """Returns the length of a direction.
+
+    Raises:
+        FieldError: it has none.
+    """
+    length = float(np.linalg.norm(way))
+    if not 0 < length < np.inf:
+        raise FieldError(f"#{said.id()}", "is a direction without a length", "numbers that are not all 0")
+    return length
+
+
 def _faced(faces: Sequence[Matrix], frame: Matrix) -> Iterator[tuple[Matrix, Matrix]]:
     """Yields the lowest flat face of a shape made of faces."""
     moved = [_moved(face, frame) for face in faces if len(face) > 2]
@@ -186,7 +212,7 @@ def _rectangle(area: Any) -> Matrix:
     (cx, cy), way = area.Position.Location.Coordinates[:2], (1.0, 0.0)
     if area.Position.RefDirection is not None:
         way = area.Position.RefDirection.DirectionRatios[:2]
-    length = (way[0] ** 2 + way[1] ** 2) ** 0.5
+    length = _length(np.asarray(way), area.Position)
     c, s = way[0] / length, way[1] / length
     placed: Matrix = corners @ np.asarray([(c, s, 0.0), (-s, c, 0.0), (0.0, 0.0, 1.0)]) + np.asarray([cx, cy, 0.0])
     return placed

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
 from typing import Final, Literal, NamedTuple
 
-from catalogs import load_catalogs
+from catalogs import Catalogs, load_catalogs
 from catalogs.room_names import RoomNames, room_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imports.along_walls import outer_walls
@@ -52,8 +52,13 @@ def is_svg(content: bytes) -> bool:
     return b"<svg" in content[:START] and content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<")
 
 
-def read_svg(content: bytes, metres: float | None = None) -> DrawnPlan:
-    """Reads a drawing; `metres` is the length of its unit, where the caller says it.
+def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | None = None) -> DrawnPlan:
+    """Reads a drawing.
+
+    Args:
+        content: of the file.
+        metres: the length of its unit, where the caller says it.
+        catalogs: whose names of rooms tell which shapes are rooms; ours by default.
 
     Raises:
         SyntaxFault: it is none, declares entities, or draws more than any plan.
@@ -65,7 +70,8 @@ def read_svg(content: bytes, metres: float | None = None) -> DrawnPlan:
     elements, said = list(drawn_elements(root)), said_of(root)
     openings = [one for element in elements if "data-opening" in element.said for one in _opening(element)]
     stated = [element for element in elements if "data-room" in element.said]
-    plan = _shapes_plan(elements, bool(stated) and bool(openings), lambda found: metres or _unit_of(said, found).metres)
+    names = None if stated and openings else room_names_of(catalogs or load_catalogs())
+    plan = _shapes_plan(elements, names, lambda found: metres or _unit_of(said, found).metres)
     drawn_rooms = [(_room(element, line.points), element) for element in stated for line in element.lines[:1]]
     rooms = [room for room, _ in drawn_rooms] or list(plan.rooms)
     openings = openings or list(plan.openings)
@@ -187,17 +193,16 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
         )  # fmt: skip
 
 
-def _shapes_plan(elements: Sequence[SvgElement], is_stated: bool, metres: UnitTold) -> DrawnPlan:
-    """Returns what shapes draw by their names, as far as attributes do not say it."""
+def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres: UnitTold) -> DrawnPlan:
+    """Returns what shapes draw by their names, as far as attributes do not say it: then there are no names of rooms to go by."""
     texts = [DrawnText(one.words, *one.lines[0].points[0]) for one in elements if one.words]
     shapes: list[DrawnShape] = []
     swings: list[DrawnSwing] = []
-    names = room_names_of(load_catalogs())
-    for element in [] if is_stated else elements:
+    for element in elements if names else []:
         if element.tag == "text" or not element.lines:
             continue
         sort = sort_within(element.names)
-        label = _label(element, names) if sort in (None, "room") else ""
+        label = _label(element, names) if names and sort in (None, "room") else ""
         for line in element.lines:
             if sort == "door" and line.swing:
                 swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where))
