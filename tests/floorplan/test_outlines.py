@@ -79,6 +79,7 @@ def test_gardens_lie_at_living_spaces_and_take_nobodys_light(outline: str) -> No
         kinds = {room.id: room.type for room in rooms}
         for room in rooms:
             if room.outdoor:
+                assert room.width * room.depth >= (22 if room.type == "backyard" else 14) - 1e-6, (seed, room.id)
                 entered.append({kinds[str(o.connects_to)] for o in room.openings if o.connects_to in kinds} <= LIVED_IN)
             elif CATALOGS.rooms[room.type].plan.habitable:
                 assert any(o.kind == "window" for o in room.openings), (seed, room.id)

@@ -152,7 +152,8 @@ def _suits(home: PlannedHome, offer: _Offer, catalogs: Catalogs) -> bool:
     rooms = home.layout.rooms
     if any(one.overlaps(room) for one in offer.rects for room in rooms):
         return False
-    if any(max(rect.width, rect.depth) < BACKYARD_MM for rect, name in zip(offer.rects, offer.names, strict=True) if name == BACKYARD):
+    least = BACKYARD_MM * YARD_MM
+    if any(rect.width * rect.depth < least for rect, name in zip(offer.rects, offer.names, strict=True) if name == BACKYARD):
         return False
     after = replace(home.layout, rooms=(*rooms, *offer.rects)).exposed
     habitable = [i for i, name in enumerate(home.types) if catalogs.rooms[name].plan.habitable]
