@@ -35,12 +35,16 @@ def _cpu_s(process: int) -> float:
 
 
 def first_picture_s(playwright: Playwright, path: Path, address: str) -> tuple[float, float]:
-    """Returns the CPU [s] of a new Chromium at an empty page, and when it shows the first picture of the page at an address. Linux only."""
+    """Returns the CPU [s] of a new Chromium at an empty page, and when it shows the first picture of the page at an address. Linux only.
+
+    What the service starts meanwhile is not counted.
+    """
     before = set(descendants(os.getpid()))
     browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+    launched = set(descendants(os.getpid())) - before
 
     def spent() -> float:
-        return sum(_cpu_s(one) for one in set(descendants(os.getpid())) - before)
+        return sum(_cpu_s(one) for one in launched.union(*(descendants(one) for one in launched)))
 
     page = browser.new_page(viewport=LAPTOP)
     shown: list[float] = []
