@@ -127,11 +127,11 @@ def test_a_chosen_file_that_is_no_scene_is_refused_in_the_services_words(visit: 
 
 TRAP = "<img src=x onerror=console.error('ran')>"
 BROKEN = {
-    "unclosed.yaml": ("rooms: [a", "not YAML"),
-    "notes": ("hello there", "in none of the formats that are read here"),
-    "empty.json": ("", "is empty"),
-    "list.json": ("[1, 2]", "in none of the formats"),
-    "null.json": ("null", "in none of the formats"),
+    "unclosed.yaml": ("rooms: [a", "Not YAML"),
+    "notes": ("hello there", "It is none of the files that are read here: scenes as JSON"),
+    "empty.json": ("", "It is empty."),
+    "list.json": ("[1, 2]", "none of the files"),
+    "null.json": ("null", "none of the files"),
     "nan.json": ('{"rooms": [{"width": NaN, "depth": 2}]}', "rooms[0].width: Enter a number"),
     "huge.json": ('{"rooms": [{"width": 1e300, "depth": 2}]}', "up to 1000"),
     "named <b>.json": ('{"rooms": [{"width": 3, "depth": 2, "furniture": 7}]}', "rooms[0].furniture"),
