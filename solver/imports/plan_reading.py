@@ -32,6 +32,7 @@ from solver.imports.straighten import straightened, tell_of
 from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn
 from solver.imports.units import unit_named, unit_of
 from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
+from solver.imports.wide_doors import with_glass
 from solver.scene import Level, Room, Scene, Size
 
 USUAL_THICKNESS: Final = 100
@@ -124,7 +125,7 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
     levels = [room.drawn.level for room in rooms]
     placed = [_placed(one, rooms) for one in plan.openings]
-    openings = joined(placed, edges, levels, thickness // 2, notes)
+    openings = with_glass(joined(placed, edges, levels, thickness // 2, notes), rooms, notes)
     openings += passages(edges, plan.walls, openings, notes)
     origin = (min(x for room in rooms for x, _ in room.corners), min(z for room in rooms for _, z in room.corners))
     made = scene_rooms(rooms, openings, origin)

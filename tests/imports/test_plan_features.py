@@ -34,6 +34,25 @@ def test_the_home_of_the_documents() -> None:
     assert [issue for issue in answer.issues if issue.severity == "error"] == []
 
 
+def test_a_door_to_a_balcony_that_is_wider_than_a_leaf_is_one_leaf_and_glass() -> None:
+    wide = line("door", (1, 3), (3.95, 3))
+    room, balcony = read(collection(box("Living room", 0, 0, 5, 3), box("Balcony", 0, 3, 5, 4.5), wide, unit="m")).scene.rooms
+    for one in (room, balcony):
+        parts = {part.kind: part for part in one.openings}
+        assert {kind: (part.width, part.sill, part.height) for kind, part in parts.items()} == {
+            "door": (0.95, 0.0, 2.1), "window": (2.0, 0.0, 2.1),
+        }  # fmt: skip
+        assert abs(parts["door"].position - parts["window"].position) == pytest.approx((0.95 + 2.0) / 2)
+    narrow, indoors, hung = (
+        line("door", (1, 3), (2.4, 3)),
+        line("door", (1, 0), (3.95, 0)),
+        {**wide, "properties": {**wide["properties"], "hinge": "start"}},
+    )
+    for door in (narrow, indoors, hung):
+        answer = read(collection(box("Living room", 0, 0, 5, 3), box("Balcony", 0, 3, 5, 4.5), door, unit="m"))
+        assert [part.kind for part in answer.scene.rooms[0].openings] == ["door"]
+
+
 def test_y_points_up_unless_it_is_said_to_point_down() -> None:
     door = line("door", (1, 0), (1.9, 0))
     up, down = (opening(read(collection(*TWO, door, y=way)).scene.rooms[0], "door_0") for way in ("up", "down"))
