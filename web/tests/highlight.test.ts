@@ -64,6 +64,23 @@ describe("the reading panel", () => {
     return { host, reading, chosen };
   }
 
+  it("makes no lines while it is folded away, and those of the last text once it is seen", () => {
+    let [height, seen] = [0, (): void => undefined];
+    const { host } = panel();
+    vi.stubGlobal("ResizeObserver", class { constructor(act: () => void) { seen = act; } observe = (): void => undefined; });
+    vi.spyOn(host, "clientHeight", "get").mockImplementation(() => height);
+    host.replaceChildren();
+    const folded = new Reading(host);
+    folded.show({ text: "rooms:\n", lines: [null] });
+    folded.show({ text, lines });
+    seen();
+    expect(host.children).toHaveLength(0);
+    height = 400;
+    seen();
+    expect(host.children).toHaveLength(4);
+    expect(host.textContent).toContain("sofa");
+  });
+
   it("shows every line, those of bodies as buttons", () => {
     const { host } = panel();
     expect(host.children).toHaveLength(4);

@@ -43,12 +43,17 @@ export class Reading {
   #found: HTMLButtonElement[] = [];
   readonly #coloured = new WeakSet<HTMLElement>();
   #asked = false;
+  /** What comes to be shown with the text: folded away, a house's thousand lines would be made for nobody. */
+  #waiting: ViewAnswer | null = null;
 
   constructor(readonly host: HTMLElement) {
     this.#list = new LineList(host);
     this.#list.onChoose = (id, adds) => this.onChoose(id, adds);
     host.addEventListener("scroll", () => this.#colourSoon(), { passive: true });
-    new ResizeObserver(() => this.#colourSoon()).observe(host);
+    new ResizeObserver(() => {
+      this.#write();
+      this.#colourSoon();
+    }).observe(host);
     this.#flag.addEventListener("click", () => this.flagSelected());
     this.#find.addEventListener("input", () => this.#search());
     this.#find.addEventListener("keydown", (event) => this.#findKey(event));
@@ -56,6 +61,14 @@ export class Reading {
   }
 
   show(answer: ViewAnswer): void {
+    this.#waiting = answer;
+    this.#write();
+  }
+
+  #write(): void {
+    const answer = this.#waiting;
+    if (!answer || this.host.clientHeight === 0) return;
+    this.#waiting = null;
     timed("text shown", () => this.#show(answer));
   }
 
