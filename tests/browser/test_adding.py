@@ -7,7 +7,6 @@ from playwright.sync_api import expect
 from catalogs import load_catalogs
 from tests.browser.test_accessible import violations
 from tests.browser.test_editing import ONE, Bench, crate, den, poses
-from tests.browser.test_numbers import window_at
 from tests.browser.visit import SMALL, Visit, sent_by
 
 COLORS = """selector => [...document.querySelectorAll(selector)].map(canvas => {
@@ -103,27 +102,6 @@ def test_a_piece_goes_where_the_service_finds_it_best_and_its_other_places_are_f
     bench.press(*["Control+z"] * 4)
     assert bench.scene() == bench.before
     assert visit.console == []
-
-
-def test_a_kind_is_dragged_out_of_the_palette_into_the_house(visit: Visit) -> None:
-    bench = Bench(visit, den(crate(ONE, 1, 1), width=9, depth=5))
-    page = bench.page
-    bench.press("a")
-    page.get_by_role("searchbox", name="Add a piece").fill("armchair")
-    page.locator("#palette button[data-kind=armchair]").hover()
-    page.mouse.down()
-    page.mouse.move(*window_at(bench, 7, 3.5), steps=8)
-    page.mouse.up()
-    bench.rest()
-    (new,) = added(bench)
-    x, z, _ = poses(bench.scene())[new]
-    assert abs(x - 7) < 0.15
-    assert abs(z - 3.5) < 0.15
-    assert visit.state()["selected"] == new
-    expect(page.locator("#palette")).to_be_hidden()
-    assert bench.errors() == []
-    bench.press("Control+z")
-    assert bench.scene() == bench.before
 
 
 def test_a_room_is_shown_in_other_arrangements_of_which_one_is_taken(visit: Visit) -> None:

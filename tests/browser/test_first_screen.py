@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Literal
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -67,7 +68,10 @@ def test_a_decorated_home_and_what_to_begin_with(fresh: Visit) -> None:
     assert folded(page) == [False, True]
     expect(page.locator("#width")).to_be_hidden()
     assert all(page.locator("#starts img").evaluate_all("all => all.map(one => one.naturalWidth > 100)"))
-    assert violations(fresh) == []
+    schemes: tuple[Literal["light", "dark"], ...] = ("light", "dark")
+    for colours in schemes:
+        page.emulate_media(color_scheme=colours)
+        assert violations(fresh) == []
     toured(page)
     page.locator("#asked").fill("a bedroom, 3 ballrooms")
     page.keyboard.press("Enter")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 import pytest
@@ -102,80 +101,3 @@ def presses_nothing_small(page: Page) -> None:
     expect(page.locator("#palette li button").first).to_be_visible()
     assert page.evaluate(PRESSED, SMALLEST) == []
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
-
-
-def tap(visit: Visit, name: str) -> None:
-    """Tap on a tool, and wait until what it does is done."""
-    visit.page.locator(f"[data-tool={name}]").tap()
-    visit.settle()
-
-
-def whole(visit: Visit) -> str:
-    visit.settle()
-    return str(visit.page.evaluate("JSON.stringify(compose.scene)"))
-
-
-def test_fingers_choose_turn_copy_and_ask_why(touched: Visit) -> None:
-    visit, page, fingers = touched, touched.page, Fingers(touched)
-    ids = [piece["id"] for room in visit.open(SMALL.format(4))["scene"]["rooms"] for piece in room["furniture"]]
-    before = whole(visit)
-    at = next(spot for one in ids if (spot := page.evaluate("id => compose.whereIs(id)", one)) and 60 < spot["x"] < 330)
-    page.touchscreen.tap(at["x"], at["y"])
-    page.wait_for_function("() => compose.state.selected !== null")
-    tap(visit, "why")
-    expect(page.locator("#why li").first).to_be_visible()
-    tap(visit, "why")
-    tap(visit, "lock")
-    assert visit.state()["marks"]["locked"] == [visit.state()["selected"]]
-    tap(visit, "undo")
-    assert whole(visit) == before
-    grip = page.locator(".handle[data-grip=turn]").bounding_box()
-    assert grip
-    x, y = grip["x"] + grip["width"] / 2, grip["y"] + grip["height"] / 2
-    fingers.are("touchStart", [(x, y)])
-    for step in range(1, 9):
-        fingers.are("touchMove", [(x + (at["x"] - x) * step / 4, y + (at["y"] - y) * step / 4)])
-    fingers.are("touchEnd", [])
-    page.wait_for_function("before => JSON.stringify(compose.scene) !== before", arg=before)
-    tap(visit, "undo")
-    assert whole(visit) == before
-    tap(visit, "duplicate")
-    page.wait_for_function("count => compose.scene.rooms.flatMap(room => room.furniture).length > count", arg=len(ids))
-    tap(visit, "undo")
-    assert whole(visit) == before
-    assert visit.console == []
-
-
-def test_fingers_add_measure_and_look_at_the_plan(touched: Visit) -> None:
-    visit, page, fingers = touched, touched.page, Fingers(touched)
-    visit.open(SMALL.format(4))
-    tap(visit, "add")
-    page.locator("#palette button[data-kind=plant]").tap()
-    visit.settle()
-    expect(page.locator("#places")).to_be_visible()
-    page.locator("#places button").first.tap()
-    visit.settle()
-    tap(visit, "menu")
-    expect(page.locator("#menu")).to_be_visible()
-    page.keyboard.press("Escape")
-    tap(visit, "tape")
-    canvas = page.locator("#stage > canvas").bounding_box()
-    assert canvas
-    x, y = canvas["x"] + canvas["width"] / 2, canvas["y"] + canvas["height"] / 2
-    for across in (-60, -20):
-        page.touchscreen.tap(x + across, y)
-    expect(page.locator("#tape")).to_contain_text(re.compile(r"\d m"))
-    tap(visit, "tape")
-    page.locator("#camera_plan").tap()
-    visit.settle()
-    eye = visit.state()["eye"]
-    fingers.are("touchStart", [(x - 20, y), (x + 20, y)])
-    for step in range(1, 5):
-        fingers.are("touchMove", [(x - 20 - 10 * step, y), (x + 20 + 10 * step, y)])
-    fingers.are("touchEnd", [])
-    page.wait_for_function("height => Math.abs(compose.state.eye[1] - height) > 0.1", arg=eye[1])
-    visit.settle()
-    page.locator("#camera_walk").tap()
-    page.locator("#walk_leave").tap()
-    expect(page.locator("#walk_leave")).to_be_hidden()
-    assert visit.console == []
