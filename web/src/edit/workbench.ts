@@ -257,7 +257,7 @@ export class Workbench {
       { name: "right", words: "Turn right", sign: "⟳", keys: "E", ofPiece: true, act: () => acts.turn(-90) },
       { name: "lock", words: "Lock", sign: "Lock", keys: "K", ofPiece: true, act: onPiece((id) => this.editor.toggleLock(id)) },
       { name: "delete", words: "Delete", sign: "Delete", keys: "Delete", ofPiece: true, act: () => acts.remove() },
-      { name: "duplicate", words: "Copy beside", sign: "Duplicate", keys: "Control+D", ofPiece: true, act: () => acts.duplicate() },
+      { name: "duplicate", words: "Duplicate beside", sign: "Duplicate", keys: "Control+D", ofPiece: true, act: () => acts.duplicate() },
       { name: "several", words: "Choose several", sign: "Several", ofPiece: true, act: () => this.#chooseSeveral(!this.stage.adds) },
       { name: "copy", words: "Copy, to be pasted", sign: "Copy", keys: "Control+C", ofPiece: true, act: () => this.#copy() },
       { name: "paste", words: "Paste into the chosen room", sign: "Paste", keys: "Control+V", act: () => this.#acts.paste(this.#roomMeant()) },
