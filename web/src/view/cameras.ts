@@ -25,7 +25,7 @@ export const PRESETS: Readonly<Record<PresetName, Preset>> = {
   top: { from: [[0, 1, 0.0001]], fov: 12 },
   // From so far that heights move nothing aside: what is drawn on the ground lies under what is pointed at.
   // Around the house the sheet has its dimensions and its title.
-  plan: { from: [[0, 1, 0.0001]], fov: 1, margin: 1.4, foot: 0.17 },
+  plan: { from: [[0, 1, 0.0001]], fov: 1, margin: 1.4, foot: 0.14 },
   // The first is looked from unless another one shows the house clearly larger in the window as it is.
   corner: { from: [24, 40, 58].flatMap((turn) => [44, 50].map((height) => towards(turn, height))), fov: 30 },
 };
