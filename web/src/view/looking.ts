@@ -8,7 +8,7 @@ import { isAbort } from "../service";
 import type { PresetName, Vector } from "./cameras";
 import type { Labels } from "./labels";
 import { Minimap } from "./minimap";
-import type { Viewport } from "./viewport";
+import { WALK_FOV, type Viewport } from "./viewport";
 import { firstPose, turnedToSight } from "./walk";
 import { WalkFloor } from "./walk_floor";
 import { WalkMode } from "./walk_mode";
@@ -109,7 +109,9 @@ export class Looking {
     const { entrance, bounds } = this.#house;
     const area = { min: bounds.min.toArray(), max: bounds.max.toArray() };
     const first = firstPose(entrance, area);
-    this.#walk.start(turnedToSight(first, (place) => this.#isSeenIndoors(first.eye, place)), area);
+    const { width, height } = this.viewport.size;
+    const aside = Math.atan((Math.tan((WALK_FOV * Math.PI) / 360) * width) / height);
+    this.#walk.start(turnedToSight(first, (place) => this.#isSeenIndoors(first.eye, place), aside), area);
     this.cutWalls();
     void this.#learnFloor();
   }

@@ -22,7 +22,7 @@ const SHORT_STEP = 1 / 60;
 /** How fast a turned house comes to rest, by time and not by frames: slow machines must not turn for longer [1/s]. */
 const DAMPING = 8;
 /** At eye height much is near and at the sides. */
-const WALK_FOV = 65;
+export const WALK_FOV = 65;
 const WALK_NEAR = 0.05;
 /** Who walks looks at what is this far ahead [m]; leaving, the camera turns about it. */
 const WALK_REACH = 3;

@@ -33,9 +33,8 @@ const INSIDE = 0.7;
 /** A little down: furniture stands below the eyes. */
 const FIRST_PITCH = -0.12;
 
-/** One looks so many times to each side, so far apart [rad], up to so far and in such steps [m]; a view is so many glances to each side wide. */
+/** One looks so many times to each side, so far apart [rad], up to so far and in such steps [m]. */
 const GLANCES = 6;
-const BESIDE = 3;
 const GLANCE = Math.PI / 12;
 const FARTHEST = 12;
 const GLANCED = 0.25;
@@ -58,8 +57,12 @@ export function firstPose(entrance: Entrance | null, bounds: Bounds): Pose {
   return { eye, yaw, pitch: FIRST_PITCH };
 }
 
-/** Turns the head to where a view shows most: depth all across it, no wall before half of it; straight on where nothing is gained by turning. */
-export function turnedToSight(pose: Pose, sees: (place: Vector) => boolean): Pose {
+/**
+ * Turns the head to where a view shows most: depth all across it, no wall before half of it;
+ * straight on where nothing is gained by turning. It reaches so far to each side [rad].
+ */
+export function turnedToSight(pose: Pose, sees: (place: Vector) => boolean, aside = Math.PI / 4): Pose {
+  const beside = Math.max(1, Math.round(aside / GLANCE));
   const { eye, yaw } = pose;
   const farAt = (step: number): number => {
     const [sin, cos] = [Math.sin(yaw + step * GLANCE), Math.cos(yaw + step * GLANCE)];
@@ -67,9 +70,9 @@ export function turnedToSight(pose: Pose, sees: (place: Vector) => boolean): Pos
     while (far < FARTHEST && sees([eye[0] - sin * (far + GLANCED), eye[1], eye[2] - cos * (far + GLANCED)])) far += GLANCED;
     return far;
   };
-  const reach = GLANCES + BESIDE;
+  const reach = GLANCES + beside;
   const fars = Array.from({ length: 2 * reach + 1 }, (_, k) => Math.sqrt(farAt(k - reach)));
-  const shown = (turn: number): number => fars.slice(turn + reach - BESIDE, turn + reach + BESIDE + 1).reduce((sum, far) => sum + far) / (2 * BESIDE + 1);
+  const shown = (turn: number): number => fars.slice(turn + reach - beside, turn + reach + beside + 1).reduce((sum, far) => sum + far) / (2 * beside + 1);
   let best = 0;
   for (let turn = -GLANCES; turn <= GLANCES; turn += 1) if (shown(turn) > shown(best) + WORTH_TURNING) best = turn;
   return { ...pose, yaw: yaw + best * GLANCE };
