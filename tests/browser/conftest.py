@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize, expect, sync_playwright
 
 from tests.browser.service_process import ServiceProcess, running
 from tests.browser.visit import ANSWER_MS, Visit
 from tests.chromium import FLAGS, executable
 
+WINDOW: ViewportSize = {"width": 1000, "height": 600}
 PIXEL_RATIO = 0.5
 """The canvas has a pixel for two of CSS each way: without a graphics card every pixel costs."""
 
@@ -48,26 +49,49 @@ def browser() -> Iterator[Browser]:
 @pytest.fixture(scope="session")
 def context(browser: Browser) -> Iterator[BrowserContext]:
     """Where pages of 1000 x 600 open that show no flights; what they load stays compiled, what they remember ends with each."""
-    context = browser.new_context(viewport={"width": 1000, "height": 600}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce")
+    context = browser.new_context(viewport=WINDOW, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce")
     context.add_init_script(SHOWN)
     context.new_page()  # keeps the window open: a new one, with its frame and its address bar, costs as much as a page in it
     yield context
     context.close()
 
 
+@pytest.fixture(scope="session")
+def handed_on() -> list[Page]:
+    """The page that tests marked `one_page` hand on from one to the next, where there is one."""
+    return []
+
+
 @pytest.fixture
-def page(context: BrowserContext) -> Iterator[Page]:
-    """A new browser page, which remembers nothing: its homes are forgotten; what else it leaves behind, or throws, fails the test."""
-    page = context.new_page()
+def page(request: pytest.FixtureRequest, context: BrowserContext, handed_on: list[Page]) -> Iterator[Page]:
+    """A new browser page, or one handed on, which remembers nothing: its homes are forgotten; what else it leaves, or throws, fails."""
+    shares = request.node.get_closest_marker("one_page") is not None
+    page = handed_on.pop() if shares and handed_on else context.new_page()
     faults: list[str] = []
     page.on("pageerror", lambda fault: faults.append(str(fault)))
+    failed = request.session.testsfailed
     yield page
     page.evaluate(FORGET)
-    kept = (context.cookies(), page.evaluate(KEPT))
-    page.close()
+    left = (context.cookies(), page.evaluate(KEPT), faults)
+    if shares and left == ([], 0, []) and request.session.testsfailed == failed:
+        make_ready(page)
+        handed_on.append(page)
+    else:
+        page.close()
     context.clear_permissions()
     assert faults == []
-    assert kept == ([], 0), "the next page would find this"
+    assert left[:2] == ([], 0), "the next page would find this"
+
+
+def make_ready(page: Page) -> None:
+    """Takes back what a test has told the browser of a page; what it did in the page, `Visit.open` finds."""
+    page.unroute_all()
+    page.route("**/no-such-call", lambda route: route.abort())
+    page.emulate_media(reduced_motion="reduce", color_scheme="light", forced_colors="none")
+    page.set_viewport_size(WINDOW)
+    page.mouse.move(0, 0)
+    page.evaluate(SHOWN)
+    page.evaluate("performance.clearMarks(); performance.clearMeasures()")
 
 
 @pytest.fixture(scope="session")

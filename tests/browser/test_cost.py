@@ -17,7 +17,7 @@ from tests.browser.cost import (
 from tests.browser.visit import Visit
 
 TIMES = 5
-MOVES = 14
+MOVES = 8
 MOST_SHADERS = 8
 """One a kind of surface: each costs a first picture."""
 READINGS = 50

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
 from playwright.sync_api import expect
 
 from tests.browser.visit import SMALL, Document, Visit
+
+pytestmark = pytest.mark.one_page
 
 EYE_HEIGHT = 1.6
 PROJECTED = "points => points.map(at => compose.viewport.project(compose.viewport.camera.position.clone().set(...at)))"
