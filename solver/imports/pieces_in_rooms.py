@@ -47,12 +47,13 @@ def with_pieces(
     decorations: list[list[Decoration]] = [[] for _ in rooms]
     outlines = [_outline(room) for room in rooms]
     unsized: Counter[tuple[str, str]] = Counter()
+    names = synonyms_of(catalogs)
     for piece in pieces:
         x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
         place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
         if place is not None:
             check_count(f"things in {rooms[place].id}", len(furniture[place]) + len(decorations[place]) + 1, MOST_IN_ROOM)
-        meaning = _meaning(piece, synonyms_of(catalogs))
+        meaning = _meaning(piece, names)
         size = piece.size or _usual_size(meaning, catalogs)
         if place is None or size is None or not 0 < min(size) <= max(size) <= LARGEST:
             words = "it stands in no room" if place is None else "the file gives no size" if size is None else "its size is none"
