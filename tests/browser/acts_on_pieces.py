@@ -59,7 +59,7 @@ def _distance(way: Way) -> None:
     way.changed(lambda: way.write(field, "0,9"))
     assert piece(way, ONE)["z"] == pytest.approx(1.4)
     if not isinstance(way, Keyboard):
-        way.press(way.page.locator(".ruler-words", has_text="0.45 m"))
+        way.press(way.page.locator(".ruler-words", has_text="0.90 m"))
         expect(field).to_be_focused()
         field.press("Escape")
         expect(field).to_have_count(0)

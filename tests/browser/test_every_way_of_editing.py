@@ -81,6 +81,7 @@ def _dragged_in(way: Way) -> None:
     palette.locator("input").fill("armchair")
     kind = palette.locator("[data-kind=armchair]")
     expect(kind).to_be_visible()
+    way.visit.settle()  # the list has moved up to what is found
     box = kind.bounding_box()
     assert box
     start = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2

@@ -180,7 +180,6 @@ export class Palette {
     const begin = (event: PointerEvent): void => {
       isDragged = true;
       this.host.classList.add("aside");
-      choose.setPointerCapture(event.pointerId);
       this.others.over(kind, at(event));
     };
     const end = (): void => {
@@ -195,6 +194,7 @@ export class Palette {
     choose.addEventListener("pointerdown", (event) => {
       isDragged = false;
       from = event.button === 0 ? event : null;
+      choose.setPointerCapture(event.pointerId); // a quick mouse has left the kind by its first move
       if (event.pointerType === "touch") staying = setTimeout(() => begin(event), LONG_PRESS);
     });
     choose.addEventListener("pointermove", (event) => {
