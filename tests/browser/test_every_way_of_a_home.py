@@ -284,7 +284,7 @@ def _turned(way: Way) -> None:
         way.fingers("touchStart", [(x - 20, y), (x + 20, y)])
         for step in range(1, 5):
             way.fingers("touchMove", [(x - 20 - 10 * step, y), (x + 20 + 10 * step, y)])
-        way.fingers("touchEnd")
+        way.lift((x - 60, y), (x + 60, y))
     else:
         way.page.mouse.wheel(0, -240)
     way.page.wait_for_function("before => compose.state.eye[1] < before - 0.1", arg=turned[0][1])

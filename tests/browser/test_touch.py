@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, CDPSession, Page, expect
+from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.conftest import PIXEL_RATIO
 from tests.browser.service_process import ServiceProcess
 from tests.browser.visit import MOVED, SMALL, Visit
+from tests.browser.ways import Touch
 
 SMALLEST = 44
 PRESSED = """least => [...document.querySelectorAll('button, select, summary, input:not([type=checkbox], [type=range], [type=file])')]
@@ -29,22 +30,10 @@ def touched(browser: Browser, service: ServiceProcess) -> Iterator[Visit]:
     context.close()
 
 
-class Fingers:
-    """Fingers on the page's screen."""
-
-    def __init__(self, visit: Visit) -> None:
-        self._session: CDPSession = visit.page.context.new_cdp_session(visit.page)
-
-    def are(self, kind: str, places: Sequence[tuple[float, float]]) -> None:
-        """Tells where all fingers are: `touchStart`, `touchMove` or `touchEnd`."""
-        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
-        self._session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-
 def test_fingers_turn_come_nearer_and_drag(touched: Visit) -> None:
     visit, page = touched, touched.page
     scene = visit.open(SMALL.format(4))["scene"]
-    fingers = Fingers(visit)
+    touch = Touch(visit)
     canvas = page.locator("#stage > canvas").bounding_box()
     assert canvas
     x, y = canvas["x"] + canvas["width"] / 2, canvas["y"] + canvas["height"] / 2
@@ -55,18 +44,18 @@ def test_fingers_turn_come_nearer_and_drag(touched: Visit) -> None:
         return [state["eye"], state["target"]]
 
     before = looks()
-    fingers.are("touchStart", [(x, y)])
+    touch.fingers("touchStart", [(x, y)])
     for step in range(1, 5):
-        fingers.are("touchMove", [(x + 15 * step, y)])
-    fingers.are("touchEnd", [])
+        touch.fingers("touchMove", [(x + 15 * step, y)])
+    touch.lift((x + 60, y))
     page.wait_for_function(MOVED, arg=before)
     turned = looks()
     assert turned[1] == pytest.approx(before[1], abs=0.01)
     assert visit.state()["selected"] is None
-    fingers.are("touchStart", [(x - 20, y), (x + 20, y)])
+    touch.fingers("touchStart", [(x - 20, y), (x + 20, y)])
     for step in range(1, 5):
-        fingers.are("touchMove", [(x - 20 - 10 * step, y), (x + 20 + 10 * step, y)])
-    fingers.are("touchEnd", [])
+        touch.fingers("touchMove", [(x - 20 - 10 * step, y), (x + 20 + 10 * step, y)])
+    touch.lift((x - 60, y), (x + 60, y))
     page.wait_for_function(MOVED, arg=turned)
     nearer = looks()
 
@@ -78,13 +67,13 @@ def test_fingers_turn_come_nearer_and_drag(touched: Visit) -> None:
     seen = {piece["id"]: page.evaluate("id => compose.whereIs(id)", piece["id"]) for room in scene["rooms"] for piece in room["furniture"]}
     held, at = next((one, spot) for one, spot in seen.items() if spot and abs(spot["x"] - x) < 150 and abs(spot["y"] - y) < 200)
     place = page.evaluate("id => compose.places[id][0]", held)
-    fingers.are("touchStart", [(at["x"], at["y"])])
+    touch.fingers("touchStart", [(at["x"], at["y"])])
     page.wait_for_function("id => compose.state.selected === id", arg=held)
     for step in range(1, 5):
-        fingers.are("touchMove", [(at["x"] + 10 * step, at["y"])])
+        touch.fingers("touchMove", [(at["x"] + 10 * step, at["y"])])
     page.wait_for_function("([id, x]) => compose.places[id][0] !== x", arg=[held, place])
     assert visit.state()["eye"] == pytest.approx(nearer[0], abs=0.01)
-    fingers.are("touchEnd", [])
+    touch.lift((at["x"] + 40, at["y"]))
     expect(page.locator("#stage")).to_have_attribute("data-editing", "false")
     presses_nothing_small(page)
 

@@ -194,9 +194,15 @@ class Touch(Way):
         self._session: CDPSession = visit.page.context.new_cdp_session(visit.page)
 
     def fingers(self, kind: str, places: Sequence[Spot] = ()) -> None:
-        """Tells where all fingers are: `touchStart`, `touchMove` or `touchEnd`."""
+        """Tells where all fingers are: `touchStart` or `touchMove`; or that none are, `touchEnd`."""
         points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
         self._session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    def lift(self, *places: Spot) -> None:
+        """Lifts all fingers from where they are, having rested there."""
+        self.page.wait_for_timeout(REST_MS)
+        self.fingers("touchMove", places)
+        self.fingers("touchEnd")
 
     def press(self, control: Locator) -> None:
         control.tap()
@@ -220,12 +226,14 @@ class Touch(Way):
             self.page.wait_for_timeout(LONG_PRESS_MS)
         for step in range(1, STEPS + 1):
             self.fingers("touchMove", [(x + (to_x - x) * step / STEPS, y + (to_y - y) * step / STEPS)])
-        self.fingers("touchEnd")
+        self.lift(end)
         self.visit.settle()
 
 
 LONG_PRESS_MS = 700
 """Longer than the page takes for a finger to have stayed on something."""
+REST_MS = 60
+"""A finger that has rested so long is not flung: after a fling the browser takes the next tap for its end, and no click comes of it."""
 WAYS: tuple[type[Way], ...] = (Pointer, Keyboard, Touch)
 
 
