@@ -14,10 +14,12 @@ import contextlib
 import ctypes
 import functools
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from math import prod
 from pathlib import Path
+from struct import Struct
+from struct import error as StructError
 from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakSet, finalize
 
@@ -48,19 +50,20 @@ class CoreFull(CoreFailed, MemoryError):
 
 
 class _Export(NamedTuple):
-    """A function of the core: what its numbers are, f64 or not, and whether it returns one: "f64", "i32", "i64" or None."""
+    """A function of the core: how its numbers lie in wasmtime's slots, and whether it returns one: "f64", "i32", "i64" or None."""
 
-    floats: tuple[bool, ...]
+    numbers: Struct
     result: str | None
 
 
 class _Function(NamedTuple):
-    """An export of one instance: what wasmtime calls, where its numbers go and its answer comes from, and how many slots that are."""
+    """An export of one instance: what wasmtime calls, where its numbers go and its answer comes from, and what writes them there."""
 
-    export: _Export
     address: Any
     numbers: Any
-    slots: tuple[Any, ...]
+    slots: int
+    write: Callable[..., None]
+    result: str | None
 
 
 class _Loaded(NamedTuple):
@@ -92,7 +95,8 @@ def _loaded() -> _Loaded:
     for export in module.exports:
         if isinstance(export.type, wasmtime.FuncType):
             results = [str(one) for one in export.type.results]
-            exports[export.name] = _Export(tuple(str(one) == "f64" for one in export.type.params), results[0] if results else None)
+            numbers = "".join("d8x" if str(one) == "f64" else "q8x" for one in export.type.params)
+            exports[export.name] = _Export(Struct(f"<{numbers}"), results[0] if results else None)
     return _Loaded(engine, module, wasmtime.Linker(engine), exports)
 
 
@@ -130,15 +134,14 @@ class CoreInstance:
         self._found = self._instance.exports(self._store)
         memory = self._found["memory"]
         assert isinstance(memory, wasmtime.Memory)
-        self._memory = memory
         self._base = ctypes.addressof(memory.data_ptr(self._store).contents)
-        self._known_size = 0
         self._context = self._store._context()
         self._functions: dict[str, _Function] = {}
         self._prepare_trap()
         self.failed = False
-        self._begin = int(self.call("reserve", 0))  # where the arena begins; and its top, moved here without a call
-        self._top = ctypes.c_uint64.from_address(self._base + self.call("top_at"))
+        self._begin = int(self.call("reserve", 0))  # where the arena begins; its top is moved here without a call
+        state = self._base + self.call("state_at")
+        self._top, self._size = ctypes.c_uint64.from_address(state), ctypes.c_uint64.from_address(state + 8)
         _alive.add(self)
 
     def call(self, name: str, *arguments: float) -> Any:
@@ -156,17 +159,16 @@ class CoreInstance:
             CoreFull: it asked for more memory than there is.
         """
         function = self._functions.get(name) or self._function(name)
-        if function is None or len(function.export.floats) != len(arguments) or self.failed:
+        if function is None or self.failed:
             raise CoreFailed(f"the core was not asked for {name}: " + ("it failed before" if self.failed else "it has no such function"))
-        for slot, is_float, value in zip(function.slots, function.export.floats, arguments, strict=False):
-            if is_float:
-                slot.f64 = value
-            else:
-                slot.i64 = value
-        error = self._call(self._context, function.address, function.numbers, len(function.slots), self._trap_address)
+        try:
+            function.write(function.numbers, 0, *arguments)
+        except StructError as wrong:
+            raise CoreFailed(f"the core was not asked for {name}: it has no such function: {wrong}") from None
+        error = self._call(self._context, function.address, function.numbers, function.slots, self._trap_address)
         if error or self._trap:
             raise self._failure(name, error)
-        return getattr(function.slots[0], function.export.result) if function.export.result else None
+        return getattr(function.numbers[0], function.result) if function.result else None
 
     def _function(self, name: str) -> _Function | None:
         """Prepares the calls of an export: wasmtime's public call looks its types up each time and takes 40 us."""
@@ -175,9 +177,10 @@ class CoreInstance:
         export = self._exports.get(name)
         if export is None:
             return None
-        numbers = (_ffi.wasmtime_val_raw_t * max(len(export.floats), 1))()
+        slots = max(export.numbers.size // ctypes.sizeof(_ffi.wasmtime_val_raw_t), 1)
         address = ctypes.byref(self._found[name]._func)  # type: ignore[union-attr]
-        function = self._functions[name] = _Function(export, address, numbers, tuple(numbers))
+        numbers = (_ffi.wasmtime_val_raw_t * slots)()
+        function = self._functions[name] = _Function(address, numbers, slots, export.numbers.pack_into, export.result)
         return function
 
     def _prepare_trap(self) -> None:
@@ -208,13 +211,7 @@ class CoreInstance:
     @property
     def size(self) -> int:
         """The bytes its memory has grown to."""
-        return int(self._memory.data_len(self._store))
-
-    def _reaches(self, end: int) -> bool:
-        """Says whether the memory, which only grows, goes on to an address."""
-        if end > self._known_size:
-            self._known_size = self.size
-        return end <= self._known_size
+        return self._size.value
 
     def reserve(self, size: int) -> int:
         """Takes bytes of the memory; returns their address, a multiple of 16. They are not set to anything.
@@ -224,7 +221,7 @@ class CoreInstance:
         """
         top = self._top.value
         end = top + (size + 15 & -16)
-        if size < 0 or self._begin + end > self._known_size or self.failed:  # the core's own does the same, with all its care
+        if size < 0 or self._begin + end > self._size.value or self.failed:  # the core's own does the same, with all its care
             return int(self.call("reserve", size))
         self._top.value = end
         return self._begin + top
@@ -259,7 +256,7 @@ class CoreInstance:
             ValueError: the piece is not within the memory.
         """
         kind = np.dtype(dtype)
-        if address < 0 or not self._reaches(address + prod(shape) * kind.itemsize):
+        if address < 0 or address + prod(shape) * kind.itemsize > self.size:
             raise ValueError(f"{shape} of {kind} at {address} is not within the core's memory")
         return np.asarray(_MemoryPiece(self, self._base + address, shape, kind))
 
@@ -275,7 +272,7 @@ class CoreInstance:
         Raises:
             ValueError: they are not within it.
         """
-        if address < 0 or size < 0 or not self._reaches(address + size):
+        if address < 0 or size < 0 or address + size > self._size.value:
             raise ValueError(f"{size} bytes at {address} are not within the core's memory")
         return ctypes.string_at(self._base + address, size)
 
@@ -335,13 +332,17 @@ def borrowed(roomy: bool = False) -> Iterator[CoreInstance]:
     _lay_idle(instance)
 
 
-def ask(name: str, *contents: bytes) -> bytes:
-    """Calls an export that takes bytes, each as their address and size, and answers with bytes.
+def ask(name: str, *contents: bytes, numbers: Sequence[float] = ()) -> bytes:
+    """Calls an export that takes bytes, each as their address and size, and then numbers, and answers with bytes.
 
     Raises:
         CoreFailed: an error within the core; the bytes are no request.
         CoreFull: it takes more memory than there is.
     """
-    with borrowed() as core:
-        told = core.call(name, *(number for content in contents for number in (core.write(content), len(content))))
-        return core.read(told & 0xFFFFFFFF, told >> 32)
+    core, places = taken(), list[int]()
+    for content in contents:
+        places += core.write(content), len(content)
+    told = core.call(name, *places, *numbers)
+    answer = core.read(told & 0xFFFFFFFF, told >> 32)
+    _lay_idle(core)  # after an exception it is thrown away
+    return answer

@@ -20,7 +20,10 @@ void* memmove(void* to, const void* from, unsigned long count) { return __builti
 
 namespace arena {
 
-static u64 top = 0;
+// What the host reads, and moves, without a call: how many bytes are taken, and how many the memory has.
+static struct {
+  u64 top, size;
+} state;
 
 #ifdef __wasm__
 constexpr i64 PAGE = 65536;
@@ -29,9 +32,11 @@ static u64 base() { return (reinterpret_cast<u64>(&__heap_base) + 15) / 16 * 16;
 
 // Makes the memory reach to an address; false where there is no more.
 static bool grow_to(u64 end) {
-  const u64 have = __builtin_wasm_memory_size(0) * PAGE;
-  const u64 pages = end > have ? (end - have + PAGE - 1) / PAGE : 0;
-  return pages <= 65536 && (pages == 0 || __builtin_wasm_memory_grow(0, pages) != static_cast<unsigned long>(-1));
+  state.size = __builtin_wasm_memory_size(0) * PAGE;
+  const u64 pages = end > state.size ? (end - state.size + PAGE - 1) / PAGE : 0;
+  if (pages > 65536 || (pages > 0 && __builtin_wasm_memory_grow(0, pages) == static_cast<unsigned long>(-1))) return false;
+  state.size += pages * PAGE;
+  return true;
 }
 #else
 alignas(16) static u8 space[1 << 30];
@@ -41,16 +46,16 @@ static u64 base() { return reinterpret_cast<u64>(space); }
 static bool grow_to(u64 end) { return end <= base() + sizeof(space); }
 #endif
 
-Mark mark() { return top; }
+Mark mark() { return state.top; }
 
-void release(Mark mark) { top = mark; }
+void release(Mark mark) { state.top = mark; }
 
 void* reserve(i64 bytes) {
   if (bytes < 0) fail(Failure::memory_full);
-  const u64 at = base() + top;
+  const u64 at = base() + state.top;
   const u64 end = at + (static_cast<u64>(bytes) + 15) / 16 * 16;
   if (!grow_to(end)) fail(Failure::memory_full);
-  top = end - base();
+  state.top = end - base();
   return reinterpret_cast<void*>(at);
 }
 
@@ -66,7 +71,7 @@ void* zeroed(i64 bytes) {
 extern "C" {
 __attribute__((export_name("failure"))) i32 failure() { return failure_code; }
 __attribute__((export_name("release"))) void arena_release(i32 mark) { arena::release(static_cast<u64>(mark)); }
-__attribute__((export_name("top_at"))) i32 arena_top_at() { return static_cast<i32>(reinterpret_cast<u64>(&arena::top)); }
+__attribute__((export_name("state_at"))) i32 arena_state_at() { return static_cast<i32>(reinterpret_cast<u64>(&arena::state)); }
 __attribute__((export_name("reserve"))) i32 arena_reserve(i64 bytes) {
   return static_cast<i32>(reinterpret_cast<u64>(arena::reserve(bytes)));
 }
