@@ -5,6 +5,7 @@ Comes in: how much a call may demand. Goes out: nothing; `demand` counts. Search
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -22,6 +23,12 @@ def demanding_at_most(most: float) -> Iterator[None]:
         yield
     finally:
         _left.reset(token)
+
+
+def still_allowed() -> float:
+    """Returns how much the call may still demand; infinite where nothing is bounded."""
+    left = _left.get()
+    return math.inf if left is None else max(left[0], 0.0)
 
 
 def demand(work: float) -> None:

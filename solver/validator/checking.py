@@ -18,7 +18,7 @@ from catalogs import Catalogs, load_catalogs
 from solver.demanded import demand
 from solver.scene import Issue, Room, Scene
 from solver.understanding import understood
-from solver.validator.judging import RuleCase
+from solver.validator.judging import FINDING_WORK, RuleCase
 from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.rules import CHECKS, homeless, issues_of
 from solver.validator.sent_rooms import room_bytes
@@ -30,8 +30,6 @@ _OF_THE_CERTIFICATE = "missing_required"
 
 ROOM_WORK: Final = 150
 """What judging a room counts; measured."""
-FINDING_WORK: Final = 10
-"""What putting a finding into words counts, and sending it; measured."""
 
 
 @dataclass(frozen=True)

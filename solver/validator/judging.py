@@ -12,13 +12,17 @@ from struct import Struct
 from typing import Any, Final, NamedTuple
 
 from solver.core import ask
+from solver.demanded import still_allowed
 from solver.validator.kinds import Kinds
 from solver.validator.walk import Walk
 from solver.validator.world import PlacedRoom, World
 
 JUDGED: Final = ("out_of_bounds", "overlap", "wall_far", "blocks_door", "blocks_window", "floating", "shapes_cross")
 """The rules that the core judges, by their numbers there (`enum class Rule` of solver/core/validate/room.hpp)."""
+FINDING_WORK: Final = 10
+"""What putting a finding into words counts, and sending it; measured."""
 _FINDING: Final = Struct("<8q")
+_ALL_OF_THEM: Final = 1 << 60
 
 
 class Told(NamedTuple):
@@ -49,10 +53,11 @@ class RuleCase:
 
     @cached_property
     def _found(self) -> bytes:
-        return ask("judge_room", self.rows)
+        most = still_allowed() / FINDING_WORK
+        return ask("judge_room", self.rows, numbers=[int(min(most, _ALL_OF_THEM))])
 
     def count_told(self) -> int:
-        """Returns how often the core finds rules broken."""
+        """Returns how often the core finds rules broken; not all of it where that is more than the call may have put into words."""
         return len(self._found) // _FINDING.size
 
     @cached_property

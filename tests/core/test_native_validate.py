@@ -61,4 +61,5 @@ def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     for call in ANSWERS:
         rows = [rows for name, rows in asked if name == call]
         assert rows
-        assert native.answers(call, ([one] for one in rows)) == b"".join(ask(call, one) for one in rows)
+        numbers = [1 << 60] if call == "judge_room" else []
+        assert native.answers(call, ([one] for one in rows)) == b"".join(ask(call, one, numbers=numbers) for one in rows)

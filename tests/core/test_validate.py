@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import combinations
 from random import Random
+from struct import Struct
 
 import pytest
 
 from catalogs import load_catalogs
-from solver.core import CoreFailed, ask
+from solver.core import CoreFailed, CoreInstance, ask
+from solver.demanded import demanding_at_most
+from solver.errors import TooMuch
 from solver.scene import Decoration, Furniture, Room, Scene
 from solver.validator import metrics, validate
 from solver.validator.kinds import kinds_of
@@ -15,6 +20,8 @@ from solver.validator.sent_rooms import room_bytes
 from solver.validator.world import world_of
 
 KNOWN = load_catalogs()
+FINDING = Struct("<8q")
+ANY_NUMBER = 1 << 60
 BED = Furniture("bed", "double_bed", x=2.0, z=1.3, width=1.6, depth=2.0, height=0.5)
 
 
@@ -24,9 +31,38 @@ def sent(*furniture: Furniture) -> bytes:
     return room_bytes(world, world.places[0], kinds_of(KNOWN))
 
 
+def judged(rows: bytes, most: int = ANY_NUMBER) -> list[tuple[int, ...]]:
+    """What the core finds in a room."""
+    return list(FINDING.iter_unpack(ask("judge_room", rows, numbers=[most])))
+
+
+def in_one_place(count: int) -> bytes:
+    """A room with beds that all share space."""
+    return sent(*(replace(BED, id=f"bed_{number}") for number in range(count)))
+
+
 def test_a_room_is_answered_with_rows() -> None:
-    assert ask("judge_room", sent(BED)) == b""
-    assert len(ask("judge_room", sent(BED, BED))) > 0
+    assert judged(sent(BED)) == []
+    assert len(judged(sent(BED, BED))) > 0
+
+
+def test_all_pairs_are_told_in_order_or_one_more_than_may_be() -> None:
+    rows, pairs = in_one_place(40), list(combinations(range(40), 2))
+    for most in (len(pairs), ANY_NUMBER):
+        assert [(first, second) for _, first, second, *_ in judged(rows, most)] == pairs
+    for most in (0, 1, 100, len(pairs) - 1):
+        assert len(judged(rows, most)) == most + 1
+
+
+def test_thousands_of_bodies_in_one_place_take_no_more_memory_than_what_may_be_told() -> None:
+    rows, most = in_one_place(4900), 1000
+    core = CoreInstance()
+    told = core.call("judge_room", core.write(rows), len(rows), most)
+    assert told >> 32 == FINDING.size * (most + 1)
+    assert core.size < 16 << 20
+    beds = tuple(replace(BED, id=f"bed_{number}") for number in range(4900))
+    with demanding_at_most(50_000), pytest.raises(TooMuch):
+        validate(Scene(rooms=(Room("room", width=4.0, depth=4.0, furniture=beds),)), KNOWN)
 
 
 @pytest.mark.parametrize("export", ["judge_room", "walk_storey", "free_floors", "measure_storey"])
@@ -34,8 +70,8 @@ def test_what_ends_early_is_refused_and_the_next_is_answered(export: str) -> Non
     whole = sent(BED)
     for size in (0, 8, 80, 200):
         with pytest.raises(CoreFailed, match="the request is none"):
-            ask(export, whole[:size])
-    assert ask("judge_room", whole) == b""
+            ask(export, whole[:size], numbers=[ANY_NUMBER] if export == "judge_room" else [])
+    assert judged(whole) == []
 
 
 def test_bytes_that_are_changed_end_the_call_or_are_answered() -> None:
@@ -45,11 +81,11 @@ def test_bytes_that_are_changed_end_the_call_or_are_answered() -> None:
         at = 8 * chance.randrange(5, 11)  # the header's counts
         changed = whole[:at] + chance.randbytes(8) + whole[at + 8 :]
         try:
-            ask("judge_room", changed)
+            judged(changed)
         except CoreFailed:
             refused += 1
     assert refused > 50
-    assert ask("judge_room", whole) == b""
+    assert judged(whole) == []
 
 
 def test_no_length_is_beyond_a_million_kilometres() -> None:

@@ -33,10 +33,10 @@ bool is_valid(const Drag& drag, const Frame& frame) {
   }
   validate::Reader reader(drag.storey);
   const validate::Storey storey = validate::read_storey(reader);
-  validate::Findings found;
+  validate::Findings found{0, {}};
   validate::find_standing(storey.rooms[0].room, found);
   validate::find_floating(storey.rooms[0].room, found);
-  return found.size() == 0 && is_used(drag, storey);
+  return found.rows.size() == 0 && is_used(drag, storey);
 }
 
 }  // namespace drag

@@ -27,14 +27,14 @@ static Area free_area(Span<Rect> floors, const List<Rect>& obstacles, i32 most_b
   return area;
 }
 
-Bytes judge_room(Bytes rows_sent) {
+Bytes judge_room(Bytes rows_sent, i64 most) {
   Reader reader(rows_sent);
   const Room room = read_room(reader);
-  Findings found;
+  Findings found{most, {}};
   find_standing(room, found);
   find_floating(room, found);
   find_crossing(room, found);
-  return bytes_of(found.all());
+  return bytes_of(found.rows.all());
 }
 
 Bytes walk_storey(Bytes rows_sent) {

@@ -131,10 +131,10 @@ static i64 deepest(const Room& room, const Bounds& a, const Bounds& b) {
 // Where both bodies stand on the floor and neither is under or on the other, overlap speaks of them.
 void find_crossing(const Room& room, Findings& found) {
   const List<Bounds> bodies = bounds_of_all(room);
-  for (i32 k = 0; k < bodies.size(); k++) {
+  for (i32 k = 0; k < bodies.size() && !found.is_full(); k++) {
     const Bounds& a = bodies[k];
     const Body& one = room.bodies[a.body];
-    for (i32 later = k + 1; later < bodies.size() && bodies[later].west < a.east; later++) {
+    for (i32 later = k + 1; later < bodies.size() && bodies[later].west < a.east && !found.is_full(); later++) {
       const Bounds& b = bodies[later];
       const Body& other = room.bodies[b.body];
       if (b.bottom >= a.top || a.bottom >= b.top || b.north >= a.south || a.north >= b.south) continue;

@@ -10,7 +10,7 @@ static i64 packed(Bytes answer) { return answer.size << 32 | static_cast<i64>(re
 // Each returns its answer's size, bytes, in the upper half, and where it begins in the lower.
 extern "C" {
 
-EXPORT(judge_room) i64 door_judge_room(u8* rows, i64 size) { return packed(judge_room({rows, size})); }
+EXPORT(judge_room) i64 door_judge_room(u8* rows, i64 size, i64 most) { return packed(judge_room({rows, size}, most)); }
 EXPORT(walk_storey) i64 door_walk_storey(u8* rows, i64 size) { return packed(walk_storey({rows, size})); }
 EXPORT(free_floors) i64 door_free_floors(u8* rows, i64 size) { return packed(free_floors({rows, size})); }
 EXPORT(open_fronts) i64 door_open_fronts(u8* rows, i64 size) { return packed(open_fronts({rows, size})); }

@@ -224,10 +224,16 @@ struct Finding {
 // In the order of the answers' rules (solver/validator/judging.py).
 enum class Rule : i32 { out_of_bounds, overlap, wall_far, blocks_door, blocks_window, floating, shapes_cross };
 
-using Findings = List<Finding>;
+// What was found, and how much may be: with one more, which is too much, nothing more is looked for.
+struct Findings {
+  i64 most;
+  List<Finding> rows;
+
+  bool is_full() const { return rows.size() > most; }
+};
 
 inline void tell(Findings& found, Rule rule, i64 body, i64 other, i64 amount, i64 a = 0, i64 b = 0, i64 c = 0, i64 how = 0) {
-  found.add({static_cast<i64>(rule), body, other, amount, a, b, c, how});
+  if (!found.is_full()) found.rows.add({static_cast<i64>(rule), body, other, amount, a, b, c, how});
 }
 
 void find_standing(const Room& room, Findings& found);

@@ -48,9 +48,6 @@ static void collide(const Room& room, i32 first, i32 second, Findings& found) {
 
 // Two bodies share space; but a chair may be tucked under its table, and a thing may stand on another. By first body, then by second.
 static void find_overlap(const Room& room, Findings& found) {
-  struct Pair {
-    i32 first, second;
-  };
   const bool by_x = room.bounds.width() >= room.bounds.depth();
   const auto low = [&](i32 i) { return by_x ? room.bodies[i].box.x0 : room.bodies[i].box.z0; };
   const auto high = [&](i32 i) { return by_x ? room.bodies[i].box.x1 : room.bodies[i].box.z1; };
@@ -59,15 +56,16 @@ static void find_overlap(const Room& room, Findings& found) {
     if (room.bodies[i].is_solid) ranked.add(i);
   }
   stable_sort(ranked.all(), [&](i32 a, i32 b) { return low(a) < low(b); });
-  List<Pair> pairs;
-  for (i32 k = 0; k < ranked.size(); k++) {
-    for (i32 later = k + 1; later < ranked.size() && low(ranked[later]) < high(ranked[k]); later++) {
-      const i32 a = ranked[k], b = ranked[later];
-      if (meet(room.bodies[a].box, room.bodies[b].box)) pairs.add({least(a, b), most(a, b)});
+  const i32 before = found.rows.size();
+  for (i32 k = 0; k < ranked.size() && !found.is_full(); k++) {
+    for (i32 later = k + 1; later < ranked.size() && low(ranked[later]) < high(ranked[k]) && !found.is_full(); later++) {
+      collide(room, least(ranked[k], ranked[later]), most(ranked[k], ranked[later]), found);
     }
   }
-  stable_sort(pairs.all(), [](const Pair& a, const Pair& b) { return a.first != b.first ? a.first < b.first : a.second < b.second; });
-  for (const Pair& pair : pairs) collide(room, pair.first, pair.second, found);
+  stable_sort(Span<Finding>{found.rows.begin() + before, found.rows.size() - before}, [](const Finding& a, const Finding& b) {
+    const i64 first = least(a.body, a.other), other = least(b.body, b.other);
+    return first != other ? first < other : most(a.body, a.other) < most(b.body, b.other);
+  });
 }
 
 // How far a box is from the edge's line; 0 where the line runs through it.

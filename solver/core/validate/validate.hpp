@@ -12,8 +12,8 @@ struct Bytes {
 
 // Each takes rows of room.hpp or walk.hpp and answers with rows in the arena; solver/validator writes and reads them.
 
-// A room -> what in it breaks a rule: rows of `Finding`.
-Bytes judge_room(Bytes room);
+// A room -> what in it breaks a rule: rows of `Finding`, no more than one above `most`.
+Bytes judge_room(Bytes room, i64 most);
 
 // A storey -> for each room two areas, the free centres that can be come to and all of them; then for all of its bodies in turn a byte: 1,
 // 2, 4, 8 where the north, south, east, west side can be come to; at the end, 8 bytes each: how many tiles and cells there are, and whether
