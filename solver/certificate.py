@@ -21,21 +21,7 @@ OF_ONE_PLACEMENT: Final = frozenset({"cost", "proven", "best", "residuals", "fro
 MARK_LENGTH: Final = 12
 ACCESS: Final = "access"
 """What a profile of access makes of the whole home."""
-_MOST_TEXTS: Final = 1 << 14
-"""Numbers whose text is kept."""
-
-
-class _Decimals(dict[float, str]):
-    """Numbers to four decimals; those that are met often are kept."""
-
-    def __missing__(self, number: float) -> str:
-        if len(self) >= _MOST_TEXTS:
-            self.clear()
-        text = self[number] = f"{number + 0.0:.4f}"
-        return text
-
-
-_DECIMALS: Final = _Decimals()
+_POSE: Final = "%s" + 6 * " %.4f"
 
 
 def certificate(
@@ -77,7 +63,7 @@ def mark_of(room: Room) -> str:
     """Returns a mark that a room has in common with no other placement of furniture in it."""
     said = [
         f"{room.width:.4f} {room.depth:.4f}",
-        *(" ".join((name, *map(_DECIMALS.__getitem__, pose))) for name, *pose in sorted(_poses(room))),
+        *map(_POSE.__mod__, sorted(_poses(room))),
     ]
     return sha256("\n".join(said).encode(errors="surrogatepass")).hexdigest()[:MARK_LENGTH]
 
@@ -86,7 +72,8 @@ def _poses(room: Room) -> list[tuple[str, float, float, float, float, float, flo
     """Returns the id, place, rotation, width and depth of each piece of furniture."""
     rows = rows_in(room, FurnitureRows)
     if rows is None:
-        return [(piece.id, piece.x, piece.y, piece.z, piece.rotation, piece.width, piece.depth) for piece in room.furniture]
+        poses = ((one.id, one.x + 0.0, one.y + 0.0, one.z + 0.0, one.rotation + 0.0, one.width, one.depth) for one in room.furniture)
+        return list(poses)
     return [
         (name, (x0 + x1) / 2000, low / 1000, (z0 + z1) / 2000, turn, *look.size[:2])
         for name, look, (_, _, _, _, turn, _, _, _, x0, z0, x1, z1, low, *_) in zip(rows.ids, rows.looks, rows.rows, strict=True)

@@ -14,7 +14,7 @@ from struct import Struct
 from typing import Final
 
 from solver.core import borrowed
-from solver.free_places import FLAT_MM, Block, decorations_in, furniture_in, nearest_place, rect_rows
+from solver.free_places import FLAT_MM, RECT_BYTES, Block, decorations_in, furniture_in, nearest_place, rect_rows
 from solver.geometry import Rect, wall_faced
 from solver.pieces import Space
 from solver.scene import WALLS, Room
@@ -55,7 +55,9 @@ class FreeFloor:
 
     def __init__(self, space: Space, bodies: Iterable[Rect], goals: Iterable[Goal], blocks: Iterable[Block] = ()) -> None:
         self.space, self.goals, self.blocks = space, list(goals), list(blocks)
-        self._bodies = [*bodies, *(zone.rect for zone in space.zones if zone.cause == "outline")]
+        self._bodies = rect_rows([*bodies, *(zone.rect for zone in space.zones if zone.cause == "outline")])
+        self._doorways = b"".join([DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in space.doorways])
+        self._taken: dict[tuple[float, float], bytes] = {}
 
     @classmethod
     def of_room(cls, room: Room, space: Space, uses: Mapping[str, tuple[Sequence[str], bool]]) -> FreeFloor:
@@ -82,17 +84,21 @@ class FreeFloor:
     def add(self, block: Block, in_the_way: bool = True) -> None:
         """Notes that somebody or something is there; who sits is not in the way of those who walk."""
         self.blocks.append(block)
+        self._taken.clear()
         if in_the_way:
-            self._bodies.append(block.rect)
+            self._bodies += rect_rows([block.rect])
 
     def obstacles(self, own: Block) -> list[Rect]:
         """Returns what is taken at the heights of a body."""
         low, high = own.low, own.high
-        return [block.rect for block in self.blocks if block.low < high and low < block.high]
+        return [rect for rect, bottom, top, _ in self.blocks if bottom < high and low < top]
 
     def nearest(self, own: Block, gap_mm: int = 0) -> Rect | None:
         """Returns the free place nearest to a body with a gap all around, the gap included, or None where there is none."""
-        return nearest_place(own.rect.shrunk(-gap_mm), self.space.clear, self.obstacles(own))
+        heights = own.low, own.high
+        if heights not in self._taken:
+            self._taken[heights] = rect_rows(self.obstacles(own))
+        return nearest_place(own.rect.shrunk(-gap_mm), self.space.clear, self._taken[heights])
 
     def is_free(self, own: Block, but: str) -> bool:
         """Tells whether a space is empty, the body of one id aside."""
@@ -106,12 +112,12 @@ class FreeFloor:
             more: footprints of bodies besides those of the room, mm.
             goals: besides its own.
         """
-        bodies = [*self._bodies, *more]
-        doors, all_goals = self.space.doorways, [*self.goals, *goals]
-        header = _FLOOR.pack(*self.space.clear, self.space.robot_mm, len(bodies), len(doors), len(all_goals), 0)
-        rows = [DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in doors]
-        rows += [_GOAL.pack(*goal.rect, sides_seen(goal.sides), goal.need_all) for goal in all_goals]
-        request = b"".join([header, rect_rows(bodies), *rows])
+        bodies = self._bodies + rect_rows(more)
+        all_goals = [*self.goals, *goals]
+        counts = len(bodies) // RECT_BYTES, len(self.space.doorways), len(all_goals)
+        header = _FLOOR.pack(*self.space.clear, self.space.robot_mm, *counts, 0)
+        rows = [_GOAL.pack(*goal.rect, sides_seen(goal.sides), goal.need_all) for goal in all_goals]
+        request = b"".join([header, bodies, self._doorways, *rows])
         with borrowed() as core:
             return bool(core.call("connects", core.write(request), len(request)))
 

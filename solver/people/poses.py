@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final
 
 from catalogs import Catalogs
 from catalogs.dwellers import Dweller, Seats
 from catalogs.entries import Surface
 from solver.free_floor import FreeFloor, Goal
-from solver.free_places import block_of, decorations_in, footprint
+from solver.free_places import Block, block_of, decorations_in, footprint
 from solver.geometry import half_m, rotate, wall_faced
 from solver.people.sights import Sight, faces, sights
 from solver.scene import Dynamic, Furniture, Room
@@ -40,6 +41,11 @@ class Surroundings:
     room: Room
     floor: FreeFloor
     catalogs: Catalogs
+
+    @cached_property
+    def things(self) -> Sequence[Block]:
+        """What its decorations take up."""
+        return [thing.block for thing in decorations_in(self.room)]
 
     def near(self, person: Dynamic, gap_mm: int) -> Dynamic | None:
         """Returns somebody at the free place nearest to the pose, with a gap all around, or None where there is none."""
@@ -104,7 +110,7 @@ def sitting(here: Surroundings, person: Dynamic, entry: Dweller, stream: Stream)
     for piece, seat in seats:
         for across in _places(piece, seat, sitter.width, stream):
             for behind in (seat.inset, 0.0):  # at the very edge before what leans on the back
-                placed = _on_top(here.room, _seated(sitter, piece, seat, (across, behind)))
+                placed = _on_top(here.things, _seated(sitter, piece, seat, (across, behind)))
                 if _fits(here.floor, placed, piece) and here.front_reachable(piece):
                     return placed
     return None
@@ -145,13 +151,11 @@ def _seated(person: Dynamic, piece: Furniture, seat: Surface, place: tuple[int, 
     )  # fmt: skip
 
 
-def _on_top(room: Room, placed: Dynamic) -> Dynamic:
+def _on_top(things: Sequence[Block], placed: Dynamic) -> Dynamic:
     """Returns somebody on top of the cushions and blankets that lie there on the seat."""
     own = block_of(placed)
-    there = (thing.block for thing in decorations_in(room))
-    tops = [
-        block.high for block in there if block.rect.overlaps(own.rect) and round(own.low) < round(block.high) <= round(own.low) + CUSHION_MM
-    ]
+    here = (block for block in things if block.rect.overlaps(own.rect))
+    tops = [block.high for block in here if round(own.low) < round(block.high) <= round(own.low) + CUSHION_MM]
     return replace(placed, y=round(max(tops) / 1000, 4)) if tops else placed
 
 
