@@ -11,7 +11,6 @@ from typing import Final
 from catalogs import Catalogs
 from solver.scene import WALLS, Furniture, Scene
 from solver.validator.kinds import Kinds, kinds_of
-from solver.validator.reaching import is_body
 from solver.validator.sent_rooms import room_bytes
 from solver.validator.walk import walk_of
 from solver.validator.world import AnyBody, side_of, world_of
@@ -43,6 +42,8 @@ def room_alone(scene: Scene, catalogs: Catalogs) -> RoomAlone:
 
 
 def _use(body: AnyBody, kinds: Kinds) -> tuple[int, int]:
-    use = kinds.use(body.name) if isinstance(body, Furniture) and is_body(body.height) else None
+    if not isinstance(body, Furniture):
+        return 0, 0
+    use = kinds.use_of(("furniture", body.name, body.width, body.depth, body.height, body.kind))
     bits = sum({_BIT[side_of(body.rotation, side)] for side in use.sides}) if use else 0
     return (0, bits) if use and use.need == "all" else (bits, 0)

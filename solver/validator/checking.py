@@ -117,7 +117,7 @@ def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked
         for place, rows in placed:
             case = RuleCase(world, walk, place, kinds, rows)
             if place.room.id not in same:
-                demand(ROOM_WORK + FINDING_WORK * case.count_told())
+                demand(ROOM_WORK + FINDING_WORK * case.findings)
             judged[place.room.id] = _judge(case, known.get(place.room.id))
     rooms = tuple(judged[place.room.id] for place in world.places)
     found = (issue for one in rooms for rule in CHECKS for issue in one.issues[rule])
@@ -131,8 +131,5 @@ def _judge(case: RuleCase, known: _Judged | None) -> _Judged:
         open_again.add("unreachable")
     if known and known.case.world.scene.certificate is not case.world.scene.certificate:
         open_again.add(_OF_THE_CERTIFICATE)
-    issues = {}
-    for rule in CHECKS:
-        kept = known.issues[rule] if known and rule not in open_again else None
-        issues[rule] = issues_of(rule, case) if kept is None else kept
-    return _Judged(case, issues)
+    kept = {rule: found for rule, found in known.issues.items() if rule not in open_again} if known else {}
+    return _Judged(case, {rule: kept[rule] if rule in kept else issues_of(rule, case) for rule in CHECKS})

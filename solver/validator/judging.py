@@ -56,8 +56,9 @@ class RuleCase:
         most = still_allowed() / FINDING_WORK
         return ask("judge_room", self.rows, numbers=[int(min(most, _ALL_OF_THEM))])
 
-    def count_told(self) -> int:
-        """Returns how often the core finds rules broken; not all of it where that is more than the call may have put into words."""
+    @cached_property
+    def findings(self) -> int:
+        """How often the core finds rules broken; not all of it where that is more than the call may have put into words."""
         return len(self._found) // _FINDING.size
 
     @cached_property

@@ -19,8 +19,9 @@ from catalogs.schema import FurnitureSpec, Use
 from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
 from solver.body_parts import is_round
+from solver.body_rows import BodyKey, Look
 from solver.validator.lattice import exact
-from solver.validator.world import KindKey
+from solver.validator.world import FLAT, KindKey
 
 SEATED: Final = "seated"
 _MOST_KNOWN: Final = 20_000
@@ -73,6 +74,7 @@ class Kinds:
         self._book = KindBook(catalogs)
         self._rows: dict[KindKey, KindRows] = {}
         self._fronts: dict[KindKey, KindFronts] = {}
+        self._uses: dict[KindKey, Use | None] = {}
         self._named = catalogs.kinds_by_name()
         furniture: list[tuple[str, FurnitureSpec | DecorationKind]] = [(k.name or kind, k) for kind, k in catalogs.furniture.items()]
         self._furniture = catalogs.furniture
@@ -81,9 +83,12 @@ class Kinds:
             found = [(surface.height, *(surface.inset,) * 4) for surface in kind.surfaces]
             self._surfaces.setdefault(name, {}).setdefault(kind.size, found)
 
-    def use(self, name: str) -> Use | None:
-        """Returns which sides of a piece are used; None where none is, or the piece is unknown."""
-        return self._named[name].use if name in self._named else None
+    def use_of(self, key: KindKey) -> Use | None:
+        """Returns which sides of a piece of a kind are used; None where none is, it is unknown, or as flat as a rug."""
+        if key not in self._uses:
+            _, name, _, _, height, _ = _told(key)
+            self._uses[key] = self._named[name].use if name in self._named and exact(height) > FLAT else None
+        return self._uses[key]
 
     def rows(self, key: KindKey) -> KindRows:
         """Returns a kind as the core reads it."""
@@ -92,6 +97,7 @@ class Kinds:
             if len(self._rows) >= _MOST_KNOWN:
                 self._rows.clear()
                 self._fronts.clear()
+                self._uses.clear()
             known = self._rows[key] = self._rows_of(key)
         return known
 
@@ -99,13 +105,13 @@ class Kinds:
         """Returns the fronts of a piece's kind."""
         found = self._fronts.get(key)
         if found is None:
-            sort, name, width, depth, height, said = key
+            sort, name, width, depth, height, said = _told(key)
             shape = self._book.kind_of(sort, name, (width, depth, height), said)
             found = self._fronts[key] = _fronts_as_told(fronts_of(self._book.solids(shape)), depth)
         return found
 
     def _rows_of(self, key: KindKey) -> KindRows:
-        sort, name, width, depth, height, said = key
+        sort, name, width, depth, height, said = _told(key)
         is_person, size = sort == "person", (width, depth, height)
         shape = self._book.living(name, said == SEATED) if is_person else self._book.kind_of(sort, name, size, said)
         surfaces = [] if is_person else [*self._surfaces_of(name, size), *self._insides_of(sort, shape, size)]
@@ -134,6 +140,10 @@ class Kinds:
         if size in known:
             return known[size] or [top]
         return [top, *((height, 0.0, 0.0, 0.0, 0.0) for found in known.values() for height, *_ in found)]
+
+
+def _told(key: KindKey) -> BodyKey:
+    return key.key if isinstance(key, Look) else key
 
 
 def _fronts_as_told(fronts: Sequence[UnitFront], depth: float) -> KindFronts:

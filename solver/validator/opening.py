@@ -7,6 +7,7 @@ Each front is opened alone, all others shut. People and pets step aside, what li
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Iterator, Sequence
 from itertools import chain
 from struct import Struct, pack
@@ -30,6 +31,8 @@ _HEAD: Final = Struct("<4q")
 _OPENED: Final = Struct("<2q")
 _NOTHING: Final = -1
 _MILLIONTHS: Final = 1_000_000
+_new: Final = tuple.__new__
+"""What a named tuple's own constructor calls, in half its time: a home has a hundred fronts."""
 _Opener = tuple[int, KindFronts]
 """A piece of furniture by its number in its room, and its fronts."""
 
@@ -54,8 +57,8 @@ class FrontTravel(NamedTuple):
 def front_blocked(case: RuleCase) -> Iterator[Finding]:
     """A front opens less than half of its way; where its kind says that it must open, that is an error."""
     for one in travels_in(case):
-        if one.share < ENOUGH:
-            ids = (one.piece,) if one.meets in (None, WALL) else (one.piece, str(one.meets))
+        if one.meets is not None and one.share < ENOUGH:
+            ids = (one.piece,) if one.meets == WALL else (one.piece, one.meets)
             yield Finding(ids, 0, f"{one.piece}'s {one.front} {_words(one)}", "error" if one.must_open else None)
 
 
@@ -92,28 +95,25 @@ def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> li
         return []
     demand(FRONT_WORK * sum(len(fronts.each) for _, fronts in openers) * place.count_bodies())
     told = _OPENED.iter_unpack(ask("open_fronts", front_bytes(openers, shell_of(world, place), rows)))
-    names = furniture_ids(place.room)
-    return [_travel(place, names[body], front, next(told)) for body, fronts in openers for front in fronts.each]
+    names, found = furniture_ids(place.room), list[FrontTravel]()
+    for body, fronts in openers:
+        for (name, slides, reach, must_open), (travel, meets) in zip(fronts.each, told, strict=False):
+            way, by = (reach, None) if meets == _NOTHING else (travel / _MILLIONTHS, WALL if meets < 0 else place.ids[meets])
+            found.append(_new(FrontTravel, (names[body], name, slides, way, reach, by, must_open)))
+    return found
 
 
 def front_bytes(openers: Sequence[_Opener], shell: Sequence[float], rows: bytes) -> bytes:
     """Returns a room, what stands around it and what opens in it as the core reads them."""
     counts = [(body, len(fronts.each), fronts.parts) for body, fronts in openers]
     head = _HEAD.pack(len(counts), sum(count for _, count, _ in counts), sum(parts for *_, parts in counts), len(shell) // 6)
-    boxes, who = pack(f"<{len(shell)}d", *shell), pack(f"<{3 * len(counts)}q", *chain.from_iterable(counts))
+    boxes, who = array("d", shell).tobytes(), pack(f"<{3 * len(counts)}q", *chain.from_iterable(counts))
     return b"".join([rows, head, boxes, who, *(fronts.rows for _, fronts in openers), *(fronts.numbers for _, fronts in openers)])
 
 
 def openers_in(place: PlacedRoom, kinds: Kinds) -> list[_Opener]:
     """Returns the pieces of a room that have fronts, by their number there."""
     return [(number, fronts) for number, (key, _) in enumerate(place.pieces) if (fronts := kinds.fronts(key)).each]
-
-
-def _travel(place: PlacedRoom, piece: str, front: tuple[str, bool, float, bool], row: Sequence[int]) -> FrontTravel:
-    (name, slides, reach, must_open), (travel, meets) = front, row
-    if meets == _NOTHING:
-        return FrontTravel(piece, name, slides, reach, reach, None, must_open)
-    return FrontTravel(piece, name, slides, travel / _MILLIONTHS, reach, WALL if meets < 0 else place.ids[meets], must_open)
 
 
 def certified_fronts(travels: Sequence[FrontTravel]) -> dict[str, dict[str, Any]]:

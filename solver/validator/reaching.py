@@ -13,9 +13,9 @@ from solver.geometry import LEAST_FLOOR_MM2
 from solver.scene import Furniture
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import Kinds
-from solver.validator.lattice import PER_METRE, exact, words
+from solver.validator.lattice import PER_METRE, words
 from solver.validator.walk import Walk
-from solver.validator.world import FLAT, PlacedRoom, World, side_of
+from solver.validator.world import SIDES, PlacedRoom, World, side_of
 
 LEAST_FLOOR: Final = LEAST_FLOOR_MM2 * (PER_METRE // 1000) ** 2
 """How much of a room's free centres must be reached, in square lattice steps."""
@@ -34,23 +34,18 @@ def unreachable(case: RuleCase) -> Iterator[Finding]:
             yield Finding((piece.id,), world.robot, _side_message(world, piece, use, missed))
 
 
-def is_body(height: float) -> bool:
-    """Tells whether furniture of some height, m, is higher than a rug."""
-    return exact(height) > FLAT
-
-
 def used_pieces(place: PlacedRoom, kinds: Kinds) -> Iterator[tuple[int, Use]]:
     """Yields the pieces of a room that are used from a side, by their numbers there, and from which."""
-    for number, ((_, name, _, _, height, _), _) in enumerate(place.pieces):
-        use = kinds.use(name)
-        if use is not None and is_body(height):
+    for number, (key, _) in enumerate(place.pieces):
+        use = kinds.use_of(key)
+        if use is not None:
             yield number, use
 
 
 def missed_sides(walk: Walk, place: PlacedRoom, number: int, use: Use) -> tuple[str, ...]:
     """Returns the use sides of a piece, by its number in its room, that the square cannot come to; none where enough are reached."""
     (_, rotation), touched = place.pieces[number], walk.touched(place, number)
-    missed = tuple([side for side in use.sides if side_of(rotation, side) not in touched])
+    missed = tuple([side for side in use.sides if side_of(rotation, side) not in touched]) if len(touched) < len(SIDES) else ()
     return missed if use.need == "all" or len(missed) == len(use.sides) else ()
 
 

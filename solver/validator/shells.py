@@ -16,6 +16,7 @@ from solver.wall_fittings import Bar, Span, between, cut_at_holes, door_bars, le
 
 HEIGHT: Final = 3.0
 """How high walls are taken to be, m."""
+_WHOLE_HEIGHT: Final = (0.0, HEIGHT)
 GAP_WORK: Final = 0.3
 """What a hole costs for each stretch of wall that it is over [see demanded.py]. Measured."""
 
@@ -55,13 +56,20 @@ def shell_of(world: World, place: PlacedRoom) -> list[float]:
     return boxes
 
 
+_Box = tuple[Span, Span, Span]
+"""A box in or at a wall: along the wall, up from the floor, across from the wall's middle line, m."""
+
+
 def _holes(world: World, place: PlacedRoom, thickness: float) -> Iterator[_HoleHere]:
     own = {hole.opening.id for hole in place.holes}
+    leading = world.leading_to.get(place.room.id, ())
     for hole in place.holes:
-        other = next((pair for pair in world.leading_to.get(place.room.id, ()) if pair[1].opening.id == hole.opening.id), None)
-        leaf = other[1] if other and other[1].opening.render_panel and not hole.opening.render_panel else hole
+        leaf = hole
+        if not hole.opening.render_panel:  # of two entries that draws the leaf which says so
+            other = next((one for _, one in leading if one.opening.id == hole.opening.id), None)
+            leaf = other if other and other.opening.render_panel else hole
         yield _here(hole, leaf, (0, 0), thickness)
-    for room, hole in world.leading_to.get(place.room.id, ()):
+    for room, hole in leading:
         if room is not place and hole.opening.id not in own:
             yield _here(hole, hole, (room.x - place.x, room.z - place.z), thickness)
 
@@ -77,39 +85,46 @@ def _here(hole: Hole, leaf: Hole, moved: tuple[int, int], thickness: float) -> _
     return _HoleHere(edge, along, up, fitting)
 
 
-def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> list[Bar]:
+def _wall(edge: WallEdge, thickness: float, holes: Sequence[_HoleHere]) -> list[_Box]:
     """Returns a wall's solid boxes: it goes on by half its thickness beyond its ends."""
     half = thickness / 2
-    start, end = metres(edge.start) - half, metres(edge.end) + half
+    start, end, across = metres(edge.start) - half, metres(edge.end) + half, (-half, half)
     if not holes:
-        return [Bar((start, end), (0.0, HEIGHT), (-half, half))]
-    bars = []
+        return [((start, end), _WHOLE_HEIGHT, across)]
+    boxes: list[_Box] = []
     for along, gaps in cut_at_holes((start, end), [(one.along, one.up) for one in holes]):
+        if not gaps:
+            boxes.append((along, _WHOLE_HEIGHT, across))
+            continue
         demand(GAP_WORK * len(gaps))
-        bars += [Bar(along, up, (-half, half)) for up in between(0.0, HEIGHT, gaps)]
-    return bars
+        boxes += [(along, up, across) for up in between(0.0, HEIGHT, gaps)]
+    return boxes
 
 
 @lru_cache(maxsize=256)
-def _fitted(one: _Fitting) -> tuple[Bar, ...]:
+def _fitted(one: _Fitting) -> tuple[_Box, ...]:
     """Returns what is fitted to an opening that begins at 0, its leaf closed. A house has few sorts of them."""
     along, head = (0.0, one.width), one.up[1]
     if one.kind == "window":
-        return tuple(window_bars(along, one.up, one.thickness))
+        return _boxes(window_bars(along, one.up, one.thickness))
     if one.kind == "passage":
         return ()
     turns = one.kind == "door"
     middle = one.towards * leaf_offset(one.thickness) if turns else 0.0
     hinge = ("end" if one.hinge == "end" else "start") if turns else None
-    return (*door_bars(along, head, one.thickness), *leaf_bars(along, head, middle, hinge))
+    return _boxes([*door_bars(along, head, one.thickness), *leaf_bars(along, head, middle, hinge)])
 
 
-def _place(boxes: list[float], edge: WallEdge, at: float, bars: Iterable[Bar]) -> None:
-    """Adds bars, from a place along a wall on."""
+def _boxes(bars: Iterable[Bar]) -> tuple[_Box, ...]:
+    return tuple([bar[:3] for bar in bars])
+
+
+def _place(boxes: list[float], edge: WallEdge, at: float, found: Iterable[_Box]) -> None:
+    """Adds boxes, from a place along a wall on."""
     line = metres(edge.line)
     if edge.runs_east:
-        for (start, end), (low, high), (near, far), _ in bars:
+        for (start, end), (low, high), (near, far) in found:
             boxes += at + start, low, line + near, at + end, high, line + far
     else:
-        for (start, end), (low, high), (near, far), _ in bars:
+        for (start, end), (low, high), (near, far) in found:
             boxes += line + near, low, at + start, line + far, high, at + end

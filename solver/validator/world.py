@@ -10,14 +10,24 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final, TypeAlias
 
-from solver.body_rows import BodyKey, BodyTurn, count_decorations, count_furniture, decoration_ids, furniture_ids, furniture_turns
+from solver.body_rows import (
+    BodyKey,
+    FurnitureRows,
+    Look,
+    count_decorations,
+    count_furniture,
+    decoration_ids,
+    furniture_ids,
+    furniture_turns,
+    rows_in,
+)
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.scene_bodies import home_of
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
 
 AnyBody: TypeAlias = Furniture | Decoration | Dynamic
-KindKey: TypeAlias = BodyKey
-"""What a body's kind is looked up by; of people: "person", the kind, no size, and SEATED of those who sit."""
+KindKey: TypeAlias = BodyKey | Look
+"""What a body's kind is looked up by: a look by itself, which is quicker; of people "person", the kind, no size, SEATED of who sits."""
 
 SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
@@ -59,9 +69,10 @@ class PlacedRoom:
         return (edge for edge in self.outline.edges if edge is not None)
 
     @cached_property
-    def pieces(self) -> Sequence[BodyTurn]:
+    def pieces(self) -> Sequence[tuple[KindKey, float]]:
         """What kind of furniture each piece in it is, and its rotation."""
-        return furniture_turns(self.room)
+        rows = rows_in(self.room, FurnitureRows)
+        return furniture_turns(self.room) if rows is None else [(look, row[4]) for look, row in zip(rows.looks, rows.rows, strict=True)]
 
     @cached_property
     def bodies(self) -> tuple[AnyBody, ...]:
