@@ -226,8 +226,7 @@ def _several(way: Way) -> None:
     way.changed(lambda: way.press(way.page.locator("[data-align=west]")))
     edges = [piece(way, one)["x"] - piece(way, one)["width"] / 2 for one in (ONE, OTHER)]
     assert edges[0] == pytest.approx(edges[1], abs=1e-6)
-    if not isinstance(way, Touch):  # on a phone the lengths that fingers press lie over pieces so near each other
-        _moved_together(way)
+    _moved_together(way)
     way.changed(lambda: way.tool("delete"))
     assert ids(way) == {SOFA}
 

@@ -5,7 +5,9 @@ import { Hand, LONG_PRESS, type Point } from "../src/edit/hand";
 /** A canvas seen from straight above, a hundred pixels a metre, and what a hand on it says. */
 function table(locked = false, isChosen = false) {
   const host = new EventTarget();
-  const canvas = Object.assign(new EventTarget(), { parentElement: host, setPointerCapture: () => undefined });
+  const captured: number[] = [];
+  const canvas = Object.assign(new EventTarget(), { parentElement: host, setPointerCapture: (pointer: number) => captured.push(pointer) });
+  const length = Object.assign(new EventTarget(), { matches: (which: string) => which === ".ruler-words" });
   const said: string[] = [];
   const wanted: Point[] = [];
   const hand = new Hand(canvas as unknown as HTMLCanvasElement, {
@@ -17,12 +19,12 @@ function table(locked = false, isChosen = false) {
     drop: () => said.push("drop"),
     cancel: () => said.push("cancel"),
   });
-  const pointer = (type: string, clientX: number, clientY: number, more: object = {}): void => {
+  const pointer = (type: string, clientX: number, clientY: number, more: object = {}, target: EventTarget = canvas): void => {
     const event = Object.assign(new Event(type), { clientX, clientY, button: 0, isPrimary: true, pointerId: 7, shiftKey: false, ctrlKey: false, ...more });
-    if (type === "pointerdown") Object.defineProperty(event, "target", { value: canvas });
-    (type === "pointerdown" ? host : canvas).dispatchEvent(event);
+    Object.defineProperty(event, "target", { value: target });
+    (type === "lostpointercapture" ? canvas : host).dispatchEvent(event); // all others bubble
   };
-  return { hand, said, wanted, pointer };
+  return { hand, said, wanted, pointer, length, captured };
 }
 
 describe("a hand", () => {
@@ -119,6 +121,19 @@ describe("a finger", () => {
     vi.advanceTimersByTime(LONG_PRESS);
     pointer("pointerup", 121, 110, finger);
     expect(said).toEqual(["hold", "lift sofa", "free", "cancel"]);
+  });
+
+  it("drags what lies beneath a length, and leaves a tap there to the length", () => {
+    const { said, pointer, length, captured } = table(false, true);
+    pointer("pointerdown", 120, 110, finger, length);
+    pointer("pointerup", 121, 110, finger, length);
+    expect([said, captured]).toEqual([["hold", "free"], []]);
+    pointer("pointerdown", 120, 110, finger, length);
+    pointer("pointermove", 220, 160, finger, length);
+    pointer("pointerup", 220, 160, finger);
+    expect([said.slice(2), captured]).toEqual([["hold", "lift sofa", "free", "drop"], [7]]);
+    pointer("pointerdown", 120, 110, {}, length);
+    expect(said.length).toBe(6);
   });
 
   it("gives up what it waits for, or holds, to a second finger", () => {

@@ -31,6 +31,8 @@ export interface HandWords {
 /** Further than this [CSS pixels] a press is a drag, as for clicks; fingers are less still. */
 const STILL = 5;
 const FINGER_STILL = 12;
+/** Lengths in the house are as large as a finger: one that goes on from there drags what lies beneath. */
+const LENGTHS = ".ruler-words";
 /** A finger that stays this long on a piece that is not chosen takes hold of it; before, it turns the house [ms]. */
 export const LONG_PRESS = 450;
 
@@ -51,11 +53,12 @@ export class Hand {
   #waiting: { readonly event: PointerEvent; readonly timer: ReturnType<typeof setTimeout> } | null = null;
 
   constructor(readonly canvas: HTMLCanvasElement, readonly words: HandWords) {
+    const host = canvas.parentElement;
     // Before the canvas' own listeners: they must not begin to turn the house.
-    canvas.parentElement?.addEventListener("pointerdown", (event) => this.#press(event), { capture: true });
-    canvas.addEventListener("pointermove", (event) => this.#move(event));
-    canvas.addEventListener("pointerup", (event) => this.#release(event));
-    canvas.addEventListener("pointercancel", () => this.cancel());
+    host?.addEventListener("pointerdown", (event) => this.#press(event), { capture: true });
+    host?.addEventListener("pointermove", (event) => this.#move(event));
+    host?.addEventListener("pointerup", (event) => this.#release(event));
+    host?.addEventListener("pointercancel", () => this.cancel());
     canvas.addEventListener("lostpointercapture", () => this.cancel());
   }
 
@@ -72,7 +75,8 @@ export class Hand {
   #press(event: PointerEvent): void {
     const isFinger = event.pointerType === "touch";
     if (isFinger && !event.isPrimary) this.cancel(); // two fingers are for the camera
-    if (event.target !== this.canvas || event.button !== 0 || !event.isPrimary || event.shiftKey || event.ctrlKey) return;
+    const isHere = event.target === this.canvas || (isFinger && (event.target as Element).matches(LENGTHS));
+    if (!isHere || event.button !== 0 || !event.isPrimary || event.shiftKey || event.ctrlKey) return;
     const held = this.words.grasp(event.clientX, event.clientY);
     if (!held) return;
     if (isFinger && !held.isChosen) this.#wait(event, () => this.#pick(event));
@@ -95,6 +99,7 @@ export class Hand {
   #lift(): void {
     if (!this.#grip) return;
     this.#grip.lifted = true;
+    this.canvas.setPointerCapture(this.#grip.pointer); // from a length, which goes now; a tap there is its own
     this.words.lift(this.#grip.id);
   }
 
@@ -107,7 +112,7 @@ export class Hand {
       offset: { x: held.at.x - point.x, z: held.at.z - point.z }, lifted: false, moved: false,
     };
     this.words.hold(true);
-    this.canvas.setPointerCapture(event.pointerId);
+    if (event.target === this.canvas) this.canvas.setPointerCapture(event.pointerId);
     return true;
   }
 
