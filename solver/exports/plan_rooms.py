@@ -1,25 +1,25 @@
-"""Rooms on a plan: their clear floor between walls, and where their names and clear sizes are best written.
+"""Rooms on a plan: their clear floor between walls, and where their names, areas and clear sizes are best written.
 
-Comes in: a storey's floors, walls and what stands in the way. Goes out: `RoomLabel`s, `Dimension`s, m. May import: the model.
+Comes in: a storey's floors, walls and what stands in the way. Goes out: `RoomLabel`s, m. May import: the model.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 from solver.exports.model import FloorPlate, WallPanel
-from solver.geometry import doubled_area
+from solver.geometry import doubled_area, square_metres
 
 PlanBox = tuple[float, float, float, float]
 """West, north, east and south, m."""
 Obstacle = tuple[float, float, float, float, float]
 """A box, and how much worse than furniture it is to write on it."""
 _STEPS: Final = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9)
-"""Where across a room a name or a dimension line is tried, as shares of its span, the middle first."""
-_LINE_STEPS: Final = (0.12, 0.88, 0.2, 0.8, 0.3, 0.7, 0.4, 0.6, 0.5)
-_WIDE: Final = 0.66
+"""Where across a room its label is tried, as shares of its span, the middle first."""
+WIDE: Final = 0.66
 """How wide a bold letter is on average in the widest of the fonts asked for, as a share of its height."""
 _DIGIT: Final = 0.6
 _RAISED: Final = ("", *"¹²³⁴⁵⁶⁷⁸⁹")
@@ -27,6 +27,8 @@ _CORNER: Final = 0.35
 """What a wall that ends at a corner may reach beyond it, m: more than half of the thickest."""
 LONGEST: Final = 28
 """Letters of the longest name that is written whole."""
+SMALLER: Final = 0.86
+"""How high an area and a size are written, as a share of the name above them."""
 LINE: Final = 1.25
 """From one line of text to the next, as a share of its height."""
 _SAID: Final = {
@@ -53,30 +55,37 @@ class Dimension(NamedTuple):
 
 
 class RoomLabel(NamedTuple):
-    """A room's name in one row or two, and its clear area in m2, where: its middle, m.
+    """A room's name in one row or two, its clear area in m2 and its clear width and depth, where: its middle, m.
 
-    `upright` is written from south to north; `size`: letters' height, m.
+    `measures` is empty where there is no room for it; `upright` is written from south to north; `size`: letters' height of the name,
+    `small`: of what is below it, m.
     """
 
     room: FloorPlate
     rows: tuple[str, ...]
     area: float
+    measures: str
     x: float
     z: float
     upright: bool
     size: float
+    small: float
+
+    @property
+    def below(self) -> tuple[str, ...]:
+        """What is written below the name: the area, and how wide and deep the room is."""
+        return (square_metres(self.area), self.measures) if self.measures else (square_metres(self.area),)
 
 
 @dataclass(frozen=True)
 class PlanRoom:
-    """A room to be labelled: its name, its clear corners, what stands in it, the height of letters of its name and of numbers, m."""
+    """A room to be labelled: its name, its clear corners, what stands in it, and the height of letters of its name, m."""
 
     plate: FloorPlate
     words: str
     corners: Sequence[tuple[float, float]]
     obstacles: Sequence[Obstacle]
     letters: float
-    numbers: float
 
 
 def words_of(room_type: str, called: Mapping[str, str] | None = None) -> str:
@@ -123,19 +132,38 @@ def chord(corners: Sequence[tuple[float, float]], axis: Literal["x", "z"], at: f
     return max(spans, key=lambda span: span[1] - span[0], default=None)
 
 
+def clear_size(corners: Sequence[tuple[float, float]]) -> tuple[float, float]:
+    """Returns how wide the floor within corners is where it is widest, and how deep where it is deepest, m."""
+    return _longest(corners, "x"), _longest(corners, "z")
+
+
+def _longest(corners: Sequence[tuple[float, float]], axis: Literal["x", "z"]) -> float:
+    cuts = sorted({corner[1 if axis == "x" else 0] for corner in corners})
+    spans = [chord(corners, axis, (a + b) / 2) for a, b in pairwise(cuts)]
+    return max((span[1] - span[0] for span in spans if span), default=0.0)
+
+
 def label_of(room: PlanRoom) -> RoomLabel:
-    """Returns where a room's name stands: least over furniture, next to the middle; in two rows, smaller or upright where it is narrow."""
-    area = doubled_area(room.corners) / 2
+    """Returns where a room's name stands: least over furniture, next to the middle; in two rows, smaller or upright where it is narrow.
+
+    Its size is written where that costs the name nothing.
+    """
+    area, measures = doubled_area(room.corners) / 2, " × ".join(map(length_of, clear_size(room.corners)))
     x0, z0, x1, z1 = _bounds(room.corners)
 
-    def fit(rows: tuple[str, ...], upright: bool) -> float:
-        wide, high = _extent(rows, upright, room.letters)
-        return min(1.0, 0.94 * (x1 - x0) / wide, 0.94 * (z1 - z0) / high) * (_UPRIGHT if upright else 1.0)
+    def fit(rows: tuple[str, ...], below: str, upright: bool) -> tuple[float, float]:
+        """How large the name and what is below it may be, as shares of what they should be."""
+        across, along = (0.94 * side / room.letters for side in ((z1 - z0, x1 - x0) if upright else (x1 - x0, z1 - z0)))
+        lines, under = len(rows) * LINE, (1 + bool(below)) * LINE * SMALLER
+        small = min(1.0, across / _below_wide(below), along / (lines + under))
+        return min(small, across / (max(map(len, rows)) * WIDE)), small
 
-    ways = [((room.words,), False), *((rows, False) for rows in _in_two(room.words)), ((room.words,), True)]
-    rows, upright = max(ways, key=lambda way: fit(*way))
-    shrink = max(_LEAST_SHRINK, fit(rows, upright) / (_UPRIGHT if upright else 1.0))
-    wide, high = _extent(rows, upright, room.letters * shrink)
+    lines = [((room.words,), False), *((rows, False) for rows in _in_two(room.words)), ((room.words,), True)]
+    ways = [(rows, below, upright) for below in (measures, "") for rows, upright in lines]
+    rows, below, upright = max(ways, key=lambda way: fit(*way)[0] * (_UPRIGHT if way[2] else 1.0))
+    size, small = (max(_LEAST_SHRINK, share) * room.letters for share in fit(rows, below, upright))
+    small *= SMALLER
+    wide, high = _extent(rows, below, upright, (size, small))
     best, least = ((x0 + x1) / 2, (z0 + z1) / 2), float("inf")
     for i in _STEPS:
         x = x0 + wide / 2 + i * max(0.0, x1 - x0 - wide)
@@ -148,7 +176,7 @@ def label_of(room: PlanRoom) -> RoomLabel:
             cost += covered(box, room.obstacles) + (0.0 if _within(box, room.corners) else 10.0)
             if cost < least:
                 best, least = (x, z), cost
-    return RoomLabel(room.plate, rows, area, *best, upright, room.letters * shrink)
+    return RoomLabel(room.plate, rows, area, below, *best, upright, size, small)
 
 
 def _in_two(words: str) -> list[tuple[str, ...]]:
@@ -157,60 +185,23 @@ def _in_two(words: str) -> list[tuple[str, ...]]:
     return [min(cuts, key=lambda rows: max(map(len, rows)))] if cuts else []
 
 
-def _extent(rows: tuple[str, ...], upright: bool, size: float) -> tuple[float, float]:
-    """Returns how wide and high a name and the area below it are, m."""
-    wide, high = max(7, *map(len, rows)) * _WIDE * size, (len(rows) + 1) * LINE * size
+def _below_wide(measures: str) -> float:
+    """Returns how wide what is below a name is, as a multiple of the letters' height above it."""
+    return max(7 * WIDE, len(measures) * _DIGIT) * SMALLER
+
+
+def _extent(rows: tuple[str, ...], measures: str, upright: bool, sizes: tuple[float, float]) -> tuple[float, float]:
+    """Returns how wide and high a name and what is below it are, m, by their letters' heights."""
+    size, small = sizes
+    wide = max(_below_wide(measures) / SMALLER * small, *(len(row) * WIDE * size for row in rows))
+    high = (len(rows) * size + (1 + bool(measures)) * small) * LINE
     return (high, wide) if upright else (wide, high)
 
 
 def label_box(label: RoomLabel) -> PlanBox:
     """Returns the floor that a label takes."""
-    wide, high = _extent(label.rows, label.upright, label.size)
+    wide, high = _extent(label.rows, label.measures, label.upright, (label.size, label.small))
     return label.x - wide / 2, label.z - high / 2, label.x + wide / 2, label.z + high / 2
-
-
-def clear_sizes(room: PlanRoom, label: RoomLabel) -> list[Dimension]:
-    """Returns the dimension lines in a room: its clear width and depth where it is widest, least over furniture and the name."""
-    x0, z0, x1, z1 = label_box(label)
-    beside = 0.4 * room.numbers
-    obstacles = [*room.obstacles, (x0 - beside, z0 - beside, x1 + beside, z1 + beside, 4.0)]
-    found: list[Dimension] = []
-    for axis in ("x", "z"):
-        line = _clear_size(room, axis, obstacles)
-        if line:
-            found.append(line)
-            wide, high = number_box(line.stops[1] - line.stops[0], room.numbers)
-            text, half = line.texts[0], (wide / 2, high)
-            x, z, a, b = (text, line.at, *half) if axis == "x" else (line.at, text, half[1], half[0])
-            obstacles.append((x - a, z - b, x + a, z + b, 8.0))
-    return found
-
-
-def _clear_size(room: PlanRoom, axis: Literal["x", "z"], obstacles: Sequence[Obstacle]) -> Dimension | None:
-    x0, z0, x1, z1 = _bounds(room.corners)
-    low, high = (z0, z1) if axis == "x" else (x0, x1)
-    best, least = None, float("inf")
-    for share in _LINE_STEPS:
-        at = low + share * (high - low)
-        span = chord(room.corners, axis, at)
-        if span is None:
-            continue
-        wide, tall = number_box(span[1] - span[0], room.numbers)
-        if span[1] - span[0] < 1.4 * wide or at - low < 1.4 * tall:
-            continue
-        longest = -4.0 * (span[1] - span[0])
-        on_line = 0.3 * covered(_around(axis, at, 0.03, span), obstacles) / 0.06 + longest + 0.05 * abs(share - 0.12)
-        if on_line >= least:
-            continue
-        for where in (0.5, 0.3, 0.7, 0.18, 0.82):
-            middle = span[0] + where * (span[1] - span[0])
-            text = _around(axis, at - 0.6 * tall, tall * 0.6, (middle - wide / 2, middle + wide / 2))
-            cost = on_line + 2.0 * covered(text, obstacles) / tall + 0.05 * abs(where - 0.5)
-            if cost < least:
-                best, least = Dimension(axis, at, span, (middle,)), cost
-            if cost <= on_line:  # in the middle and over nothing
-                break
-    return best
 
 
 def length_of(metres: float) -> str:
@@ -232,10 +223,6 @@ def covered(box: PlanBox, obstacles: Iterable[Obstacle]) -> float:
         if a < x1 and x0 < c and b < z1 and z0 < d:
             total += ((x1 if x1 < c else c) - (x0 if x0 > a else a)) * ((z1 if z1 < d else d) - (z0 if z0 > b else b)) * worse
     return total
-
-
-def _around(axis: Literal["x", "z"], at: float, half: float, span: tuple[float, float]) -> PlanBox:
-    return (span[0], at - half, span[1], at + half) if axis == "x" else (at - half, span[0], at + half, span[1])
 
 
 def _bounds(corners: Sequence[tuple[float, float]]) -> PlanBox:

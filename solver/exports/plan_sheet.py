@@ -1,4 +1,4 @@
-"""The sheet that a plan is drawn on, as SVG: its scale and size, its dimension lines, names, title, scale bar and north arrow.
+"""The sheet that a plan is drawn on, as SVG: its paper and scale, its dimension lines, names, frame, title block and scale bar.
 
 Comes in: what a storey covers, m; dimensions and labels. Goes out: SVG text in millimetres of the house. May import: a plan's rooms.
 """
@@ -12,19 +12,26 @@ from typing import Final
 
 from solver.exports.model import PlacedOpening
 from solver.exports.plan_facades import too_short
-from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, length_of, number_box
+from solver.exports.plan_rooms import LINE, WIDE, Dimension, PlanBox, RoomLabel, length_of, number_box
 from solver.exports.xml_text import xml_text
-from solver.geometry import square_metres
 
 SCALES: Final = (20, 25, 50, 75, 100, 150, 200, 250, 500, 1000, 2000)
-PAPER: Final = (408.0, 285.0)
-"""What a printer reaches of an A3 sheet, mm; either way round. A smaller plan makes a smaller sheet."""
-MARGIN, STRIP, GAP, LEAST_WIDTH = 28.0, 21.0, 6.0, 150.0
-"""Round the house, of the title below, between chains of dimensions, of the whole; mm on paper."""
+PAPERS: Final = ((297.0, 210.0), (420.0, 297.0), (594.0, 420.0), (841.0, 594.0), (1189.0, 841.0))
+"""A4 to A0 lying on their long side, mm."""
+USUAL: Final = PAPERS[:2]
+"""Papers that a plan at no wanted scale is drawn for."""
+BORDER, MARGIN, BLOCK, GAP = 7.0, 27.0, 20.0, 6.0
+"""From the paper's edge to the frame, from that to the house, of the title block at the foot, between chains of dimensions; mm on paper."""
+NORTH, BAR = 18.0, 68.0
+"""How wide the cells of the title block are that hold the north arrow and the scale, mm on paper; the title has what is left."""
 LETTERS, NUMBERS, TITLE = 2.5, 2.1, 5.0
 """Heights of letters, mm on paper."""
 ENTRANCE: Final = (0.8, 2.6, 3.0)
 """How far from its wall the mark of the main entrance is, how deep and how wide, mm on paper."""
+_STEPS: Final = (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50)
+"""Lengths of a part of the scale bar, m."""
+_BELOW: Final = ("", 'class="size"')
+"""How a room's area and its size are marked."""
 _STYLE: Final = (
     "text{{font-family:Helvetica,Arial,sans-serif;fill:#1a1a1a;text-anchor:middle;"
     "paint-order:stroke;stroke:#fff;stroke-width:{halo:g};stroke-opacity:.8;stroke-linejoin:round}}"
@@ -37,7 +44,7 @@ _STYLE: Final = (
     ".line{{fill:none;stroke:#8a8a8a;stroke-width:{hair:g}}}"
     ".tick{{fill:none;stroke:#1a1a1a;stroke-width:{bold:g}}}"
     ".number{{font-size:{numbers:g}px}}.name{{font-weight:bold}}"
-    ".left{{text-anchor:start}}"
+    ".left{{text-anchor:start}}.frame{{fill:none;stroke:#1a1a1a;stroke-width:{bold:g}}}"
 )
 
 
@@ -50,6 +57,21 @@ class PlanSheet:
     east: float
     south: float
     scale: int
+
+    @property
+    def left(self) -> float:
+        """Where the paper's west edge is, mm of the house."""
+        return self.west * 1000
+
+    @property
+    def right(self) -> float:
+        """Where the paper's east edge is, mm of the house."""
+        return self.east * 1000
+
+    @property
+    def foot(self) -> float:
+        """Where the frame ends in the south, mm of the house."""
+        return self.south * 1000 - BORDER * self.scale
 
     @property
     def letters(self) -> float:
@@ -80,15 +102,20 @@ class PlanSheet:
 
 
 def sheet_for(bounds: PlanBox, wanted: int | None = None) -> PlanSheet:
-    """Returns the sheet that shows a storey of these outer faces, m: at 1 to `wanted`, else at the largest scale that A3 holds."""
+    """Returns the sheet with a storey of these outer faces, m, in its middle: the smallest paper at 1 to `wanted`, else at what A3 holds.
+
+    What no paper holds has a sheet as large as it needs.
+    """
     west, north, east, south = bounds
     for scale in (wanted,) if wanted else SCALES:
-        wide, high = (east - west) * 1000 / scale + 2 * MARGIN, (south - north) * 1000 / scale + 2 * MARGIN + STRIP
-        if min(wide, high) <= PAPER[1] and max(wide, high) <= PAPER[0]:
+        wide, high = ((side * 1000 / scale + 2 * (MARGIN + BORDER)) for side in (east - west, south - north))
+        ways = [way for paper in (PAPERS if wanted else USUAL) for way in (paper, paper[::-1])]
+        paper = next((way for way in ways if wide <= way[0] and high + BLOCK <= way[1]), None)
+        if paper:
             break
-    margin, strip = MARGIN * scale / 1000, STRIP * scale / 1000
-    more = max(0.0, LEAST_WIDTH * scale / 1000 - (east - west + 2 * margin)) / 2
-    return PlanSheet(west - margin - more, north - margin, east + margin + more, south + margin + strip, scale)
+    width, height = (side * scale / 1000 for side in paper or (max(wide, PAPERS[0][1]), high + BLOCK))
+    left, top = (west + east - width) / 2, (north + south - height + BLOCK * scale / 1000) / 2
+    return PlanSheet(left, top, left + width, top + height, scale)
 
 
 def dimension(line: Dimension, sheet: PlanSheet) -> tuple[str, str, str]:
@@ -125,17 +152,15 @@ def number(words: str, at: tuple[float, float], upright: bool) -> str:
 
 
 def room_name(label: RoomLabel) -> str:
-    """Returns a room's name and area."""
-    size, x, y = label.size * 1000, label.x * 1000, label.z * 1000
+    """Returns a room's name, its area, and its size where there is room for it."""
+    size, small, x, y = label.size * 1000, label.small * 1000, label.x * 1000, label.z * 1000
     turned = f' transform="rotate(-90 {x:.0f} {y:.0f})"' if label.upright else ""
-    top = y + (0.92 - (len(label.rows) + 1) / 2 * LINE) * size
-    names = "".join(
-        f'<text class="name" x="{x:.0f}" y="{top + row * LINE * size:.0f}" font-size="{size:.0f}">{xml_text(words)}</text>'
-        for row, words in enumerate(label.rows)
-    )
-    last = top + (len(label.rows) * LINE - 0.02) * size
-    area = f'<text x="{x:.0f}" y="{last:.0f}" font-size="{size * 0.86:.0f}">{square_metres(label.area)}</text>'
-    return f"<g{turned}>{names}{area}</g>\n"
+    rows = [*((words, 'class="name"', size) for words in label.rows), *zip(label.below, _BELOW, (small, small), strict=False)]
+    top, texts = y - sum(high for *_, high in rows) * LINE / 2, []
+    for words, said, high in rows:
+        texts.append(f'<text {said} x="{x:.0f}" y="{top + 0.95 * high:.0f}" font-size="{high:.0f}">{xml_text(words)}</text>')
+        top += LINE * high
+    return f"<g{turned}>{''.join(texts)}</g>\n"
 
 
 def entrance_mark(opening: PlacedOpening, sheet: PlanSheet) -> str:
@@ -149,34 +174,47 @@ def entrance_mark(opening: PlacedOpening, sheet: PlanSheet) -> str:
     return f'<polygon class="entrance" points="{points}"/>\n'
 
 
-def title(sheet: PlanSheet, words: Sequence[str]) -> str:
-    """Returns the title and the lines below it, the scale bar and the north arrow at the sheet's foot."""
-    unit, left, foot = sheet.scale, sheet.west * 1000 + 8 * sheet.scale, sheet.south * 1000 - STRIP * sheet.scale
-    rows = [f'<text class="left name" x="{left:.0f}" y="{foot + 4 * unit:.0f}" font-size="{TITLE * unit:.0f}">{xml_text(words[0])}</text>']
-    for index, row in enumerate(words[1:]):
-        at = foot + (9.5 + 3.9 * index) * unit
-        style = "left scale" if index == len(words) - 2 else "left"
-        rows.append(f'<text class="{style}" x="{left:.0f}" y="{at:.0f}" font-size="{2.5 * unit:.0f}">{xml_text(row)}</text>')
-    return f'<g class="foot">{"".join(rows)}{_bar(sheet, foot)}{_arrow(sheet, foot)}</g>\n'
-
-
-def _bar(sheet: PlanSheet, foot: float) -> str:
-    """Returns the scale bar: five parts of a metre or more each, dark and light by turns."""
+def frame(sheet: PlanSheet) -> str:
+    """Returns the frame of the sheet and of its title block's cells."""
     unit = sheet.scale
-    step = next(metres for metres in (1, 2, 5, 10, 20, 50) if metres * 1000 / unit >= 8) * 1000
-    left, top, high = sheet.east * 1000 - 24 * unit - 5 * step, foot + 4 * unit, 1.5 * unit
+    left, right, top, foot = sheet.left + BORDER * unit, sheet.right - BORDER * unit, sheet.north * 1000 + BORDER * unit, sheet.foot
+    cells = "".join(f"M{right - across * unit:.0f} {foot - BLOCK * unit:.0f}V{foot:.0f}" for across in (NORTH, NORTH + BAR))
+    path = f"M{left:.0f} {top:.0f}H{right:.0f}V{foot:.0f}H{left:.0f}zM{left:.0f} {foot - BLOCK * unit:.0f}H{right:.0f}{cells}"
+    return f'<path class="frame" d="{path}"/>\n'
+
+
+def foot(sheet: PlanSheet, words: Sequence[str]) -> str:
+    """Returns what stands in the title block: the title and the lines below it, the scale bar with the last line, the north arrow."""
+    unit, left, top = sheet.scale, sheet.left + (BORDER + 4) * sheet.scale, sheet.foot - BLOCK * sheet.scale
+    free = (sheet.right - sheet.left) / unit - 2 * BORDER - NORTH - BAR - 8
+    size = min(TITLE, free / (len(words[0]) * WIDE))
+    middle = sheet.right - (BORDER + NORTH + BAR / 2) * unit
+    rows = [f'<text class="left name" x="{left:.0f}" y="{top + 6.5 * unit:.0f}" font-size="{size * unit:.0f}">{xml_text(words[0])}</text>']
+    for index, row in enumerate(words[1:-1]):
+        at = top + (10.8 + 3.3 * index) * unit
+        rows.append(f'<text class="left" x="{left:.0f}" y="{at:.0f}" font-size="{NUMBERS * unit:.0f}">{xml_text(row)}</text>')
+    rows.append(f'<text x="{middle:.0f}" y="{top + 15.5 * unit:.0f}" font-size="{LETTERS * unit:.0f}">{xml_text(words[-1])}</text>')
+    return f'<g class="foot">{"".join(rows)}{_arrow(sheet)}</g>\n{_bar(sheet, middle, top + 8.5 * unit)}\n'
+
+
+def _bar(sheet: PlanSheet, middle: float, foot: float) -> str:
+    """Returns the scale bar, its middle and its foot there, mm of the house: parts of a length each, dark and light by turns."""
+    unit = sheet.scale
+    step = next(metres for metres in _STEPS if metres * 1000 / unit >= 7.5)
+    count, part = (5 if step * 5000 / unit <= 50 else 3), step * 1000
+    left, high, edge = -count * part / 2, 1.5 * unit, f'stroke="#2e2e2e" stroke-width="{0.13 * unit:g}"'
     cells = "".join(
-        f'<rect x="{left + i * step:.0f}" y="{top:.0f}" width="{step}" height="{high:.0f}" fill="{"#2e2e2e" if i % 2 == 0 else "#fff"}" '
-        f'stroke="#2e2e2e" stroke-width="{0.13 * unit:g}"/>'
-        for i in range(5)
+        f'<rect x="{left + i * part:.0f}" y="{-high:.0f}" width="{part:.0f}" height="{high:.0f}" fill="{fill}" {edge}/>'
+        for i, fill in enumerate(("#2e2e2e", "#fff", "#2e2e2e", "#fff", "#2e2e2e")[:count])
     )
-    marks = "".join(number(f"{i * step // 1000}", ((left + i * step) / 1000, (top - unit) / 1000), False) for i in range(5))
-    return cells + marks + number(f"{5 * step // 1000} m", ((left + 5 * step) / 1000, (top - unit) / 1000), False)
+    said = [f"{i * step:g}" for i in range(count)] + [f"{count * step:g} m"]
+    marks = "".join(number(words, ((left + i * part) / 1000, (-high - unit) / 1000), False) for i, words in enumerate(said))
+    return f'<g class="bar" data-wide="{count * part:.0f}" transform="translate({middle:.0f} {foot:.0f})">{cells}{marks}</g>'
 
 
-def _arrow(sheet: PlanSheet, foot: float) -> str:
+def _arrow(sheet: PlanSheet) -> str:
     unit = sheet.scale
-    x, y, half, high = sheet.east * 1000 - 11 * unit, foot + 13 * unit, 2.6 * unit, 11 * unit
+    x, y, half, high = sheet.right - (BORDER + NORTH / 2) * unit, sheet.foot - 4.8 * unit, 2.6 * unit, 11 * unit
     return (
         f'<path d="M{x:.0f} {y:.0f}l{-half:.0f} {0.25 * high:.0f}L{x:.0f} {y - 0.75 * high:.0f}z" fill="#fff" class="opening"/>'
         f'<path d="M{x:.0f} {y:.0f}l{half:.0f} {0.25 * high:.0f}L{x:.0f} {y - 0.75 * high:.0f}z" fill="#2e2e2e"/>'

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, PlacedOpening
 from solver.exports.plan_facades import Facades, chains_of
-from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, clear_sizes, label_of, words_of
+from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, label_of, words_of
 from solver.exports.plan_sheet import PlanSheet, sheet_for
 from solver.geometry import square_metres
 from solver.wall_fittings import between
@@ -42,7 +42,6 @@ class PlanStorey:
     railings: list[PlanBox]
     labels: list[RoomLabel]
     outside: list[Dimension]
-    inside: list[Dimension]
     words: list[str]
 
 
@@ -126,7 +125,7 @@ def _storey(asked: _Asked, level: int, several: bool) -> PlanStorey:
     sheet = sheet_for(facades.bounds() if rooms else (0.0, 0.0, 1.0, 1.0), asked.scale)
     bodies = [body for body in model.bodies if body.room in inside]
     leaves = [leaf for leaf in model.leaves if leaf.id in here]
-    labels, lines = _named(asked, sheet, rooms, _obstacles(rooms, bodies, openings, leaves))
+    labels = _named(asked, sheet, rooms, _obstacles(rooms, bodies, openings, leaves))
     return PlanStorey(
         stem=f"{model.name}_level_{level}" if several else model.name,
         sheet=sheet,
@@ -138,7 +137,6 @@ def _storey(asked: _Asked, level: int, several: bool) -> PlanStorey:
         railings=_railings(model, rooms),
         labels=labels,
         outside=chains_of(facades, sheet.gap) if rooms else [],
-        inside=lines,
         words=_words(model, labels, sheet, f", storey {level}" if several else ""),
     )
 
@@ -184,16 +182,12 @@ def _swept(leaf: DoorLeaf) -> PlanBox:
     return min(xs), min(zs), max(xs), max(zs)
 
 
-def _named(
-    asked: _Asked, sheet: PlanSheet, rooms: list[FloorPlate], obstacles: dict[str, list[Obstacle]]
-) -> tuple[list[RoomLabel], list[Dimension]]:
-    labels, lines = [], []
+def _named(asked: _Asked, sheet: PlanSheet, rooms: list[FloorPlate], obstacles: dict[str, list[Obstacle]]) -> list[RoomLabel]:
+    labels = []
     for plate in rooms:
         corners = clear_corners(plate, asked.model.panels, asked.model.thickness / 2)
-        planned = PlanRoom(plate, words_of(plate.type, asked.called), corners, obstacles[plate.id], sheet.letters, sheet.numbers)
-        labels.append(label_of(planned))
-        lines += clear_sizes(planned, labels[-1])
-    return labels, lines
+        labels.append(label_of(PlanRoom(plate, words_of(plate.type, asked.called), corners, obstacles[plate.id], sheet.letters)))
+    return labels
 
 
 def _words(model: HouseModel, labels: list[RoomLabel], sheet: PlanSheet, storey: str) -> list[str]:
@@ -202,6 +196,7 @@ def _words(model: HouseModel, labels: list[RoomLabel], sheet: PlanSheet, storey:
     return [
         words_of(model.name) + storey,
         f"{rooms}, {square_metres(sum(label.area for label in indoors))} indoors.",
-        "Lengths in metres. Areas and room sizes between wall faces; outside to wall lines.",
+        "Lengths in metres; outside to wall lines.",
+        "Areas and room sizes between wall faces.",
         f"Scale 1:{sheet.scale} as printed.",
     ]

@@ -71,7 +71,8 @@ def test_numbers_and_areas_are_read_or_left_out(visit: Visit, home: str) -> None
         assert sum(name for _, name, _ in seen) >= len(scene["rooms"])
         areas += sum("m²" in words for words, _, _ in seen)
         if which.startswith("#stage") and HOMES[home]:
-            assert sum(bool(re.fullmatch(r"[0-9]+[.][0-9]{2}", words)) for words, _, _ in seen) >= 2 * len(scene["rooms"])
+            assert sum(len(re.findall(r"[0-9]+[.][0-9]{2}", words)) for words, _, _ in seen) >= 3 * len(scene["rooms"])
+            assert sum(" × " in words for words, _, _ in seen) >= 0.6 * len(scene["rooms"])
     assert areas >= (len(scene["rooms"]) if HOMES[home] else 1)
 
 

@@ -49,7 +49,13 @@ def test_dimensions_measure_what_they_say() -> None:
     for one in found:
         (text,) = [entity for entity in one.get_geometry_block() if entity.dxftype() == "TEXT"]
         assert text.dxf.text == f"{one.get_measurement():.2f}"
-    assert {14.1, 10.1, 7.9} <= {round(one.get_measurement(), 6) for one in found}
+    assert {14.1, 10.1, 8.15} <= {round(one.get_measurement(), 6) for one in found}
+
+
+def test_rooms_say_how_wide_and_deep_they_are() -> None:
+    (drawing,) = dxf.drawings(written(homes.described("own")))
+    texts = {text.dxf.text for text in drawing.modelspace().query("TEXT")}
+    assert {"5.90 × 4.90", "3.40 × 1.90", "7.90 × 2.90"} <= texts
 
 
 def test_blocks_are_shared_by_bodies_of_a_kind_and_size() -> None:

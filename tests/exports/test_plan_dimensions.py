@@ -99,8 +99,8 @@ def is_near(value: int, among: set[int]) -> bool:
     return any(abs(value - one) <= ROUNDED for one in among)
 
 
-def clear_area(room: Room, half: int) -> str:
-    """The floor within an outline of walls along x and z that go clockwise, `half` mm of each inside; half a tenth is more."""
+def clear_corners(room: Room, half: int) -> list[tuple[int, int]]:
+    """The corners of the floor within an outline of walls along x and z that go clockwise, `half` mm of each inside; mm."""
     corners = [(round(x * 1000), round(z * 1000)) for x, z in corners_of(room)]
     edges = list(zip(corners, (*corners[1:], corners[0]), strict=True))
     moved = []
@@ -108,9 +108,36 @@ def clear_area(room: Room, half: int) -> str:
         (a, z), (b, _) = next(edge for edge in (before, after) if edge[0][1] == edge[1][1])  # from west to east, its room is south of it
         (x, c), (_, d) = next(edge for edge in (before, after) if edge[0][0] == edge[1][0])  # from north to south, its room is west of it
         moved.append((x - half if d > c else x + half, z + half if b > a else z - half))
+    return moved
+
+
+def clear_area(room: Room, half: int) -> str:
+    """The clear floor of a room in words; half a tenth is more."""
+    moved = clear_corners(room, half)
     twice = sum(x * d - c * z for (x, z), (c, d) in zip(moved, (*moved[1:], moved[0]), strict=True))
     tenths = (twice + 100_000) // 200_000
     return f"{tenths // 10}.{tenths % 10} m²"
+
+
+def clear_size(room: Room, half: int) -> tuple[int, int]:
+    """How far one can go in a room straight from west to east at most, and from north to south, mm: over the cells between its corners."""
+    moved = clear_corners(room, half)
+    xs, zs = (sorted({corner[axis] for corner in moved}) for axis in (0, 1))
+    edges = list(zip(moved, (*moved[1:], moved[0]), strict=True))
+
+    def is_floor(x: float, z: float) -> bool:
+        return sum(a[0] == b[0] > x and min(a[1], b[1]) < z < max(a[1], b[1]) for a, b in edges) % 2 == 1
+
+    floor = {(i, j) for i, x in enumerate(pairwise(xs)) for j, z in enumerate(pairwise(zs)) if is_floor(sum(x) / 2, sum(z) / 2)}
+    runs: dict[int, list[int]] = {0: [], 1: []}
+    for axis, (along, across) in enumerate(((xs, zs), (zs, xs))):
+        for row in range(len(across) - 1):
+            run = 0
+            for column in range(len(along) - 1):
+                here = (column, row) if axis == 0 else (row, column)
+                run = run + along[column + 1] - along[column] if here in floor else 0
+                runs[axis].append(run)
+    return max(runs[0]), max(runs[1])
 
 
 @pytest.mark.parametrize("seed", seeds(range(91000, 91012), 6))
@@ -152,6 +179,11 @@ def check(scene: Scene) -> None:
         lines = {round(corner[axis] * 1000) for room in scene.rooms for corner in corners_of(room)}
         assert max(lines) - min(lines) + 2 * half in {millimetres(words) for one, *_, words in written if one == along_x}
     texts = [text.text or "" for text in root.iter(f"{SVG}text")]
+    sizes = [text.text or "" for text in root.iter(f"{SVG}text") if text.get("class") == "size"]
+    said_sizes = [tuple(map(millimetres, words.split(" × "))) for words in sizes]
+    own = [clear_size(room, half) for room in scene.rooms]
+    assert [size for size in said_sizes if not any(is_near(size[0], {a}) and is_near(size[1], {b}) for a, b in own)] == []
+    assert len(sizes) >= 0.75 * len(scene.rooms)
     areas = sorted(words for words in texts if words.endswith(" m²"))
     told = sorted(re.findall(r"# (\d+\.\d m²) clear", str(view_scene({"scene": write_scene(scene)})["text"])))
     assert areas == told

@@ -1,5 +1,6 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
+import { readableAt } from "../src/plan/readable";
 import { blend, cornersOfBounds, frame, PRESETS, windowOf, type Bounds, type Window } from "../src/view/cameras";
 
 const BOUNDS: Bounds = { min: [0, 0, 0], max: [20, 1, 15] };
@@ -24,12 +25,17 @@ describe("a preset", () => {
     }
   });
 
-  it("leaves room around the house for the dimensions of its plan", () => {
-    for (const aspect of [0.5, 1, 1.8]) {
-      const at = seen("plan", aspect);
-      const widest = Math.max(...at.flatMap(({ x, y }) => [Math.abs(x), y]));
-      expect(1 / widest, `${aspect}`).toBeGreaterThan(1.39);
-      expect(-Math.min(...at.map(({ y }) => y)), `${aspect}`).toBeLessThanOrEqual(1 - 2 * 0.14); // the title and the view's buttons
+  it("leaves room around the house for the lengths of its plan, where they can be read, and else for nothing", () => {
+    for (const [width, height, isSized] of [[1800, 1200, true], [1136, 815, true], [1136, 680, false], [700, 500, false]] as const) {
+      const { aspect, ...covered } = windowOf({ width, height });
+      const at = seen("plan", aspect, covered).map(({ x, y }) => [((1 + x) / 2) * width, ((1 - y) / 2) * height] as const);
+      const [xs, ys] = [at.map(([x]) => x), at.map(([, y]) => y)];
+      const free = [Math.min(...ys) - 52, Math.min(...xs), height - 60 - Math.max(...ys), width - Math.max(...xs)]; // under the toolbar, over the view's buttons
+      const pixels = (Math.max(...xs) - Math.min(...xs)) / 20 / 1000;
+      expect(readableAt(pixels).lengths, `${width}`).toBe(isSized);
+      const wanted = isSized ? [124, 124, 90, 90] : [10, 10, 10, 10];
+      free.forEach((one, side) => expect(one, `${width}, side ${side}`).toBeGreaterThan(wanted[side] ?? 0));
+      if (!isSized) expect(readableAt(pixels * 1.6).lengths, `${width}`).toBe(true);
     }
   });
 

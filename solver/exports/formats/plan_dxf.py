@@ -104,7 +104,7 @@ class _DxfPlan:
                 self._leaf(leaf)
         for body in storey.bodies:
             self._body(body)
-        for line in (*storey.outside, *storey.inside):
+        for line in storey.outside:
             self._chain(line)
         for label in storey.labels:
             self._label(label)
@@ -200,11 +200,14 @@ class _DxfPlan:
         self.space.new_entity("DIMENSION", said)
 
     def _label(self, label: RoomLabel) -> None:
-        turn, rows = (90.0 if label.upright else 0.0), (*label.rows, f"{label.area:.1f} m²")
-        for row, words in enumerate(rows):
-            away = (row + 0.5 - len(rows) / 2) * label.size * LINE
-            at = (label.x + away, label.z) if label.upright else (label.x, label.z + away)
-            self._words(words, _flat(*at), _Look(label.size * 0.9, turn))
+        turn = 90.0 if label.upright else 0.0
+        rows = [*((words, label.size) for words in label.rows), *((words, label.small) for words in label.below)]
+        away = -sum(size for _, size in rows) * LINE / 2
+        for words, size in rows:
+            middle = away + size * LINE / 2
+            at = (label.x + middle, label.z) if label.upright else (label.x, label.z + middle)
+            self._words(words, _flat(*at), _Look(size * 0.9, turn))
+            away += size * LINE
 
     def _words(self, words: str, at: tuple[float, float], look: _Look, on: Any = None) -> None:
         from ezdxf.enums import TextEntityAlignment  # noqa: PLC0415 (an extra)

@@ -15,7 +15,7 @@ from solver.body_parts import BodyPart
 from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening
 from solver.exports.paints import shade
 from solver.exports.plan_rooms import PlanBox, words_of
-from solver.exports.plan_sheet import dimension, entrance_mark, room_name, title
+from solver.exports.plan_sheet import dimension, entrance_mark, foot, frame, room_name
 from solver.exports.plan_storeys import PlanStorey, drawing_ranks, open_leaf, opening_box, storeys_of
 from solver.exports.plan_symbols import HIGH, marks_of
 from solver.exports.writers import ExportSettings, Files
@@ -45,7 +45,7 @@ def _drawn(model: HouseModel, storey: PlanStorey) -> Iterator[str]:
     yield from (entrance_mark(opening, storey.sheet) for opening in storey.openings if opening.is_main_entrance)
     yield _dimensions(storey)
     yield from map(room_name, storey.labels)
-    yield title(storey.sheet, storey.words) + "</svg>\n"
+    yield frame(storey.sheet) + foot(storey.sheet, storey.words) + "</svg>\n"
 
 
 def _said_of_all(model: HouseModel, storey: PlanStorey) -> str:
@@ -146,7 +146,7 @@ def _leaf(leaf: DoorLeaf) -> str:
 
 
 def _dimensions(storey: PlanStorey) -> str:
-    drawn = [dimension(line, storey.sheet) for line in (*storey.outside, *storey.inside)]
+    drawn = [dimension(line, storey.sheet) for line in storey.outside]
     paths, ticks, numbers = ("".join(one[i] for one in drawn) for i in range(3))
     return f'<path class="line" d="{paths}"/><path class="tick" d="{ticks}"/>\n{numbers}\n'
 

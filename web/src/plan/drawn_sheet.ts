@@ -2,26 +2,15 @@
 import type { Scene } from "../contract";
 import type { PlacedBody } from "../house/frame";
 import { isAbort } from "../service";
+import { LEAST, readableAt } from "./readable";
 
 /** Asks for a scene's plan as SVG text, in millimetres of the house, its letters as large as on paper at 1 to `scale`. */
 export type DrawPlan = (scene: Scene, scale: number, signal: AbortSignal) => Promise<string>;
 
-/** How high numbers and names are on paper [mm]; how high numbers, and names alone, are at least on the screen [px]. */
-const [NUMBERS, NAMES, LEAST, LEAST_ALONE] = [2.1, 2.5, 11, 13];
-/** The scales that are asked for, each so much larger than the one before; and up to which one rooms have space for their sizes. */
-const [SMALLEST, STEP, LARGEST, ROOMY] = [20, 1.1, 2000, 165];
-
-/** How a sheet is drawn that is read where a millimetre of the house is so many pixels: its scale, and whether there is room for lengths. */
-export function readableAt(pixels: number): { readonly scale: number; readonly lengths: boolean } {
-  const step = (least: number): number => Math.round(SMALLEST * STEP ** Math.max(0, Math.ceil(Math.log(least / SMALLEST) / Math.log(STEP))));
-  const lengths = step(LEAST / (NUMBERS * pixels)) <= ROOMY;
-  return { scale: Math.min(LARGEST, lengths ? step(LEAST / (NUMBERS * pixels)) : step(LEAST_ALONE / (NAMES * pixels))), lengths };
-}
-
 const MM = 1000;
 const SVG = "http://www.w3.org/2000/svg";
 const RULES = ":host{position:absolute;inset:0}svg{display:block;width:100%;height:100%;pointer-events:none}use[data-id]{pointer-events:auto;cursor:pointer}"
-  + ".unsized :is(.line,.tick,.number,.foot),.scale{display:none}svg>rect{fill:none}"
+  + ".unsized :is(.line,.tick,.number,.size,.bar),.foot,.frame{display:none}.bar{visibility:hidden}svg>rect{fill:none}"
   + ".chosen{fill:#ffb000;fill-opacity:.18;stroke:#b36b00;stroke-width:3;vector-effect:non-scaling-stroke}";
 
 /** The `transform` of a body on the sheet. */

@@ -4,8 +4,8 @@ import { save } from "../panel/files";
 import { planOf } from "../service";
 import { printSheet } from "./printing";
 
-/** Sheets of paper upright, their sides within a margin of 6 mm all round [mm]. */
-const PAPERS: readonly (readonly [string, number, number])[] = [["a4", 198, 285], ["a3", 285, 408], ["a2", 408, 582], ["a1", 582, 829], ["a0", 829, 1177]];
+/** Sheets of paper upright, as a drawing has them with its frame [mm]. */
+const PAPERS: readonly (readonly [string, number, number])[] = [["a4", 210, 297], ["a3", 297, 420], ["a2", 420, 594], ["a1", 594, 841], ["a0", 841, 1189]];
 const DOTS_PER_MM = 300 / 25.4;
 /** More a side is beyond what browsers draw at once. */
 const MOST_DOTS = 8192;

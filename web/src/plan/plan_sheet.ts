@@ -4,6 +4,8 @@ import type { Viewport } from "../view/viewport";
 import { DrawnSheet, type DrawPlan } from "./drawn_sheet";
 
 const MM = 1000;
+/** How far the scale bar's end stays from the canvas's corner, beside its last number, and its foot above it [px]. */
+const [ASIDE, ABOVE] = [34, 20];
 /** Between these two places of the ground the camera's scale is measured [m]. */
 const MEASURED = 10;
 
@@ -40,6 +42,12 @@ export class PlanSheet extends DrawnSheet {
     }
     const { width, height } = this.viewport.size;
     const box = [-from.x * scale, -from.y * scale, width * scale, height * scale].map((value) => value.toFixed(1)).join(" ");
-    if (drawn.getAttribute("viewBox") !== box) drawn.setAttribute("viewBox", box);
+    if (drawn.getAttribute("viewBox") === box) return;
+    drawn.setAttribute("viewBox", box);
+    const bar = drawn.querySelector<SVGGElement>(".bar");
+    if (!bar) return;
+    const [x, y] = [(width - from.x - ASIDE) * scale - Number(bar.dataset.wide) / 2, (height - from.y - ABOVE) * scale];
+    bar.setAttribute("transform", `translate(${x.toFixed(0)} ${y.toFixed(0)})`);
+    bar.style.visibility = "visible";
   }
 }

@@ -1,4 +1,5 @@
 /** Camera presets: from where a house is looked at, and how far away it all fits. Pure. */
+import { SIZED } from "../plan/readable";
 
 export type Vector = readonly [number, number, number];
 
@@ -6,10 +7,8 @@ export type Vector = readonly [number, number, number];
 export interface Preset {
   readonly from: readonly Vector[];
   readonly fov: number;
-  /** How much wider the view is than the house, where the window is not narrow. */
-  readonly margin?: number;
-  /** The share of the view's height that is left free at its foot then. */
-  readonly foot?: number;
+  /** A sheet, which has its lengths round the house where it is large enough for them, and the window is not narrow. */
+  readonly isSheet?: boolean;
 }
 
 export type PresetName = "top" | "corner" | "plan";
@@ -24,8 +23,7 @@ export const PRESETS: Readonly<Record<PresetName, Preset>> = {
   // A hair off the vertical, so that north is up; a narrow view from afar, so that walls hardly lean.
   top: { from: [[0, 1, 0.0001]], fov: 12 },
   // From so far that heights move nothing aside: what is drawn on the ground lies under what is pointed at.
-  // Around the house the sheet has its dimensions and its title.
-  plan: { from: [[0, 1, 0.0001]], fov: 1, margin: 1.4, foot: 0.14 },
+  plan: { from: [[0, 1, 0.0001]], fov: 1, isSheet: true },
   // The first is looked from unless another one shows the house clearly larger in the window as it is.
   corner: { from: [24, 40, 58].flatMap((turn) => [44, 50].map((height) => towards(turn, height))), fov: 30 },
 };
@@ -42,11 +40,12 @@ export interface Framing {
   readonly fov: number;
 }
 
-/** The canvas: its width over its height, and the shares of its height that something lies over at the top and at the foot. */
+/** The canvas: its width over its height, and the shares of its height that something lies over at the top and at the foot; how high it is [CSS pixels]. */
 export interface Window {
   readonly aspect: number;
   readonly covered?: number;
   readonly beneath?: number;
+  readonly height?: number;
 }
 
 /** So much of the canvas lies under its toolbar, and of a narrow one under the switch of views, which lies across its foot [CSS pixels]. */
@@ -55,11 +54,17 @@ const SWITCH = 60;
 const NARROW = 560;
 /** No more of the canvas than this share is left to either. */
 const MOST_COVERED = 0.2;
+/** So much is left round a sheet: for three chains of lengths in the north and west, two in the south and east, and where there are none [CSS pixels]. */
+const [THREE_CHAINS, TWO_CHAINS, NO_CHAINS] = [126, 92, 14];
+/** So wide are the handles at both sides of the canvas that fold the panels [CSS pixels]. */
+const HANDLE = 26;
+/** No more than this share of the canvas is left round a sheet on any side. */
+const MOST_ROUND = 0.34;
 
 /** What a canvas of a size [CSS pixels] leaves free. */
 export function windowOf({ width, height }: { readonly width: number; readonly height: number }): Window {
   const share = (pixels: number): number => Math.min(MOST_COVERED, pixels / height);
-  return { aspect: width / height, covered: share(TOOLBAR), beneath: width < NARROW ? share(SWITCH) : 0 };
+  return { aspect: width / height, covered: share(TOOLBAR), beneath: width < NARROW ? share(SWITCH) : 0, height };
 }
 
 const MARGIN = 1.06;
@@ -92,25 +97,54 @@ interface Fitted {
   readonly distance: number;
 }
 
+/** What is left free round the points: how much wider the view is, and the shares of it at the top, at the foot, in the west and east. */
+interface Free {
+  readonly wider: number;
+  readonly top: number;
+  readonly foot: number;
+  readonly west: number;
+  readonly east: number;
+}
+
 /** The nearest place from which all points are seen within the planes that bound the view; what is left over is left on both sides. */
-function fitted(points: readonly Vector[], from: Vector, { fov, margin, foot = 0 }: Preset, { aspect, covered = 0, beneath = 0 }: Window): Fitted {
-  const [wider, free] = beneath > 0 || margin === undefined ? [MARGIN, beneath] : [margin, foot]; // a narrow window has no room round the house
+function fitted(points: readonly Vector[], from: Vector, { fov }: Preset, aspect: number, free: Free): Fitted {
   const { right, up, back } = axesOf(from);
-  const slope = Math.tan((fov * Math.PI) / 360) / wider;
+  const slope = Math.tan((fov * Math.PI) / 360) / free.wider;
   const seen = points.map((point) => [dot(point, right), dot(point, up), dot(point, back)] as const);
   const reach = (k: 0 | 1, side: 1 | -1, steep: number): number => Math.max(...seen.map((at) => side * at[k] + steep * at[2]));
-  const [aside, above, below] = [slope * aspect, slope * (1 - 2 * covered), slope * (1 - 2 * free)];
-  const [east, west, top, bottom] = [reach(0, 1, aside), reach(0, -1, aside), reach(1, 1, above), reach(1, -1, below)];
-  const depth = Math.max((east + west) / (2 * aside), (top + bottom) / (above + below));
+  const [towardsEast, towardsWest] = [free.east, free.west].map((share) => slope * aspect * (1 - 2 * share)) as [number, number];
+  const [above, below] = [slope * (1 - 2 * free.top), slope * (1 - 2 * free.foot)];
+  const [east, west, top, bottom] = [reach(0, 1, towardsEast), reach(0, -1, towardsWest), reach(1, 1, above), reach(1, -1, below)];
+  const depth = Math.max((east + west) / (towardsEast + towardsWest), (top + bottom) / (above + below));
   const height = (top - above * depth + (below * depth - bottom)) / 2;
-  const eye = plus(plus(plus([0, 0, 0], right, (east - west) / 2), up, height), back, depth);
+  const aside = (east - towardsEast * depth + (towardsWest * depth - west)) / 2;
+  const eye = plus(plus(plus([0, 0, 0], right, aside), up, height), back, depth);
   const distance = depth - seen.reduce((sum, at) => sum + at[2], 0) / seen.length;
   return { framing: { eye, target: plus(eye, back, -distance), fov }, distance };
 }
 
+/** As near as a preset comes from a direction: a sheet with its lengths where they can be read, else the rooms alone, no larger than where they could. */
+function near(points: readonly Vector[], from: Vector, preset: Preset, { aspect, covered = 0, beneath = 0, height = 0 }: Window): Fitted {
+  const fit = (free: Free): Fitted => fitted(points, from, preset, aspect, free);
+  const plain: Free = { wider: MARGIN, top: covered, foot: beneath, west: 0, east: 0 };
+  if (!preset.isSheet || height === 0 || beneath > 0) return fit(plain);
+  const round = (inNorthAndWest: number, inSouthAndEast: number): Free => {
+    const share = (pixels: number, of: number): number => Math.min(MOST_ROUND, pixels / of);
+    return {
+      wider: 1, top: share(TOOLBAR + inNorthAndWest, height), foot: share(SWITCH + inSouthAndEast, height),
+      west: share(HANDLE + inNorthAndWest, height * aspect), east: share(HANDLE + inSouthAndEast, height * aspect),
+    };
+  };
+  const pixels = ({ distance }: Fitted): number => height / (2 * distance * Math.tan((preset.fov * Math.PI) / 360)) / 1000;
+  const withLengths = fit(round(THREE_CHAINS, TWO_CHAINS));
+  if (pixels(withLengths) >= SIZED) return withLengths;
+  const alone = fit(round(NO_CHAINS, NO_CHAINS));
+  return pixels(alone) < SIZED ? alone : fit({ ...round(NO_CHAINS, NO_CHAINS), wider: (pixels(alone) / SIZED) * MARGIN });
+}
+
 /** Places a camera so that the points fill the view. */
 export function frame(points: readonly Vector[], preset: Preset, window: Window): Framing {
-  const ways = preset.from.map((from) => fitted(points, from, preset, window));
+  const ways = preset.from.map((from) => near(points, from, preset, window));
   return ways.reduce((best, way) => (way.distance < best.distance * (best === ways[0] ? CLEARLY : 1) ? way : best)).framing;
 }
 
