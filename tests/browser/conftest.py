@@ -26,7 +26,7 @@ FORGET = """() => location.protocol !== 'http:' || new Promise((done, fail) => {
 })"""
 """Forgets the homes that the page keeps, and what a person chose about the page: done once they are gone."""
 SHOWN = """if (location.protocol === 'http:') {
-    for (const name of ['reading', 'home', 'furnishing']) localStorage.setItem(`compose.${name}`, 'shown');
+    for (const name of ['reading', 'home', 'furnishing', 'view', 'files']) localStorage.setItem(`compose.${name}`, 'shown');
     localStorage.setItem('compose.tour', 'seen');
 }"""
 """Most tests read the text and fill in the form: folded away at first in windows so small, they are not reached. None takes the tour."""

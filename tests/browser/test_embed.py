@@ -13,7 +13,7 @@ from tests.browser.test_accessible import AXE, RUN
 from tests.browser.visit import Visit
 
 STAYS = """async () => {
-    const asked = /^compose[.](reading|home|furnishing|tour)$/;
+    const asked = /^compose[.](reading|home|furnishing|view|files|tour)$/;
     return [Object.keys(localStorage).filter(key => !asked.test(key)).length, (await indexedDB.databases()).length, document.cookie];
 }"""
 

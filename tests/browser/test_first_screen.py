@@ -90,6 +90,8 @@ def test_panels_and_colours_stay_as_they_were_left(fresh: Visit) -> None:
     page = fresh.page
     fresh.open(PLAIN)
     dark = page.evaluate(GROUND)
+    expect(page.get_by_label("Colours of the page")).to_be_hidden()
+    page.locator("#view > summary").click()
     page.get_by_label("Colours of the page").select_option("light")
     light = page.evaluate(GROUND)
     assert light != dark

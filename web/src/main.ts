@@ -332,7 +332,6 @@ class Page {
     this.#entries.show(this.#keeping.homes.current, query, this.#keeping.store.lasts);
     this.#link.opens(query);
     this.#link.edited(this.#home.isEdited);
-    element<HTMLButtonElement>("decorate_now").disabled = false;
     if (how === "new") document.title = file === null ? say("Compose: house {seed}", { seed: scene.seed }) : say("Compose: {file}", { file });
     if (made && how === "new") this.#controls.show((this.#wanted = made));
     else this.#controls.showFurnishing(made ?? { style: scene.request?.style ?? undefined, decorate: scene.request?.decorate === true });
@@ -346,7 +345,8 @@ class Page {
     this.#stage.show(shown.scene, shown.issues);
     this.#stage.select(this.#home.selected, this.#home.also);
     if (how === "new") this.#imported.show(null);
-    element<HTMLButtonElement>("furnish_now").disabled = shown.scene.rooms.every((room) => room.furniture.length > 0);
+    element<HTMLButtonElement>("furnish_now").disabled = shown.scene.rooms.every(({ furniture }) => furniture.length > 0);
+    element<HTMLButtonElement>("decorate_now").disabled = shown.scene.rooms.every(({ furniture, decorations }) => furniture.length === 0 || decorations.length > 0);
     this.#issues.show(shown.issues, shown.scene);
     this.#shortfalls.show(shown.scene);
     this.#legend.show(drawable(shown.scene));

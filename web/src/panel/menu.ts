@@ -36,6 +36,7 @@ const ENTRIES: readonly (readonly [Words, readonly Entry[]])[] = [
     { words: "Copy a frame for your own page", presses: "copy_frame", stays: true },
   ]],
   ["Help", [
+    { words: "Diagnose", presses: "diagnose" },
     { words: "Tour in four steps", presses: "tour_again" },
     { words: "Keys", presses: "keys" },
   ]],

@@ -1,12 +1,12 @@
-/** What a person chose about the page itself, remembered in this browser: its colours, which side panels and which wishes are folded away. */
+/** What a person chose about the page itself, remembered in this browser: its colours, which side panels and which groups are folded away. */
 
 const PREFIX = "compose.";
 /** Below it a window leaves too little for the house beside both panels: the text starts folded. */
 const LAPTOP = "(width < 1500px)";
 const COLOURS = ["light", "dark"];
 const PANELS = ["controls", "reading"] as const;
-/** The groups of wishes that few begin with. */
-const WISHES = ["home", "furnishing"];
+/** The groups that few begin with. */
+const LATER = ["home", "furnishing", "view", "files"];
 
 export type Panel = (typeof PANELS)[number];
 
@@ -56,7 +56,7 @@ export function listenToPreferences(): void {
     tell(panel, (remembered(panel) ?? byDefault[panel]) === "folded");
     document.getElementById(`fold_${panel}`)?.addEventListener("click", () => turnOver(panel));
   }
-  for (const id of WISHES) {
+  for (const id of LATER) {
     const group = document.getElementById(id) as HTMLDetailsElement;
     group.open = remembered(id) === "shown";
     group.querySelector("summary")?.addEventListener("click", () => remember(id, group.open ? "folded" : "shown"));

@@ -103,6 +103,7 @@ export class ShortfallPanel {
     this.line.hidden = this.section.hidden;
     this.line.textContent = shortfallLine(found);
     this.line.classList.toggle("is-asked", found.asked.length > 0);
+    this.line.parentElement?.querySelector(".verdict")?.classList.toggle("is-short", found.asked.length > 0);
     this.list.replaceChildren(...[...found.asked, ...found.leftOut].map((one) => this.#item(one)));
   }
 

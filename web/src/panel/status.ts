@@ -73,5 +73,5 @@ function showStatus(host: HTMLElement, counts: Counts, timing: GenerateAnswer["t
     const place = host.querySelector<HTMLElement>(`[data-count="${name}"]`);
     if (place) place.textContent = String(value);
   }
-  host.querySelector("[data-count='issues']")?.parentElement?.classList.toggle("has-issues", counts.issues > 0);
+  host.querySelector(".verdict")?.classList.toggle("has-issues", counts.issues > 0);
 }
