@@ -61,7 +61,7 @@ class Recorder:
         self._kept: list[Any] = []  # so that no two instances are one number
 
     def _words(self, instance: host.CoreInstance) -> Words:
-        size = instance._memory.data_len(instance._store)
+        size = instance.size
         return np.ctypeslib.as_array(ctypes.cast(instance._base, ctypes.POINTER(ctypes.c_uint32)), (size // 4,))
 
     def _add(self, *numbers: int) -> None:
