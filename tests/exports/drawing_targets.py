@@ -19,11 +19,12 @@ from tqdm import tqdm
 from catalogs import load_catalogs
 from solver import Request, generate
 from solver.exports import ExportSettings, HouseModel, describe, written_as
+from solver.exports.plan_rooms import label_box
 from solver.exports.plan_storeys import storeys_of
 from tests.exports import homes
 from tests.exports.agreement import differences
 from tests.exports.readers import Seen, dxf, ifc, sh3d, svg
-from tests.exports.test_svg import meet, written_boxes
+from tests.exports.test_svg import meet
 
 PROGRAMS = (None, "family", "large")
 READERS = {"svg": svg.read, "dxf": dxf.read, "ifc": ifc.read, "sh3d": sh3d.read}
@@ -49,7 +50,7 @@ def drawn_home(seed: int) -> list[str]:
             ifcopenshell.validate.validate(ifc.building(files), told, express_rules=seed == 1)
             wrong += [f"ifc: {one}" for one in told.statements]
     for storey in storeys_of(model):
-        boxes = written_boxes(storey)
+        boxes = [*map(label_box, storey.labels)]
         wrong += [f"svg: words meet at {one}" for one, other in combinations(boxes, 2) if meet(one, other)]
         wrong += [f"svg: words on a wall at {box}" for box in boxes for wall in storey.walls if meet(box, wall)]
     return [f"{program or 'default'} {seed}: {one}" for one in wrong]
