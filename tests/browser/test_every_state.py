@@ -10,7 +10,8 @@ from playwright.sync_api import Browser, Route, expect
 
 from tests.browser.conftest import PIXEL_RATIO, SHOWN
 from tests.browser.service_process import ServiceProcess
-from tests.browser.test_accessible import AXE, OVER, RUN, in_conflict, refusing
+from tests.browser.test_accessible import AXE, OVER, PHONE, RUN, in_conflict, refusing
+from tests.browser.test_editing import ONE, OTHER, crate, den
 from tests.browser.test_language import TOWN
 from tests.browser.visit import Visit, furniture_of
 
@@ -88,9 +89,40 @@ def test_with_a_home(spoken: Visit) -> None:
     page.emulate_media(media="print")
     states.look("printed")
     page.emulate_media(media="screen")
+    page.locator("#shortfall_line").click()
+    page.locator("#shortfall_list summary").first.click()
+    states.look("what fell short", "#shortfall_list p")
+    on_a_phone(spoken, states)
     assert scene["rooms"] and spoken.console == []
     assert states.wrong() == {}
-    assert len(states.found) == 2 * 12
+    assert len(states.found) == 2 * 17
+
+
+def on_a_phone(visit: Visit, states: States) -> None:
+    """Looks at the home that is open on a narrow screen."""
+    page = visit.page
+    page.set_viewport_size(PHONE)
+    visit.settle()
+    states.look("phone", "#stage > canvas")
+    visit.line_of(visit.state()["bodies"][0]).click()
+    states.look("phone, chosen", "#piece")
+    page.locator("[data-tool=add]").click()
+    states.look("phone, palette", "#palette li button")
+    page.locator(".palette-head button").click()
+    page.locator("#camera_walk").click()
+    visit.settle()
+    states.look("phone, walking", "#walk_leave")
+
+
+def with_a_distance(visit: Visit, states: States) -> None:
+    """Looks at a distance of the chosen piece that is typed wrongly."""
+    page = visit.page
+    page.locator("#gaps button").first.click()
+    page.locator("#gaps input").fill("wide")
+    page.keyboard.press("Enter")
+    states.look("a distance that is none", "#gaps input[aria-invalid=true]")
+    page.keyboard.press("Escape")
+    page.locator("#stage").focus()
 
 
 def test_with_a_piece(spoken: Visit) -> None:
@@ -100,6 +132,7 @@ def test_with_a_piece(spoken: Visit) -> None:
     spoken.line_of(pieces[0]).click()
     stage.focus()
     states.look("chosen", "#piece")
+    with_a_distance(spoken, states)
     page.keyboard.press("h")
     states.look("why", "#why ul li")
     page.keyboard.press("Escape")
@@ -130,7 +163,7 @@ def test_with_a_piece(spoken: Visit) -> None:
     page.keyboard.press("ArrowRight")
     states.look("conflict", "#conflict")
     assert states.wrong() == {}
-    assert len(states.found) == 2 * 9
+    assert len(states.found) == 2 * 10
 
 
 def test_with_saved_homes_and_files(spoken: Visit) -> None:
@@ -157,10 +190,15 @@ def test_with_saved_homes_and_files(spoken: Visit) -> None:
     states.file("x.json", [1])
     states.look("a file that is refused", "#notice .notice-detail")
     page.locator(".notice-close").click()
+    wrong = den(crate(ONE, 1, 1), crate(OTHER, 1.2, 1.2))
+    states.file("wrong.json", wrong)
+    states.look("errors", "#issue_list .issue-error")
+    states.file("bare.json", {"rooms": [{**wrong["rooms"][0], "type": "bathroom", "furniture": []}]})
+    states.look("warnings", "#issue_list .issue-warning")
     states.file("none.json", {"format": "compose-scene/1", "rooms": []})
     states.look("no rooms", "#no_rooms")
     assert states.wrong() == {}
-    assert len(states.found) == 2 * 7
+    assert len(states.found) == 2 * 9
 
 
 def test_with_refusals_and_a_plan(spoken: Visit) -> None:
