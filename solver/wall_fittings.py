@@ -30,6 +30,8 @@ HANDLE_FROM_EDGE: Final = 0.06
 """Where a handle turns, from the edge of its leaf, m."""
 LEVER: Final = (0.13, 0.022)
 """How long and high a lever is, m."""
+WIDEST_LEAF: Final = 1.25
+"""The widest opening of a door, m, that has one leaf; a wider one has two, which meet in its middle."""
 LEVER_INWARDS: Final = 0.055
 """How far a lever's middle is from where it turns, towards the hinge, m."""
 Span = tuple[float, float]
@@ -70,7 +72,7 @@ def door_bars(along: Span, head: float, thickness: float) -> list[Bar]:
 
 
 def leaf_bars(along: Span, head: float, middle: float, hinge: str | None) -> list[Bar]:
-    """Returns a closed leaf: its slab, and the levers on both sides.
+    """Returns what shuts an opening: a slab a leaf, and the levers on both sides.
 
     Args:
         along: the opening's ends.
@@ -78,14 +80,25 @@ def leaf_bars(along: Span, head: float, middle: float, hinge: str | None) -> lis
         middle: how far the slab's middle is from the wall's.
         hinge: `end` for a leaf that hangs there; nothing has levers that does not turn: None.
     """
-    (start, end), up = (along[0] + FRAME, along[1] - FRAME), (GROUND_GAP, head)
-    slab = Bar((start, end), up, around(middle, LEAF_THICKNESS))
+    up, thick = (GROUND_GAP, head), around(middle, LEAF_THICKNESS)
     if hinge is None:
-        return [slab]
+        return [Bar((along[0] + FRAME, along[1] - FRAME), up, thick)]
     inwards = HANDLE_FROM_EDGE + LEVER_INWARDS
-    lever = around(start + inwards if hinge == "end" else end - inwards, LEVER[0])
     high = around(GROUND_GAP + min(HANDLE_HEIGHT, (head - GROUND_GAP) * 0.8), LEVER[1])
-    return [slab, Bar(lever, high, around(middle, LEAF_THICKNESS + 2 * HANDLE_PROUD))]
+    found = []
+    for (start, end), hung in leaf_spans(along, hinge):
+        lever = around(start + inwards if hung == "end" else end - inwards, LEVER[0])
+        found += [Bar((start, end), up, thick), Bar(lever, high, around(middle, LEAF_THICKNESS + 2 * HANDLE_PROUD))]
+    return found
+
+
+def leaf_spans(along: Span, hinge: str) -> list[tuple[Span, str]]:
+    """Returns where the leaves of a door that turns reach between its jambs, each with the end it hangs at; the one at `hinge` first."""
+    start, end = along[0] + FRAME, along[1] - FRAME
+    if along[1] - along[0] <= WIDEST_LEAF + 1e-9:
+        return [((start, end), hinge)]
+    middle = (start + end) / 2
+    return sorted([((start, middle), "start"), ((middle, end), "end")], key=lambda leaf: leaf[1] != hinge)
 
 
 def leaf_offset(thickness: float) -> float:

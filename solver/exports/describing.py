@@ -20,7 +20,7 @@ from solver.exports.wall_edges import on_lattice
 from solver.exports.wall_lines import RoomFinder, openings_of, runs_of
 from solver.exports.wall_panels import Storey, WallPlan, boxes_of, fittings_of, panels_of
 from solver.geometry import doubled_area
-from solver.scene import Room, Scene
+from solver.scene import Flooring, Room, Scene
 
 ROUNDING_ERROR: Final = 1e-6
 """What is left of a wall between two ends that are one but for rounding is no wall, m."""
@@ -53,7 +53,7 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         fittings=tuple(fittings_of(plan)),
         openings=tuple(plan.openings),
         leaves=tuple(leaves_of(plan, paints)),
-        rooms=tuple(_floor(room, plan, bands.own(room)) for room in rooms),
+        rooms=tuple(_floor(room, plan, bands.own(room), _flooring(room, catalogs)) for room in rooms),
         thickness=thick(scene.wall_thickness),
         shapes=maker.unit_shapes,
         warnings=tuple(warnings),
@@ -69,12 +69,19 @@ def style_of(scene: Scene) -> str | None:
     return said if isinstance(said, str) else None
 
 
-def _floor(room: Room, plan: WallPlan, outer: tuple[float | None, ...]) -> FloorPlate:
+def _flooring(room: Room, catalogs: Catalogs) -> Flooring | None:
+    """Returns the floor that a room is drawn with: its own, else the plain one of its type; None for a type that is not known."""
+    known = catalogs.rooms.get(room.type)
+    if room.flooring is not None or known is None:
+        return room.flooring
+    return Flooring(known.flooring, catalogs.floorings[known.flooring].color)
+
+
+def _floor(room: Room, plan: WallPlan, outer: tuple[float | None, ...], flooring: Flooring | None) -> FloorPlate:
     """Returns a room's floor, its corners clockwise whichever way the room lists them."""
     area = doubled_area(room.corners) / 2
     storey = plan.storey(room.level)
     placed = tuple((on_lattice(room.x + x), on_lattice(room.z + z)) for x, z in room.corners)
-    flooring = room.flooring
     return FloorPlate(
         id=room.id,
         type=room.type,

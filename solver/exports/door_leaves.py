@@ -6,42 +6,62 @@ Comes in: a house's openings and wall lines. Goes out: `DoorLeaf`s. May import: 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import Final
+from collections.abc import Iterator, Mapping
+from typing import Final, NamedTuple
 
 from solver.exports.door_parts import LeafLook, parts_of_leaf
 from solver.exports.model import DoorLeaf, PlacedOpening
 from solver.exports.paints import Paints
 from solver.exports.wall_panels import RAILING_HEIGHT, WallPlan
 from solver.scene import Room
-from solver.wall_fittings import FRAME, GROUND_GAP, LEAF_THICKNESS, leaf_offset
+from solver.wall_fittings import FRAME, GROUND_GAP, LEAF_THICKNESS, leaf_offset, leaf_spans
 
 LEAF_DENSITY: Final = 12.0
 """What a leaf weighs, kg/m2: a hollow core of chipboard (EN 1530 class 2 doors weigh 10 to 20)."""
 
 
 def leaves_of(plan: WallPlan, paints: Paints) -> list[DoorLeaf]:
-    """Returns the leaves of a house: one for each door and garage door, none for passages and windows."""
+    """Returns the leaves of a house: one or two for each door, one for each garage door, none for passages and windows."""
     rooms = {room.id: room for room in plan.rooms}
-    return [_leaf(opening, plan, rooms, paints) for opening in plan.openings if opening.kind in ("door", "garage_door")]
+    shut = [opening for opening in plan.openings if opening.kind in ("door", "garage_door")]
+    return [leaf for opening in shut for leaf in _leaves(opening, plan, rooms, paints)]
 
 
-def _leaf(opening: PlacedOpening, plan: WallPlan, rooms: Mapping[str, Room], paints: Paints) -> DoorLeaf:
+def _leaves(opening: PlacedOpening, plan: WallPlan, rooms: Mapping[str, Room], paints: Paints) -> Iterator[DoorLeaf]:
+    """Yields the leaves of a door, the one at its hinge first."""
+    ends = opening.start, opening.end
+    spans = leaf_spans(ends, opening.hinge) if opening.kind == "door" else [((ends[0] + FRAME, ends[1] - FRAME), "start")]
+    for number, (span, hung) in enumerate(spans, 1):
+        at = span[0] if hung == "start" else span[1]
+        width = (ends[1] - ends[0] - 2 * FRAME) / len(spans)
+        yield _leaf(_Hung(opening, f"{opening.id}/{number}" if number > 1 else opening.id, at, hung == "start", width), plan, rooms, paints)
+
+
+class _Hung(NamedTuple):
+    """A leaf of an opening: its id, where it hangs along the wall, m, whether that is its lower end, its width, m."""
+
+    opening: PlacedOpening
+    id: str
+    at: float
+    from_start: bool
+    width: float
+
+
+def _leaf(hung: _Hung, plan: WallPlan, rooms: Mapping[str, Room], paints: Paints) -> DoorLeaf:
+    opening, at, width = hung.opening, hung.at, hung.width
     swings = opening.kind == "door"
-    from_start = not swings or opening.hinge == "start"
-    along = 1 if from_start else -1
-    at = opening.start + FRAME if from_start else opening.end - FRAME
+    along = 1 if hung.from_start else -1
     offset = opening.towards * leaf_offset(opening.thickness) if swings else 0.0
     closed = _degrees(along, 0) if opening.axis == "x" else _degrees(0, along)
     open_to = _degrees(0, opening.towards) if opening.axis == "x" else _degrees(opening.towards, 0)
     x, z = (at, opening.line + offset) if opening.axis == "x" else (opening.line + offset, at)
     is_gate = _has_railing(opening, plan)
-    width = opening.end - opening.start - 2 * FRAME
     height = (min(opening.head, RAILING_HEIGHT) if is_gate else opening.head) - GROUND_GAP
     look = LeafLook("gate" if is_gate and swings else _look(opening, rooms), width, height, paints)
     made = parts_of_leaf(look)
     return DoorLeaf(
-        id=opening.id,
+        id=hung.id,
+        opening=opening.id,
         motion="swing" if swings else "roll",
         look=look.name,
         hinge=(x, plan.storey(opening.level).elevation + GROUND_GAP, z),

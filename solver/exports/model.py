@@ -191,9 +191,11 @@ class DoorLeaf:
 
     `hinge` is the lower end of its turning axis, m; closed it points along `closed` (degrees about +y from +x), and opening adds `swing`
     degrees; it stands `open` (0 to 1). Its parts are in its own frame: the middle of its width at the origin, the hinge at -width / 2.
+    A wide door has two: the second's id is the door's with `/2`.
     """
 
     id: str
+    opening: str
     motion: Literal["swing", "roll"]
     look: str
     hinge: Point
@@ -255,3 +257,11 @@ class HouseModel:
     """Every category that the catalogs know, in order."""
     assets: Mapping[str, Asset] = field(default_factory=dict)
     """The own assets that bodies are shown as, by name."""
+
+    @property
+    def leaves_by_opening(self) -> dict[str, list[DoorLeaf]]:
+        """The leaves of each opening that has any, the one at its hinge first."""
+        found: dict[str, list[DoorLeaf]] = {}
+        for leaf in self.leaves:
+            found.setdefault(leaf.opening, []).append(leaf)
+        return found

@@ -124,7 +124,7 @@ def _storey(asked: _Asked, level: int, several: bool) -> PlanStorey:
     facades = Facades(rooms, openings, model.thickness / 2, walls)
     sheet = sheet_for(facades.bounds() if rooms else (0.0, 0.0, 1.0, 1.0), asked.scale)
     bodies = [body for body in model.bodies if body.room in inside]
-    leaves = [leaf for leaf in model.leaves if leaf.id in here]
+    leaves = [leaf for leaf in model.leaves if leaf.opening in here]
     labels = _named(asked, sheet, rooms, _obstacles(rooms, bodies, openings, leaves))
     return PlanStorey(
         stem=f"{model.name}_level_{level}" if several else model.name,
@@ -167,11 +167,11 @@ def _obstacles(
     for body in bodies:
         if body.sort == "furniture" and body.y + body.height > 0.1 and body.room:
             found[body.room].append((*footprint(body), 1.0))
-    turning = {leaf.id: _swept(leaf) for leaf in leaves if leaf.motion == "swing"}
-    for opening in openings:
-        for room in opening.rooms:
-            if room in found and opening.id in turning:
-                found[room].append((*turning[opening.id], 1.0))
+    rooms_of = {opening.id: opening.rooms for opening in openings}
+    for leaf in leaves:
+        for room in rooms_of[leaf.opening]:
+            if room in found and leaf.motion == "swing":
+                found[room].append((*_swept(leaf), 1.0))
     return found
 
 

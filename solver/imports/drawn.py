@@ -27,7 +27,7 @@ OpeningKind = Literal["door", "garage_door", "passage", "window"]
 class DrawnRoom:
     """A room's outline; `label` is what the file calls it, `type` what it is where the file says that in our words or its own.
 
-    `outdoor` None: the file does not say.
+    `outdoor` None: the file does not say. `floor` is the colour of its floor, where the file names one.
     """
 
     points: tuple[Spot, ...]
@@ -37,6 +37,7 @@ class DrawnRoom:
     level: int = 0
     outdoor: bool | None = None
     id: str = ""
+    floor: str | None = None
 
 
 @dataclass(frozen=True)

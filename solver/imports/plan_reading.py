@@ -29,7 +29,7 @@ from solver.imports.missing_walls import passages, without_niches
 from solver.imports.pieces_in_rooms import with_pieces
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
 from solver.imports.straighten import straightened, tell_of
-from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn
+from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn, with_floor
 from solver.imports.units import unit_named, unit_of
 from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
 from solver.imports.wide_doors import with_glass
@@ -150,7 +150,7 @@ def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> li
     for made_room, one in zip(named, straight, strict=True):
         tell_of(made_room.id, one, notes)
         tell_type(made_room, notes)
-    return [outdoor_told(room, catalogs, notes) for room in named]
+    return [with_floor(outdoor_told(room, catalogs, notes), catalogs) for room in named]
 
 
 def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> list[NamedRoom]:

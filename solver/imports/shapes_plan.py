@@ -43,6 +43,8 @@ LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
+MEET: Final = 0.1
+"""Two leaves of a door, shut, are no farther from one another than this share of the wider."""
 WIDER: Final = 1.4
 """A door's opening may be so many times as wide as its leaf."""
 SAME: Final = 0.6
@@ -258,11 +260,40 @@ def _swinging(swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]], wal
     """Returns the doors of arcs: shut, a leaf lies at a wall; one is as wide as the gap between pieces of wall there, if there is one."""
     lines = np.array([(*a, *b) for points in faces for a, b in pairwise(points)]).reshape(-1, 4)
     boxes = np.array(walls, dtype=np.float64).reshape(-1, 4)
-    return [_door_of(swing, lines, boxes) for swing in swings]
+    shut = [swing._replace(ends=_shut_first(swing.ends, lines)) for swing in swings]
+    return [_door_of(swing, boxes) for swing in _both_leaves(shut)]
 
 
-def _door_of(swing: DrawnSwing, lines: NDArray[np.float64], boxes: NDArray[np.float64]) -> DrawnOpening:
-    shut, opened = sorted(swing.ends, key=lambda end: (_to_wall(end, lines), end))
+def _shut_first(ends: tuple[Spot, Spot], lines: NDArray[np.float64]) -> tuple[Spot, Spot]:
+    """Returns the ends of an arc, the one nearer to a wall first."""
+    shut, opened = sorted(ends, key=lambda end: (_to_wall(end, lines), end))
+    return shut, opened
+
+
+def _both_leaves(swings: Sequence[DrawnSwing]) -> list[DrawnSwing]:
+    """Returns arcs of shut leaves of which two that meet, as a door's two do, are one: of the wider, from its hinge to the other's."""
+    hinges = np.array([one.hinge for one in swings]).reshape(-1, 2)
+    tips = np.array([one.ends[0] for one in swings]).reshape(-1, 2)
+    widths = np.hypot(*(tips - hinges).T)
+    is_left = np.full(len(swings), fill_value=True)
+    found = []
+    for at in sorted(range(len(swings)), key=lambda at: (-widths[at], at)):
+        if not is_left[at]:
+            continue
+        is_left[at] = False
+        meet = np.hypot(*(tips - tips[at]).T) < MEET * widths[at]
+        opposite = np.hypot(*(hinges - hinges[at]).T) > widths[at] + (1 - MEET) * widths
+        others = np.flatnonzero(is_left & meet & opposite)
+        one = swings[at]
+        if len(others):
+            is_left[others[0]] = False
+            one = one._replace(ends=(swings[others[0]].hinge, one.ends[1]))
+        found.append((at, one))
+    return [one for _, one in sorted(found, key=lambda one: one[0])]
+
+
+def _door_of(swing: DrawnSwing, boxes: NDArray[np.float64]) -> DrawnOpening:
+    shut, opened = swing.ends
     along = 0 if abs(shut[0] - swing.hinge[0]) >= abs(shut[1] - swing.hinge[1]) else 1
     low, high = sorted((swing.hinge[along], shut[along]))
     middle, across, width = (low + high) / 2, (swing.hinge[1 - along] + shut[1 - along]) / 2, high - low

@@ -18,7 +18,7 @@ from solver.imports.drawn import DrawnRoom, PlanNotes
 from solver.imports.joining import HEIGHTS, SILLS, Joined
 from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners
 from solver.imports.wall_depths import FacingEdges
-from solver.scene import EXTERIOR, Opening, Room, Sides
+from solver.scene import EXTERIOR, Flooring, Opening, Room, Sides
 
 DOORWAY: Final = 900
 """Rooms that share so much of a wall, mm, could have a door."""
@@ -29,13 +29,14 @@ PLAIN_ID: Final = re.compile(r"[\w./-]+")
 
 @dataclass(frozen=True)
 class NamedRoom:
-    """A room of the plan: as drawn, its id and type, its corners, mm; how thick its outer walls are, m, where not the scene's."""
+    """A room of the plan: as drawn, its id, type and floor, its corners, mm; how thick its outer walls are, m, where not the scene's."""
 
     drawn: DrawnRoom
     id: str
     type: str
     corners: FloorCorners
     wall_thickness: tuple[float | None, ...] | None = None
+    flooring: Flooring | None = None
 
 
 def named_rooms(rooms: Sequence[tuple[DrawnRoom, str, FloorCorners]]) -> list[NamedRoom]:
@@ -81,6 +82,14 @@ def outdoor_told(room: NamedRoom, catalogs: Catalogs, notes: PlanNotes) -> Named
     return replace(room, drawn=replace(room.drawn, outdoor=True))
 
 
+def with_floor(room: NamedRoom, catalogs: Catalogs) -> NamedRoom:
+    """Returns a room with the floor whose colour the file names: of the material of its type."""
+    kind = catalogs.rooms.get(room.type)
+    if room.drawn.floor is None or kind is None:
+        return room
+    return replace(room, flooring=Flooring(kind.flooring, room.drawn.floor))
+
+
 def scene_rooms(rooms: Sequence[NamedRoom], openings: Sequence[Joined], origin: tuple[int, int]) -> list[Room]:
     """Returns the rooms of the scene, with their openings."""
     listed: list[list[Opening]] = [[] for _ in rooms]
@@ -112,7 +121,8 @@ def _room(number: int, room: NamedRoom, openings: list[Opening], outer: Sides, o
     extra = {"name": room.drawn.label} if room.drawn.label and room.drawn.label != room.type else {}
     return Room(
         room.id, number, room.type, room.drawn.level, to_m(x - origin[0]), to_m(z - origin[1]), to_m(max(xs) - x), to_m(max(zs) - z),
-        outline, bool(room.drawn.outdoor), wall_thickness=room.wall_thickness, exterior_walls=outer, openings=tuple(openings), extra=extra,
+        outline, bool(room.drawn.outdoor), room.flooring, wall_thickness=room.wall_thickness, exterior_walls=outer,
+        openings=tuple(openings), extra=extra,
     )  # fmt: skip
 
 

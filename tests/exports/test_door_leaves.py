@@ -59,6 +59,37 @@ def test_a_leaf_stays_over_the_square_before_its_opening(width: float, thickness
         assert before < min(width, SQUARE) + 1e-9
 
 
+def shut_corners(leaf: DoorLeaf) -> tuple[list[float], list[float]]:
+    found = corners(leaf, 0)
+    return [x for x, _ in found], [z for _, z in found]
+
+
+@pytest.mark.parametrize(("wall", "hinge", "swing"), [*product(("north", "south", "east", "west"), ("start", "end"), ("in", "out"))])
+def test_a_wide_door_has_two_leaves_that_fill_it_and_open_to_one_side(wall: str, hinge: str, swing: str) -> None:
+    opening = door(wall, hinge, swing, 1.9)
+    model = describe(Scene(rooms=(Room("r", 0, "bedroom", x=1.0, z=2.0, width=4.0, depth=4.0, openings=(opening,)),)), load_catalogs())
+    first, second = model.leaves
+    assert (first.id, second.id, {first.opening, second.opening}) == ("d", "d/2", {"d"})
+    (placed,) = model.openings
+    along = 0 if placed.axis == "x" else 1
+    spans = sorted((min(shut_corners(leaf)[along]), max(shut_corners(leaf)[along])) for leaf in model.leaves)
+    frame = [placed.start + 0.06, (placed.start + placed.end) / 2, (placed.start + placed.end) / 2, placed.end - 0.06]
+    assert [end for span in spans for end in span] == pytest.approx(frame)
+    hangs = placed.start if hinge == "start" else placed.end
+    assert abs((first.hinge[0] if along == 0 else first.hinge[2]) - hangs) < 0.1
+    beyond = (corners(leaf, 90) for leaf in model.leaves)
+    middles = [sum(spot[1 - along] for spot in stands) / len(stands) - placed.line for stands in beyond]
+    inwards = 1 if wall in ("north", "west") else -1
+    assert {math.copysign(1, middle) for middle in middles} == {inwards if swing == "in" else -inwards}
+    assert all(farthest(leaf, placed)[0] < 1e-9 and farthest(leaf, placed)[1] < 1.0 for leaf in model.leaves)
+
+
+def test_a_door_as_wide_as_one_leaf_goes_has_one() -> None:
+    for width, count in ((1.25, 1), (1.251, 2)):
+        room = Room("r", 0, "bedroom", width=4.0, depth=4.0, openings=(door("north", "start", "in", width),))
+        assert len(describe(Scene(rooms=(room,)), load_catalogs()).leaves) == count
+
+
 def test_a_handle_that_stands_far_out_is_seen() -> None:
     room = Room("r", 0, "bedroom", x=1.0, z=2.0, width=4.0, depth=4.0, openings=(door("north", "start", "in", 0.9),))
     model = describe(Scene(wall_thickness=0.1, rooms=(room,)), load_catalogs())

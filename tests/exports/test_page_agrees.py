@@ -70,7 +70,7 @@ wall_thickness: 0.1
 rooms:
 - {id: a, x: 0.0, z: 0.0, width: 3.0, depth: 4.0, wall_thickness: [0.4, null, 0.3, 0.36], openings: [
     {id: ab, kind: door, wall: east, position: 1.5, connects_to: b},
-    {id: front, kind: door, wall: north, position: 1.0, connects_to: EXTERIOR, main_entrance: true},
+    {id: front, kind: door, wall: north, position: 1.2, width: 1.7, hinge: end, connects_to: EXTERIOR, main_entrance: true},
     {id: pane, kind: window, wall: west, position: 2.0, width: 1.2, height: 1.2, sill: 0.9}]}
 - {id: b, x: 3.25, z: 0.0, width: 3.0, depth: 4.0, wall_thickness: [0.4, 0.4], openings: [
     {id: ab, kind: door, wall: west, position: 1.5, connects_to: a, render_panel: false},
@@ -168,16 +168,18 @@ def test_fittings_agree(models: list[HouseModel], built: list[dict[str, Any]]) -
 
 
 def test_leaves_agree(models: list[HouseModel], built: list[dict[str, Any]]) -> None:
-    looks = set()
+    looks, second = set(), 0
     for model, page in zip(models, built, strict=True):
         for ours, theirs in zip(model.leaves, page["leaves"], strict=True):
             looks.add(ours.look)
-            assert (ours.id, ours.motion, ours.look) == (theirs["id"], theirs["motion"], theirs["look"])
+            second += ours.id != ours.opening
+            assert (ours.id, ours.opening, ours.motion, ours.look) == (theirs["id"], theirs["opening"], theirs["motion"], theirs["look"])
             assert close((*ours.hinge, ours.width, ours.height), (*theirs["hinge"].values(), theirs["width"], theirs["height"]))
             assert math.isclose(math.cos(math.radians(ours.closed) - theirs["closedAngle"]), 1, abs_tol=1e-9)
             assert math.isclose(math.radians(ours.swing), theirs["turn"], abs_tol=1e-6)
             assert same_parts(ours.parts, ours.paints, theirs["parts"])
     assert {"inner", "entrance", "glazed", "gate"} <= looks
+    assert second == 1
 
 
 def test_bodies_agree(models: list[HouseModel], built: list[dict[str, Any]]) -> None:

@@ -9,8 +9,11 @@ from zipfile import ZipFile
 
 import pytest
 
+from catalogs import load_catalogs
 from solver.errors import FieldError
+from solver.exports import describe
 from solver.imported import PlanImport
+from solver.scene import Flooring
 from tests.imports.plans import box as room_box
 from tests.imports.plans import collection, opening, read
 
@@ -91,6 +94,18 @@ def check_sweet_home(answer: PlanImport) -> None:
     (sofa,) = living.furniture
     assert (sofa.name, sofa.color, answer.understood_as[sofa.id]) == ("Canapé", "#00376b", "sofa")
     assert answer.unread == ()
+
+
+def test_the_colour_of_a_floor_is_the_files_the_material_its_types() -> None:
+    rooms = [room.replace("<room ", f"<room floorColor='{color}' ", 1) for room, color in zip(ROOMS, ("FF6CAAA5", "blue"), strict=True)]
+    answer = read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), *rooms, DOOR, FRONT))
+    kinds = load_catalogs().rooms
+    first, second = answer.scene.rooms
+    assert first.flooring == Flooring(kinds[first.type].flooring, "#6caaa5")
+    assert second.flooring is None
+    (drawn, plain) = (plate.paint for plate in describe(answer.scene, load_catalogs()).rooms)
+    assert (drawn.color, drawn.texture) == ("#6caaa5", kinds[first.type].flooring)
+    assert (plain.color, plain.texture) == (load_catalogs().floorings[kinds[second.type].flooring].color, kinds[second.type].flooring)
 
 
 def test_a_home_of_sweet_home_3d() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from solver import Request, export, generate
 from solver.imported import PlanImport
-from solver.scene import Room, Scene
+from solver.scene import EXTERIOR, Opening, Room, Scene
 from tests.imports.plans import read
 
 HOMES = {
@@ -160,3 +160,23 @@ def test_a_drawing_reads_back_as_far_as_it_says(program: str) -> None:
     assert seen(answer.scene, False) == seen(before, False)
     assert seen(answer.scene, True) == seen(before, True)
     assert {str(left["place"]) for left in answer.unread} <= {f"layer '{name}'" for name in NOT_READ}
+
+
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+@pytest.mark.parametrize(("hinge", "swing"), [("start", "in"), ("end", "out")])
+def test_a_door_of_two_leaves_reads_back_as_one(format: str, hinge: str, swing: str) -> None:
+    way = Opening("way", "door", "south", 2.0, 1.8, connects_to="b", hinge=hinge, swing=swing)
+    back = replace(way, wall="north", connects_to="a", swing="out" if swing == "in" else "in", render_panel=False)
+    front = Opening("front", "door", "west", 1.0, 1.6, connects_to=EXTERIOR, hinge="end", swing="in", main_entrance=True)
+    rooms = (Room("a", 0, "living_room", width=4.0, depth=4.0, openings=(way, front)),
+             Room("b", 1, "kitchen", z=4.0, width=4.0, depth=3.0, openings=(back,)))  # fmt: skip
+    (name, content), *_ = export(Scene(wall_thickness=0.1, rooms=rooms), format).items()
+    after = read(content, name).scene
+    doors = [[one for one in room.openings if one.kind == "door"] for room in after.rooms]
+    assert [len(one) for one in doors] == [2, 1]
+    for one, (door, *more) in zip(rooms, doors, strict=True):
+        wanted = one.openings[0]
+        assert (door.wall, round(door.position, 2), round(door.width, 2)) == (wanted.wall, wanted.position, wanted.width)
+        assert format == "ifc" or door.hinge == wanted.hinge
+        assert door.swing == wanted.swing
+        assert [round(other.width, 2) for other in more] == [1.6][: len(more)]

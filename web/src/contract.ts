@@ -101,6 +101,7 @@ export type CatalogAsset = Pick<Served.Asset, "kinds" | "front" | "size" | "low"
 
 export interface CatalogRoom {
   readonly accent: string;
+  readonly flooring?: string;
   readonly home?: { readonly word?: string | null } | null;
   readonly pieces?: readonly { readonly piece: string; readonly kinds: readonly { readonly kind: string }[] }[];
 }
@@ -114,6 +115,7 @@ export interface Catalog {
   readonly materials?: Named<Served.Material>;
   readonly styles?: Named<{ readonly materials?: Named<Partial<Served.Material>>; readonly walls?: Named<readonly Pick<Served.WallPaint, "type">[]> }>;
   readonly rooms?: Named<CatalogRoom>;
+  readonly floorings?: Named<{ readonly color: string }>;
   readonly presets?: Named<Served.Preset>;
   readonly access?: Named<{ readonly says: string }>;
 }

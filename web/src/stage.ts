@@ -360,7 +360,7 @@ export class Stage {
       knowsFloor: this.#looking.knowsFloor,
       openDoors: this.#house?.doors.open ?? [],
       openFronts: this.#house?.openFronts ?? [],
-      doors: this.#house?.doors.leaves.map((leaf) => leaf.id) ?? [],
+      doors: this.#house?.doors.ids ?? [],
       bodies: this.#house?.bodies.map((body) => body.id) ?? [],
       marks: this.#house?.marks ?? {},
       floorZones: this.floorZones,

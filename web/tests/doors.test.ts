@@ -115,6 +115,30 @@ describe("a leaf", () => {
   });
 });
 
+describe("a door of two leaves", () => {
+  const rooms = [room("a", [10, 20, 4, 4], { openings: [opening({ id: "wide", wall: "south", width: 1.8, hinge: "end" })] })];
+  const leaves = leavesOf({ runs: runsOf(rooms, 0.1), openings: openingsOf(rooms, 0.1), storeys: new Map() });
+
+  it("has them meet in its middle, the one at the hinge first", () => {
+    expect(leaves.map(({ id, opening: door }) => [id, door])).toEqual([["wide", "wide"], ["wide/2", "wide"]]);
+    expect(leaves.map((leaf) => leaf.hinge.x)).toEqual([expect.closeTo(12.9 - 0.06, 9), expect.closeTo(11.1 + 0.06, 9)]);
+    for (const leaf of leaves) expect(tip(leaf, 0)[0]).toBeCloseTo(12, 9);
+    const [first, second] = leaves.map((leaf) => tip(leaf, 1)[1]);
+    expect(first).toBeCloseTo(second as number, 9);
+  });
+
+  it("opens and shuts both, whichever is clicked, and is one door", () => {
+    const doors = new Doors(leaves);
+    expect(doors.ids).toEqual(["wide"]);
+    doors.toggle(1);
+    while (doors.step(0.1)) continue;
+    expect(doors.open).toEqual(["wide"]);
+    leaves.forEach((leaf, i) => expect(doors.angleOf(i)).toBeCloseTo(leaf.closedAngle + leaf.turn, 9));
+    doors.toggle(0);
+    expect(doors.open).toEqual([]);
+  });
+});
+
 describe("doors", () => {
   it("open in time and come to rest", () => {
     const doors = new Doors([leafOf({})]);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Scene } from "../src/contract";
+import type { Catalog, Scene } from "../src/contract";
 import { drawable } from "../src/house/drawable";
 
 const bare = {
@@ -17,6 +17,15 @@ describe("a scene that leaves things unsaid", () => {
     expect(levels).toHaveLength(1);
     expect(rooms[0]?.flooring.color).toMatch(/^#/);
     expect(Object.values(rooms[0]?.wall_flags ?? {})).toEqual([true, true, true, true]);
+  });
+
+  it("has the plain floor and the colour of its rooms' types, where the catalog knows them", () => {
+    const catalog = { rooms: { storage: { accent: "#123456", flooring: "tile" } }, floorings: { tile: { color: "#abcdef" } } } as unknown as Catalog;
+    expect(drawable(bare, catalog).rooms[0]).toMatchObject({ flooring: { type: "tile", color: "#abcdef" }, accent: "#123456" });
+    const [den] = bare.rooms;
+    const laid = { ...bare, rooms: [{ ...den, flooring: { type: "wood", color: "#000001" } }] } as unknown as Scene;
+    expect(drawable(laid, catalog).rooms[0]?.flooring).toEqual({ type: "wood", color: "#000001" });
+    expect(drawable({ ...bare, rooms: [{ ...den, type: "crypt" }] } as unknown as Scene, catalog).rooms[0]?.flooring.type).toBe("plain");
   });
 
   it("keeps what is said", () => {

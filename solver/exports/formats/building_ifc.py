@@ -62,9 +62,9 @@ class _Building:
             self._space(room)
         self._aggregated("spaces", [(self.storeys[room.level], self.spaces[room.id]) for room in self.model.rooms])
         openings = self._walls()
-        leaves = {leaf.id: leaf for leaf in self.model.leaves}
+        leaves = self.model.leaves_by_opening
         for opening in self.model.openings:
-            self._filling(opening, leaves.get(opening.id), openings.get(opening.id))
+            self._filling(opening, leaves.get(opening.id, []), openings.get(opening.id))
         self._railings()
         for body in self.model.bodies:
             self._furniture(body)
@@ -155,13 +155,13 @@ class _Building:
         ]  # fmt: skip
         return max(mine, key=lambda one: max(one.box.size)).lesser if mine else PLAIN_WALL
 
-    def _filling(self, opening: PlacedOpening, leaf: DoorLeaf | None, hole: Entity | None) -> None:
+    def _filling(self, opening: PlacedOpening, leaves: Sequence[DoorLeaf], hole: Entity | None) -> None:
         """Writes a door or window into its hole, hinged at its left where its frame's y axis is the way it swings; passages have none."""
         if opening.kind not in ("door", "garage_door", "window"):
             return
         one, storey = self.make_one, self.storeys[opening.level]
         frame = _OpeningFrame(opening)
-        items = [one.painted(one.solid(part), paint) for part, paint in frame.filled(leaf, opening.thickness, storey.Elevation)]
+        items = [one.painted(one.solid(part), paint) for part, paint in frame.filled(leaves, opening.thickness, storey.Elevation)]
         at = one.placed(storey.ObjectPlacement, frame.origin, frame.turn)
         said = {
             "Name": printable(opening.id), "ObjectPlacement": at, "Representation": one.shape(items),
@@ -170,7 +170,8 @@ class _Building:
         if opening.kind == "window":
             made = one.rooted("IfcWindow", "window", opening.id, **said, PredefinedType="WINDOW", PartitioningType="SINGLE_PANEL")
         else:
-            way = "ROLLINGUP" if opening.kind == "garage_door" else "SINGLE_SWING_LEFT" if frame.hinge_is_first else "SINGLE_SWING_RIGHT"
+            one_leaf = "SINGLE_SWING_LEFT" if frame.hinge_is_first else "SINGLE_SWING_RIGHT"
+            way = "ROLLINGUP" if opening.kind == "garage_door" else one_leaf if len(leaves) == 1 else "DOUBLE_DOOR_SINGLE_SWING"
             made = one.rooted("IfcDoor", "door", opening.id, **said, PredefinedType="DOOR", OperationType=way)
         self.held[storey].append(made)
         if hole:
@@ -252,8 +253,8 @@ class _OpeningFrame:
         dx, dy = x - self.origin[0], -z - self.origin[1]
         return dx * math.cos(angle) + dy * math.sin(angle), -dx * math.sin(angle) + dy * math.cos(angle)
 
-    def filled(self, leaf: DoorLeaf | None, thickness: float, elevation: float) -> list[tuple[BodyPart, Paint]]:
-        """Returns the frame's boards, a window's pane and a closed leaf, in this frame."""
+    def filled(self, leaves: Sequence[DoorLeaf], thickness: float, elevation: float) -> list[tuple[BodyPart, Paint]]:
+        """Returns the frame's boards, a window's pane and closed leaves, in this frame."""
         height, side = self.opening.head - self.opening.sill, min(FRAME, self.width / 4)
         boards = [((side, height, thickness), (x, height / 2, 0.0)) for x in (side / 2, self.width - side / 2)]
         window = self.opening.kind == "window"
@@ -265,7 +266,7 @@ class _OpeningFrame:
                 "box", (self.width - 2 * side, height - 2 * side, GLASS_THICKNESS), (self.width / 2, height / 2, 0.0), "y", 1.0, "body"
             )
             found.append((pane, SURFACES["glass"]))
-        if leaf:
+        for leaf in leaves:
             foot = leaf.hinge[1] - elevation - self.opening.sill
             x, y = self.local(leaf.hinge[0], leaf.hinge[2])
             sign = 1 if round(leaf.closed - self.turn) % 360 == 0 else -1

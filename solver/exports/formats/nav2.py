@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -43,13 +44,13 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
         files[f"{name}.yaml"] = _yaml(model, name, grid)
         maps.append({"image": f"{name}.pgm", "level": level})
         rooms += _rooms(model, level, grid, taken)
-    leaves = {leaf.id: leaf for leaf in model.leaves}
+    leaves = model.leaves_by_opening
     document = {
         "frame": "x east, y north, z up; m; yaw in radians about +z, 0 facing east",
         "warnings": model.warnings,
         "maps": maps,
         "rooms": rooms,
-        "doors": [_door(one, leaves.get(one.id)) for one in model.openings if one.kind != "window"],
+        "doors": [_door(one, leaves.get(one.id, [])) for one in model.openings if one.kind != "window"],
         "poses": [pose for body in model.bodies for pose in _poses(body)],
     }
     lines = json.dumps(document, separators=(",", ":")).replace('{"id"', '\n{"id"').replace('{"body"', '\n{"body"')
@@ -125,7 +126,7 @@ def _rooms(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> list[
     return made
 
 
-def _door(one: PlacedOpening, leaf: DoorLeaf | None) -> dict[str, object]:
+def _door(one: PlacedOpening, leaves: Sequence[DoorLeaf]) -> dict[str, object]:
     """Returns an opening that is gone through; its yaw looks through it, towards the first of its rooms."""
     middle = (one.start + one.end) / 2
     x, z = (middle, one.line) if one.axis == "x" else (one.line, middle)
@@ -139,12 +140,21 @@ def _door(one: PlacedOpening, leaf: DoorLeaf | None) -> dict[str, object]:
         "rooms": one.rooms,
         "main_entrance": one.is_main_entrance,
     }
-    if leaf and leaf.motion == "swing":
-        door["hinge"] = [_plain(leaf.hinge[0]), _plain(-leaf.hinge[2])]
-        door["leaf_width"] = round(leaf.width, 4)
-        door["closed_yaw"] = round(math.radians(leaf.closed), 6)
-        door["open_yaw"] = round(math.radians(leaf.closed + leaf.swing), 6)
+    turning = [_leaf(leaf) for leaf in leaves if leaf.motion == "swing"]
+    for leaf in turning[:1]:
+        door |= leaf
+    for leaf in turning[1:]:
+        door["second_leaf"] = leaf
     return door
+
+
+def _leaf(leaf: DoorLeaf) -> dict[str, object]:
+    return {
+        "hinge": [_plain(leaf.hinge[0]), _plain(-leaf.hinge[2])],
+        "leaf_width": round(leaf.width, 4),
+        "closed_yaw": round(math.radians(leaf.closed), 6),
+        "open_yaw": round(math.radians(leaf.closed + leaf.swing), 6),
+    }
 
 
 def _poses(body: ModelBody) -> list[dict[str, object]]:

@@ -142,7 +142,7 @@ def _leaf(leaf: DoorLeaf) -> str:
     points = " ".join(f"{x * 1000:.0f},{z * 1000:.0f}" for x, z in stands.corners)
     start, end = (f"{x * 1000:.0f} {z * 1000:.0f}" for x, z in (stands.shut, stands.opened))
     arc = f"M{start}A{radius} {radius} 0 0 {0 if leaf.swing > 0 else 1} {end}"
-    return f'<path class="arc" d="{arc}"/><polygon class="opening" data-id="{xml_text(leaf.id)}" points="{points}"/>\n'
+    return f'<path class="arc" d="{arc}"/><polygon class="opening" data-id="{xml_text(leaf.opening)}" points="{points}"/>\n'
 
 
 def _dimensions(storey: PlanStorey) -> str:

@@ -94,9 +94,9 @@ def _home(model: HouseModel, shelf: _Models) -> Iterator[str]:
         said = {"id": body.id, "mass": f"{body.mass:g}", **({"kind": body.kind} if body.kind else {})}
         said |= {"sort": body.sort} if body.sort == "decoration" else {}
         yield _piece("pieceOfFurniture", box, words_of(body.name), said)
-    leaves = {leaf.id: leaf for leaf in model.leaves}
+    leaves = model.leaves_by_opening
     for opening in model.openings:
-        yield _opening(opening, leaves.get(opening.id), shelf, level_of.get(opening.level, ""))
+        yield _opening(opening, leaves.get(opening.id, []), shelf, level_of.get(opening.level, ""))
     yield from _railings(model, shelf, level_of)
     yield from (_wall(panel, level_of.get(panel.level, "")) for panel in model.panels)
     yield from (_room(room, level_of[room.level]) for room in model.rooms)
@@ -137,15 +137,15 @@ def _piece(tag: str, box: _Piece, name: str, said: Mapping[str, str], sash: str 
     )
 
 
-def _opening(opening: PlacedOpening, leaf: DoorLeaf | None, shelf: _Models, level: str) -> str:
-    """Returns a door, window or passage: its frame, its leaf or pane, and the sash that the plan draws."""
+def _opening(opening: PlacedOpening, leaves: Sequence[DoorLeaf], shelf: _Models, level: str) -> str:
+    """Returns a door, window or passage: its frame, its leaves or pane, and the sashes that the plan draws."""
     turn, middle = (0.0, (opening.start + opening.end) / 2) if opening.axis == "x" else (90.0, (opening.start + opening.end) / 2)
     x, z = (middle, opening.line) if opening.axis == "x" else (opening.line, middle)
     width, height, thickness = opening.end - opening.start, opening.head - opening.sill, opening.thickness
     box = _Piece(x, opening.sill, z, turn, width, thickness, height, level, "")
     parts, paints = _frame(opening.kind, box)
     sash = ""
-    if leaf:
+    for leaf in leaves:
         hinge = _in_frame(box, leaf.hinge[0], leaf.hinge[2])
         relative = round(leaf.closed - turn)
         parts += _closed(leaf, box, hinge, mirrored=relative % 360 == 180)
@@ -153,7 +153,7 @@ def _opening(opening: PlacedOpening, leaf: DoorLeaf | None, shelf: _Models, leve
         if leaf.motion == "swing":
             start, end = math.radians(relative), math.radians(relative + leaf.swing)
             where = f"xAxis='{hinge[0] / width + 0.5:.5g}' yAxis='{hinge[1] / thickness + 0.5:.5g}' width='{leaf.width / width:.5g}'"
-            sash = f"<sash {where} startAngle='{start:.6g}' endAngle='{end:.6g}'/>"
+            sash += f"<sash {where} startAngle='{start:.6g}' endAngle='{end:.6g}'/>"
     name = shelf.of(parts, paints, (width, height, thickness), (opening.kind, parts, paints, width, height))
     return _piece("doorOrWindow", replace(box, model=name), _OPENING_NAMES.get(opening.kind, "Opening"), {"id": opening.id}, sash)
 

@@ -197,10 +197,10 @@ class _ReadBuilding:
         kind, hinge = _kind(element, is_window), None
         towards = None
         style = str(getattr(element, "OperationType", None) or "")
-        if kind == "door" and style in ("SINGLE_SWING_LEFT", "SINGLE_SWING_RIGHT"):
+        if kind == "door" and style in ("SINGLE_SWING_LEFT", "SINGLE_SWING_RIGHT", "DOUBLE_DOOR_SINGLE_SWING"):
             origin = (frame[0][3], frame[1][3])
             near = math.dist(origin, start) < math.dist(origin, end)
-            hinge = "start" if near == (style == "SINGLE_SWING_LEFT") else "end"
+            hinge = "start" if near != (style == "SINGLE_SWING_RIGHT") else "end"
             towards = (start[0] + frame[0][1] / self.metres, -(start[1] + frame[1][1] / self.metres))
         name = element.Name or ""
         return DrawnOpening(

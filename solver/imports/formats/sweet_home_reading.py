@@ -6,6 +6,7 @@ Its frame: x east, y south, cm; angles in radians, clockwise seen from above. Ro
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from typing import Final, Literal
 from xml.etree.ElementTree import Element
@@ -25,6 +26,7 @@ SILL: Final = 30.0
 """An opening whose underside is higher, cm, is a window."""
 PASSAGES: Final = ("passage", "frame", "opening", "archway")
 """Words of openings without a leaf."""
+ARGB: Final = re.compile("[0-9A-Fa-f]{8}")
 PIECES: Final = ("pieceOfFurniture", "light", "shelfUnit")
 
 
@@ -120,7 +122,13 @@ def _room(element: Element, where: str, level: int) -> DrawnRoom:
         level,
         said.get("outdoor") == "true" if "type" in said else None,
         said.get("id", ""),
+        _color(element.get("floorColor", "")),
     )
+
+
+def _color(said: str) -> str | None:
+    """Returns a colour that is said with its opacity before it; None where none is."""
+    return f"#{said[2:].lower()}" if ARGB.fullmatch(said) else None
 
 
 def _wall(element: Element, where: str, level: int, unread: list[Unread]) -> Iterator[DrawnWall]:
@@ -141,7 +149,7 @@ def _opening(element: Element, where: str, level: int) -> DrawnOpening:
     hinge: Literal["start", "end"] | None = None
     towards = None
     sashes = element.findall("sash")
-    if len(sashes) == 1:
+    if len(sashes) in (1, 2):  # of a door of two leaves the first one is told of: the other hangs opposite
         axis, turn = _number(sashes[0], "xAxis", where, 0.0), 0.0
         first, last = _number(sashes[0], "startAngle", where, 0.0), _number(sashes[0], "endAngle", where, 0.0)
         mirrored = element.get("modelMirrored") == "true"
@@ -183,7 +191,7 @@ def _piece(element: Element, where: str, level: int, unread: list[Unread]) -> It
         size,
         where,
         level,
-        f"#{color[2:].lower()}" if len(color) == 8 else None,
+        _color(color),
         said.get("id", ""),
         said.get("sort") == "decoration",
         said.get("kind"),

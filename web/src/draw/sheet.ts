@@ -1,5 +1,6 @@
 /** The sheet that is drawn on: a plan as SVG, in millimetres, with what is chosen and what is about to be drawn. */
 import type { Room } from "../contract";
+import { WIDEST_LEAF } from "../house/door_leaves";
 import { boxOf, wallsOf, type Box, type Corners, type Point } from "./corners";
 import type { Draft, DraftOpening, DraftRoom } from "./draft";
 import { say, sayArea, sayNumber } from "../words/language";
@@ -203,15 +204,19 @@ export class Sheet {
 
   /** A door's leaf and the arc of its edge; a window's pane. */
   #leaf({ kind, axis, line, from, to, hinge, swing }: DraftOpening): SVGElement[] {
-    const width = to - from;
+    const width = (to - from) / (to - from > 1000 * WIDEST_LEAF ? 2 : 1);
     const point = (along: number, across: number): string => (axis === "x" ? `${along} ${across}` : `${across} ${along}`);
     const stroke = { "stroke-width": 2 * this.#perPixel };
     if (kind === "window") return [make("path", { class: "leaf", d: `M${point(from, line)}L${point(to, line)}`, ...stroke })];
     if (kind !== "door") return [];
-    const [pivot, far] = hinge === "start" ? [from, to] : [to, from];
-    const isClockwise = (axis === "x") === (hinge === "start") === (swing === 1);
     const tip = line + swing * width;
-    return [make("path", { class: "leaf", d: `M${point(pivot, line)}L${point(pivot, tip)}A${width} ${width} 0 0 ${isClockwise ? 0 : 1} ${point(far, line)}`, ...stroke })];
+    const leaf = (end: "start" | "end"): string => {
+      const [pivot, far] = end === "start" ? [from, from + width] : [to, to - width];
+      const isClockwise = (axis === "x") === (end === "start") === (swing === 1);
+      return `M${point(pivot, line)}L${point(pivot, tip)}A${width} ${width} 0 0 ${isClockwise ? 0 : 1} ${point(far, line)}`;
+    };
+    const leaves = width < to - from ? leaf("start") + leaf("end") : leaf(hinge);
+    return [make("path", { class: "leaf", d: leaves, ...stroke })];
   }
 
   #name(room: DraftRoom, { names, areas }: Marks): SVGElement {

@@ -8,7 +8,9 @@ export type LeafLook = "inner" | "entrance" | "glazed" | "sectional" | "gate";
 
 /** A leaf that turns about its hinge, or a panel that rolls up. Lengths [m], angles [rad] about +y. */
 export interface Leaf {
+  /** The door's, of its second leaf with `/2`. */
   readonly id: string;
+  readonly opening: string;
   readonly motion: "swing" | "roll";
   readonly look: LeafLook;
   readonly hinge: { readonly x: number; readonly y: number; readonly z: number };
@@ -23,6 +25,8 @@ export interface Leaf {
 
 export const LEAF_THICKNESS = 0.04;
 const GROUND_GAP = THRESHOLD + 0.002;
+/** The widest opening of a door that has one leaf [m]; a wider one has two, which meet in its middle. */
+export const WIDEST_LEAF = 1.25;
 
 /** The angle about +y that brings +x to a direction of the plan. */
 export function angleTowards(x: number, z: number): number {
@@ -46,10 +50,17 @@ function lookOf(opening: PlacedOpening, plan: WallPlan): LeafLook {
   return one && other && one.outdoor !== other.outdoor ? "glazed" : "inner";
 }
 
-function leafOf(opening: PlacedOpening, plan: WallPlan): Leaf {
+/** The ends of an opening at which leaves hang, that of its hinge first. */
+function hungAt({ kind, hinge, from, to }: PlacedOpening): readonly ("start" | "end")[] {
+  if (kind !== "door") return ["start"];
+  if (to - from <= WIDEST_LEAF + 1e-9) return [hinge];
+  return hinge === "start" ? ["start", "end"] : ["end", "start"];
+}
+
+function leafOf(opening: PlacedOpening, plan: WallPlan, number: number, count: number): Leaf {
   const { axis, line, from, to, opensTowards } = opening;
   const swings = opening.kind === "door";
-  const fromStart = !swings || opening.hinge === "start";
+  const fromStart = hungAt(opening)[number] === "start";
   const along = fromStart ? 1 : -1;
   const at = fromStart ? from + FRAME : to - FRAME;
   const offset = swings ? opensTowards * Math.max(0, opening.thickness / 2 - LEAF_THICKNESS / 2) : 0;
@@ -58,11 +69,12 @@ function leafOf(opening: PlacedOpening, plan: WallPlan): Leaf {
   const elevation = plan.storeys.get(opening.level)?.elevation ?? 0;
   const [x, z] = axis === "x" ? [at, line + offset] : [line + offset, at];
   return {
-    id: opening.id,
+    id: number > 0 ? `${opening.id}/${number + 1}` : opening.id,
+    opening: opening.id,
     motion: swings ? "swing" : "roll",
     look: lookOf(opening, plan),
     hinge: { x, y: elevation + GROUND_GAP, z },
-    width: to - from - 2 * FRAME,
+    width: (to - from - 2 * FRAME) / count,
     height: (hasRailing(opening, plan) ? Math.min(opening.head, RAILING_HEIGHT) : opening.head) - GROUND_GAP,
     closedAngle: closed,
     turn: quarterTurn(closed, open),
@@ -70,10 +82,10 @@ function leafOf(opening: PlacedOpening, plan: WallPlan): Leaf {
   };
 }
 
-/** The leaves of a house: one for each door and garage door, none for passages and windows. */
+/** The leaves of a house: one or two for each door, one for each garage door, none for passages and windows. */
 export function leavesOf(plan: WallPlan): Leaf[] {
   return plan.openings
     .filter((opening) => opening.kind === "door" || opening.kind === "garage_door")
-    .map((opening) => leafOf(opening, plan));
+    .flatMap((opening) => hungAt(opening).map((_, number, all) => leafOf(opening, plan, number, all.length)));
 }
 

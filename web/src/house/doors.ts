@@ -67,14 +67,22 @@ export class Doors {
     this.leaves.forEach((_, i) => this.#place(i));
   }
 
-  /** Opens a closed leaf, closes an open one. */
+  /** Opens the closed door of a leaf, closes an open one. */
   toggle(index: number | undefined): void {
-    if (index !== undefined && this.#wanted[index] !== undefined) this.#wanted[index] = this.#wanted[index] > 0 ? 0 : 1;
+    const door = this.leaves[index ?? -1]?.opening;
+    this.leaves.forEach(({ opening }, i) => {
+      if (opening === door) this.#wanted[i] = (this.#wanted[i] ?? 0) > 0 ? 0 : 1;
+    });
   }
 
-  /** The ids of the leaves that are open or opening. */
+  /** The ids of the doors, each once. */
+  get ids(): string[] {
+    return [...new Set(this.leaves.map((leaf) => leaf.opening))];
+  }
+
+  /** The ids of the doors that are open or opening. */
   get open(): string[] {
-    return this.leaves.filter((_, i) => (this.#wanted[i] ?? 0) > 0).map((leaf) => leaf.id);
+    return [...new Set(this.leaves.filter((_, i) => (this.#wanted[i] ?? 0) > 0).map((leaf) => leaf.opening))];
   }
 
   /** How far a leaf is turned from the direction of +x now [rad]. */

@@ -15,14 +15,21 @@ function colored(piece: Furniture, catalog: Catalog | null): Furniture {
   return color && piece.color !== color ? { ...piece, color } : piece;
 }
 
+/** The plain floor of a room type; none for a type that is not known. */
+function floorOfType(type: string, catalog: Catalog | null): { readonly type: string; readonly color: string } | undefined {
+  const material = catalog?.rooms?.[type]?.flooring;
+  const color = catalog?.floorings?.[material ?? ""]?.color;
+  return material && color ? { type: material, color } : undefined;
+}
+
 function drawableRoom(room: Room, catalog: Catalog | null): Room {
   const said: Unsaid<Room> = room;
   return {
     ...room,
     furniture: room.furniture.map((piece) => colored(piece, catalog)),
     level: said.level ?? 0,
-    flooring: said.flooring ?? FLOORING,
-    accent: said.accent ?? ACCENT,
+    flooring: said.flooring ?? floorOfType(room.type, catalog) ?? FLOORING,
+    accent: said.accent ?? catalog?.rooms?.[room.type]?.accent ?? ACCENT,
     wall_flags: said.wall_flags ?? ALL,
   };
 }

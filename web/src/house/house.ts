@@ -107,7 +107,7 @@ export class House {
   /** The middle of every door's opening on its floor, by the number of its leaf. */
   get doorways(): { readonly id: string; readonly index: number; readonly at: Point }[] {
     return this.doors.leaves.flatMap(({ id, hinge }, index) => {
-      const opening = this.#plan.openings.find((one) => one.id === id);
+      const opening = this.#plan.openings.find((one) => one.id === id); // of two leaves the first
       if (!opening) return [];
       const [along, across] = [(opening.from + opening.to) / 2, opening.line];
       return [{ id, index, at: opening.axis === "x" ? [along, hinge.y, across] : [across, hinge.y, along] }];
@@ -211,7 +211,7 @@ export class House {
 
   /** The id of what was hit. */
   idOf(hit: Hit | null): string | undefined {
-    if (hit?.kind === "door") return this.doors.leaves[hit.index]?.id;
+    if (hit?.kind === "door") return this.doors.leaves[hit.index]?.opening;
     return hit?.kind === "room" ? hit.room.id : hit?.body.id;
   }
 
