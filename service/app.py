@@ -1,6 +1,6 @@
-"""The HTTP service: every call in one page. Start reading here.
+"""The HTTP service: every call that a worker makes (`calls`), those about what is kept (`homes`, `jobs`), and the page.
 
-The functions declare what a call takes and answers, and FastAPI describes it; `calls` does it, in a worker that reads the body.
+FastAPI describes what a call takes and answers; a worker reads the body, and does it.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 
 from catalogs import Catalogs, load_catalogs
-from service import calls, contract, page, problems
+from service import calls, page, problems
 from service.admission import FOR_OTHER_PAGES, Admission, Admitted
 from service.admitting import admitted_of
 from service.callers import ANY, Callers
@@ -29,23 +29,18 @@ from service.described import Answering, DescribedCalls
 from service.docs import docs
 from service.effort import Terms
 from service.guard import Guard
-from service.homes import homes, store_limiter
+from service.homes import homes
 from service.jobs import Runner, jobs
+from service.kept_calls import store_limiter
 from service.kept_store import NONE, TEMPORARY, KeptStore
 from service.measures import Measures, Observed, metrics
 from service.openapi import completed, refusals
 from service.packed_catalogs import mark_of, packed, warm
 from service.refusals import Busy, NoSuchFormat
 from service.service_settings import Settings
-from service.store.saved_homes import SavedHomes
 from service.wire import body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, UnknownCatalogs, do_alone
 from service.workers import Workers, unless_left
-from solver.explained import Explained
-from solver.guessed import FurnishedPlan
-from solver.imported import PlanImport
-from solver.scene import Fixed, Generated, Scene
-from solver.scene import Request as HouseRequest
 from solver.version import VERSION
 
 DESCRIPTION: Final = "Lays out whole furnished homes and proves they work. JSON and YAML, in by Content-Type and out by Accept."
@@ -78,7 +73,7 @@ def _at_once(name: str) -> Answering:
         wanted = format_wanted(request)
 
         def write() -> Response:
-            return written(calls.QUESTIONS[name](app.catalogs), wanted)
+            return written(calls.QUESTIONS[name].answer(app.catalogs), wanted)
 
         return write() if name == "healthz" else await run_in_threadpool(write)
 
@@ -87,86 +82,29 @@ def _at_once(name: str) -> Answering:
 
 FormatName = Annotated[str, Path(json_schema_extra={"enum": list(calls.EXPORT_FORMATS)})]
 
-posts = DescribedCalls(_in_worker, responses=refusals(400, 401, 403, 405, 408, 413, 415, 421, 422, 429, 500, 503, 504))
-gets = DescribedCalls(_at_once, responses=refusals(401, 405, 421, 429, 500))
+
+def _in_workers() -> DescribedCalls:
+    """Declares the calls that take a body."""
+    posts = DescribedCalls(responses=refusals(400, 401, 403, 405, 408, 413, 415, 421, 422, 429, 500, 503, 504))
+    for name, call in calls.CALLS.items():
+        takes, answers = call.types
+        body = {"body": (takes, None) if name in calls.MAY_BE_EMPTY else takes}
+        path: dict[str, Any] = {"path": f"/{name}", "takes": body}
+        if name == "export":
+            path = {"path": "/export/{format}", "takes": {"format": FormatName, **body}, "responses": refusals(404)}
+        posts.call("POST", answers=answers, name=name, description=call.work.__doc__, **path)(_in_worker(name))
+    return posts
 
 
-@posts.post("/generate")
-def generate(body: HouseRequest | contract.RerollBody | contract.RestyleBody | None = None) -> Generated:  # type: ignore[empty-body]
-    """Makes a furnished house, furnishes some rooms of one anew, or gives one another style."""
+def _without_body() -> DescribedCalls:
+    """Declares the calls that take none."""
+    gets = DescribedCalls(responses=refusals(401, 405, 421, 429, 500))
+    for name, call in calls.QUESTIONS.items():
+        gets.call("GET", f"/{name}", call.answers, name=call.name, description=call.answer.__doc__)(_at_once(name))
+    return gets
 
 
-@posts.post("/furnish")
-def furnish(body: contract.FurnishBody) -> FurnishedPlan:  # type: ignore[empty-body]
-    """Furnishes the rooms of somebody's own plan; says what was guessed of it."""
-
-
-@posts.post("/fix")
-def fix(body: contract.FixBody) -> Fixed:  # type: ignore[empty-body]
-    """Repairs a scene by moving as little as possible."""
-
-
-@posts.post("/drag")
-def drag(body: contract.DragBody) -> contract.DragAnswer:  # type: ignore[empty-body]
-    """Prepares the room of a piece that is about to be dragged."""
-
-
-@posts.post("/place")
-def place(body: contract.PlaceBody) -> contract.PlaceAnswer:  # type: ignore[empty-body]
-    """Places a list of pieces, with their relations, in a room of the caller's own."""
-
-
-@posts.post("/validate")
-def validate(body: contract.ValidateBody) -> contract.ValidateAnswer:  # type: ignore[empty-body]
-    """Lists which rules a scene breaks, and by how much."""
-
-
-@posts.post("/view")
-def view(body: contract.ViewBody) -> contract.Lines:  # type: ignore[empty-body]
-    """Writes a scene as readable YAML, and which body each line is."""
-
-
-@posts.post("/explain")
-def explain(body: contract.ExplainBody) -> Explained:  # type: ignore[empty-body]
-    """Says where a piece of a generated home was wished, and what holds it back from there."""
-
-
-@posts.post("/import", name="import")
-def import_(body: contract.ImportBody) -> PlanImport:  # type: ignore[empty-body]
-    """Reads a floor plan of another program as a scene, and says all that is not as the file says."""
-
-
-@posts.post("/floor")
-def floor(body: contract.FloorBody) -> contract.FloorAnswer:  # type: ignore[empty-body]
-    """Says where the floor of rooms is clear of walls, kept free for doors and windows, and free to come to."""
-
-
-@posts.post("/export/{format}", responses=refusals(404))
-def export(format: FormatName, body: contract.ExportBody | contract.SceneByItself) -> Scene:  # type: ignore[empty-body]
-    """Writes a scene as a file: JSON or YAML (and reads one that is), or what a simulator, an editor or a training set reads."""
-
-
-@gets.get("/catalog")
-def catalog() -> Catalogs:  # type: ignore[empty-body]
-    """Returns the furniture, decorations, room types, styles and presets the service knows."""
-
-
-@gets.get("/export")
-def exports() -> contract.ExportFormats:  # type: ignore[empty-body]
-    """Lists the formats that /export writes, beside JSON and YAML."""
-
-
-@gets.get("/schema")
-def schema() -> dict[str, Any]:  # type: ignore[empty-body]
-    """Returns the JSON Schema of a scene."""
-
-
-@gets.get("/healthz")
-def healthz() -> contract.Health:  # type: ignore[empty-body]
-    """Answers at once while the service lives."""
-
-
-CALLS: Final = (posts, gets, homes, jobs)
+CALLS: Final = (_in_workers(), _without_body(), homes, jobs)
 
 
 class ComposeApp(Starlette):
@@ -193,14 +131,6 @@ class ComposeApp(Starlette):
         self.measures = Measures(self.workers, self.connections)
         self.is_ready = False
         self._document: dict[str, Any] | None = None
-
-    def kept_homes(self) -> SavedHomes:
-        """Returns what asks the store for homes.
-
-        Raises:
-            StoreAway: it does not answer, or there is none.
-        """
-        return self.store.open()
 
     async def make(self, call: str, body: bytes, sent: str, wanted: str) -> Response:
         """Makes a call in a worker.

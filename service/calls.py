@@ -1,12 +1,16 @@
-"""The calls, from document to document: what HTTP and the command line share."""
+"""The calls that are made in workers, from document to document: what HTTP and the command line share. Start reading here.
+
+Each is one function, from the body that it takes to what it answers; route, reading and OpenAPI follow from these types.
+"""
 
 from __future__ import annotations
 
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from time import perf_counter
-from typing import Final, NamedTuple, TypeAlias, cast
+from typing import Any, Final, NamedTuple, cast, get_type_hints
 
 from catalogs import Catalogs
 from service.contract import (
@@ -25,44 +29,82 @@ from service.contract import (
     Lines,
     PlaceAnswer,
     PlaceBody,
+    RerollBody,
+    RestyleBody,
+    SceneByItself,
     ValidateAnswer,
     ValidateBody,
     ViewBody,
 )
 from service.effort import limited_to
-from service.generating import check_size, draw_seed, generate_house
+from service.generating import check_size, draw_seed, made_house
 from solver import explain, export, fix, fix_frame, place, prepare_drag, validate
 from solver.errors import FieldError
-from solver.exchange import FORMATS, read, scene_schema, write, write_scene
+from solver.exchange import FORMATS, read, scene_schema, write
+from solver.explained import Explained
 from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import Files, is_available, packed
-from solver.imported import ImportSettings
+from solver.guessed import FurnishedPlan
+from solver.imported import ImportSettings, PlanImport
 from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
 from solver.pipeline.import_plan import import_plan
 from solver.pipeline.own_plan import furnish
 from solver.plain import Document
 from solver.requested import PieceRequest
-from solver.scene import NO_ACCESS
+from solver.scene import NO_ACCESS, Fixed, Generated, Request, Scene
 from solver.scene_bodies import body_ids, check_ids
 from solver.understanding import understood
 from solver.validator import access_of, floors, metrics
 from solver.view import report, view
 
-Call: TypeAlias = Callable[[object, Catalogs], Document]
 
-
-def furnish_plan(document: object, catalogs: Catalogs) -> Document:
-    """Furnishes the rooms of somebody's own plan.
+@dataclass(frozen=True)
+class Call:
+    """A call: a function from a body and the catalogs to an answer, asked with a document and answering with one.
 
     Args:
-        document: a `FurnishBody`.
-        catalogs: the data to furnish from.
-
-    Raises:
-        FieldError: a field is wrong.
+        work: the function; its first parameter and what it returns say which types the documents have.
+        reads: makes the body of a document; by default what its type says.
     """
-    body = read(FurnishBody, document)
+
+    work: Callable[..., Any]
+    reads: Callable[[object], Any] | None = None
+
+    @cached_property
+    def types(self) -> tuple[Any, Any]:
+        """What it takes and answers."""
+        taken, *_, answered = get_type_hints(self.work, include_extras=True).values()
+        return taken, answered
+
+    def __call__(self, document: object, catalogs: Catalogs, *options: Any) -> Document:
+        """Makes the call.
+
+        Raises:
+            FieldError: a field is wrong.
+        """
+        body = self.reads(document) if self.reads else read(self.types[0], document)
+        return write(self.work(body, catalogs, *options))
+
+
+CALLS: Final[dict[str, Call]] = {}
+"""The calls that take a body, by the names of their routes."""
+
+
+def _call(name: str, reads: Callable[[object], Any] | None = None) -> Callable[[Callable[..., Any]], Call]:
+    """Makes a function the call of a name."""
+    return lambda work: CALLS.setdefault(name, Call(work, reads))
+
+
+@_call("generate", reads=lambda document: document)
+def generate_house(body: Request | RerollBody | RestyleBody | None, catalogs: Catalogs) -> Generated:
+    """Makes a furnished house, furnishes some rooms of one anew, or gives one another style."""
+    return made_house(body, catalogs)
+
+
+@_call("furnish")
+def furnish_plan(body: FurnishBody, catalogs: Catalogs) -> FurnishedPlan:
+    """Furnishes the rooms of somebody's own plan; says what was guessed of it."""
     check_size(body.scene)
     seed = draw_seed() if body.seed is None and body.scene.seed is None else body.seed
     with limited_to(body.effort) as work:
@@ -70,20 +112,12 @@ def furnish_plan(document: object, catalogs: Catalogs) -> Document:
             body.scene, tuple(dict.fromkeys(body.rooms)), keep=body.keep, types=body.types, program=body.program, style=body.style,
             decorate=body.decorate, access=body.access, seed=seed, catalogs=catalogs, clock=perf_counter,
         )  # fmt: skip
-    return write(replace(made, limited=work.limited()))
+    return replace(made, limited=work.limited())
 
 
-def fix_scene(document: object, catalogs: Catalogs) -> Document:
-    """Repairs a scene with least movement.
-
-    Args:
-        document: a `FixBody`.
-        catalogs: what the pieces' kinds are.
-
-    Raises:
-        FieldError: a field is wrong.
-    """
-    body = read(FixBody, document)
+@_call("fix")
+def fix_scene(body: FixBody, catalogs: Catalogs) -> Fixed:
+    """Repairs a scene by moving as little as possible."""
     check_size(body.scene)
     locked, moved = tuple(dict.fromkeys(body.locked)), tuple(dict.fromkeys(body.moved))
     fixed = None
@@ -95,51 +129,17 @@ def fix_scene(document: object, catalogs: Catalogs) -> Document:
                 body.scene, locked=locked, moved=moved, on_conflict=body.on_conflict, previous=body.previous, catalogs=catalogs,
                 clock=perf_counter,
             )  # fmt: skip
-    return write(replace(fixed, limited=work.limited()))
+    return replace(fixed, limited=work.limited())
 
 
-def take_in_hand(document: object, catalogs: Catalogs) -> Document:
-    """Prepares the room of a piece that is about to be dragged.
-
-    Args:
-        document: a `DragBody`.
-        catalogs: what the pieces' kinds are.
-
-    Raises:
-        FieldError: a field is wrong.
-    """
-    body = read(DragBody, document)
+@_call("drag")
+def take_in_hand(body: DragBody, catalogs: Catalogs) -> DragAnswer:
+    """Prepares the room of a piece that is about to be dragged."""
     check_ids("id", (body.id,), body_ids(body.scene))
     check_ids("locked", body.locked, body_ids(body.scene))
     with limited_to():
         taken = prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
-    return write(DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies))
-
-
-def place_pieces(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
-    """Places a list of pieces in a room.
-
-    Args:
-        document: a `PlaceBody`.
-        catalogs: what pieces are whose sizes are not given.
-        engine: the engine of the final QP.
-
-    Raises:
-        FieldError: a field is wrong.
-    """
-    body = read_place(document)
-    with limited_to(body.effort) as work:
-        answer = place(
-            body.room, body.pieces, alternatives=body.alternatives, wall_thickness=body.wall_thickness, robot_width=body.robot_width,
-            catalogs=catalogs, engine=engine, clock=perf_counter,
-        )  # fmt: skip
-    best = answer.best
-    return write(
-        PlaceAnswer(
-            best.scene, best.relations, best.unplaced, answer.alternatives, answer.conflicts, best.issues, answer.timing_ms,
-            answer.understood_as, work.limited(),
-        )
-    )  # fmt: skip
+    return DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies)
 
 
 def read_place(document: object) -> PlaceBody:
@@ -158,17 +158,24 @@ def _named(index: int, wish: PieceRequest) -> PieceRequest:
     return replace(wish, id=wish.id or wish.name, name=wish.name or wish.id)
 
 
-def validate_scene(document: object, catalogs: Catalogs) -> Document:
-    """Lists what breaks the rules in a scene, and measures it.
+@_call("place", reads=read_place)
+def place_pieces(body: PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> PlaceAnswer:
+    """Places a list of pieces, with their relations, in a room of the caller's own."""
+    with limited_to(body.effort) as work:
+        answer = place(
+            body.room, body.pieces, alternatives=body.alternatives, wall_thickness=body.wall_thickness, robot_width=body.robot_width,
+            catalogs=catalogs, engine=engine, clock=perf_counter,
+        )  # fmt: skip
+    best = answer.best
+    return PlaceAnswer(
+        best.scene, best.relations, best.unplaced, answer.alternatives, answer.conflicts, best.issues, answer.timing_ms,
+        answer.understood_as, work.limited(),
+    )  # fmt: skip
 
-    Args:
-        document: a `ValidateBody`.
-        catalogs: which sides of a piece are used, and what rooms require.
 
-    Raises:
-        FieldError: a field is wrong.
-    """
-    body = read(ValidateBody, document)
+@_call("validate")
+def validate_scene(body: ValidateBody, catalogs: Catalogs) -> ValidateAnswer:
+    """Lists which rules a scene breaks, and by how much."""
     scene, flagged = body.scene, tuple(dict.fromkeys(body.flagged or ()))
     check_ids("flagged", flagged, body_ids(scene))
     issues = validate(scene, catalogs)
@@ -176,20 +183,13 @@ def validate_scene(document: object, catalogs: Catalogs) -> Document:
     measured = metrics(scene, catalogs)
     words = Lines(*report(scene, _areas(measured), issues, flagged)) if is_wanted else None
     access = None if body.access is None or body.access == NO_ACCESS else access_of(scene, body.access, catalogs).document()
-    return write(ValidateAnswer(tuple(issues), measured, understood(scene, catalogs).understood_as, words, access))
+    return ValidateAnswer(tuple(issues), measured, understood(scene, catalogs).understood_as, words, access)
 
 
-def view_scene(document: object, _: Catalogs | None = None) -> Document:
-    """Writes a scene for a person to read.
-
-    Args:
-        document: a `ViewBody`.
-
-    Raises:
-        FieldError: a field is wrong.
-    """
-    scene = read(ViewBody, document).scene
-    return write(Lines(*view(scene, _areas(metrics(scene)))))
+@_call("view")
+def view_scene(body: ViewBody, _: Catalogs) -> Lines:
+    """Writes a scene as readable YAML, and which body each line is."""
+    return Lines(*view(body.scene, _areas(metrics(body.scene))))
 
 
 def _areas(measured: Document) -> dict[str, float]:
@@ -197,32 +197,16 @@ def _areas(measured: Document) -> dict[str, float]:
     return {name: room["clear_area"] for name, room in measured["rooms"].items()}
 
 
-def explain_place(document: object, catalogs: Catalogs) -> Document:
-    """Says where a piece was wished and what holds it back from there.
-
-    Args:
-        document: an `ExplainBody`.
-        catalogs: what the house was furnished with.
-
-    Raises:
-        FieldError: a field is wrong.
-    """
-    body = read(ExplainBody, document)
+@_call("explain")
+def explain_place(body: ExplainBody, catalogs: Catalogs) -> Explained:
+    """Says where a piece of a generated home was wished, and what holds it back from there."""
     with limited_to():
-        return write(explain(body.scene, body.id, catalogs=catalogs))
+        return explain(body.scene, body.id, catalogs=catalogs)
 
 
-def import_file(document: object, catalogs: Catalogs) -> Document:
-    """Reads a foreign floor plan.
-
-    Args:
-        document: an `ImportBody`.
-        catalogs: whose room types and kinds are known.
-
-    Raises:
-        FieldError: a field is wrong, or the file cannot be read.
-    """
-    body = read(ImportBody, document)
+@_call("import")
+def import_file(body: ImportBody, catalogs: Catalogs) -> PlanImport:
+    """Reads a floor plan of another program as a scene, and says all that is not as the file says."""
     if (body.file is None) == (body.document is None):
         raise FieldError(
             "file", "is missing" if body.file is None else "is given, and so is the document", "a file in base64, or a document"
@@ -232,44 +216,27 @@ def import_file(document: object, catalogs: Catalogs) -> Document:
     except ValueError:
         raise FieldError("file", "is not base64", "a file in base64") from None
     settings = ImportSettings(body.level, body.unit, body.furniture == "keep")
-    return import_content(content if body.document is None else dict(body.document), catalogs, settings, body.name)
+    return import_plan(content if body.document is None else dict(body.document), body.name, settings, catalogs=catalogs)
 
 
-def import_content(content: object, catalogs: Catalogs, settings: ImportSettings | None = None, name: str = "") -> Document:
-    """Reads a foreign floor plan from a file's bytes, or from the document in a JSON file.
-
-    Raises:
-        FieldError: the file cannot be read; names the place.
-    """
-    return write(import_plan(content, name, settings, catalogs=catalogs))
-
-
-def floor_of(document: object, catalogs: Catalogs | None = None) -> Document:
-    """Says where the floor of rooms is clear, kept free, and free to come to.
-
-    Args:
-        document: a `FloorBody`.
-        catalogs: where profiles of access are; ours by default.
-
-    Raises:
-        FieldError: a field is wrong.
-    """
-    body = read(FloorBody, document)
+@_call("floor")
+def floor_of(body: FloorBody, catalogs: Catalogs) -> FloorAnswer:
+    """Says where the floor of rooms is clear of walls, kept free for doors and windows, and free to come to."""
     check_ids("rooms", body.rooms, [room.id for room in body.scene.rooms])
-    return write(FloorAnswer(tuple(floors(body.scene, body.rooms, catalogs))))
+    return FloorAnswer(tuple(floors(body.scene, body.rooms, catalogs)))
 
 
-def export_scene(document: object, catalogs: Catalogs) -> Document:
-    """Returns a scene as a document of its own, every default and every body's kind written out: what a file of it holds.
+def _read_export(document: object) -> ExportBody:
+    if isinstance(document, Mapping) and "scene" not in document and "rooms" in document:
+        document = {"scene": document}
+    return read(ExportBody, document)
 
-    Args:
-        document: an `ExportBody`; or a scene by itself, as such a file holds it.
-        catalogs: the kinds.
 
-    Raises:
-        FieldError: a field is wrong.
-    """
-    return write_scene(with_assets(with_kinds(_sent(document).scene, catalogs), catalogs))
+@_call("export", reads=_read_export)
+def export_scene(body: ExportBody | SceneByItself, catalogs: Catalogs) -> Scene:
+    """Writes a scene as a file: JSON or YAML (and reads one that is), or what a simulator, an editor or a training set reads."""
+    scene = body if isinstance(body, Scene) else body.scene
+    return with_assets(with_kinds(scene, catalogs), catalogs)
 
 
 class ExportedFile(NamedTuple):
@@ -291,7 +258,7 @@ def export_files(document: object, catalogs: Catalogs, format: str) -> Files:
     Raises:
         FieldError: a field is wrong, or the format's library is not installed.
     """
-    body = _sent(document)
+    body = _read_export(document)
     return export(
         body.scene, format, free=cast(Freedom, body.free), strict=body.strict, scale=body.scale, called=body.called, catalogs=catalogs
     )
@@ -306,44 +273,56 @@ def export_one(document: object, catalogs: Catalogs, format: str) -> ExportedFil
     return ExportedFile(*packed(export_files(document, catalogs, format), format, EXPORTERS[format].media_type))
 
 
-def _sent(document: object) -> ExportBody:
-    """Reads a body of /export."""
-    if isinstance(document, Mapping) and "scene" not in document and "rooms" in document:
-        document = {"scene": document}
-    return read(ExportBody, document)
+def import_content(content: object, catalogs: Catalogs, settings: ImportSettings | None = None, name: str = "") -> Document:
+    """Reads a foreign floor plan from a file's bytes, or from the document in a JSON file.
+
+    Raises:
+        FieldError: the file cannot be read; names the place.
+    """
+    return write(import_plan(content, name, settings, catalogs=catalogs))
 
 
-def formats_document(_: Catalogs | None = None) -> Document:
-    """Returns the formats that /export writes, beside the scene's own."""
-    formats = (ExportFormat(name, one.words, is_available(name)) for name, one in EXPORTERS.items())
-    return write(ExportFormats(tuple(write(one) for one in formats)))
-
-
-def catalog_document(catalogs: Catalogs) -> Document:
-    """Returns all that the service knows: kinds of furniture, floorings, room types."""
-    return catalogs.model_dump(mode="json")
-
-
-def schema_document(_: Catalogs | None = None) -> Document:
-    """Returns the JSON Schema of a scene."""
-    return scene_schema()
-
-
-CALLS: Final[Mapping[str, Call]] = {
-    "generate": generate_house, "furnish": furnish_plan, "fix": fix_scene, "drag": take_in_hand, "place": place_pieces,
-    "validate": validate_scene, "view": view_scene, "export": export_scene, "explain": explain_place, "floor": floor_of,
-    "import": import_file,
-}  # fmt: skip
-"""The calls that take a body, by the names of their routes."""
 LIGHT: Final = frozenset({"drag", "floor", "validate", "view"})
 """Those that are quickly done where the body is small: they have a lane of their own."""
 MAY_BE_EMPTY: Final = frozenset({"generate"})
 """Those whose body may be left out: it asks for all defaults then."""
-QUESTIONS: Final[Mapping[str, Callable[[Catalogs], Document]]] = {
-    "catalog": catalog_document, "schema": schema_document, "exports": formats_document, "healthz": lambda _: write(Health()),
-}  # fmt: skip
-"""Those that take none."""
-
-
 EXPORT_FORMATS: Final = (*FORMATS, *EXPORTERS)
 """What /export writes."""
+
+
+class Question(NamedTuple):
+    """A call without a body: its name, the type of its answer, and what makes the answer's document."""
+
+    name: str
+    answers: Any
+    answer: Callable[[Catalogs], Document]
+
+
+def _catalog(catalogs: Catalogs) -> Document:
+    """Returns the furniture, decorations, room types, styles and presets the service knows."""
+    return catalogs.model_dump(mode="json")
+
+
+def _exports(_: Catalogs) -> Document:
+    """Lists the formats that /export writes, beside JSON and YAML."""
+    formats = (ExportFormat(name, one.words, is_available(name)) for name, one in EXPORTERS.items())
+    return write(ExportFormats(tuple(write(one) for one in formats)))
+
+
+def _schema(_: Catalogs) -> Document:
+    """Returns the JSON Schema of a scene."""
+    return scene_schema()
+
+
+def _healthz(_: Catalogs) -> Document:
+    """Answers at once while the service lives."""
+    return write(Health())
+
+
+QUESTIONS: Final = {
+    "catalog": Question("catalog", Catalogs, _catalog),
+    "export": Question("exports", ExportFormats, _exports),
+    "schema": Question("schema", dict[str, Any], _schema),
+    "healthz": Question("healthz", Health, _healthz),
+}
+"""The calls that take no body, by their paths."""

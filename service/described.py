@@ -1,77 +1,66 @@
-"""Calls that FastAPI describes and does not make: it reads their functions, for seconds, when the OpenAPI document is asked for.
+"""Calls that FastAPI describes and does not make: it reads their types, for seconds, when the OpenAPI document is asked for.
 
-Comes in: functions that declare what a call takes and answers, and what answers it. Goes out: routes, and a router for the document.
+Comes in: what answers each call, and the types of what it takes and answers. Goes out: routes, and a router for the document.
 """
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
-from typing import Any, NamedTuple, TypeVar
+from collections.abc import Awaitable, Callable, Mapping
+from inspect import Parameter, Signature, cleandoc
+from typing import Any, Final, NamedTuple
 
 from fastapi.routing import APIRouter
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-Declared = TypeVar("Declared", bound=Callable[..., Any])
 Answering = Callable[[Request], Awaitable[Response]]
+NEEDED: Final = Parameter.empty
+"""In place of a default: what has none."""
 
 
-class _Declaration(NamedTuple):
+class _Declared(NamedTuple):
     method: str
     path: str
-    function: Callable[..., Any]
+    answering: Answering
+    takes: Mapping[str, Any]
     described: dict[str, Any]
-
-    @property
-    def name(self) -> str:
-        name: str = self.described.get("name", self.function.__name__)
-        return name
 
 
 class DescribedCalls:
-    """Calls of one kind, declared by functions without a body.
+    """Calls of one kind.
 
     Args:
-        answering: returns what answers the call of a name.
         prefix: of their paths.
         described: what the document says of all of them, as `APIRouter` takes it.
     """
 
-    def __init__(self, answering: Callable[[str], Answering], prefix: str = "", **described: Any) -> None:
-        self._answering, self._prefix, self._described = answering, prefix, described
-        self._declared: list[_Declaration] = []
+    def __init__(self, prefix: str = "", **described: Any) -> None:
+        self._prefix, self._described = prefix, described
+        self._declared: list[_Declared] = []
 
-    def post(self, path: str, **described: Any) -> Callable[[Declared], Declared]:
-        """Declares a call; what describes it is as `APIRouter.post` takes it, and so for the other methods."""
-        return self._declare("POST", path, described)
+    def call(self, method: str, path: str, answers: Any = None, **described: Any) -> Callable[[Answering], Answering]:
+        """Declares a call by what answers it: its name and its docstring are the call's.
 
-    def get(self, path: str, **described: Any) -> Callable[[Declared], Declared]:
-        """Declares a call."""
-        return self._declare("GET", path, described)
+        Args:
+            method: of HTTP.
+            path: below the prefix.
+            answers: the type of the answer's document, where it is one.
+            described: `takes`, the types of what it takes, by name, those that need not be there with their default; all else as
+                `APIRouter.add_api_route` takes it.
+        """
+        takes = described.pop("takes", {})
 
-    def put(self, path: str, **described: Any) -> Callable[[Declared], Declared]:
-        """Declares a call."""
-        return self._declare("PUT", path, described)
-
-    def patch(self, path: str, **described: Any) -> Callable[[Declared], Declared]:
-        """Declares a call."""
-        return self._declare("PATCH", path, described)
-
-    def delete(self, path: str, **described: Any) -> Callable[[Declared], Declared]:
-        """Declares a call."""
-        return self._declare("DELETE", path, described)
-
-    def _declare(self, method: str, path: str, described: dict[str, Any]) -> Callable[[Declared], Declared]:
-        def declare(function: Declared) -> Declared:
-            self._declared.append(_Declaration(method, path, function, described))
-            return function
+        def declare(answering: Answering) -> Answering:
+            said = {"name": answering.__name__, "description": cleandoc(answering.__doc__ or ""), "response_model": answers, **described}
+            self._declared.append(_Declared(method, path, answering, takes, said))
+            return answering
 
         return declare
 
     def routes(self) -> list[Route]:
         """Returns what answers the calls."""
-        made = [Route(self._prefix + one.path, self._answering(one.name), name=one.name) for one in self._declared]
+        made = [Route(self._prefix + one.path, one.answering, name=one.described["name"]) for one in self._declared]
         for route, one in zip(made, self._declared, strict=True):
             route.methods = {one.method}  # HEAD is the guard's
         return made
@@ -80,5 +69,16 @@ class DescribedCalls:
         """Returns what FastAPI describes."""
         router = APIRouter(prefix=self._prefix, **self._described)
         for one in self._declared:
-            router.add_api_route(one.path, one.function, methods=[one.method], **one.described)
+            router.add_api_route(one.path, _function_of(one.takes), methods=[one.method], **one.described)
         return router
+
+
+def _function_of(takes: Mapping[str, Any]) -> Callable[..., Any]:
+    """Returns a function that FastAPI reads as one with these parameters."""
+
+    def call(**_: object) -> None: ...
+
+    pairs = {name: taken if isinstance(taken, tuple) else (taken, NEEDED) for name, taken in takes.items()}
+    parameters = [Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=of) for name, (of, default) in pairs.items()]
+    call.__signature__ = Signature(parameters)  # type: ignore[attr-defined]
+    return call

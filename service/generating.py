@@ -11,17 +11,11 @@ from typing import TYPE_CHECKING, Final
 from service.effort import limited_to
 from solver import generate, reroll, restyle
 from solver.errors import FieldError
-from solver.exchange import read, read_request, write
-from solver.plain import Document
+from solver.exchange import read, read_request
 from solver.scene import MAX_SEED, Generated, Scene
 
 if TYPE_CHECKING:
     from catalogs import Catalogs
-
-
-def generate_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Document:
-    """Returns what `made_house` makes as a document."""
-    return write(made_house(document, catalogs, engine))
 
 
 def made_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Generated:

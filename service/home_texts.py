@@ -31,7 +31,7 @@ class HomeSent:
     scene: PackedScene | None
 
 
-def read_home(body: bytes, sent: str, is_change: bool) -> HomeSent | Response:
+def read_sent_home(body: bytes, sent: str, is_change: bool) -> HomeSent | Response:
     """Reads the body of a home, or of a change of one; what is wrong with it becomes a problem document.
 
     Args:

@@ -1,4 +1,4 @@
-"""The calls about homes that are kept: declared as in `app`, and done here, in threads that wait for the store.
+"""The calls about homes that are kept, in threads that wait for the store.
 
 Comes in: requests, whose owner `admission` knows. Goes out: answers; refusals as errors of the table in `problems`.
 """
@@ -7,17 +7,17 @@ from __future__ import annotations
 
 import re
 import zlib
-from collections.abc import Callable
+from functools import partial
 from typing import Annotated, Any, Final
 
-from anyio import CapacityLimiter, to_thread
-from fastapi import Header, Path, Query
+from anyio import to_thread
+from fastapi import Header, Query
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.admission import owner_of
-from service.described import Answering, DescribedCalls
-from service.home_texts import HomeSent, as_yaml, head_document, home_text, moment, read_home
+from service.described import DescribedCalls
+from service.home_texts import HomeSent, as_yaml, head_document, home_text, moment, read_sent_home
+from service.kept_calls import REFUSALS, WITH_BODY, ask, id_in, id_type, number_in, number_type
 from service.kept_contract import (
     AFTER,
     LINES,
@@ -33,43 +33,23 @@ from service.kept_contract import (
     HomeVersions,
     KeptHome,
 )
+from service.kept_store import KeptStore
 from service.openapi import refusals
-from service.refusals import NoSuchThing, TooLarge, WrongMediaType
-from service.store.saved_homes import ANY_REVISION, SavedHome, SavedHomes, Wanted
+from service.refusals import TooLarge, WrongMediaType
+from service.store.saved_homes import ANY_REVISION, SavedHome, Wanted
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read
 
-THREADS: Final = 8
-"""How many calls wait for the store at once. Our choice: a call takes it a millisecond."""
 MOST_PICTURE: Final = 512 * 1024
 """Largest picture, bytes. Our choice."""
 PICTURES: Final = {"image/png": b"\x89PNG\r\n\x1a\n", "image/jpeg": b"\xff\xd8\xff", "image/webp": b"RIFF"}
 """The pictures that are kept, and how each begins."""
 PICTURE_POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'; sandbox"
-HOME: Final = re.compile(r"[\w-]{1,40}")
 TAG: Final = re.compile(r'(?:W/)?"(\d{1,9})(?:-yaml)?"')
 
 
-def by_name(name: str) -> Answering:
-    """Returns what answers a call that asks the store: it has the call's name in HANDLERS."""
-    return HANDLERS[name]
-
-
-async def _asked(request: Request, question: Callable[[SavedHomes, str], Any]) -> Any:
-    """Asks the store something in a thread, for the owner of the request's key."""
-
-    def ask() -> Any:
-        return question(request.app.kept_homes(), owner_of(request.scope))
-
-    return await to_thread.run_sync(ask, limiter=request.app.store_threads)
-
-
-def _home(request: Request) -> str:
-    home: str = request.path_params["home"]
-    if not HOME.fullmatch(home):
-        raise NoSuchThing("home", f"there is no {home!r:.40}", "the id of a home of yours")
-    return home
+_asked = partial(ask, KeptStore.open)
 
 
 def _revision(request: Request) -> int | None:
@@ -87,36 +67,43 @@ def _tagged(answer: Response, home: SavedHome, wanted: str) -> Response:
     return answer
 
 
-async def _sent(request: Request, is_change: bool) -> HomeSent:
+async def _sent(request: Request, is_change: bool) -> HomeSent | Response:
+    """Returns what is said of a home, or the refusal of it."""
     body, sent = await body_of(request, request.app.settings.body_seconds), format_sent(request)
     is_light = len(body) <= request.app.settings.light_bytes
-    done = await request.app.workers.run(read_home, body, sent, is_change, is_light=is_light)
-    if isinstance(done, Response):
-        raise _Answered(done)
-    found: HomeSent = done
-    return found
+    done: HomeSent | Response = await request.app.workers.run(read_sent_home, body, sent, is_change, is_light=is_light)
+    return done
 
 
-class _Answered(Exception):
-    """A call that has its answer already."""
+IF_MATCH: Final = "the ETag that the home was read with; * for whichever there is"
+IfMatch = Annotated[str | None, Header(alias="If-Match", description=IF_MATCH, json_schema_extra={"examples": ['"1"']})]
 
-    def __init__(self, answer: Response) -> None:
-        super().__init__()
-        self.answer = answer
+PICTURE_CONTENT: Final = {kind: {"schema": {"type": "string", "format": "binary"}} for kind in (*PICTURES, "image/svg+xml")}
+NOT_CHANGED: Final[dict[int | str, dict[str, Any]]] = {304: {"description": "The revision is the one of If-None-Match"}}
+
+homes = DescribedCalls("/homes", responses=REFUSALS)
+OF_HOME: Final = {"home": id_type("home")}
+OF_REVISION: Final = {**OF_HOME, "if_match": (IfMatch, None)}
+OF_VERSION: Final = {**OF_HOME, "number": number_type(1)}
+LISTS: Final = {
+    "search": (
+        Annotated[
+            str, Query(max_length=MOST_NAME, pattern=LINES.pattern, description="words that are all somewhere in name, notes and tags")
+        ],
+        "",
+    ),
+    "tag": (Annotated[list[HomeTag], Query(description="tags that it has, all of them")], []),
+    "limit": (Annotated[int, Query(ge=1, le=MOST_LISTED)], LISTED),
+    "after": (Annotated[str, Query(pattern=AFTER, description="`after` of the page before")], ""),
+}
 
 
-def _answering(handler: Answering) -> Answering:
-    async def answer(request: Request) -> Response:
-        try:
-            return await handler(request)
-        except _Answered as answered:
-            return answered.answer
-
-    return answer
-
-
-async def _save(request: Request) -> Response:
+@homes.call("POST", "", HomeHead, takes={"body": HomeBody}, status_code=201, responses=WITH_BODY)
+async def save_home(request: Request) -> Response:
+    """Keeps a home; answers where it is to be found."""
     sent, wanted = await _sent(request, False), format_wanted(request)
+    if isinstance(sent, Response):
+        return sent
     scene = sent.scene
     assert scene is not None, "a HomeBody has one"
     home = await _asked(request, lambda homes, owner: homes.add(owner, sent.texts, scene))
@@ -126,7 +113,9 @@ async def _save(request: Request) -> Response:
     return answer
 
 
-async def _list(request: Request) -> Response:
+@homes.call("GET", "", HomeList, takes=LISTS)
+async def list_homes(request: Request) -> Response:
+    """Lists homes, the last changed first."""
     given = request.query_params
     asked: dict[str, object] = {name: given[name] for name in ("search", "after") if name in given}
     if "limit" in given:
@@ -139,16 +128,10 @@ async def _list(request: Request) -> Response:
     return written(document, format_wanted(request))
 
 
-async def _read(request: Request) -> Response:
-    home = _home(request)
-    return await _whole(request, home, None)
-
-
-async def _version(request: Request) -> Response:
-    number = request.path_params["number"]
-    if not re.fullmatch(r"[0-9]{1,9}", number):
-        raise NoSuchThing("version", f"{number!r:.40} is no number", "the number of a version")
-    return await _whole(request, _home(request), int(number))
+@homes.call("GET", "/{home}", KeptHome, takes=OF_HOME, responses=refusals(404) | NOT_CHANGED)
+async def read_home(request: Request) -> Response:
+    """Returns a home with its scene; its ETag names the revision."""
+    return await _whole(request, id_in(request, "home"), None)
 
 
 async def _whole(request: Request, id_of: str, version: int | None) -> Response:
@@ -164,27 +147,44 @@ async def _whole(request: Request, id_of: str, version: int | None) -> Response:
     return _tagged(answer, home, wanted) if shown else answer
 
 
-async def _change(request: Request) -> Response:
-    id_of, revision = _home(request), _revision(request)
+@homes.call("PATCH", "/{home}", HomeHead, takes={"body": HomeChange, **OF_REVISION}, responses=WITH_BODY | refusals(404, 412, 428))
+async def change_home(request: Request) -> Response:
+    """Changes a home; a scene becomes its next version."""
+    id_of, revision = id_in(request, "home"), _revision(request)
     sent, wanted = await _sent(request, True), format_wanted(request)
+    if isinstance(sent, Response):
+        return sent
     home = await _asked(request, lambda homes, owner: homes.change(owner, id_of, revision, sent.texts, sent.scene))
     return _tagged(written(head_document(home), wanted), home, wanted)
 
 
-async def _remove(request: Request) -> Response:
-    id_of, revision = _home(request), _revision(request)
+@homes.call("DELETE", "/{home}", takes=OF_REVISION, status_code=204, responses=refusals(404, 412, 428))
+async def remove_home(request: Request) -> Response:
+    """Removes a home with all its versions."""
+    id_of, revision = id_in(request, "home"), _revision(request)
     await _asked(request, lambda homes, owner: homes.remove(owner, id_of, revision))
     return Response(status_code=204)
 
 
-async def _versions(request: Request) -> Response:
-    id_of = _home(request)
+@homes.call("GET", "/{home}/versions", HomeVersions, takes=OF_HOME, responses=refusals(404))
+async def list_versions(request: Request) -> Response:
+    """Lists the versions of a home that are kept."""
+    id_of = id_in(request, "home")
     found = await _asked(request, lambda homes, owner: homes.versions(owner, id_of))
     return written({"versions": [{"number": number, "made": moment(made)} for number, made in found]}, format_wanted(request))
 
 
-async def _picture(request: Request) -> Response:
-    id_of = _home(request)
+@homes.call("GET", "/{home}/versions/{number}", KeptHome, takes=OF_VERSION, responses=refusals(404))
+async def read_version(request: Request) -> Response:
+    """Returns a home as one of its versions was."""
+    number = number_in(request, "version", "the number of a version")
+    return await _whole(request, id_in(request, "home"), number)
+
+
+@homes.call("GET", "/{home}/picture", takes=OF_HOME, response_class=Response, responses=refusals(404) | {200: {"content": PICTURE_CONTENT}})
+async def read_picture(request: Request) -> Response:
+    """Returns the picture that was given to a home, else its plan, drawn."""
+    id_of = id_in(request, "home")
     found = await _asked(request, lambda homes, owner: homes.picture(owner, id_of))
     if found is None:
         _, scene = await _asked(request, lambda homes, owner: homes.get(owner, id_of))
@@ -196,8 +196,13 @@ async def _picture(request: Request) -> Response:
     return Response(found[0], media_type=found[1], headers=headers)
 
 
-async def _put_picture(request: Request) -> Response:
-    id_of, kind = _home(request), request.headers.get("content-type", "").partition(";")[0].strip().lower()
+@homes.call(
+    "PUT", "/{home}/picture", takes=OF_HOME, status_code=204, responses=WITH_BODY | refusals(404),
+    openapi_extra={"requestBody": {"required": True, "content": {kind: PICTURE_CONTENT[kind] for kind in PICTURES}}},
+)  # fmt: skip
+async def put_picture(request: Request) -> Response:
+    """Gives a home a picture: PNG, JPEG or WebP. That is no change of the home."""
+    id_of, kind = id_in(request, "home"), request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if kind not in PICTURES:
         raise WrongMediaType("Content-Type", f"{kind!r:.60} is no picture that is kept", ", ".join(PICTURES))
     content = await body_of(request, request.app.settings.body_seconds)
@@ -207,79 +212,3 @@ async def _put_picture(request: Request) -> Response:
         raise FieldError("body", f"is no {kind}", "a picture of the type that it is sent as")
     await _asked(request, lambda homes, owner: homes.put_picture(owner, id_of, content, kind))
     return Response(status_code=204)
-
-
-HANDLERS: Final[dict[str, Answering]] = {
-    "save_home": _answering(_save), "list_homes": _list, "read_home": _read, "change_home": _answering(_change), "remove_home": _remove,
-    "list_versions": _versions, "read_version": _version, "read_picture": _picture, "put_picture": _put_picture,
-}  # fmt: skip
-
-IF_MATCH: Final = "the ETag that the home was read with; * for whichever there is"
-HomeId = Annotated[str, Path(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9_-]+$", description="of a home of yours")]
-IfMatch = Annotated[str | None, Header(alias="If-Match", description=IF_MATCH, json_schema_extra={"examples": ['"1"']})]
-
-PICTURE_CONTENT: Final = {kind: {"schema": {"type": "string", "format": "binary"}} for kind in (*PICTURES, "image/svg+xml")}
-NOT_CHANGED: Final[dict[int | str, dict[str, Any]]] = {304: {"description": "The revision is the one of If-None-Match"}}
-
-homes = DescribedCalls(by_name, responses=refusals(401, 403, 405, 421, 422, 429, 500, 503, 504, 507), prefix="/homes")
-WITH_BODY: Final = refusals(400, 408, 409, 413, 415)
-
-
-@homes.post("", status_code=201, responses=WITH_BODY)
-def save_home(body: HomeBody) -> HomeHead:  # type: ignore[empty-body]
-    """Keeps a home; answers where it is to be found."""
-
-
-@homes.get("")
-def list_homes(  # type: ignore[empty-body]
-    search: Annotated[
-        str, Query(max_length=MOST_NAME, pattern=LINES.pattern, description="words that are all somewhere in name, notes and tags")
-    ] = "",
-    tag: Annotated[list[HomeTag], Query(description="tags that it has, all of them")] = [],  # noqa: B006 - FastAPI reads it
-    limit: Annotated[int, Query(ge=1, le=MOST_LISTED)] = LISTED,
-    after: Annotated[str, Query(pattern=AFTER, description="`after` of the page before")] = "",
-) -> HomeList:
-    """Lists homes, the last changed first."""
-
-
-@homes.get("/{home}", name="read_home", responses=refusals(404) | NOT_CHANGED)
-def read_one(home: HomeId) -> KeptHome:  # type: ignore[empty-body]
-    """Returns a home with its scene; its ETag names the revision."""
-
-
-@homes.patch("/{home}", responses=WITH_BODY | refusals(404, 412, 428))
-def change_home(home: HomeId, body: HomeChange, if_match: IfMatch = None) -> HomeHead:  # type: ignore[empty-body]
-    """Changes a home; a scene becomes its next version."""
-
-
-@homes.delete("/{home}", status_code=204, responses=refusals(404, 412, 428))
-def remove_home(home: HomeId, if_match: IfMatch = None) -> None:
-    """Removes a home with all its versions."""
-
-
-@homes.get("/{home}/versions", responses=refusals(404))
-def list_versions(home: HomeId) -> HomeVersions:  # type: ignore[empty-body]
-    """Lists the versions of a home that are kept."""
-
-
-@homes.get("/{home}/versions/{number}", responses=refusals(404))
-def read_version(home: HomeId, number: Annotated[int, Path(ge=1, le=999_999_999)]) -> KeptHome:  # type: ignore[empty-body]
-    """Returns a home as one of its versions was."""
-
-
-@homes.get("/{home}/picture", response_class=Response, responses=refusals(404) | {200: {"content": PICTURE_CONTENT}})
-def read_picture(home: HomeId) -> Response:  # type: ignore[empty-body]
-    """Returns the picture that was given to a home, else its plan, drawn."""
-
-
-@homes.put(
-    "/{home}/picture", status_code=204, responses=WITH_BODY | refusals(404),
-    openapi_extra={"requestBody": {"required": True, "content": {kind: PICTURE_CONTENT[kind] for kind in PICTURES}}},
-)  # fmt: skip
-def put_picture(home: HomeId) -> None:
-    """Gives a home a picture: PNG, JPEG or WebP. That is no change of the home."""
-
-
-def store_limiter() -> CapacityLimiter:
-    """Returns what bounds the calls that wait for the store."""
-    return CapacityLimiter(THREADS)

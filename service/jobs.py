@@ -1,4 +1,4 @@
-"""The calls about long work, declared as in `homes`; and the runner, which makes the calls of one job after another in the workers.
+"""The calls about long work; and the runner, which makes the calls of one job after another in the workers.
 
 Comes in: requests; jobs of the store. Goes out: answers, events, results.
 What was done is kept call by call: a job goes on where it was ended.
@@ -8,26 +8,24 @@ from __future__ import annotations
 
 import json
 import logging
-import re
 import secrets
 import zlib
 from collections.abc import AsyncIterator, Callable
 from functools import partial
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 import anyio
 from anyio import to_thread
-from fastapi import Path
 from fastapi.sse import EventSourceResponse, format_sse_event
 from starlette.requests import Request
 from starlette.responses import Response
 
 from service import problems
-from service.admission import owner_of
 from service.described import DescribedCalls
 from service.home_texts import moment
-from service.homes import HANDLERS, HOME, by_name
 from service.job_contract import JobBody, JobHead, JobList
+from service.kept_calls import REFUSALS, WITH_BODY, ask, id_in, id_type, number_in, number_type
+from service.kept_store import KeptStore
 from service.openapi import refusals
 from service.refusals import Busy, NoSuchThing, StoreAway
 from service.store.saved_jobs import DONE, LEASE_S, JobResult, SavedJob, SavedJobs
@@ -62,21 +60,18 @@ def asked_of(body: bytes, sent: str) -> tuple[str, bytes, int]:
     return found.call, zlib.compress(json.dumps(bodies).encode()), len(bodies)
 
 
-async def _of_store(request: Request, question: Callable[[SavedJobs, str], Any]) -> Any:
-    def ask() -> Any:
-        return question(request.app.store.jobs(), owner_of(request.scope))
+_of_store = partial(ask, KeptStore.jobs)
 
-    return await to_thread.run_sync(ask, limiter=request.app.store_threads)
-
-
-def _id(request: Request) -> str:
-    job: str = request.path_params["job"]
-    if not HOME.fullmatch(job):
-        raise NoSuchThing("job", f"there is no {job!r:.40}", "the id of a job of yours")
-    return job
+EVENTS: Final[dict[int | str, dict[str, Any]]] = {200: {"content": {"text/event-stream": {"schema": {"type": "string"}}}}}
+RESULT: Final[dict[int | str, dict[str, Any]]] = {200: {"content": {"application/json": {}}}}
+jobs = DescribedCalls("/jobs", responses=REFUSALS)
+OF_JOB: Final = {"job": id_type("job")}
+OF_RESULT: Final = {**OF_JOB, "number": number_type(0)}
 
 
-async def _add_job(request: Request) -> Response:
+@jobs.call("POST", "", JobHead, takes={"body": JobBody}, status_code=202, responses=WITH_BODY)
+async def add_job(request: Request) -> Response:
+    """Takes on long work: a call, or a call of many seeds; answers at once where it is to be found."""
     body, sent = await body_of(request, request.app.settings.body_seconds), format_sent(request)
     call, asked, count = await to_thread.run_sync(asked_of, body, sent, limiter=request.app.store_threads)
     job = await _of_store(request, lambda jobs, owner: jobs.add(owner, call, asked, count))
@@ -87,33 +82,41 @@ async def _add_job(request: Request) -> Response:
     return answer
 
 
-async def _list_jobs(request: Request) -> Response:
+@jobs.call("GET", "", JobList)
+async def list_jobs(request: Request) -> Response:
+    """Lists jobs, the newest first."""
     found = await _of_store(request, lambda jobs, owner: jobs.list(owner))
     return written({"jobs": [job_document(job) for job in found]}, format_wanted(request))
 
 
-async def _read_job(request: Request) -> Response:
-    id_of = _id(request)
+@jobs.call("GET", "/{job}", JobHead, takes=OF_JOB, responses=refusals(404))
+async def read_job(request: Request) -> Response:
+    """Says how far a job is."""
+    id_of = id_in(request, "job")
     return written(job_document(await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))), format_wanted(request))
 
 
-async def _remove_job(request: Request) -> Response:
-    id_of = _id(request)
+@jobs.call("DELETE", "/{job}", takes=OF_JOB, status_code=204, responses=refusals(404))
+async def remove_job(request: Request) -> Response:
+    """Ends a job and removes it with its results."""
+    id_of = id_in(request, "job")
     await _of_store(request, lambda jobs, owner: jobs.remove(owner, id_of))
     return Response(status_code=204)
 
 
-async def _read_result(request: Request) -> Response:
-    id_of, number = _id(request), request.path_params["number"]
-    if not re.fullmatch(r"[0-9]{1,9}", number):
-        raise NoSuchThing("result", f"{number!r:.40} is no number", "the number of a call that has been made, from 0")
-    found: JobResult = await _of_store(request, lambda jobs, owner: jobs.result(owner, id_of, int(number)))
+@jobs.call("GET", "/{job}/results/{number}", takes=OF_RESULT, response_class=Response, responses=refusals(404) | RESULT)
+async def read_result(request: Request) -> Response:
+    """Returns what one of a job's calls was answered by; `X-Call-Status` is its status."""
+    id_of, number = id_in(request, "job"), number_in(request, "result", "the number of a call that has been made, from 0")
+    found: JobResult = await _of_store(request, lambda jobs, owner: jobs.result(owner, id_of, number))
     headers = {"X-Call-Status": str(found.status), "Cache-Control": "private, no-cache"}
     return Response(zlib.decompress(found.content), media_type=found.media_type, headers=headers)
 
 
-async def _job_events(request: Request) -> Response:
-    id_of = _id(request)
+@jobs.call("GET", "/{job}/events", takes=OF_JOB, response_class=Response, responses=refusals(404) | EVENTS)
+async def job_events(request: Request) -> Response:
+    """Says how far a job is, each time that changes, as server-sent events, until it is done."""
+    id_of = id_in(request, "job")
     first = await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))
 
     async def events() -> AsyncIterator[bytes]:
@@ -214,43 +217,3 @@ class Runner:
 
     async def _in_thread(self, question: Callable[[SavedJobs], Any]) -> Any:
         return await to_thread.run_sync(lambda: question(self._app.store.jobs()), limiter=self._app.store_threads)
-
-
-HANDLERS.update({
-    "add_job": _add_job, "list_jobs": _list_jobs, "read_job": _read_job, "remove_job": _remove_job, "read_result": _read_result,
-    "job_events": _job_events,
-})  # fmt: skip
-
-JobId = Annotated[str, Path(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9_-]+$", description="of a job of yours")]
-EVENTS: Final[dict[int | str, dict[str, Any]]] = {200: {"content": {"text/event-stream": {"schema": {"type": "string"}}}}}
-jobs = DescribedCalls(by_name, responses=refusals(401, 403, 405, 421, 422, 429, 500, 503, 504, 507), prefix="/jobs")
-
-
-@jobs.post("", status_code=202, responses=refusals(400, 408, 409, 413, 415))
-def add_job(body: JobBody) -> JobHead:  # type: ignore[empty-body]
-    """Takes on long work: a call, or a call of many seeds; answers at once where it is to be found."""
-
-
-@jobs.get("")
-def list_jobs() -> JobList:  # type: ignore[empty-body]
-    """Lists jobs, the newest first."""
-
-
-@jobs.get("/{job}", responses=refusals(404))
-def read_job(job: JobId) -> JobHead:  # type: ignore[empty-body]
-    """Says how far a job is."""
-
-
-@jobs.get("/{job}/events", response_class=Response, responses=refusals(404) | EVENTS)
-def job_events(job: JobId) -> Response:  # type: ignore[empty-body]
-    """Says how far a job is, each time that changes, as server-sent events, until it is done."""
-
-
-@jobs.get("/{job}/results/{number}", response_class=Response, responses=refusals(404) | {200: {"content": {"application/json": {}}}})
-def read_result(job: JobId, number: Annotated[int, Path(ge=0, le=999_999_999)]) -> Response:  # type: ignore[empty-body]
-    """Returns what one of a job's calls was answered by; `X-Call-Status` is its status."""
-
-
-@jobs.delete("/{job}", status_code=204, responses=refusals(404))
-def remove_job(job: JobId) -> None:
-    """Ends a job and removes it with its results."""

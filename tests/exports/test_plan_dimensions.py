@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 
 import pytest
 
+from catalogs import load_catalogs
 from service.calls import view_scene
 from solver import Request, Scene, export, generate
 from solver.exchange import write_scene
@@ -185,7 +186,7 @@ def check(scene: Scene) -> None:
     assert [size for size in said_sizes if not any(is_near(size[0], {a}) and is_near(size[1], {b}) for a, b in own)] == []
     assert len(sizes) >= 0.75 * len(scene.rooms)
     areas = sorted(words for words in texts if words.endswith(" m²"))
-    told = sorted(re.findall(r"# (\d+\.\d m²) clear", str(view_scene({"scene": write_scene(scene)})["text"])))
+    told = sorted(re.findall(r"# (\d+\.\d m²) clear", str(view_scene({"scene": write_scene(scene)}, load_catalogs())["text"])))
     assert areas == told
     indoors = sorted(clear_area(room, half) for room in scene.rooms if not room.outdoor)
     assert len(indoors) >= 2 and [one for one in indoors if one not in areas] == []

@@ -44,7 +44,7 @@ def test_a_scene_as_made_keeps_its_proofs_through_files_and_repairs(request_: Re
     made = generate(request_).scene
     read = read_scene(load_text(dump_text(write_scene(made), format), format))
     assert entries(fix(read).scene) == entries(made)
-    assert "changed since" not in report(read) + view_scene({"scene": write_scene(read)})["text"]
+    assert "changed since" not in report(read) + view_scene({"scene": write_scene(read)}, CATALOGS)["text"]
     assert report(read).count("placement: cost") == len(made.rooms)
 
 
@@ -61,7 +61,7 @@ def test_of_a_changed_room_nothing_is_proven_and_of_the_others_all(change: dict[
         assert f"# Placement: proven optimal in {proven} of {len(made.rooms)} rooms, 1 changed since\n" in text
         assert text.count("placement: cost") == len(made.rooms) - 1
         assert text.count("placement: changed since it was made") == 1
-        assert "1 changed since" in view_scene({"scene": write_scene(scene)})["text"]
+        assert "1 changed since" in view_scene({"scene": write_scene(scene)}, CATALOGS)["text"]
     assert ("proven" in entries(repaired)[room]) == as_made
 
 
