@@ -13,13 +13,13 @@ from catalogs.faults import CatalogError
 
 if TYPE_CHECKING:
     from catalogs.assets.asset_folder import add_assets
-    from catalogs.kept import load_catalogs
+    from catalogs.cached import load_catalogs
     from catalogs.schema import Catalogs
 else:
 
     def __getattr__(name: str) -> object:
         """Imports what reads the files when it is first named: the errors cost none of it."""
-        module = {"add_assets": "assets.asset_folder", "Catalogs": "schema"}.get(name, "kept")
+        module = {"add_assets": "assets.asset_folder", "Catalogs": "schema"}.get(name, "cached")
         return getattr(import_module(f"{__name__}.{module}"), name)
 
 

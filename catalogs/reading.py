@@ -67,7 +67,7 @@ what holds things counts."""
 
 
 def read_catalogs(directory: Path | None = None) -> Catalogs:
-    """Reads and checks our catalogs, or those with a directory's own laid over them; see `kept.load_catalogs`."""
+    """Reads and checks our catalogs, or those with a directory's own laid over them; see `cached.load_catalogs`."""
     if directory is None:
         return _checked(_layer(HERE))
     _refuse_strays(directory)

@@ -16,8 +16,8 @@ from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
 from service.contract import FloorAnswer, Lines, PlaceAnswer, ValidateAnswer
+from service.home_contract import HomeHead, HomeList, HomeVersions, HomeWithScene
 from service.job_contract import JobHead, JobList
-from service.kept_contract import HomeHead, HomeList, HomeVersions, KeptHome
 from solver.exchange import read, write_request, write_scene
 from solver.explained import Explained
 from solver.guessed import FurnishedPlan
@@ -136,9 +136,9 @@ def list_homes(search: str = "", tags: Sequence[str] = (), limit: int = 20, afte
     return ServiceCall("GET", "homes", _reader(HomeList), query=query)
 
 
-def home(id: str) -> ServiceCall[KeptHome]:
+def home(id: str) -> ServiceCall[HomeWithScene]:
     """Returns a home with its scene."""
-    return ServiceCall("GET", f"homes/{id}", _reader(KeptHome))
+    return ServiceCall("GET", f"homes/{id}", _reader(HomeWithScene))
 
 
 def change_home(head: HomeHead, **changes: Any) -> ServiceCall[HomeHead]:

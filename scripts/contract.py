@@ -29,7 +29,7 @@ PAGE = (
         "HomeHead",
         "HomeList",
         "HomeVersions",
-        "KeptHome",
+        "HomeWithScene",
         "JobHead",
         "JobList",
         "FurnishedPlan",

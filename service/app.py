@@ -31,13 +31,13 @@ from service.effort import Terms
 from service.guard import Guard
 from service.homes import homes
 from service.jobs import Runner, jobs
-from service.kept_calls import store_limiter
-from service.kept_store import NONE, TEMPORARY, KeptStore
 from service.measures import Measures, Observed, metrics
 from service.openapi import completed, refusals
 from service.packed_catalogs import mark_of, packed, warm
 from service.refusals import Busy, NoSuchFormat
 from service.service_settings import Settings
+from service.service_store import NONE, TEMPORARY, ServiceStore
+from service.store_calls import store_limiter
 from service.wire import body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, UnknownCatalogs, do_alone
 from service.workers import Workers, unless_left
@@ -125,7 +125,7 @@ class ComposeApp(Starlette):
         self.terms = Terms(settings.work, settings.most_effort, settings.judging)
         self.workers = Workers(settings)
         self.connections = Connections(settings)
-        self.store = KeptStore(settings)
+        self.store = ServiceStore(settings)
         self.store_threads = store_limiter()
         self.runner = Runner(self)
         self.measures = Measures(self.workers, self.connections)

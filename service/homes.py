@@ -16,9 +16,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from service.described import DescribedCalls
-from service.home_texts import HomeSent, as_yaml, head_document, home_text, moment, read_sent_home
-from service.kept_calls import REFUSALS, WITH_BODY, ask, id_in, id_type, number_in, number_type
-from service.kept_contract import (
+from service.home_contract import (
     AFTER,
     LINES,
     LISTED,
@@ -31,12 +29,14 @@ from service.kept_contract import (
     HomeQuery,
     HomeTag,
     HomeVersions,
-    KeptHome,
+    HomeWithScene,
 )
-from service.kept_store import KeptStore
+from service.home_texts import HomeSent, as_yaml, head_document, home_text, moment, read_sent_home
 from service.openapi import refusals
 from service.refusals import TooLarge, WrongMediaType
+from service.service_store import ServiceStore
 from service.store.saved_homes import ANY_REVISION, SavedHome, Wanted
+from service.store_calls import REFUSALS, WITH_BODY, ask, id_in, id_type, number_in, number_type
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read
@@ -49,7 +49,7 @@ PICTURE_POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'; sandbox"
 TAG: Final = re.compile(r'(?:W/)?"(\d{1,9})(?:-yaml)?"')
 
 
-_asked = partial(ask, KeptStore.open)
+_asked = partial(ask, ServiceStore.open)
 
 
 def _revision(request: Request) -> int | None:
@@ -128,7 +128,7 @@ async def list_homes(request: Request) -> Response:
     return written(document, format_wanted(request))
 
 
-@homes.call("GET", "/{home}", KeptHome, takes=OF_HOME, responses=refusals(404) | NOT_CHANGED)
+@homes.call("GET", "/{home}", HomeWithScene, takes=OF_HOME, responses=refusals(404) | NOT_CHANGED)
 async def read_home(request: Request) -> Response:
     """Returns a home with its scene; its ETag names the revision."""
     return await _whole(request, id_in(request, "home"), None)
@@ -174,7 +174,7 @@ async def list_versions(request: Request) -> Response:
     return written({"versions": [{"number": number, "made": moment(made)} for number, made in found]}, format_wanted(request))
 
 
-@homes.call("GET", "/{home}/versions/{number}", KeptHome, takes=OF_VERSION, responses=refusals(404))
+@homes.call("GET", "/{home}/versions/{number}", HomeWithScene, takes=OF_VERSION, responses=refusals(404))
 async def read_version(request: Request) -> Response:
     """Returns a home as one of its versions was."""
     number = number_in(request, "version", "the number of a version")

@@ -24,11 +24,11 @@ from service import problems
 from service.described import DescribedCalls
 from service.home_texts import moment
 from service.job_contract import JobBody, JobHead, JobList
-from service.kept_calls import REFUSALS, WITH_BODY, ask, id_in, id_type, number_in, number_type
-from service.kept_store import KeptStore
 from service.openapi import refusals
 from service.refusals import Busy, NoSuchThing, StoreAway
+from service.service_store import ServiceStore
 from service.store.saved_jobs import DONE, LEASE_S, JobResult, SavedJob, SavedJobs
+from service.store_calls import REFUSALS, WITH_BODY, ask, id_in, id_type, number_in, number_type
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import ComposeError
 from solver.exchange import load_text, read
@@ -60,7 +60,7 @@ def asked_of(body: bytes, sent: str) -> tuple[str, bytes, int]:
     return found.call, zlib.compress(json.dumps(bodies).encode()), len(bodies)
 
 
-_of_store = partial(ask, KeptStore.jobs)
+_of_store = partial(ask, ServiceStore.jobs)
 
 EVENTS: Final[dict[int | str, dict[str, Any]]] = {200: {"content": {"text/event-stream": {"schema": {"type": "string"}}}}}
 RESULT: Final[dict[int | str, dict[str, Any]]] = {200: {"content": {"application/json": {}}}}

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from catalogs import Catalogs
 from service.contract import ProblemDocument
-from service.problems import KEPT_STATUS, MEDIA_TYPE, STATUS
+from service.problems import MEDIA_TYPE, STATUS, STORE_STATUS
 from service.wire import MEDIA_TYPES
 from solver.exchange import load_text
 from solver.export_formats import EXPORTERS
@@ -17,7 +17,7 @@ from solver.export_formats import EXPORTERS
 REFERENCES: Final = "#/components/schemas/"
 EXAMPLES: Final = Path(__file__).parent / "examples.yaml"
 JSON: Final = "application/json"
-TITLES: Final = {**dict(KEPT_STATUS.values()), **dict(STATUS.values())}
+TITLES: Final = {**dict(STORE_STATUS.values()), **dict(STATUS.values())}
 
 
 def refusals(*statuses: int) -> dict[int | str, dict[str, Any]]:

@@ -41,7 +41,7 @@ STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
     Busy: (503, "The service is busy"),
 }
 """Status and title of every error a caller can bring about; a class stands for its children too."""
-KEPT_STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
+STORE_STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
     NoSuchThing: (404, "There is no such thing here"),
     TooManyKept: (409, "No more may be kept"),
     ChangedMeanwhile: (412, "It was changed meanwhile"),
@@ -50,7 +50,7 @@ KEPT_STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
     NoRoom: (507, "The store is full"),
 }
 """The same, of the calls that keep something."""
-ALL_STATUS: Final = {**STATUS, **KEPT_STATUS}
+ALL_STATUS: Final = {**STATUS, **STORE_STATUS}
 
 RETRY_AFTER_S: Final = 2
 """When to come back to a busy service, s. Our choice: a house takes a fraction of that."""

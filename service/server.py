@@ -14,9 +14,9 @@ from uvicorn import Config, Server
 from catalogs import Catalogs
 from service.app import ComposeApp, create_app
 from service.callers import LOOPBACK
-from service.kept_store import NONE
 from service.measures import log_access
 from service.service_settings import Settings
+from service.service_store import NONE
 from solver.errors import ComposeError
 
 SWITCH_S: Final = 0.0005

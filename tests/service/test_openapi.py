@@ -17,7 +17,7 @@ FAR_SIGHTED = ("min_room_size", "force_types", "outer_wall_thickness")
 
 
 KEPT = ("/homes", "/jobs")
-"""What begins so is about things that are kept: tests/service/test_kept_calls.py."""
+"""What begins so is about things that are kept: tests/service/test_store_calls.py."""
 
 
 @pytest.fixture(scope="module")

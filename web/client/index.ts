@@ -1,6 +1,6 @@
 /** A client of a Compose service: one function a call, typed as the service's OpenAPI document says. For browsers, Node, Deno and Bun. */
 import type {
-  Explained, FieldProblem, Fixed, FloorAnswer, FurnishedPlan, Generated, HomeHead, HomeList, HomeVersions, JobHead, JobList, KeptHome, Lines, PlaceAnswer, PlanImport,
+  Explained, FieldProblem, Fixed, FloorAnswer, FurnishedPlan, Generated, HomeHead, HomeList, HomeVersions, JobHead, JobList, HomeWithScene, Lines, PlaceAnswer, PlanImport,
   ProblemDocument, Request, Scene, ValidateAnswer,
 } from "../src/served.js";
 
@@ -148,7 +148,7 @@ export class Client {
   }
 
   /** Returns a home with its scene. */
-  home(id: string, call: CallSettings = {}): Promise<KeptHome> {
+  home(id: string, call: CallSettings = {}): Promise<HomeWithScene> {
     return this.#get(`homes/${encodeURIComponent(id)}`, call);
   }
 

@@ -261,6 +261,25 @@ export interface HomeVersions {
   readonly versions: readonly HomeVersion[];
 }
 
+/** A home that is kept, with its scene. */
+export interface HomeWithScene {
+  readonly id: string;
+  readonly name: string;
+  readonly notes: string;
+  readonly tags: readonly string[];
+  /** when it was kept first */
+  readonly created: string;
+  /** when it was changed last */
+  readonly changed: string;
+  readonly revision: number;
+  readonly version: number;
+  /** how many rooms it has */
+  readonly rooms: number;
+  /** opens it on the page, relative to the service's address */
+  readonly link: string;
+  readonly scene: Scene;
+}
+
 /** Something that is not as it was drawn: in which step, of what (a room's or opening's id, or `plan`), by how much, m. */
 export interface ImportChange {
   readonly step: string;
@@ -304,25 +323,6 @@ export interface JobHead {
 /** Jobs, the newest first. */
 export interface JobList {
   readonly jobs: readonly JobHead[];
-}
-
-/** A home that is kept, with its scene. */
-export interface KeptHome {
-  readonly id: string;
-  readonly name: string;
-  readonly notes: string;
-  readonly tags: readonly string[];
-  /** when it was kept first */
-  readonly created: string;
-  /** when it was changed last */
-  readonly changed: string;
-  readonly revision: number;
-  readonly version: number;
-  /** how many rooms it has */
-  readonly rooms: number;
-  /** opens it on the page, relative to the service's address */
-  readonly link: string;
-  readonly scene: Scene;
 }
 
 /** A repair: the scene without the body. */

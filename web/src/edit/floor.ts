@@ -3,7 +3,7 @@ import { DoubleSide, Mesh, MeshBasicMaterial } from "three";
 import type { FloorAnswer, RoomFloor, Scene } from "../contract";
 import { disposeOf } from "../house/dispose";
 import { storeysOf } from "../house/frame";
-import { keptMaterial } from "../house/kept";
+import { sharedMaterial } from "../house/shared_materials";
 import { mergeQuads, type ColoredQuad } from "../house/quad_mesh";
 import { isAbort } from "../service";
 import type { Stage } from "../stage";
@@ -85,9 +85,9 @@ export class FloorZones {
     this.stage.floorZones = quads.length;
     this.stage.viewport.invalidate();
     if (quads.length === 0) return;
-    this.#mesh = new Mesh(mergeQuads(quads), keptMaterial("floor zone", () => zoneMaterial(0.3)));
+    this.#mesh = new Mesh(mergeQuads(quads), sharedMaterial("floor zone", () => zoneMaterial(0.3)));
     const edges = seen ? edgesOf(seen, this.#floors) : [];
-    if (edges.length > 0) this.#mesh.add(new Mesh(mergeQuads(edges), keptMaterial("floor zone's edge", () => zoneMaterial(0.9))));
+    if (edges.length > 0) this.#mesh.add(new Mesh(mergeQuads(edges), sharedMaterial("floor zone's edge", () => zoneMaterial(0.9))));
     this.stage.house?.root.add(this.#mesh);
   }
 }

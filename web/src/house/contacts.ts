@@ -1,7 +1,7 @@
 /** Soft shade where things meet the floor: along walls, and around what stands on it. One draw call, no pass over the picture. */
 import { InstancedBufferAttribute, InstancedMesh, Matrix4, PlaneGeometry, Quaternion, ShaderMaterial, Vector3 } from "three";
 import type { PlacedBody } from "./frame";
-import { keptMaterial } from "./kept";
+import { sharedMaterial } from "./shared_materials";
 import { between, type WallPlan } from "./walls";
 
 /** Over the floor and the rugs on it [m]. */
@@ -88,7 +88,7 @@ export class Contacts {
     const geometry = new PlaneGeometry(1, 1);
     geometry.setIndex([0, 1, 2, 2, 1, 3]); // seen from above
     geometry.setAttribute("rectangle", new InstancedBufferAttribute(new Float32Array(shades.flatMap(({ half, reach }) => [...half, reach])), 3));
-    this.root = new InstancedMesh(geometry, keptMaterial("shade", shadeMaterial), shades.length);
+    this.root = new InstancedMesh(geometry, sharedMaterial("shade", shadeMaterial), shades.length);
     this.root.frustumCulled = false;
     shades.forEach((shade, number) => this.#write(number, shade));
   }

@@ -4,7 +4,7 @@ import {
 } from "three";
 import type { Room } from "../contract";
 import { floorTexture, TEXTURE_SPAN } from "./floor_textures";
-import { keptMaterial } from "./kept";
+import { sharedMaterial } from "./shared_materials";
 import { litMaterial, type LitMaterial } from "./lit";
 import { cornersOf } from "./plan";
 import { faceMaterial } from "./wall_shader";
@@ -76,7 +76,7 @@ function accentBands(room: Room): Vector2[][] {
 
 function floorMaterial(type: string): LitMaterial {
   const map = floorTexture(type);
-  return keptMaterial(`floor of ${map ? type : "nothing known"}`, () => litMaterial({ vertexColors: true, roughness: 0.9, map }));
+  return sharedMaterial(`floor of ${map ? type : "nothing known"}`, () => litMaterial({ vertexColors: true, roughness: 0.9, map }));
 }
 
 /** The floors of a house. The caller disposes of them with `disposeOf`. */
@@ -96,7 +96,7 @@ export function floorMeshes(rooms: readonly Room[], storeys: ReadonlyMap<number,
     Object.assign(mesh, { receiveShadow: true, renderOrder: BEHIND });
     group.add(mesh);
   }
-  group.add(new Mesh(accents.build(), keptMaterial("accent", () => new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.75 }))));
+  group.add(new Mesh(accents.build(), sharedMaterial("accent", () => new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.75 }))));
   return group;
 }
 

@@ -4,7 +4,7 @@ import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { bodyMatrix } from "./body_meshes";
 import type { Box } from "./boxes";
 import type { PlacedBody } from "./frame";
-import { keptMaterial } from "./kept";
+import { sharedMaterial } from "./shared_materials";
 import { mergeQuads, quadsOf } from "./quad_mesh";
 
 const BAR = 0.024;
@@ -32,7 +32,7 @@ function lines(): MeshBasicMaterial {
 export function outlinesOf(bodies: readonly PlacedBody[], color: string): Mesh | null {
   if (bodies.length === 0) return null;
   const frames = bodies.map((body) => mergeQuads(bars(body).flatMap((box) => quadsOf(box, color))).applyMatrix4(bodyMatrix(body)));
-  const mesh = new Mesh(mergeGeometries(frames), keptMaterial("outline", lines));
+  const mesh = new Mesh(mergeGeometries(frames), sharedMaterial("outline", lines));
   for (const frame of frames) frame.dispose();
   mesh.renderOrder = 10;
   return mesh;

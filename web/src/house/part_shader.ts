@@ -3,7 +3,7 @@
  * solid of its size (rounding and taper are metres, never stretched) and lays the pattern on in metres.
  */
 import { MeshDepthMaterial, NoBlending, NormalBlending, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
-import { keptMaterial } from "./kept";
+import { sharedMaterial } from "./shared_materials";
 import { litMaterial, type LitMaterial } from "./lit";
 import { RULE } from "./part_geometry";
 import { patternSpans, patternUniform } from "./patterns";
@@ -134,8 +134,8 @@ interface PartMaterials {
 /** The materials of all parts, made once for the life of the page. */
 export function partMaterials(): PartMaterials {
   return {
-    solid: keptMaterial("part", () => lit(false)),
-    clear: keptMaterial("clear part", () => lit(true)),
-    shadow: keptMaterial("part shadow", shadow),
+    solid: sharedMaterial("part", () => lit(false)),
+    clear: sharedMaterial("clear part", () => lit(true)),
+    shadow: sharedMaterial("part shadow", shadow),
   };
 }

@@ -1,6 +1,6 @@
 /** The materials of walls and of what is flat as they are: colour, pattern and roughness are their vertices'. From afar a pattern fades into its mean. */
 import { NoBlending, NormalBlending, type MeshStandardMaterialParameters, type WebGLProgramParametersWithUniforms } from "three";
-import { keptMaterial } from "./kept";
+import { sharedMaterial } from "./shared_materials";
 import { litMaterial, type LitMaterial } from "./lit";
 import { MORTAR, patternLayer, patternUniform } from "./patterns";
 
@@ -30,7 +30,7 @@ function weave(shader: WebGLProgramParametersWithUniforms): void {
 
 /** A material that all share which ask for it by this name; what vertices do not say is plain and rough. All are drawn with one shader. */
 export function faceMaterial(name: string, look: MeshStandardMaterialParameters = {}): LitMaterial {
-  return keptMaterial(name, () => {
+  return sharedMaterial(name, () => {
     const material = litMaterial({ vertexColors: true, blending: look.transparent ? NormalBlending : NoBlending, ...look });
     material.onBeforeCompile = weave;
     material.customProgramCacheKey = () => "face";

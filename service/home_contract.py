@@ -67,7 +67,7 @@ class HomeHead(Record):
 
 
 @dataclass(frozen=True)
-class KeptHome(HomeHead):
+class HomeWithScene(HomeHead):
     """A home that is kept, with its scene."""
 
     scene: Scene

@@ -9,7 +9,7 @@ from unittest import mock
 
 import pytest
 
-from catalogs import kept, reading
+from catalogs import cached, reading
 from catalogs.schema import Catalogs
 
 
@@ -17,20 +17,20 @@ from catalogs.schema import Catalogs
 def fresh(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """A cache folder of its own, and nothing known yet."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    kept._ours.cache_clear()
+    cached._ours.cache_clear()
     yield
-    kept._ours.cache_clear()
+    cached._ours.cache_clear()
 
 
 def loaded() -> Catalogs:
     """What a new process would load."""
-    kept._ours.cache_clear()
-    return kept.load_catalogs()
+    cached._ours.cache_clear()
+    return cached.load_catalogs()
 
 
 def cache_file() -> Path:
     """Where they are kept."""
-    found = kept.cache_file()
+    found = cached.cache_file()
     assert found is not None
     return found
 
@@ -43,26 +43,26 @@ def test_what_is_kept_is_what_was_read(monkeypatch: pytest.MonkeyPatch) -> None:
     again = loaded()
     assert again == read and again is not read
     assert list(again.furniture) == list(read.furniture)
-    assert kept.load_catalogs() is again
+    assert cached.load_catalogs() is again
 
 
 def test_another_source_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
     asked = mock.Mock(return_value=loaded())
-    monkeypatch.setattr(kept, "source_digest", lambda: b"\1" * 32)
+    monkeypatch.setattr(cached, "source_digest", lambda: b"\1" * 32)
     monkeypatch.setattr(reading, "read_catalogs", asked)
     loaded(), loaded()
     assert asked.call_count == 1
 
 
 def test_every_file_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kept, "HERE", tmp_path)
-    digests = {kept.source_digest()}
+    monkeypatch.setattr(cached, "HERE", tmp_path)
+    digests = {cached.source_digest()}
     for name in ("furniture.yaml", "rooms/den.yaml", "schema.py", "assets/entry.py"):
         path = tmp_path / name
         path.parent.mkdir(exist_ok=True)
         for content in ("a: 1", "a: 2"):
             path.write_text(content)
-            digests.add(kept.source_digest())
+            digests.add(cached.source_digest())
     assert len(digests) == 9
 
 
@@ -77,9 +77,9 @@ def test_what_is_damaged_is_read_again(at: int) -> None:
 
 
 def test_nothing_but_types_of_the_catalogs_is_made() -> None:
-    source, harmful = kept.source_digest(), pickle.dumps(Path("/"))
+    source, harmful = cached.source_digest(), pickle.dumps(Path("/"))
     cache_file().parent.mkdir(parents=True)
-    cache_file().write_bytes(source + kept._of(harmful) + harmful)
+    cache_file().write_bytes(source + cached._of(harmful) + harmful)
     assert isinstance(loaded(), Catalogs)
 
 
@@ -89,5 +89,5 @@ def test_a_cache_that_cannot_be_had_is_none(tmp_path: Path, monkeypatch: pytest.
     assert loaded().furniture
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setattr(Path, "home", lambda: (_ for _ in ()).throw(RuntimeError))
-    assert kept.cache_file() is None
+    assert cached.cache_file() is None
     assert loaded().furniture

@@ -11,9 +11,9 @@ from fastapi import Path
 from starlette.requests import Request
 
 from service.admission import owner_of
-from service.kept_store import KeptStore
 from service.openapi import refusals
 from service.refusals import NoSuchThing
+from service.service_store import ServiceStore
 
 THREADS: Final = 8
 """How many calls wait for the store at once. Our choice: a call takes it a millisecond."""
@@ -28,7 +28,7 @@ def store_limiter() -> CapacityLimiter:
     return CapacityLimiter(THREADS)
 
 
-async def ask(of: Callable[[KeptStore], Any], request: Request, question: Callable[[Any, str], Any]) -> Any:
+async def ask(of: Callable[[ServiceStore], Any], request: Request, question: Callable[[Any, str], Any]) -> Any:
     """Asks the store for something in a thread, for the owner of the request's key.
 
     Args:

@@ -25,7 +25,7 @@ TEMPORARY: Final = "temporary"
 FILE_NAME: Final = "homes.sqlite"
 
 
-class KeptStore:
+class ServiceStore:
     """The store that the settings name, not yet opened.
 
     Args:
