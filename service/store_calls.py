@@ -61,7 +61,7 @@ def id_in(request: Request, of: str) -> str:
     """
     found: str = request.path_params[of]
     if not ID.fullmatch(found):
-        raise NoSuchThing(of, f"there is no {found!r:.40}", f"the id of a {of} of yours")
+        raise NoSuchThing(of, f"there is no {found!r:.40}", "the id of a home of yours" if of == "home" else "the id of a job of yours")
     return found
 
 
