@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from functools import cache
 
 import cvxpy as cp
 import numpy as np
@@ -18,7 +19,7 @@ from solver.placement.encode import encode
 from solver.placement.problem import DifferenceRow, Problem, ProblemBox
 from solver.streams import Stream
 from tests.oracles import sums, twin
-from tests.oracles.problems import anchor, apart, choose, new_variable, on_lattice, solve
+from tests.oracles.problems import Outcome, anchor, apart, choose, new_variable, on_lattice, solve
 from tests.placement.rooms import random_size, random_space, random_wanted
 
 TWINS = 160
@@ -76,6 +77,13 @@ def oracle_feasible(problem: Problem) -> bool:
     return bool(result.status == 0)
 
 
+@cache
+def twins_problem(seed: int) -> tuple[Problem, Outcome]:
+    """A random problem, and what the twin makes of it: the dearest part of these tests, made once."""
+    _, problem = random_problem(1000 + seed, 3 + seed % 7)
+    return problem, twin.solve(problem, limit=20_000)
+
+
 @pytest.mark.parametrize("seed", range(60))
 def test_the_verdict_is_the_oracles(seed: int) -> None:
     _, problem = random_problem(seed, 3 + seed % 5)
@@ -92,8 +100,8 @@ def test_the_rooms_above_are_of_both_kinds() -> None:
 @pytest.mark.parametrize("block", range(BLOCKS))
 def test_the_kernel_and_its_twin_agree(block: int) -> None:
     for seed in range(block, TWINS, BLOCKS):
-        _, problem = random_problem(1000 + seed, 3 + seed % 7)
-        ours, theirs = solve(problem, limit=20_000), twin.solve(problem, limit=20_000)
+        problem, theirs = twins_problem(seed)
+        ours = solve(problem, limit=20_000)
         assert (ours.proven, theirs.proven) == (True, True), seed
         assert (ours.positions is None) == (theirs.positions is None), seed
         if ours.positions is None or theirs.positions is None:
@@ -104,7 +112,7 @@ def test_the_kernel_and_its_twin_agree(block: int) -> None:
 
 
 def test_the_twins_rooms_are_of_both_kinds_and_some_are_hard() -> None:
-    outcomes = [twin.solve(random_problem(1000 + seed, 3 + seed % 7)[1], limit=20_000) for seed in range(TWINS)]
+    outcomes = [twins_problem(seed)[1] for seed in range(TWINS)]
     possible = [outcome for outcome in outcomes if outcome.positions is not None]
     assert TWINS // 4 < len(possible) < TWINS
     assert sum(outcome.solves > 50 for outcome in possible) > 10
