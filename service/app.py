@@ -10,7 +10,7 @@ from contextlib import asynccontextmanager
 from dataclasses import replace
 from typing import Annotated, Any, Final
 
-from anyio import create_task_group
+from anyio import Event, create_task_group
 from fastapi import FastAPI, Path
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
@@ -128,6 +128,8 @@ class ComposeApp(Starlette):
         self.store = ServiceStore(settings)
         self.store_threads = store_limiter()
         self.runner = Runner(self)
+        self.stopping = Event()
+        """Set when the service is told to stop, so that answers without an end of their own end."""
         self.measures = Measures(self.workers, self.connections)
         self.is_ready = False
         self._document: dict[str, Any] | None = None

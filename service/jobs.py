@@ -128,7 +128,9 @@ async def job_events(request: Request) -> Response:
                 yield format_sse_event(data_str=json.dumps(job_document(job)), event=event, id=str(job.done))
             if job.state == DONE:
                 return
-            await anyio.sleep(POLL_S)
+            with anyio.move_on_after(POLL_S):
+                await request.app.stopping.wait()
+                return  # who listens would keep the stop waiting; they ask again
             silent += POLL_S
             if silent >= SILENCE_S:
                 silent = 0.0

@@ -47,9 +47,21 @@ def serve(settings: Settings, catalogs: Catalogs) -> None:
         shown = f"[{settings.host}]" if listener.family == socket.AF_INET6 else settings.host
         print(f"Compose answers at http://{shown}:{listener.getsockname()[1]}/ (Ctrl+C stops it)", file=sys.stderr, flush=True)
         try:
-            Server(config).run(sockets=[listener])
+            _StoppingServer(app, config).run(sockets=[listener])
         except KeyboardInterrupt:
             print("Compose has stopped.", file=sys.stderr)
+
+
+class _StoppingServer(Server):
+    """Tells the application when it is told to stop: uvicorn would first wait for every answer to end."""
+
+    def __init__(self, app: ComposeApp, config: Config) -> None:
+        super().__init__(config)
+        self._app = app
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        self._app.stopping.set()
+        await super().shutdown(sockets)
 
 
 def _open_store(app: ComposeApp, settings: Settings) -> None:

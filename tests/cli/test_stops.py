@@ -11,6 +11,7 @@ import sys
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -61,6 +62,20 @@ def test_a_stop_answers_what_was_accepted() -> None:
         service.process.send_signal(signal.SIGTERM)
         assert call.result()[0] == 200
         service.process.wait(GUARD_S)
+
+
+def test_who_listens_keeps_no_stop_waiting() -> None:
+    job = {"call": "generate", "body": {"program": "studio"}, "seeds": list(range(1000))}
+    with running(0, *FEW, "--grace-seconds", "36000") as service:
+        path = f"/jobs/{json.loads(asked(service, 'POST', '/jobs', job)[1])['id']}/events"
+        place = urlsplit(service.address)
+        with closing(http.client.HTTPConnection(place.hostname or "", place.port, timeout=GUARD_S)) as connection:
+            connection.request("GET", path)
+            stream = connection.getresponse()
+            assert b"event: progress" in stream.readline()
+            service.process.send_signal(signal.SIGTERM)
+            assert b"event: done" not in stream.read(), "it ends as a whole answer, with nothing said that is not so"
+            service.process.wait(GUARD_S)
 
 
 @pytest.mark.parametrize("signals", [[signal.SIGINT, signal.SIGINT], [signal.SIGKILL]])
