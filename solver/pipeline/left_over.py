@@ -55,10 +55,25 @@ class _LeftOver:
             return None
         if issue.rule == "unreachable" and any(self._people.issuperset(conflict.ids) for conflict in here):
             return None
+        here = here or self._reaching_in(issue)
         if issue.rule == "unreachable" and here:
-            words = f"not found: out of reach as long as the room's other conflicts last: {issue.message}"
+            words = f"not found: out of reach as long as other conflicts last: {issue.message}"
             return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else _leaving(self.house, issue, self.budget))
         return Conflict(issue.ids, self._why(issue), _leaving(self.house, issue, self.budget))
+
+    def _reaching_in(self, issue: Issue) -> Sequence[Conflict]:
+        """Returns the conflicts about a body that leaves its own room and shuts a way in this one."""
+        if issue.rule != "unreachable":
+            return ()
+        outside = {label for other in self.house.errors if other.rule == "out_of_bounds" for label in other.ids}
+        tried = {
+            label: _house_without(self.house, label, self.budget)
+            for conflict in self.conflicts
+            for label in conflict.ids
+            if label in outside
+        }
+        shuts = {label for label, trial in tried.items() if trial and not _is_left(trial, issue)}
+        return [conflict for conflict in self.conflicts if shuts.intersection(conflict.ids)]
 
     def _why(self, issue: Issue) -> str:
         if issue.ids and self._locked.issuperset(issue.ids):
