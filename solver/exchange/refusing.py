@@ -42,7 +42,7 @@ def _refusal(first: Mapping[str, Any], schema: Mapping[str, Any], document: obje
     if first["type"] == "refused":
         return path(way), first["ctx"]["problem"], first["ctx"]["allowed"]
     if first["type"] in ("unexpected_keyword_argument", "extra_forbidden"):
-        known = list(_node(schema, way[:-1]).get("properties", ()))
+        known = [key for option in _options(schema, _node(schema, way[:-1])) for key in option.get("properties", ())]
         near = get_close_matches(str(way[-1]), known, 1)
         return path(way), "is not known" + (f"; {near[0]}?" if near else ""), ", ".join(known)
     if first["type"] == "value_error":
@@ -106,13 +106,18 @@ def _node(schema: Mapping[str, Any], way: Sequence[str | int]) -> Mapping[str, A
 
 def _inner(schema: Mapping[str, Any], node: Mapping[str, Any], step: str | int) -> list[Mapping[str, Any] | None]:
     found: list[Mapping[str, Any] | None] = []
-    for option in (_referred(schema, node), *(_referred(schema, option) for option in node.get("anyOf", ()))):
+    for option in _options(schema, node):
         if isinstance(step, int):
             listed = option.get("prefixItems", ())
             found.append(listed[step] if step < len(listed) else option.get("items"))
         more = option.get("additionalProperties")
         found.append(option.get("properties", {}).get(step, more if isinstance(more, dict) else None))
     return found
+
+
+def _options(schema: Mapping[str, Any], node: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """Returns a part of a schema, and the parts of which it may be any."""
+    return [_referred(schema, node), *(_referred(schema, option) for option in node.get("anyOf", ()))]
 
 
 def _referred(schema: Mapping[str, Any], node: Mapping[str, Any]) -> Mapping[str, Any]:

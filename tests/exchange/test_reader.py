@@ -203,6 +203,12 @@ def test_choices_are_listed() -> None:
     assert refused(scene(room(piece(wall="up")))).allowed == "north, south, east, west"
 
 
+def test_an_unknown_key_is_told_beside_those_there_are_also_where_null_may_stand() -> None:
+    told = refused(scene(room(exterior_walls={"nort": True})))
+    assert (told.field, told.problem) == ("rooms[0].exterior_walls.nort", "is not known; north?")
+    assert told.allowed == "north, south, east, west"
+
+
 def test_whole_numbers_may_be_written_with_a_point() -> None:
     assert read_scene(scene(room(index=3.0))).rooms[0].index == 3
 
