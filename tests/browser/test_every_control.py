@@ -55,7 +55,7 @@ def test_every_field_of_the_form_is_asked_for_and_reset_takes_all_back(visit: Vi
         page.locator(f"#{name}").fill(text)
     page.get_by_label("Smallest room side, slider").fill("2.6")
     page.get_by_label("Depth of cuts, slider").fill("4")
-    for label in ("Hallway spine", "Outdoor rooms", "People and pets"):
+    for label in ("Hallway through the house", "Outdoor rooms", "People and pets"):
         page.get_by_label(label).uncheck()
     page.get_by_label("Decorations", exact=True).check()
     page.locator("#style").select_option("rustic")
@@ -69,6 +69,11 @@ def test_every_field_of_the_form_is_asked_for_and_reset_takes_all_back(visit: Vi
     page.locator("#area").fill("75")
     page.locator("#area").press("Enter")
     assert asked.last(visit) == {**others, "area": 75, "width": 13.5, "depth": 8}
+    for extent in ("width", "depth"):
+        page.locator(f"#{extent}").fill("")
+    page.get_by_label("Outline").select_option("U-shaped")
+    page.locator("#generate").click()
+    assert asked.last(visit) == {**others, "area": 75, "outline": "U"}
     page.get_by_role("button", name="Reset").click()
     assert asked.last(visit) == FIRST
     expect(page.locator("#style")).to_have_value("")

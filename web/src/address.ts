@@ -18,8 +18,8 @@ export const FIRST: Readonly<HouseRequest> = { seed: 42, program: "family", outd
 export const NUMBERS = ["seed", "width", "depth", "min_room_size", "max_depth", "area", "robot_width", "wall_thickness", "outer_wall_thickness"] as const;
 export const SWITCHES = ["use_spine", "outdoor", "decorate", "people"] as const;
 export const TEXTS = ["program", "style", "access"] as const;
-/** Switches that say nothing where they stand at the service's own default, which is so for good. */
-const UNSAID: Readonly<Partial<Record<string, boolean>>> = { decorate: false, people: true };
+/** What says nothing where it stands at the service's own default, which is so for good. */
+const UNSAID: Readonly<Partial<Record<string, boolean | string>>> = { decorate: false, people: true, outline: "any" };
 /** What speaks of plain requests alone. */
 export const OF_PLAIN_PLANS = ["min_room_size", "max_depth", "use_spine"] as const;
 /** Mappings are written one entry a word: `program.bedrooms=3`. */
@@ -60,6 +60,18 @@ function programOf(given: URLSearchParams): string | Counts | undefined {
   return Object.fromEntries(Object.entries(counts).map(([word, text]) => [word, numberOrText(text)]));
 }
 
+/** An outline as it is written: a word, or corners as the command line takes them, "0,0 8,0 8,6 0,6". */
+export function outlineFrom(text: string): HouseRequest["outline"] {
+  const corners = text.trim().split(/\s+/).map((corner) => corner.split(",").map(Number));
+  const isCorner = (corner: number[]): corner is [number, number] => corner.length === 2 && corner.every(Number.isFinite);
+  return corners.every(isCorner) ? corners : text;
+}
+
+/** Writes what `outlineFrom` reads. */
+export function outlineText(outline: NonNullable<HouseRequest["outline"]>): string {
+  return typeof outline === "string" ? outline : outline.map((corner) => corner.join(",")).join(" ");
+}
+
 /** Tells whether a home is planned for a programme or an area, so that its outline is chosen to fit. */
 export function isPlanned(request: HouseRequest): boolean {
   return request.program !== undefined || request.area !== undefined;
@@ -68,7 +80,7 @@ export function isPlanned(request: HouseRequest): boolean {
 /** Reads a request from an address's query; what the query does not say is the default. */
 export function requestFromQuery(query: string): HouseRequest {
   const given = new URLSearchParams(query);
-  if (![...NUMBERS, ...SWITCHES, ...TEXTS].some((name) => textOf(given, name) !== null) && MAPPINGS.every((name) => !mappingOf(given, name))) return { ...FIRST };
+  if (![...NUMBERS, ...SWITCHES, ...TEXTS, "outline"].some((name) => textOf(given, name) !== null) && MAPPINGS.every((name) => !mappingOf(given, name))) return { ...FIRST };
   const program = programOf(given);
   const planned = program !== undefined || (given.get("area") ?? "") !== "";
   const request: HouseRequest = planned ? { seed: DEFAULTS.seed, outdoor: DEFAULTS.outdoor, program } : { ...DEFAULTS };
@@ -83,11 +95,14 @@ export function requestFromQuery(query: string): HouseRequest {
   request.style = given.get("style") || undefined;
   request.access = given.get("access") || undefined;
   request.force_types = mappingOf(given, "force_types") ?? undefined;
+  const outline = given.get("outline");
+  request.outline = outline ? outlineFrom(outline) : undefined;
+  if (typeof request.outline === "object") for (const name of ["width", "depth"] as const) if (!textOf(given, name)) delete request[name];
   if (planned) for (const name of OF_PLAIN_PLANS) delete request[name];
   return withoutGaps(request);
 }
 
-/** Leaves out what says nothing: no value, or a switch at the service's own default for good. */
+/** Leaves out what says nothing: no value, or one that is the service's own default for good. */
 export function withoutGaps(request: HouseRequest): HouseRequest {
   const kept = Object.entries(request).filter(([name, value]) => value !== undefined && UNSAID[name] !== value);
   return Object.fromEntries(kept) as unknown as HouseRequest;
@@ -101,6 +116,7 @@ export function queryFromRequest(request: HouseRequest): string {
     const value = said[name];
     if (value !== undefined && typeof value !== "object") query.set(name, String(value));
   }
+  if (said.outline) query.set("outline", outlineText(said.outline));
   for (const name of MAPPINGS) {
     const entries = said[name];
     if (typeof entries !== "object") continue;

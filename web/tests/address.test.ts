@@ -40,6 +40,16 @@ describe("the address", () => {
     expect(numberOrText(" 3.5 ")).toBe(3.5);
   });
 
+  it("takes an outline as a word or by its corners, which say how large the house is", () => {
+    expect(requestFromQuery("?program=family&outline=L")).toEqual({ seed: 42, outdoor: true, program: "family", outline: "L" });
+    expect(requestFromQuery("?program=family&outline=any")).toEqual({ seed: 42, outdoor: true, program: "family" });
+    const cut = requestFromQuery("?seed=3&outline=0,0+9,0+9,5.5+5,5.5+5,9+0,9");
+    expect(cut.outline).toEqual([[0, 0], [9, 0], [9, 5.5], [5, 5.5], [5, 9], [0, 9]]);
+    expect([cut.width, cut.depth, cut.min_room_size]).toEqual([undefined, undefined, 3]);
+    expect(requestFromQuery(queryFromRequest(cut))).toEqual(cut);
+    expect(requestFromQuery("?outline=0,0+9,wide").outline).toBe("0,0 9,wide");
+  });
+
   it("ignores what it does not know", () => {
     expect(requestFromQuery("?colour=red&__proto__=x")).toEqual(FIRST);
   });

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { DEFAULTS } from "../src/address";
 import { drawing, randomRequest } from "./random_requests";
-import type { Catalog } from "../src/contract";
+import type { Catalog, HouseRequest } from "../src/contract";
 import { Controls } from "../src/panel/controls";
 
 const FORM = /<form id="request"[\s\S]*?<\/form>/.exec(readFileSync("index.html", "utf8"))?.[0] ?? "";
@@ -48,6 +48,17 @@ describe("the form", () => {
       controls.show(request);
       expect(controls.read()).toEqual(request);
     }
+  });
+
+  it("asks for an outline where there is one to choose, and takes the size of a house from corners that a link gives", () => {
+    const cut: HouseRequest = { seed: 3, outdoor: true, min_room_size: 3, max_depth: 5, use_spine: true, outline: [[0, 0], [9, 0], [9, 5], [5, 5], [5, 9], [0, 9]] };
+    const choice = document.querySelector("#outline_field") as HTMLElement;
+    controls.show(cut);
+    expect([controls.read(), choice.hidden]).toEqual([cut, false]);
+    controls.show({ seed: 3, program: "family", outline: "T" });
+    expect([controls.read().outline, choice.hidden]).toEqual(["T", false]);
+    choose("program", "");
+    expect([controls.read().outline, choice.hidden]).toEqual([undefined, true]);
   });
 
   it("keeps what is shown when the service says what it knows", () => {
@@ -123,7 +134,7 @@ describe("the form", () => {
       { field: "use_spine", problem: "is 'so'", allowed: "true, false" }, { field: "request.area", problem: "is 3", allowed: "a number from 15 to 1000" },
     ];
     expect(controls.inWords(wrong)).toEqual([
-      "Width: enter a number from 2 to 1000 m", "Bedrooms: enter a whole number from 0 to 12", "Hallway spine: is 'so'; allowed: true, false",
+      "Width: enter a number from 2 to 1000 m", "Bedrooms: enter a whole number from 0 to 12", "Hallway through the house: is 'so'; allowed: true, false",
       "Floor area: enter a number from 15 to 1000 m²",
     ]);
     controls.showProblems(wrong);

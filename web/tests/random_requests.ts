@@ -29,9 +29,10 @@ export function randomRequest(draw: () => number): HouseRequest {
       width: metres(40), depth: metres(30), min_room_size: metres(6), max_depth: Math.floor(draw() * 10), use_spine: chance(0.5),
       ...(chance(0.3) ? { force_types: { [String(Math.floor(draw() * 9))]: pick(TYPES) } } : {}),
     };
+  const outline = planned ? pick(["rectangle", "L", "T", "U", undefined]) : undefined;
   return {
     seed: Math.floor(draw() * 2 ** 53), outdoor: chance(0.5), ...plan,
-    ...(chance(0.5) ? { decorate: true } : {}),
+    ...(outline ? { outline } : {}), ...(chance(0.5) ? { decorate: true } : {}),
     ...(chance(0.5) ? { style: pick(["scandi", "ma façon"]) } : {}),
     ...(chance(0.3) ? { robot_width: metres(1) } : {}),
     ...(chance(0.2) ? { wall_thickness: metres(0.24), outer_wall_thickness: metres(0.6) } : {}),

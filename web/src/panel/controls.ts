@@ -45,7 +45,7 @@ export class Controls {
   read(): HouseRequest {
     const planned = this.#programme.planned;
     const request: HouseRequest = { seed: this.#readSeed() };
-    for (const name of NUMBERS) if (name !== "area" && name !== "seed") request[name] = this.#readNumber(name, planned);
+    for (const name of NUMBERS) if (name !== "area" && name !== "seed") request[name] = this.#readNumber(name);
     for (const name of SWITCHES) request[name] = this.#input(name).checked;
     if (planned) for (const name of OF_PLAIN_PLANS) delete request[name];
     const forced = planned ? undefined : this.#forced;
@@ -133,10 +133,10 @@ export class Controls {
     return numberOrText(seed.value);
   }
 
-  #readNumber(name: Exclude<(typeof NUMBERS)[number], "area" | "seed">, planned: boolean): Typed | undefined {
+  #readNumber(name: Exclude<(typeof NUMBERS)[number], "area" | "seed">): Typed | undefined {
     const typed = this.#input(name).value.trim();
     if (typed !== "") return numberOrText(typed);
-    return planned ? undefined : DEFAULTS[name];
+    return this.#programme.fitsItself ? undefined : DEFAULTS[name];
   }
 
   #offerStyle(name: string): void {

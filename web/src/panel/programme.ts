@@ -1,5 +1,5 @@
 /** What home is asked for: a plain plan, a named programme, an area, or rooms counted one by one. */
-import { numberOrText } from "../address";
+import { numberOrText, outlineFrom, outlineText } from "../address";
 import type { Catalog, Counts, HouseRequest } from "../contract";
 import { asNumber } from "./number_text";
 import { say, sayName } from "../words/language";
@@ -34,6 +34,7 @@ export class Programme {
   readonly #presets: HTMLElement;
   readonly #counts: HTMLFieldSetElement;
   readonly #area: HTMLInputElement;
+  readonly #outline: HTMLSelectElement;
   #catalog: Catalog | null = null;
   #last = PLAIN;
 
@@ -42,11 +43,22 @@ export class Programme {
     this.#presets = this.#within("#program_presets");
     this.#counts = this.#within("#counts");
     this.#area = this.#within("#area");
+    this.#outline = this.#within("#outline");
     this.#choice.addEventListener("change", () => this.#chosen());
   }
 
   get planned(): boolean {
     return this.#choice.value !== PLAIN;
+  }
+
+  /** Whether the house is as large as its rooms need, or as its corners say, where nothing else is asked for. */
+  get fitsItself(): boolean {
+    return this.planned || this.#corners !== undefined;
+  }
+
+  get #corners(): HouseRequest["outline"] {
+    const outline = outlineFrom(this.#outline.value);
+    return typeof outline === "object" ? outline : undefined;
   }
 
   /** Fills in what the service knows; what is chosen stays chosen. */
@@ -57,22 +69,32 @@ export class Programme {
     this.#arrange();
   }
 
-  read(): Pick<HouseRequest, "program" | "area"> {
+  read(): Pick<HouseRequest, "program" | "area" | "outline"> {
     const choice = this.#choice.value;
-    if (choice === PLAIN) return {};
+    if (choice === PLAIN) return { outline: this.#corners };
+    const outline = outlineFrom(this.#outline.value);
     const typed = this.#area.value.trim();
     const area = typed === "" && choice !== BY_AREA ? undefined : numberOrText(typed);
-    if (choice === BY_AREA) return { area };
-    return { program: choice === OWN ? this.#readCounts() : choice.slice(PRESET.length), area };
+    if (choice === BY_AREA) return { area, outline };
+    return { program: choice === OWN ? this.#readCounts() : choice.slice(PRESET.length), area, outline };
   }
 
-  show({ program, area }: Pick<HouseRequest, "program" | "area">): void {
+  show({ program, area, outline }: Pick<HouseRequest, "program" | "area" | "outline">): void {
+    this.#showOutline(outlineText(outline ?? "any"));
     this.#area.value = asNumber(String(area ?? ""));
     if (typeof program === "string") this.#choice.value = this.#presetOption(program).value;
     else if (program) this.#choice.value = OWN;
     else this.#choice.value = area === undefined ? PLAIN : BY_AREA;
     if (typeof program === "object") this.#showCounts(program);
     this.#arrange();
+  }
+
+  /** Corners that a link asks for can be chosen, too, as can a word that is not known, so that it can be refused in sight. */
+  #showOutline(text: string): void {
+    if (![...this.#outline.options].some((option) => option.value === text)) {
+      this.#outline.append(new Option(typeof outlineFrom(text) === "object" ? say("With these corners") : text, text));
+    }
+    this.#outline.value = text;
   }
 
   #within<Found extends HTMLElement>(selector: string): Found {
@@ -132,6 +154,7 @@ export class Programme {
     this.#last = choice;
     this.#counts.hidden = choice !== OWN;
     this.#within("#area_field").hidden = !this.planned;
+    this.#within("#outline_field").hidden = !this.fitsItself;
     this.#within("#cuts_words").hidden = !this.planned;
     this.#within<HTMLFieldSetElement>("#cuts").disabled = this.planned;
     for (const name of ["width", "depth"]) this.#within<HTMLInputElement>(`#${name}`).placeholder = this.planned ? say("to fit") : "";
