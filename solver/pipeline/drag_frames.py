@@ -91,7 +91,7 @@ class _Kept:
 _kept: deque[_Kept] = deque(maxlen=MOST_KEPT)
 
 
-def fix_frame(  # noqa: PLR0913 - keyword-only options of the public door
+def fix_frame(  # noqa: PLR0913 - keyword-only options of a public function
     scene: Scene,
     moved: Sequence[str],
     *,

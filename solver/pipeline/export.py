@@ -25,7 +25,7 @@ TOLD: Final = 20
 """How many errors of a scene a file tells of; the rest is counted."""
 
 
-def export(  # noqa: PLR0913 - keyword-only options of the public door
+def export(  # noqa: PLR0913 - keyword-only options of a public function
     scene: Scene,
     format: str,
     *,

@@ -42,7 +42,7 @@ WHY_SHARE = 10
 """Of the work of saying why not, where nothing is offered that would help, this part: what is found at all is mostly found at once."""
 
 
-def fix(  # noqa: PLR0913 - keyword-only options of the public door
+def fix(  # noqa: PLR0913 - keyword-only options of a public function
     scene: Scene,
     *,
     locked: Sequence[str] = (),

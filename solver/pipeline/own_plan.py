@@ -28,7 +28,7 @@ HOME: frozenset[str] = frozenset({"kitchen", "bathroom", "living_room"})
 """Types of which two make a home: its rooms hold what it has no room for, such as a bed where there is no bedroom."""
 
 
-def furnish(  # noqa: PLR0913 - keyword-only options of the public door
+def furnish(  # noqa: PLR0913 - keyword-only options of a public function
     scene: Scene,
     rooms: Sequence[str] = (),
     *,

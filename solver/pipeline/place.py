@@ -19,7 +19,7 @@ from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placemen
 from solver.scene import ROBOT_WIDTH, Conflict, Room
 
 
-def place(  # noqa: PLR0913 - keyword-only options of the public door
+def place(  # noqa: PLR0913 - keyword-only options of a public function
     room: Room,
     pieces: Sequence[PieceRequest],
     *,

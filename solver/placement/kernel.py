@@ -1,4 +1,4 @@
-"""What is asked of the core about one room: the functions of solver/core/placement/door.cpp.
+"""What is asked of the core about one room: the functions of solver/core/placement/entry.cpp.
 
 Comes in: an `Engine`, and decisions. Goes out: numbers, and what is left in the engine's arrays.
 """
@@ -28,7 +28,7 @@ def assemble(engine: Engine, decisions: Ints) -> bool:
 
 
 class ArrangedRoom(NamedTuple):
-    """A room arranged by the core: `struct WholeAnswer` of solver/core/placement/door.cpp."""
+    """A room arranged by the core: `struct WholeAnswer` of solver/core/placement/entry.cpp."""
 
     engine: Engine
     walk: bool

@@ -48,7 +48,7 @@ class Case:
         return Scene(seed=7, wall_thickness=0.1, rooms=(room,))
 
     def furnished(self) -> Generated:
-        """Furnishes the room through the public door."""
+        """Furnishes the room through the public function."""
         return reroll(self.scene(), ["room_0"])
 
     def _length(self, wall: str) -> float:

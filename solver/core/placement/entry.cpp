@@ -21,12 +21,12 @@ template <class T> static T& as(const Span<i64>& numbers) { return *reinterpret_
 
 extern "C" {
 
-EXPORT(new_desk) Desk* door_new_desk(RoomRequest* request) {
+EXPORT(new_desk) Desk* entry_new_desk(RoomRequest* request) {
   const Room room = room_of(request);
   return new_desk(room, request->sizes.pieces > 0 ? request->sizes : sizes_of(room));
 }
 
-EXPORT(assemble) i32 door_assemble(const Desk* desk) { return assemble(desk->engine.room, desk->engine.work, desk->decisions); }
+EXPORT(assemble) i32 entry_assemble(const Desk* desk) { return assemble(desk->engine.room, desk->engine.work, desk->decisions); }
 
 // A whole room arranged: its desk, whether that was walked in, is complete, proven and best, QPs, the width of wider ways between doors or
 // 0, the work that was spent, and how many numbers follow: what the pieces and candidates on the desk were numbered in the request (-1:
@@ -38,7 +38,7 @@ struct WholeAnswer {
 };
 
 EXPORT(arrange_whole)
-u8* door_arrange_whole(RoomRequest* request, const RoomLimits* limits, f64 budget, i32 walk, i32 wide) {
+u8* entry_arrange_whole(RoomRequest* request, const RoomLimits* limits, f64 budget, i32 walk, i32 wide) {
   const Room room = room_of(request);
   f64 left = budget, spent = 0;
   const WholeRoom found = wide != 0 ? arrange_wide(room, *limits, budget, spent) : arrange_whole(room, *limits, left, walk != 0);
@@ -56,33 +56,33 @@ u8* door_arrange_whole(RoomRequest* request, const RoomLimits* limits, f64 budge
   return writer.written().data;
 }
 
-EXPORT(best_first) i32 door_best_first(const Desk* desk, i32 walk) {
+EXPORT(best_first) i32 entry_best_first(const Desk* desk, i32 walk) {
   const SearchLimits limits = as<SearchLimits>(desk->limits);
   return best_first(desk->engine, desk->decisions, NOTHING_SPENT, as<Group>(desk->group), limits, walk != 0);
 }
 
-EXPORT(evaluate) i32 door_evaluate(const Desk* desk, i64 limit, f64 ceiling, i32 walk) {
+EXPORT(evaluate) i32 entry_evaluate(const Desk* desk, i64 limit, f64 ceiling, i32 walk) {
   return evaluate(desk->engine, desk->decisions, limit, ceiling, walk != 0);
 }
 
-EXPORT(final_problem) FinalProblem* door_final_problem(const Desk* desk) { return final_problem(*desk); }
+EXPORT(final_problem) FinalProblem* entry_final_problem(const Desk* desk) { return final_problem(*desk); }
 
-EXPORT(confirm) Holding* door_confirm(const Desk* desk, const f64* x, const f64* y) { return confirm(*desk, x, y); }
+EXPORT(confirm) Holding* entry_confirm(const Desk* desk, const f64* x, const f64* y) { return confirm(*desk, x, y); }
 
 // `problems`: addresses of final problems, one a room.
-EXPORT(join) HouseProblem* door_join(const i64* problems, i32 count) { return join({problems, count}); }
+EXPORT(join) HouseProblem* entry_join(const i64* problems, i32 count) { return join({problems, count}); }
 
-EXPORT(judge) Judgement* door_judge(const i64* problems, i32 count, const f64* x, const f64* y) { return judge({problems, count}, x, y); }
+EXPORT(judge) Judgement* entry_judge(const i64* problems, i32 count, const f64* x, const f64* y) { return judge({problems, count}, x, y); }
 
-EXPORT(find_taken) i32 door_find_taken(const Desk* desk) { return static_cast<i32>(find_taken(*desk)); }
+EXPORT(find_taken) i32 entry_find_taken(const Desk* desk) { return static_cast<i32>(find_taken(*desk)); }
 
-EXPORT(open_decisions) i32 door_open_decisions(const Desk* desk, i32 piece) {
+EXPORT(open_decisions) i32 entry_open_decisions(const Desk* desk, i32 piece) {
   const Engine& engine = desk->engine;
   return static_cast<i32>(open_decisions(engine.room, desk->decisions, piece, engine.tree.found, engine.tree.found_cost));
 }
 
 // Takes space for the open nodes of a proof; `most` are open at a time.
-EXPORT(new_proof) ProofNodes* door_new_proof(const Desk* desk, i64 most) {
+EXPORT(new_proof) ProofNodes* entry_new_proof(const Desk* desk, i64 most) {
   const Sizes sizes = sizes_of(desk->engine.room);
   const i32 variables = static_cast<i32>(sizes.variables), choices = static_cast<i32>(sizes.choices);
   const i32 depth = static_cast<i32>(least(3 * sizes.choices + 32 * sizes.variables + 8, most));
@@ -95,32 +95,32 @@ EXPORT(new_proof) ProofNodes* door_new_proof(const Desk* desk, i64 most) {
 }
 
 // Leaves in report[0] how many nodes were looked at.
-EXPORT(prove) i32 door_prove(const Desk* desk, const ProofNodes* nodes, i64 most) {
+EXPORT(prove) i32 entry_prove(const Desk* desk, const ProofNodes* nodes, i64 most) {
   i64 allowed = most;
   const Verdict verdict = prove(desk->engine, *nodes, allowed);
   desk->report[0] = most - allowed;
   return static_cast<i32>(verdict);
 }
 
-EXPORT(pull_back) i32 door_pull_back(const Desk* desk) {
+EXPORT(pull_back) i32 entry_pull_back(const Desk* desk) {
   i64 walks = MANY;
   return pull_back(desk->engine, walks);
 }
 
-EXPORT(search) void door_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) {
+EXPORT(search) void entry_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) {
   desk->engine.work.counts->placed = 0;  // the host may have written the options
   search(desk->engine, limit, ceiling, walk != 0);
 }
 
-EXPORT(settle) i32 door_settle(const Desk* desk, i32 walk, i32 slide) {
+EXPORT(settle) i32 entry_settle(const Desk* desk, i32 walk, i32 slide) {
   return static_cast<i32>(settle(*desk, walk != 0, slide != 0));
 }
 
-EXPORT(total_preference) f64 door_total_preference(const Desk* desk) {
+EXPORT(total_preference) f64 entry_total_preference(const Desk* desk) {
   return total_preference(desk->engine.room, desk->decisions);
 }
 
-EXPORT(walkable) i32 door_walkable(const Desk* desk) {
+EXPORT(walkable) i32 entry_walkable(const Desk* desk) {
   const Engine& engine = desk->engine;
   return walkable(engine.room, engine.work, engine.grid, engine.grid.positions);
 }

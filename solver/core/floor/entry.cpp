@@ -24,7 +24,7 @@ struct FloorHeader {
 extern "C" {
 
 // Writes the nearest place over the wish; tells whether there is one.
-__attribute__((export_name("nearest_place"))) i32 door_nearest_place(u8* data, i64 size) {
+__attribute__((export_name("nearest_place"))) i32 entry_nearest_place(u8* data, i64 size) {
   Reader reader(data, size);
   NearestHeader& header = reader.take<NearestHeader>(1)[0];
   const NearestPlace nearest = nearest_place(header.own, header.area, reader.take<Rect>(header.blocks), header.reach);
@@ -32,7 +32,7 @@ __attribute__((export_name("nearest_place"))) i32 door_nearest_place(u8* data, i
   return nearest.found;
 }
 
-__attribute__((export_name("connects"))) i32 door_connects(u8* data, i64 size) {
+__attribute__((export_name("connects"))) i32 entry_connects(u8* data, i64 size) {
   const arena::Scope scope;
   Reader reader(data, size);
   const FloorHeader& header = reader.take<FloorHeader>(1)[0];
