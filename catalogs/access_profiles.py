@@ -14,20 +14,20 @@ PieceName = Annotated[str, PIECE_NAMES]
 
 
 class AccessRule(Entry):
-    """One demand: `what` is asked for in which `rooms`, never in `but`, or of which `pieces` there, by which `clause`.
+    """One demand: `what` is asked for in which `rooms`, never in `not_in`, or of which `pieces` there, by which `clause`.
 
-    `least` is the length asked for, m; `deep` how deep a rectangle before a piece is; `other` what the narrower of two strips
+    `min` is the length asked for, m; `deep` how deep a rectangle before a piece is; `other` what the narrower of two strips
     has; `frame` what a leaf in its frame takes of a door; `beside` what may stand in strips. With `one` a single room will do.
     """
 
     what: Literal["turning", "door", "hallway", "before", "deep", "along"]
     clause: str
-    least: Metres
+    min: Metres
     deep: Metres | None = None
     other: Metres | None = None
     frame: Annotated[float, Field(ge=0, le=0.5)] = 0.0
     rooms: tuple[RoomName, ...] = ()
-    but: tuple[RoomName, ...] = ()
+    not_in: tuple[RoomName, ...] = ()
     pieces: tuple[PieceName, ...] = ()
     beside: tuple[PieceName, ...] = ()
     one: bool = False
@@ -38,7 +38,7 @@ class AccessRule(Entry):
 
     def is_about(self, room: str) -> bool:
         """Tells whether rooms of a type, indoors, are meant."""
-        return room not in self.but and (not self.rooms or room in self.rooms)
+        return room not in self.not_in and (not self.rooms or room in self.rooms)
 
     @model_validator(mode="after")
     def _whole(self) -> AccessRule:
@@ -60,14 +60,14 @@ class AccessHome(Entry):
 class AccessProfile(Entry):
     """A standard: what it is, the side of the square that has to come everywhere, m, its rules, and how large rooms are for it."""
 
-    says: str
+    description: str
     walker: Annotated[float, Field(ge=0.1, le=2)]
     rules: tuple[AccessRule, ...]
     homes: dict[RoomName, AccessHome] = Field(default_factory=dict)
 
     def turning(self, room: str) -> float:
         """Returns the side of the square to be kept empty in a room of a type, m; 0 where there is none."""
-        return max((rule.least for rule in self.rules if rule.what == "turning" and rule.is_about(room)), default=0.0)
+        return max((rule.min for rule in self.rules if rule.what == "turning" and rule.is_about(room)), default=0.0)
 
     def swings_out(self, room: str) -> bool:
         """Tells whether leaves must not swing into rooms of a type."""
@@ -76,12 +76,12 @@ class AccessProfile(Entry):
     def floor_of(self, piece: str, size: tuple[float, float, float]) -> float:
         """Returns the floor that a piece of a size takes, m2, with the strips that are to be empty along its sides and before its front."""
         about = [rule for rule in self.rules if piece in rule.pieces]
-        along = max((rule.least + (rule.other or 0.0) for rule in about if rule.what == "along"), default=0.0)
-        deep = max((rule.least for rule in about if rule.what == "deep"), default=0.0)
+        along = max((rule.min + (rule.other or 0.0) for rule in about if rule.what == "along"), default=0.0)
+        deep = max((rule.min for rule in about if rule.what == "deep"), default=0.0)
         return (size[0] + along) * (size[1] + deep)
 
     def leaf(self, main: bool) -> float:
         """Returns how wide a door's opening is to be cut, the main entrance's or another's, m: a multiple of 5 cm."""
         doors = (rule for rule in self.rules if rule.what == "door" and (main or not rule.main))
-        least = max((rule.least + rule.frame for rule in doors), default=0.0)
+        least = max((rule.min + rule.frame for rule in doors), default=0.0)
         return ceil(round(max(least, self.walker) * 20, 6)) / 20

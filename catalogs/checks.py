@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from catalogs.dressing_checks import dressing_faults
+from catalogs.decoration_checks import decorating_faults
 from catalogs.entries import KindSpec
 from catalogs.faults import Fault
 from catalogs.references import near, unknown_words
@@ -45,7 +45,7 @@ def faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
             yield Fault("presets", (name, "rooms"), "the preset has no rooms", "at least one")
     yield from _habit_faults(catalogs)
     yield from _synonym_faults(catalogs)
-    yield from dressing_faults(catalogs)
+    yield from decorating_faults(catalogs)
     yield from shape_faults(catalogs, shapes)
 
 
@@ -53,10 +53,10 @@ def _synonym_faults(catalogs: Catalogs) -> Iterator[Fault]:
     """Checks that what others call kinds and rooms are kinds and room types."""
     kinds = (*catalogs.furniture, *catalogs.decorations)
     for name, synonym in catalogs.synonyms.items():
-        if synonym.says == "kind" and name not in kinds:
+        if synonym.means == "kind" and name not in kinds:
             yield Fault("synonyms", (name,), f"unknown kind {name!r}{near(name, kinds)}", "a key of furniture.yaml or decorations.yaml")
     for name, synonym in catalogs.room_names.items():
-        if synonym.says == "kind" and name not in catalogs.rooms:
+        if synonym.means == "kind" and name not in catalogs.rooms:
             yield Fault("room_names", (name,), f"unknown room type {name!r}{near(name, catalogs.rooms)}", "a file of rooms/")
 
 

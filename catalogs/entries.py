@@ -104,10 +104,10 @@ class KindSpec(Entry):
 
 
 class Synonym(Entry):
-    """What others call a kind, or a room of a type: `known_as`, in small letters. Its key is a kind's (a room type's) where it `says` one.
+    """What others call a kind, or a room of a type: `known_as`, in small letters. Its key is a kind's (a room type's) where it `means` one.
 
-    It may say `other`, what we have no kind of, or `nothing`, words that tell of no thing what it is.
+    It may mean `other`, what we have no kind of, or `nothing`, words that tell of no thing what it is.
     """
 
     known_as: Words = Field(min_length=1)
-    says: Literal["kind", "other", "nothing"] = "kind"
+    means: Literal["kind", "other", "nothing"] = "kind"

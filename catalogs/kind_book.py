@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Final
 
-from catalogs.dressing import DecorationKind
+from catalogs.decoration_types import DecorationKind
 from catalogs.schema import Catalogs, FurnitureSpec
 from catalogs.shapes import Solid
 from catalogs.synonyms import KindSize, synonyms_of

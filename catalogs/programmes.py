@@ -49,4 +49,4 @@ class Preset(Entry):
     """A named programme: how many rooms of each word (cars, for garages), and what it is, in words."""
 
     rooms: dict[RoomWord, Annotated[int, Field(ge=0, le=12)]] = Field(min_length=1)
-    says: str = ""
+    description: str = ""

@@ -15,8 +15,8 @@ from pydantic import TypeAdapter, ValidationError
 
 from catalogs.access_profiles import AccessProfile
 from catalogs.checks import faults
-from catalogs.dressing import DecorationKind, Dressing
-from catalogs.dressing_checks import holding_faults
+from catalogs.decoration_checks import holding_faults
+from catalogs.decoration_types import Decorating, DecorationKind
 from catalogs.dwellers import Dweller
 from catalogs.entries import Synonym
 from catalogs.faults import CatalogError, Fault
@@ -35,12 +35,12 @@ HERE = Path(__file__).parent
 _ROOMS = "rooms"
 _SHAPES = "shapes"
 ROW_KEY: Final = 2
-"""The key of a row of dressing.yaml is longer: entry, list, number."""
+"""The key of a row of decorating.yaml is longer: entry, list, number."""
 _SECTIONS: Final[dict[str, Any]] = {
     "furniture": dict[str, FurnitureSpec],
     "floorings": dict[str, FlooringSpec],
     "decorations": dict[str, DecorationKind],
-    "dressing": dict[str, Dressing],
+    "decorating": dict[str, Decorating],
     "styles": dict[str, Style],
     "presets": dict[str, Preset],
     "people": dict[str, Dweller],
@@ -131,7 +131,7 @@ def _laid_over(below: _Layer, above: _Layer) -> _Layer:
 def _checked(layer: _Layer, over_ours: bool = False) -> Catalogs:
     """Checks that everything fits together and gives it its fingerprint.
 
-    A row of our own dressing that a piece of another directory has no surface for is no fault: its things are left out.
+    A row of our own decorating.yaml that a piece of another directory has no surface for is no fault: its things are left out.
     Neither is a shape of ours that does not fit such a piece: it goes without one.
     """
     written = {section: named for section, named in layer.entries.items() if section != _SHAPES}
@@ -145,7 +145,7 @@ def _checked(layer: _Layer, over_ours: bool = False) -> Catalogs:
 def _refuse(found: Iterable[Fault], layer: _Layer, over_ours: bool) -> None:
     for fault in found:
         file = layer.files[fault.entry]
-        is_row_of_ours = file.parent == HERE and fault.file == "dressing" and len(fault.at) > ROW_KEY
+        is_row_of_ours = file.parent == HERE and fault.file == "decorating" and len(fault.at) > ROW_KEY
         is_shape_of_ours = file.parent == HERE / _SHAPES
         if not (over_ours and (is_row_of_ours or is_shape_of_ours)):
             raise located(file, fault)
@@ -160,7 +160,7 @@ def fingerprint(catalogs: Catalogs) -> str:
 
 
 def _holds_things(catalogs: Catalogs, kind: str) -> bool:
-    entry = catalogs.dressing.get(catalogs.name_of(kind))
+    entry = catalogs.decorating.get(catalogs.name_of(kind))
     return entry is not None and bool(entry.holds)
 
 

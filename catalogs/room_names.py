@@ -46,11 +46,11 @@ class RoomNames:
         for key in catalogs.rooms:
             self._by_phrase.setdefault(joined(words_of(key)), key)
         for key, entry in catalogs.room_names.items():
-            for phrase in entry.known_as if entry.says != "nothing" else ():
+            for phrase in entry.known_as if entry.means != "nothing" else ():
                 self._by_phrase.setdefault(joined(words_of(phrase)), key)
         self._endings = tuple(sorted((word for word in self._by_phrase if _may_end(word)), key=lambda word: (-len(word), word)))
         self._by_phrase.pop("", None)
-        vague = (word for entry in catalogs.room_names.values() if entry.says == "nothing" for word in entry.known_as)
+        vague = (word for entry in catalogs.room_names.values() if entry.means == "nothing" for word in entry.known_as)
         self._vague = frozenset(joined(words_of(word)) for word in vague)
 
     def meaning(self, name: str) -> RoomMeaning | None:

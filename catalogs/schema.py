@@ -18,7 +18,7 @@ from pydantic.json_schema import SkipJsonSchema
 
 from catalogs.access_profiles import AccessProfile
 from catalogs.assets.asset_entry import Asset
-from catalogs.dressing import DecorationKind, Dressing
+from catalogs.decoration_types import Decorating, DecorationKind
 from catalogs.dwellers import Dweller
 from catalogs.entries import (
     ORDERED,
@@ -278,7 +278,7 @@ class Catalogs(Entry):
     floorings: dict[str, FlooringSpec]
     rooms: dict[str, RoomType]
     decorations: dict[str, DecorationKind] = Field(default_factory=dict)
-    dressing: dict[str, Dressing] = Field(default_factory=dict)
+    decorating: dict[str, Decorating] = Field(default_factory=dict)
     styles: dict[str, Style] = Field(default_factory=dict)
     presets: dict[str, Preset] = Field(default_factory=dict)
     people: dict[str, Dweller] = Field(default_factory=dict)

@@ -99,9 +99,9 @@ class Synonyms:
         for key in (*catalogs.furniture, *catalogs.decorations):
             self._add(key, self._wanted(key))
         for key, entry in catalogs.synonyms.items():
-            for phrase in entry.known_as if entry.says != "nothing" else ():
+            for phrase in entry.known_as if entry.means != "nothing" else ():
                 self._add(phrase, self._wanted(key))
-        vague = (word for entry in catalogs.synonyms.values() if entry.says == "nothing" for word in entry.known_as)
+        vague = (word for entry in catalogs.synonyms.values() if entry.means == "nothing" for word in entry.known_as)
         self._vague = frozenset(joined(words_of(word)) for word in vague) - {""}
         self._parts = frozenset(self._by_phrase) | self._vague
         self.meaning = lru_cache(maxsize=_MANY)(self._meaning)

@@ -68,7 +68,7 @@ def test_every_title_has_a_form() -> None:
 
 def test_what_catalogs_say_of_themselves_has_a_form() -> None:
     known = load_catalogs()
-    said = [*(one.says for one in known.presets.values()), *(one.says for one in known.access.values())]
+    said = [*(one.description for one in known.presets.values()), *(one.description for one in known.access.values())]
     assert len(said) >= 7
     assert [one for one in said if not is_told(one)] == []
 

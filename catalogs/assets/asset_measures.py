@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 from catalogs.assets.asset_entry import FRONT_TURNS, Asset, AssetEntry, AssetSize, Front
 from catalogs.assets.glb_bounds import GlbBounds, bounds_of
 from catalogs.assets.glb_file import GlbFault, read_glb
-from catalogs.dressing import DecorationKind
+from catalogs.decoration_types import DecorationKind
 from catalogs.schema import FurnitureSpec
 
 UNITS: Final[Mapping[str, float]] = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254}

@@ -1,4 +1,4 @@
-"""Rooms to be decorated as the core reads them, and what it answers (solver/core/dress/room.hpp).
+"""Rooms to be decorated as the core reads them, and what it answers (solver/core/decorate/room.hpp).
 
 Comes in: a furnished room and its space. Goes out: bytes for the core; rows of things. May import: the ground floor, catalogs.
 """
@@ -13,7 +13,7 @@ from typing import Final
 from catalogs.entries import Side
 from catalogs.schema import Comfort
 from solver.body_rows import BodyKey, BodyTurn, DecorationRows, furniture_turns
-from solver.decorations.compiled_dressing import CompiledDressing, millimetres
+from solver.decorations.compiled_decorating import CompiledDecorating, millimetres
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.free_floor import DOORWAY, WALL_NUMBERS, sides_seen
 from solver.free_places import furniture_as_told
@@ -34,13 +34,13 @@ _OUTLINE: Final = "outline"
 """The cause of zones that are missing parts of a rectangle."""
 
 
-def decorated_rows(room: Room, space: Space, known: CompiledDressing, settings: DecorationSettings, state: int) -> bytes:
+def decorated_rows(room: Room, space: Space, known: CompiledDecorating, settings: DecorationSettings, state: int) -> bytes:
     """Returns a room as bytes.
 
     Args:
         room: furnished at right angles.
         space: its `space_of`.
-        known: the dressing.
+        known: what decorates.
         settings: how high the room is, and what of its floor is kept free.
         state: the stream's.
     """
@@ -61,8 +61,8 @@ def decorated_rows(room: Room, space: Space, known: CompiledDressing, settings: 
 
 
 @lru_cache(maxsize=4096)
-def _manner(known: CompiledDressing, key: BodyKey, rotation: float) -> bytes:
-    """Returns what a dressing says of furniture by what its kind is looked up by, and its turn."""
+def _manner(known: CompiledDecorating, key: BodyKey, rotation: float) -> bytes:
+    """Returns what is said of furniture by what its kind is looked up by, and its turn."""
     _, name, width, depth, height, said = key
     size, is_right = millimetres((width, depth, height)), rotation % 90 == 0
     kind = said or known.book.kind_of("furniture", name, (width, depth, height)) or name
@@ -97,6 +97,6 @@ def stream_after(answer: bytes) -> int:
     return int(_ANSWER.unpack_from(answer)[0])
 
 
-def rows_told(answer: bytes, room: Room, known: CompiledDressing) -> DecorationRows:
+def rows_told(answer: bytes, room: Room, known: CompiledDecorating) -> DecorationRows:
     """Returns the things of an answer."""
     return DecorationRows(answer[_ANSWER.size :], room, known.looks, known.colours, known.styled)

@@ -1,7 +1,7 @@
 """decorated_rooms(): the rooms of a house.
 
 Comes in: furnished Rooms, each with its Space and a Stream; the settings. Goes out: the Rooms, decorated. May import: the ground floor,
-catalogs. The work is the core's: solver/core/dress.
+catalogs. The work is the core's: solver/core/decorate.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 
 from solver.body_rows import count_furniture, told
 from solver.core import borrowed
-from solver.decorations.compiled_dressing import compiled_dressing
+from solver.decorations.compiled_decorating import compiled_decorating
 from solver.decorations.decorated_rows import decorated_rows, rows_told, stream_after
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.demanded import demand
@@ -48,15 +48,15 @@ def decorated_rooms(bare: Iterable[BareRoom], settings: DecorationSettings) -> l
         TooMuch: the call may not have so much work.
         CoreFailed: an error within the core.
     """
-    known = compiled_dressing(settings)
+    known = compiled_decorating(settings)
     made = []
     with borrowed() as core:
-        dressing = core.write(known.data)
+        decorating = core.write(known.data)
         begun = core.mark()
         for room, space, stream in bare:
             demand(PAIR_WORK * count_furniture(room) ** 2)
             rows = decorated_rows(room, space, known, settings, stream.state)
-            packed = core.call("dress", dressing, len(known.data), core.write(rows), len(rows))
+            packed = core.call("decorate", decorating, len(known.data), core.write(rows), len(rows))
             answer = core.read(packed & 0xFFFFFFFF, packed >> 32)
             core.release(begun)
             stream.state = stream_after(answer)

@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import Final, Literal, NamedTuple
 
 from catalogs import Catalogs
-from catalogs.dressing import DecorationKind
+from catalogs.decoration_types import DecorationKind
 from catalogs.entries import Side
 from catalogs.fronts import fronts_of
 from catalogs.kind_book import KindBook

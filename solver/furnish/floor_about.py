@@ -94,7 +94,7 @@ def asked_about(profile: AccessProfile, room: str, name: str) -> tuple[FloorAbou
 
 
 def _along(rule: AccessRule) -> tuple[FloorAbout, ...]:
-    least, other = to_mm(rule.least), to_mm(rule.other or 0.0)
+    least, other = to_mm(rule.min), to_mm(rule.other or 0.0)
     each = [FloorAbout(side, False, other, 0, 0.0) for side in _LONG]
     wide = [FloorAbout(_LONG[0], False, least, 0, 0.0, other=_LONG[1])] if least > other else []
     if not rule.beside:
@@ -104,12 +104,12 @@ def _along(rule: AccessRule) -> tuple[FloorAbout, ...]:
 
 
 def _before(rule: AccessRule) -> tuple[FloorAbout, ...]:
-    half = to_mm(rule.least) // 2 + to_mm(rule.least) % 2
+    half = to_mm(rule.min) // 2 + to_mm(rule.min) % 2
     return (FloorAbout("front", False, to_mm(rule.deep or 0.0), 0, 0.0, left=-half, right=half),)
 
 
 def _deep(rule: AccessRule) -> tuple[FloorAbout, ...]:
-    return (FloorAbout("front", False, to_mm(rule.least), 0, 0.0),)
+    return (FloorAbout("front", False, to_mm(rule.min), 0, 0.0),)
 
 
 _LONG: Final[tuple[Side, Side]] = ("left", "right")

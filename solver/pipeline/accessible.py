@@ -79,7 +79,7 @@ def _strips(room: Room, profile: AccessProfile) -> Iterator[Rect]:
             if piece.name in rule.pieces and piece.rotation % 90 == 0:
                 own = footprint(piece)
                 for faced in (wall_faced(side, round(piece.rotation) % 360) for side in sides):
-                    yield strip_at(wall_turned(faced, 180), own.line(faced), own.along(faced), to_mm(rule.deep or rule.least))
+                    yield strip_at(wall_turned(faced, 180), own.line(faced), own.along(faced), to_mm(rule.deep or rule.min))
 
 
 def with_access(scene: Scene, catalogs: Catalogs) -> Scene:

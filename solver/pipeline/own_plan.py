@@ -42,7 +42,7 @@ def furnish(  # noqa: PLR0913 - keyword-only options of a public function
     catalogs: Catalogs | None = None,
     clock: Clock | None = None,
 ) -> FurnishedPlan:
-    """Furnishes, dresses and peoples the rooms of a plan; its walls, doors and windows stay.
+    """Furnishes, decorates and peoples the rooms of a plan; its walls, doors and windows stay.
 
     Types that are missing or that the catalogs do not know are guessed, and a main entrance is chosen where there is none.
 

@@ -166,7 +166,7 @@ def rejoined(made: Sequence[Furniture], placed: Sequence[Placed], staying: Stayi
 
 
 def with_things(room: Room, staying: Staying) -> Room:
-    """Returns a dressed room with what lay on the pieces that stay; where something new stands on one, what lies there is new."""
+    """Returns a decorated room with what lay on the pieces that stay; where something new stands on one, what lies there is new."""
     anew = {piece.on for piece in room.furniture if piece.id not in staying.ids}
     things = {thing.id: thing for thing in staying.things}
     stays = tuple(thing for thing in staying.things if _lies_on(thing, things) not in anew)

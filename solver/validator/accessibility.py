@@ -60,7 +60,7 @@ class AccessReport:
     """All demands of a profile on a home; `unmet` are those that no other room makes up for."""
 
     profile: str
-    says: str
+    description: str
     findings: tuple[AccessFinding, ...]
     unmet: tuple[AccessFinding, ...]
 
@@ -72,7 +72,7 @@ class AccessReport:
             more = {"missing_cm": round(one.missing * 100, 2), **({"place": list(one.place)} if one.place else {})}
             rooms.setdefault(one.room, []).append(entry | more)
         unmet = [f"{one.id or one.room}: {one.what} {one.missing * 100:g} cm short" for one in self.unmet]
-        return {"profile": self.profile, "says": self.says, "met": not unmet, "unmet": unmet, "rooms": rooms}
+        return {"profile": self.profile, "description": self.description, "met": not unmet, "unmet": unmet, "rooms": rooms}
 
 
 def access_profile(name: str, catalogs: Catalogs) -> AccessProfile:
@@ -102,7 +102,7 @@ def access_of(scene: Scene, name: str, catalogs: Catalogs | None = None) -> Acce
         found = [one for place in world.places if _about(rule, place.room) for one in _RULES[rule.what](rule, place, world)]
         findings += found
         unmet += _short(rule, found)
-    return AccessReport(name, profile.says, tuple(findings), tuple(unmet))
+    return AccessReport(name, profile.description, tuple(findings), tuple(unmet))
 
 
 def turning_squares(scene: Scene, name: str, catalogs: Catalogs | None = None) -> list[AccessFinding]:
@@ -148,7 +148,7 @@ def _reach(scene: Scene, catalogs: Catalogs, profile: AccessProfile) -> Iterator
                 middle = (low + high) // 2
                 low, high = (low, middle) if room.id in missed(middle / 100) else (middle, high)
             has = low / 100 if low >= LEAST_CM else 0.0
-        yield AccessFinding(REACH, room.id, ids[0] if ids else None, profile.says, profile.walker, has)
+        yield AccessFinding(REACH, room.id, ids[0] if ids else None, profile.description, profile.walker, has)
 
 
 def _about(rule: AccessRule, room: Room) -> bool:
@@ -182,7 +182,7 @@ def _turning(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[Acce
     square = largest_square(_clear(place, world), [box for _, box in _taken(place, world)])
     has = metres(square.x1 - square.x0) if square else 0.0
     at = (square.x0 / PER_METRE, square.z0 / PER_METRE, square.x1 / PER_METRE, square.z1 / PER_METRE) if square else None
-    yield AccessFinding(rule.what, place.room.id, None, rule.clause, rule.least, has, at)
+    yield AccessFinding(rule.what, place.room.id, None, rule.clause, rule.min, has, at)
 
 
 def _door(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
@@ -190,12 +190,12 @@ def _door(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessF
         if opening.kind in DOOR_KINDS and (opening.main_entrance or not rule.main):
             within = rule.out and opening.kind == "door" and opening.swing == "in"
             has = 0.0 if within else round(opening.width - (rule.frame if opening.kind == "door" else 0.0), 4)
-            yield AccessFinding(rule.what, place.room.id, opening.id, rule.clause, rule.least, has)
+            yield AccessFinding(rule.what, place.room.id, opening.id, rule.clause, rule.min, has)
 
 
 def _hallway(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
     clear = _clear(place, world)
-    yield AccessFinding(rule.what, place.room.id, None, rule.clause, rule.least, metres(min(clear.x1 - clear.x0, clear.z1 - clear.z0)))
+    yield AccessFinding(rule.what, place.room.id, None, rule.clause, rule.min, metres(min(clear.x1 - clear.x0, clear.z1 - clear.z0)))
 
 
 def _pieces(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[tuple[Furniture, list[ExactBox]]]:
@@ -218,9 +218,9 @@ def _before(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[Acces
         frame = turned(_clear(place, world), side), [turned(box, side) for box in taken]
         own = turned(_footprint(piece), side)
         if rule.deep is None:
-            needs, has = rule.least, depth_before(*frame, own.z1, (own.x0, own.x1))
+            needs, has = rule.min, depth_before(*frame, own.z1, (own.x0, own.x1))
         else:
-            needs, has = rule.deep, deepest_before(*frame, own, exact(rule.least))
+            needs, has = rule.deep, deepest_before(*frame, own, exact(rule.min))
         yield AccessFinding(rule.what, place.room.id, piece.id, rule.clause, needs, metres(has))
 
 
@@ -231,7 +231,7 @@ def _along(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[Access
             side = side_of(piece.rotation, name)
             own = turned(_footprint(piece), side)
             depths.append(depth_before(turned(_clear(place, world), side), [turned(box, side) for box in taken], own.z1, (own.x0, own.x1)))
-        for needs, has in ((rule.least, max(depths)), (rule.other or 0.0, min(depths))):
+        for needs, has in ((rule.min, max(depths)), (rule.other or 0.0, min(depths))):
             yield AccessFinding(rule.what, place.room.id, piece.id, rule.clause, needs, metres(has))
 
 

@@ -11,7 +11,7 @@ from struct import Struct, pack
 from typing import Final, NamedTuple
 
 from catalogs import Catalogs
-from catalogs.dressing import DecorationKind
+from catalogs.decoration_types import DecorationKind
 from catalogs.fronts import UnitFront, fronts_of
 from catalogs.insides import insides_of
 from catalogs.kind_book import KindBook

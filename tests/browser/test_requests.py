@@ -64,9 +64,9 @@ def test_an_area_alone_and_back_to_a_plain_plan(visit: Visit) -> None:
 def test_style_decorations_and_robot(visit: Visit) -> None:
     plain = visit.open(SMALL.format(4))["scene"]
     assert not any(room["decorations"] for room in plain["rooms"])
-    dressed = visit.after(lambda: visit.page.locator("#decorate_now").click())["scene"]
-    assert [room["furniture"] for room in dressed["rooms"]] == [room["furniture"] for room in plain["rooms"]]
-    assert visit.count("decorations") == sum(len(room["decorations"]) for room in dressed["rooms"]) > 0
+    decorated = visit.after(lambda: visit.page.locator("#decorate_now").click())["scene"]
+    assert [room["furniture"] for room in decorated["rooms"]] == [room["furniture"] for room in plain["rooms"]]
+    assert visit.count("decorations") == sum(len(room["decorations"]) for room in decorated["rooms"]) > 0
     styled = visit.after(lambda: visit.page.locator("#style").select_option("scandi"))["scene"]
     assert styled["request"]["style"] == "scandi"
     visit.page.locator("#robot_width").fill("0.5")

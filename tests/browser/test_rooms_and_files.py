@@ -75,8 +75,8 @@ def test_a_dropped_yaml_file_is_shown(visit: Visit) -> None:
     expect(visit.page.get_by_role("button", name="Copy link")).to_be_disabled()
     expect(visit.page.locator("#said")).to_contain_text("No link holds a scene from a file")
     furniture = [room["furniture"] for room in scene["rooms"]]
-    dressed = visit.after(visit.page.get_by_role("button", name="Decorate current plan").click)["scene"]
-    assert [room["furniture"] for room in dressed["rooms"]] == furniture
+    decorated = visit.after(visit.page.get_by_role("button", name="Decorate current plan").click)["scene"]
+    assert [room["furniture"] for room in decorated["rooms"]] == furniture
     assert visit.count("decorations") > 0
 
 

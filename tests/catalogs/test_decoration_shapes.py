@@ -14,7 +14,7 @@ LIVING = tuple(kind for kind, entry in CATALOGS.furniture.items() if entry.categ
 THINGS = (*CATALOGS.decorations, *LIVING)
 POSED = {"pillow": "upright", "throw_pillow": "upright", "book": "upright", "person": "seated", "child": "seated"}
 DRAWN = (*THINGS, *(f"{kind}_{pose}" for kind, pose in POSED.items()))
-HUNG = sorted({name for entry in CATALOGS.dressing.values() for row in entry.hangs for name in row.put})
+HUNG = sorted({name for entry in CATALOGS.decorating.values() for row in entry.hangs for name in row.put})
 RUGS = ("rug", "floor_rug_small", "runner")
 MARGIN = 0.002
 """How far from a surface the top of what carries may lie, m."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from catalogs import load_catalogs
-from catalogs.dressing import INDOOR
+from catalogs.decoration_types import INDOOR
 
 KNOWN = load_catalogs()
 LIST = [
@@ -95,7 +95,7 @@ def test_sizes_masses_and_colours_are_those_of_such_things(name: str) -> None:
 
 @kinds
 def test_every_kind_has_a_place_somewhere(name: str) -> None:
-    rows = [row for entry in KNOWN.dressing.values() for row in (*entry.lies, *entry.hangs, *entry.stands, *entry.holds)]
+    rows = [row for entry in KNOWN.decorating.values() for row in (*entry.lies, *entry.hangs, *entry.stands, *entry.holds)]
     assert any(name in row.put for row in rows)
 
 
@@ -115,5 +115,5 @@ def test_names_are_not_those_of_furniture() -> None:
 @pytest.mark.parametrize(
     "name", sorted(kind for kind, entry in KNOWN.furniture.items() if entry.surfaces and not entry.name and entry.category != "seating")
 )
-def test_what_has_a_surface_is_dressed(name: str) -> None:
-    assert name in KNOWN.dressing
+def test_what_has_a_surface_is_decorated(name: str) -> None:
+    assert name in KNOWN.decorating

@@ -59,7 +59,7 @@ def test_what_the_example_adds_is_in_the_house(house: dict[str, Any]) -> None:
 
 def test_the_example_adds_one_of_each_and_changes_nothing() -> None:
     ours, known = load_catalogs(), load_catalogs(EXAMPLE)
-    sections = ("furniture", "decorations", "dressing", "rooms", "styles", "presets", "people")
+    sections = ("furniture", "decorations", "decorating", "rooms", "styles", "presets", "people")
     added = {section: set(getattr(known, section)) - set(getattr(ours, section)) for section in sections}
     assert all(added.values())
     for section in sections:
@@ -136,9 +136,9 @@ class Mistake:
 MISTAKES = [
     Mistake("furniture.yaml", "height: 0.8}", "height: 0.9}", "record_cabinet.surfaces.1.height", "above the piece"),
     Mistake("decorations.yaml", "mixed: true", "mixt: true", "records.mixt", "unknown key"),
-    Mistake("dressing.yaml", "record_cabinet:", "record_closet:", "record_closet", "unknown parent"),
-    Mistake("dressing.yaml", "put: record_player", "put: rug", "record_cabinet.lies.0.put", "larger than its surface"),
-    Mistake("dressing.yaml", "surface: shelf", "surface: cellar", "record_cabinet.lies.1.surface", "unknown surface"),
+    Mistake("decorating.yaml", "record_cabinet:", "record_closet:", "record_closet", "unknown parent"),
+    Mistake("decorating.yaml", "put: record_player", "put: rug", "record_cabinet.lies.0.put", "larger than its surface"),
+    Mistake("decorating.yaml", "surface: shelf", "surface: cellar", "record_cabinet.lies.1.surface", "unknown surface"),
     Mistake("styles.yaml", "floors: {wood:", "floors: {moss:", "coastal.floors.moss", "moss"),
     Mistake("styles.yaml", '"#7fa3b8"', '"sea"', "coastal.palette.seating.0", "pattern"),
     Mistake("presets.yaml", "music_room: 1", "ballroom: 1", "musician.rooms.ballroom", "music_room"),

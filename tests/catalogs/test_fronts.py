@@ -54,7 +54,7 @@ def test_nothing_lies_on_a_lid_that_opens() -> None:
         if front.opens == "lid"
     }
     assert {"toy_chest", "garden_box", "grill", "toilet"} <= set(lids)
-    on_top = {name for name, lid in lids.items() if lid.y[1] >= 1.0 and KNOWN.dressing.get(name) and KNOWN.dressing[name].lies}
+    on_top = {name for name, lid in lids.items() if lid.y[1] >= 1.0 and KNOWN.decorating.get(name) and KNOWN.decorating[name].lies}
     assert on_top == set()
 
 

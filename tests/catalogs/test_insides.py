@@ -13,7 +13,7 @@ from catalogs.shapes import Solid
 
 KNOWN = load_catalogs()
 INSIDES = {kind: found for kind, entry in KNOWN.furniture.items() if (found := insides_of(KNOWN.shapes[kind], entry.size))}
-HOLDING = sorted(kind for kind in INSIDES if (entry := KNOWN.dressing.get(KNOWN.name_of(kind))) and entry.holds)
+HOLDING = sorted(kind for kind in INSIDES if (entry := KNOWN.decorating.get(KNOWN.name_of(kind))) and entry.holds)
 Box = tuple[tuple[float, float], ...]
 
 
@@ -71,7 +71,7 @@ def test_mirrored_kinds_have_mirrored_insides() -> None:
 
 
 def test_clothes_plates_and_food_have_a_place_inside() -> None:
-    held = {name for entry in KNOWN.dressing.values() for row in entry.holds for name in row.put}
+    held = {name for entry in KNOWN.decorating.values() for row in entry.holds for name in row.put}
     assert {"long_clothes", "hanging_clothes", "vegetables", "juice_bottle"} <= held
     assert {"folded_clothes", "plate_stack", "food_can", "food_box", "milk_carton", "silverware", "shoe_pair"} <= held
     assert len(HOLDING) >= 30
@@ -105,7 +105,7 @@ SLIPS = {
 @pytest.mark.parametrize("row", SLIPS)
 def test_a_slip_is_told(tmp_path: Path, row: str) -> None:
     key, says = SLIPS[row]
-    (tmp_path / "dressing.yaml").write_text(row)
+    (tmp_path / "decorating.yaml").write_text(row)
     with pytest.raises(CatalogError) as caught:
         load_catalogs(tmp_path)
     assert caught.value.key.startswith(key)

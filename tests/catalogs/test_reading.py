@@ -19,7 +19,7 @@ Mend = Callable[[str, str, str], Path]
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    for name in ("furniture.yaml", "floorings.yaml", "decorations.yaml", "dressing.yaml", "people.yaml", "rooms"):
+    for name in ("furniture.yaml", "floorings.yaml", "decorations.yaml", "decorating.yaml", "people.yaml", "rooms"):
         source = OURS / name
         (shutil.copytree if source.is_dir() else shutil.copy)(source, tmp_path / name)
     return tmp_path
@@ -95,8 +95,8 @@ class Slip:
 
 
 BEDROOM, KITCHEN, OFFICE, LAUNDRY = (f"rooms/{name}.yaml" for name in ("bedroom", "kitchen", "office", "laundry"))
-FURNITURE, FLOORINGS, DECORATIONS, DRESSING, PEOPLE = (
-    f"{name}.yaml" for name in ("furniture", "floorings", "decorations", "dressing", "people")
+FURNITURE, FLOORINGS, DECORATIONS, DECORATING, PEOPLE = (
+    f"{name}.yaml" for name in ("furniture", "floorings", "decorations", "decorating", "people")
 )
 SLIPS = [
     Slip(BEDROOM, "flooring: wood", "flooring: lava", "flooring", "lava", "wood"),
@@ -133,22 +133,27 @@ SLIPS = [
         "area",
     ),
     Slip(DECORATIONS, "mass: 4,\n", "mass: 4, jitter: true,\n", "wall_shelf.jitter", "mass: 4, jitter", "straight"),
-    Slip(DRESSING, "armchair:", "armchiar:", "armchiar", "armchiar", "unknown parent"),
-    Slip(DRESSING, "put: alarm_clock", "put: alarm_cluck", "nightstand.lies.2.put", "alarm_cluck", "unknown decoration"),
+    Slip(DECORATING, "armchair:", "armchiar:", "armchiar", "armchiar", "unknown parent"),
+    Slip(DECORATING, "put: alarm_clock", "put: alarm_cluck", "nightstand.lies.2.put", "alarm_cluck", "unknown decoration"),
     Slip(
-        DRESSING, "put: alarm_clock", "put: wall_art", "nightstand.lies.2.put", "put: wall_art, at: [[1, 0.45]]", "larger than its surface"
+        DECORATING,
+        "put: alarm_clock",
+        "put: wall_art",
+        "nightstand.lies.2.put",
+        "put: wall_art, at: [[1, 0.45]]",
+        "larger than its surface",
     ),
-    Slip(DRESSING, "surface: [lower, upper]", "surface: [lower, uper]", "bunk_bed.lies.0.surface", "uper", "lower, upper"),
-    Slip(DRESSING, "upon: coaster, chance", "upon: saucer, chance", "coffee_table.lies.4.upon", "saucer", "unknown carrier"),
-    Slip(DRESSING, "upon: coaster, chance", "upon: magazine, chance", "coffee_table.lies.4.upon", "upon: magazine", "no surface"),
-    Slip(DRESSING, "of: [washer, dryer]", "of: [washer, drier]", "laundry.stands.0.of", "drier", "unknown piece"),
-    Slip(DRESSING, "rooms: bathroom", "rooms: bathrom", "sink.lies.1.rooms", "bathrom}", "unknown room type"),
-    Slip(DRESSING, "styles: [rustic,", "styles: [rusty,", "dining_chair.lies.0.styles", "rusty", "unknown style"),
-    Slip(DRESSING, "where: middle, fill: 0.8, min", "where: centre, fill: 0.8, min", "indoor.stands.0.where", "where: centre", "middle"),
-    Slip(DRESSING, "fill: 0.8, widest", "widest", "hallway.stands.0", "widest: 0.8", "go with"),
-    Slip(DRESSING, "workshop:\n  stands:", "workshop:\n  lies:", "lies.0.where", "where", "unknown key"),
+    Slip(DECORATING, "surface: [lower, upper]", "surface: [lower, uper]", "bunk_bed.lies.0.surface", "uper", "lower, upper"),
+    Slip(DECORATING, "on: coaster, chance", "on: saucer, chance", "coffee_table.lies.4.on", "saucer", "unknown carrier"),
+    Slip(DECORATING, "on: coaster, chance", "on: magazine, chance", "coffee_table.lies.4.on", "on: magazine", "no surface"),
+    Slip(DECORATING, "of: [washer, dryer]", "of: [washer, drier]", "laundry.stands.0.of", "drier", "unknown piece"),
+    Slip(DECORATING, "rooms: bathroom", "rooms: bathrom", "sink.lies.1.rooms", "bathrom}", "unknown room type"),
+    Slip(DECORATING, "styles: [rustic,", "styles: [rusty,", "dining_chair.lies.0.styles", "rusty", "unknown style"),
+    Slip(DECORATING, "where: middle, fill: 0.8, min", "where: centre, fill: 0.8, min", "indoor.stands.0.where", "where: centre", "middle"),
+    Slip(DECORATING, "fill: 0.8, widest", "widest", "hallway.stands.0", "widest: 0.8", "go with"),
+    Slip(DECORATING, "workshop:\n  stands:", "workshop:\n  lies:", "lies.0.where", "where", "unknown key"),
     Slip(
-        DRESSING,
+        DECORATING,
         "microwave:\n  lies:\n    - {put: bowl",
         "parasol:\n  lies:\n    - {put: bowl",
         "parasol.lies.0.put",
@@ -156,9 +161,9 @@ SLIPS = [
         "no surface",
     ),
     Slip(
-        DRESSING,
+        DECORATING,
         "wall_shelf:\n  lies:\n",
-        "tray:\n  lies:\n    - {put: tray, least: 0.5}\nwall_shelf:\n  lies:\n",
+        "tray:\n  lies:\n    - {put: tray, min_scale: 0.5}\nwall_shelf:\n  lies:\n",
         "tray.lies",
         "  lies:",
         "circle",
@@ -192,7 +197,7 @@ def test_a_fault_names_file_key_and_line(edit: Mend, slip: Slip) -> None:
         (BEDROOM, "type: under,", "type: unter,", "is 'unter'; under? (allowed: 'against_wall', "),
         (BEDROOM, "{kind: small_bed,", "{kind: small_bad,", "unknown kind 'small_bad'; small_bed?"),
         (BEDROOM, "of: desk,", "of: dask,", "unknown piece 'dask'; desk?"),
-        (DRESSING, "armchair:", "armchiar:", "unknown parent 'armchiar'; armchair?"),
+        (DECORATING, "armchair:", "armchiar:", "unknown parent 'armchiar'; armchair?"),
     ],
 )
 def test_a_misspelled_word_is_told_with_the_one_that_may_be_meant(edit: Mend, file: str, old: str, new: str, says: str) -> None:
@@ -246,25 +251,25 @@ def test_what_a_directory_says_lies_over_ours(tmp_path: Path) -> None:
     assert known.fingerprint != ours.fingerprint
 
 
-def test_a_piece_without_a_surface_over_ours_only_goes_undressed(tmp_path: Path) -> None:
+def test_a_piece_without_a_surface_over_ours_only_goes_undecorated(tmp_path: Path) -> None:
     (tmp_path / "furniture.yaml").write_text(
         "stove: {category: appliance, size: [0.6, 0.6, 0.9], color: '#112233', mass: 50, stands: wall}\n"
     )
     assert load_catalogs(tmp_path).furniture["stove"].surfaces == ()
-    (tmp_path / "dressing.yaml").write_text("stove:\n  lies:\n    - {put: pot}\n")
+    (tmp_path / "decorating.yaml").write_text("stove:\n  lies:\n    - {put: pot}\n")
     error = fault(tmp_path)
-    assert (error.file, error.key, error.line) == (str(tmp_path / "dressing.yaml"), "stove.lies.0.put", 3)
+    assert (error.file, error.key, error.line) == (str(tmp_path / "decorating.yaml"), "stove.lies.0.put", 3)
 
 
 def test_a_row_of_ones_own_takes_the_place_of_ours(tmp_path: Path) -> None:
     (tmp_path / "decorations.yaml").write_text(
         "crown: {group: decor, size: [0.2, 0.2, 0.2], color: '#ddaa00', mass: 1, variants: ['#eeeeee']}\n"
     )
-    (tmp_path / "dressing.yaml").write_text("nightstand:\n  lies:\n    - {put: crown}\n")
+    (tmp_path / "decorating.yaml").write_text("nightstand:\n  lies:\n    - {put: crown}\n")
     ours, known = load_catalogs(), load_catalogs(tmp_path)
     assert set(known.decorations) == {*ours.decorations, "crown"}
-    assert [row.put for row in known.dressing["nightstand"].lies] == [("crown",)]
-    assert known.dressing["bed"] == ours.dressing["bed"]
+    assert [row.put for row in known.decorating["nightstand"].lies] == [("crown",)]
+    assert known.decorating["bed"] == ours.decorating["bed"]
 
 
 def test_a_fault_between_the_layers_names_the_file_that_causes_it(tmp_path: Path) -> None:

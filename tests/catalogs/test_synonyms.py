@@ -65,7 +65,7 @@ def test_the_size_variant_is_the_nearest_one() -> None:
 
 
 def test_every_kind_of_furniture_has_names_of_others_or_is_a_variant() -> None:
-    named = {name for name, entry in KNOWN.synonyms.items() if entry.says == "kind"}
+    named = {name for name, entry in KNOWN.synonyms.items() if entry.means == "kind"}
     without = {kind for kind in KNOWN.furniture if KNOWN.name_of(kind) == kind} - named
     assert without == {"hall_bench", "bistro_chair", "drill_press", "table_saw", "garden_shed", "child", "dog", "cat"}
 

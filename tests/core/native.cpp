@@ -3,7 +3,7 @@
 // Of a request: of each of its parts the length (8 bytes), and the part. Written of it: the answer.
 #include <string.h>
 
-#include "dress/dress.hpp"
+#include "decorate/decorate.hpp"
 #include "furnish/furnish.hpp"
 #include "homes/search.hpp"
 #include "native_io.hpp"
@@ -48,7 +48,7 @@ struct Call {
 
 static const Call CALLS[] = {
     {"arrange", placement::arrange_next},
-    {"dress", next<dress::dress_room>},
+    {"decorate", next<decorate::decorate_room>},
     {"furnish", next<furnish::furnish_room>},
     {"make_room", next<make_room>},
     {"search_home", next<homes::search>},

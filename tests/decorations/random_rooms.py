@@ -1,4 +1,4 @@
-"""Random furnished rooms, whether or not anybody could furnish them so, and random dressings."""
+"""Random furnished rooms, whether or not anybody could furnish them so, and what decorates them at random."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from random import Random
 from typing import Any
 
 from catalogs import load_catalogs
-from catalogs.dressing import INDOOR, Dressing
+from catalogs.decoration_types import INDOOR, Decorating
 from catalogs.schema import Catalogs
 from solver.decorations import DecorationSettings
 from solver.scene import Furniture, Room
@@ -45,13 +45,13 @@ def settings_named(name: str) -> DecorationSettings:
 
 
 def random_settings(rng: Random, catalogs: Catalogs) -> DecorationSettings:
-    """Returns the catalogs in one of their styles or in none, half of the time with a dressing that nobody made."""
-    known = catalogs.model_copy(update={"dressing": random_dressing(rng, catalogs)}) if rng.random() < 0.5 else catalogs
+    """Returns the catalogs in one of their styles or in none, half of the time with decorations that nobody asked for."""
+    known = catalogs.model_copy(update={"decorating": random_decorating(rng, catalogs)}) if rng.random() < 0.5 else catalogs
     style = rng.choice(["", *known.styles])
     return DecorationSettings(known, known.styles.get(style), style, rng.choice((2.1, 2.8)))
 
 
-def random_dressing(rng: Random, catalogs: Catalogs) -> dict[str, Dressing]:
+def random_decorating(rng: Random, catalogs: Catalogs) -> dict[str, Decorating]:
     """Returns rows of every sort for random names."""
     furniture = {catalogs.name_of(kind) for kind in catalogs.furniture}
     names = [*furniture, *catalogs.decorations, *catalogs.rooms]
@@ -63,17 +63,17 @@ def random_dressing(rng: Random, catalogs: Catalogs) -> dict[str, Dressing]:
     for name, entry in entries.items():
         entry["holds"] = [_holds(rng, catalogs) for _ in range(rng.randint(0, 2))] if name in furniture else []
         entry.update({"together": rng.random() < 0.2, "indoor": rng.random() < 0.8})
-    return {name: Dressing.model_validate(entry) for name, entry in (entries | {INDOOR: {"stands": [_stands(rng, catalogs)]}}).items()}
+    return {name: Decorating.model_validate(entry) for name, entry in (entries | {INDOOR: {"stands": [_stands(rng, catalogs)]}}).items()}
 
 
 def _row(rng: Random, catalogs: Catalogs, more: dict[str, Any]) -> dict[str, Any]:
     put = rng.sample(sorted(catalogs.decorations), rng.choice((1, 1, 2, 3)))
     some = rng.sample(sorted(catalogs.rooms), 6)
     more |= {
-        "chance": rng.random(), "least": rng.choice((0.4, 0.55, 0.6, 0.8)), "styles": rng.sample(sorted(catalogs.styles), 3),
+        "chance": rng.random(), "min_scale": rng.choice((0.4, 0.55, 0.6, 0.8)), "styles": rng.sample(sorted(catalogs.styles), 3),
         "rooms": some[:4], "not_in": some[3:], "accent": True,
     }  # fmt: skip
-    likely = {"least": 0.6, "chance": 0.4, "styles": 0.1, "rooms": 0.1, "not_in": 0.1, "accent": 0.1}
+    likely = {"min_scale": 0.6, "chance": 0.4, "styles": 0.1, "rooms": 0.1, "not_in": 0.1, "accent": 0.1}
     return {"put": put} | {key: value for key, value in more.items() if rng.random() < likely.get(key, 0.5)}
 
 
@@ -86,7 +86,7 @@ def _lies(rng: Random, catalogs: Catalogs) -> dict[str, Any]:
         "fill": (rng.choice((0.0, 0.33)), rng.random()), "reach": rng.choice((0.0, 0.1, 0.5)),
     }  # fmt: skip
     if rng.random() < 0.2:
-        more["upon"] = [*rng.sample(sorted(catalogs.decorations), 5), "surface"]
+        more["on"] = [*rng.sample(sorted(catalogs.decorations), 5), "surface"]
     return _row(rng, catalogs, more)
 
 

@@ -26,7 +26,7 @@ LEAST = {
 
 @dataclass(frozen=True)
 class Home:
-    """What one home shows: by room its type, pieces and decorations; what is wrong; CPU of dressing it once more, ms."""
+    """What one home shows: by room its type, pieces and decorations; what is wrong; CPU of decorating it once more, ms."""
 
     rooms: tuple[tuple[str, int, int], ...]
     wrong: tuple[str, ...]

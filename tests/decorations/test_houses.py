@@ -124,13 +124,13 @@ def test_the_same_bytes_every_time() -> None:
     assert dump_text(write_scene(generate(asked).scene), "json") == dump_text(write_scene(generate(asked).scene), "json")
 
 
-def test_other_seeds_dress_otherwise() -> None:
+def test_other_seeds_decorate_otherwise() -> None:
     houses = [generate(Request(seed=seed, width=8.0, depth=6.0, decorate=True)).scene for seed in range(3)]
     colours = [Counter(thing.color for room in house.rooms for thing in room.decorations) for house in houses]
     assert colours[0] != colours[1] != colours[2]
 
 
-def test_rerolled_rooms_are_dressed_anew_and_the_others_stay() -> None:
+def test_rerolled_rooms_are_decorated_anew_and_the_others_stay() -> None:
     scene = generate(Request(seed=6, program="one_bed", decorate=True)).scene
     chosen = next(room.id for room in scene.rooms if room.type == "living_room")
     made = reroll(scene, [chosen], seed=77)

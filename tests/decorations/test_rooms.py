@@ -139,7 +139,7 @@ def test_a_laundry_has_a_basket() -> None:
 
 
 @pytest.mark.parametrize("name", sorted(KNOWN.rooms))
-def test_every_type_of_room_is_dressed_without_an_error(name: str) -> None:
+def test_every_type_of_room_is_decorated_without_an_error(name: str) -> None:
     outdoor = KNOWN.rooms[name].outdoor
     for size in ((3.0, 2.6), (5.0, 4.0), (1.2, 4.0)):
         bare = room(

@@ -10,7 +10,7 @@ from typing import Any, get_args
 import pytest
 
 from catalogs import load_catalogs
-from catalogs.dressing import DecorationKind, Dressing, Group, Hangs, Lies, Stands
+from catalogs.decoration_types import Decorating, DecorationKind, Group, Hangs, Lies, Stands
 from catalogs.dwellers import Dweller
 from catalogs.entries import Category
 from catalogs.programmes import Home, Preset
@@ -97,7 +97,7 @@ def test_every_key_of_a_relation_is_explained() -> None:
         ("Furniture", (FurnitureSpec,)),
         ("Room types", (RoomType, Plan, Home, PieceSpec)),
         ("Programmes and presets", (Preset,)),
-        ("Decorations", (DecorationKind, Dressing, Lies, Hangs, Stands)),
+        ("Decorations", (DecorationKind, Decorating, Lies, Hangs, Stands)),
         ("People and pets", (Dweller,)),
         ("Styles", (Style,)),
         ("Shapes and materials", (ShapePart, Material)),

@@ -23,7 +23,7 @@ from tests.docs.markdown import ROOT, Block, blocks, documents, following, rows,
 
 SHELLS = blocks("sh")
 RUN = blocks("sh", "run")
-CATALOG_FILES = ("furniture", "presets", "dressing", "shapes", "styles", "people")
+CATALOG_FILES = ("furniture", "presets", "decorating", "shapes", "styles", "people")
 
 
 def name_of(block: Block) -> str:

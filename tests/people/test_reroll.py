@@ -57,7 +57,7 @@ def test_the_other_rooms_and_their_people_stay_to_the_byte(decorate: bool) -> No
     assert set(changed) == set(chosen)
 
 
-def test_the_named_rooms_are_dressed_only_where_the_house_is() -> None:
+def test_the_named_rooms_are_decorated_only_where_the_house_is() -> None:
     for decorate in (False, True):
         scene = house(decorate)
         chosen = named(scene)

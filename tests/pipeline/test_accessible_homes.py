@@ -108,15 +108,15 @@ def test_a_square_that_a_room_has_no_space_for_costs_it_nothing_else() -> None:
 
 @pytest.mark.parametrize("wrong", ["{bathrom: {area: [5, 6, 9], width: 2}}", "{bathroom: {area: [5, 6], width: 2}}"])
 def test_sizes_of_no_room_are_refused(wrong: str, tmp_path: Path) -> None:
-    (tmp_path / "access.yaml").write_text(f"mine: {{says: x, walker: 0.7, rules: [], homes: {wrong}}}\n")
+    (tmp_path / "access.yaml").write_text(f"mine: {{description: x, walker: 0.7, rules: [], homes: {wrong}}}\n")
     with pytest.raises(CatalogError, match=r"access\.yaml"):
         load_catalogs(tmp_path)
 
 
 def test_a_profile_of_ones_own_makes_homes(tmp_path: Path) -> None:
-    rule = "{what: turning, least: 1.4, rooms: [bathroom], clause: ours}"
+    rule = "{what: turning, min: 1.4, rooms: [bathroom], clause: ours}"
     homes = "{bathroom: {area: [6, 7, 10], width: 2.3}}"
-    (tmp_path / "access.yaml").write_text(f"mine: {{says: x, walker: 0.7, rules: [{rule}], homes: {homes}}}\n")
+    (tmp_path / "access.yaml").write_text(f"mine: {{description: x, walker: 0.7, rules: [{rule}], homes: {homes}}}\n")
     own: Catalogs = load_catalogs(tmp_path)
     scene = generate(Request(seed=1, program="one_bed", access="mine"), catalogs=own).scene
     (found,) = [one for one in access_of(scene, "mine", own).findings if one.what == "turning"]

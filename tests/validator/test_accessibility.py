@@ -133,16 +133,14 @@ def test_unknown_profiles_and_rooms_are_named(tmp_path: Path) -> None:
         access_of(bath(), "moon", CATALOGS)
     with pytest.raises(RequestError, match="unknown profile"):
         generate(Request(seed=1, program="studio", access="moon"))
-    rule = "{what: turning, least: 1, rooms: [bathrom], clause: x}"
-    (tmp_path / "access.yaml").write_text(f"mine: {{says: x, walker: 0.7, rules: [{rule}]}}\n")
+    rule = "{what: turning, min: 1, rooms: [bathrom], clause: x}"
+    (tmp_path / "access.yaml").write_text(f"mine: {{description: x, walker: 0.7, rules: [{rule}]}}\n")
     with pytest.raises(CatalogError, match="bathrom"):
         load_catalogs(tmp_path)
 
 
-@pytest.mark.parametrize(
-    "rule", ["{what: turning, least: 1, pieces: [bed], clause: x}", "{what: before, least: 1, pieces: [bed], clause: x}"]
-)
+@pytest.mark.parametrize("rule", ["{what: turning, min: 1, pieces: [bed], clause: x}", "{what: before, min: 1, pieces: [bed], clause: x}"])
 def test_rules_that_say_too_much_or_too_little_are_refused(rule: str, tmp_path: Path) -> None:
-    (tmp_path / "access.yaml").write_text(f"mine: {{says: x, walker: 0.7, rules: [{rule}]}}\n")
+    (tmp_path / "access.yaml").write_text(f"mine: {{description: x, walker: 0.7, rules: [{rule}]}}\n")
     with pytest.raises(CatalogError, match=r"access\.yaml"):
         load_catalogs(tmp_path)

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from catalogs import Catalogs
-from catalogs.dressing import DecorationKind
+from catalogs.decoration_types import DecorationKind
 from catalogs.entries import Surface
 from solver.scene import Decoration, Issue, Room
 from solver.validator import validate

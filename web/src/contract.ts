@@ -117,5 +117,5 @@ export interface Catalog {
   readonly rooms?: Named<CatalogRoom>;
   readonly floorings?: Named<{ readonly color: string }>;
   readonly presets?: Named<Served.Preset>;
-  readonly access?: Named<{ readonly says: string }>;
+  readonly access?: Named<{ readonly description: string }>;
 }

@@ -262,7 +262,7 @@ class Page {
     try {
       const known = await catalog(signal);
       this.#learnt = true;
-      this.#stage.dress(known);
+      this.#stage.learnCatalog(known);
       this.#workbench.learn(known);
       this.#controls.offer(known);
     } catch (reason) {

@@ -455,7 +455,7 @@ export interface Pose {
 /** A named programme: how many rooms of each word (cars, for garages), and what it is, in words. */
 export interface Preset {
   readonly rooms: Readonly<Record<string, number>>;
-  readonly says?: string;
+  readonly description?: string;
 }
 
 /** An RFC 9457 problem document. */

@@ -173,7 +173,7 @@ export class Stage {
   }
 
   /** Learns how kinds look; what is shown from now on is drawn so. */
-  dress(catalog: Catalog): void {
+  learnCatalog(catalog: Catalog): void {
     this.#catalog = catalog;
     this.#book = new ShapeBook(catalog);
     this.#library = new AssetLibrary(catalog.assets ?? {}, assetFile);

@@ -10,7 +10,7 @@ import { Controls } from "../src/panel/controls";
 const FORM = /<form id="request"[\s\S]*?<\/form>/.exec(readFileSync("index.html", "utf8"))?.[0] ?? "";
 const CATALOG: Catalog = {
   furniture: {}, decorations: {},
-  presets: { family: { rooms: { bedrooms: 3, bathrooms: 2 }, says: "three bedrooms" }, studio: { rooms: { bathrooms: 1 } } },
+  presets: { family: { rooms: { bedrooms: 3, bathrooms: 2 }, description: "three bedrooms" }, studio: { rooms: { bathrooms: 1 } } },
   rooms: { office: { accent: "#000000", home: {} }, garage: { accent: "#000000", home: { word: "garage" } }, hallway: { accent: "#000000" } },
   styles: { scandi: { walls: { bath: [{ type: "tile" }], rest: [{ type: "plaster" }, { type: "tile" }] } }, rustic: {} },
 };

@@ -27,7 +27,7 @@ class Frame {
 
   async #learn(): Promise<void> {
     // Without the catalog bodies are shown as boxes.
-    await catalog(new AbortController().signal).then((known) => this.#stage.dress(known), () => undefined);
+    await catalog(new AbortController().signal).then((known) => this.#stage.learnCatalog(known), () => undefined);
   }
 
   /** Shows the home that the address asks for. */

@@ -38,7 +38,7 @@ export class Controls {
     this.#catalog = catalog;
     this.#programme.offer(catalog);
     for (const name of Object.keys(catalog.styles ?? {})) this.#offerStyle(name);
-    for (const [name, { says }] of Object.entries(catalog.access ?? {})) this.#offerAccess(name, tellPlainly(says));
+    for (const [name, { description }] of Object.entries(catalog.access ?? {})) this.#offerAccess(name, tellPlainly(description));
     this.#sayStyle();
   }
 
@@ -149,11 +149,11 @@ export class Controls {
   }
 
   /** A standard of access in the words of its profile; one that the service does not know is shown too, so that it can be refused in sight. */
-  #offerAccess(name: string, says: string): void {
+  #offerAccess(name: string, description: string): void {
     const choice = this.form.querySelector<HTMLSelectElement>("#access");
     const known = choice && [...choice.options].find((option) => option.value === name);
-    if (known) known.text = says;
-    else choice?.append(new Option(says, name));
+    if (known) known.text = description;
+    else choice?.append(new Option(description, name));
   }
 
   /** The home that is shown takes a style that is named; the seed's own is for the next one. */

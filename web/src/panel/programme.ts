@@ -165,7 +165,7 @@ export class Programme {
     if (choice === PLAIN) return say("A rectangle cut into rooms.");
     if (choice === BY_AREA) return say("The service takes the programme that suits the area.");
     if (choice === OWN) return say("What is left empty is the service's choice.");
-    const says = this.#catalog?.presets?.[choice.slice(PRESET.length)]?.says;
+    const says = this.#catalog?.presets?.[choice.slice(PRESET.length)]?.description;
     return says ? `${inWords(tellPlainly(says))}.` : "";
   }
 }

@@ -1,13 +1,13 @@
-// What the catalogs say of decorations, in one style, as Python compiles it (solver/decorations/compiled_dressing.py): rows of plain
-// structs; names are words, numbers that stand for equal strings; lengths are mm. The first words are the keys of the dressing.
+// What the catalogs say of decorations, in one style, as Python compiles it (solver/decorations/compiled_decorating.py): rows of plain
+// structs; names are words, numbers that stand for equal strings; lengths are mm. The first words are the keys of decorating.yaml.
 #pragma once
 
 #include "plain/rects.hpp"
 #include "plain/tables.hpp"
 
-namespace dress {
+namespace decorate {
 
-// In `upon`: the parent's own surface; in `surface`: every one of the parent's.
+// In `on`: the parent's own surface; in `surface`: every one of the parent's.
 constexpr i32 ITSELF = -1;
 constexpr i64 NO_LIMIT = -1;
 
@@ -63,7 +63,7 @@ struct Lies {
   Row row;
   Range at;
   Range surface;
-  Range upon;
+  Range on;
   i32 at_seats;
   i32 turn;
   i32 upright;
@@ -95,7 +95,7 @@ struct Stands {
   i64 reach;
 };
 
-// What dresses a name; what it `holds` are rows of `lies`, too.
+// What decorates a name; what it `holds` are rows of `lies`, too.
 struct Entry {
   Range lies;
   Range hangs;
@@ -111,13 +111,13 @@ struct Turn {
   f64 sine;
 };
 
-struct DressingHeader {
+struct DecoratingHeader {
   i32 entries, lies, hangs, stands, choices, sizes, kinds, surfaces, words, places, shares, turns;
   i32 indoor_entry;  // of the rows for every indoor room, or -1
   i32 seat_word;     // what a surface to sit on is called
 };
 
-struct Dressing {
+struct Decorating {
   Span<Entry> entries;
   Span<Lies> lies;
   Span<Hangs> hangs;
@@ -133,7 +133,7 @@ struct Dressing {
   i32 indoor_entry;
   i32 seat_word;
 
-  // What dresses a word, or null.
+  // What decorates a word, or null.
   const Entry* entry_of(i64 word) const { return word >= 0 && word < entries.size ? &entries.data[word] : nullptr; }
   const Kind& kind_of(const Choice& choice) const { return kinds[choice.kind]; }
   Span<Size> sizes_of(const Choice& choice) const { return {sizes.data + choice.sizes.first, choice.sizes.count}; }
@@ -142,7 +142,7 @@ struct Dressing {
 
 constexpr i32 DEGREES = 180;
 
-// Reads a dressing, and ends the call where a row speaks of what is not there.
-Dressing read_dressing(Bytes rows);
+// Reads what decorates, and ends the call where a row speaks of what is not there.
+Decorating read_decorating(Bytes rows);
 
-}  // namespace dress
+}  // namespace decorate

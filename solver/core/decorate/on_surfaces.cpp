@@ -1,8 +1,8 @@
-#include "dress/stages.hpp"
+#include "decorate/stages.hpp"
 #include "floor/nearest.hpp"
 #include "plain/rounding.hpp"
 
-namespace dress {
+namespace decorate {
 
 namespace {
 
@@ -53,7 +53,7 @@ static void add_seats(const DecoratedRoom& room, i64 table, const Surface& surfa
 // What a row's things lie on: things on the carrier, of the first kind that is there, or the carrier.
 static List<i64> carriers_below(const DecoratedRoom& room, i64 carrier, const Lies& row) {
   List<i64> found;
-  for (const i32 word : part_of(room.known.words, row.upon)) {
+  for (const i32 word : part_of(room.known.words, row.on)) {
     if (word == ITSELF) {
       found.add(carrier);
       return found;
@@ -198,4 +198,4 @@ void fill(DecoratedRoom& room, i64 piece) {
   }
 }
 
-}  // namespace dress
+}  // namespace decorate

@@ -1,8 +1,8 @@
-#include "dress/dress.hpp"
+#include "decorate/decorate.hpp"
 
-#include "dress/stages.hpp"
+#include "decorate/stages.hpp"
 
-namespace dress {
+namespace decorate {
 
 namespace {
 
@@ -14,7 +14,7 @@ struct AnswerHeader {
 
 }  // namespace
 
-// Lays things on the pieces one by one, or on all of a word together where their dressing says so.
+// Lays things on the pieces one by one, or on all of a word together where their rows say so.
 static void lay_on_pieces(DecoratedRoom& room) {
   const Span<bool> done = zeroes<bool>(room.pieces.size);
   for (i32 k = 0; k < room.pieces.size; k++) {
@@ -39,8 +39,8 @@ static void lay_on_things(DecoratedRoom& room) {
   }
 }
 
-Bytes dress_room(Bytes dressing_rows, Bytes room_rows) {
-  const Dressing known = read_dressing(dressing_rows);
+Bytes decorate_room(Bytes catalog_rows, Bytes room_rows) {
+  const Decorating known = read_decorating(catalog_rows);
   DecoratedRoom room(known, room_rows);
   lay_on_pieces(room);
   for (i32 k = 0; k < room.pieces.size; k++) hang(room, k);
@@ -55,4 +55,4 @@ Bytes dress_room(Bytes dressing_rows, Bytes room_rows) {
   return writer.written();
 }
 
-}  // namespace dress
+}  // namespace decorate

@@ -18,7 +18,7 @@ Group = Literal[
     "bedroom", "bathroom", "entry", "kids", "floor", "workshop", "outdoor", "shelves",
 ]  # fmt: skip
 SURFACE = "surface"
-"""In `upon`: the parent's own surface."""
+"""In `on`: the parent's own surface."""
 ALL = "all"
 """In `surface`: every surface of the parent."""
 INDOOR = "indoor"
@@ -37,14 +37,14 @@ class DecorationKind(KindSpec):
     mixed: bool = False
 
 
-class DressingRow(Entry):
+class DecoratingRow(Entry):
     """What every row says: which kinds (several take turns), how often, in which styles, how small they get.
 
     `styled`: only in homes that have a style, or (false) only in those that have none.
 
     `rooms` and `not_in`: only in rooms of these types, and in none of those.
 
-    `least`: where a thing does not fit it is made smaller, down to this share of its width and depth. `accent`: it has the
+    `min_scale`: where a thing does not fit it is made smaller, down to this share of its width and depth. `accent`: it has the
     room's accent colour, or one that the style has for it. `chance` is drawn once for the row on each parent.
     """
 
@@ -54,15 +54,15 @@ class DressingRow(Entry):
     styled: bool | None = None
     rooms: RoomTypeNames = ()
     not_in: RoomTypeNames = ()
-    least: Probability = 1.0
+    min_scale: Probability = 1.0
     accent: bool = False
 
 
-class Lies(DressingRow):
+class Lies(DecoratingRow):
     """Something on a surface of its parent.
 
     `at` are its places, or `seats`: one before every chair that stands at the table. `surface` names the parent's surfaces
-    (its highest by default, or `all`). `upon`: it lies on decorations of these kinds that are already on the parent, on each of
+    (its highest by default, or `all`). `on`: it lies on decorations of these kinds that are already on the parent, on each of
     the first kind that is there; `surface` among them means the parent itself. `turn` is its rotation against what
     carries it, degrees; `upright` tips it onto its lower edge. `fill`: its width and depth as shares of the surface's (0: its own).
     Where its place is taken it goes to the nearest free one, at most `reach` m away.
@@ -70,7 +70,7 @@ class Lies(DressingRow):
 
     at: tuple[SurfacePlace, ...] | Literal["seats"] = ((0.5, 0.5),)
     surface: Words = ()
-    upon: Words = ()
+    on: Words = ()
     turn: Literal[0, 90, 180, 270] = 0
     upright: bool = False
     fill: tuple[Share, Share] | None = None
@@ -86,11 +86,11 @@ class Holds(Lies):
 
     at: tuple[SurfacePlace, ...] = ((0.5, 0.5),)
     surface: Annotated[tuple[InsideSort, ...], BeforeValidator(as_words), Field(min_length=1)]
-    upon: tuple[()] = ()
+    on: tuple[()] = ()
     most: Annotated[int, Field(ge=1, le=8)] = 2
 
 
-class Hangs(DressingRow):
+class Hangs(DecoratingRow):
     """Something on the wall behind its parent, or on the longest free wall of a room.
 
     `height` is its underside above the floor, m; over a parent it hangs at least `gap` above that one's top. `at` are places
@@ -102,7 +102,7 @@ class Hangs(DressingRow):
     gap: Annotated[float, Field(ge=0, le=2)] = 0.1
 
 
-class Stands(DressingRow):
+class Stands(DecoratingRow):
     """Something on a room's floor, `count` of it, one for every `per_area` m2 if that is given.
 
     `where`: in the `middle`, in a `corner`, `beside` a piece named by `of` (the first names first; else at a wall), at a
@@ -131,7 +131,7 @@ class Stands(DressingRow):
         return self
 
 
-class Dressing(Entry):
+class Decorating(Entry):
     """What decorates a kind of furniture or decoration (`lies`, `hangs`) or a room type (`stands`, `hangs`), in this order.
 
     What furniture `holds` comes last of all in a room.

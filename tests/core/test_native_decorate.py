@@ -6,7 +6,7 @@ from random import Random
 
 from catalogs import load_catalogs
 from solver.core import borrowed
-from solver.decorations.compiled_dressing import compiled_dressing
+from solver.decorations.compiled_decorating import compiled_decorating
 from solver.decorations.decorated_rows import decorated_rows
 from solver.furnish import space_of
 from tests.core.native import Native
@@ -17,19 +17,19 @@ KNOWN = load_catalogs()
 
 
 def request(seed: int) -> tuple[bytes, bytes]:
-    """Returns a random room with our dressing or a random one, as rows."""
+    """Returns a random room decorated as ours are or at random, as rows."""
     settings = settings_named(f"native dressing {seed // 20}")
-    room, known = furnished(Random(f"native {seed}"), KNOWN), compiled_dressing(settings)
+    room, known = furnished(Random(f"native {seed}"), KNOWN), compiled_decorating(settings)
     return known.data, decorated_rows(room, space_of(room, 0.1), known, settings, seed)
 
 
 def answer(known: bytes, room: bytes) -> bytes:
     """Returns what the core as it is built says."""
     with borrowed() as core:
-        packed = core.call("dress", core.write(known), len(known), core.write(room), len(room))
+        packed = core.call("decorate", core.write(known), len(known), core.write(room), len(room))
         return core.read(packed & 0xFFFFFFFF, packed >> 32)
 
 
 def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     asked = [request(seed) for seed in seeds(range(1200), 4)]
-    assert native.answers("dress", asked) == b"".join(answer(*one) for one in asked)
+    assert native.answers("decorate", asked) == b"".join(answer(*one) for one in asked)

@@ -1,7 +1,7 @@
-#include "dress/stages.hpp"
+#include "decorate/stages.hpp"
 #include "floor/nearest.hpp"
 
-namespace dress {
+namespace decorate {
 
 namespace {
 
@@ -297,4 +297,4 @@ void stand(DecoratedRoom& room) {
   if (own != nullptr) stand_rows(room, floor, *own);
 }
 
-}  // namespace dress
+}  // namespace decorate

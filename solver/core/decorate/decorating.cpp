@@ -1,18 +1,18 @@
-#include "dress/dressing.hpp"
+#include "decorate/decorating.hpp"
 
-namespace dress {
+namespace decorate {
 
 static void check(bool right) {
   if (!right) fail(Failure::bad_request);
 }
 
-static void check_row(const Dressing& known, const Row& row) {
+static void check_row(const Decorating& known, const Row& row) {
   part_of(known.choices, row.choices);
   part_of(known.words, row.rooms);
   part_of(known.words, row.not_in);
 }
 
-static void check_dressing(const Dressing& known) {
+static void check_decorating(const Decorating& known) {
   check(known.turns.size == DEGREES && known.indoor_entry < known.entries.size);
   for (const Choice& choice : known.choices) {
     check(choice.kind >= 0 && choice.kind < known.kinds.size && choice.sizes.count > 0);
@@ -26,7 +26,7 @@ static void check_dressing(const Dressing& known) {
     check_row(known, row.row);
     part_of(known.places, row.at);
     part_of(known.words, row.surface);
-    part_of(known.words, row.upon);
+    part_of(known.words, row.on);
   }
   for (const Hangs& row : known.hangs) {
     check_row(known, row.row);
@@ -44,10 +44,10 @@ static void check_dressing(const Dressing& known) {
   }
 }
 
-Dressing read_dressing(Bytes rows) {
+Decorating read_decorating(Bytes rows) {
   Reader reader(rows.data, rows.size);
-  const DressingHeader& header = reader.take<DressingHeader>(1)[0];
-  Dressing known{};
+  const DecoratingHeader& header = reader.take<DecoratingHeader>(1)[0];
+  Decorating known{};
   known.entries = reader.take<Entry>(header.entries);
   known.lies = reader.take<Lies>(header.lies);
   known.hangs = reader.take<Hangs>(header.hangs);
@@ -62,8 +62,8 @@ Dressing read_dressing(Bytes rows) {
   known.turns = reader.take<Turn>(header.turns);
   known.indoor_entry = header.indoor_entry;
   known.seat_word = header.seat_word;
-  check_dressing(known);
+  check_decorating(known);
   return known;
 }
 
-}  // namespace dress
+}  // namespace decorate

@@ -1,4 +1,4 @@
-"""The core's dress stage: what it made when it was moved from Python, and what it does with nonsense."""
+"""The core's decorations: what it made when it was moved from Python, and what it does with nonsense."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from solver.core import CoreFailed
 from solver.decorations import BareRoom, decorated_rooms
 from solver.furnish import space_of
 from solver.streams import Stream
-from tests.core.test_native_dress import answer, request
-from tests.decorations.random_rooms import furnished, random_dressing, random_settings, settings_named
+from tests.core.test_native_decorate import answer, request
+from tests.decorations.random_rooms import furnished, random_decorating, random_settings, settings_named
 
 KNOWN = load_catalogs()
 GOLDEN = "4052303eda9c669f6f61d369f4f50d397f503c0ff7691b9c146f44eafe42752c"
-"""Of 300 random rooms, half of them with random dressings, recorded when fewer plants came to stand in corners."""
+"""Of 300 random rooms, half of them decorated at random, recorded when fewer plants came to stand in corners."""
 
 
 def test_random_rooms_are_decorated_as_they_always_were() -> None:
@@ -33,12 +33,12 @@ def test_random_rooms_are_decorated_as_they_always_were() -> None:
     assert digest.hexdigest() == GOLDEN
 
 
-def test_random_dressings_have_rows_of_every_sort() -> None:
-    entries = random_dressing(Random("sorts"), KNOWN).values()
+def test_random_decoratings_have_rows_of_every_sort() -> None:
+    entries = random_decorating(Random("sorts"), KNOWN).values()
     assert {row.where for entry in entries for row in entry.stands} == {"middle", "corner", "beside", "wall", "free", "under"}
     assert {word for entry in entries for row in entry.holds for word in row.surface} == {"shelves", "drawers"}
     lies = [row for entry in entries for row in entry.lies]
-    assert all(any(have(row) for row in lies) for have in (lambda row: row.at == "seats", lambda row: row.upon, lambda row: row.fill))
+    assert all(any(have(row) for row in lies) for have in (lambda row: row.at == "seats", lambda row: row.on, lambda row: row.fill))
 
 
 @pytest.mark.parametrize("cut", [0, 8, 100])

@@ -1,7 +1,7 @@
-"""The catalogs' dressing in one style as the core reads it: rows of numbers, one table after the other; names are indices.
+"""What the catalogs say of decorations, in one style, as the core reads it: rows of numbers, one table after the other; names are indices.
 
-Comes in: the settings. Goes out: `CompiledDressing`, made once for catalogs and a style. The rows are those of
-solver/core/dress/dressing.hpp, in the same order. May import: the ground floor, catalogs.
+Comes in: the settings. Goes out: `CompiledDecorating`, made once for catalogs and a style. The rows are those of
+solver/core/decorate/decorating.hpp, in the same order. May import: the ground floor, catalogs.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from struct import Struct
 from typing import Final, TypeVar
 
-from catalogs.dressing import ALL, INDOOR, SURFACE, DecorationKind, Dressing, DressingRow, Hangs, Holds, Lies, Stands
+from catalogs.decoration_types import ALL, INDOOR, SURFACE, Decorating, DecoratingRow, DecorationKind, Hangs, Holds, Lies, Stands
 from catalogs.entries import Side, Surface
 from catalogs.fronts import FrontFloor, floor_before
 from catalogs.insides import InsideSurface, insides_of
@@ -55,8 +55,8 @@ TableRange = tuple[int, int]
 
 
 @dataclass(frozen=True, eq=False)
-class CompiledDressing:
-    """A dressing for the core, and what is asked of furniture by its name.
+class CompiledDecorating:
+    """What decorates, for the core, and what is asked of furniture by its name.
 
     Args:
         data: its bytes.
@@ -89,19 +89,19 @@ class CompiledDressing:
     made_from: tuple[object, ...]
 
 
-_kept: dict[tuple[object, ...], CompiledDressing] = {}
+_kept: dict[tuple[object, ...], CompiledDecorating] = {}
 
 
-def compiled_dressing(settings: DecorationSettings) -> CompiledDressing:
-    """Returns the dressing of some settings for the core; the same object for the same catalogs and style."""
+def compiled_decorating(settings: DecorationSettings) -> CompiledDecorating:
+    """Returns what decorates by some settings, for the core; the same object for the same catalogs and style."""
     known = settings.catalogs
-    made_from = (known.furniture, known.decorations, known.dressing, known.shapes, settings.style)
+    made_from = (known.furniture, known.decorations, known.decorating, known.shapes, settings.style)
     key = (*map(id, made_from), settings.style_name)
     found = _kept.get(key)
     if found is None:
         if len(_kept) >= _MOST_KEPT:
             _kept.pop(next(iter(_kept)), None)
-        found = _kept[key] = _DressingTables(settings).compiled(made_from)
+        found = _kept[key] = _DecoratingTables(settings).compiled(made_from)
     return found
 
 
@@ -110,13 +110,13 @@ def millimetres(size: tuple[float, float, float]) -> SizeMm:
     return to_mm(size[0]), to_mm(size[1]), to_mm(size[2])
 
 
-class _DressingTables:
-    """The tables of a dressing while they are written."""
+class _DecoratingTables:
+    """The tables of what decorates while they are written."""
 
     def __init__(self, settings: DecorationSettings) -> None:
         self._settings, self._catalogs = settings, settings.catalogs
         self._rows: dict[str, list[bytes]] = {name: [] for name in _TABLES}
-        self._words = {name: k for k, name in enumerate(self._catalogs.dressing)}
+        self._words = {name: k for k, name in enumerate(self._catalogs.decorating)}
         self._kinds = {name: k for k, name in enumerate(self._catalogs.decorations)}
         leaning = settings.style.decorations if settings.style else Leaning()
         self._favoured, self._avoided = self._meant(leaning.favoured), self._meant(leaning.avoided)
@@ -125,10 +125,10 @@ class _DressingTables:
         """Returns the kinds of decorations that some words name, by themselves or by their group."""
         return frozenset(name for name, kind in self._catalogs.decorations.items() if name in names or kind.group in names)
 
-    def compiled(self, made_from: tuple[object, ...]) -> CompiledDressing:
-        """Returns the dressing."""
+    def compiled(self, made_from: tuple[object, ...]) -> CompiledDecorating:
+        """Returns all tables."""
         known = self._catalogs
-        for entry in known.dressing.values():
+        for entry in known.decorating.values():
             self._add_entry(entry)
         colours = tuple(self._colours(name, kind) for name, kind in known.decorations.items())
         for (name, kind), palette in zip(known.decorations.items(), colours, strict=True):
@@ -139,7 +139,7 @@ class _DressingTables:
         self._added("turn", map(math.radians, range(180)), lambda angle: (abs(math.cos(angle)), abs(math.sin(angle))))
         named = known.kinds_by_name().items()
         styled = [bool(self._palette(name)) for name in known.decorations]
-        return CompiledDressing(
+        return CompiledDecorating(
             self._data(), looks_by_kind(known), colours, styled, self._words, surfaces, insides,
             frozenset(name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")),
             known.use_sides(), {name: kind.comfort for name, kind in known.furniture.items() if kind.comfort}, dict(self._fronts()),
@@ -152,7 +152,7 @@ class _DressingTables:
             if before is not None:
                 yield kind, before
 
-    def _add_entry(self, entry: Dressing) -> None:
+    def _add_entry(self, entry: Decorating) -> None:
         lies, hangs = self._added("lies", entry.lies, self._lies), self._added("hangs", entry.hangs, self._hangs)
         stands, holds = self._added("stands", entry.stands, self._stands), self._added("lies", entry.holds, self._holds)
         numbers = *lies, *hangs, *stands, *holds, entry.together, entry.indoor
@@ -163,7 +163,7 @@ class _DressingTables:
         self._added("kind", [numbers], lambda row: (*millimetres(kind.size), *row))
 
     def _data(self) -> bytes:
-        indoor = [*self._catalogs.dressing].index(INDOOR) if INDOOR in self._catalogs.dressing else -1
+        indoor = [*self._catalogs.decorating].index(INDOOR) if INDOOR in self._catalogs.decorating else -1
         header = _HEADER.pack(*map(len, self._rows.values()), indoor, self._word(SEAT))
         tables = [b"".join(rows) for rows in self._rows.values()]
         return b"".join([header, *(table + bytes(-len(table) % 8) for table in tables)])
@@ -208,7 +208,7 @@ class _DressingTables:
         """Returns the style's own colours of a kind."""
         return self._settings.style.colours(name, self._catalogs.decorations[name].group) if self._settings.style else ()
 
-    def _row(self, row: DressingRow, upright: bool = False, most: int = 0) -> tuple[float, ...]:
+    def _row(self, row: DecoratingRow, upright: bool = False, most: int = 0) -> tuple[float, ...]:
         names = [name for name in row.put if name not in self._avoided]
         fond = any(name in self._favoured for name in names)
         sized = [(name, self._added("size", sizes(self._catalogs.decorations[name], row, upright), lambda size: size)) for name in names]
@@ -223,7 +223,7 @@ class _DressingTables:
 
     def _lies(self, row: Lies, most: int = 0) -> tuple[float, ...]:
         at = self._added("place", () if row.at == "seats" else row.at, lambda place: place)
-        words = *self._names(row.surface, ALL), *self._names(row.upon or (SURFACE,), SURFACE)
+        words = *self._names(row.surface, ALL), *self._names(row.on or (SURFACE,), SURFACE)
         flags = row.at == "seats", row.turn, row.upright, row.fill is not None
         reach = _NO_LIMIT if row.reach is None else to_mm(row.reach)
         return *self._row(row, row.upright, most), *at, *words, *flags, *(row.fill or (0.0, 0.0)), reach
@@ -237,11 +237,11 @@ class _DressingTables:
         return *self._row(row), *asked, *shares, row.count, to_mm(row.widest or 0.0), to_mm(row.longest or 0.0), to_mm(row.reach)
 
 
-def sizes(kind: DecorationKind, row: DressingRow, upright: bool = False) -> list[SizeMm]:
+def sizes(kind: DecorationKind, row: DecoratingRow, upright: bool = False) -> list[SizeMm]:
     """Returns the extents a thing may have, mm, largest first; made smaller, whole centimetres."""
     width, depth, height = millimetres(kind.size)
-    steps = max(0, round((1 - row.least) / SCALE_STEP + 1e-9))
-    shares = [max(1 - step * SCALE_STEP, row.least) for step in range(1, steps + 1)]
+    steps = max(0, round((1 - row.min_scale) / SCALE_STEP + 1e-9))
+    shares = [max(1 - step * SCALE_STEP, row.min_scale) for step in range(1, steps + 1)]
     bases = [(width, depth), *((_centimetres(width * share), _centimetres(depth * share)) for share in shares)]
     return [(across, height, along) if upright else (across, along, height) for across, along in bases]
 

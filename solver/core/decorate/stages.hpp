@@ -1,9 +1,9 @@
 // How a room is decorated: what lies on things, what hangs on walls, what stands on the floor.
 #pragma once
 
-#include "dress/room.hpp"
+#include "decorate/room.hpp"
 
-namespace dress {
+namespace decorate {
 
 // Lays the rows of their word on carriers of one word; what lies on several, once on the first that takes it.
 void lay(DecoratedRoom& room, Span<i64> carriers);
@@ -20,4 +20,4 @@ void hang_free(DecoratedRoom& room);
 // Puts the rows of the room's type, and those for every indoor room, on its floor.
 void stand(DecoratedRoom& room);
 
-}  // namespace dress
+}  // namespace decorate

@@ -1,8 +1,8 @@
-#include "dress/room.hpp"
+#include "decorate/room.hpp"
 
 #include "plain/rounding.hpp"
 
-namespace dress {
+namespace decorate {
 
 // What hangs higher is walked under: the height of a door.
 constexpr i64 HEADROOM_MM = 2000;
@@ -15,7 +15,7 @@ static void check(bool right) {
   if (!right) fail(Failure::bad_request);
 }
 
-DecoratedRoom::DecoratedRoom(const Dressing& dressing, Bytes rows) : known(dressing), stream(0) {
+DecoratedRoom::DecoratedRoom(const Decorating& decorating, Bytes rows) : known(decorating), stream(0) {
   Reader reader(rows.data, rows.size);
   room = reader.take<RoomHeader>(1)[0];
   const Span<Thing> sent = reader.take<Thing>(room.pieces);
@@ -151,4 +151,4 @@ Extent DecoratedRoom::bounds_of(const Size& size, i64 rotation) const {
   return {rounded_up(width * turn.cosine + depth * turn.sine - 1e-6), rounded_up(width * turn.sine + depth * turn.cosine - 1e-6)};
 }
 
-}  // namespace dress
+}  // namespace decorate

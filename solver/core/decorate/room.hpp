@@ -1,11 +1,11 @@
 // A furnished room as Python sends it (solver/decorations/decorated_rows.py), and a room while it is being decorated. Lengths are mm.
 #pragma once
 
-#include "dress/dressing.hpp"
+#include "decorate/decorating.hpp"
 #include "floor/free_floor.hpp"
 #include "plain/streams.hpp"
 
-namespace dress {
+namespace decorate {
 
 // Rugs and mats: what is no higher is no body, one stands on it (docs/scene.md, The rules).
 constexpr i64 FLAT_MM = 20;
@@ -114,7 +114,7 @@ struct Turns {
 
 class DecoratedRoom {
  public:
-  DecoratedRoom(const Dressing& known, Bytes rows);
+  DecoratedRoom(const Decorating& known, Bytes rows);
 
   // Draws which kinds of a row there are to be, in the order in which they take turns.
   Turns wanted(const Row& row);
@@ -136,7 +136,7 @@ class DecoratedRoom {
 
   bool is_sat_under(i64 piece, i64 table) const { return piece < pieces.size && pieces[piece].under == table; }
 
-  const Dressing& known;
+  const Decorating& known;
   RoomHeader room;
   Span<Piece> pieces;
   List<Opening> openings;
@@ -172,4 +172,4 @@ class DecoratedRoom {
   List<Drawn> colours_;
 };
 
-}  // namespace dress
+}  // namespace decorate

@@ -1,8 +1,8 @@
-#include "dress/stages.hpp"
+#include "decorate/stages.hpp"
 #include "floor/nearest.hpp"
 #include "plain/rounding.hpp"
 
-namespace dress {
+namespace decorate {
 
 namespace {
 
@@ -111,4 +111,4 @@ void hang_free(DecoratedRoom& room) {
   }
 }
 
-}  // namespace dress
+}  // namespace decorate
