@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Route, expect
 
 from tests.browser.conftest import PIXEL_RATIO, SHOWN
 from tests.browser.service_process import ServiceProcess
-from tests.browser.test_accessible import AXE, OVER, PHONE, RUN, in_conflict, refusing
+from tests.browser.test_accessible import OVER, PHONE, found_in, in_conflict, refusing
 from tests.browser.test_editing import ONE, OTHER, crate, den
 from tests.browser.test_language import TOWN
 from tests.browser.visit import Visit, furniture_of
@@ -45,10 +45,8 @@ class States:
             expect(self.visit.page.locator(shown).first).to_be_visible()
         for colours in COLOURS:
             self.visit.page.emulate_media(color_scheme=colours)  # type: ignore[arg-type]
-            self.visit.page.evaluate(AXE.read_text())
-            wrong: list[str] = self.visit.page.evaluate(RUN)
             assert f"{state}, {colours}" not in self.found
-            self.found[f"{state}, {colours}"] = wrong
+            self.found[f"{state}, {colours}"] = found_in(self.visit.page)
 
     def file(self, name: str, document: object) -> None:
         """Open a file on the page."""
