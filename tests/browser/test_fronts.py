@@ -71,6 +71,22 @@ def test_with_nothing_chosen_the_key_opens_a_door(visit: Visit) -> None:
     assert visit.state()["openFronts"] == []
 
 
+def test_who_wants_no_motion_sees_doors_and_fronts_open_at_once(visit: Visit) -> None:
+    visit.open(PLANNED)
+
+    def frames(key: str) -> int:
+        before: int = visit.state()["frames"]
+        press(visit, key)
+        after: int = visit.state()["frames"]
+        return after - before
+
+    for key in ("t", "Shift+T"):
+        visit.page.emulate_media(reduced_motion="reduce")
+        at_once = frames(key)
+        visit.page.emulate_media(reduced_motion="no-preference")
+        assert 1 <= at_once <= 2 < frames(key), key
+
+
 @pytest.mark.parametrize("query", [LARGE])
 def test_all_fronts_of_a_large_home_open_in_few_draw_calls(visit: Visit, query: str) -> None:
     fronts = certified(visit.open(query))

@@ -287,7 +287,7 @@ export class Stage {
     const doors = this.#house?.doors;
     if (index === undefined) return;
     doors?.toggle(index);
-    this.#viewport.move((seconds) => {
+    this.#viewport.glide((seconds) => {
       this.#viewport.castShadows();
       return doors?.step(seconds) ?? false;
     });
@@ -297,7 +297,7 @@ export class Stage {
   #toggleFronts(id: string | null, front?: string): boolean {
     const house = this.#house;
     if (!house?.toggleFronts(id, front)) return false;
-    this.#viewport.move((seconds) => {
+    this.#viewport.glide((seconds) => {
       const moving = house === this.#house && house.stepFronts(seconds);
       this.#viewport.castShadows();
       return moving;

@@ -236,6 +236,9 @@ export class Viewport {
     this.invalidate();
   }
 
+  /** Runs a motion that only shows how something comes about: who wants nothing to move sees its end at once. */
+  glide(motion: Motion): void { this.move((seconds) => motion(calm() ? Number.POSITIVE_INFINITY : seconds)); }
+
   /** Called after every frame: what follows the camera, such as labels. */
   onFrame(listener: () => void): void {
     this.#afterFrame.push(listener);
@@ -250,11 +253,11 @@ export class Viewport {
 
   #draw(now: number): void {
     if (this.#new) this.#resize(); // what is said of a new home may have moved the canvas: found out after this frame, that would take another
-    this.#asked = false;
     const seconds = this.#resting ? SHORT_STEP : Math.min(LONGEST_STEP, Math.max(0, (now - this.#last) / 1000));
     this.#last = now;
     this.#controls.dampingFactor = 1 - Math.exp(-seconds * DAMPING);
     for (const motion of this.#motions) if (!motion(seconds)) this.#motions.delete(motion);
+    this.#asked = false; // what a motion asks for, this very frame shows
     if (!this.#walker) this.#controls.update();
     this.#clip();
     const isDrawnOver = this.#portraits.waits;
