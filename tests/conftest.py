@@ -60,8 +60,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
     """Share the tests, file by file, among the workers of a parallel run, so that what a file makes for its tests is made once.
 
     The browser's files go to few workers, those that call the application to one: each of these starts a service of its own. They take
-    longest and are begun first, as are those that ask the native build. A wrapper comes before pytest-xdist, which reads the marks in the
-    same hook.
+    longest and are begun first, as are those that ask the native build. Among the browser's, those that hand a page on go before those that
+    open their own. A wrapper comes before pytest-xdist, which reads the marks in the same hook.
     """
     paths = sorted({item.path for item in items})
     groups = {path: f"browser {at % BROWSERS}" for at, path in enumerate(path for path in paths if path.parent == BROWSER_TESTS)}
@@ -70,5 +70,5 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
             groups.setdefault(item.path, ONCE[fixture])
     for item in items:
         item.add_marker(pytest.mark.xdist_group(groups.get(item.path) or item.nodeid.partition("::")[0]))
-    items.sort(key=lambda item: groups.get(item.path, "to others"))
+    items.sort(key=lambda item: (groups.get(item.path, "to others"), item.get_closest_marker("own_page") is not None))
     yield

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize, expect, sync_playwright
 
 from tests.browser.service_process import ServiceProcess, running
-from tests.browser.visit import ANSWER_MS, Visit
+from tests.browser.visit import ANSWER_MS, AT_REST, CAN_GO_ON, FORGET, Visit
 from tests.chromium import FLAGS, executable
 
 WINDOW: ViewportSize = {"width": 1000, "height": 600}
@@ -18,13 +18,8 @@ PIXEL_RATIO = 0.5
 JAGGED = "--webgl-antialiasing-mode=none"
 """Smooth edges cost as much as all else that is drawn, and no test looks at them."""
 
-FORGET = """() => location.protocol !== 'http:' || new Promise((done, fail) => {
-    localStorage.clear();
-    const gone = indexedDB.deleteDatabase('compose');
-    gone.onsuccess = () => done(true);
-    gone.onerror = gone.onblocked = () => fail(new Error('the homes stay'));
-})"""
-"""Forgets the homes that the page keeps, and what a person chose about the page: done once they are gone."""
+FORGET_CHOICES = "() => location.protocol !== 'http:' || localStorage.clear()"
+"""The same, of a page that is handed on: it forgets its homes itself, once it shows the next."""
 SHOWN = """if (location.protocol === 'http:') {
     for (const name of ['reading', 'home', 'furnishing', 'view', 'files']) localStorage.setItem(`compose.${name}`, 'shown');
     localStorage.setItem('compose.tour', 'seen');
@@ -32,6 +27,8 @@ SHOWN = """if (location.protocol === 'http:') {
 """Most tests read the text and fill in the form: folded away at first in windows so small, they are not reached. None takes the tour."""
 KEPT = "async () => location.protocol === 'http:' ? localStorage.length + (await indexedDB.databases()).length : 0"
 """How much a page has put where the next one finds it."""
+KEPT_BESIDE_HOMES = KEPT.replace("length : 0", "filter(one => one.name !== 'compose').length : 0")
+"""The same beside the homes, which a page that is handed on still holds open."""
 
 expect.set_options(timeout=ANSWER_MS)
 
@@ -58,29 +55,39 @@ def context(browser: Browser) -> Iterator[BrowserContext]:
 
 @pytest.fixture(scope="session")
 def handed_on() -> list[Page]:
-    """The page that tests marked `one_page` hand on from one to the next, where there is one."""
+    """The page that tests hand on from one to the next, where there is one."""
     return []
 
 
 @pytest.fixture
 def page(request: pytest.FixtureRequest, context: BrowserContext, handed_on: list[Page]) -> Iterator[Page]:
-    """A new browser page, or one handed on, which remembers nothing: its homes are forgotten; what else it leaves, or throws, fails."""
-    shares = request.node.get_closest_marker("one_page") is not None
-    page = handed_on.pop() if shares and handed_on else context.new_page()
+    """A page that remembers nothing: one handed on, or, for tests marked `own_page`, a new one; what else it leaves, or throws, fails."""
+    is_own = request.node.get_closest_marker("own_page") is not None
+    if is_own and handed_on:
+        close(handed_on.pop())
+    page = handed_on.pop() if handed_on else context.new_page()
     faults: list[str] = []
     page.on("pageerror", lambda fault: faults.append(str(fault)))
     failed = request.session.testsfailed
     yield page
-    page.evaluate(FORGET)
-    left = (context.cookies(), page.evaluate(KEPT), faults)
-    if shares and left == ([], 0, []) and request.session.testsfailed == failed:
+    is_left = not is_own and request.session.testsfailed == failed and page.evaluate(AT_REST)
+    goes_on = is_left and page.evaluate(CAN_GO_ON)
+    page.evaluate(FORGET_CHOICES if goes_on else FORGET)
+    left = (context.cookies(), page.evaluate(KEPT_BESIDE_HOMES if goes_on else KEPT))
+    if is_left and (left, faults) == (([], 0), []):
         make_ready(page)
         handed_on.append(page)
     else:
-        page.close()
+        close(page)
     context.clear_permissions()
     assert faults == []
-    assert left[:2] == ([], 0), "the next page would find this"
+    assert left == ([], 0), "the next page would find this"
+
+
+def close(page: Page) -> None:
+    """Closes a page and forgets what it keeps."""
+    page.evaluate(FORGET)
+    page.close()
 
 
 def make_ready(page: Page) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Frame, Page, Route, ViewportSize, expect
 
 from tests.browser.visit import SMALL, Visit, sent_by
@@ -113,6 +114,7 @@ def test_a_narrow_screen(visit: Visit) -> None:
     assert visit.page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
 
 
+@pytest.mark.own_page
 def test_nothing_is_inline(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     markup = visit.page.request.get(visit.address).text()

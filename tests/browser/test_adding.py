@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from playwright.sync_api import expect
 
 from catalogs import load_catalogs
@@ -21,7 +20,6 @@ def added(bench: Bench) -> list[str]:
     return [piece for piece in poses(bench.scene()) if piece not in poses(bench.before)]
 
 
-@pytest.mark.one_page
 def test_pictures_are_drawn_of_kinds_in_view_and_categories_choose_among_them(visit: Visit) -> None:
     bench = Bench(visit, den(crate(ONE, 2, 1.5)))
     page = bench.page
@@ -76,7 +74,6 @@ def test_with_no_room_chosen_a_kind_goes_to_a_room_of_a_type_that_has_it(visit: 
     assert visit.console == []
 
 
-@pytest.mark.one_page
 def test_a_piece_goes_where_the_service_finds_it_best_and_its_other_places_are_flipped_through(visit: Visit) -> None:
     bench = Bench(visit, den(crate(ONE, 3, 2.5), width=6, depth=5))
     page = bench.page

@@ -15,6 +15,8 @@ from tests.assets.makers import dense, folder, shape, textured, under
 from tests.browser.service_process import running
 from tests.browser.visit import POLL_MS, Visit
 
+pytestmark = pytest.mark.own_page
+
 KINDS = ("toilet", "bathtub", "vanity", "shoe_cabinet", "coat_rack", "dining_chair")
 HOME = "?seed=3&program=studio&decorate=true&outdoor=false"
 

@@ -18,7 +18,7 @@ def asked(visit: Visit) -> dict[str, str]:
 def test_generate_makes_the_house_of_the_form(visit: Visit) -> None:
     before = visit.open(SMALL.format(11))["scene"]
     yaml = visit.yaml()
-    visit.page.get_by_label("Seed").fill("12")
+    visit.page.get_by_label("Seed", exact=True).fill("12")
     visit.page.locator("#width").fill("14")
     visit.page.get_by_label("Outdoor rooms").uncheck()
     after = visit.after(lambda: visit.page.get_by_role("button", name="Generate").click())["scene"]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.browser.cost import (
     FOLLOWED,
     HOME,
@@ -15,6 +17,8 @@ from tests.browser.cost import (
     traced,
 )
 from tests.browser.visit import Visit
+
+pytestmark = pytest.mark.own_page
 
 TIMES = 5
 MOVES = 8

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
+import pytest
 from playwright.sync_api import Locator, Route, expect
 
 from tests.browser.visit import SMALL, Document, Visit, furniture_of, said, sent_by, told_sentence
@@ -43,8 +44,10 @@ def lines(visit: Visit) -> Locator:
 def opened(visit: Visit) -> Locator:
     """Presses the key and waits for the report."""
     visit.page.keyboard.press("d")
+    dialog = visit.page.get_by_role("dialog", name="Diagnosis")
+    expect(dialog).to_have_attribute("aria-busy", "false")
     expect(lines(visit).first).to_contain_text("Diagnosis")
-    return visit.page.get_by_role("dialog", name="Diagnosis")
+    return dialog
 
 
 def text_of(visit: Visit) -> str:
@@ -63,6 +66,7 @@ def test_the_report_is_the_services_word_for_word(visit: Visit) -> None:
     scene = visit.open(QUERY)["scene"]
     visit.page.get_by_role("button", name="Diagnose").click()
     expect(visit.page.get_by_role("dialog", name="Diagnosis")).to_be_visible()
+    expect(visit.page.get_by_role("dialog", name="Diagnosis")).to_have_attribute("aria-busy", "false")
     expect(lines(visit).first).to_contain_text("Diagnosis")
     assert text_of(visit) == ask(visit, "validate", {"scene": scene, "report": True})["report"]["text"]
     expect(visit.page.locator(".report-wrong")).to_have_count(0)
@@ -152,6 +156,7 @@ def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
     expect(leaving).to_be_hidden()
 
 
+@pytest.mark.own_page
 def test_opened_again_before_its_closing_is_told_it_reads_the_report_anew(visit: Visit) -> None:
     visit.open(QUERY)
     dialog = opened(visit)
@@ -168,6 +173,7 @@ def test_opened_again_before_its_closing_is_told_it_reads_the_report_anew(visit:
     expect(dialog).to_have_attribute("aria-busy", "false")
 
 
+@pytest.mark.own_page
 def test_copy_gives_the_whole_report_or_selects_it(visit: Visit) -> None:
     visit.open(QUERY)
     visit.page.evaluate(

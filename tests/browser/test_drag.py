@@ -58,6 +58,7 @@ def test_frames_are_answered_without_the_network(moving: Visit) -> None:
     assert bench.errors() == []
 
 
+@pytest.mark.own_page
 def test_where_the_core_cannot_be_had_the_service_answers_frames(moving: Visit) -> None:
     moving.page.route("**/core.wasm", lambda route: route.fulfill(status=404))
     bench = Bench(moving, den(crate(ONE, 1, 1), crate(OTHER, 2.8, 1.8)))

@@ -9,8 +9,6 @@ from playwright.sync_api import Request, Route, expect
 
 from tests.browser.visit import ANSWER_MS, Document, Visit, told_sentence
 
-pytestmark = pytest.mark.one_page
-
 ONE, OTHER = "den/one", "den/other"
 
 

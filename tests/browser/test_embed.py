@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Thread
 
+import pytest
 from playwright.sync_api import expect
 
 from tests.browser.test_accessible import found_in
@@ -43,6 +44,7 @@ def framed(name: str, address: str) -> str:
     return f'<iframe title="{name}" src="{address.replace("&", "&amp;")}" width="600" height="400"></iframe>'
 
 
+@pytest.mark.own_page
 def test_a_frame_elsewhere_shows_the_home_and_the_page_itself_stays_out(visit: Visit) -> None:
     page, hostile = visit.page, "seed=4&width=12&depth=9&style=<img src=x onerror=alert(1)>"
     asked = "seed=4&width=12&depth=9"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from typing import Any
 
-import pytest
 from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from tests.browser.service_process import ROOT
@@ -110,7 +109,6 @@ def test_groups_fold_by_click_and_by_key(visit: Visit) -> None:
     expect(style).to_be_visible()
 
 
-@pytest.mark.one_page
 def test_the_tool_bar_does_what_its_buttons_say(visit: Visit) -> None:
     bench = Bench(visit, den(crate(ONE, 1, 1), crate(OTHER, 3, 2)))
     tool = bench.page.get_by_role("toolbar", name="Editing").get_by_role("button", name=re.compile("^(Undo|Redo|Turn|Lock|Delete)"))
@@ -141,7 +139,6 @@ def test_the_tool_bar_does_what_its_buttons_say(visit: Visit) -> None:
     expect(bench.page.locator("#stage")).to_be_focused()
 
 
-@pytest.mark.one_page
 def test_the_palette_finds_kinds_and_closes_and_a_conflict_closes(visit: Visit) -> None:
     bench = Bench(visit, den(crate(OTHER, 1.1, 1.1, 1.8, locked=True), width=2.2, depth=2.2))
     page = bench.page

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import pytest
 from playwright.sync_api import expect
 
 from tests.browser.test_accessible import violations
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, poses
 from tests.browser.visit import Visit
-
-pytestmark = pytest.mark.one_page
 
 
 def told(visit: Visit) -> dict[str, str]:

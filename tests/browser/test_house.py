@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from playwright.sync_api import Route, expect
 
 from tests.browser.visit import SMALL, Visit, furniture_of, said
@@ -72,6 +73,7 @@ def test_the_readable_yaml_is_the_services_own(visit: Visit) -> None:
     assert [line.replace("\u00a0", "") for line in shown] == lines
 
 
+@pytest.mark.own_page
 def test_the_console_is_silent_and_nobody_else_is_asked(visit: Visit) -> None:
     visit.open(SMALL.format(6))
     visit.page.keyboard.press("r")
@@ -109,6 +111,7 @@ def test_a_narrow_screen_shows_all_without_scrolling_sideways(visit: Visit) -> N
         expect(visit.page.locator(part)).to_be_visible()
 
 
+@pytest.mark.own_page
 def test_names_from_a_scene_are_text(visit: Visit) -> None:
     trap = "<img src=x onerror=console.error('ran')>"
 

@@ -227,6 +227,7 @@ def test_a_link_brings_the_changes(visit: Visit, browser: Browser) -> None:
 
 
 @pytest.mark.parametrize("trouble", [DENIED, FULL])
+@pytest.mark.own_page
 def test_where_the_browser_keeps_nothing_the_page_works_and_warns(visit: Visit, trouble: str) -> None:
     page = visit.page
     asked: list[str] = []

@@ -7,8 +7,6 @@ from playwright.sync_api import expect
 
 from tests.browser.visit import SMALL, Document, Visit
 
-pytestmark = pytest.mark.one_page
-
 EYE_HEIGHT = 1.6
 PROJECTED = "points => points.map(at => compose.viewport.project(compose.viewport.camera.position.clone().set(...at)))"
 """Where points of the house are seen on the canvas [CSS pixels]."""
@@ -25,6 +23,7 @@ def holds(room: Document, eye: list[float]) -> bool:
     return bool(room["x"] <= eye[0] <= room["x"] + room["width"] and room["z"] <= eye[2] <= room["z"] + room["depth"])
 
 
+@pytest.mark.own_page
 def test_a_floor_clicked_tells_its_room(visit: Visit) -> None:
     rooms = visit.open(SMALL.format(4))["scene"]["rooms"]
     visit.page.evaluate("globalThis.told = []; compose.onRoom = id => told.push(id); 0")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from playwright.sync_api import ViewportSize, expect
 
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den
@@ -28,7 +27,6 @@ def scrolled(visit: Visit) -> int:
     return down
 
 
-@pytest.mark.one_page
 def test_a_piece_touched_and_dragged_scrolls_its_line_into_view_and_nothing_else(visit: Visit) -> None:
     visit.page.set_viewport_size(PHONE)
     bench = Bench(visit, crowd(60))
@@ -73,7 +71,6 @@ def test_the_way_out_of_a_walk_is_over_the_house_for_finger_and_key(visit: Visit
     assert scrolled(visit) == 0
 
 
-@pytest.mark.one_page
 def test_what_is_told_of_a_piece_and_what_may_be_added_stand_beneath_the_house(visit: Visit) -> None:
     visit.page.set_viewport_size(PHONE)
     bench = Bench(visit, den(crate(ONE, 1, 2.6)))

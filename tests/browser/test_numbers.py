@@ -9,8 +9,6 @@ from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, drawn, pos
 from tests.browser.test_gaps import told
 from tests.browser.visit import Document, Visit
 
-pytestmark = pytest.mark.one_page
-
 WHERE = "([x, z]) => compose.whereAt(x, z)"
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from xml.etree import ElementTree
 
+import pytest
 from playwright.sync_api import expect
 
 from tests.browser.visit import SMALL, Visit
@@ -13,6 +14,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 PRINTS = "() => { globalThis.print = () => { globalThis.paper = {...document.querySelector('#plan_print').dataset}.paper; }; }"
 
 
+@pytest.mark.own_page
 def test_the_plan_goes_along_as_svg_png_and_paper_at_a_scale(visit: Visit, tmp_path: Path) -> None:
     page, scene = visit.page, visit.open(SMALL.format(4))["scene"]
     page.locator("#plan_scale").select_option("100")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from urllib.parse import urlparse
 
+import pytest
 from playwright.sync_api import Page, Route, expect
 
 from tests.browser.service_process import running
@@ -43,6 +44,7 @@ def test_a_busy_service_is_said_to_be_busy(visit: Visit) -> None:
     expect(visit.page.get_by_role("alert")).to_be_hidden()
 
 
+@pytest.mark.own_page
 def test_a_lost_service_is_said_to_be_lost_and_found_again(page: Page) -> None:
     with running() as first:
         visit = Visit(page, first.address)
@@ -90,6 +92,7 @@ def test_a_key_is_asked_for_kept_and_sent(visit: Visit) -> None:
     assert keys == [None, "sesame", "sesame"]
 
 
+@pytest.mark.own_page
 def test_too_many_requests_are_counted_down(visit: Visit) -> None:
     visit.open(SMALL.format(3))
     visit.page.evaluate("window.setInterval = (act, every) => { window.afterwards = {act, every}; return 0; }; 0")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
 import yaml
 from playwright.sync_api import FilePayload, expect
 
@@ -139,6 +140,7 @@ BROKEN = {
 }
 
 
+@pytest.mark.own_page
 def test_a_scene_of_others_is_drawn_and_its_names_are_text(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     bodies: list[Document] = [

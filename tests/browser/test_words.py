@@ -12,7 +12,6 @@ from tests.browser.visit import SMALL, Visit
 COLORS = "all => all.map(one => getComputedStyle(one).backgroundColor + getComputedStyle(one).borderTopColor)"
 
 
-@pytest.mark.one_page
 def test_the_name_of_a_dragged_piece_goes_with_it(visit: Visit) -> None:
     bench = Bench(visit, den(crate(ONE, 1, 1, 0.6), crate(OTHER, 3.4, 2.4, 0.6)))
     tip = bench.page.locator(".body-tip")

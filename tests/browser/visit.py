@@ -26,26 +26,68 @@ TURNED = """([eye, target, least]) => {
     return Math.abs(Math.atan2(Math.sin(is - was), Math.cos(is - was))) * 180 / Math.PI >= least;
 }"""
 """Whether one has turned by so many degrees at least, fewer than 180, since one looked so."""
+AT_REST = f"""() => document.querySelector('#stage')?.ariaBusy === 'false' && globalThis.compose?.state?.moving === false
+    && document.querySelector("{IN_WORK}") === null"""
+"""Whether nothing is under way, as `Visit.settle` has it."""
+FORGET = """() => location.protocol !== 'http:' || new Promise((done, fail) => {
+    localStorage.clear();
+    const gone = indexedDB.deleteDatabase('compose');
+    gone.onsuccess = () => done(true);
+    gone.onerror = gone.onblocked = () => fail(new Error('the homes stay'));
+})"""
+"""Forgets the homes that the page keeps, and what a person chose about the page: done once they are gone."""
+CAN_GO_ON = "() => 'foundNew' in globalThis"
+"""Whether a page is the one that was looked at when it was new: not where it has been loaded again since."""
 OPEN_ANOTHER = """address => {
+    const shuts = ['#palette:not([hidden]) .palette-head button', '#camera_split[aria-pressed=true]', '.fold[aria-expanded=false]',
+        '#drawing:not([hidden]) [data-tool=close]'];
+    for (const one of document.querySelectorAll('dialog[open]')) one.close();
+    for (const one of document.querySelectorAll(shuts)) one.click();
     document.querySelector('#camera_corner').click();
+    for (const one of document.querySelectorAll('#view :is(input, #plan_scale), #find')) {
+        if (one.type === 'checkbox' && one.checked !== one.defaultChecked) one.click();
+        if (one.type === 'checkbox' || one.value === (one.defaultValue ?? '')) continue;
+        one.value = one.defaultValue ?? '';
+        for (const told of ['input', 'change']) one.dispatchEvent(new Event(told, {bubbles: true}));
+    }
+    for (const one of document.querySelectorAll('details.group')) one.open = globalThis.unfolded.includes(one.id);
     document.activeElement.blur();
     history.pushState(null, '', address);
     dispatchEvent(new PopStateEvent('popstate'));
 }"""
-OF_HOMES = (
-    "[data-tool=undo], #yaml > *, #issues, #shortfalls, #shortfall_line, #legend_rooms, #recent > *, #storey, #no_rooms, #request, "
-    "#furnish_now"
-)
+"""Puts back what a person can put back, and goes to another home."""
+FORGET_OTHERS = """async () => {
+    const [recent, list, clear] = ['recent', 'recent_list', 'recent_clear'].map(id => document.getElementById(id));
+    list.replaceChildren();
+    recent.open = true;
+    for (let looks = 0; looks < 200 && !(clear.disabled && list.children.length === 1); looks += 1) {
+        if (list.children.length > 1) for (let time = 0; time < 2; time += 1) clear.click();
+        await new Promise(done => setTimeout(done, 10));
+    }
+    recent.open = false;
+    const room = document.getElementById('room_choice');
+    if (room.value !== '') { room.value = ''; room.dispatchEvent(new Event('change', {bubbles: true})); }
+    for (const panel of document.querySelectorAll('#controls, #reading, #yaml')) panel.scrollTop = 0;
+    document.querySelector('#camera_corner').click();
+}"""
+"""Has the page forget all homes but the one that it shows, and look at that as at a first one: there is nothing to go back to."""
+OF_HOMES = "#yaml > *, #issues, #shortfalls, #shortfall_line, #legend_rooms, #storey, #no_rooms, #request, #furnish_now, #decorate_now"
+ASIDE = "dialog:not([open]) *, #palette[hidden] *, #drawing[hidden] *"
+"""What is asked for anew, or begun anew, when it is opened."""
 CONTROLS = f"""() => JSON.stringify([
-    [...document.querySelectorAll('[id], [data-tool], :popover-open')].filter(one => !one.closest('{OF_HOMES}')).map(one => [
+    [...document.querySelectorAll('[id], [data-tool], :popover-open')].filter(one => !one.closest('{OF_HOMES}, {ASIDE}')).map(one => [
         one.id, one.dataset.tool, one.className, one.checkVisibility(), one.open, one.checked, one.disabled,
-        one.matches('select, [type=range], [type=search]') && one.value, one.ariaPressed, one.ariaExpanded, one.scrollTop,
+        one.matches('select, [type=range], [type=search]') && one.value, one.ariaPressed === 'true', one.ariaExpanded,
+        one.scrollTop,
     ]),
     document.activeElement.id, window.scrollY, document.documentElement.lang, {{...localStorage}},
     compose.state.selected, compose.state.marks.flagged, compose.state.openFronts, compose.state.lowered, compose.state.walking,
 ])"""
-"""What a person sees of the page that speaks of no home; the form does. A page with an earlier home can go back to that."""
-FOUND_NEW = f"() => {{ globalThis.foundNew = ({CONTROLS})(); }}"
+"""What a person sees of the page that speaks of no home; the form does."""
+FOUND_NEW = f"""() => {{
+    globalThis.foundNew = ({CONTROLS})();
+    globalThis.unfolded = [...document.querySelectorAll('details.group[open]')].map(one => one.id);
+}}"""
 IS_AS_NEW = f"() => globalThis.foundNew === ({CONTROLS})()"
 DRIVER = "GL Driver Message (OpenGL, Performance"
 """What a software renderer says of its own pace, mostly when the machine is busy: no word of the page's."""
@@ -82,9 +124,15 @@ class Visit:
         """
         if self.handed_on:
             self.handed_on = False
-            answer = self.after(lambda: self.page.evaluate(OPEN_ANOTHER, self.address + query))
-            if self.page.evaluate(IS_AS_NEW):
-                return answer
+            if self.page.evaluate(CAN_GO_ON):
+                answer = self.after(lambda: self.page.evaluate(OPEN_ANOTHER, self.address + query))
+                self.page.evaluate(FORGET_OTHERS)
+                self.settle()
+                if self.page.evaluate(IS_AS_NEW):
+                    return answer
+                self.page.evaluate(FORGET)
+                for heard in (self.console, self.requests, self.answers):
+                    heard.clear()
         answer = self.after(lambda: self.page.goto(self.address + query))
         self.page.evaluate(FOUND_NEW)
         return answer

@@ -232,7 +232,7 @@ class Touch(Way):
 
 LONG_PRESS_MS = 700
 """Longer than the page takes for a finger to have stayed on something."""
-REST_MS = 60
+REST_MS = 150
 """A finger that has rested so long is not flung: after a fling the browser takes the next tap for its end, and no click comes of it."""
 WAYS: tuple[type[Way], ...] = (Pointer, Keyboard, Touch)
 
