@@ -15,14 +15,17 @@ constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 2.0;
 
 static i32 count(u64 items) { return __builtin_popcountll(items); }
 
-f64 row_cost(const Drawn& drawn) {
-  // All items at once: what is drawn is guessed by no processor, so that nothing here branches on it.
-  const u64 cut = 1ULL << drawn.first, ends_row = drawn.form == Form::opposite ? cut : 0;
-  const u64 worktop = drawn.traits.items(WORKTOP_TRAIT), landing = drawn.traits.items(LANDING_TRAIT), end = drawn.traits.items(END_TRAIT);
-  const u64 within = ((1ULL << drawn.items.size) - 1) & ~end;
+// Of all items at once: what is drawn is guessed by no processor, so that nothing here branches on it.
+f64 landing_cost(const Drawn& drawn) {
+  const u64 cut = 1ULL << drawn.first, worktop = drawn.traits.items(WORKTOP_TRAIT), landing = drawn.traits.items(LANDING_TRAIT);
   const i32 landed = count(landing & worktop << 1 & ~cut) + count(landing & (worktop & ~cut) >> 1);
-  const i32 ends = count(end & within << 1 & ~ends_row & (within & ~ends_row) >> 1);
-  return LANDING_COST * (2 * count(landing) - landed) + END_COST * ends;
+  return LANDING_COST * (2 * count(landing) - landed);
+}
+
+f64 end_cost(const Drawn& drawn) {
+  const u64 ends_row = drawn.form == Form::opposite ? 1ULL << drawn.first : 0, end = drawn.traits.items(END_TRAIT);
+  const u64 within = ((1ULL << drawn.items.size) - 1) & ~end;
+  return END_COST * count(end & within << 1 & ~ends_row & (within & ~ends_row) >> 1);
 }
 
 f64 worktop_cost(const RoomType& type, const Drawn& drawn) {

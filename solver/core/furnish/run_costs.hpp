@@ -44,6 +44,12 @@ struct Member {
   Span<Item> items;
 };
 
+// What there is of an order, and how much of it a run may lack.
+struct Order {
+  List<const Member*> members;
+  i32 optional;
+};
+
 // Items along one wall, the first at `start`, the others after it: as they come in the run, or from its end on.
 struct Leg {
   Wall wall;
@@ -83,8 +89,11 @@ struct Drawn {
   Stream number(Laid which) const { return laid.ahead(which); }
 };
 
-// What a run costs by what stands beside what.
-f64 row_cost(const Drawn& drawn);
+// What a run costs by the sides that lack the worktop wanted there; cut in two it costs as much, or more.
+f64 landing_cost(const Drawn& drawn);
+
+// What a run costs by what belongs at an end and stands within.
+f64 end_cost(const Drawn& drawn);
 
 // What a run costs by the worktop it lacks; what is hidden round a corner is none.
 f64 worktop_cost(const RoomType& type, const Drawn& drawn);

@@ -41,9 +41,10 @@ class RunPlanner {
   const WallOccupancy& walls_;
   const RoomType& type_;
   Span<Member> members_;                  // by word
-  Span<List<const Member*>> orders_;      // what there is of each order
+  Span<Order> orders_;
   Items drawn_;                           // space for the items of a run
   Span<Candidate> places_, best_;         // by word
+  f64 corner_gain_ = 0.0;                 // most that an item costs more than what stands for it in a corner
   Span<List<Interval>> free_;             // stretches by kind and wall, of the kinds that a run may hold
   Earlier nothing_;
   KneeRoom knee_room_;
@@ -69,11 +70,12 @@ RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const Roo
   for (i32 word : type.words) {
     if (members_[word].piece != nullptr && members_[word].items.size == 0) add_member(word, said[word]);
   }
-  orders_ = reserved<List<const Member*>>(type.orders.size);
+  orders_ = zeroes<Order>(type.orders.size);
   for (i32 k = 0; k < orders_.size; k++) {
-    orders_[k] = {};
     for (i32 word : part_of(type.words, type.orders[k])) {
-      if (members_[word].piece != nullptr) orders_[k].add(&members_[word]);
+      if (members_[word].piece == nullptr) continue;
+      orders_[k].members.add(&members_[word]);
+      orders_[k].optional += members_[word].optional;
     }
   }
 }
@@ -102,6 +104,7 @@ void RunPlanner::add_member(i32 word, const Traits& said) {
       const Item& other = items[suited.size + k];
       if (all[k].corner < 0 || other.width != item.width) continue;
       item.corner[all[k].corner] = &other;
+      corner_gain_ = most(corner_gain_, -(other.cost - item.cost));
       item.traits.set(static_cast<Trait>(CORNER_TRAIT + all[k].corner), 1);
     }
   }
@@ -148,13 +151,15 @@ static i64 length_of(const Items& items) {
 
 // Draws an order, which way round, and what it holds in which variants.
 void RunPlanner::draw_items(Stream& stream, Drawn& drawn) const {
-  const Span<const Member*> order = stream.pick(orders_).all();
+  const auto& [members, optional] = stream.pick(orders_);
+  const Span<const Member*> order = members.all();
   const bool mirrored = stream.chance(0.5);
   f64 cost = stream.up_to(PREFERENCE);
   Traits traits = {};
   u64 numbers[2 * MOST_IN_RUN];  // all that may be drawn: what is depends on those before
   Stream ahead(stream);
-  for (i32 k = 0; k < 2 * order.size; k++) numbers[k] = ahead.bits();
+#pragma clang loop vectorize(disable) unroll(disable)  // wasm's products of two pairs cost more than two products
+  for (i32 k = 0; k < order.size + optional; k++) numbers[k] = ahead.bits();
   i64 worktop = 0, depth = 0;
   i32 size = 0, used = 0;
   for (i32 i = 0; i < order.size; i++) {
@@ -179,12 +184,14 @@ void RunPlanner::draw_items(Stream& stream, Drawn& drawn) const {
 }
 
 // Draws a run: at a wall, round a corner, or with its second part at the opposite wall. Always draws as many numbers; false where what
-// it holds costs too much already.
+// it holds costs too much however it is laid: cut in two it lacks as much worktop, or more.
 bool RunPlanner::draw(Stream& stream, f64 lowest, Drawn& drawn) const {
   draw_items(stream, drawn);
   drawn.laid = stream;
   stream.skip(LAID_NUMBERS);
-  if (drawn.items.size == 0 || drawn.cost >= lowest) return false;
+  drawn.form = Form::straight;
+  drawn.first = drawn.items.size;
+  if (drawn.items.size == 0 || drawn.cost - corner_gain_ + landing_cost(drawn) + worktop_cost(type_, drawn) >= lowest) return false;
   drawn.wall = WALLS[drawn.number(WALL).below(4)];
   drawn.high = drawn.number(HIGH).chance(0.5);
   cut_in_two(drawn);
@@ -197,8 +204,6 @@ void RunPlanner::cut_in_two(Drawn& drawn) const {
   const i32 size = drawn.items.size, hidden = static_cast<i32>(end_at(drawn.wall, drawn.high));
   const bool round = drawn.number(ROUND).chance(CORNER_CHANCE);
   u64 corners = round ? drawn.traits.items(CORNER_TRAIT + hidden) & drawn.traits.items(SHALLOWER_TRAIT) >> 1 : 0;
-  drawn.form = Form::straight;
-  drawn.first = size;
   if (corners != 0) {
     const i64 before = whole(drawn.number(CUT).unit() * __builtin_popcountll(corners));
     for (i64 k = 0; k < before; k++) corners &= corners - 1;
@@ -301,7 +306,7 @@ Span<Candidate> RunPlanner::best(Stream& stream) {
     arena::Scope scope;
     Drawn drawn{{}, {}, 0, stream, Form::straight, Wall::none, false, 0, 0.0};
     if (!draw(stream, lowest, drawn)) continue;
-    const f64 by_items = drawn.cost + row_cost(drawn) + worktop_cost(type_, drawn);
+    const f64 by_items = drawn.cost + (landing_cost(drawn) + end_cost(drawn)) + worktop_cost(type_, drawn);
     if (by_items >= lowest) continue;
     const Legs legs = legs_of(drawn);
     if ((drawn.form == Form::opposite && !has_aisle(legs)) || !place(legs, places_)) continue;
