@@ -20,10 +20,7 @@ void* memmove(void* to, const void* from, unsigned long count) { return __builti
 
 namespace arena {
 
-// What the host reads, and moves, without a call: how many bytes are taken, and how many the memory has.
-static struct {
-  u64 top, size;
-} state;
+State state;
 
 #ifdef __wasm__
 constexpr i64 PAGE = 65536;
@@ -32,6 +29,7 @@ static u64 base() { return (reinterpret_cast<u64>(&__heap_base) + 15) / 16 * 16;
 
 // Makes the memory reach to an address; false where there is no more.
 static bool grow_to(u64 end) {
+  if (end <= state.size) return true;
   state.size = __builtin_wasm_memory_size(0) * PAGE;
   const u64 pages = end > state.size ? (end - state.size + PAGE - 1) / PAGE : 0;
   if (pages > 65536 || (pages > 0 && __builtin_wasm_memory_grow(0, pages) == static_cast<unsigned long>(-1))) return false;
@@ -45,10 +43,6 @@ static u64 base() { return reinterpret_cast<u64>(space); }
 
 static bool grow_to(u64 end) { return end <= base() + sizeof(space); }
 #endif
-
-Mark mark() { return state.top; }
-
-void release(Mark mark) { state.top = mark; }
 
 void* reserve(i64 bytes) {
   if (bytes < 0) fail(Failure::memory_full);

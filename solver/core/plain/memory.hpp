@@ -12,8 +12,15 @@ namespace arena {
 
 using Mark = u64;
 
-Mark mark();
-void release(Mark mark);
+// What the host reads, and moves, without a call: how many bytes are taken, and how many the memory has.
+struct State {
+  u64 top, size;
+};
+
+extern State state;
+
+inline Mark mark() { return state.top; }
+inline void release(Mark mark) { state.top = mark; }
 
 // Bytes that nothing else uses, at a multiple of 16. They hold what was there: nothing yet, or what a call before left.
 void* reserve(i64 bytes);
