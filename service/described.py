@@ -6,13 +6,17 @@ Comes in: what answers each call, and the types of what it takes and answers. Go
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable, Mapping
+from dataclasses import fields
 from inspect import Parameter, Signature, cleandoc
-from typing import Any, Final, NamedTuple
+from typing import Annotated, Any, Final, NamedTuple, get_type_hints
 
+from fastapi import Query
 from fastapi.routing import APIRouter
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
+
+from solver.fields import Says
 
 Answering = Callable[[Request], Awaitable[Response]]
 NEEDED: Final = Parameter.empty
@@ -71,6 +75,17 @@ class DescribedCalls:
         for one in self._declared:
             router.add_api_route(one.path, _function_of(one.takes), methods=[one.method], **one.described)
         return router
+
+
+def query_types(record: type[Any]) -> dict[str, tuple[Any, Any]]:
+    """Returns what a call takes that is asked in its query by the fields of a record; each has a default."""
+    types = get_type_hints(record, include_extras=True)
+    return {part.name: (_query_type(types[part.name]), part.default) for part in fields(record)}
+
+
+def _query_type(of: Any) -> Any:
+    says = next((part.words for part in of.__metadata__ if isinstance(part, Says)), None)
+    return Annotated[of, Query(description=says)]
 
 
 def _function_of(takes: Mapping[str, Any]) -> Callable[..., Any]:

@@ -101,7 +101,7 @@ class HomeVersions(Record):
 class HomeQuery(Record):
     """Which homes are listed."""
 
-    search: Annotated[str, MaxLen(MOST_NAME), LINES, STRICT] = ""
-    tag: Annotated[tuple[HomeTag, ...], MaxLen(MOST_TAGS)] = ()
+    search: Annotated[str, MaxLen(MOST_NAME), LINES, STRICT, Says("words that are all somewhere in name, notes and tags")] = ""
+    tag: Annotated[tuple[HomeTag, ...], MaxLen(MOST_TAGS), Says("tags that it has, all of them")] = ()
     limit: Annotated[int, Ge(1), Le(MOST_LISTED), WHOLE] = LISTED
-    after: Annotated[str, Matching(AFTER), STRICT] = ""
+    after: Annotated[str, Matching(AFTER), STRICT, Says("`after` of the page before")] = ""

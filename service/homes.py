@@ -11,23 +11,17 @@ from functools import partial
 from typing import Annotated, Any, Final
 
 from anyio import to_thread
-from fastapi import Header, Query
+from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.described import DescribedCalls
+from service.described import DescribedCalls, query_types
 from service.home_contract import (
-    AFTER,
-    LINES,
-    LISTED,
-    MOST_LISTED,
-    MOST_NAME,
     HomeBody,
     HomeChange,
     HomeHead,
     HomeList,
     HomeQuery,
-    HomeTag,
     HomeVersions,
     HomeWithScene,
 )
@@ -85,17 +79,6 @@ homes = DescribedCalls("/homes", responses=REFUSALS)
 OF_HOME: Final = {"home": id_type("home")}
 OF_REVISION: Final = {**OF_HOME, "if_match": (IfMatch, None)}
 OF_VERSION: Final = {**OF_HOME, "number": number_type(1)}
-LISTS: Final = {
-    "search": (
-        Annotated[
-            str, Query(max_length=MOST_NAME, pattern=LINES.pattern, description="words that are all somewhere in name, notes and tags")
-        ],
-        "",
-    ),
-    "tag": (Annotated[list[HomeTag], Query(description="tags that it has, all of them")], []),
-    "limit": (Annotated[int, Query(ge=1, le=MOST_LISTED)], LISTED),
-    "after": (Annotated[str, Query(pattern=AFTER, description="`after` of the page before")], ""),
-}
 
 
 @homes.call("POST", "", HomeHead, takes={"body": HomeBody}, status_code=201, responses=WITH_BODY)
@@ -113,7 +96,7 @@ async def save_home(request: Request) -> Response:
     return answer
 
 
-@homes.call("GET", "", HomeList, takes=LISTS)
+@homes.call("GET", "", HomeList, takes=query_types(HomeQuery))
 async def list_homes(request: Request) -> Response:
     """Lists homes, the last changed first."""
     given = request.query_params
