@@ -72,11 +72,6 @@ export function outlineText(outline: NonNullable<HouseRequest["outline"]>): stri
   return typeof outline === "string" ? outline : outline.map((corner) => corner.join(",")).join(" ");
 }
 
-/** Tells whether a home is planned for a programme or an area, so that its outline is chosen to fit. */
-export function isPlanned(request: HouseRequest): boolean {
-  return request.program !== undefined || request.area !== undefined;
-}
-
 /** Reads a request from an address's query; what the query does not say is the default. */
 export function requestFromQuery(query: string): HouseRequest {
   const given = new URLSearchParams(query);

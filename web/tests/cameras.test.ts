@@ -1,17 +1,17 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { readableAt } from "../src/plan/readable";
-import { blend, cornersOfBounds, frame, PRESETS, windowOf, type Bounds, type Window } from "../src/view/cameras";
+import { blend, frame, PRESETS, windowOf, type Vector, type Window } from "../src/view/cameras";
 
-const BOUNDS: Bounds = { min: [0, 0, 0], max: [20, 1, 15] };
+const CORNERS: Vector[] = [0, 20].flatMap((x) => [0, 1].flatMap((y) => [0, 15].map((z): Vector => [x, y, z])));
 
 function seen(preset: keyof typeof PRESETS, aspect: number, covered: Omit<Window, "aspect"> = {}): Vector3[] {
-  const { eye, target, fov } = frame(cornersOfBounds(BOUNDS), PRESETS[preset], { aspect, ...covered });
+  const { eye, target, fov } = frame(CORNERS, PRESETS[preset], { aspect, ...covered });
   const camera = new PerspectiveCamera(fov, aspect, 0.1, 1000);
   camera.position.set(...eye);
   camera.lookAt(new Vector3(...target));
   camera.updateMatrixWorld();
-  return cornersOfBounds(BOUNDS).map((corner) => new Vector3(...corner).project(camera));
+  return CORNERS.map((corner) => new Vector3(...corner).project(camera));
 }
 
 describe("a preset", () => {
@@ -67,7 +67,7 @@ describe("a preset", () => {
   });
 
   it("from the top has north up and east to the right", () => {
-    const { eye, target, fov } = frame(cornersOfBounds(BOUNDS), PRESETS.top, { aspect: 1.5 });
+    const { eye, target, fov } = frame(CORNERS, PRESETS.top, { aspect: 1.5 });
     const camera = new PerspectiveCamera(fov, 1.5, 0.1, 1000);
     camera.position.set(...eye);
     camera.lookAt(new Vector3(...target));
@@ -78,7 +78,7 @@ describe("a preset", () => {
   });
 
   it("flies from one framing to the other", () => {
-    const [a, b] = [frame(cornersOfBounds(BOUNDS), PRESETS.top, { aspect: 1 }), frame(cornersOfBounds(BOUNDS), PRESETS.corner, { aspect: 1 })];
+    const [a, b] = [frame(CORNERS, PRESETS.top, { aspect: 1 }), frame(CORNERS, PRESETS.corner, { aspect: 1 })];
     expect(blend(a, b, 0)).toEqual(a);
     expect(blend(a, b, 1).eye[0]).toBeCloseTo(b.eye[0], 9);
   });

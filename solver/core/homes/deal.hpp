@@ -55,7 +55,6 @@ class Dealer {
   bool is_bath(i32 room) const { return rooms_[room].has(TOILET); }
   i64 floor_of(Span<const Column> columns) const;
   i32 cut(const Chunk& behind, const i64* depths) const;
-  i32 picked_dry() const;
   Chunk either(const Chunk& chunk) const { return stream_.chance(0.5) ? chunk.reversed() : chunk; }
   // Largest first.
   void sort(Span<Chunk> chunks) const;

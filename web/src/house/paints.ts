@@ -29,12 +29,6 @@ export function shade(color: string, share: number): string {
   return hex(channels(color).map((channel) => channel + (goal - channel) * Math.abs(share)));
 }
 
-/** A colour with a share of another one in it. */
-export function blended(color: string, other: string, share: number): string {
-  const goal = channels(other);
-  return hex(channels(color).map((channel, i) => channel + ((goal[i] ?? channel) - channel) * share));
-}
-
 export function isLight(color: string): boolean {
   const [red, green, blue] = channels(color);
   return 0.299 * red + 0.587 * green + 0.114 * blue > 140;

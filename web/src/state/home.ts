@@ -247,10 +247,6 @@ export class Home {
     this.#flag(flagged);
   }
 
-  clearFlags(): void {
-    if (this.#flagged.size > 0) this.#flag(new Set());
-  }
-
   #flag(flagged: ReadonlySet<string>): void {
     this.#flagged = flagged;
     this.#tell("flagged", flagged);

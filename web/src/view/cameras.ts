@@ -80,10 +80,6 @@ function unit(a: Vector): Vector {
   return [a[0] / length, a[1] / length, a[2] / length];
 }
 
-export function cornersOfBounds({ min, max }: Bounds): Vector[] {
-  return [min[0], max[0]].flatMap((x) => [min[1], max[1]].flatMap((y) => [min[2], max[2]].map((z): Vector => [x, y, z])));
-}
-
 /** The camera's own directions: right and up on the screen, back towards the camera. */
 export function axesOf(from: Vector): { right: Vector; up: Vector; back: Vector } {
   const back = unit(from);
