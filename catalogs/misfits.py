@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Final
 
 from pydantic import ValidationError
 
 from catalogs.faults import Fault
 from catalogs.references import near
+from catalogs.schema_words import allowed, called, options_of, schema_at
 
-UNKNOWN = "extra_forbidden"
+UNKNOWN: Final = "extra_forbidden"
 """What pydantic calls an unknown key."""
-QUOTED = re.compile("'([^']*)'")
+OTHER_FORMS: Final = ("_type", "_parsing")
+"""How pydantic's names end for a value of another type, a number in place of a list, say."""
+LENGTHS: Final = {"too_long": ("max_length", "at most"), "too_short": ("min_length", "at least")}
+"""What pydantic calls a list of another length, and where it says the bound."""
+QUOTED: Final = re.compile("'([^']*)'")
 
 
 def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:
@@ -32,24 +37,21 @@ def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:
         expected = str(first["ctx"]["expected"])
         word = at[-1] if first["loc"][-1] == "[key]" else first["input"]
         return Fault("", at, f"is {word!r:.60}{near(str(word), QUOTED.findall(expected))}", expected)
-    return Fault("", at, first["msg"].removeprefix("Value error, "))
+    if first["type"] == "missing":
+        return Fault("", at, "is missing", _allowed(schema, at))
+    if first["type"] in LENGTHS:
+        bound, words = LENGTHS[first["type"]]
+        return Fault("", at, f"has {first['ctx']['actual_length']} entries", f"{words} {first['ctx'][bound]}")
+    if first["type"].endswith(OTHER_FORMS):
+        return Fault("", at, f"is {called(first['input'])}", _allowed(schema, at))
+    return Fault("", at, first["msg"].removeprefix("Value error, ").replace("Input should", "should"))
 
 
 def _keys(schema: Mapping[str, Any], way: Sequence[str | int]) -> list[str]:
     """Returns the keys that a schema knows that way inside a document."""
-    nodes = _options(schema, schema)
-    for step in way:
-        inner = [node.get("items") if isinstance(step, int) else _under(node, step) for node in nodes]
-        nodes = [option for found in inner if isinstance(found, Mapping) for option in _options(schema, found)]
-    return [key for node in nodes for key in node.get("properties", ())]
+    return [key for option in options_of(schema, schema_at(schema, way)) for key in option.get("properties", ())]
 
 
-def _under(node: Mapping[str, Any], key: str) -> Any:
-    return node.get("properties", {}).get(key, node.get("additionalProperties"))
-
-
-def _options(schema: Mapping[str, Any], node: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Returns what a part of a schema may be, without references."""
-    if "$ref" in node:
-        node = schema["$defs"][node["$ref"].rpartition("/")[2]]
-    return [one for option in node.get("anyOf", ()) for one in _options(schema, option)] or [node]
+def _allowed(schema: Mapping[str, Any], way: Sequence[str | int]) -> str:
+    known = _keys(schema, way)
+    return f"an object with {', '.join(known)}" if known else allowed(schema, schema_at(schema, way))

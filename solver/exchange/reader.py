@@ -15,10 +15,11 @@ from typing import Annotated, Any, Final, TypeVar
 from pydantic import TypeAdapter, ValidationError
 from pydantic_core import core_schema
 
+from catalogs.schema_words import called
 from solver.errors import FieldError, RequestError, SceneError
 from solver.exchange.identity import identified, indexed
 from solver.exchange.outlines import check_outlines
-from solver.exchange.refusing import called, refusals
+from solver.exchange.refusing import refusals
 from solver.fields import Says, located
 from solver.plain import Wrong
 from solver.scene import FORMAT, Request, Room, Scene

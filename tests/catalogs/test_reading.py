@@ -174,7 +174,7 @@ SLIPS = [
     Slip(PEOPLE, "poses: [roams]", "poses: [roams, sits]", "pet", "pet:", "goes with"),
     Slip(PEOPLE, "heights: [0.35, 0.6]", "heights: [0.65, 0.6]", "people.seats.heights", "seats:", "least"),
     Slip(PEOPLE, "chance: 0.7", "chance: 1.7", "pet.chance", "chance: 1.7", "less than"),
-    Slip(FLOORINGS, '"#d9d9d4"', "12", "tile.color", "tile", "string"),
+    Slip(FLOORINGS, '"#d9d9d4"', "12", "tile.color", "tile", "a text"),
 ]
 
 
@@ -201,6 +201,27 @@ def test_a_fault_names_file_key_and_line(edit: Mend, slip: Slip) -> None:
     ],
 )
 def test_a_misspelled_word_is_told_with_the_one_that_may_be_meant(edit: Mend, file: str, old: str, new: str, says: str) -> None:
+    assert says in str(fault(edit(file, old, new)))
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "says"),
+    [
+        (
+            BEDROOM,
+            "area: {min: [7.0, 9.0], typical: 11.5, max: 16.0}",
+            "area: 11.5",
+            "area: is 11.5 (allowed: an object with min, typical, max)",
+        ),
+        (BEDROOM, "cover: [0.34, 0.45]", "cover: 0.4", "cover: is 0.4 (allowed: a list of 2 entries)"),
+        (BEDROOM, "cover: [0.34, 0.45]", "cover: [0.3, 0.4, 0.5]", "cover: has 3 entries (allowed: at most 2)"),
+        (BEDROOM, "flooring: wood\n", "", "flooring: is missing (allowed: a text)"),
+        (BEDROOM, "{kind: small_bed, cost: 1.2}", "small_bed", "is 'small_bed' (allowed: an object with kind, cost, min_area, corner)"),
+        (BEDROOM, "short_side: 2.4", "short_side: wide", "short_side: is 'wide' (allowed: a number above 0, up to 100)"),
+        (BEDROOM, "short_side: 2.4", "short_side: -1", "short_side: should be greater than 0"),
+    ],
+)
+def test_a_value_of_another_form_is_told_with_the_form_that_is_allowed(edit: Mend, file: str, old: str, new: str, says: str) -> None:
     assert says in str(fault(edit(file, old, new)))
 
 
