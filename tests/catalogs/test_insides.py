@@ -92,7 +92,7 @@ def test_clothes_reach_from_a_board_to_the_rail(kind: str) -> None:
 SLIPS = {
     "wardrobe: {holds: [{put: wardrobe_lamp, surface: shelves}]}": ("wardrobe.holds.0.put", "wardrobe_lamp"),
     "wardrobe: {holds: [{put: bowl, surface: top}]}": ("wardrobe.holds.0", "shelves"),
-    "wardrobe: {holds: [{put: bowl}]}": ("wardrobe.holds.0.surface", "required"),
+    "wardrobe: {holds: [{put: bowl}]}": ("wardrobe.holds.0.surface", "is missing"),
     "dresser: {holds: [{put: bowl, surface: shelves}]}": ("dresser.holds.0.surface", "no shelves inside"),
     "nightstand: {holds: [{put: storage_box, surface: drawers}]}": ("nightstand.holds.0.put", "larger"),
     "bed: {holds: [{put: bowl, surface: drawers}]}": ("bed.holds.0.surface", "no drawers inside"),
