@@ -12,6 +12,11 @@ from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
 
+from starlette.testclient import TestClient
+
+from service.app import ComposeApp
+
+KEYS = {"ann": "a-key-that-ann-has", "ben": "a-key-that-ben-has"}
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 DEBIAN = Path("/usr/lib/postgresql")
 ORDINARY = "nobody"
@@ -87,3 +92,10 @@ def postgresql() -> Iterator[PostgresqlServer]:
         finally:
             with suppress(subprocess.CalledProcessError):
                 server.stop()
+
+
+def client_of(app: ComposeApp, name: str = "ann") -> TestClient:
+    """A client with a key; all of them share the application's loop."""
+    client = TestClient(app, headers={"X-API-Key": KEYS[name]}, raise_server_exceptions=False)
+    client.portal = app.state.portal
+    return client

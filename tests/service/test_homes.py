@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 from threading import Barrier, Event, Thread
@@ -16,9 +15,7 @@ from alembic.migration import MigrationContext
 from sqlalchemy import text
 from starlette.testclient import TestClient
 
-from service.admission import Admitted
 from service.app import ComposeApp, create_app
-from service.keys import KeyRing
 from service.refusals import StoreAway
 from service.service_settings import Settings
 from service.store.database import Database
@@ -27,38 +24,11 @@ from service.store.store_tables import TABLES
 from solver.errors import FieldError
 from solver.exchange import read_scene, write_scene
 from tests.service.problems import entry_of, problem_of
-from tests.service.stores import postgresql
+from tests.service.stores import KEYS, client_of
 
-KINDS = ("sqlite", "postgresql")
-KEYS = {"ann": "a-key-that-ann-has", "ben": "a-key-that-ben-has"}
 SCENE: dict[str, Any] = {"rooms": [{"id": "den", "type": "office", "width": 4.0, "depth": 3.0}]}
 LARGER: dict[str, Any] = {"rooms": [*SCENE["rooms"], {"id": "hall", "type": "hallway", "x": 4.0, "width": 2.0, "depth": 3.0}]}
 PNG = b"\x89PNG\r\n\x1a\n and more"
-
-
-@pytest.fixture(scope="module", params=KINDS)
-def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """Where homes are kept."""
-    if request.param == "sqlite":
-        yield str(tmp_path_factory.mktemp("store") / "deep" / "homes.sqlite")
-        return
-    with postgresql() as server:
-        yield server.url
-
-
-@pytest.fixture(scope="module")
-def app(place: str) -> Iterator[ComposeApp]:
-    app = create_app(settings=Settings(allow_host=("*",), store=place), admitted=Admitted(KeyRing(KEYS.items())))
-    with TestClient(app) as entered:
-        app.state.portal = entered.portal
-        yield app
-
-
-def client_of(app: ComposeApp, name: str = "ann") -> TestClient:
-    """A client with a key; all of them share the application's loop."""
-    client = TestClient(app, headers={"X-API-Key": KEYS[name]}, raise_server_exceptions=False)
-    client.portal = app.state.portal
-    return client
 
 
 @pytest.fixture

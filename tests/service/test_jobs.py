@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import time
 import zlib
-from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 from typing import Any
@@ -13,46 +12,18 @@ from typing import Any
 import httpx2
 import pytest
 from sqlalchemy import update
-from starlette.testclient import TestClient
 
-from service.admission import Admitted
-from service.app import ComposeApp, create_app
-from service.keys import KeyRing
-from service.service_settings import Settings
+from service.app import ComposeApp
 from service.store.database import Database
 from service.store.saved_jobs import LEASE_S, MOST_JOBS, JobResult, SavedJobs
 from service.store.store_tables import JOBS
 from solver.errors import FieldError
 from tests.browser.service_process import running
 from tests.service.problems import entry_of
-from tests.service.stores import postgresql
+from tests.service.stores import client_of
 
-KEYS = {"ann": "a-key-that-ann-has", "ben": "a-key-that-ben-has"}
 SMALL: dict[str, Any] = {"width": 4.0, "depth": 4.0}
 GUARD_S = 120
-
-
-@pytest.fixture(scope="module", params=["sqlite", "postgresql"])
-def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    if request.param == "sqlite":
-        yield str(tmp_path_factory.mktemp("jobs") / "homes.sqlite")
-        return
-    with postgresql() as server:
-        yield server.url
-
-
-@pytest.fixture(scope="module")
-def app(place: str) -> Iterator[ComposeApp]:
-    app = create_app(settings=Settings(allow_host=("*",), store=place), admitted=Admitted(KeyRing(KEYS.items())))
-    with TestClient(app) as entered:
-        app.state.portal = entered.portal
-        yield app
-
-
-def client_of(app: ComposeApp, name: str = "ann") -> TestClient:
-    client = TestClient(app, headers={"X-API-Key": KEYS[name]}, raise_server_exceptions=False)
-    client.portal = app.state.portal
-    return client
 
 
 def told(text: str) -> list[tuple[str, dict[str, Any]]]:
