@@ -96,15 +96,6 @@ class Saving(Thread):
         self.begun.set()
 
 
-@pytest.fixture(scope="module", params=["sqlite", "postgresql"])
-def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    if request.param == "sqlite":
-        yield str(tmp_path_factory.mktemp("crashes") / "homes.sqlite")
-        return
-    with postgresql() as server:
-        yield server.url
-
-
 def test_killed_amid_saves_it_has_all_that_it_acknowledged(place: str) -> None:
     draw, acknowledged, renamed = random.Random(18), dict[str, int](), set[str]()
     accepted, done = list[str](), 0
