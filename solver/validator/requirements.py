@@ -15,12 +15,15 @@ from solver.validator.judging import Finding, RuleCase
 from solver.validator.world import PlacedRoom
 
 _UNKNOWN: Final = "no reason is recorded"
+_EMPTY: Final = "nothing stands in the room yet"
+_AS_SENT: Final = "its furniture came with the scene as it is"
+"""No certificate tells of the room: a plan's file, or a person, furnished it, or nobody did."""
 _NEVER_TRIED: Final = "it was not asked for, or was taken away"
 """The certificate tells of the room what was left out, and not this."""
 
 
 def missing_required(case: RuleCase) -> Iterator[Finding]:
-    """A required piece is not there; the reason is what the scene's certificate gives."""
+    """A required piece is not there; the reason is what the scene's certificate gives, or that it tells nothing of the room."""
     place = case.room
     known = case.kinds.rooms.get(place.room.type)
     if known is None or not known.requires:
@@ -47,6 +50,8 @@ def _reason(certificate: Mapping[str, Any] | None, place: PlacedRoom, labels: se
     """Finds why a piece was left out, whatever shape the certificate of a foreign scene has."""
     rooms = (certificate or {}).get("rooms")
     entry = rooms.get(place.room.id) if isinstance(rooms, Mapping) else None
+    if entry is None:
+        return _AS_SENT if place.room.furniture else _EMPTY
     left_out = entry.get("left_out") if isinstance(entry, Mapping) else None
     if not isinstance(left_out, (list, tuple)) or not all(isinstance(item, Mapping) for item in left_out):
         return _UNKNOWN

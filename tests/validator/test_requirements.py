@@ -20,7 +20,7 @@ def bedroom(*names: str, **more: Any) -> list[str]:
 def test_either_kind_meets_a_requirement() -> None:
     assert bedroom("bed") == []
     assert bedroom("wardrobe", "single_bed") == []
-    assert bedroom("wardrobe") == ["room_0 (bedroom) has no bed or single_bed: no reason is recorded"]
+    assert bedroom("wardrobe") == ["room_0 (bedroom) has no bed or single_bed: its furniture came with the scene as it is"]
 
 
 def test_numbers_count() -> None:
@@ -31,8 +31,8 @@ def test_numbers_count() -> None:
 
     assert told(2) == []
     assert told(3) == []
-    assert told(1) == ["room_0 (dining_room) has only 1 of 2 dining_chair: no reason is recorded"]
-    assert told(0) == ["room_0 (dining_room) has no 2 dining_chair: no reason is recorded"]
+    assert told(1) == ["room_0 (dining_room) has only 1 of 2 dining_chair: its furniture came with the scene as it is"]
+    assert told(0) == ["room_0 (dining_room) has no 2 dining_chair: its furniture came with the scene as it is"]
 
 
 def test_unknown_room_types_require_nothing() -> None:
@@ -56,18 +56,32 @@ def test_what_the_certificate_does_not_name_was_never_tried(left_out: list[dict[
 @pytest.mark.parametrize(
     "certificate",
     [
-        {},
-        {"rooms": None},
-        {"rooms": 4},
-        {"rooms": [{"left_out": []}]},
         {"rooms": {"room_0": "?"}},
+        {"rooms": {"room_0": {}}},
         {"rooms": {"room_0": {"left_out": "bed"}}},
         {"rooms": {"room_0": {"left_out": [7, {"piece": 3}, {"piece": "bed"}]}}},
-        {"rooms": {"room_1": {"left_out": [{"piece": "bed", "reason": "another room's"}]}}},
     ],
 )
 def test_certificates_of_other_makers_do_no_harm(certificate: dict[str, Any]) -> None:
     assert bedroom(certificate=certificate) == ["room_0 (bedroom) has no bed or single_bed: no reason is recorded"]
+
+
+@pytest.mark.parametrize(
+    "certificate",
+    [
+        None,
+        {},
+        {"rooms": None},
+        {"rooms": 4},
+        {"rooms": [{"left_out": []}]},
+        {"rooms": {"room_0": None}},
+        {"rooms": {"room_1": {"left_out": [{"piece": "bed", "reason": "another room's"}]}}},
+    ],
+)
+def test_a_room_that_no_certificate_tells_of_is_as_it_was_sent(certificate: dict[str, Any] | None) -> None:
+    said = "room_0 (bedroom) has no bed or single_bed: "
+    assert bedroom(certificate=certificate) == [said + "nothing stands in the room yet"]
+    assert bedroom("wardrobe", certificate=certificate) == [said + "its furniture came with the scene as it is"]
 
 
 def test_issues_come_room_by_room_and_rule_by_rule() -> None:
