@@ -23,7 +23,7 @@ def test_it_tells_what_was_wanted_what_stands_and_what_was_refused(capsys: pytes
     scene = generate(Request(seed=SEED, program="studio")).scene
     certificate: Any = scene.certificate
     reports = certificate["rooms"]
-    room = max(scene.rooms, key=lambda one: len(reports[one.id]["left_out"]))
+    room = next(one for one in scene.rooms if one.type == "living_room")  # a kitchen's counters go by several labels
     report = reports[room.id]
     assert report["left_out"]
     missing = report["left_out"][0]["piece"]
