@@ -29,6 +29,29 @@ describe("solids", () => {
     for (const [x, , z] of mantle) expect(LARGEST_SMALL / 2 - Math.hypot(x ?? 0, z ?? 0)).toBeLessThan(ALLOWED);
   });
 
+  it("have no triangle that is a line, and none is missing: every edge is met from both its sides", () => {
+    for (const name of SOLIDS) {
+      const { attributes, index } = solidGeometry(name);
+      const lift = name === "rounded" || name === "capsule" ? 1 : 0;
+      const corner = (k: number): string => ["X", "Y", "Z"].map((axis) => {
+        const [at, lean] = [attributes.position, attributes.normal].map((one) => one?.[`get${axis}` as "getX"](k) ?? 0) as [number, number];
+        return (at + lift * lean + 0).toFixed(3).replace("-0.000", "0.000");
+      }).join(" ");
+      const edges = new Map<string, number>();
+      for (let t = 0; t < (index?.count ?? 0); t += 3) {
+        const corners = [0, 1, 2].map((i) => corner(index?.getX(t + i) ?? 0));
+        expect(new Set(corners).size, name).toBe(3);
+        corners.forEach((from, i) => {
+          const to = corners[(i + 1) % 3] ?? "";
+          const edge = [from, to].sort().join(" | ");
+          edges.set(edge, (edges.get(edge) ?? 0) + (from < to ? 1 : -1));
+        });
+      }
+      expect(edges.size, name).toBeGreaterThan(10);
+      expect([...edges.values()].filter((sum) => sum !== 0), name).toEqual([]);
+    }
+  });
+
   it("are chosen by what is round of a part, whichever way it lies", () => {
     const [small, wide] = [LARGEST_SMALL, LARGEST_SMALL + 0.001];
     expect(solidOf({ form: "ball", size: [small, small, small], axis: "y" })).toBe("bead");

@@ -32,9 +32,16 @@ class Draft {
     for (let i = 0; i + 1 < rows.length; i += 1) {
       for (let j = 0; j + 1 < (rows[i]?.length ?? 0); j += 1) {
         const [a, b, c, d] = [rows[i]?.[j], rows[i]?.[j + 1], rows[i + 1]?.[j + 1], rows[i + 1]?.[j]] as [number, number, number, number];
-        this.#index.push(a, b, c, a, c, d);
+        if (!this.#meet(a, b)) this.#index.push(a, b, c);
+        if (!this.#meet(c, d)) this.#index.push(a, c, d);
       }
     }
+  }
+
+  /** Whether two vertices are one point of every part, as at a ball's pole: a triangle at both shows nothing. */
+  #meet(one: number, other: number): boolean {
+    const [from, to] = [this.#rows[one] ?? [], this.#rows[other] ?? []];
+    return from.slice(0, 6).every((value, i) => Math.abs(value - (to[i] ?? 0)) < 1e-12);
   }
 
   fan(centre: number, ring: readonly number[], up: boolean): void {
