@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from playwright.sync_api import expect
 
 from catalogs import load_catalogs
@@ -29,9 +31,10 @@ def test_pictures_are_drawn_of_kinds_in_view_and_categories_choose_among_them(vi
     visit.settle()
     page.wait_for_function(f"() => ({COLORS})('#palette li:first-child canvas')[0] > 20")
     assert violations(visit) == []
-    page.get_by_role("group", name="Categories").get_by_role("button", name="bed", exact=True).click()
+    page.get_by_role("group", name="Categories").get_by_role("button", name="Bed", exact=True).click()
     kinds = page.locator("#palette li:visible [data-kind]").evaluate_all("all => all.map(one => one.dataset.kind)")
     assert {"bed", "bunk_bed"} <= set(kinds)
+    expect(page.locator("#palette [data-kind=bunk_bed]")).to_contain_text(re.compile("^Bunk bed"))
     assert "sofa" not in kinds
     visit.settle()
     page.wait_for_function(f"() => ({COLORS})('#palette li:not([hidden]) canvas').slice(0, 3).every(count => count > 20)")

@@ -8,7 +8,7 @@ import type { DrawnPlan } from "./drawn_plan";
 import { button, choiceField, group, hint, lengthField, row, switchField } from "./elements";
 import { UNTYPED } from "./scene_draft";
 import { inMetres } from "./sheet";
-import { say, sayArea, type Words } from "../words/language";
+import { capital, say, sayArea, type Words } from "../words/language";
 
 const GUESS = say("Guess it");
 
@@ -28,10 +28,6 @@ function namedWalls({ corners }: DraftRoom): { readonly wall: Wall; readonly wor
     const same = walls.filter((other) => side(other) === side(wall));
     return { wall, words: same.length > 1 ? say("{side} wall {number}", { side: side(wall), number: same.indexOf(wall) + 1 }) : say("{side} wall", { side: side(wall) }) };
   });
-}
-
-function capital(words: string): string {
-  return words.slice(0, 1).toUpperCase() + words.slice(1);
 }
 
 export class Inspector {

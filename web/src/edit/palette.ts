@@ -4,7 +4,7 @@ import { words } from "../house/frame";
 import type { Favourites } from "./favourites";
 import { LONG_PRESS } from "./hand";
 import type { FurnitureKind } from "./scene_edits";
-import { say, sayNumber } from "../words/language";
+import { capital, say, sayNumber } from "../words/language";
 
 interface Entry {
   readonly key: string;
@@ -122,7 +122,7 @@ export class Palette {
   }
 
   #chip(category: string): HTMLElement {
-    const chip = button(words(category));
+    const chip = button(capital(words(category)));
     chip.dataset.category = category;
     chip.addEventListener("click", () => {
       this.#category = category;
@@ -154,7 +154,7 @@ export class Palette {
     Object.assign(picture, PICTURE);
     picture.setAttribute("aria-hidden", "true");
     size.textContent = `${kind.size.map((metres) => sayNumber(metres, 2)).join(" × ")} m`;
-    choose.append(picture, words(key), " ", size);
+    choose.append(picture, capital(words(key)), " ", size);
     this.#listen(choose, kind);
     item.append(choose, this.#star(key));
     return { key, kind, item, picture, text: `${words(key)} ${words(kind.name)} ${kind.category}`.toLowerCase() };

@@ -2,7 +2,7 @@
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { isAbort } from "../service";
 import { pieceWords } from "./words";
-import { say, sayNumber } from "../words/language";
+import { capital, say, sayNumber } from "../words/language";
 import { tell } from "../words/telling";
 
 /** Calls the pieces of a message as people do. */
@@ -49,7 +49,7 @@ export class WhyPanel {
     heading.textContent = say("Why the {piece} stands here", { piece: pieceWords(answer.id) });
     const notes = [...wishOf(answer), ...answer.notes.map(named)].map((note) => {
       const words = document.createElement("p");
-      words.textContent = `${note.charAt(0).toUpperCase()}${note.slice(1)}.`;
+      words.textContent = `${capital(note)}.`;
       return words;
     });
     const list = document.createElement("ul");
@@ -66,8 +66,7 @@ export class WhyPanel {
     list.className = "ways";
     list.append(...ways.map((way) => {
       const line = document.createElement("li");
-      const words = named(way.message);
-      const said = words.charAt(0).toUpperCase() + words.slice(1);
+      const said = capital(named(way.message));
       if (way.cost === null) {
         line.textContent = said;
         return line;

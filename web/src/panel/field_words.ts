@@ -1,7 +1,7 @@
 /** What the service says of wrong fields, in the form's words: by the field's label, and what to enter. */
 import type { FieldProblem } from "../contract";
 import { ServiceProblem } from "../service";
-import { say } from "../words/language";
+import { capital, say } from "../words/language";
 import { tellPlainly } from "../words/telling";
 
 const NUMBER = /^(a (?:whole )?number(?: [^:]*)?)(?::|$)/;
@@ -56,8 +56,7 @@ export function formWords(form: HTMLFormElement, problems: readonly FieldProblem
 function fileWords({ problem }: FieldProblem): string {
   if (UNKNOWN_FILE.test(problem)) return say("It is none of the files that are read here: scenes as JSON, YAML or .glb, and plans of Sweet Home 3D, DXF, IFC, SVG, ProcTHOR, RPLAN, GeoJSON.");
   if (problem.startsWith("the text is empty")) return say("It is empty.");
-  const words = tellPlainly(problem);
-  return `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
+  return `${capital(tellPlainly(problem))}.`;
 }
 
 /** What a failure says, and each field that it names in a line. */

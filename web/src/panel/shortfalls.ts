@@ -1,7 +1,7 @@
 /** What fell short of what was asked or wished, in plain words: of the plan, of rooms that are not proven, of pieces that were left out. */
 import type { LeftOut, Scene } from "../contract";
 import { roomNames } from "./room";
-import { say, sayName } from "../words/language";
+import { capital, say, sayName } from "../words/language";
 import { tell } from "../words/telling";
 
 /** One thing that fell short: in words, why for each piece, and the room it is about. */
@@ -28,10 +28,6 @@ const FULL = "the floor is covered as densely as wished";
 export function sentence(note: string, scene?: Scene): string {
   const words = tell(note.trim(), scene).replaceAll("min room size", "the smallest room side of").replaceAll(/\bm2\b/g, "m²").replaceAll("_", " ");
   return words === "" ? "" : `${capital(words)}${/[.!?]$/.test(words) ? "" : "."}`;
-}
-
-function capital(words: string): string {
-  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 /** What a piece that was left out is called: `second_armchair_1` is a second armchair; `third_across_1` the dining chair that its reason names. */

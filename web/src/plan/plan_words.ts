@@ -1,16 +1,13 @@
 /** The service's drawing of a plan, its words as the page says them: rooms, title, and numbers with the reader's point. */
 import type { Scene } from "../contract";
-import { sayDecimals, sayName } from "../words/language";
+import { capital, sayDecimals, sayName } from "../words/language";
 import { tell } from "../words/telling";
 
 const TEXT = /(<text [^>]*?)>([^<]+)(?=<\/text>)/g;
 
 /** What the page calls the rooms of a scene, by their types. */
 export function roomsCalled({ rooms }: Pick<Scene, "rooms">): Readonly<Record<string, string>> {
-  return Object.fromEntries(rooms.map(({ type }) => {
-    const name = sayName(type);
-    return [type, name.charAt(0).toUpperCase() + name.slice(1)] as const;
-  }));
+  return Object.fromEntries(rooms.map(({ type }) => [type, capital(sayName(type))]));
 }
 
 /** The drawing in the reader's words, but for the names of rooms, which it has already. */

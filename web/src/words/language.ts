@@ -71,6 +71,11 @@ export function sayName(name: string): string {
   return (Object.hasOwn(names, name) ? names[name] : undefined) ?? name.replaceAll("_", " ");
 }
 
+/** Words as they begin a line. */
+export function capital(words: string): string {
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
 /** All places of a document where words stand: each is told its words and given others. */
 export function eachWords(root: Element, change: (english: string) => string): void {
   const within = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);

@@ -1,5 +1,5 @@
 /** What the service says, in the reader's language: in English as it comes, else by the forms that it says things in; ids are called as a person calls them. */
-import { say, sayName, sayNumber, spoken, TOLD } from "./language";
+import { capital, say, sayName, sayNumber, spoken, TOLD } from "./language";
 
 /** A way to say something: what it looks like, what its holes are called, and how it is said in the reader's language. */
 interface Form {
@@ -118,6 +118,5 @@ export function tellPlainly(said: string): string {
 
 /** The same as `tell`, begun as a sentence begins. */
 export function tellSentence(said: string, scene?: { readonly rooms: Rooms }): string {
-  const words = tell(said, scene);
-  return words.charAt(0).toUpperCase() + words.slice(1);
+  return capital(tell(said, scene));
 }
