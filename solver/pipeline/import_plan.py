@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
+from solver.certificate import certified
 from solver.errors import FieldError, SyntaxFault
 from solver.exchange import format_of_file, load_text, read_scene, write
 from solver.guessing import with_entrance
@@ -118,7 +119,7 @@ def _own_scene(file: PlanFile, settings: ImportSettings) -> Scene:
         document = document["scene"]
     if not isinstance(document, Mapping) or "rooms" not in document:
         raise SyntaxFault("is in none of the formats that are read here")
-    scene = read_scene(document)
+    scene = certified(read_scene(document))
     if settings.level is not None and settings.level not in {room.level for room in scene.rooms}:
         raise FieldError("level", f"{settings.level} has no rooms", ", ".join(map(str, sorted({room.level for room in scene.rooms}))))
     bare = tuple(replace(room, furniture=(), decorations=()) for room in scene.rooms)

@@ -11,6 +11,7 @@ from catalogs import load_catalogs
 from service.calls import validate_scene, view_scene
 from solver import Request, fix, generate, reroll
 from solver.exchange import dump_text, load_text, read_scene, write_scene
+from solver.pipeline.import_plan import import_plan
 from solver.scene import Room, Scene
 
 CATALOGS = load_catalogs()
@@ -46,6 +47,14 @@ def test_a_scene_as_made_keeps_its_proofs_through_files_and_repairs(request_: Re
     assert entries(fix(read).scene) == entries(made)
     assert "changed since" not in report(read) + view_scene({"scene": write_scene(read)}, CATALOGS)["text"]
     assert report(read).count("placement: cost") == len(made.rooms)
+
+
+def test_a_file_opened_tells_no_proofs_of_a_room_that_was_edited_in_it() -> None:
+    made = generate(REQUESTS[0]).scene
+    opened = import_plan(dump_text(write_scene(edited(made, x=1.2345)), "json")).scene
+    assert {name for name, entry in entries(opened).items() if "proven" not in entry} == {furnished(made).id}
+    as_made = import_plan(dump_text(write_scene(made), "json")).scene
+    assert entries(as_made) == entries(made)
 
 
 @pytest.mark.parametrize("change", [{"x": 1.2345}, {"rotation": 45.0}, {"width": 0.7}, {"id": "another"}])
