@@ -98,6 +98,7 @@ def test_what_is_wrong_stands_out_and_leads_to_the_piece(visit: Visit) -> None:
     red = visit.page.locator(".report-wrong").first.evaluate("line => getComputedStyle(line).backgroundColor")
     plain = visit.page.locator(".report-plain").first.evaluate("line => getComputedStyle(line).backgroundColor")
     assert red != plain
+    assert visit.page.locator("#report").evaluate("one => one.scrollWidth <= one.clientWidth"), "no line ends out of sight"
     wronged = next(issue for issue in answer["issues"] if issue["rule"] == "overlap")["ids"][0]
     visit.page.locator(f'.report-wrong[data-id="{wronged}"]').first.click()
     expect(visit.page.get_by_role("dialog", name="Diagnosis")).to_be_hidden()

@@ -82,7 +82,7 @@ export class LineList {
     const line = (id === null ? this.#plain : this.#button).cloneNode() as HTMLElement;
     line.className = className;
     line.textContent = text;
-    line.style.setProperty("--indent", String(text.length - text.trimStart().length));
+    line.style.setProperty("--indent", String(/^(?:>>|!!)?\s*/.exec(text)?.[0].length));
     if (id !== null) line.dataset.id = id;
     return line;
   }
