@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from catalogs import Catalogs, load_catalogs
+from solver.certificate import certified
 from solver.furnished import recoloured
 from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
@@ -70,7 +71,7 @@ def restyle(
         new = replace(new, certificate={**(new.certificate or {}), "counts": counted(new.rooms, new.dynamic)})
         timing.lap("people")
     checked = check(new, known)
-    new = with_fronts(new, checked)
+    new = certified(with_fronts(new, checked))
     timing.lap("validate")
     return Generated(with_assets(new, known), checked.issues, timing.ms)
 

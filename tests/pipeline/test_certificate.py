@@ -9,7 +9,7 @@ import pytest
 
 from catalogs import load_catalogs
 from service.calls import validate_scene, view_scene
-from solver import Request, fix, generate, reroll
+from solver import Request, fix, generate, reroll, restyle
 from solver.exchange import dump_text, load_text, read_scene, write_scene
 from solver.pipeline.import_plan import import_plan
 from solver.scene import Room, Scene
@@ -53,6 +53,8 @@ def test_a_file_opened_tells_no_proofs_of_a_room_that_was_edited_in_it() -> None
     made = generate(REQUESTS[0]).scene
     opened = import_plan(dump_text(write_scene(edited(made, x=1.2345)), "json")).scene
     assert {name for name, entry in entries(opened).items() if "proven" not in entry} == {furnished(made).id}
+    restyled = restyle(fix(edited(made, id="another")).scene, style="rustic").scene
+    assert import_plan(dump_text(write_scene(restyled), "json")).scene == restyled, "a file tells what was told"
     as_made = import_plan(dump_text(write_scene(made), "json")).scene
     assert entries(as_made) == entries(made)
 
