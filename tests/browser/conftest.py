@@ -18,6 +18,19 @@ PIXEL_RATIO = 0.5
 JAGGED = "--webgl-antialiasing-mode=none"
 """Smooth edges cost as much as all else that is drawn, and no test looks at them."""
 
+FEW_TRIANGLES = """{
+    const counted = {drawArrays: [2], drawElements: [1], drawArraysInstanced: [2, 3], drawElementsInstanced: [1, 4]};
+    const gl = WebGL2RenderingContext.prototype;
+    for (const [name, counts] of Object.entries(counted)) {
+        const draw = gl[name];
+        gl[name] = function (...told) {
+            for (const at of counts) told[at] = Math.min(told[at], 3);
+            draw.apply(this, told);
+        };
+    }
+}"""
+"""Every call to draw is made, with a triangle or three of its thousands: nine tenths of what a frame costs without a graphics card."""
+
 FORGET_CHOICES = "() => location.protocol !== 'http:' || localStorage.clear()"
 """The same, of a page that is handed on: it forgets its homes itself, once it shows the next."""
 SHOWN = """if (location.protocol === 'http:') {
@@ -61,11 +74,14 @@ def handed_on() -> list[Page]:
 
 @pytest.fixture
 def page(request: pytest.FixtureRequest, context: BrowserContext, handed_on: list[Page]) -> Iterator[Page]:
-    """A page that remembers nothing: one handed on, or, for tests marked `own_page`, a new one; what else it leaves, or throws, fails."""
+    """A page that remembers nothing: one handed on, or, for tests marked `own_page`, a new one; what else it leaves, or throws, fails.
+
+    Only a page of a test's own draws all that a person would see.
+    """
     is_own = request.node.get_closest_marker("own_page") is not None
     if is_own and handed_on:
         close(handed_on.pop())
-    page = handed_on.pop() if handed_on else context.new_page()
+    page = handed_on.pop() if handed_on else opened(context, is_own)
     faults: list[str] = []
     page.on("pageerror", lambda fault: faults.append(str(fault)))
     failed = request.session.testsfailed
@@ -82,6 +98,14 @@ def page(request: pytest.FixtureRequest, context: BrowserContext, handed_on: lis
     context.clear_permissions()
     assert faults == []
     assert left == ([], 0), "the next page would find this"
+
+
+def opened(context: BrowserContext, draws_all: bool) -> Page:
+    """A new page that draws all, or as little as does for who looks at no picture."""
+    page = context.new_page()
+    if not draws_all:
+        page.add_init_script(FEW_TRIANGLES)
+    return page
 
 
 def close(page: Page) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from playwright.sync_api import Browser, Route, expect
 
-from tests.browser.conftest import PIXEL_RATIO, SHOWN
+from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import OVER, PHONE, found_in, in_conflict, refusing
 from tests.browser.test_editing import ONE, OTHER, crate, den
@@ -28,7 +28,8 @@ def spoken(request: pytest.FixtureRequest, browser: Browser, service: ServicePro
     context = browser.new_context(
         viewport={"width": 1280, "height": 800}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", locale=request.param
     )
-    context.add_init_script(SHOWN)
+    for script in (SHOWN, FEW_TRIANGLES):
+        context.add_init_script(script)
     yield Visit(context.new_page(), service.address)
     context.close()
 

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Browser, ViewportSize, expect
 
 from tests.browser.acts import Act, Acts, left_as_found
-from tests.browser.conftest import PIXEL_RATIO, SHOWN
+from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import PHONE
 from tests.browser.test_looking import entrance_of
@@ -36,7 +36,8 @@ def way(request: pytest.FixtureRequest, browser: Browser, service: ServiceProces
         has_touch=is_phone,
         is_mobile=is_phone,
     )
-    context.add_init_script(SHOWN)
+    for script in (SHOWN, FEW_TRIANGLES):
+        context.add_init_script(script)
     context.grant_permissions(["clipboard-read", "clipboard-write"])
     visit = Visit(context.new_page(), service.address)
     visit.open(SMALL.format(4))

@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, ViewportSize, expect
 
 from tests.browser.acts import Act, left_as_found
 from tests.browser.acts_on_pieces import ACTS, OTHER, TABLET, doing, home, ids, move_piece, piece
-from tests.browser.conftest import PIXEL_RATIO, SHOWN
+from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import PHONE
 from tests.browser.test_editing import Bench
@@ -31,7 +31,8 @@ def way(request: pytest.FixtureRequest, browser: Browser, service: ServiceProces
         has_touch=is_phone,
         is_mobile=is_phone,
     )
-    context.add_init_script(SHOWN)
+    for script in (SHOWN, FEW_TRIANGLES):
+        context.add_init_script(script)
     visit = Visit(context.new_page(), service.address)
     Bench(visit, home())
     yield request.param(visit)

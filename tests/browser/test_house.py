@@ -16,6 +16,7 @@ def picture(visit: Visit) -> bytes:
     return visit.page.locator("#stage > canvas").screenshot()
 
 
+@pytest.mark.own_page
 def test_a_bare_address_shows_a_house(visit: Visit) -> None:
     answer = visit.open()
     scene = answer["scene"]
