@@ -181,7 +181,8 @@ Bytes search(Bytes sent) {
   Search search(request);
   const Seen& best = search.run();
   const Sheet& sheet = best.sheet;
-  FoundHome found = {best.drawn, static_cast<i64>(best.draft.kind), sheet.width, sheet.depth, best.verdict};
+  FoundHome found = {};
+  if (best.drawn) found = {1, static_cast<i64>(best.draft.kind), sheet.width, sheet.depth, best.verdict};
   Writer writer(static_cast<i64>(sizeof(FoundHome) + sizeof(sheet.boxes)));
   writer.put(Span<FoundHome>{&found, 1});
   if (best.drawn) writer.put(sheet.all());
