@@ -27,7 +27,7 @@ TARGET = ("-target", "wasm32-freestanding", "-mcpu=generic+simd128+bulk_memory",
 # What a call may use: 1 MB of stack (below all data: an overflow traps) and 1 GB of memory.
 LINK = ("-Wl,--no-entry", "-Wl,-z,stack-size=1048576", "-Wl,--max-memory=1073741824", "-s")
 FLAGS = (*TARGET, *LANGUAGE, *NUMBERS, *LINK)
-CHECKS = ("-DCORE_CHECKED", "-g", "-O1", "-fsanitize=undefined", "-fsanitize-trap=undefined", "-Wno-unknown-attributes", "-nostdlib++")
+CHECKS = ("-DCORE_CHECKED", "-g", "-O0", "-fsanitize=undefined", "-fsanitize-trap=undefined", "-Wno-unknown-attributes", "-nostdlib++")
 
 
 def sources() -> list[Path]:
