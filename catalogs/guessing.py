@@ -13,7 +13,7 @@ OfType = dict[Annotated[str, ROOM_TYPE], Weight]
 Mark = Literal[
     "typical", "beyond", "width", "long", "no_window", "small_windows", "wet_large", "wet_small", "way_windows", "windows",
     "front", "entrance", "side_door", "side_entrance", "no_garage_door", "no_front", "hall_width", "short_hall", "dead_end",
-    "hall_ways", "shut_off", "ways", "open", "strange_opening", "leaf", "behind", "off_hall", "through", "joined",
+    "hall_ways", "shut_off", "ways", "outside", "open", "strange_opening", "leaf", "behind", "past", "off_hall", "through", "joined",
     "missing", "usual", "again", "first", "no_first", "later_alone", "miscounted", "beside_pieces",
 ]  # fmt: skip
 

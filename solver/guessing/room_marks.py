@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from solver.scene import EXTERIOR, Opening, Room
@@ -30,6 +30,7 @@ class RoomMarks:
         front: how its doors lead outside: "main", "door", or "" where none does.
         large, small: numbers of windows.
         pieces: what stands there, by the catalogs' names.
+        behind: the one room through which one comes here from outside, by its place in the list; None where it is not one.
     """
 
     area: float
@@ -42,6 +43,7 @@ class RoomMarks:
     garage_door: bool
     outdoor: bool
     pieces: frozenset[str]
+    behind: int | None = None
 
 
 def marks_of(rooms: Sequence[Room]) -> list[RoomMarks]:
@@ -53,7 +55,20 @@ def marks_of(rooms: Sequence[Room]) -> list[RoomMarks]:
     places = {room.id: k for k, room in enumerate(rooms)}
     ways = _ways(rooms, places)
     listed = Counter(name for room in rooms for name in {opening.id for opening in room.openings})
-    return [_marks(room, ways[k], listed) for k, room in enumerate(rooms)]
+    found = [_marks(room, ways[k], listed) for k, room in enumerate(rooms)]
+    return [replace(one, behind=behind) for one, behind in zip(found, _behind(found), strict=True)]
+
+
+def _behind(marks: Sequence[RoomMarks]) -> list[int | None]:
+    """Returns of each room the only one of its neighbours that is nearer to the main entrance, else to a door that leads outside."""
+    fronts = [{k for k, one in enumerate(marks) if one.front == front} for front in ("main", "door")]
+    steps: dict[int, int] = {}
+    here = fronts[0] or fronts[1]
+    while here:
+        steps |= dict.fromkeys(here, len({*steps.values()}))
+        here = {there for k in here for there, _ in marks[k].ways} - steps.keys()
+    nearer = [[there for there, _ in one.ways if steps.get(there, k) < steps[k]] if k in steps else [] for k, one in enumerate(marks)]
+    return [those[0] if len(those) == 1 else None for those in nearer]
 
 
 def _ways(rooms: Sequence[Room], places: dict[str, int]) -> list[dict[int, bool]]:

@@ -28,6 +28,8 @@ HALL_WIDTH: Final = 2.0
 """From this width on, m, a room one only walks through is ever less likely one."""
 LONG_HALL: Final = 2.5
 """How many times as long as it is wide a hallway mostly is."""
+WINDOWED, MOST_DRAWN = 0.7, 0.95
+"""What share of rooms indoors have a window in a home that is drawn with all; how likely one that is there is drawn, at most."""
 UNSAID: Final = Evidence()
 Amounts = dict[Mark, float]
 """How much of each mark there is."""
@@ -43,7 +45,11 @@ class Suiting:
 
     def __init__(self, marks: Sequence[RoomMarks], catalogs: Catalogs) -> None:
         self.marks, self.catalogs, self.kinds = marks, catalogs, catalogs.rooms
-        self._has_windows = any(one.large + one.small for one in marks)
+        indoors = [one for one in marks if not one.outdoor]
+        seen = sum(one.large + one.small > 0 for one in indoors) / max(len(indoors), 1)
+        self._drawn = min(seen / WINDOWED, MOST_DRAWN)
+        """How likely the plan draws a window where there is one."""
+        self._has_fronts = any(one.front for one in indoors)
         self._pieces = {name: _pieces_of(kind, catalogs) for name, kind in self.kinds.items()}
 
     def _mark(self, mark: Mark) -> Evidence:
@@ -57,15 +63,30 @@ class Suiting:
         marks, kind = self.marks[room], self.kinds[name]
         if (marks.garage_door and not kind.plan.garage_door) or marks.outdoor != kind.outdoor:
             return NEVER
-        cost = self._cost(self.amounts(room, name))
+        leads_out = marks.front != "" or any(self.marks[there].outdoor for there, _ in marks.ways)
+        cost = self._cost(self.amounts(room, name)) + (self._mark("outside").types.get(name, 0.0) if leads_out else 0.0)
         return (self._mark("beside_pieces").cost if marks.pieces else 1.0) * cost + self._standing(marks, name)
 
     def amounts(self, room: int, name: str) -> Amounts:
         """Returns how much of each mark there is, were a room of a type."""
         marks, kind = self.marks[room], self.kinds[name]
         indoors = sum(not self.marks[there].outdoor for there, _ in marks.ways)
-        found = self._size(marks, name) | _front(marks, kind) | _leads(marks, kind, indoors)
-        return found | (_light(marks, kind) if self._has_windows and not marks.outdoor else {})
+        found = self._size(marks, name) | _front(marks, kind) | self._leads(marks, kind, indoors)
+        return found | (_light(marks, kind, self._drawn) if self._drawn and not marks.outdoor else {})
+
+    def _leads(self, marks: RoomMarks, kind: RoomType, indoors: int) -> Amounts:
+        """Returns the marks of the rooms a room leads to, so many of them indoors; where a plan draws no door to the outside any has it."""
+        leads = indoors + bool(marks.front or not self._has_fronts)
+        if _is_hall(kind):
+            found: Amounts = {"dead_end": float(leads < 2), "hall_ways": float(min(max(leads - 2, 0), 4))}
+            if kind.home is not None:
+                return found | {"no_front": float(self._has_fronts and not marks.front)}
+            wide, is_short = max(0.0, log(marks.short / HALL_WIDTH)), marks.long / marks.short < LONG_HALL
+            return found | {"hall_width": wide, "short_hall": float(is_short)}
+        if kind.plan.way_through:
+            is_shut = not kind.plan.wet and leads < 2 and not any(is_open for _, is_open in marks.ways)
+            return {"shut_off": float(is_shut)}
+        return {"ways": float(max(0, indoors - 1 - bool(kind.plan.habitable)))}
 
     def _size(self, marks: RoomMarks, name: str) -> Amounts:
         kind = self.kinds[name]
@@ -92,6 +113,11 @@ class Suiting:
         a, b = self.kinds[one], self.kinds[other]
         cost = self._cost(_led((a, b), one in b.plan.behind or other in a.plan.behind, is_open))
         return cost + pairs.get(one, {}).get(other, 0.0) + pairs.get(other, {}).get(one, 0.0)
+
+    def past(self, one: str, other: str) -> float:
+        """Returns what it costs besides where one comes from the entrance to a room of type `other` through one of type `one` alone."""
+        a, b = self.kinds[one], self.kinds[other]
+        return self._cost({"past": float(b.plan.way_through and not a.plan.way_through and not b.outdoor)})
 
 
 def _led(kinds: tuple[RoomType, RoomType], is_behind: bool, is_open: bool) -> Amounts:
@@ -126,9 +152,10 @@ def _pieces_of(kind: RoomType, catalogs: Catalogs) -> dict[str, float]:
     return alike | listed | required
 
 
-def _light(marks: RoomMarks, kind: RoomType) -> Amounts:
+def _light(marks: RoomMarks, kind: RoomType, drawn: float) -> Amounts:
+    """Returns the marks of windows, in a plan that draws so many of them."""
     if kind.plan.habitable:
-        return {} if marks.large else {"small_windows": 1.0} if marks.small else {"no_window": 1.0}
+        return {} if marks.large else {"small_windows": 1.0} if marks.small else {"no_window": log(1 - drawn) / log(1 - MOST_DRAWN)}
     if kind.plan.wet:
         return {"wet_large": 1.0} if marks.large else {"wet_small": 1.0} if marks.small else {}
     return {"way_windows" if kind.plan.way_through else "windows": float(marks.large)}
@@ -143,18 +170,3 @@ def _front(marks: RoomMarks, kind: RoomType) -> Amounts:
     if marks.front == "main":
         return found | ({"front": 1.0} if place is None else {"entrance": float(place)})
     return found | ({"side_door": 1.0} if place is None else {"side_entrance": float(place)})
-
-
-def _leads(marks: RoomMarks, kind: RoomType, indoors: int) -> Amounts:
-    """Returns the marks of the number of rooms that a room leads to, so many of them indoors."""
-    leads = indoors + bool(marks.front)
-    if _is_hall(kind):
-        found: Amounts = {"dead_end": float(leads < 2), "hall_ways": float(min(max(leads - 2, 0), 4))}
-        if kind.home is not None:
-            return found | {"no_front": float(not marks.front)}
-        wide, is_short = max(0.0, log(marks.short / HALL_WIDTH)), marks.long / marks.short < LONG_HALL
-        return found | {"hall_width": wide, "short_hall": float(is_short)}
-    if kind.plan.way_through:
-        is_shut = not kind.plan.wet and leads < 2 and not any(is_open for _, is_open in marks.ways)
-        return {"shut_off": float(is_shut)}
-    return {"ways": float(max(0, indoors - 1 - bool(kind.plan.habitable)))}

@@ -39,7 +39,7 @@ class TypesInHome:
         self.free = [k for k in range(len(self.marks)) if k not in fixed]
         """The rooms that are guessed."""
         self._alone = {k: np.array([suiting.alone(k, name) for name in self._names]) for k in self.free}
-        self._joined = _joined(suiting) if self.free else np.zeros((2, 0, 0))
+        self._joined = _joined(suiting) if self.free else np.zeros((6, 0, 0))
         indoors = sum(not one.outdoor for k, one in enumerate(self.marks) if fixed.get(k) != "")
         self._numbers = RoomNumbers(suiting.catalogs, indoors, program)
         start = [self._names.index(fixed[k]) if fixed.get(k) else self._none for k in range(len(self.marks))]
@@ -71,7 +71,8 @@ class TypesInHome:
         """Returns the cost of each type in a room of each home, by its form and what it is joined to."""
         found = np.repeat(self._alone[room][None, :], len(homes), axis=0)
         for there, is_open in self.marks[room].ways:
-            found += self._joined[int(is_open)][homes[:, there]]
+            past = 1 if self.marks[room].behind == there else 2 if self.marks[there].behind == room else 0
+            found += self._joined[2 * past + is_open][homes[:, there]]
         return found
 
     def _settled(self, start: Types) -> Types:
@@ -100,11 +101,19 @@ class TypesInHome:
 
 
 def _joined(suiting: Suiting) -> NDArray[np.float64]:
-    """Returns the cost of a door, and of an opening without a leaf, between two types, by the first's type or none, and the second's."""
+    """Returns what joining two types costs, by how, by the first's type or none, and the second's.
+
+    How: by a door, by an opening without a leaf; then both where one comes to the second through the first, both where to the first
+    through the second.
+    """
     names: Sequence[str] = list(suiting.kinds)
     found = np.zeros((2, len(names) + 1, len(names)))
+    past = np.zeros((len(names) + 1, len(names)))
     for a, one in enumerate(names):
+        past[a] = [suiting.past(one, other) for other in names]
         for b, other in enumerate(names[: a + 1]):
             for is_open in (0, 1):
                 found[is_open, a, b] = found[is_open, b, a] = suiting.joined(one, other, bool(is_open))
-    return found
+    back = np.zeros_like(past)
+    back[:-1] = past[:-1].T
+    return np.concatenate([found, found + past, found + back])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
@@ -43,6 +44,62 @@ def test_hidden_types_are_found(furnished: bool) -> None:
                 right += BEDROOMS.get(room.type, room.type) == BEDROOMS.get(found[f"r{k}"], found[f"r{k}"])
                 count += 1
     assert right / count >= (0.98 if furnished else 0.92)
+
+
+def only_windows_of(kept: int, room: Room, k: int) -> tuple[Opening, ...]:
+    """A room's openings in a plan that draws windows in every so many rooms alone, or in none."""
+    return tuple(one for one in room.openings if one.kind != "window" or (kept and k % kept == 0))
+
+
+def without_outer_doors(_: int, room: Room, __: int) -> tuple[Opening, ...]:
+    """A room's openings in a plan that draws none to the outside but windows and garage doors."""
+    return tuple(one for one in room.openings if one.kind not in ("door", "passage") or one.connects_to != EXTERIOR)
+
+
+@pytest.mark.parametrize(
+    ("drawn", "kept"),
+    [(only_windows_of, 0), (only_windows_of, 9), (only_windows_of, 5), (without_outer_doors, 0)],
+    ids=["no windows", "one window", "few windows", "no outer doors"],
+)
+def test_what_a_plan_does_not_draw_tells_nothing(drawn: Callable[[int, Room, int], tuple[Opening, ...]], kept: int) -> None:
+    right, count = 0, 0
+    for seed in seeds(range(740, 760), 10):
+        for request in REQUESTS:
+            home = generate(Request(seed=seed, **request)).scene  # type: ignore[arg-type]
+            plan = as_plan(home)
+            found = types(replace(plan, rooms=tuple(replace(room, openings=drawn(kept, room, k)) for k, room in enumerate(plan.rooms))))
+            for k, room in enumerate(home.rooms):
+                right += BEDROOMS.get(room.type, room.type) == BEDROOMS.get(found[f"r{k}"], found[f"r{k}"])
+                count += 1
+    assert right / count >= 0.85
+
+
+def test_nobody_comes_to_a_room_of_all_through_a_bedroom_or_a_bathroom() -> None:
+    """Behind a hall lies one room, and all others behind that: it is no bedroom, though it is as large as one."""
+    home = around(Room("middle", width=4.4, depth=3.6), {"hall": (2, 2), "a": (3.4, 3.3), "b": (3.2, 3.4), "c": (3.6, 3.3), "d": (2, 2.2)})
+    entered = tuple(replace(room, openings=(*room.openings, FRONT)) if room.id == "hall" else room for room in home.rooms)
+    marks = {room.id: one for room, one in zip(entered, marks_of(entered), strict=True)}
+    assert {name: one.behind for name, one in marks.items()} == {"middle": 1, "hall": None} | dict.fromkeys("abcd", 0)
+    found = types(Scene(rooms=entered))
+    assert KNOWN.rooms[found["middle"]].plan.way_through
+    suiting = Suiting(list(marks.values()), KNOWN)
+    for one in ("bedroom", "bathroom", "office"):
+        assert suiting.past(one, "living_room") > suiting.past("living_room", one) == suiting.past(one, "balcony") == 0
+
+
+def test_a_room_with_two_ways_in_lies_behind_neither() -> None:
+    rooms = [Room(name, width=3, depth=3) for name in "abcd"]
+    doors = {(a, b): Opening(a + b, "door", "north", 1.0, 0.9, 2.0, connects_to=b) for a, b in ("ab", "ac", "bd", "cd")}
+    led = [replace(room, openings=tuple(door for (a, _), door in doors.items() if a == room.id)) for room in rooms]
+    led[0] = replace(led[0], openings=(*led[0].openings, FRONT))
+    assert [one.behind for one in marks_of(led)] == [None, 0, 0, None]
+    assert [one.behind for one in marks_of([replace(led[0], openings=led[0].openings[:2]), *led[1:]])] == [None] * 4
+
+
+def test_a_balcony_lies_behind_no_bathroom() -> None:
+    home = around(Room("middle", width=2.0, depth=3.6), {"balcony": (3.0, 1.4)})
+    shut, led = (Suiting(marks_of([home.rooms[0], replace(home.rooms[1], outdoor=outdoor)]), KNOWN) for outdoor in (False, True))
+    assert led.alone(0, "bathroom") - led.alone(0, "kitchen") > 2 + shut.alone(0, "bathroom") - shut.alone(0, "kitchen")
 
 
 def test_known_types_stay_and_names_win_over_what_stands_there() -> None:
@@ -100,6 +157,7 @@ def costs_by(catalogs: Catalogs) -> list[float]:
     suiting, names = Suiting(marks, catalogs), list(catalogs.rooms)
     found = [suiting.alone(k, name) for k in range(len(marks)) for name in names]
     found += [suiting.joined(one, other, is_open) for one in names for other in names for is_open in (False, True)]
+    found += [suiting.past(one, other) for one in names for other in names]
     homes = np.vstack([np.zeros((1, len(names)), np.int64), np.eye(len(names), dtype=np.int64) * 2])
     for program in (None, {"kitchen": 1}):
         numbers = RoomNumbers(catalogs, 12, program)
@@ -166,9 +224,11 @@ def test_no_other_types_of_a_small_home_are_cheaper(seed: int) -> None:
 
     def cost(given: tuple[str, ...]) -> float:
         doors = {(min(k, there), max(k, there), is_open) for k, one in enumerate(marks) for there, is_open in one.ways}
-        total = sum(alone[k][name] for k, name in enumerate(given)) + sum(
-            suiting.joined(given[a], given[b], is_open) for a, b, is_open in doors
-        )
+        total = sum(alone[k][name] for k, name in enumerate(given))
+        for a, b, is_open in doors:
+            total += suiting.joined(given[a], given[b], is_open)
+            total += suiting.past(given[a], given[b]) if marks[b].behind == a else 0.0
+            total += suiting.past(given[b], given[a]) if marks[a].behind == b else 0.0
         counts = np.zeros((1, len(names)), dtype=np.int64)
         for name in given:
             total += numbers.more(counts)[0][names.index(name)]
