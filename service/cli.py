@@ -7,7 +7,6 @@ import sys
 from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _SubParsersAction
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from importlib import import_module
 from typing import Any, Final, TypeAlias
 
 from service.effort import EFFORTS, NORMAL
@@ -110,7 +109,9 @@ class _ExportWords:
         self._name, self._before = name, before
 
     def __iter__(self) -> Iterator[str]:
-        return iter((*self._before, *getattr(import_module("solver.export_formats"), self._name)))
+        from solver import export_formats
+
+        return iter((*self._before, *getattr(export_formats, self._name)))
 
     def __contains__(self, word: object) -> bool:
         return word in tuple(self)

@@ -27,7 +27,7 @@ SIZE_BYTES: Final = 8
 _CAN_FORK: Final = "forkserver" in multiprocessing.get_all_start_methods()
 _PROCESSES: Final[Any] = multiprocessing.get_context("forkserver" if _CAN_FORK else "spawn")
 if _CAN_FORK:  # a process that has imported all is copied within milliseconds
-    _PROCESSES.set_forkserver_preload(["service.work"])
+    _PROCESSES.set_forkserver_preload([f"{__package__}.work"])
 
 
 class Raised(NamedTuple):

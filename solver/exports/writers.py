@@ -53,7 +53,7 @@ def written_as(model: HouseModel, settings: ExportSettings) -> Files:
         problem = f"{settings.format} needs {exporter.needs[0]}, which is not installed"
         raise RequestError("format", problem, f"another format; or pip install 'compose-homes[{exporter.needs[1]}]'")
     shown = _shut(model) if exporter.shows_assets else without_assets(model)
-    files: Files = import_module(f"solver.exports.formats.{exporter.module}").write(shown, settings)
+    files: Files = import_module(f".formats.{exporter.module}", __package__).write(shown, settings)
     return {**files, CREDITS: credits_of(shown.assets)} if shown.assets else files
 
 

@@ -14,6 +14,20 @@ from tests.architecture.tree import ROOT, files
 
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in {"VIRTUAL_ENV", "PYTHONPATH"}}
 GENERATE = ("-m", "compose_homes", "generate", "--seed", "42", "--width", "5", "--depth", "4")
+EXPORT = """
+from hashlib import sha256
+from compose_homes import EXPORT_FORMATS, Request, RequestError, export, generate
+
+scene = generate(Request(seed=42, width=5, depth=4)).scene
+for name in EXPORT_FORMATS:
+    try:
+        files = export(scene, name)
+    except RequestError as error:
+        print(name, error)
+    else:
+        held = {file: content if isinstance(content, bytes) else content.encode() for file, content in files.items()}
+        print(name, {file: sha256(content).hexdigest() for file, content in held.items()})
+"""
 USER = "from compose_homes import Request, generate\nreveal_type(generate(Request(seed=42)).scene.rooms[0].furniture[0].x)\n"
 TREE_NAMES = {"catalogs", "solver", "service"}
 
@@ -60,6 +74,9 @@ def test_nothing_in_it_asks_for_a_name_of_the_tree(installed: Path) -> None:
                 asked.add((node.module or "").split(".")[0])
             elif isinstance(node, ast.Import):
                 asked |= {alias.name.split(".")[0] for alias in node.names}
+            elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+                (top, *names) = node.value.rstrip(".").split(".")
+                asked |= {top} if top in TREE_NAMES and names and list(ROOT.glob("/".join((top, *names)) + "*")) else set()
     assert "compose_homes" in asked
     assert asked & TREE_NAMES == set()
 
@@ -69,6 +86,18 @@ def test_it_makes_the_homes_that_the_tree_makes(installed: Path, tmp_path: Path)
     assert "rooms:" in (made := run(python, *GENERATE, cwd=tmp_path, env=ENVIRONMENT))
     assert made == run(sys.executable, *GENERATE, cwd=ROOT, env=ENVIRONMENT)
     assert run(python.with_name("compose"), "schema", cwd=tmp_path).startswith('"$schema"')
+
+
+def test_it_exports_what_the_tree_exports(installed: Path, tmp_path: Path) -> None:
+    python = installed.parents[2] / "bin" / "python"
+    ours = run(sys.executable, "-c", EXPORT, cwd=ROOT).splitlines()
+    said = run(python, "-c", EXPORT, cwd=tmp_path).splitlines()
+    assert [line for line in said if "{" in line] == [line for line, own in zip(ours, said, strict=True) if "{" in own]
+    assert {line.split()[0] for line in said if "{" not in line} == {"usdc", "usdz", "dxf", "ifc"}  # their libraries are extras
+    run(python, *GENERATE, "-o", "home.yaml", cwd=tmp_path)
+    for words in (("export", "home.yaml", "-o", "home.glb"), ("export", "--help")):
+        run(python.with_name("compose"), *words, cwd=tmp_path)
+    assert (tmp_path / "home.glb").read_bytes()[:4] == b"glTF"
 
 
 def test_what_an_engine_lacks_is_told(installed: Path, tmp_path: Path) -> None:
