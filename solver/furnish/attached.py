@@ -11,7 +11,7 @@ from math import inf
 from typing import NamedTuple
 
 from catalogs.schema import RelationSpec
-from solver.furnish.stances import Costed, ListedPiece, cheapest, within_both
+from solver.furnish.stances import Costed, ListedPiece, PairRelation, cheapest, within_both
 from solver.geometry import Rect, rotate, turned
 from solver.pieces import Attach, Candidate, Placed, Stance
 from solver.relations import RELATIONS
@@ -52,18 +52,16 @@ def attached(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed
         every: its footings, each with the rectangles that hold relations to the room.
         dearest: candidates that cost as much are not sought.
     """
-    subject = listed.subject
-    names = tuple(dict.fromkeys(name for spec in listed.to_pieces for name in spec.of))
-    for label in dict.fromkeys(subject.labels(names)):
-        mine = [spec for spec in listed.to_pieces if label in subject.labels(spec.of)]
-        rest = [spec for spec in listed.to_pieces if label not in subject.labels(spec.of)]
+    for label in dict.fromkeys(label for pair in listed.pairs for label in listed.earlier(pair)):
+        mine = [pair for pair in listed.pairs if label in listed.earlier(pair)]
+        rest = [pair.spec for pair in listed.pairs if label not in listed.earlier(pair)]
         others = sum(spec.cost * (1.0 if RELATIONS[spec.type].gives_place else UNSURE) for spec in rest)
-        if any(spec.type == "on" for spec in mine):
-            yield from _resting_on(listed, mine, label)
+        if any(pair.spec.type == "on" for pair in mine):
+            yield from _resting_on(listed, [pair.spec for pair in mine], label)
             continue
         frames = _Frames(listed, mine, others)
-        hard = any(spec.required for spec in mine)
-        for parent in subject.standing[label]:
+        hard = any(pair.spec.required for pair in mine)
+        for parent in listed.subject.standing[label]:
             if hard or (label, parent.stance) not in listed.unlikely:
                 for place in _cheapest(frames, every, parent, dearest - others):
                     yield frames.candidate(place, parent, others)
@@ -83,13 +81,13 @@ class _Frames:
 
     Args:
         listed: the piece.
-        specs: those to the one other piece.
-        others: what its relations to other pieces cost here.
+        pairs: those with the one other piece.
+        others: what its relations with other pieces cost here.
     """
 
-    def __init__(self, listed: ListedPiece, specs: Sequence[RelationSpec], others: float) -> None:
-        self.listed, self._specs, self._others = listed, specs, others
-        pull = FIRM if any(RELATIONS[spec.type].gives_place for spec in specs) else LOOSE
+    def __init__(self, listed: ListedPiece, pairs: Sequence[PairRelation], others: float) -> None:
+        self.listed, self._pairs, self._others = listed, pairs, others
+        pull = FIRM if any(RELATIONS[pair.spec.type].gives_place for pair in pairs) else LOOSE
         self._pulls = (pull, pull)
         clear = listed.space.clear
         self._far = max(clear.width, clear.depth)
@@ -104,14 +102,14 @@ class _Frames:
     def boxes(self, parent: Parent, footing: Footing) -> list[Costed]:
         """Returns boxes that each hold at least one relation, cheapest first."""
         stance = _stance(parent)
-        suits = tuple(RELATIONS[spec.type].suits(spec, footing.wall, stance.wall) for spec in self._specs)
+        suits = tuple(_suits(pair, footing.wall, stance.wall) for pair in self._pairs)
         turn = (footing.rotation - stance.rotation) % 360
         if (turn, suits) not in self._known:
-            found = _boxes(self.listed, [*zip(self._specs, suits, strict=True)], parent.kind, turn)
+            found = _boxes(self.listed, [*zip(self._pairs, suits, strict=True)], parent.kind, turn)
             self._known[turn, suits] = found
-            for spec in self._specs:
-                if tucks(spec):
-                    held = _held_boxes(_fit(self.listed, spec, parent.kind, turn))
+            for pair in self._pairs:
+                if pair.owner is None and tucks(pair.spec):
+                    held = _held_boxes(pair, self.listed.kind, parent.kind, turn)
                     self._tucked |= {(turn, box) for box, _ in found if any(within_both(box, other, POINT) == box for other in held)}
         return self._known[turn, suits]
 
@@ -148,8 +146,13 @@ def _in_room(box: Rect, rotation: int, centre: Rect) -> Rect:
     return Rect(centre.x0 + min(x0, x1), centre.z0 + min(z0, z1), centre.x1 + max(x0, x1), centre.z1 + max(z0, z1))
 
 
-def _fit(listed: ListedPiece, spec: RelationSpec, other: Kind, turn: int) -> Fit:
-    own = listed.kind
+def _suits(pair: PairRelation, mine: str | None, theirs: str | None) -> bool:
+    """Tells whether the walls at the backs of a piece and an earlier one lie as a relation between them wants."""
+    walls = (mine, theirs) if pair.owner is None else (theirs, mine)
+    return RELATIONS[pair.spec.type].suits(pair.spec, *walls)
+
+
+def _fit(spec: RelationSpec, own: Kind, other: Kind, turn: int) -> Fit:
     blocked = tuple(taken(other.parts, own.parts, turn)) if tucks(spec) else ()
     return Fit(spec, other.size[:2], turned(*own.size[:2], turn), turn, blocked=blocked)
 
@@ -205,11 +208,11 @@ def between_others(listed: ListedPiece, placed: Mapping[str, Placed]) -> list[Ca
     found: list[tuple[float, Footing, Rect, Attach | None]] = []
     for footing, in_room in listed.places:
         places, tucked = in_room, list[tuple[Attach, Rect]]()
-        for spec in listed.to_pieces:
-            held = _held_at(listed, spec, footing, placed)
+        for pair in listed.pairs:
+            held = _held_at(listed, pair, footing, placed)
             both = [(cut, cost) for rect, cost in places for _, other in held if (cut := within_both(rect, other, footing.extent))]
-            places = cheapest([*both, *((rect, cost + missed(spec)) for rect, cost in places)], listed.kept.rects, [])
-            tucked += held if tucks(spec) else []
+            places = cheapest([*both, *((rect, cost + missed(pair.spec)) for rect, cost in places)], listed.kept.rects, [])
+            tucked += held if pair.owner is None and tucks(pair.spec) else []
         for rect, cost in places[: listed.kept.places]:
             found.append((cost, footing, rect, next((attach for attach, other in tucked if other.contains(rect)), None)))
     found.sort(key=lambda entry: entry[0])
@@ -227,21 +230,21 @@ def _between(listed: ListedPiece, footing: Footing, place: Costed, attach: Attac
     )  # fmt: skip
 
 
-def _held_at(listed: ListedPiece, spec: RelationSpec, footing: Footing, placed: Mapping[str, Placed]) -> list[tuple[Attach, Rect]]:
-    """Returns the rectangles within which a footprint holds a relation with any of the pieces it names, where they stand."""
+def _held_at(listed: ListedPiece, pair: PairRelation, footing: Footing, placed: Mapping[str, Placed]) -> list[tuple[Attach, Rect]]:
+    """Returns the rectangles within which a footprint holds a relation with any of the pieces it is between, where they stand."""
     found: list[tuple[Attach, Rect]] = []
-    for parent in listed.subject.parents(spec.of):
+    for parent in (parent for label in listed.earlier(pair) for parent in listed.subject.standing[label]):
         other = placed.get(parent.label)
-        if other is None or other.chosen.stance != parent.stance or spec.type == "on":
+        if other is None or other.chosen.stance != parent.stance or pair.spec.type == "on":
             continue
         stance = _stance(parent)
-        suits = RELATIONS[spec.type].suits(spec, footing.wall, stance.wall)
+        suits = _suits(pair, footing.wall, stance.wall)
         width, depth = footing.extent
         # Twice the other's centre is whole; its halves are rounded outwards.
         x, z = other.footprint.x0 + other.footprint.x1, other.footprint.z0 + other.footprint.z1
         own = Rect((x - width) // 2, (z - depth) // 2, (x + width + 1) // 2, (z + depth + 1) // 2)
-        for box, cost in _boxes(listed, [(spec, suits)], parent.kind, (footing.rotation - stance.rotation) % 360):
-            if cost < spec.cost:
+        for box, cost in _boxes(listed, [(pair, suits)], parent.kind, (footing.rotation - stance.rotation) % 360):
+            if cost < pair.spec.cost:
                 attach = Attach(parent.label, parent.kind.name, (box.x0, box.x1), (box.z0, box.z1), parent_stance=stance)
                 found.append((attach, _in_room(box, other.rotation, own)))
     return found
@@ -252,26 +255,30 @@ def tucks(spec: RelationSpec) -> bool:
     return spec.type == "under" or (spec.gap is not None and spec.gap[0] < 0)
 
 
-def _held_boxes(fit: Fit) -> list[Rect]:
-    """Returns the boxes in which a relation surely holds."""
-    return [whole(box) for box in RELATIONS[fit.spec.type].boxes(fit)]
+def _held_boxes(pair: PairRelation, own: Kind, other: Kind, turn: int) -> list[Rect]:
+    """Returns the boxes in the other's frame in which a relation surely holds: to it, or its own to this piece."""
+    relation = RELATIONS[pair.spec.type]
+    if pair.owner is None:
+        return [whole(box) for box in relation.boxes(_fit(pair.spec, own, other, turn))]
+    boxes = (whole(box) for box in relation.boxes(_fit(pair.spec, other, own, -turn % 360)))
+    return [_in_room(Rect(-box.x1, -box.z1, -box.x0, -box.z0), turn, Rect(0, 0, 0, 0)) for box in boxes]
 
 
-def _boxes(listed: ListedPiece, specs: Sequence[tuple[RelationSpec, bool]], other: Kind, turn: int) -> list[Costed]:
+def _boxes(listed: ListedPiece, pairs: Sequence[tuple[PairRelation, bool]], other: Kind, turn: int) -> list[Costed]:
     """Returns boxes in the other's frame, each holding at least one of the relations, cheapest first.
 
     Args:
         listed: the piece.
-        specs: those to the other piece, each with whether the walls at their backs suit it.
+        pairs: those with the other piece, each with whether the walls at their backs suit it.
         other: the other's kind.
         turn: the own rotation minus the other's.
     """
     found: list[Costed] = [(ANY_PLACE, 0.0)]
-    for spec, suits in specs:
-        boxes = _held_boxes(_fit(listed, spec, other, turn)) if suits else []
-        priced = [(box, _sliding(spec, box)) for box in boxes]
+    for pair, suits in pairs:
+        boxes = _held_boxes(pair, listed.kind, other, turn) if suits else []
+        priced = [(box, _sliding(pair.spec, box)) for box in boxes]
         held = [(both, cost + more) for box, cost in found for other_box, more in priced if (both := within_both(box, other_box, POINT))]
-        without = missed(spec)
+        without = missed(pair.spec)
         found = cheapest([*held, *((box, cost + without) for box, cost in found)], listed.kept.boxes, listed.dropped)
     return [(box, cost) for box, cost in found if box != ANY_PLACE]
 

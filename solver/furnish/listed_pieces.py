@@ -14,9 +14,10 @@ from math import inf
 from operator import attrgetter
 from typing import NamedTuple
 
+from catalogs.schema import RelationSpec
 from solver.furnish.attached import UNSURE, attached, between_others
 from solver.furnish.habits import Habits
-from solver.furnish.stances import FEW, Costed, Kept, ListedPiece, within_both
+from solver.furnish.stances import FEW, Costed, Kept, ListedPiece, PairRelation, within_both
 from solver.furnish.zones import scope_of
 from solver.geometry import ALONG_X, Rect, turned
 from solver.pieces import Candidate, Piece, Placed, Space, Stance
@@ -29,6 +30,8 @@ PULL = 0.03
 """Pull of a piece to where a candidate would like it best, m^-2: order, not preference."""
 FREE_COST = 0.2
 """What standing in the middle of the room costs a piece that may also stand at a wall."""
+GONE = 100.0
+"""What it costs that a piece which is not required is missing."""
 ELSEWHERE = 1.0
 """What standing elsewhere than in its own part of the floor costs a piece."""
 
@@ -37,10 +40,14 @@ _cost = attrgetter("cost")
 
 @dataclass(frozen=True)
 class ListedPieces:
-    """The pieces of a list, each with its candidates, behind those that stand already; and what these are made from, by label."""
+    """The pieces of a list, each with its candidates, behind those that stand already; and what these are made from, by label.
+
+    `unpaid` are (piece, relation) that no candidate pays for: to any of several later pieces.
+    """
 
     pieces: tuple[Piece, ...]
     listed: Mapping[str, ListedPiece]
+    unpaid: Sequence[tuple[str, RelationSpec]]
 
     @cached_property
     def sure_cost(self) -> float:
@@ -120,12 +127,15 @@ def kept_pieces(room: Room, space: Space, listing: Listing, standing: Sequence[P
     named = {name for spec in (*asked, *(spec for specs in habits.relations.values() for spec in specs)) for name in spec.of}
     unlikely: set[tuple[str, Stance]] = set()
     listed: dict[str, ListedPiece] = {}
+    meant = {**labels, **{request.id: request.labels for request in requests}}
     for request in requests:
         kind = kinds[request.id]
         for label in request.labels:
             relations = request.relations or habits.relations.get(label, ())
             subject = Subject(scope, ((kind, 0.0),), relations, dict(labels), dict(parents))
-            listed[label] = ListedPiece(subject, space, reach, frozenset(unlikely), habits.cells.get(label), kept)
+            asks = ((name, spec) for name, one in listed.items() for spec in one.subject.relations)
+            owed = tuple(PairRelation(spec, name) for name, spec in asks if label in _owing(name, spec, meant))
+            listed[label] = ListedPiece(subject, space, reach, frozenset(unlikely), habits.cells.get(label), kept, owed)
             piece = _piece(listed[label], label, request.required)
             pieces.append(piece)
             if sum(len(one.candidates) for one in pieces) > kept.in_all:
@@ -136,7 +146,21 @@ def kept_pieces(room: Room, space: Space, listing: Listing, standing: Sequence[P
             labels[request.id] = (*labels.get(request.id, ()), label)
             labels[label] = labels.get(label, (label,)) if label == request.id else (label,)
             parents[label] = tuple(Parent(label, kind, stance) for stance in _stances(piece))
-    return ListedPieces(tuple(pieces), listed)
+    later = ((label, spec) for label, one in listed.items() for spec in one.subject.relations if not one.subject.labels(spec.of))
+    unpaid = [(label, spec) for label, spec in later if any(name in meant for name in spec.of) and not _owing(label, spec, meant)]
+    return ListedPieces(tuple(pieces), listed, unpaid)
+
+
+def _owing(label: str, spec: RelationSpec, meant: Mapping[str, Sequence[str]]) -> list[str]:
+    """Returns the pieces that have to keep to another's relation, those of them that come later: all it is to, or the only one.
+
+    Args:
+        label: whose relation it is.
+        spec: the relation.
+        meant: the labels that each name of an `of` stands for.
+    """
+    others = [other for name in spec.of for other in meant.get(name, ()) if other != label]
+    return others if spec.type != "on" and (len(others) == 1 or RELATIONS[spec.type].with_all) else []
 
 
 def _stances(piece: Piece) -> dict[Stance, list[Candidate]]:
@@ -172,7 +196,7 @@ def _unlikely(piece: Piece, dear: float) -> set[tuple[str, Stance]]:
 def _piece(listed: ListedPiece, label: str, required: bool) -> Piece:
     kind, subject = listed.kind, listed.subject
     links = [link for spec in listed.to_pieces for link in RELATIONS[spec.type].pulls(spec, subject.labels(spec.of))]
-    return Piece(label, required, _candidates(listed), tuple(links), kind.stands, kind.need_all, skip_cost=100.0)
+    return Piece(label, required, _candidates(listed), tuple(links), kind.stands, kind.need_all, skip_cost=GONE)
 
 
 def _candidates(listed: ListedPiece) -> tuple[Candidate, ...]:
@@ -180,10 +204,10 @@ def _candidates(listed: ListedPiece) -> tuple[Candidate, ...]:
     every = [(footing, _some(listed, found)) for footing, found in listed.places]
     hard, most = any(spec.required for spec in listed.to_pieces), listed.kept.attached
     alone = [] if hard else list(_alone(listed, every))
-    dearest = min(map(_cost, alone), default=inf) + sum(spec.cost for spec in listed.to_pieces)
+    dearest = min(map(_cost, alone), default=inf) + sum(pair.spec.cost for pair in listed.pairs)
     bound = sorted(attached(listed, every, dearest), key=_cost)
     listed.dropped.extend(candidate.cost for candidate in bound[most : most + 1])
-    listed.dropped.extend([dearest] if listed.to_pieces and alone else [])
+    listed.dropped.extend([dearest] if listed.pairs and alone else [])
     return _by_cost(alone, bound[:most])
 
 
@@ -196,7 +220,7 @@ def _some(listed: ListedPiece, found: Sequence[Costed]) -> list[Costed]:
 
 def _alone(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]]) -> Iterator[Candidate]:
     """Yields the ways to stand at walls and in the room, attached to nobody."""
-    pairs = sum(spec.cost * (UNSURE if RELATIONS[spec.type].by_degree else 1.0) for spec in listed.to_pieces)
+    pairs = sum(_unsure(pair.spec) for pair in listed.pairs)
     for footing, found in every:
         for rect, cost in _in_its_cell(listed, footing, found):
             free = FREE_COST if footing.wall is None else 0.0
@@ -204,6 +228,11 @@ def _alone(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]
                 listed.kind.name, listed.kind.size, footing.rotation, footing.wall, _anchor(listed, footing, rect), (PULL, PULL),
                 within=rect, cost=round(cost + pairs + free, 6), stance=footing.stance,
             )  # fmt: skip
+
+
+def _unsure(spec: RelationSpec) -> float:
+    """Returns what is paid for a relation by a way to stand that does not know whether it holds; without a required one a piece is gone."""
+    return GONE if spec.required else spec.cost * (UNSURE if RELATIONS[spec.type].by_degree else 1.0)
 
 
 def _in_its_cell(listed: ListedPiece, footing: Footing, found: Sequence[Costed]) -> Sequence[Costed]:

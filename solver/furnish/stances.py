@@ -52,6 +52,13 @@ NEARLY_ALL = Kept(rects=64, each=64, boxes=64, places=64, beside=64, attached=20
 """What proves one the best, of lists that are short enough."""
 
 
+class PairRelation(NamedTuple):
+    """A relation between a piece and an earlier one: its own, or that one's, which is called by `owner`."""
+
+    spec: RelationSpec
+    owner: str | None = None
+
+
 @dataclass(frozen=True)
 class ListedPiece:
     """One copy of a listed piece, and what its candidates are made from.
@@ -63,6 +70,7 @@ class ListedPiece:
         unlikely: stances of earlier pieces that miss a relation which others hold: no places are sought beside them.
         cell: the part of the floor where it stands best, if it stands free.
         kept: how many ways to stand are kept.
+        owed: relations of earlier pieces to it.
         dropped: filled while its candidates are made: what those cost at least that a limit kept out.
     """
 
@@ -72,6 +80,7 @@ class ListedPiece:
     unlikely: Collection[tuple[str, Stance]]
     cell: Rect | None = None
     kept: Kept = FEW
+    owed: tuple[PairRelation, ...] = ()
     dropped: list[float] = field(default_factory=list, compare=False)
 
     @property
@@ -89,6 +98,15 @@ class ListedPiece:
     def to_pieces(self) -> tuple[RelationSpec, ...]:
         """Its relations to earlier pieces."""
         return tuple(spec for spec in self.subject.relations if self.subject.labels(spec.of))
+
+    @cached_property
+    def pairs(self) -> tuple[PairRelation, ...]:
+        """The relations between it and earlier pieces."""
+        return (*map(PairRelation, self.to_pieces), *self.owed)
+
+    def earlier(self, pair: PairRelation) -> list[str]:
+        """Returns the labels of the earlier pieces that a relation is between."""
+        return self.subject.labels(pair.spec.of) if pair.owner is None else [pair.owner]
 
     @cached_property
     def stretches(self) -> Mapping[str, list[Stretch]]:

@@ -39,7 +39,7 @@ def other_placements(task: PlaceTask, best: Round, number: int) -> list[Round]:
             if wanted is None:
                 continue
             other = quick_placement(task, wanted)
-            if other.score[:2] == best.score[:2] and all(_differ(other, one) for one in (best, *found)):
+            if not other.breaking and other.score[:2] == best.score[:2] and all(_differ(other, one) for one in (best, *found)):
                 found.append(other)
                 frontier.append((other, without))
         frontier.sort(key=lambda entry: entry[0].score)

@@ -12,7 +12,7 @@ from solver.errors import RequestError
 from solver.pieces import Piece
 from solver.pipeline.others import other_placements
 from solver.pipeline.place_task import PlaceTask, task_of
-from solver.pipeline.rounds import best_placement, settled
+from solver.pipeline.rounds import Round, best_placement, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement
@@ -68,21 +68,34 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     timing.lap("placement")
     others = other_placements(task, found, alternatives - 1)
     timing.lap("alternatives")
-    conflicts = _conflicts(task, best)
+    conflicts = _conflicts(task, best, found)
     timing.lap("reasons")
     return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms, task.understood_as)
 
 
-def _conflicts(task: PlaceTask, placement: Placement) -> tuple[Conflict, ...]:
+def _conflicts(task: PlaceTask, placement: Placement, found: Round) -> tuple[Conflict, ...]:
     """Explains every required piece that found no place: a minimal set that cannot stand together, or that none was found."""
     missing = [entry.id for entry in placement.unplaced]
+    given_up = _with_relying(task.pieces, found.given_up)
     required = [piece for piece in task.pieces if piece.required]
     conflicts, budget = [], Budget(ROOM_WORK)
     for piece in required:
-        if piece.label in missing:
+        if piece.label in given_up:
+            words = f"not found: a place for {_sized(task, piece)} where the required relations hold"
+            conflicts.append(Conflict((piece.label,), words, ()))
+        elif piece.label in missing:
             others = [other for other in required if other.label not in missing or other is piece]
             conflicts.append(_conflict(task, others, piece, budget))
     return tuple(conflicts)
+
+
+def _with_relying(pieces: Sequence[Piece], labels: Sequence[str]) -> set[str]:
+    """Returns pieces with all that stand only at one of them."""
+    found = set(labels)
+    for piece in pieces:  # what stands at another comes after it
+        if piece.candidates and {way.attach.parent if way.attach else None for way in piece.candidates} <= found:
+            found.add(piece.label)
+    return found
 
 
 def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:

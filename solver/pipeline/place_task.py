@@ -203,12 +203,12 @@ def _called(task: PlaceTask, piece: Furniture, placed: Placed) -> Furniture:
     return replace(piece, id=placed.label, name=task.names[placed.label], under=chosen.under, on=chosen.on, wall=wall)
 
 
-def lost(task: PlaceTask, arrangement: Arrangement) -> list[tuple[str, float]]:
-    """Judges an arrangement that is not written down: returns (piece, what it is worth) of every relation that is not held."""
+def lost(task: PlaceTask, arrangement: Arrangement) -> list[tuple[str, RelationSpec]]:
+    """Judges an arrangement that is not written down: returns (piece, relation) of every relation that is not held."""
     bodies = {one.label: _standing(task, one) for one in arrangement.placed}
     bare = task.framed.bare
     seen = replace(bare, bodies={**bare.bodies, **bodies})
-    return [(label, spec.cost) for label, spec in relations_of(task.requests) if not held(seen, label, spec)[0]]
+    return [(label, spec) for label, spec in relations_of(task.requests) if not held(seen, label, spec)[0]]
 
 
 def _standing(task: PlaceTask, one: Placed) -> Standing:

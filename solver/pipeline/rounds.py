@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from catalogs.schema import RelationSpec
 from solver.furnish import ListedPieces
 from solver.geometry import turned
 from solver.pieces import Arrangement, Piece, Placed, Space, Stance
@@ -37,21 +38,29 @@ Score = tuple[int, int, float, float]
 class Round:
     """An arrangement as it was drafted, and its rank, less being better.
 
-    The rank: required pieces that are missing, whether it cannot be walked, the cost of relations that are not held, the
-    solver's cost. `lost` pairs a piece with the worth of a relation of it that is not held. `whole`: all candidates were there to
-    choose from, or those that were not could only have cost more.
+    The rank: required pieces that are missing or break a required relation, whether it cannot be walked, the cost of relations that
+    are not held, the solver's cost. `lost` pairs a piece with a relation of it that is not held. `whole`: all candidates were there
+    to choose from, or those that were not could only have cost more. `given_up`: pieces left out since their required relations were
+    not held.
     """
 
     draft: SolvedRoom
     arrangement: Arrangement
-    lost: Sequence[tuple[str, float]]
+    lost: Sequence[tuple[str, RelationSpec]]
     score: Score
     whole: bool
+    given_up: tuple[str, ...] = ()
 
     @property
     def perfect(self) -> bool:
         """Whether all stands and all is held."""
         return self.score[:3] == (0, 0, 0.0)
+
+    @property
+    def breaking(self) -> list[str]:
+        """The pieces that stand though a required relation of theirs is not held."""
+        there = {one.label for one in self.arrangement.placed}
+        return [label for label, spec in self.lost if spec.required and label in there]
 
     @property
     def is_best(self) -> bool:
@@ -60,12 +69,21 @@ class Round:
 
 
 def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
-    """Returns the best placement of all rounds.
+    """Returns the best placement of all rounds, without the pieces whose required relations it does not hold.
 
     Args:
         task: the request.
         wanted: the pieces, each after those it refers to.
     """
+    best, given_up = _best(task, wanted), list[str]()
+    while broken := best.breaking:
+        given_up.append(broken[-1])
+        wanted = [replace(piece, candidates=()) if piece.label in given_up else piece for piece in wanted]
+        best = _best(task, wanted)
+    return replace(best, given_up=tuple(given_up))
+
+
+def _best(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     best = _first(task, wanted, FIRST)
     for _ in range(ROUNDS - 1):
         if is_call_spent():
@@ -106,7 +124,8 @@ def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits, listed: Lis
     listed = listed or task.listed
     rank = {piece.label: -_freedom(task.framed.space, piece) for piece in wanted}
     found = _judged(task, arrange(task.framed.space, _ordered(wanted, rank), limits=limits))
-    return replace(found, whole=wanted is listed.pieces and found.draft.cost <= listed.sure_cost)
+    unpaid = any(one in listed.unpaid for one in found.lost)
+    return replace(found, whole=wanted is listed.pieces and not unpaid and found.draft.cost <= listed.sure_cost)
 
 
 def _freedom(space: Space, piece: Piece) -> float:
@@ -155,10 +174,10 @@ def _as_it_stands(piece: Piece, placed: Placed) -> Piece:
 def _judged(task: PlaceTask, draft: SolvedRoom) -> Round:
     arrangement = finish([draft], "search")[0]
     required = {piece.label for piece in task.pieces if piece.required}
-    missing = sum(label in required for label, _ in arrangement.left_out)
     missed = lost(task, arrangement)
-    score = (missing, len(arrangement.notes), round(sum(cost for _, cost in missed), 6), arrangement.cost)
-    return Round(draft, arrangement, missed, score, False)
+    found = Round(draft, arrangement, missed, (0, 0, 0.0, 0.0), False)
+    missing = sum(label in required for label, _ in arrangement.left_out) + len({*found.breaking})
+    return replace(found, score=(missing, len(arrangement.notes), round(sum(spec.cost for _, spec in missed), 6), arrangement.cost))
 
 
 def _to_be_tried_again(found: Round) -> list[str]:
