@@ -1,11 +1,7 @@
-/** Floors, one mesh a flooring type; ceilings; and the accents of rooms inside as a thin line along their walls. */
-import {
-  BufferGeometry, Color, Float32BufferAttribute, Group, Mesh, MeshBasicMaterial, ShapeUtils, Vector2,
-} from "three";
+/** Floors as one mesh, with the accents of rooms inside as a thin line along their walls; ceilings. */
+import { BufferGeometry, Color, Float32BufferAttribute, Mesh, ShapeUtils, Vector2 } from "three";
 import type { Room } from "../contract";
-import { floorTexture, TEXTURE_SPAN } from "./floor_textures";
-import { sharedMaterial } from "./shared_materials";
-import { litMaterial, type LitMaterial } from "./lit";
+import { patternLayer } from "./patterns";
 import { cornersOf } from "./plan";
 import { faceMaterial } from "./wall_shader";
 import type { Storey } from "./walls";
@@ -16,19 +12,40 @@ const LAMPLIGHT = "#8f8b84";
 const ACCENT_INSET = 0.14;
 const ACCENT_WIDTH = 0.035;
 const ACCENT_RISE = 0.004;
+/** How much of the floor an accent hides. */
+const ACCENT_OPACITY = 0.75;
 /** Drawn after what stands on it: a pixel that is hidden is not lit. */
 const BEHIND = 1;
+const ROUGHNESS = 0.9;
+/** What each flooring is drawn with, and how much of it the pattern's square covers [m]; one that is not known is plain. */
+const FLOORINGS: Readonly<Record<string, { readonly pattern: string; readonly span: number }>> = {
+  wood: { pattern: "planks", span: 1.2 },
+  deck: { pattern: "deck", span: 1.2 },
+  tile: { pattern: "wall_tile", span: 1.6 },
+  stone: { pattern: "stone", span: 1.8 },
+  concrete: { pattern: "concrete", span: 1.6 },
+  grass: { pattern: "grass", span: 0.9 },
+};
+
+interface FloorLook {
+  readonly color: Color;
+  /** None leaves it plain. */
+  readonly flooring?: string;
+  /** Whether boards run from north to south. */
+  readonly alongZ?: boolean;
+}
 
 /** Triangles that all look up, or all down. */
 class FloorDraft {
   readonly positions: number[] = [];
-  readonly coordinates: number[] = [];
+  readonly weave: number[] = [];
   readonly colors: number[] = [];
 
   constructor(readonly facing: 1 | -1 = 1) {}
 
-  add(points: readonly Vector2[], y: number, color: string, alongZ = false): void {
-    const tint = new Color(color);
+  add(points: readonly Vector2[], y: number, { color, flooring = "", alongZ = false }: FloorLook): void {
+    const { pattern = null, span = 1 } = FLOORINGS[flooring] ?? {};
+    const layer = patternLayer(pattern);
     for (const triangle of ShapeUtils.triangulateShape([...points], [])) {
       const corners = triangle.flatMap((i) => points[i] ?? []);
       const [a, b, c] = corners;
@@ -36,8 +53,8 @@ class FloorDraft {
       const turned = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
       for (const corner of turned * this.facing > 0 ? [a, c, b] : [a, b, c]) {
         this.positions.push(corner.x, y, corner.y);
-        this.coordinates.push(...(alongZ ? [corner.y, corner.x] : [corner.x, corner.y]).map((metres) => metres / TEXTURE_SPAN));
-        this.colors.push(tint.r, tint.g, tint.b);
+        this.weave.push((alongZ ? corner.y : corner.x) / span, (alongZ ? corner.x : corner.y) / span, layer, ROUGHNESS);
+        this.colors.push(color.r, color.g, color.b);
       }
     }
   }
@@ -45,7 +62,7 @@ class FloorDraft {
   build(): BufferGeometry {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new Float32BufferAttribute(this.positions, 3));
-    geometry.setAttribute("uv", new Float32BufferAttribute(this.coordinates, 2));
+    geometry.setAttribute("weave", new Float32BufferAttribute(this.weave, 4));
     geometry.setAttribute("color", new Float32BufferAttribute(this.colors, 3));
     geometry.setAttribute("normal", new Float32BufferAttribute(this.positions.map((_, i) => (i % 3 === 1 ? this.facing : 0)), 3));
     return geometry;
@@ -74,38 +91,29 @@ function accentBands(room: Room): Vector2[][] {
   ];
 }
 
-function floorMaterial(type: string): LitMaterial {
-  const map = floorTexture(type);
-  return sharedMaterial(`floor of ${map ? type : "nothing known"}`, () => litMaterial({ vertexColors: true, roughness: 0.9, map }));
-}
-
 /** The floors of a house. The caller disposes of them with `disposeOf`. */
-export function floorMeshes(rooms: readonly Room[], storeys: ReadonlyMap<number, Storey>): Group {
-  const group = new Group();
-  const drafts = new Map<string, FloorDraft>();
-  const accents = new FloorDraft();
+export function floorMesh(rooms: readonly Room[], storeys: ReadonlyMap<number, Storey>): Mesh {
+  const draft = new FloorDraft();
   for (const room of rooms) {
     const y = storeys.get(room.level)?.elevation ?? 0;
-    const draft = drafts.get(room.flooring.type) ?? new FloorDraft();
-    drafts.set(room.flooring.type, draft);
-    draft.add(outlineOf(room), y, room.flooring.color, room.depth > room.width);
-    if (!room.outline && !room.outdoor && !hasRug(room)) for (const band of accentBands(room)) accents.add(band, y + ACCENT_RISE, room.accent);
+    const color = new Color(room.flooring.color);
+    draft.add(outlineOf(room), y, { color, flooring: room.flooring.type, alongZ: room.depth > room.width });
+    if (room.outline || room.outdoor || hasRug(room)) continue;
+    const accent = color.lerp(new Color(room.accent), ACCENT_OPACITY);
+    for (const band of accentBands(room)) draft.add(band, y + ACCENT_RISE, { color: accent });
   }
-  for (const [type, draft] of drafts) {
-    const mesh = new Mesh(draft.build(), floorMaterial(type));
-    Object.assign(mesh, { receiveShadow: true, renderOrder: BEHIND });
-    group.add(mesh);
-  }
-  group.add(new Mesh(accents.build(), sharedMaterial("accent", () => new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.75 }))));
-  return group;
+  const mesh = new Mesh(draft.build(), faceMaterial("floor"));
+  Object.assign(mesh, { receiveShadow: true, renderOrder: BEHIND });
+  return mesh;
 }
 
 /** The ceilings of the rooms inside, seen only from below. */
 export function ceilingMesh(rooms: readonly Room[], storeys: ReadonlyMap<number, Storey>): Mesh {
   const draft = new FloorDraft(-1);
+  const color = new Color(CEILING);
   for (const room of rooms) {
     const storey = storeys.get(room.level);
-    if (!room.outdoor && storey) draft.add(outlineOf(room), storey.elevation + storey.height, CEILING);
+    if (!room.outdoor && storey) draft.add(outlineOf(room), storey.elevation + storey.height, { color });
   }
   return new Mesh(draft.build(), faceMaterial("ceiling", { emissive: LAMPLIGHT }));
 }

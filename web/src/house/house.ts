@@ -7,7 +7,7 @@ import { disposeOf } from "./dispose";
 import { inwardOf } from "./entrance";
 import { leavesOf } from "./door_leaves";
 import { Doors } from "./doors";
-import { ceilingMesh, floorMeshes } from "./floors";
+import { ceilingMesh, floorMesh } from "./floors";
 import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
 import { outlineOf, PLOT } from "./house_outline";
 import { openingsOf, type PlacedOpening } from "./openings";
@@ -75,7 +75,7 @@ export class House {
     const ground = slab(scene.rooms, this.bounds.min.y);
     if (ground) this.#solids.add(ground);
     this.root.add(this.#solids);
-    this.#solids.add(floorMeshes(scene.rooms, storeys), this.#ceiling, this.#contacts.root, this.doors.root, this.#bodyMeshes.root);
+    this.#solids.add(floorMesh(scene.rooms, storeys), this.#ceiling, this.#contacts.root, this.doors.root, this.#bodyMeshes.root);
   }
 
   get runs(): readonly Run[] {

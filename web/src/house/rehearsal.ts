@@ -1,10 +1,9 @@
 /**
- * What is made while the first house is awaited, in short steps: patterns, floors, and the shaders that everything is drawn
+ * What is made while the first house is awaited, in short steps: patterns, and the shaders that everything is drawn
  * with. A house that comes earlier makes the rest itself.
  */
 import type { Object3D } from "three";
 import type { Body, Catalog, Opening, Room, Scene } from "../contract";
-import { FLOOR_TYPES } from "./floor_textures";
 import { House } from "./house";
 import { makeNextPattern } from "./patterns";
 import { ShapeBook } from "./shapes";
@@ -34,7 +33,7 @@ function opening(kind: Opening["kind"], position: number): Opening {
 export function rehearsalOf(catalog: Catalog): Scene {
   const room: Room = {
     id: "all", index: 0, type: "all", level: 0, x: 0, z: 0, width: SIDE, depth: SIDE, outdoor: false, accent: "#808080",
-    flooring: { type: FLOOR_TYPES[0] ?? "plain", color: "#808080" }, wall_flags: { north: true, south: true, east: true, west: true },
+    flooring: { type: "wood", color: "#808080" }, wall_flags: { north: true, south: true, east: true, west: true },
     openings: [opening("door", 2), opening("window", 4)],
     furniture: bodiesOf(catalog.furniture, "furniture"),
     decorations: bodiesOf(catalog.decorations, "decorations"),
