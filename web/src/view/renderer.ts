@@ -1,5 +1,5 @@
-/** The renderer as the machine can afford it: without a graphics card edges of things and of shadows stay hard, and nothing has highlights. */
-import { BasicShadowMap, PCFShadowMap, WebGLRenderer } from "three";
+/** The renderer as the machine can afford it: without a graphics card edges of things stay hard, those of shadows nearly so, and nothing has highlights. */
+import { PCFShadowMap, ShaderChunk, WebGLRenderer } from "three";
 import { lightPlainly } from "../house/lit";
 
 /** What draws with a processor says so by name. */
@@ -14,9 +14,17 @@ function isSoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): boolean
   return SOFTWARE.test(known ? String(gl.getParameter(known.UNMASKED_RENDERER_WEBGL)) : name);
 }
 
+/** A shadow's edge is asked for at five places, which softens it. */
+const SOFT = /shadow = \(\s*texture\( shadowMap, vec3\( shadowCoord\.xy \+ vogelDiskSample\([^;]*\) \* 0\.2;/;
+
+/** The shader's part for shadows with one place asked for, between four of the map: edges are lines, not steps. */
+export function shadedOnce(chunk: string): string {
+  return chunk.replace(SOFT, "shadow = texture( shadowMap, shadowCoord.xyz );");
+}
+
 function made(isFine: boolean): WebGLRenderer {
   const renderer = new WebGLRenderer({ alpha: true, antialias: isFine, powerPreference: "low-power" });
-  renderer.shadowMap.type = isFine ? PCFShadowMap : BasicShadowMap;
+  renderer.shadowMap.type = PCFShadowMap;
   return renderer;
 }
 
@@ -25,6 +33,7 @@ export function rendererForMachine(): WebGLRenderer {
   const plain = made(false);
   if (isSoftware(plain.getContext())) {
     lightPlainly();
+    ShaderChunk.shadowmap_pars_fragment = shadedOnce(ShaderChunk.shadowmap_pars_fragment);
     return plain;
   }
   plain.dispose();
