@@ -73,7 +73,9 @@ def furniture_facts(book: KindBook, name: str, key: str | None, category: str | 
 def decoration_facts(book: KindBook, name: str, key: str | None) -> KindFacts:
     """Returns what is known of a decoration by its name and its kind's key."""
     spec = book.spec("decoration", key) if key else None
-    return _facts(spec, name, (key, key or "", spec.group if isinstance(spec, DecorationKind) else "decor"))
+    return _facts(spec, name, (key, key or "", spec.group if isinstance(spec, DecorationKind) else "decor"))._replace(
+        color=spec.color if spec else None
+    )
 
 
 @lru_cache(maxsize=256)

@@ -77,7 +77,8 @@ class DrawnOpening:
 class DrawnPiece:
     """A thing in the plan: its footprint's middle, its underside `y` above the level's floor, sizes in the file's unit, a turn in degrees.
 
-    `size` None: the file does not say; then its `height` may be known. `kind` is the key of a kind of ours, where the file names one.
+    `size` None: the file does not say; then its `height` may be known, and how high its `middle` is, in place of `y`; `usual`: it has
+    its kind's. `kind` is the key of a kind of ours, where the file names one, `on` the place of what the file says it lies on.
     """
 
     name: str
@@ -93,6 +94,9 @@ class DrawnPiece:
     decoration: bool = False
     kind: str | None = None
     height: float | None = None
+    middle: float | None = None
+    on: str = ""
+    usual: bool = False
 
 
 class DrawnLevel(NamedTuple):

@@ -106,4 +106,7 @@ def _opening(one: DrawnOpening, at: Turn, metres: float) -> DrawnOpening:
 def _piece(one: DrawnPiece, at: Turn, metres: float, turn: float) -> DrawnPiece:
     x, z = at((one.x, one.z))
     size = one.size and (one.size[0] * metres, one.size[1] * metres, one.size[2] * metres)
-    return replace(one, x=x, z=z, y=one.y * metres, rotation=one.rotation + turn, size=size, height=one.height and one.height * metres)
+    return replace(
+        one, x=x, z=z, y=one.y * metres, rotation=one.rotation + turn, size=size, height=one.height and one.height * metres,
+        middle=one.middle and one.middle * metres,
+    )  # fmt: skip

@@ -17,6 +17,7 @@ from solver.geometry import extents, to_mm
 from solver.imports.carried_things import RESTING, covers
 from solver.imports.drawn import DrawnPiece, PlanNotes, check_count
 from solver.imports.rectilinear import FloorCorner, holds
+from solver.imports.unsized_things import with_usual_sizes
 from solver.scene import Decoration, Furniture, Room
 
 LIVING: Final = "dynamic"
@@ -35,6 +36,8 @@ ABOVE_SILL: Final = 0.02
 """What is higher than a window's sill by no more, m, is drawn to stand beneath it: it is taken as high as the sill."""
 OVERHEAD: Final = 1.6
 """Furniture that begins higher, m, hangs on the wall: a board."""
+HIGH: Final = frozenset({"electronics"})
+"""Categories of which pieces stay what they are however high they hang: screens."""
 HUNG: Final = "wall_cabinet"
 """What hangs on the wall under its own name, as there is no kind of it."""
 
@@ -48,31 +51,32 @@ def with_pieces(
     outlines = [_outline(room) for room in rooms]
     unsized: Counter[tuple[str, str]] = Counter()
     names = synonyms_of(catalogs)
-    for piece in pieces:
+    for piece in with_usual_sizes(pieces, catalogs):
         x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
         place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
         if place is not None:
             check_count(f"things in {rooms[place].id}", len(furniture[place]) + len(decorations[place]) + 1, MOST_IN_ROOM)
         meaning = _meaning(piece, names)
-        size = piece.size or _usual_size(meaning, catalogs)
+        size = piece.size
         if place is None or size is None or not 0 < min(size) <= max(size) <= LARGEST:
             words = "it stands in no room" if place is None else "the file gives no size" if size is None else "its size is none"
             notes.leave(piece.where, f"{piece.name!r:.60}: {words}")
             continue
-        if _sort(meaning, catalogs) == LIVING:
+        sort = _sort(meaning, catalogs)
+        if sort == LIVING:
             notes.leave(piece.where, f"{piece.name!r:.60}: people and pets are left out")
             continue
         kind = piece.kind if meaning is not None and meaning.key == _plain(piece.kind) else None
         room, sizes = rooms[place], tuple(max(0.001, round(one, 3)) for one in size)
         body = replace(piece, x=round(x - room.x, 4), z=round(z - room.z, 4), size=(sizes[0], sizes[1], sizes[2]))
-        if piece.decoration or _hangs(meaning, piece.y):
-            if piece.size is None:
+        if piece.decoration or _hangs(meaning, sort, piece.y):
+            if piece.usual:
                 unsized[piece.name, _written(sizes)] += 1
             decorations[place].append(_decoration(body, room, len(decorations[place]), kind))
         elif meaning is not None and meaning.sort == "other":
             notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
         else:
-            if piece.size is None:
+            if piece.usual:
                 notes.guess(piece.where, "size", _written(sizes), f"{piece.name!r:.60}: the file gives no size")
             furniture[place].append(_furniture(_on_whole_mm(body), room, furniture[place], kind))
     for (name, taken), count in unsized.items():
@@ -92,18 +96,17 @@ def _on_whole_mm(piece: DrawnPiece) -> DrawnPiece:
 
 
 def _meaning(piece: DrawnPiece, synonyms: Synonyms) -> Meaning | None:
-    """Returns what a piece is: of the kind that the file names, if it is one of ours, else by its name and size, or its height alone."""
+    """Returns what a piece is: of the kind that the file names, if it is one of ours, else by its name and size."""
     if piece.size and min(piece.size) <= 0:
         return None
-    found = synonyms.said(_plain(piece.kind)) or synonyms.meaning(piece.name, piece.size)
-    return synonyms.meaning(piece.name, piece.height) if found is None and piece.size is None and piece.height else found
+    return synonyms.said(_plain(piece.kind)) or synonyms.meaning(piece.name, piece.size)
 
 
-def _hangs(meaning: Meaning | None, above: float) -> bool:
+def _hangs(meaning: Meaning | None, sort: str | None, above: float) -> bool:
     """Tells whether a thing is none that stands on the floor: a decoration, or what hangs on the wall, from so high on, m."""
     if meaning is None:
         return above > OVERHEAD
-    return meaning.sort == "decoration" or meaning.key == HUNG or (meaning.sort == "furniture" and above > OVERHEAD)
+    return meaning.sort == "decoration" or meaning.key == HUNG or (meaning.sort == "furniture" and above > OVERHEAD and sort not in HIGH)
 
 
 def _plain(kind: str | None) -> str | None:
@@ -154,13 +157,6 @@ def _shared(a: Furniture, b: Furniture) -> float:
     reach = [(one.depth, one.width) if round(one.rotation / 90) % 2 else (one.width, one.depth) for one in (a, b)]
     across, along = ((reach[0][k] + reach[1][k]) / 2 for k in (0, 1))
     return min(across - abs(a.x - b.x), along - abs(a.z - b.z))
-
-
-def _usual_size(meaning: Meaning | None, catalogs: Catalogs) -> tuple[float, float, float] | None:
-    """Returns the size that the catalogs give to a kind."""
-    if meaning is None or meaning.sort == "other":
-        return None
-    return catalogs.furniture[meaning.key].size if meaning.sort == "furniture" else catalogs.decorations[meaning.key].size
 
 
 def _furniture(piece: DrawnPiece, room: Room, there: Sequence[Furniture], kind: str | None) -> Furniture:

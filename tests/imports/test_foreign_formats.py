@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from io import BytesIO
 from itertools import pairwise
 from typing import Any
@@ -13,7 +14,7 @@ from catalogs import load_catalogs
 from solver.errors import FieldError
 from solver.exports import describe
 from solver.imported import PlanImport
-from solver.scene import Flooring
+from solver.scene import Flooring, Room
 from tests.imports.plans import box as room_box
 from tests.imports.plans import collection, opening, read
 
@@ -177,6 +178,73 @@ def test_a_name_that_holds_a_word_of_a_kind_as_high_has_its_size(name: str, asse
     assert [answer.understood_as[one.id] for one in answer.scene.rooms[0].furniture] == ([kind] if kind else [])
     assert [guess["of"] for guess in answer.guesses if guess["what"] == "size"] == (["objects[0]"] if kind else [])
     assert [left["place"] for left in answer.unread] == ([] if kind else ["objects[0]"])
+
+
+def unsized(*objects: dict[str, Any]) -> tuple[Room, PlanImport]:
+    """A bedroom of 5 x 4 m with things that have no sizes, as ProcTHOR has them."""
+    corners = [{"x": x, "y": 0.0, "z": z} for x, z in ((0, 0), (0, 4), (5, 4), (5, 0))]
+    answer = read({"rooms": [{"id": "r", "roomType": "Bedroom", "floorPolygon": corners}], "objects": list(objects)})
+    return answer.scene.rooms[0], answer
+
+
+def thing(name: str, x: float, y: float, z: float, *children: dict[str, Any], yaw: float = 0) -> dict[str, Any]:
+    return {"id": f"{name}|1", "assetId": name, "position": {"x": x, "y": y, "z": z}, "rotation": {"y": yaw}, "children": [*children]}
+
+
+@pytest.mark.parametrize("yaw", [0, 90, 180, 270])
+def test_what_a_file_lays_on_a_thing_lies_on_it_in_the_size_that_it_is_taken_to_have(yaw: float) -> None:
+    small = [
+        thing("Laptop", 2.4, 0.94, 2.0),
+        thing("Box", 2.45, 0.86, 2.05),
+        thing("Mug", 4.4, 0.8, 2.0),
+        thing("HousePlant", 2.0, 0.86, 2.0),
+    ]
+    room, answer = unsized(
+        thing("DiningTable", 2.4, 0.37, 2.0, *small, yaw=yaw), thing("TVStand", 2.4, 0.3, 3.7, thing("Television", 2.4, 1.0, 3.7), yaw=180)
+    )
+    table = next(one for one in room.furniture if one.kind == "dining_table")
+    assert [(one.parent, one.y) for one in room.decorations] == [(table.id, table.height)] * 4
+    assert {one.kind for one in room.decorations} == {"laptop", "storage_box", "mug", "plant_small"}
+    (screen,) = [one for one in room.furniture if one.kind == "tv"]
+    stand = next(one for one in room.furniture if one.id == screen.on)
+    assert (stand.kind, screen.y) == ("tv_stand", stand.height)
+    assert {issue.rule for issue in answer.issues} <= {"missing_required", "no_entrance"}
+
+
+def test_small_things_without_a_colour_are_drawn_in_that_of_their_kind() -> None:
+    room, answer = unsized(thing("Desk", 2.5, 0.37, 2.0, thing("Vase", 2.4, 0.9, 2.0), thing("Mug", 2.7, 0.8, 2.0)))
+    known = load_catalogs()
+    said = tuple(replace(one, color=known.decorations[one.kind or ""].color) for one in room.decorations)
+    assert {one.color for one in room.decorations} == {None}
+    plain = describe(answer.scene, known).bodies
+    assert plain == describe(replace(answer.scene, rooms=(replace(room, decorations=said),)), known).bodies
+    assert len(said) == 2
+
+
+def test_what_lies_in_a_thing_lies_on_a_board_of_it() -> None:
+    room, answer = unsized(thing("ShelvingUnit", 2.4, 1.0, 3.7, thing("Book", 2.4, 0.5, 3.7), thing("Book", 2.4, 1.4, 3.7), yaw=180))
+    (shelf,), books = room.furniture, room.decorations
+    assert [one.parent for one in books] == [shelf.id] * 2
+    assert 0.1 < books[0].y < books[1].y < shelf.height - 0.1
+    assert "floating" not in {issue.rule for issue in answer.issues}
+
+
+def test_what_begins_above_the_floor_hangs_and_what_may_stand_does() -> None:
+    room, answer = unsized(
+        thing("Wall_Decor_Painting_1", 2.5, 1.6, 3.93, yaw=180),
+        thing("Television_3", 4.9, 1.9, 2.0, yaw=270),
+        thing("Bed", 1.0, 0.6, 2.0, yaw=90),
+    )
+    (picture,), (screen, bed) = room.decorations, room.furniture
+    assert (picture.mounted_on_wall, picture.y + picture.height / 2) == ("north", pytest.approx(1.6))
+    assert (screen.kind, screen.y + screen.height / 2, bed.y) == ("tv", pytest.approx(1.9, abs=0.001), 0.0)
+    assert {issue.rule for issue in answer.issues} <= {"missing_required", "no_entrance"}
+
+
+def test_things_that_one_surface_cannot_take_apart_are_many_and_still_lie_on_it() -> None:
+    room, _ = unsized(thing("Desk", 2.5, 0.37, 2.0, *(thing("Book", 2.5, 0.76, 2.0) for _ in range(40))))
+    assert len(room.decorations) == 40
+    assert {one.parent for one in room.decorations} == {room.furniture[0].id}
 
 
 def test_guessed_sizes_of_small_things_are_said_once_a_name() -> None:

@@ -28,6 +28,15 @@ describe("a scene that leaves things unsaid", () => {
     expect(drawable({ ...bare, rooms: [{ ...den, type: "crypt" }] } as unknown as Scene, catalog).rooms[0]?.flooring.type).toBe("plain");
   });
 
+  it("has bodies in the colours of their kinds, and in their own where they say one", () => {
+    const catalog = { furniture: { desk: { color: "#111111" } }, decorations: { vase: { color: "#222222" } } } as unknown as Catalog;
+    const [den] = bare.rooms;
+    const bodies = { furniture: [{ id: "a", kind: "desk", color: null }], decorations: [{ id: "b", kind: "vase", color: null }, { id: "c", kind: "vase", color: "#333333" }, { id: "d" }] };
+    const [room] = drawable({ ...bare, rooms: [{ ...den, ...bodies }] } as unknown as Scene, catalog).rooms;
+    expect(room?.furniture.map(({ color }) => color)).toEqual(["#111111"]);
+    expect(room?.decorations.map(({ color }) => color)).toEqual(["#222222", "#333333", undefined]);
+  });
+
   it("keeps what is said", () => {
     const said = { ...bare, size: { width: 9, depth: 8, height: 3 }, levels: [{ index: 0, elevation: 1, height: 3 }] };
     expect(drawable(said)).toMatchObject({ size: { width: 9 }, levels: [{ elevation: 1 }] });

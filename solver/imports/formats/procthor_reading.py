@@ -59,7 +59,7 @@ def read_procthor(document: Json) -> DrawnPlan:
         check_count(key, len(a_list(document.get(key, []), key)), MOST_POINTS)
         for at, one in enumerate(document.get(key, [])):
             openings.append(_opening(key == "windows", an_object(one, f"{key}[{at}]"), f"{key}[{at}]", walls, levels))
-    pieces = tuple(islice(_pieces(document.get("objects", []), "objects", 0, ""), MOST_POINTS + 1))
+    pieces = tuple(islice(_pieces(document.get("objects", []), "objects", ()), MOST_POINTS + 1))
     said = an_object(document.get("metadata") or {}, "metadata").get("compose")
     thickness = a_number(an_object(said, "metadata.compose"), "wall_thickness", "metadata.compose", None) if said else None
     solid = () if thickness is None else tuple(_outer_walls(document, rooms, thickness))
@@ -162,9 +162,9 @@ def _towards(ours: Json, start: Spot) -> Spot | None:
     return (start[0], start[1] + side) if ours.get("axis") == "x" else (start[0] + side, start[1])
 
 
-def _pieces(objects: object, where: str, depth: int, on: str) -> Iterator[DrawnPiece]:
-    """Yields things and what lies on them."""
-    if depth > DEEPEST:
+def _pieces(objects: object, where: str, below: Sequence[DrawnPiece]) -> Iterator[DrawnPiece]:
+    """Yields things and what lies on them; `below` is what these lie on, the lowest first."""
+    if len(below) > DEEPEST:
         raise FieldError(where, "lies too deep", f"at most {DEEPEST} things on each other")
     check_count(where, len(a_list(objects, where)), MOST_POINTS)
     for at, said in enumerate(a_list(objects, where)):
@@ -176,15 +176,17 @@ def _pieces(objects: object, where: str, depth: int, on: str) -> Iterator[DrawnP
         size = _size(ours, place)
         yaw = a_number(an_object(one.get("rotation") or {}, f"{place}.rotation"), "y", f"{place}.rotation", 0.0)
         middle = a_number(position, "y", f"{place}.position", 0.0)
-        lies = depth > 0
-        yield DrawnPiece(
+        carrier = below[0] if below else None
+        height = 2 * (middle - (carrier.height or 0.0 if carrier else 0.0))
+        piece = DrawnPiece(
             a_text(ours, "name", place) or _called(name.split("|")[0], asset), x, z,
-            middle - size[1] / 2 if size else (middle if lies else 0.0), (180.0 - yaw) % 360,
+            middle - size[1] / 2 if size else 0.0, (180.0 - yaw) % 360,
             size and (size[0], size[2], size[1]), place, id=name if ours else "",
-            decoration=ours.get("sort") == "decoration" if ours else lies, kind=asset if ours else None,
-            height=None if lies else max(0.0, round(2 * middle, 3)),
+            decoration=ours.get("sort") == "decoration" if ours else bool(below), kind=asset if ours else None,
+            height=max(0.0, round(height, 3)) if height > 0 or not below else None, middle=middle, on=carrier.where if carrier else "",
         )  # fmt: skip
-        yield from _pieces(one.get("children") or [], f"{place}.children", depth + 1, name)
+        yield piece
+        yield from _pieces(one.get("children") or [], f"{place}.children", (*below, piece))
 
 
 def _called(name: str, asset: str) -> str:

@@ -1,5 +1,5 @@
 /** A scene of somebody else's need not say all that is drawn; what it leaves unsaid is drawn like this. Never sent anywhere. */
-import type { Catalog, Furniture, Room, Scene, Sides } from "../contract";
+import type { Catalog, Decoration, Furniture, Room, Scene, Sides } from "../contract";
 
 const ALL: Sides = { north: true, south: true, east: true, west: true };
 const FLOORING = { type: "plain", color: "#c9c2b6" } as const;
@@ -9,10 +9,10 @@ const STOREY = { index: 0, elevation: 0, height: 2.8 } as const;
 /** What a foreign scene may leave unsaid, as the wire has it. */
 type Unsaid<Whole> = { readonly [Key in keyof Whole]: Whole[Key] | null | undefined };
 
-/** A piece that says no colour, in that of its kind. */
-function colored(piece: Furniture, catalog: Catalog | null): Furniture {
-  const color = piece.color ?? catalog?.furniture[piece.kind ?? ""]?.color;
-  return color && piece.color !== color ? { ...piece, color } : piece;
+/** A body that says no colour, in that of its kind. */
+function colored<Body extends Furniture | Decoration>(body: Body, kinds: Catalog["furniture"] | undefined): Body {
+  const color = body.color ?? kinds?.[body.kind ?? ""]?.color;
+  return color && body.color !== color ? { ...body, color } : body;
 }
 
 /** The plain floor of a room type; none for a type that is not known. */
@@ -26,7 +26,8 @@ function drawableRoom(room: Room, catalog: Catalog | null): Room {
   const said: Unsaid<Room> = room;
   return {
     ...room,
-    furniture: room.furniture.map((piece) => colored(piece, catalog)),
+    furniture: room.furniture.map((piece) => colored(piece, catalog?.furniture)),
+    decorations: room.decorations.map((thing) => colored(thing, catalog?.decorations)),
     level: said.level ?? 0,
     flooring: said.flooring ?? floorOfType(room.type, catalog) ?? FLOORING,
     accent: said.accent ?? catalog?.rooms?.[room.type]?.accent ?? ACCENT,
@@ -34,7 +35,7 @@ function drawableRoom(room: Room, catalog: Catalog | null): Room {
   };
 }
 
-/** The scene complete; with a catalog pieces take the colours of their kinds where they say none. */
+/** The scene complete; with a catalog bodies take the colours of their kinds where they say none. */
 export function drawable(scene: Scene, catalog: Catalog | null = null): Scene {
   const said: Unsaid<Scene> = scene;
   const rooms = scene.rooms.map((room) => drawableRoom(room, catalog));
