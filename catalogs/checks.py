@@ -8,15 +8,14 @@ from catalogs.decoration_checks import decorating_faults
 from catalogs.entries import KindSpec
 from catalogs.faults import Fault
 from catalogs.references import near, unknown_words
+from catalogs.relation_keys import OPENINGS, PULLS, idle_keys
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RoomType
 from catalogs.shapes_checks import Shapes, shape_faults
 
-OPENINGS = ("door", "garage_door", "window")
-"""What `of` may name besides pieces."""
 BETWEEN = ("beside", "in_front_of", "opposite", "around", "aligned_with", "in_row", "on", "under")
 """Relations that hold between two pieces: `of` must name one."""
-PULLS = ("near", "far_from", "aligned_with")
-"""Relations of degree: between pieces they cost, they do not forbid."""
+BY_DEGREE = ("near", "far_from", "aligned_with")
+"""Between pieces these cost, they do not forbid."""
 TO_SOMETHING = ("facing", "near", "far_from")
 """Relations to a piece or an opening."""
 
@@ -148,8 +147,11 @@ def _rule_faults(where: Fault, room: RoomType, piece: PieceSpec, rule: RelationS
         yield Fault(where.file, where.at, f"{rule.type} needs `of`", ", ".join(known))
     elif rule.type not in BETWEEN + TO_SOMETHING and rule.of:
         yield Fault(where.file, (*where.at, "of"), f"{rule.type} takes no `of`", "no key `of`")
-    if rule.required and rule.type in PULLS and rule.wall is None and not set(rule.of) & set(OPENINGS):
+    if rule.required and rule.type in BY_DEGREE and rule.wall is None and not set(rule.of) & set(OPENINGS):
         yield Fault(where.file, (*where.at, "required"), f"{rule.type} of a piece is a matter of degree", "a cost or a weight")
+    for key in idle_keys(rule):
+        to = " a piece" if rule.type in PULLS else ""
+        yield Fault(where.file, (*where.at, key), f"{rule.type}{to} takes no `{key}`: nothing would come of it", "no such key")
     for other in rule.of:
         openings = OPENINGS if rule.type in TO_SOMETHING else ()
         if other not in known and other not in openings:

@@ -51,11 +51,10 @@ RelationWord = Literal[
 
 
 class Use(Entry):
-    """Who uses a piece must get to these sides: `any` one of them, or `all`; `clearance` is the depth wished there, m."""
+    """Who uses a piece must get to these sides: `any` one of them, or `all`."""
 
     sides: tuple[Side, ...] = Field(min_length=1)
     need: Literal["any", "all"] = "any"
-    clearance: Metres = 0.6
 
 
 class Comfort(Entry):

@@ -14,8 +14,9 @@ from typing import Annotated, Final
 from annotated_types import Ge, Le, MaxLen, MinLen
 
 from catalogs import Catalogs
-from catalogs.checks import BETWEEN, OPENINGS, TO_SOMETHING
+from catalogs.checks import BETWEEN, TO_SOMETHING
 from catalogs.kind_book import KindBook
+from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from catalogs.synonyms import synonyms_of
 from solver.errors import RequestError

@@ -12,7 +12,7 @@ from functools import cached_property
 from struct import Struct
 from typing import Final, TypeVar, get_args
 
-from catalogs.checks import OPENINGS
+from catalogs.relation_keys import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Run
 from solver.body_rows import LooksBySize, furniture_look
 from solver.furnish.floor_about import FloorAbout, asked_about, floors_about

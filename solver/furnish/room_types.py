@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 
-from catalogs.checks import OPENINGS
+from catalogs.relation_keys import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec
 from solver.core import ask
 from solver.furnish.compiled_types import CompiledType, compiled_type

@@ -8,7 +8,7 @@ from functools import cached_property
 from math import inf
 from typing import NamedTuple, TypeAlias
 
-from catalogs.checks import OPENINGS
+from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.furnish.wall_stretches import Stretch, clear_stretches
 from solver.geometry import INWARDS, ROTATION_AT_WALL, Rect, strip_at, turned

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from catalogs.checks import OPENINGS
+from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, Rect
 from solver.relations.centred import about

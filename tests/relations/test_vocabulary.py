@@ -7,6 +7,7 @@ from typing import get_args
 import pytest
 
 from catalogs.checks import BETWEEN, TO_SOMETHING
+from catalogs.relation_keys import EVERY, KEYS
 from catalogs.schema import RelationSpec, RelationWord
 from solver.geometry import Rect
 from solver.relations import RELATIONS, Relation
@@ -19,6 +20,8 @@ SCOPE = Scope(CLEAR, (Opened("door", "south", (1000, 1900), 4000), Opened("windo
 
 def test_the_vocabulary_is_whole() -> None:
     assert tuple(RELATIONS) == get_args(RelationWord)
+    assert KEYS.keys() == {*RELATIONS}
+    assert {key for keys in (EVERY, *KEYS.values()) for key in keys} == RelationSpec.model_fields.keys()
 
 
 @pytest.mark.parametrize("word", RELATIONS)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from catalogs.checks import OPENINGS
+from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, OPPOSITE, WALL_BEHIND, Rect
 from solver.pieces import LOOKS_AT, Candidate, Link
