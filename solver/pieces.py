@@ -167,7 +167,7 @@ class Link:
         required: the candidates are incompatible when it does not hold.
         align: weight of (own centre - other's centre)^2 along the other's width, m^-2; 0 for none.
         near: weight of the squared distance of the centres along both axes, m^-2; 0 for none.
-        apart_m, apart_cost: cost per metre that the two anchors lie closer than apart_m.
+        apart_m, apart_cost: cost per metre that the two, each where it is wished, lie closer than apart_m, by the free distance.
     """
 
     relation: str

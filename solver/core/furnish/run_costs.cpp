@@ -7,8 +7,8 @@ namespace furnish {
 constexpr f64 SHORTEST_LEG = 1.2, LONGEST_LEG = 2.7, LEAST_PERIMETER = 4.0, MOST_PERIMETER = 7.9;
 // What a triangle costs that is not within these, and what a metre beyond them.
 constexpr f64 BROKEN_COST = 5.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
-// What a side without worktop costs where it is wanted (guideline 17: landing area at the cooking surface), and what belongs at an end
-// within the worktop.
+// What a side without worktop costs where it is wanted (guidelines 11, 16 and 17: landing areas at sink, refrigerator and cooking
+// surface), as what stands alone across, and what belongs at an end within the worktop.
 constexpr f64 LANDING_COST = 10.0, END_COST = 6.0;
 // Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs.
 constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 2.0;
@@ -25,7 +25,9 @@ f64 landing_cost(const Drawn& drawn) {
 f64 end_cost(const Drawn& drawn) {
   const u64 ends_row = drawn.form == Form::opposite ? 1ULL << drawn.first : 0, end = drawn.traits.items(END_TRAIT);
   const u64 within = ((1ULL << drawn.items.size) - 1) & ~end;
-  return END_COST * count(end & within << 1 & ~ends_row & (within & ~ends_row) >> 1);
+  const i32 across = drawn.items.size - drawn.first, opposite = drawn.form == Form::opposite;
+  const i32 alone = opposite * ((drawn.first == 1) + (across == 1));
+  return END_COST * count(end & within << 1 & ~ends_row & (within & ~ends_row) >> 1) + LANDING_COST * alone;
 }
 
 f64 worktop_cost(const RoomType& type, const Drawn& drawn) {

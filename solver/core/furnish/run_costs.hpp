@@ -92,7 +92,7 @@ struct Drawn {
 // What a run costs by the sides that lack the worktop wanted there; cut in two it costs as much, or more.
 f64 landing_cost(const Drawn& drawn);
 
-// What a run costs by what belongs at an end and stands within.
+// What a run costs by what belongs at an end and stands within, and by what stands alone across from the rest.
 f64 end_cost(const Drawn& drawn);
 
 // What a run costs by the worktop it lacks; what is hidden round a corner is none.

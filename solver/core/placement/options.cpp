@@ -1,5 +1,7 @@
 #include "placement/options.hpp"
 
+#include "plain/rects.hpp"
+
 namespace placement {
 
 // The absolute rotation of a decided piece.
@@ -45,11 +47,30 @@ static bool looks_at(i64 turn, const CandidateRow& own, const CandidateRow& othe
   return ahead[quarter] > 0 && magnitude(ahead[(quarter + 1) % 4]) <= ahead[quarter];
 }
 
-// What is missing of a distance that is wished between two centres, m.
-static f64 too_near(f64 apart, const CandidateRow& own, const CandidateRow& other) {
-  const i64 dx = own.anchor[0] - other.anchor[0];
-  const i64 dz = own.anchor[1] - other.anchor[1];
-  return most(0.0, apart - root(static_cast<f64>(dx * dx + dz * dz)) / 1000);
+// Where a way to stand is wished: what stands at a slot is wished there beside where the other piece is.
+struct Wished {
+  i32 turn;
+  Point centre;
+  Rect footprint;
+};
+
+static Wished wished(const Room& room, const Decisions& decisions, const CandidateRow& own) {
+  i32 turn = static_cast<i32>(own.turn);
+  Point centre{own.anchor[0], own.anchor[1]};
+  if (own.parent >= 0) {
+    const Wished parent = wished(room, decisions, room.candidates[candidate_of(decisions[own.parent])]);
+    const Point off = rotated({floor_div(own.across[0] + own.across[1], 2), floor_div(own.along[0] + own.along[1], 2)}, parent.turn);
+    centre = {parent.centre.x + off.x, parent.centre.z + off.z};
+    turn += parent.turn;
+  }
+  return {turn, centre, Rect::around(centre, turned({own.width, own.depth}, turn))};
+}
+
+// What is missing of a free distance that is wished between two ways to stand, m.
+static f64 too_near(f64 apart, const Rect& own, const Rect& other) {
+  const i64 x = most<i64>(most(own.x0 - other.x1, other.x0 - own.x1), 0);
+  const i64 z = most<i64>(most(own.z0 - other.z1, other.z0 - own.z1), 0);
+  return most(0.0, apart - length(x, z) / 1000);
 }
 
 f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 candidate) {
@@ -72,7 +93,9 @@ f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 cand
       if (link.required) return RULED_OUT;
       total += cost.cost;
     }
-    if (cost.apart_cost > 0 && own.parent < 0 && other.parent < 0) total += cost.apart_cost * too_near(cost.apart, own, other);
+    if (cost.apart_cost > 0) {
+      total += cost.apart_cost * too_near(cost.apart, wished(room, decisions, own).footprint, wished(room, decisions, other).footprint);
+    }
   }
   return total;
 }

@@ -199,6 +199,8 @@ class _Planner:
                     within += 1
             if name in run.ends and within == 2:
                 cost += END_COST
+        if drawn.form == "opposite":
+            cost += LANDING_COST * ((drawn.first == 1) + (len(names) - drawn.first == 1))
         return cost
 
     def worktop_cost(self, drawn: Drawn) -> float:
