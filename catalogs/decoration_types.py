@@ -107,7 +107,8 @@ class Stands(DecoratingRow):
 
     `where`: in the `middle`, in a `corner`, `beside` a piece named by `of` (the first names first; else at a wall), at a
     `wall`, or anywhere `free`; at most `reach` m from there. Or `under` the piece that `of` names first, and so far as it
-    `reach`es beyond that on every side where there is floor, to 0.1 m from walls. `fill`: its extents are this share of the room's, the
+    `reach`es beyond that on every side where there is floor, to 0.1 m from walls; of that piece it leaves the share `bare` so, from
+    its back on, and what is beside that: a rug begins before a bed's nightstands. `fill`: its extents are this share of the room's, the
     lesser one at most `widest` m; where the greater one is over `longest` m, as few alike as are no longer lie one behind another.
     A room whose lesser side is under `min_side` m goes without.
     """
@@ -120,12 +121,15 @@ class Stands(DecoratingRow):
     fill: Probability | None = None
     widest: Metres | None = None
     longest: Annotated[float, Field(ge=1, le=100)] | None = None
+    bare: Share = 0.0
     reach: ReachMetres = 0.8
 
     @model_validator(mode="after")
     def _complete(self) -> Stands:
         if (self.where in ("beside", "under")) != bool(self.of):
             raise ValueError("`of` goes with `where: beside` or `under`, and they with it")
+        if self.bare and self.where != "under":
+            raise ValueError("`bare` goes with `where: under`")
         if self.fill is None and (self.widest, self.longest) != (None, None):
             raise ValueError("`widest` and `longest` go with `fill`")
         return self

@@ -41,7 +41,7 @@ _ROW: Final = "d10i"
 _TABLES: Final = {
     name: Struct(layout)
     for name, layout in {
-        "entry": "<10i", "lies": f"<{_ROW}10i2dq", "hangs": f"<{_ROW}2i2q", "stands": f"<{_ROW}4i3d4q", "choice": "<4i", "size": "<3q",
+        "entry": "<10i", "lies": f"<{_ROW}10i2dq", "hangs": f"<{_ROW}2i2q", "stands": f"<{_ROW}4i4d4q", "choice": "<4i", "size": "<3q",
         "kind": "<3q6i", "surface": "<7q", "word": "<i", "place": "<2d", "share": "<d", "turn": "<2d",
     }.items()
 }  # fmt: skip
@@ -233,7 +233,7 @@ class _DecoratingTables:
 
     def _stands(self, row: Stands) -> tuple[float, ...]:
         asked = *self._names(row.of), _WHERE.index(row.where), row.fill is not None
-        shares = row.per_area or 0.0, row.min_side, row.fill or 0.0
+        shares = row.per_area or 0.0, row.min_side, row.fill or 0.0, row.bare
         return *self._row(row), *asked, *shares, row.count, to_mm(row.widest or 0.0), to_mm(row.longest or 0.0), to_mm(row.reach)
 
 

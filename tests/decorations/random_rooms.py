@@ -112,6 +112,8 @@ def _stands(rng: Random, catalogs: Catalogs) -> dict[str, Any]:
     row = _row(rng, catalogs, more) | {"where": where}
     if where in ("beside", "under"):
         row["of"] = rng.sample(sorted({catalogs.name_of(kind) for kind in catalogs.furniture}), 9)
+    if where == "under":
+        row["bare"] = rng.choice((0.0, 0.4, 1.0))
     if where == "middle" and rng.random() < 0.7:
         row |= {"fill": round(rng.uniform(0.2, 0.9), 2)} | rng.choice(({}, {"widest": 1.4}, {"longest": 2.0}))
     return row

@@ -38,7 +38,7 @@ def test_every_indoor_room_has_a_rug_of_four_fifths_of_its_size(name: str, size:
     assert errors(done) == []
 
 
-GROUPS = {"living_room": ("coffee_table", 0.7), "dining_room": ("dining_table", 0.7), "bedroom": ("bed", 0.6)}
+GROUPS = {"living_room": ("coffee_table", 0.7, 0), "dining_room": ("dining_table", 0.7, 0), "bedroom": ("bed", 0.5, 0.35)}
 
 
 @pytest.mark.parametrize(("length", "count"), [(3.0, 1), (5.0, 1), (5.2, 2), (12.0, 3), (21.0, 4)])
@@ -55,15 +55,20 @@ def test_with_a_style_long_halls_have_several_runners_one_behind_another(length:
 
 @pytest.mark.parametrize("name", sorted(GROUPS))
 @pytest.mark.parametrize("at", [(2.5, 2.0), (0.8, 2.0), (4.3, 3.2)])
-def test_with_a_style_a_rug_is_as_large_as_what_it_lies_under_and_a_little_more(name: str, at: tuple[float, float]) -> None:
-    kind, beyond = GROUPS[name]
-    holder = piece(kind, *at)
+@pytest.mark.parametrize("turn", [0, 90, 180, 270])
+def test_with_a_style_a_rug_is_as_large_as_what_it_lies_under_and_a_little_more(name: str, at: tuple[float, float], turn: int) -> None:
+    kind, beyond, begins = GROUPS[name]
+    holder = piece(kind, *at, turn)
     bare = room(holder, type=name, width=5.0, depth=4.0)
     (rug,) = rugs(decorate(bare, style=KNOWN.styles["scandi"], style_name="scandi"))
     wide, deep = (rug.width, rug.depth) if rug.rotation % 180 == 0 else (rug.depth, rug.width)
     least, gap = THICKNESS / 2 + 0.1, 0.011
-    for middle, extent, own, side in ((rug.x, wide, (at[0], holder.width), 5.0), (rug.z, deep, (at[1], holder.depth), 4.0)):
+    across, along = (holder.width, holder.depth) if turn % 180 == 0 else (holder.depth, holder.width)
+    backs = {0: (0, 1), 90: (1, 0), 180: (0, -1), 270: (-1, 0)}[turn]  # in the west or north, in the east or south
+    for middle, extent, own, side, back in ((rug.x, wide, (at[0], across), 5.0, backs[0]), (rug.z, deep, (at[1], along), 4.0, backs[1])):
         low, high = own[0] - own[1] / 2 - beyond, own[0] + own[1] / 2 + beyond
+        if begins and back:
+            low, high = (low + beyond + begins * own[1], high) if back > 0 else (low, high - beyond - begins * own[1])
         assert middle - extent / 2 == pytest.approx(max(low, least), abs=gap)
         assert middle + extent / 2 == pytest.approx(min(high, side - least), abs=gap)
     assert rug.color in KNOWN.styles["scandi"].palette["rug"]

@@ -89,6 +89,7 @@ struct Stands {
   f64 per_area;  // 0: `count` of it, whatever the area
   f64 min_side;
   f64 fill;
+  f64 bare;  // share of the piece it lies under, from that one's back on, that it is not under
   i64 count;
   i64 widest;   // 0: as wide as may be
   i64 longest;  // 0: as long as may be

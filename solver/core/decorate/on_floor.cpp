@@ -130,14 +130,25 @@ const Piece* Floor::first_named(const Stands& row) const {
   return nullptr;
 }
 
-// Lays a rug under a piece, so far beyond it on every side as the row reaches and the floor goes; in a corner of a room that is no
-// rectangle a smaller one.
+// So much floor around a piece as a rug under it reaches beyond; with a part of the piece left bare not beside and behind that.
+static Rect rug_under(const Stands& row, const Piece& piece, i64 beyond) {
+  Rect grown = piece.rect.shrunk(-beyond);
+  if (row.bare <= 0) return grown;
+  const Wall behind = wall_behind(piece.rotation);
+  const i64 depth = runs_along_x(behind) ? piece.rect.depth() : piece.rect.width();
+  i64& back = behind == Wall::north ? grown.z0 : behind == Wall::south ? grown.z1 : behind == Wall::west ? grown.x0 : grown.x1;
+  back += inwards(behind) * (beyond + whole(static_cast<f64>(depth) * row.bare));
+  return grown;
+}
+
+// Lays a rug under a piece, so far beyond it as the row reaches and the floor goes; in a corner of a room that is no rectangle a
+// smaller one.
 void Floor::lay_under(const Stands& row, const Choice& choice) {
   const Piece* piece = first_named(row);
   if (piece == nullptr) return;
   const Rect inner = clear_.shrunk(RUG_OFF_WALL_MM);
   for (i64 part = RUG_PARTS; part > 0; part--) {
-    const Rect grown = piece->rect.shrunk(-floor_div(row.reach * part, RUG_PARTS));
+    const Rect grown = rug_under(row, *piece, floor_div(row.reach * part, RUG_PARTS));
     Rect place{most(grown.x0, inner.x0), most(grown.z0, inner.z0), least(grown.x1, inner.x1), least(grown.z1, inner.z1)};
     place.x1 -= floor_mod(place.width(), 10);
     place.z1 -= floor_mod(place.depth(), 10);
