@@ -9,7 +9,7 @@
 namespace placement {
 
 constexpr f64 VIOLATED = 1e-8;  // an option holds when it misses by less than this, m
-// Sorts choices with fewer options within reach before those violated more; more than any slack in steps.
+// Puts choices with fewer options within reach before those violated more; more than any slack in steps.
 constexpr i64 FEWER_FIRST = 1'000'000'000'000;
 // With more choices than this the most violated come first whatever is left to them: nothing is proven there anyway.
 constexpr i64 MANY_CHOICES = 500;
@@ -65,36 +65,24 @@ static void reach_out(const Engine& engine, i64 slot) {
   }
 }
 
-// Inserts a choice into nodes.worst, `count` long so far, where its key is small enough; returns the new length.
-static i64 insert_worst(const Nodes& nodes, const ChoiceKey& own, i64 count) {
-  i64 at = count;
-  while (at > 0 && nodes.worst[at - 1].key > own.key) at--;
-  if (at >= TRIED_CHOICES) return count;
-  const i64 grown = least(count + 1, TRIED_CHOICES);
-  for (i64 to = grown - 1; to > at; to--) nodes.worst[to] = nodes.worst[to - 1];
-  nodes.worst[at] = own;
-  return grown;
-}
-
 i64 find_violated(const Engine& engine, i64 slot) {
-  const Nodes& nodes = engine.nodes;
   const i32 choices = static_cast<i32>(engine.work.counts->choices);
   const bool few = choices <= MANY_CHOICES;
   bool known = false;
-  i64 count = 0;
+  i64 found = ALL_HOLD, lowest = 0;
   for (i32 c = next_doubtful(engine, 0, choices); c < choices; c = next_doubtful(engine, c + 1, choices)) {
     const f64 slack = best_slack(engine, c);
     if (slack >= -VIOLATED) continue;
     if (!known) reach_out(engine, slot);
     known = true;
     const i64 left = possible_options(engine, c);
-    if (left <= 1) {
-      nodes.worst[0].choice = c;
-      return left == 0 ? DEAD : 1;
-    }
-    count = insert_worst(nodes, {c, (few ? left * FEWER_FIRST : 0) + in_steps(slack)}, count);
+    if (left <= 1) return left == 0 ? DEAD : c;
+    const i64 key = (few ? left * FEWER_FIRST : 0) + in_steps(slack);
+    if (found != ALL_HOLD && key >= lowest) continue;
+    found = c;
+    lowest = key;
   }
-  return count;
+  return found;
 }
 
 // Solves the parent with one row more; returns the child's slot, or -1 where it is infeasible or too dear.
@@ -138,59 +126,35 @@ static void order_options(const Engine& engine, i64 choice) {
   }
 }
 
-// Solves the children of a choice and writes them to the family from `first` on; returns where they end.
-// DEAD as soon as one is no dearer than `dearest`, the cheapest child of another choice: there is more to gain from that one.
-static i64 add_children(const Engine& engine, i64 parent, i64 choice, i64 first, i64 dearest, f64 ceiling) {
+void branch(const Engine& engine, i64 parent, i64 choice, f64 ceiling) {
   const Work& work = engine.work;
   const Nodes& nodes = engine.nodes;
-  i64 last = first;
+  i64 count = 0;
   order_options(engine, choice);
   for (i64 o = 0; o < work.choice_size[choice]; o++) {
     const i64 k = nodes.order[o].option;
     if (!possible(engine, work.options[k])) continue;
     const i64 slot = solve_child(engine, parent, k, ceiling);
-    if (slot < 0) continue;
-    const i64 key = in_steps(nodes.total(slot));
-    nodes.family[last++] = {slot, key};
-    if (key <= dearest) {
-      give_back(nodes, first, last, 0);
-      return DEAD;
-    }
+    if (slot >= 0) nodes.family[count++] = {slot, in_steps(nodes.total(slot))};
   }
-  sort_family(nodes, first, last);
-  return last;
-}
-
-void branch(const Engine& engine, i64 parent, i64 count, f64 ceiling) {
-  const Nodes& nodes = engine.nodes;
-  i64 kept = 0, dearest = -1;
-  for (i64 w = 0; w < count; w++) {
-    const i64 last = add_children(engine, parent, nodes.worst[w].choice, kept, dearest, ceiling);
-    if (last == DEAD) continue;
-    give_back(nodes, 0, kept, 0);
-    if (last == kept) return;
-    dearest = nodes.family[kept].key;
-    for (i64 k = kept; k < last; k++) nodes.family[k - kept] = nodes.family[k];
-    kept = last - kept;
-    if (kept == 1) break;
-  }
-  open_family(engine, parent, 0, kept);
+  sort_family(nodes, count);
+  open_family(engine, parent, count);
 }
 
 void widen(const Engine& engine, i64 parent, f64 ceiling) {
   const Work& work = engine.work;
   const Nodes& nodes = engine.nodes;
-  i64 last = 0;
+  i64 count = 0;
   for (i64 k = add_wider_rows(engine.room, work, engine.grid); k < work.counts->wide; k++) {
     const i64 slot = solve_child(engine, parent, work.options.size + k, ceiling);
     if (slot < 0) continue;
     nodes.widened[slot]++;
-    nodes.family[last++] = {slot, in_steps(nodes.total(slot))};
-    if (last == nodes.family.size || nodes.state->spare < TRIED_CHOICES * OPTIONS) break;
+    nodes.family[count++] = {slot, in_steps(nodes.total(slot))};
+    if (count == nodes.family.size || nodes.state->spare < OPTIONS) break;
   }
-  sort_family(nodes, 0, last);
-  give_back(nodes, 0, last, WIDE_CHILDREN);
-  open_family(engine, parent, 0, least(last, WIDE_CHILDREN));
+  sort_family(nodes, count);
+  for (i64 k = WIDE_CHILDREN; k < count; k++) nodes.spare[nodes.state->spare++] = nodes.family[k].slot;
+  open_family(engine, parent, least(count, WIDE_CHILDREN));
 }
 
 }  // namespace placement

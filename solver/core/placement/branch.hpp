@@ -5,18 +5,18 @@
 
 namespace placement {
 
-constexpr i64 TRIED_CHOICES = 4;  // how many of the most violated choices are tried at a node
 constexpr i64 WIDE_CHILDREN = 12;  // children kept of one widening
-constexpr i64 DEAD = -1;  // a choice of the node has no option left
+constexpr i64 ALL_HOLD = -1;  // no choice of the node is violated
+constexpr i64 DEAD = -2;  // a choice of the node has no option left
 
-// Writes the violated choices to try to nodes.worst; returns how many.
+// The violated choice to branch on, ALL_HOLD, or DEAD.
 //
-// Those with the fewest options left within reach come first, then the most violated, then the lowest number. A choice with one
-// option left is written alone; DEAD is returned where one has none.
+// One with a single option left comes first, then those with the fewest options within reach, then the most violated, then the lowest
+// number. That the cheapest children of several be compared costs more QPs than it saves (measured).
 i64 find_violated(const Engine& engine, i64 slot);
 
-// Opens the children of the first of `count` choices that has only one, else of the choice whose cheapest child is dearest.
-void branch(const Engine& engine, i64 parent, i64 count, f64 ceiling);
+// Opens a choice's children.
+void branch(const Engine& engine, i64 parent, i64 choice, f64 ceiling);
 
 // Opens the placements in which one of the pairs that block the way leaves room for a person.
 void widen(const Engine& engine, i64 parent, f64 ceiling);

@@ -116,10 +116,6 @@ struct NodeAxis {
   i64 version;
 };
 
-struct ChoiceKey {
-  i64 choice, key;
-};
-
 struct OptionSlack {
   i64 option, slack;
 };
@@ -147,7 +143,6 @@ struct Nodes {
   Table<NodeAxis> axes;
   Span<i64> last_pick, widened, stack, spare, pick_before, pick_option;
   Table<f64> positions;  // of the open node, m; the last column is the origin's
-  Rows<ChoiceKey> worst;
   Rows<OptionSlack> order;
   Rows<Child> family;
   Table<f64> best;

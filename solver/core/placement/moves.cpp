@@ -7,6 +7,7 @@ namespace placement {
 
 constexpr i64 MOVES = 48;  // other ways of other pieces that are looked at before the cheapest are tried
 constexpr i64 EVALUATIONS_OF_A_MOVE = 6;  // for each piece of the group
+constexpr i64 QPS_OF_A_MOVE = 20;  // of each evaluation: more find hardly a move that helps (measured)
 
 static void copy(const Decisions& from, const Decisions& to) {
   for (i64 piece = 0; piece < to.size; piece++) to[piece] = from[piece];
@@ -78,8 +79,7 @@ static i64 note_moves_of(const Engine& engine, const Decisions& decisions, const
   return count;
 }
 
-bool join_by_move(
-    const Engine& engine, const Decisions& decisions, Costs& costs, const Group& group, const RoomLimits& limits, bool walk) {
+bool join_by_move(const Engine& engine, const Decisions& decisions, Costs& costs, const Group& group, bool walk) {
   const Tree& tree = engine.tree;
   Counters& counters = *tree.counters.data;
   i64 count = 0;
@@ -94,7 +94,7 @@ bool join_by_move(
     copy(decisions, tree.shifted);
     tree.shifted[tree.moves[k].piece] = tree.moves[k].decision;
     Costs shifted = {terms + tree.move_cost[k], tree.move_cost[k], costs.ceiling};
-    const SearchLimits own = {size * least(counters.moves_left, EVALUATIONS_OF_A_MOVE), limits.optional_qps, size};
+    const SearchLimits own = {size * least(counters.moves_left, EVALUATIONS_OF_A_MOVE), QPS_OF_A_MOVE, size};
     const bool joined = join(engine, tree.shifted, shifted, group, own, walk);
     counters.moves_left -= most<i64>(floor_div(counters.evaluated, size), 1);
     if (joined) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "placement/engine.hpp"
-#include "placement/fill.hpp"
 
 namespace placement {
 
@@ -10,7 +9,6 @@ namespace placement {
 bool join(const Engine& engine, const Decisions& start, Costs& costs, const Group& group, const SearchLimits& limits, bool walk);
 
 // Moves one other piece so that the group can join; the first success counts.
-bool join_by_move(
-    const Engine& engine, const Decisions& decisions, Costs& costs, const Group& group, const RoomLimits& limits, bool walk);
+bool join_by_move(const Engine& engine, const Decisions& decisions, Costs& costs, const Group& group, bool walk);
 
 }  // namespace placement

@@ -14,22 +14,18 @@ void copy_axis(const Engine& engine, i64 parent, i64 slot, i64 axis) {
   }
 }
 
-void give_back(const Nodes& nodes, i64 first, i64 last, i64 keep) {
-  for (i64 k = most(first, keep); k < last; k++) nodes.spare[nodes.state->spare++] = nodes.family[k].slot;
-}
-
-void sort_family(const Nodes& nodes, i64 first, i64 last) {
-  for (i64 k = first + 1; k < last; k++) {
+void sort_family(const Nodes& nodes, i64 count) {
+  for (i64 k = 1; k < count; k++) {
     const Child own = nodes.family[k];
     i64 at = k;
-    for (; at > first && nodes.family[at - 1].key > own.key; at--) nodes.family[at] = nodes.family[at - 1];
+    for (; at > 0 && nodes.family[at - 1].key > own.key; at--) nodes.family[at] = nodes.family[at - 1];
     nodes.family[at] = own;
   }
 }
 
-void open_family(const Engine& engine, i64 parent, i64 first, i64 last) {
+void open_family(const Engine& engine, i64 parent, i64 count) {
   const Nodes& nodes = engine.nodes;
-  for (i64 k = last - 1; k >= first; k--) {
+  for (i64 k = count - 1; k >= 0; k--) {
     const i64 slot = nodes.family[k].slot, pick = nodes.state->picked++;
     const i64 option = nodes.last_pick[slot];
     copy_axis(engine, parent, slot, 1 - row_of(engine.work, option).axis);  // the other one was solved

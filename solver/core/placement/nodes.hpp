@@ -25,14 +25,11 @@ inline void take_slot(const Nodes& nodes) {
 // Copies the places and multipliers that a node knows of an axis.
 void copy_axis(const Engine& engine, i64 parent, i64 slot, i64 axis);
 
-// Gives back the slots of a family's members first ... last - 1, but for the first `keep` of the family.
-void give_back(const Nodes& nodes, i64 first, i64 last, i64 keep);
+// Sorts the first members of a family by cost, stably.
+void sort_family(const Nodes& nodes, i64 count);
 
-// Sorts a family's members by cost, stably.
-void sort_family(const Nodes& nodes, i64 first, i64 last);
-
-// Opens a family's members, the cheapest on top.
-void open_family(const Engine& engine, i64 parent, i64 first, i64 last);
+// Opens the first members of a family, the cheapest on top.
+void open_family(const Engine& engine, i64 parent, i64 count);
 
 // Brings the cheapest open node to the top, of equal ones the upper; not where slots run short, since depth needs fewer.
 void cheapest_on_top(const Nodes& nodes);

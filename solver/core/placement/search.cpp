@@ -120,10 +120,10 @@ static bool passes(const Engine& engine) {
 static void visit(const Engine& engine, i64 slot, f64 best, bool walk) {
   const Nodes& nodes = engine.nodes;
   open_node(engine, slot);
-  const i64 count = find_violated(engine, slot);
-  if (count > 0) {
-    branch(engine, slot, count, best);
-  } else if (count == DEAD) {
+  const i64 choice = find_violated(engine, slot);
+  if (choice >= 0) {
+    branch(engine, slot, choice, best);
+  } else if (choice == DEAD) {
     nodes.result->solves++;  // costs about as much as a QP
   } else if (!walk || passes(engine)) {
     keep_best(engine, slot);
@@ -147,7 +147,7 @@ static void begin(const Work& work, const Nodes& nodes, f64 ceiling) {
 }
 
 void search(const Engine& engine, i64 limit, f64 ceiling, bool walk) {
-  constexpr i64 room_for = TRIED_CHOICES * OPTIONS + WIDE_CHILDREN;
+  constexpr i64 room_for = OPTIONS + WIDE_CHILDREN;
   const Nodes& nodes = engine.nodes;
   NodesState& state = *nodes.state.data;
   begin(engine.work, nodes, ceiling);

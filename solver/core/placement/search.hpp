@@ -1,11 +1,10 @@
 // Exact search over the choices: branch only on violated ones, bound by the QP of the rows taken so far.
 //
-// Root = bounds and fixed rows. At a node the most violated choices are tried: each option appends one row to one axis and that
-// axis is solved on from the parent's active set; the choice whose cheapest child is dearest is branched on, or one that has only one
-// child left. A choice is given up at its first child that is cheaper than another's cheapest. What is infeasible or dearer than the
-// incumbent is pruned; ties go to the option that misses least, then to the lowest number. The search goes down to the cheapest
-// child, and where there is none to the cheapest open node. A placement at which every choice holds must also pass the walk, where
-// one is asked for; what blocks it is widened. The search stops on a count of QPs, never on time.
+// Root = bounds and fixed rows. At a node one violated choice is branched on: each option appends one row to one axis, and that axis is
+// solved on from the parent's active set. What is infeasible or dearer than the incumbent is pruned; ties go to the option that misses
+// least, then to the lowest number. The search goes down to the cheapest child, and where there is none to the cheapest open node. A
+// placement at which every choice holds must also pass the walk, where one is asked for; what blocks it is widened. The search stops on a
+// count of QPs, never on time.
 #pragma once
 
 #include "placement/engine.hpp"

@@ -148,7 +148,6 @@ static Nodes new_nodes(const Sizes& sizes) {
   nodes.pick_before = new_span<i64>(MOST_PICKS);
   nodes.pick_option = new_span<i64>(MOST_PICKS);
   nodes.positions = new_zeroes<f64>(2, v + 1);
-  nodes.worst = reserved_rows<ChoiceKey>(2 * OPTIONS);
   nodes.order = reserved_rows<OptionSlack>(OPTIONS);
   nodes.family = reserved_rows<Child>(MOST_FAMILY);
   nodes.best = new_zeroes<f64>(2, v + 1);
