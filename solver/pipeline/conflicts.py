@@ -8,17 +8,19 @@ from __future__ import annotations
 
 from bisect import bisect
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 from solver.geometry import Rect
 from solver.pieces import Piece, Space
 from solver.pipeline.least_movement import missing_length
 from solver.pipeline.repair_room import RoomRepair
-from solver.pipeline.repairs import RepairGoal, repairs_of, unlocked
+from solver.pipeline.repairs import HANDFUL, RepairGoal, helps, repairs_of
 from solver.placement import Budget, minimal_conflict
-from solver.placement.lengths import centimetres, metres, sentence
-from solver.repair import all_bodies, pieces_as_sent
+from solver.placement.lengths import Shortfall, centimetres, metres, sentence
+from solver.repair import Repair, RoomProblem, all_bodies, pieces_as_sent, without
 from solver.scene import Conflict
+from solver.validator import Checked
 
 WALKING_SHARE = 4
 """Why pieces are out of reach may cost this part of what telling may: it is said, not repaired."""
@@ -30,25 +32,63 @@ NO_WAY = {
 """Why pieces cannot stand, or be reached, where no length says it."""
 
 
-def conflicts_of(repair: RoomRepair) -> tuple[Conflict, ...]:
+@dataclass(frozen=True)
+class _Verdict:
+    """Why one piece cannot stand, or be used: the conflict it is in, that in words, and which lengths are missing, where that is known."""
+
+    label: str
+    ids: tuple[str, ...]
+    message: str
+    short: Shortfall | None = None
+
+
+def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
     """Explains what is locked wrongly, every piece that found no place, and those that stand where nobody can use them.
 
-    Each by a minimal set that cannot stand, or be used, together; or by saying that none was found.
+    Each by a minimal set that cannot stand, or be used, together; or by saying that none was found. Each repair of a room's only
+    conflict leaves the room clean. Where there are several, it does so with the first of each other one: to leave out what that is about.
+
+    Args:
+        house: as it is answered.
+        repair: of one of its rooms.
     """
-    settings = repair.problem.settings
-    sent = tuple(piece.label for piece in pieces_as_sent(repair.problem)) if repair.misplaced else ()
-    found = [_of_a_lock(repair, sent, label, problem) for label, problem in repair.misplaced.items()]
-    budget = Budget(settings.explaining_work)
-    names = {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(repair.asked)}
+    verdicts = [*_verdicts(repair)]
+    offered = _offered(house, repair, verdicts) if verdicts and repair.problem.settings.offering else [()] * len(verdicts)
+    return tuple(Conflict(one.ids, one.message, repairs) for one, repairs in zip(verdicts, offered, strict=True))
+
+
+def _offered(house: Checked, repair: RoomRepair, verdicts: Sequence[_Verdict]) -> list[tuple[Repair, ...]]:
+    """Returns what is offered for each conflict; nothing where to leave out what every one is about does not leave the room clean."""
+    bare, work = house.after(replace(house.scene, dynamic=())), repair.problem.settings.explaining_work
+    goal = RepairGoal(bare, _asked(repair), Budget(work))
+    if len(verdicts) == 1:
+        return [repairs_of(goal, verdicts[0].ids, verdicts[0].short)]
+    leaving: list[Repair] = [{"action": "leave_out", "id": one.label} for one in verdicts]
+    goals = [_without(goal, [other.label for other in verdicts if other is not one]) for one in verdicts]
+    if not helps(goals[0], leaving[0]):
+        return [()] * len(verdicts)
+    every = zip(goals, verdicts, leaving, strict=True)
+    return [(first, *(one for one in repairs_of(rest, why.ids, why.short) if one != first))[:HANDFUL] for rest, why, first in every]
+
+
+def _verdicts(repair: RoomRepair) -> Iterator[_Verdict]:
+    for label, problem in repair.misplaced.items():
+        yield _Verdict(label, (label,), f"locked where it cannot stand: {problem}")
+    work = repair.problem.settings.explaining_work
+    asked = _WhyNot(repair, repair.pieces, Budget(work))
+    known = set(repair.misplaced)
     for label, group in _by_themselves(repair):
-        found.append(_conflict(_goal(repair, group, budget), names, repair.pieces, group, label))
+        verdict = asked.why(group, label)
+        known.update(verdict.ids)
+        yield verdict
     if repair.unreached:
         pieces = pieces_as_sent(replace(repair.problem, room=repair.room))
-        goal = replace(_goal(repair, pieces, Budget(settings.explaining_work / WALKING_SHARE)), walk=True)
+        asked = _WhyNot(repair, pieces, Budget(work / WALKING_SHARE))
         for label in repair.unreached:
-            if not any(label in conflict.ids for conflict in found):
-                found.append(_conflict(goal, names, pieces, pieces, label))
-    return tuple(found)
+            if label not in known:
+                verdict = asked.why(pieces, label, walk=True)
+                known.update(verdict.ids)
+                yield verdict
 
 
 def _by_themselves(repair: RoomRepair) -> Iterator[tuple[str, list[Piece]]]:
@@ -68,37 +108,45 @@ def _by_themselves(repair: RoomRepair) -> Iterator[tuple[str, list[Piece]]]:
             yield label, [*placed[:before], piece, *placed[before:]]
 
 
-def _of_a_lock(repair: RoomRepair, sent: tuple[str, ...], label: str, problem: str) -> Conflict:
-    """Says why one of the pieces sent is locked wrongly."""
-    repaired = unlocked(RepairGoal((repair.problem,), sent, Budget(repair.problem.settings.work)), label)
-    repairs = (*([repaired] if repaired else []), {"action": "leave_out", "id": label})
-    return Conflict((label,), f"locked where it cannot stand: {problem}", repairs)
+def _asked(repair: RoomRepair) -> tuple[RoomProblem, ...]:
+    """Returns the room as it is answered, with nothing taken out, and as it was sent where that differs."""
+    sent = repair.problem
+    return (sent,) if sent.settings.remove or repair.room == sent.room else (replace(sent, room=repair.room), sent)
 
 
-def _goal(repair: RoomRepair, group: Sequence[Piece], budget: Budget) -> RepairGoal:
-    """Returns what has to be made possible, in the room that is answered, and in the room as sent where it differs."""
-    rooms = (repair.room,) if repair.room == repair.asked else (repair.room, repair.asked)
-    problems = tuple(replace(repair.problem, room=room) for room in rooms)
-    return RepairGoal(problems, tuple(piece.label for piece in group), budget)
+def _without(goal: RepairGoal, others: Sequence[str]) -> RepairGoal:
+    """Returns what is to be made possible where some others are left out."""
+    return replace(goal, problems=tuple(replace(problem, room=without(problem.room, others)) for problem in goal.problems))
 
 
-def _conflict(goal: RepairGoal, names: Mapping[str, str], pieces: Sequence[Piece], group: Sequence[Piece], label: str) -> Conflict:
-    """Explains why one of the room's pieces, each of which is named so, cannot stand, or be used, with a group of them."""
-    sent, space = goal.problems[-1].room, goal.problems[0].space
-    ids = minimal_conflict(space, group, label, goal.budget, goal.walk)
-    if ids is None and not goal.walk and goal.problems[0].settings.walk:
-        return _conflict(replace(goal, walk=True), names, pieces, group, label)
-    if ids is None:
-        missing = f"a way to {names[label]}, which can stand," if goal.walk else f"a place for {names[label]}"
-        words = f"not found: the search for {missing} in {sent.id} ended at its limit"
-        anew = replace(goal, budget=Budget(goal.problems[0].settings.explaining_work))
-        return Conflict((label,), words, repairs_of(anew, (label,), None))
-    members = [piece if goal.walk else replace(piece, stands=()) for piece in pieces if piece.label in ids]
-    stay = all(_still(piece) is not None for piece in members)
-    short = None if stay else missing_length(space, members, goal.budget, goal.walk, prove=False)
-    why = ("" if goal.walk else _where_they_stay(space, members)) or (sentence(short) if short else NO_WAY[goal.walk])
-    what = f"{' and '.join(names[member] for member in ids)} {_cannot(len(ids) == 1, goal.walk)} in {sent.id}"
-    return Conflict(ids, f"{what}: {why}", repairs_of(goal, ids, short))
+@dataclass(frozen=True)
+class _WhyNot:
+    """Why pieces of a repaired room cannot stand, or be used, and what finding out may cost."""
+
+    repair: RoomRepair
+    pieces: Sequence[Piece]
+    budget: Budget
+
+    def why(self, group: Sequence[Piece], label: str, walk: bool = False) -> _Verdict:
+        """Explains why one of the pieces cannot stand, or with `walk` be used, with a group of them."""
+        space, room = self.repair.problem.space, self.repair.problem.room.id
+        ids = minimal_conflict(space, group, label, self.budget, walk)
+        if ids is None and not walk and self.repair.problem.settings.walk:
+            return self.why(group, label, walk=True)
+        if ids is None:
+            missing = f"a way to {self._names[label]}, which can stand," if walk else f"a place for {self._names[label]}"
+            return _Verdict(label, (label,), f"not found: the search for {missing} in {room} ended at its limit")
+        members = [piece if walk else replace(piece, stands=()) for piece in self.pieces if piece.label in ids]
+        stay = all(_still(piece) is not None for piece in members)
+        short = None if stay else missing_length(space, members, self.budget, walk, prove=False)
+        why = ("" if walk else _where_they_stay(space, members)) or (sentence(short) if short else NO_WAY[walk])
+        what = f"{' and '.join(self._names[member] for member in ids)} {_cannot(len(ids) == 1, walk)} in {room}"
+        return _Verdict(label, ids, f"{what}: {why}", short)
+
+    @cached_property
+    def _names(self) -> Mapping[str, str]:
+        """What each body is called, with its size, by id."""
+        return {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(self.repair.asked)}
 
 
 def _cannot(alone: bool, walk: bool) -> str:

@@ -97,7 +97,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of a public function
     timing.lap("validate")
     house = _all_at_rest(house, house.errors, settings, settings.moved)
     house, repaired = _rooms_repaired(house, settings)
-    conflicts = [conflict for repair in repaired for conflict in conflicts_of(repair)]
+    conflicts = [conflict for repair in repaired for conflict in conflicts_of(house, repair)]
     house, stuck = _people_repaired(house, settings)
     conflicts += stuck
     timing.lap("placement")

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import compress
 
+from solver.pipeline.judged_again import judged_again
 from solver.placement import Budget
 from solver.repair import Repair, RepairSettings, all_bodies, seated_along, without
 from solver.scene import Conflict, Issue, Room, Scene
@@ -22,9 +22,6 @@ WAYS_IN = ("door", "passage", "garage_door")
 
 LEAVING_WORK = 200_000.0
 """Work that judging the house without one body and another may cost, in QPs of a small room, also where a call's searches spent theirs."""
-ROOM_WORK, BODY_WORK, WALKED_WORK = 15.0, 10.0, 2.0
-"""What each room counts when the house is judged once more, each body of the room that changed, and each that is walked past anew;
-measured."""
 
 
 def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairSettings) -> tuple[Conflict, ...]:
@@ -58,7 +55,7 @@ class _LeftOver:
         here = here or self._reaching_in(issue)
         if issue.rule == "unreachable" and here:
             words = f"not found: out of reach as long as other conflicts last: {issue.message}"
-            return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else _leaving(self.house, issue, self.budget))
+            return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else ())
         return Conflict(issue.ids, self._why(issue), _leaving(self.house, issue, self.budget))
 
     def _reaching_in(self, issue: Issue) -> Sequence[Conflict]:
@@ -130,12 +127,10 @@ def _house_without(house: Checked, label: str, budget: Budget) -> Checked | None
     if budget.spent:
         return None
     scene = house.scene
-    here = [label in _ids_in(scene, room) for room in scene.rooms]
-    after = tuple(without(room, (label,)) if held else room for room, held in zip(scene.rooms, here, strict=True))
-    bodies = [len(all_bodies(room)) for room in after]
-    budget.left -= ROOM_WORK * len(after) + BODY_WORK * sum(compress(bodies, here)) + WALKED_WORK * sum(bodies)
+    held = {room.id: without(room, (label,)) for room in scene.rooms if label in _ids_in(scene, room)}
+    after = tuple(held.get(room.id, room) for room in scene.rooms)
     people = tuple(person for person in scene.dynamic if person.id != label)
-    return house.after(replace(scene, rooms=after, dynamic=seated_along(people, scene.rooms, after)))
+    return judged_again(house, replace(scene, rooms=after, dynamic=seated_along(people, scene.rooms, after)), held, budget)
 
 
 def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Conflict]]:
@@ -160,8 +155,7 @@ def _without_bodies(house: Checked, budget: Budget) -> frozenset[tuple[str, str 
     if all(issue.ids for issue in house.errors) or budget.spent:
         return frozenset()
     bare = tuple(replace(room, furniture=(), decorations=()) for room in house.scene.rooms)
-    budget.left -= ROOM_WORK * len(bare)
-    errors = house.after(replace(house.scene, rooms=bare, dynamic=())).errors
+    errors = judged_again(house, replace(house.scene, rooms=bare, dynamic=()), (), budget).errors
     return frozenset((issue.rule, issue.room) for issue in errors if not issue.ids)
 
 

@@ -111,9 +111,18 @@ def _placed(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Sequence[
         gone = [piece for piece in pieces if piece.label in misplaced or _stands_only_with(piece, misplaced)]
         pieces = tuple(piece for piece in pieces if piece not in gone)
         arrangement = least_moved_from_last(problem, pieces)
-    if problem.settings.walk and not is_whole(arrangement) and walkable_when_empty(problem.space):
+    if not is_whole(arrangement) and _is_walked_in(problem):
         arrangement = without_fewest(problem.space, pieces, problem.settings.work) or arrangement
     return pieces, arrangement
+
+
+def is_repaired(problem: RoomProblem, arrangement: Arrangement) -> bool:
+    """Tells whether all pieces of a room stand and can be used, or at least stand where nobody can walk in it anyway."""
+    return is_whole(arrangement) or not (arrangement.left_out or _is_walked_in(problem))
+
+
+def _is_walked_in(problem: RoomProblem) -> bool:
+    return problem.settings.walk and walkable_when_empty(problem.space)
 
 
 def _stands_only_with(piece: Piece, parents: Collection[str]) -> bool:

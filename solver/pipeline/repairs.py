@@ -10,13 +10,15 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
-from solver.pieces import Piece, Placed
+from solver.pieces import Arrangement, Placed
+from solver.pipeline.judged_again import judged_again
 from solver.pipeline.least_movement import least_moved
-from solver.placement import Budget, charge, feasible, is_call_spent
-from solver.placement.encode import kin
+from solver.pipeline.repair_room import is_repaired
+from solver.placement import Budget, charge, is_call_spent
 from solver.placement.lengths import Shortfall
-from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared
-from solver.scene import Furniture
+from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared, written_back
+from solver.scene import Furniture, Room
+from solver.validator import Checked
 
 HANDFUL = 6
 """Repairs offered for a conflict, at most."""
@@ -33,16 +35,14 @@ class RepairGoal:
     """What a repair has to do.
 
     Args:
-        problems: the room that is answered, and the room as sent: a repair must do for both.
-        group: labels of the pieces that must all be able to stand.
+        house: as it is answered, without people: the room must break no rule in it.
+        problems: the room as it is answered, and as it was sent: repaired, all pieces of each must find their places.
         budget: what trying may cost.
-        walk: whether they must be within reach too.
     """
 
+    house: Checked
     problems: tuple[RoomProblem, ...]
-    group: tuple[str, ...]
     budget: Budget
-    walk: bool = False
 
     @property
     def bodies(self) -> Mapping[str, Body]:
@@ -56,21 +56,18 @@ class RepairGoal:
 
 
 def repairs_of(goal: RepairGoal, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
-    """Returns what would help, cheapest first: what leaves all within reach, or else what lets them stand. None if none is asked."""
-    if not goal.problems[0].settings.offering or goal.budget.spent:
-        return ()
-    walks = goal.problems[0].settings.walk and not goal.walk
-    within_reach = _repairs(replace(goal, walk=True), members, short) if walks else ()
-    return within_reach or _repairs(goal, members, short)
+    """Returns what would help, cheapest first: to stand free of its wall, to unlock, to turn, to shrink, to leave out one of a conflict.
 
-
-def _repairs(goal: RepairGoal, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
-    """Tries to stand free of its wall, to unlock, to leave out, to turn, to shrink; stops where enough is offered."""
+    Args:
+        goal: what it has to do.
+        members: the conflict.
+        short: which lengths are missing, if that is known.
+    """
     bodies, locked = goal.bodies, goal.locks
     loose = [bodies[member] for member in members if member not in locked]
-    moves = [_set_free(goal, body) for body in loose if isinstance(body, Furniture) and body.wall is not None]
-    unlocks = [unlocked(goal, member) for member in members if member in locked]
     leaving = [repair for member in members if (repair := _tried(goal, {"action": "leave_out", "id": member}))]
+    moves = [_set_free(goal, body) for body in loose if isinstance(body, Furniture) and body.wall is not None]
+    unlocks = [_unlocked(goal, member) for member in members if member in locked]
     able = {repair["id"] for repair in leaving}
     loose = [body for body in loose if body.id in able]  # what does not help by leaving does not by turning or shrinking
     by_way = sorted((repair for repair in (*moves, *unlocks) if repair), key=_distance)
@@ -91,7 +88,7 @@ def _smaller_changes(goal: RepairGoal, loose: Sequence[Body], short: Shortfall |
         yield _least_shrunk(goal, body)
 
 
-def unlocked(goal: RepairGoal, label: str) -> Repair | None:
+def _unlocked(goal: RepairGoal, label: str) -> Repair | None:
     """Returns the repair that unlocks what holds a body, with the move that follows; None where that does not help."""
     ids = goal.locks[label]
     if len(ids) > 1:
@@ -105,11 +102,9 @@ def _set_free(goal: RepairGoal, body: Body) -> Repair | None:
 
 def _moved(goal: RepairGoal, repair: dict[str, Any], label: str) -> Repair | None:
     """Returns the repair with the move that it leads to, or None where it does not help."""
-    if not _tried(goal, repair):
-        return None
-    arrangement = least_moved(goal.problems[0].space, _pieces(goal, goal.problems[0], repair), goal.budget)
-    placed = {one.label: one for one in arrangement.placed}
-    return None if arrangement.left_out else {**repair, **_step(goal.bodies[label], placed[label])}
+    repaired = _repaired(goal, repair)
+    placed = {one.label: one for one in repaired.placed} if repaired else {}
+    return {**repair, **_step(goal.bodies[label], placed[label])} if repaired else None
 
 
 def _step(before: Body, after: Placed) -> dict[str, Any]:
@@ -121,37 +116,45 @@ def _distance(repair: Repair) -> float:
     return float(repair["dx"] ** 2 + repair["dz"] ** 2)
 
 
+def helps(goal: RepairGoal, repair: Repair | None) -> bool:
+    """Tells whether a repair does what it has to."""
+    return repair is not None and _repaired(goal, repair) is not None
+
+
 def _tried(goal: RepairGoal, repair: Repair) -> Repair | None:
-    """Returns the repair if all the pieces of the goal can stand with it, in every problem of the goal."""
-    if is_call_spent():
-        return None
-    asked: list[list[Piece]] = []
+    return repair if helps(goal, repair) else None
+
+
+def _repaired(goal: RepairGoal, repair: Repair) -> Arrangement | None:
+    """Returns where the pieces of the first room go once a repair is made; None where a room does not come out clean."""
+    found = None
     for problem in goal.problems:
-        pieces = _pieces(goal, problem, repair)
-        if any(_agree(pieces, before) for before in asked):
-            continue
-        if not feasible(problem.space, pieces, goal.budget, goal.walk, prove=False):
+        if goal.budget.spent or is_call_spent():
             return None
-        asked.append(pieces)
-    return repair
+        changed = _with(problem, repair)
+        pieces = pieces_as_sent(changed)
+        charge(PIECE_WORK * len(pieces) + BODY_WORK * len(all_bodies(problem.room)))
+        arrangement = least_moved(problem.space, pieces, Budget(problem.settings.work, of=goal.budget))
+        if not is_repaired(changed, arrangement) or not _is_clean(goal, written_back(changed, arrangement.placed)):
+            return None
+        found = found or arrangement
+    return found
 
 
-def _agree(one: Sequence[Piece], other: Sequence[Piece]) -> bool:
-    """Tells whether pieces differ in nothing but where they are wished, so that what one can do the other can."""
-    return [_freedom(piece) for piece in one] == [_freedom(piece) for piece in other]
+def _is_clean(goal: RepairGoal, room: Room) -> bool:
+    """Tells whether a room breaks no rule in the house; what floats is put to rest without moving any piece."""
+    scene = goal.house.scene
+    rooms = tuple(room if one.id == room.id else one for one in scene.rooms)
+    errors = judged_again(goal.house, replace(scene, rooms=rooms), (room.id,), goal.budget).errors
+    return not any(issue.room == room.id and issue.rule != "floating" for issue in errors)
 
 
-def _freedom(piece: Piece) -> tuple[object, ...]:
-    return piece.label, piece.stands, piece.need_all, [kin(way) for way in piece.candidates]
-
-
-def _pieces(goal: RepairGoal, problem: RoomProblem, repair: Repair) -> list[Piece]:
-    """Returns the goal's pieces in a room with a repair applied."""
+def _with(problem: RoomProblem, repair: Repair) -> RoomProblem:
+    """Returns a room as it is to be repaired once a repair is made."""
     settings = problem.settings
-    charge(PIECE_WORK * len(goal.group) + BODY_WORK * len(all_bodies(problem.room)))
     if repair["action"] == "unlock":
         settings = replace(settings, locked=settings.locked - {repair["id"]})
-    return list(pieces_as_sent(replace(problem, room=applied(problem.room, repair), settings=settings), goal.group))
+    return replace(problem, room=applied(problem.room, repair), settings=settings)
 
 
 def _shrunk_by_lengths(goal: RepairGoal, short: Shortfall) -> Iterator[Repair | None]:
@@ -165,18 +168,12 @@ def _shrunk_by_lengths(goal: RepairGoal, short: Shortfall) -> Iterator[Repair | 
 
 def _least_shrunk(goal: RepairGoal, body: Body) -> Repair | None:
     """Bisects for the least whole centimetres that must be taken off a body's width, or else off its depth."""
-    one, others = replace(goal, problems=goal.problems[:1]), goal.problems[1:]
     for side in ("width", "depth"):
         most = int(getattr(body, side) * 1000 * (1 - LEAST_SHARE)) // STEP_MM
-        least = _least(most, lambda by, side=side: _helps(one, _shrunk(body, side, by * STEP_MM)))  # type: ignore[misc]
-        repair = _shrunk(body, side, least * STEP_MM) if least else None
-        if repair is not None and (not others or _tried(replace(goal, problems=others), repair)):
-            return repair
+        least = _least(most, lambda by, side=side: helps(goal, _shrunk(body, side, by * STEP_MM)))  # type: ignore[misc]
+        if least:
+            return _shrunk(body, side, least * STEP_MM)
     return None
-
-
-def _helps(goal: RepairGoal, repair: Repair | None) -> bool:
-    return repair is not None and _tried(goal, repair) is not None
 
 
 def _least(most: int, helps: Callable[[int], bool]) -> int | None:

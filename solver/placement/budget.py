@@ -75,22 +75,27 @@ class Budget:
     Args:
         left: how much.
         is_known: whether what is asked for is known to be there: it is then found even where the call's work is spent.
+        of: another one of which this is a part: what is done here is done there, too; by default the call alone.
     """
 
-    def __init__(self, left: float = ROOM_WORK, *, is_known: bool = False) -> None:
-        self._left = left
-        self._call = _call.get()
+    def __init__(self, left: float = ROOM_WORK, *, is_known: bool = False, of: Budget | None = None) -> None:
+        self._left, self._of = left, of
+        self._call = _call.get() if of is None else None
         self._most = inf if is_known else 0.0
 
     @property
     def left(self) -> float:
         """How much is left."""
+        if self._of is not None:
+            return min(self._left, self._of.left)
         return self._left if self._call is None else min(self._left, max(self._call.left, self._most))
 
     @left.setter
     def left(self, work: float) -> None:
         done = self.left - work
         self._left -= done
+        if self._of is not None:
+            self._of.left -= done
         if self._call is not None:
             self._call.done += done
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import reduce
 from typing import Any
 
 from catalogs import load_catalogs
-from solver import Scene, validate
-from solver.scene import Furniture, Opening, Room
+from solver import Scene, fix, validate
+from solver.scene import Fixed, Furniture, Opening, Room
 from solver.streams import Stream
 
 WALLS = ("north", "west", "south", "east")
@@ -72,3 +73,16 @@ def with_repair(scene: Scene, repair: Mapping[str, Any]) -> Scene:
                 assert action == "leave_out"
         rooms.append(replace(room, furniture=tuple(furniture)))
     return replace(scene, rooms=tuple(rooms))
+
+
+def untrue_repairs(scene: Scene, fixed: Fixed) -> list[Mapping[str, Any]]:
+    """The repairs offered that do not leave the one room clean, made with the first of each other conflict: as sent, or as answered."""
+    told = [conflict.repairs for conflict in fixed.conflicts if conflict.repairs]
+    found = []
+    for own in told:
+        firsts = [repairs[0] for repairs in told if repairs is not own]
+        for repair in own:
+            made = [reduce(with_repair, (*firsts, repair), base) for base in (scene, fixed.scene)]
+            if any(errors(fix(one).scene) for one in made):
+                found.append(repair)
+    return found

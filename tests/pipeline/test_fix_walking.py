@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from catalogs import load_catalogs
@@ -9,7 +11,8 @@ from solver import Scene, fix, validate
 from solver.scene import Opening
 from solver.streams import Stream
 from solver.validator import RULES
-from tests.pipeline.fix_rooms import BACK_TO, WALLS, body, errors, pieces, room_of, with_repair
+from tests.pipeline.fix_rooms import BACK_TO, WALLS, body, errors, pieces, room_of, untrue_repairs, with_repair
+from tests.sweeps import seeds
 
 DOOR = Opening("door", "door", "south", 1.5, 0.8, connects_to="EXTERIOR", main_entrance=True)
 
@@ -77,3 +80,37 @@ def test_an_answer_is_clean_or_explained_and_repaired_to_itself(seed: int) -> No
 
 def test_most_of_the_rooms_above_are_repaired() -> None:
     assert sum(not fix(furnished(seed)).conflicts for seed in range(16)) >= 12
+
+
+def crowded(seed: int) -> Scene:
+    """A laundry of 1.5-2.4 m with more appliances and shelves than it holds, all at walls."""
+    stream = Stream(seed, "crowded laundries")
+    width, depth = 1.5 + stream.below(900) / 1000, 1.9 + stream.below(500) / 1000
+    kinds = (
+        ("washer_1", (0.6, 0.6, 0.85)),
+        ("dryer_1", (0.6, 0.6, 0.85)),
+        ("sink_1", (0.6, 0.6, 0.9)),
+        ("storage_shelf_1", (1.0, 0.4, 1.8)),
+    )
+    more = (("storage_shelf_2", (1.0, 0.4, 1.8)), ("drying_rack_1", (1.0, 0.56, 1.0)), ("laundry_basket_1", (0.46, 0.36, 0.6)))
+    found = []
+    for name, size in (*kinds, *more[: 1 + stream.below(3)]):
+        wall = WALLS[stream.below(4)]
+        piece = body(name, round(stream.unit() * width, 3), round(stream.unit() * depth, 3), size, wall=wall)
+        found.append(
+            replace(piece, rotation=BACK_TO[wall], name={"shelf": "storage_shelf", "rack": "drying_rack"}.get(piece.name, piece.name))
+        )
+    door = replace(DOOR, position=round(width / 2, 3))
+    return room_of(*found, width=round(width, 3), depth=round(depth, 3), openings=(door,))
+
+
+@pytest.mark.parametrize("seed", seeds(range(24), 3))
+def test_every_repair_leaves_a_crowded_room_clean_with_the_first_of_each_other_conflict(seed: int) -> None:
+    scene = crowded(seed)
+    assert untrue_repairs(scene, fix(scene)) == []
+
+
+def test_the_crowded_rooms_have_one_conflict_or_several_and_something_is_offered() -> None:
+    answers = [fix(crowded(seed)).conflicts for seed in range(0, 24, 3)]
+    assert {1, 2} <= {min(len(conflicts), 2) for conflicts in answers}
+    assert sum(len(conflict.repairs) for conflicts in answers for conflict in conflicts) > 20
