@@ -42,11 +42,13 @@ def lines(visit: Visit) -> Locator:
 
 
 def opened(visit: Visit) -> Locator:
-    """Presses the key and waits for the report."""
+    """Presses the key, waits for the report and unfolds it."""
     visit.page.keyboard.press("d")
     dialog = visit.page.get_by_role("dialog", name="Diagnosis")
     expect(dialog).to_have_attribute("aria-busy", "false")
     expect(lines(visit).first).to_contain_text("Diagnosis")
+    if not visit.page.evaluate("report_whole.open"):
+        visit.page.get_by_text("The whole report").click()
     return dialog
 
 
@@ -71,6 +73,39 @@ def test_the_report_is_the_services_word_for_word(visit: Visit) -> None:
     assert text_of(visit) == ask(visit, "validate", {"scene": scene, "report": True})["report"]["text"]
     expect(visit.page.locator(".report-wrong")).to_have_count(0)
     expect(visit.page.locator("#diagnose_fix")).to_be_disabled()
+
+
+def test_it_says_first_what_is_wrong_where_and_what_to_do(visit: Visit) -> None:
+    answer = spoiled(visit)
+    visit.page.locator("#diagnose").click()
+    found = visit.page.locator("#diagnose_found")
+    expect(found).to_contain_text("press Fix")
+    expect(visit.page.locator("#report")).to_be_hidden()
+    told = [told_sentence(issue["message"], answer["scene"]) for issue in answer["issues"]]
+    assert sorted(found.get_by_role("button").all_text_contents()) == sorted(told)
+    wrong = errors(answer["issues"])[0]
+    room = next(room for room in answer["scene"]["rooms"] if room["id"] == wrong["room"])
+    heads = found.locator("h3").all_text_contents()
+    assert heads[0].lower().startswith(room["type"].replace("_", " "))
+    assert len(heads) == len({issue["room"] for issue in answer["issues"]})
+    found.get_by_role("button", name=told_sentence(wrong["message"], answer["scene"])).first.click()
+    expect(visit.page.get_by_role("dialog", name="Diagnosis")).to_be_hidden()
+    visit.settle()
+    assert visit.state()["selected"] == wrong["ids"][0]
+
+
+def test_where_nothing_is_wrong_that_is_said(visit: Visit) -> None:
+    assert visit.open(QUERY)["issues"] == []
+    visit.page.keyboard.press("d")
+    found = visit.page.locator("#diagnose_found")
+    expect(found).to_have_text("Nothing is wrong: every rule is kept.")
+    visit.page.keyboard.press("Tab")
+    for _ in range(6):
+        if visit.page.evaluate("document.activeElement.tagName") == "SUMMARY":
+            break
+        visit.page.keyboard.press("Tab")
+    visit.page.keyboard.press("Enter")
+    expect(lines(visit).first).to_be_visible()
 
 
 def test_escape_closes_and_gives_the_focus_back(visit: Visit) -> None:
@@ -98,7 +133,8 @@ def test_what_is_wrong_stands_out_and_leads_to_the_piece(visit: Visit) -> None:
     red = visit.page.locator(".report-wrong").first.evaluate("line => getComputedStyle(line).backgroundColor")
     plain = visit.page.locator(".report-plain").first.evaluate("line => getComputedStyle(line).backgroundColor")
     assert red != plain
-    assert visit.page.locator("#report").evaluate("one => one.scrollWidth <= one.clientWidth"), "no line ends out of sight"
+    for part in ("#report", ".diagnose-body"):
+        assert visit.page.locator(part).evaluate("one => one.scrollWidth <= one.clientWidth"), "no line ends out of sight"
     wronged = next(issue for issue in answer["issues"] if issue["rule"] == "overlap")["ids"][0]
     visit.page.locator(f'.report-wrong[data-id="{wronged}"]').first.click()
     expect(visit.page.get_by_role("dialog", name="Diagnosis")).to_be_hidden()

@@ -64,9 +64,12 @@ def test_with_a_home(spoken: Visit) -> None:
     scene = spoken.open(HOME)["scene"]
     page.locator("details.group").evaluate_all("all => all.forEach(one => { one.open = true; })")
     states.look("all groups open", "#recent_list .recent-home")
-    for button, shown, close in (("#keys", "#keys_dialog", "#keys_close"), ("#diagnose", "#report > *", "#diagnose_close")):
+    for button, shown, close in (("#keys", "#keys_dialog", "#keys_close"), ("#diagnose", "#diagnose_found > *", "#diagnose_close")):
         page.locator(button).click()
         states.look(button, shown)
+        if button == "#diagnose":
+            page.locator("#report_whole > summary").click()
+            states.look("whole report", "#report > *")
         page.locator(close).click()
     page.locator("[data-tool=menu]").click()
     states.look("menu", "#menu")
@@ -94,7 +97,7 @@ def test_with_a_home(spoken: Visit) -> None:
     on_a_phone(spoken, states)
     assert scene["rooms"] and spoken.console == []
     assert states.wrong() == {}
-    assert len(states.found) == 2 * 17
+    assert len(states.found) == 2 * 18
 
 
 def on_a_phone(visit: Visit, states: States) -> None:

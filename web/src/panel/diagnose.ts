@@ -1,8 +1,9 @@
-/** The diagnosis: the service's report of the shown home, what to copy, what to repair. */
+/** The diagnosis: what is wrong with the shown home and what to do, the service's report of it, what to copy, what to repair. */
 import type { FixRequest } from "../contract";
 import { fix, isAbort, report } from "../service";
 import type { Home } from "../state/home";
 import { fixWords } from "./fix_words";
+import { showFindings } from "./found";
 import { LineList } from "./line_list";
 import { reportLines } from "./report_lines";
 import { say } from "../words/language";
@@ -19,6 +20,7 @@ export class Diagnose {
   readonly #said = within("diagnose_said");
   readonly #fix = within<HTMLButtonElement>("diagnose_fix");
   readonly #remove = within<HTMLButtonElement>("diagnose_remove");
+  readonly #whole = within<HTMLDetailsElement>("report_whole");
   readonly #list: LineList;
   #text = "";
   #asked = new AbortController();
@@ -59,6 +61,7 @@ export class Diagnose {
     try {
       const { report: told, issues } = await report(scene, [...this.home.flagged], signal);
       this.#text = told.text;
+      showFindings(within("diagnose_found"), issues, scene, (id) => this.#choose(id));
       this.#list.show(reportLines(told).map(({ text, kind, id }) => ({ text, id, className: `report-line report-${kind}` })));
       this.#fix.disabled = !issues.some(({ severity }) => severity === "error");
       this.#dialog.setAttribute("aria-busy", "false");
@@ -120,6 +123,7 @@ export class Diagnose {
       await navigator.clipboard.writeText(this.#text);
       this.#say([say("Copied.")]);
     } catch {
+      this.#whole.open = true;
       window.getSelection()?.selectAllChildren(this.#list.host);
       this.#say([say("The browser does not let the page copy. The report is selected: press Ctrl+C.")]);
     }
