@@ -32,6 +32,14 @@ def test_pictures_are_drawn_of_kinds_in_view_and_categories_choose_among_them(vi
     page.wait_for_function("selector => document.querySelector(selector)", arg="#palette li canvas")
     visit.settle()
     page.wait_for_function(f"() => ({COLORS})('#palette li:first-child canvas')[0] > 20")
+    sizes = page.locator("#palette li small")
+    assert re.fullmatch(r"\d+×\d+×\d+ cm", sizes.first.text_content() or "")
+    assert (
+        sizes.evaluate_all(
+            "all => all.filter(one => one.getClientRects().length > 1 || one.scrollWidth > one.parentElement.clientWidth).length"
+        )
+        == 0
+    )
     assert violations(visit) == []
     page.get_by_role("group", name="Categories").get_by_role("button", name="Bed", exact=True).click()
     kinds = page.locator("#palette li:visible [data-kind]").evaluate_all("all => all.map(one => one.dataset.kind)")

@@ -96,3 +96,16 @@ def beneath(visit: Visit, *panels: str) -> None:
         assert box["y"] + box["height"] <= PHONE["height"]
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= PHONE["width"]
+
+
+def test_on_a_phones_side_what_fell_short_is_in_sight(visit: Visit) -> None:
+    visit.page.set_viewport_size({"width": 844, "height": 390})
+    visit.open("?program=large&area=90&seed=5")
+    line = visit.page.locator("#shortfall_line")
+    expect(line).to_be_visible()
+    box, rooms = line.bounding_box(), visit.page.locator("[data-count=rooms]").bounding_box()
+    assert box and rooms
+    assert box["y"] + box["height"] <= 390
+    assert rooms["y"] + rooms["height"] <= 390
+    assert box["x"] + box["width"] <= 844
+    assert scrolled(visit) == 0

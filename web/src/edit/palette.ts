@@ -153,7 +153,7 @@ export class Palette {
     choose.dataset.kind = key;
     Object.assign(picture, PICTURE);
     picture.setAttribute("aria-hidden", "true");
-    size.textContent = `${kind.size.map((metres) => sayNumber(metres, 2)).join(" × ")} m`;
+    size.textContent = `${kind.size.map((metres) => sayNumber(metres * 100, 0)).join("×")} cm`;
     choose.append(picture, capital(words(key)), " ", size);
     this.#listen(choose, kind);
     item.append(choose, this.#star(key));
