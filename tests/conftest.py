@@ -32,9 +32,11 @@ providers._get_local_constants = lambda: NO_CONSTANTS
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and `&` leave it: what tests start would never hear Ctrl-C
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-BROWSERS = 2
+BROWSERS = 3
 """Workers with a Chromium and a service of their own; each takes memory, and draws without a graphics card."""
 BROWSER_TESTS = Path(__file__).parent / "browser"
+GENERATED_CALLS = Path(__file__).parent / "service" / "test_openapi_cases.py"
+"""The longest file beside the browser's."""
 ONCE = {"client": "service", "native": "native build"}
 """Fixtures that one worker makes for all, and what the group of their tests is called."""
 
@@ -72,11 +74,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
     """Share the tests, file by file, among the workers of a parallel run, so that what a file makes for its tests is made once.
 
     The browser's files go to few workers, those that call the application to one: each of these starts a service of its own. They take
-    longest and are begun first, as are those that ask the native build. Among the browser's, those that hand a page on go before those that
-    open their own. A wrapper comes before pytest-xdist, which reads the marks in the same hook.
+    longest and are begun first, as are other long ones: whoever began one last would go on alone when all else is done.
+
+    Among the browser's, those that hand a page on go before those that open their own. A wrapper comes before pytest-xdist, which reads
+    the marks in the same hook.
     """
     paths = sorted({item.path for item in items})
     groups = {path: f"browser {at % BROWSERS}" for at, path in enumerate(path for path in paths if path.parent == BROWSER_TESTS)}
+    groups[GENERATED_CALLS] = "generated calls"
     for item in items:
         for fixture in ONCE.keys() & getattr(item, "fixturenames", ()):
             groups.setdefault(item.path, ONCE[fixture])
