@@ -5,13 +5,13 @@
 namespace furnish {
 
 // Runs drawn for a room; the best of those that fit is taken (measured: more find hardly better ones).
-constexpr i32 DRAWS = 6000;
+constexpr i32 DRAWS = 5000;
 // What a run without a piece that it could hold costs, and how often one is drawn without it.
 constexpr f64 MISSED_COST = 2.0, MISSED_CHANCE = 0.3;
 // How often a run goes round a corner it could, and how often another one goes on at the opposite wall.
 constexpr f64 CORNER_CHANCE = 0.6, OPPOSITE_CHANCE = 0.5;
 // Most that a run costs by the seed alone.
-constexpr f64 PREFERENCE = 0.9;
+constexpr f64 PREFERENCE = 1.6;
 // Pull of a piece to its place in the run, m^-2.
 constexpr f64 FIRM = 20.0;
 // Least floor between two opposite rows (guideline 6: work aisle of 42 inches for one cook).

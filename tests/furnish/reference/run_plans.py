@@ -24,7 +24,7 @@ from tests.furnish.reference.effects import effect_of
 from tests.furnish.reference.occupancy import TakenWalls
 from tests.furnish.reference.own_places import at_wall
 
-DRAWS = 6000
+DRAWS = 5000
 """Runs drawn for a room; the best of those that fit is taken (measured: more find hardly better ones)."""
 LEG = (1.2, 2.7)
 """Least and greatest leg of a working triangle, m (NKBA Kitchen Planning Guidelines, guideline 5: work triangle: no leg shorter
@@ -41,7 +41,7 @@ LANDING_COST, END_COST = 10.0, 6.0
 """What a side without worktop costs where it is wanted, and what belongs at an end within the worktop."""
 WORKTOP, WORKTOP_COST = 4.0, 2.0
 """Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs."""
-PREFERENCE = 0.9
+PREFERENCE = 1.6
 """Most that a run costs by the seed alone."""
 FIRM = 20.0
 """Pull of a piece to its place in the run, m^-2."""
