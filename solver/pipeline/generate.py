@@ -26,6 +26,7 @@ from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.accessible import with_access, with_walker
 from solver.pipeline.decorate import decorated
 from solver.pipeline.inhabited import home_catalogs, inhabited
+from solver.pipeline.insisted import demanded, insisted_in, insisting
 from solver.pipeline.opened import with_fronts
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.room_spaces import spaces_in
@@ -142,6 +143,8 @@ def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tupl
     """
     setting = _setting_of(scene, catalogs, scene.seed or 0)
     space, wanted = _wished(room, setting)
+    if label := insisted_in(scene.certificate, room.id):
+        wanted = demanded(wanted, label)
     return space, wanted, unwanted_pieces(room, space, setting.catalogs, _furnishing(room, setting), wanted)
 
 
@@ -302,16 +305,33 @@ def reroll(
         True
     """
     known = catalogs or load_catalogs()
+    return _rerolled(scene, rooms, (_seed_of(scene, seed), False), known, Timing(clock))
+
+
+def reroll_plan(scene: Scene, rooms: Sequence[str], seed: int, known: Catalogs) -> Scene:
+    """Furnishes rooms of somebody's own plan as `reroll` does, insisting in each on what matters and was left out."""
+    return _rerolled(scene, rooms, (seed, True), known, Timing(None)).scene
+
+
+def _seed_of(scene: Scene, seed: int | None) -> int:
+    return (scene.seed if seed is None else seed) or 0
+
+
+def _rerolled(scene: Scene, rooms: Sequence[str], how: tuple[int, bool], known: Catalogs, timing: Timing) -> Generated:
+    """Furnishes rooms anew; `how` is the seed, and whether it is insisted on what matters."""
     check_ids("reroll", rooms, [room.id for room in scene.rooms])
-    timing = Timing(clock)
-    drawn = scene.seed if seed is None else seed
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
     stays = {room.id: staying for room in chosen if (staying := staying_in(room)).ids}
-    setting = _setting_of(scene, known, drawn or 0, stays)
-    arrangements = _explained(chosen, _arrangements(chosen, setting), setting)
+    setting = _setting_of(scene, known, how[0], stays)
+    arrangements, insisted = _arrangements(chosen, setting), dict[str, dict[str, str]]()
+    if how[1]:
+        for room in chosen:
+            arrangements[room.id], label = insisting(*_wished(room, setting), arrangements[room.id])
+            insisted[room.id] = {"insisted": label} if label else {}
+    arrangements = _explained(chosen, arrangements, setting)
     done = _rejoined(chosen, arrangements, setting)
     document: dict[str, Any] = dict(scene.certificate or {})
-    reports = {name: room_certificate(arrangements[name], room) for name, room in done.items()}
+    reports = {name: {**room_certificate(arrangements[name], room), **insisted.get(name, {})} for name, room in done.items()}
     document["rooms"] = {**(document.get("rooms") or {}), **reports}
     new = replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms), certificate=document)
     timing.lap("furniture")

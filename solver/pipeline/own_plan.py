@@ -17,7 +17,7 @@ from solver.guessed import KEEPS, FurnishedPlan
 from solver.guessing import guessed_types, with_entrance, with_types
 from solver.materials import chosen_style, with_materials
 from solver.pipeline.accessible import walked_by, with_access
-from solver.pipeline.generate import generator, reroll
+from solver.pipeline.generate import generator, reroll_plan
 from solver.pipeline.timing import Clock, Timing
 from solver.scene import Room, Scene
 from solver.scene_bodies import check_ids
@@ -150,11 +150,11 @@ def _furnished_rooms(scene: Scene, asked: set[str], keep: str, seed: int, known:
     stays = {room.id for room in scene.rooms if any(keep == "all" or piece.locked for piece in room.furniture)}
     empty = [room.id for room in scene.rooms if room.id in asked and room.id not in stays]
     if empty:
-        scene = reroll(scene, empty, seed=seed, catalogs=known).scene
+        scene = reroll_plan(scene, empty, seed, known)
     left: dict[str, str] = {}
     for name in [room.id for room in scene.rooms if room.id in asked & stays]:
         try:
-            scene = _around_all(scene, name, seed, known) if keep == "all" else reroll(scene, [name], seed=seed, catalogs=known).scene
+            scene = _around_all(scene, name, seed, known) if keep == "all" else reroll_plan(scene, [name], seed, known)
         except SceneError as error:
             left[name] = error.problem
     return scene, left
@@ -171,4 +171,4 @@ def _around_all(scene: Scene, name: str, seed: int, known: Catalogs) -> Scene:
         return replace(whole, rooms=tuple(locking(room, locks) if room.id == name else room for room in whole.rooms))
 
     held = with_locks(scene, dict.fromkeys(sent, True))
-    return with_locks(reroll(held, [name], seed=seed, catalogs=known).scene, sent)
+    return with_locks(reroll_plan(held, [name], seed, known), sent)

@@ -1,0 +1,57 @@
+"""A piece that matters, which the search of a plan's room left out though there is a place: it is searched again as if it were required.
+
+Comes in: a room's space, its wanted pieces, its arrangement. Goes out: the arrangement that holds what is worth more, and what was
+insisted on. May import: placement. Not here: generated homes, whose rooms are drawn for their pieces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, Final
+
+from solver.pieces import Arrangement, Piece, Space
+from solver.placement import place
+
+MATTERS: Final = 10.0
+"""What leaving a piece out costs, from which on it is insisted on."""
+
+
+def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement) -> tuple[Arrangement, str | None]:
+    """Insists on the most important piece that matters and was left out.
+
+    Returns:
+        The arrangement, and the piece's label where that is cheaper, all that is left out counted; else the arrangement as it was.
+    """
+    gone = {label for label, _ in arrangement.left_out}
+    lacking = (piece for piece in wanted if piece.label in gone and piece.skip_cost >= MATTERS and not (piece.required or piece.is_floor))
+    label = next((piece.label for piece in lacking), None)
+    if label is None:
+        return arrangement, None
+    (made,) = place([(space, demanded(wanted, label))], tidy=True)
+    return (made, label) if _cost(wanted, made) < _cost(wanted, arrangement) else (arrangement, None)
+
+
+def demanded(wanted: Sequence[Piece], label: str | None) -> tuple[Piece, ...]:
+    """Returns wanted pieces of which the one with a label is required, with what it stands together with alone: the floor of its fronts."""
+    found, holds = [], False
+    for piece in wanted:
+        holds = piece.label == label or holds
+        found.append(replace(piece, required=True) if holds else piece)
+        holds = holds and piece.with_next
+    return tuple(found)
+
+
+def insisted_in(certificate: Mapping[str, Any] | None, room: str) -> str | None:
+    """Returns the label of the piece that a certificate says was insisted on in a room."""
+    rooms = (certificate or {}).get("rooms")
+    entry = rooms.get(room) if isinstance(rooms, Mapping) else None
+    label = entry.get("insisted") if isinstance(entry, Mapping) else None
+    return label if isinstance(label, str) else None
+
+
+def _cost(wanted: Sequence[Piece], arrangement: Arrangement) -> tuple[int, float]:
+    """Returns how many required pieces a room lacks, and what its placement and all that it lacks cost."""
+    gone = {label for label, _ in arrangement.left_out}
+    lacking = [piece for piece in wanted if piece.label in gone]
+    return sum(piece.required for piece in lacking), arrangement.cost + sum(piece.skip_cost for piece in lacking if not piece.required)

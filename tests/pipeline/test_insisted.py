@@ -1,0 +1,76 @@
+"""Rooms of somebody's own plan: the most important piece that the search left out is searched for again."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from itertools import product
+
+import pytest
+
+from compose_homes import explain, furnish, reroll, validate
+from solver.pipeline.explain import CHANGED
+from solver.pipeline.insisted import insisted_in
+from solver.scene import EXTERIOR, Opening, Room, Scene
+
+ROOMS = [*product((2.0, 2.2, 2.4, 2.6), (1.9, 2.0, 2.1, 2.3), (0.5, 0.9))]
+"""Widths, depths, and how far from the corner the middle of the door is, m."""
+BATHS = {"bathtub", "short_bathtub", "shower", "small_shower"}
+
+
+def bathroom(width: float, depth: float, door_at: float) -> Scene:
+    door = Opening("d", "door", "west", depth - door_at, 0.8, 2.0, connects_to=EXTERIOR, main_entrance=True)
+    return Scene(wall_thickness=0.16, rooms=(Room("a", type="bathroom", width=width, depth=depth, openings=(door,)),))
+
+
+@cache
+def both(width: float, depth: float, door_at: float) -> tuple[Scene, Scene]:
+    """A bathroom as it is furnished where nothing is insisted on, and as a plan's."""
+    plan = bathroom(width, depth, door_at)
+    return reroll(plan, ["a"], seed=3).scene, furnish(plan, seed=3).scene
+
+
+def kinds(home: Scene) -> set[str]:
+    return {piece.kind or "" for piece in home.rooms[0].furniture}
+
+
+def insisted(home: Scene) -> str | None:
+    return insisted_in(home.certificate, "a")
+
+
+def poses(home: Scene) -> list[tuple[str, float, float, float]]:
+    return [(piece.id, piece.x, piece.z, piece.rotation) for piece in home.rooms[0].furniture]
+
+
+def test_more_bathrooms_of_plans_have_a_tub_or_a_shower_and_none_loses_a_required_piece() -> None:
+    plain, made = zip(*(both(*room) for room in ROOMS), strict=True)
+    gained = [bool(kinds(home) & BATHS) - bool(kinds(before) & BATHS) for before, home in zip(plain, made, strict=True)]
+    assert min(gained) == 0
+    assert sum(gained) >= 3
+    for home in made:
+        assert {"toilet"} < kinds(home)
+        assert not {issue.rule for issue in validate(home) if issue.severity == "error"} - {"no_entrance"}
+
+
+def test_what_was_insisted_on_opens_and_the_certificate_names_it() -> None:
+    for before, home in (both(*room) for room in ROOMS):
+        assert insisted(before) is None
+        if kinds(home) & BATHS and not kinds(before) & BATHS:
+            assert insisted(home) == "bath_1"
+            assert not [issue for issue in validate(home) if issue.rule == "front_blocked" and "shower" in issue.message]
+        if insisted(home) is None:
+            assert poses(home) == poses(before)
+
+
+@pytest.mark.parametrize("part", range(3))
+def test_a_room_in_which_it_was_insisted_is_explained_as_it_was_made(part: int) -> None:
+    homes = [home for _, home in (both(*room) for room in ROOMS) if insisted(home)]
+    for home in homes[part::3]:
+        for piece in home.rooms[0].furniture:
+            assert CHANGED not in explain(home, piece.id).notes
+
+
+def test_it_is_as_it_was_where_an_edit_took_the_certificate() -> None:
+    home = next(home for _, home in (both(*room) for room in ROOMS) if insisted(home))
+    again = furnish(replace(home, certificate=None), keep="none", seed=3).scene
+    assert poses(again) == poses(home)
