@@ -313,6 +313,12 @@ def reroll_plan(scene: Scene, rooms: Sequence[str], seed: int, known: Catalogs) 
     return _rerolled(scene, rooms, (seed, True), known, Timing(None)).scene
 
 
+def _is_planned_whole(room: Room, setting: _Setting) -> bool:
+    """Tells whether the pieces of a room's type stand in a run, which is planned as a whole."""
+    kind = setting.catalogs.rooms.get(room.type)
+    return kind is not None and kind.run is not None
+
+
 def _seed_of(scene: Scene, seed: int | None) -> int:
     return (scene.seed if seed is None else seed) or 0
 
@@ -325,7 +331,7 @@ def _rerolled(scene: Scene, rooms: Sequence[str], how: tuple[int, bool], known: 
     setting = _setting_of(scene, known, how[0], stays)
     arrangements, insisted = _arrangements(chosen, setting), dict[str, dict[str, str]]()
     if how[1]:
-        for room in chosen:
+        for room in (one for one in chosen if not _is_planned_whole(one, setting)):
             arrangements[room.id], label = insisting(*_wished(room, setting), arrangements[room.id])
             insisted[room.id] = {"insisted": label} if label else {}
     arrangements = _explained(chosen, arrangements, setting)
