@@ -30,6 +30,7 @@ from solver.imports.pieces_in_rooms import with_pieces
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
 from solver.imports.straighten import straightened, tell_of
 from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn, with_floor
+from solver.imports.trimmed_pieces import trimmed
 from solver.imports.units import unit_named, unit_of
 from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
 from solver.imports.wide_doors import with_glass
@@ -130,7 +131,10 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     origin = (min(x for room in rooms for x, _ in room.corners), min(z for room in rooms for _, z in room.corners))
     made = scene_rooms(rooms, openings, origin)
     if settings.furniture:
-        made = with_carriers(with_pieces(made, plan.pieces, origin, catalogs, notes), thickness / 1000)
+        made = with_pieces(made, plan.pieces, origin, catalogs, notes)
+        if all(piece.size for piece in plan.pieces):
+            made = [trimmed(room, thickness / 2000, notes) for room in made]
+        made = with_carriers(made, thickness / 1000)
     return _scene(made, rooms, plan.levels, thickness), notes
 
 

@@ -76,3 +76,42 @@ def test_a_sink_whose_tap_is_drawn_a_little_above_the_sill_stays_beneath_the_win
     assert (sink.height, round(sink.x, 2), sink.z < 0.45) == (1.05, 2.6, True)
     assert [(one["of"], one["amount"]) for one in answer.changes if "sill" in str(one["message"])] == [(sink.id, 0.005)]
     assert errors(answer) == []
+
+
+KITCHEN: dict[str, float] = {"depth": 0.6, "height": 0.85}
+ROW = {"Stove": (0.6, 0.35), "Counter": (0.9, 1.1), "Sink": (0.8, 1.95)}
+"""Widths along the south wall, and where their middles are drawn, m: 0.05 to 2.35 and no gap between."""
+
+
+def row(into_wall: float, into_next: float, askew: float) -> PlanImport:
+    """A kitchen's row that is drawn a little into the wall behind it and each into the next, the counter turned a little."""
+    middle = 4.6 - 0.05 - 0.3 + into_wall
+    pieces = [
+        piece(name, at + into_next / 2, middle, **KITCHEN | {"width": width + into_next, "rotation": 180 + askew * (name == "Counter")})
+        for name, (width, at) in ROW.items()
+    ]
+    return imported(*pieces)
+
+
+@pytest.mark.parametrize("askew", [0.0, 0.06])
+@pytest.mark.parametrize(("into_wall", "into_next"), [(0.0, 0.002), (0.003, 0.0), (0.004, 0.008)])
+def test_what_is_drawn_a_hair_into_a_wall_or_a_neighbour_is_cut_and_stays(into_wall: float, into_next: float, askew: float) -> None:
+    answer = row(into_wall, into_next, askew)
+    (room,) = answer.scene.rooms
+    assert errors(answer) == []
+    for one in room.furniture:
+        width, at = ROW[one.name]
+        assert (one.x, one.z) == pytest.approx((at, 4.25), abs=0.011)
+        assert width - into_next - 0.001 <= one.width <= width + into_next + 0.001
+        assert one.rotation == 180
+    told = {change["of"]: change["amount"] for change in answer.changes if "smaller" in str(change["message"])}
+    cut = [one for one in room.furniture if one.depth < 0.5995 or one.width < ROW[one.name][0] + into_next - 0.0005]
+    assert {one.id for one in cut} == set(told)
+    assert all(0 < float(str(amount)) <= 0.01 for amount in told.values())
+    assert any("turned by 0.06 degrees" in str(change["message"]) for change in answer.changes) == bool(askew)
+
+
+def test_what_is_drawn_farther_in_is_not_cut() -> None:
+    answer = row(0.0, 0.03, 0.0)
+    assert all(one.width == pytest.approx(ROW[one.name][0] + 0.03) for one in answer.scene.rooms[0].furniture)
+    assert not [change for change in answer.changes if "smaller" in str(change["message"])]
