@@ -17,7 +17,8 @@ from solver.guessing import with_entrance
 from solver.imported import ImportSettings, PlanImport
 from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported
 from solver.pipeline.fix import fix
-from solver.repair import all_bodies
+from solver.pipeline.room_spaces import room_problem
+from solver.repair import RepairSettings, all_bodies, with_walls_told
 from solver.scene import Scene
 from solver.understanding import understood, with_understood_kinds
 from solver.validator import validate
@@ -57,6 +58,7 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
         notes.guess(entrance.id, "main_entrance", "true", entrance.message)
     words = understood(scene, known).understood_as
     if any(room.furniture for room in scene.rooms) and format != OWN:
+        scene = _at_walls(scene, known)
         fixed = fix(scene, on_conflict="remove", repairs=False, catalogs=known)
         drawn = {body.id: body.rotation for room in scene.rooms for body in all_bodies(room)}
         broken = {name: issue.message for issue in reversed(validate(scene, known) if fixed.moves else ()) for name in issue.ids}
@@ -75,6 +77,19 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
         scene, format, tuple(map(write, notes.changes)), tuple(map(write, notes.guesses)), tuple(map(write, notes.unread)),
         issues, said,
     )  # fmt: skip
+
+
+def _at_walls(scene: Scene, known: Catalogs) -> Scene:
+    """Returns a scene whose pieces that stand at walls name the wall that they are drawn at: moved, they stay at one."""
+    named = understood(scene, known).scene
+    settings = RepairSettings(known, moved=frozenset(piece.id for room in named.rooms for piece in room.furniture))
+    told = [with_walls_told(room_problem(named, room, (), settings)) for room in named.rooms]
+    walls = {piece.id: piece.wall for room in told for piece in room.furniture}
+    rooms = []
+    for room in scene.rooms:
+        pieces = (replace(piece, wall=piece.wall or walls[piece.id]) for piece in room.furniture)
+        rooms.append(replace(room, furniture=tuple(pieces)))
+    return replace(scene, rooms=tuple(rooms))
 
 
 def _moved(far: float, rotation: float, drawn: float, broken: str | None) -> str:

@@ -115,3 +115,23 @@ def test_what_is_drawn_farther_in_is_not_cut() -> None:
     answer = row(0.0, 0.03, 0.0)
     assert all(one.width == pytest.approx(ROW[one.name][0] + 0.03) for one in answer.scene.rooms[0].furniture)
     assert not [change for change in answer.changes if "smaller" in str(change["message"])]
+
+
+@pytest.mark.parametrize("sill", [0.2, 0.45, 0.9])
+def test_a_bookcase_drawn_before_a_window_goes_to_a_wall_and_not_into_the_room(sill: float) -> None:
+    window = line("window", (1.7, 4.6), (3.3, 4.6), sill=sill, height=1.4)
+    answer = imported(window, piece("Bookcase", 2.5, 4.6 - 0.08 - 0.15, rotation=180, width=0.9, depth=0.3, height=2.0))
+    (room,) = answer.scene.rooms
+    (bookcase,) = room.furniture
+    assert errors(answer) == []
+    back = {"north": bookcase.z, "south": room.depth - bookcase.z, "west": bookcase.x, "east": room.width - bookcase.x}
+    assert back[bookcase.wall or ""] < 0.3
+    assert [change["of"] for change in answer.changes if str(change["message"]).startswith("moved")] == [bookcase.id]
+
+
+def test_what_stands_free_names_no_wall() -> None:
+    answer = imported(
+        piece("Bookcase", 2.5, 2.3, width=0.9, depth=0.3, height=2.0),
+        piece("Wardrobe", 4.6, 3.0, rotation=270, width=1.2, depth=0.6, height=2.0),
+    )
+    assert [one.wall for one in answer.scene.rooms[0].furniture] == [None, "east"]
