@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from typing import Any
 
@@ -10,13 +9,14 @@ import pytest
 from playwright.sync_api import Browser, ViewportSize, expect
 
 from tests.browser.acts import Act, Acts, left_as_found
+from tests.browser.acts_on_homes import left_and_come_back_to, lit_at_another_hour, movable, scene, sent_as_file
 from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import PHONE
 from tests.browser.test_looking import entrance_of
 from tests.browser.test_touch import PRESSED, SMALLEST
 from tests.browser.test_walking import KNOWN
-from tests.browser.visit import SMALL, Document, Visit
+from tests.browser.visit import SMALL, Visit
 from tests.browser.ways import Keyboard, Touch, Way, unfold
 
 DESK: ViewportSize = {"width": 1280, "height": 800}
@@ -45,19 +45,6 @@ def way(request: pytest.FixtureRequest, browser: Browser, service: ServiceProces
     made.seen = "3"
     yield made
     context.close()
-
-
-def scene(way: Way) -> Any:
-    return json.loads(way.scene())
-
-
-def movable(way: Way) -> Document:
-    """A piece that can be seen, is no chair at a table, and lies on nothing."""
-    for room in scene(way)["rooms"]:
-        for piece in room["furniture"]:
-            if not (piece["on"] or piece["under"]) and way.page.evaluate("id => compose.whereIs(id)", piece["id"]):
-                return dict(piece)
-    raise AssertionError("nothing is seen")
 
 
 @doing("1 another home comes and goes as a step; it is among the recent homes")
@@ -346,6 +333,11 @@ def _large(way: Way) -> None:
     way.choose(movable(way)["id"])
     way.tool("menu")
     assert way.page.evaluate(PRESSED, SMALLEST) == []
+
+
+doing("1 changes too many for a link are offered as a file, which holds them")(sent_as_file)
+doing("1 the page is left with a change, asks nothing, and comes back with it")(left_and_come_back_to)
+doing("8 a home is lit as at another time of day, which is kept")(lit_at_another_hour)
 
 
 @ACTS.by_every_way()

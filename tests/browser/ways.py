@@ -56,6 +56,18 @@ class Way:
         self.page.keyboard.press("Enter")
         self.visit.settle()
 
+    def to_end(self, slider: Locator) -> None:
+        """Move a slider to its end."""
+        slider.scroll_into_view_if_needed()
+        box = slider.bounding_box()
+        assert box
+        self.tap(box["x"] + box["width"] - 3, box["y"] + box["height"] / 2)
+
+    def tap(self, x: float, y: float) -> None:
+        """Press and let go at a place of the window [CSS pixels]."""
+        self.page.mouse.click(x, y)
+        self.visit.settle()
+
     def choose(self, id_of: str) -> None:
         """Choose a piece."""
         raise NotImplementedError
@@ -160,6 +172,11 @@ class Keyboard(Way):
             self.visit.settle()
         expect(control).to_have_value(value)
 
+    def to_end(self, slider: Locator) -> None:
+        self._go_to(slider)
+        self.page.keyboard.press("End")
+        self.visit.settle()
+
     def choose(self, id_of: str) -> None:
         self._find(id_of, "Enter")
 
@@ -206,6 +223,10 @@ class Touch(Way):
 
     def press(self, control: Locator) -> None:
         control.tap()
+        self.visit.settle()
+
+    def tap(self, x: float, y: float) -> None:
+        self.page.touchscreen.tap(x, y)
         self.visit.settle()
 
     def choose(self, id_of: str) -> None:

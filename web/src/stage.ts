@@ -357,6 +357,7 @@ export class Stage {
       selected: this.#selected,
       walls: this.#looking.height,
       lowered: this.#looking.lowered,
+      sun: this.#viewport.daylight.direction.toArray(),
       knowsFloor: this.#looking.knowsFloor,
       openDoors: this.#house?.doors.open ?? [],
       openFronts: this.#house?.openFronts ?? [],

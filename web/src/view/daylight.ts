@@ -5,7 +5,17 @@ import {
 
 export const SKY = new Color("#b9c8d6");
 const GRASS = "#8a9d74";
-const SUN = new Vector3(-0.55, 1, 0.5).normalize();
+/** The hour that a home is shown at first, and when the sun stands highest and in the south; how fast it goes round. */
+export const FIRST_HOUR = 15;
+const NOON = 13;
+const TURN = (24 * Math.PI) / 180;
+const HIGHEST = Math.sin((63 * Math.PI) / 180);
+/** From noon until it sets. */
+const HALF_DAY = 7;
+/** Light at noon, and when the sun is about to set: what falls from it and from the sky. */
+const [HIGH, LOW] = [{ sun: new Color("#fff4e2"), strength: 2.2, sky: 2.5 }, { sun: new Color("#ffae66"), strength: 1.5, sky: 1.5 }];
+/** The sine of the height over the horizon from which on light is as at noon. */
+const FULL = 0.7;
 /** Across the sun's rays, from side to side and from low to high: a house is seen from up there longer than deep. */
 const SHADOW_PIXELS = [2048, 1024] as const;
 /** So high above the ground trees, and storeys above others, cast shadows [m]. */
@@ -19,6 +29,13 @@ const SECTORS = 48;
 const RINGS: readonly (readonly [number, number])[] = [[0, 1], [1, 0.95], [1.5, 0.65], [2.2, 0.3], [3.4, 0]];
 /** How far ground is seen, in house radii. */
 export const GROUND_REACH = 3.4;
+
+/** Where the sun stands at an hour: it rises in the east and sets in the west. */
+export function sunAt(hour: number): Vector3 {
+  const height = Math.asin(HIGHEST * Math.cos((((hour - NOON) / HALF_DAY) * Math.PI) / 2));
+  const turn = (hour - NOON) * TURN;
+  return new Vector3(-Math.sin(turn) * Math.cos(height), Math.sin(height), Math.cos(turn) * Math.cos(height));
+}
 
 function groundGeometry(): BufferGeometry {
   const { r, g, b } = new Color(GRASS);
@@ -40,23 +57,26 @@ function groundGeometry(): BufferGeometry {
 }
 
 /** How a house and its trees lie before the sun, which looks at the house's middle: across its rays. */
-function seenBySun({ min, max }: Box3, centre: Vector3): Box3 {
-  const away = new Matrix4().lookAt(SUN, new Vector3(), new Vector3(0, 1, 0)).invert();
+function seenBySun({ min, max }: Box3, centre: Vector3, sun: Vector3): Box3 {
+  const away = new Matrix4().lookAt(sun, new Vector3(), new Vector3(0, 1, 0)).invert();
   const top = Math.max(max.y, min.y + TALLEST);
   const corners = [min.x, max.x].flatMap((x) => [min.y, top].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))));
   return new Box3().setFromPoints(corners.map((corner) => corner.sub(centre).applyMatrix4(away))).expandByScalar(MARGIN);
 }
 
 /** The ground on which a house and its trees lie, and where their shadows fall. */
-function shadedBy(bounds: Box3): Box3 {
-  const shadow = SUN.clone().multiplyScalar(-(TALLEST - GROUND) / SUN.y);
+function shadedBy(bounds: Box3, sun: Vector3): Box3 {
+  const shadow = sun.clone().multiplyScalar(-(TALLEST - GROUND) / sun.y);
   const house = bounds.clone().expandByScalar(MARGIN);
   return house.union(house.clone().translate(shadow));
 }
 
 export class Daylight {
   readonly root = new Group();
-  readonly #sun = new DirectionalLight("#fff4e2", 2.2);
+  readonly #sun = new DirectionalLight();
+  readonly #sky = new HemisphereLight("#f4f6ff", "#b8aea2");
+  #direction = sunAt(FIRST_HOUR);
+  #bounds: Box3 | null = null;
   readonly #grass = new Mesh(groundGeometry(), new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
   /** As large as shadows reach: every pixel of it costs. */
   readonly #shadows = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), new ShadowMaterial({ opacity: 0.22, depthWrite: false }));
@@ -71,7 +91,23 @@ export class Daylight {
     fill.position.set(1, 0.7, -0.4);
     for (const mesh of [this.#grass, this.#shadows]) Object.assign(mesh, { receiveShadow: true, renderOrder: -1 });
     this.sow(false);
-    this.root.add(new HemisphereLight("#f4f6ff", "#b8aea2", 2.5), this.#sun, this.#sun.target, fill, this.#ground);
+    this.turnTo(FIRST_HOUR);
+    this.root.add(this.#sky, this.#sun, this.#sun.target, fill, this.#ground);
+  }
+
+  /** Towards the sun. */
+  get direction(): Vector3 {
+    return this.#direction;
+  }
+
+  /** Lights as at an hour of the day; the caller casts the shadows. */
+  turnTo(hour: number): void {
+    this.#direction = sunAt(hour);
+    const share = Math.min(1, this.#direction.y / FULL);
+    this.#sun.color.lerpColors(LOW.sun, HIGH.sun, share);
+    this.#sun.intensity = LOW.strength + (HIGH.strength - LOW.strength) * share;
+    this.#sky.intensity = LOW.sky + (HIGH.sky - LOW.sky) * share;
+    if (this.#bounds) this.around(this.#bounds);
   }
 
   /** Shows the ground, or light alone. */
@@ -87,17 +123,18 @@ export class Daylight {
 
   /** Lights a house and lays the ground around it. */
   around(bounds: Box3): void {
+    this.#bounds = bounds;
     const centre = bounds.getCenter(new Vector3());
     const radius = bounds.getSize(new Vector3()).length() / 2 + 1;
     this.#sun.target.position.copy(centre);
-    this.#sun.position.copy(centre).addScaledVector(SUN, radius * 2);
+    this.#sun.position.copy(centre).addScaledVector(this.#direction, radius * 2);
     const camera = this.#sun.shadow.camera;
-    const seen = seenBySun(bounds, centre);
+    const seen = seenBySun(bounds, centre, this.#direction);
     Object.assign(camera, { left: seen.min.x, right: seen.max.x, top: seen.max.y, bottom: seen.min.y, near: radius * 0.5, far: radius * 3.5 });
     camera.updateProjectionMatrix();
     this.#grass.position.set(centre.x, bounds.min.y + GROUND, centre.z);
     this.#grass.scale.setScalar(radius);
-    const shaded = shadedBy(bounds);
+    const shaded = shadedBy(bounds, this.#direction);
     shaded.getCenter(this.#shadows.position).setY(bounds.min.y + GROUND);
     shaded.getSize(this.#shadows.scale).setY(1);
   }

@@ -29,6 +29,7 @@ export class Looking {
   readonly #walk: WalkMode;
   readonly #cut = within<HTMLInputElement>("cut");
   readonly #lowers = within<HTMLInputElement>("lower_walls");
+  readonly #hour = within<HTMLInputElement>("hour");
   /** The sides that walls were last lowered on, as bits. */
   #before = 0;
   readonly #names = within<HTMLInputElement>("all_labels");
@@ -54,6 +55,8 @@ export class Looking {
     this.#walk = new WalkMode(viewport);
     this.#walk.onLeave = () => this.look("corner");
     this.#cut.addEventListener("input", () => this.cutWalls());
+    this.#lightUp(remembered("hour"));
+    this.#hour.addEventListener("input", () => this.#lightUp(this.#hour.value));
     this.#lowers.checked = remembered("lower_walls") !== "no";
     this.#lowers.addEventListener("change", () => {
       remember("lower_walls", this.#lowers.checked ? "yes" : "no");
@@ -177,6 +180,18 @@ export class Looking {
     this.#house?.cutAt(this.cut);
     this.labels.raiseTo(this.height);
     this.viewport.castShadows();
+  }
+
+  /** Lights the house as at an hour, which is remembered. */
+  #lightUp(hour: string | null): void {
+    if (hour !== null) {
+      this.#hour.value = hour; // held within its ends
+      remember("hour", this.#hour.value);
+      this.viewport.daylight.turnTo(Number(this.#hour.value));
+      this.viewport.castShadows();
+    }
+    const minutes = Math.round(Number(this.#hour.value) * 60);
+    within("hour_words").textContent = `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}`;
   }
 
   #cutWords(): void {

@@ -43,7 +43,7 @@ export class Viewport {
   readonly #scene = new Scene();
   readonly #controls: OrbitControls;
   readonly #orbiting: Orbiting;
-  readonly #daylight = new Daylight();
+  readonly daylight = new Daylight();
   readonly #portraits: Portraits;
   readonly #motions = new Set<Motion>();
   readonly #afterFrame: (() => void)[] = [];
@@ -81,10 +81,10 @@ export class Viewport {
     this.#renderer.toneMappingExposure = 1;
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.autoUpdate = false;
-    this.#portraits = new Portraits(this.#renderer, this.#daylight);
+    this.#portraits = new Portraits(this.#renderer, this.daylight);
     this.canvas = this.#renderer.domElement;
     host.prepend(this.canvas);
-    this.#scene.add(this.#daylight.root);
+    this.#scene.add(this.daylight.root);
     this.camera.rotation.order = "YXZ";
     this.#controls = this.#orbit();
     this.#orbiting = new Orbiting(this.#controls);
@@ -127,7 +127,7 @@ export class Viewport {
     this.#controls.enableRotate = !isFlat;
     this.#controls.mouseButtons.LEFT = isFlat ? MOUSE.PAN : MOUSE.ROTATE;
     this.#controls.touches.ONE = isFlat ? TOUCH.PAN : TOUCH.ROTATE;
-    this.#daylight.showGround(!isFlat);
+    this.daylight.showGround(!isFlat);
     this.castShadows();
   }
 
@@ -137,7 +137,7 @@ export class Viewport {
     this.#bounds = bounds;
     this.#outline = outline;
     this.#controls.maxDistance = FARTHEST * bounds.getSize(new Vector3()).length();
-    this.#daylight.around(bounds);
+    this.daylight.around(bounds);
     [this.#new, this.#isEmpty] = [true, false];
     this.castShadows();
   }
@@ -218,7 +218,7 @@ export class Viewport {
   #surround(walker: Pose | null): void {
     this.#walker = walker;
     this.#scene.background = walker ? SKY : null;
-    this.#daylight.sow(walker !== null);
+    this.daylight.sow(walker !== null);
   }
 
   #aim(framing: Framing): void {
