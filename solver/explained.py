@@ -7,7 +7,7 @@ from typing import Annotated
 
 from solver.fields import OneOf, Record, Says
 
-HOLDERS = ("wall", "piece", "use_side", "door", "window", "outline", "way", "relation")
+HOLDERS = ("wall", "piece", "use_side", "door", "window", "outline", "floor", "way", "relation")
 """What may hold a piece."""
 FloorPoint = Annotated[tuple[float, float], Says("x, z of the footprint's centre in the room, m")]
 
@@ -16,7 +16,8 @@ FloorPoint = Annotated[tuple[float, float], Says("x, z of the footprint's centre
 class Hold(Record):
     """What keeps a piece from going on in one direction, and what a metre more room there would save.
 
-    `by` is the id of a piece or an opening, or null; `what` is `use_side` where it is the floor that a person needs to use that piece.
+    `by` is the id of a piece or an opening, or null; `what` is `use_side` where it is the floor that a person needs to use that piece,
+    `floor` where it is floor at a side of that piece that is better kept free.
     """
 
     by: str | None

@@ -14,10 +14,11 @@ from solver.certificate import mark_of
 from solver.explained import Explained, Hold
 from solver.furnished import ids_of
 from solver.geometry import Rect, to_m, to_mm
-from solver.pieces import Arrangement, Candidate
+from solver.pieces import Arrangement, Candidate, Piece
 from solver.pipeline.generate import generator, wanted_in
 from solver.pipeline.other_ways import AsFurnished, other_ways
 from solver.placement import SolvedRoom, arrange, finish
+from solver.placement.empty_floor import FLOOR
 from solver.placement.problem import ORIGIN, Choice, Confirmed, Force, ProblemBox
 from solver.placement.qp import confirmed
 from solver.scene import Furniture, Room, Scene
@@ -28,6 +29,8 @@ TOWARDS = (("west", "east"), ("north", "south"))
 LEAST_SHOWN = 0.02
 """Holds of less cost a metre are not worth a line."""
 CHANGED = "the room is not as it was made: the piece stands where it was put"
+OTHER_CATALOG = "made with another catalog: its fingerprint is {}, that of the catalog here {}"
+OTHER_VERSION = "made with another version of Compose: {}, this is {}"
 AT_PLACE = "it stands where it was wished"
 BALANCED = "nothing holds it: it stands where what draws it is in balance"
 NEARLY_M = 0.015
@@ -66,8 +69,8 @@ _A_WAY = _Holder("way", None, "a way that a person needs")
 def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Explained:
     """Says where a piece was wished, what holds it back from there, and what its other ways to stand would have cost.
 
-    The room is furnished once more as it was made. Where that does not give the pieces of the scene, because it was edited or comes
-    from elsewhere, there is nothing that was wished, and a note says so.
+    The room is furnished once more as it was made. Where that does not give the pieces of the scene, because it was edited, comes
+    from elsewhere, or was made with another catalog or version, there is nothing that was wished, and a note says which.
 
     Args:
         scene: a generated scene.
@@ -87,8 +90,8 @@ def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Expla
     room = next(room for room in scene.rooms if any(piece.id == id for piece in room.furniture))
     piece = next(piece for piece in room.furniture if piece.id == id)
     again = _again(scene, room, catalogs or load_catalogs())
-    if again is None:
-        return Explained(id, room.id, (piece.x, piece.z), None, (), (CHANGED,))
+    if isinstance(again, str):
+        return Explained(id, room.id, (piece.x, piece.z), None, (), (again,))
     label = next(label for label, own in again.ids.items() if own == id)
     boxes = {(box.label, box.stand): box for box in again.solved.problem.boxes}
     holds = _joined(_holds(again, boxes[label, False]))
@@ -100,18 +103,22 @@ def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Expla
     return Explained(id, room.id, (piece.x, piece.z), wished, holds, tuple(notes), other_ways(again.room, label))
 
 
-def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | None:
-    """Furnishes a room as it was made; None where it was not made here, or its pieces then are others or stand elsewhere."""
+def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | str:
+    """Furnishes a room as it was made; or says why that cannot be told: it was not made here, was edited, or would be another now."""
     rooms = (scene.certificate or {}).get("rooms")
     entry = rooms.get(room.id) if isinstance(rooms, Mapping) else None
-    if not isinstance(entry, Mapping) or entry.get("of") != mark_of(room) or scene.generator != generator(catalogs):
-        return None
+    if not isinstance(entry, Mapping) or entry.get("of") != mark_of(room):
+        return CHANGED
+    made_with, here = scene.generator or {}, generator(catalogs)
+    for key, words in (("version", OTHER_VERSION), ("catalog", OTHER_CATALOG)):
+        if made_with.get(key) != here[key]:
+            return words.format(made_with.get(key), here[key])
     space, wanted, _ = wanted_in(scene, room, catalogs)
     solved = arrange(space, wanted, wide=True)
     (made,) = finish([solved], tidy=True)
     ids = ids_of(room, made, catalogs)
     if not _same(made, ids, room.furniture):
-        return None
+        return CHANGED
     return _Furnished(AsFurnished(space, wanted, solved, ids), confirmed([solved])[0])
 
 
@@ -186,10 +193,22 @@ def _chosen_holder(again: _Furnished, choice: Choice, mine: Collection[tuple[str
         return _Holder("use_side", name, f"the floor that a person needs to use {name}") if stand else _Holder("piece", name, name)
     if other == "outline":
         return _Holder("outline", None, "a part of the wall that stands out")
-    if any(piece.label == other for piece in again.solved.core.encoded.pieces):
-        return _Holder("way", None, f"{other}, which is better kept free")
+    floor = next((piece for piece in again.room.wanted if piece.label == other), None)
+    if floor is not None:
+        return _floor_holder(floor, again.ids)
+    if other == FLOOR:
+        return _A_WAY
     what = "door" if any(doorway.id == other for doorway in space.doorways) else "window"
     return _Holder(what, other, f"the floor before {other}")
+
+
+def _floor_holder(floor: Piece, ids: Mapping[str, str]) -> _Holder:
+    """Returns floor that is better kept free; where it lies at a side of a piece, by the piece's id."""
+    words = f"{floor.label}, which is better kept free"
+    owner = floor.candidates[0].attach
+    if owner is None:
+        return _Holder("floor", None, words)
+    return _Holder("floor", ids[owner.parent], words.replace(owner.parent, ids[owner.parent], 1))
 
 
 def _meets(box: ProblemBox, force: Force, towards: str, clear: Rect, gap_mm: int) -> bool:

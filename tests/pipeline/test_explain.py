@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
+from catalogs import load_catalogs
 from compose_homes import Explained, Request, Scene, SceneError, explain, generate, validate
 from solver.explained import HOLDERS
 from solver.geometry import Rect
 from solver.pieces import Candidate, Piece, Space
-from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED
+from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED, _floor_holder
 from solver.pipeline.other_ways import AsFurnished, other_ways
 from solver.placement import arrange
 from solver.scene import Furniture, Room
+from tests.told_forms import has_form
 
 POSE = ("kind", "x", "z", "rotation", "width", "depth", "height")
+EXAMPLE = Path(__file__).parents[2] / "catalogs" / "example"
 TOUCHING = 0.015
 """A piece at its wish is this close to it, m: the solve is rounded to millimetres, and slivers are tidied away since."""
 
@@ -77,7 +81,37 @@ def test_of_a_changed_room_nothing_is_claimed(home: Scene) -> None:
 
 def test_another_version_made_it(home: Scene) -> None:
     older = replace(home, generator={"version": "0.0.1", "catalog": (home.generator or {})["catalog"]})
-    assert explain(older, home.rooms[1].furniture[0].id).notes == (CHANGED,)
+    (note,) = explain(older, home.rooms[1].furniture[0].id).notes
+    assert note.startswith("made with another version of Compose: 0.0.1, this is ")
+    assert has_form(note)
+
+
+def test_another_catalog_made_it(home: Scene) -> None:
+    """A room as it was made, asked about with a folder laid over the catalogs: the catalog is another, not the room."""
+    other = load_catalogs(EXAMPLE)
+    id = home.rooms[1].furniture[0].id
+    (note,) = explain(home, id, catalogs=other).notes
+    assert note.startswith("made with another catalog: ")
+    assert str((home.generator or {})["catalog"]) in note and other.fingerprint in note
+    assert has_form(note)
+
+
+def test_the_whole_message_names_bodies_by_the_ids_of_the_scene() -> None:
+    """Kitchens have counters by several labels of the search; in the scene they are counted together."""
+    house = generate(Request(seed=42, program="family")).scene
+    kitchen = next(room for room in house.rooms if room.type == "kitchen")
+    ids = {piece.id for piece in kitchen.furniture}
+    floors = [hold for piece in kitchen.furniture for hold in explain(house, piece.id).holds if hold.what == "floor"]
+    assert floors
+    for hold in floors:
+        assert hold.by in ids
+        assert f"of {hold.by}, which is better kept free" in hold.message
+
+
+def test_floor_to_turn_in_is_nobodys() -> None:
+    turning = Candidate("(floor)", (1500, 1500, 1800), 0, None, (2000, 1500), cost=0.0)
+    holder = _floor_holder(Piece("floor to turn in", False, (turning,), is_floor=True), {})
+    assert (holder.what, holder.by, holder.words) == ("floor", None, "floor to turn in, which is better kept free")
 
 
 def test_an_unknown_id_is_named(home: Scene) -> None:

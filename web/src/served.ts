@@ -218,7 +218,7 @@ export interface Held {
 /** What keeps a piece from going on in one direction, and what a metre more room there would save. */
 export interface Hold {
   readonly by: string | null;
-  readonly what: "wall" | "piece" | "use_side" | "door" | "window" | "outline" | "way" | "relation";
+  readonly what: "wall" | "piece" | "use_side" | "door" | "window" | "outline" | "floor" | "way" | "relation";
   readonly towards: "north" | "east" | "south" | "west";
   readonly cost_per_m: number;
   readonly message: string;
@@ -644,11 +644,10 @@ export interface Unread {
   readonly reason: string;
 }
 
-/** Who uses a piece must get to these sides: `any` one of them, or `all`; `clearance` is the depth wished there, m. */
+/** Who uses a piece must get to these sides: `any` one of them, or `all`. */
 export interface Use {
   readonly sides: readonly ("front" | "back" | "left" | "right")[];
   readonly need?: "any" | "all";
-  readonly clearance?: number;
 }
 
 /** What breaks which rule and by how much, measures, and where wanted the whole scene in words, and what a profile of access asks. */

@@ -20,6 +20,7 @@ function holderWords({ by, what, towards }: Hold): string {
     if (by === null) return say("its relations");
     return what === "use_side" ? say("room to use {piece}", { piece: pieceWords(by) }) : pieceWords(by);
   }
+  if (what === "floor") return by === null ? say("floor kept free") : say("floor kept free at {piece}", { piece: pieceWords(by) });
   if (what === "wall") return say("wall in the {side}", { side: sayAny(towards) });
   return say(({ door: "the door's floor", window: "the window's floor", outline: "the outline", way: "a way" } as const)[what]);
 }
