@@ -247,6 +247,7 @@ def _add_readers(commands: Commands) -> None:
     view = _command(commands, "view", "Write a scene for a person to read.")
     _add_scene(view)
     view.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write the text (standard output)")
+    _add_catalog(view)
     explain = _command(commands, "explain", "Say where a piece of a generated home was wished, and what holds it back from there.")
     explain.add_argument("scene", metavar="SCENE", help="a scene, YAML or JSON; - for standard input")
     explain.add_argument("id", metavar="ID", help="of a piece of furniture")

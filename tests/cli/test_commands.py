@@ -248,11 +248,12 @@ def test_kinds_that_no_catalog_knows_are_told_with_the_option_that_helps(tmp_pat
     rooms = [{"id": "den", "width": 4, "depth": 3, "furniture": [ours, {**ours, "id": "own", "kind": "record_cabinet", "z": 2.4}]}]
     path = tmp_path / "den.json"
     path.write_text(json.dumps({"rooms": rooms}))
-    main(["validate", str(path)])
     told = b"no catalog here knows record_cabinet: --catalog names a folder of your own\n"
-    assert told in capfdbinary.readouterr().err
-    main(["export", str(path), "-f", "csv", "--catalog", str(ROOT / "catalogs" / "example")])
-    assert told not in capfdbinary.readouterr().err
+    for command in (["validate", str(path)], ["view", str(path)], ["explain", str(path), "own"], ["export", str(path), "-f", "csv"]):
+        main(command)
+        assert told in capfdbinary.readouterr().err
+        main([*command, "--catalog", str(ROOT / "catalogs" / "example")])
+        assert told not in capfdbinary.readouterr().err
 
 
 def test_what_was_decorated_is_known(house: Path, tmp_path: Path, capfdbinary: Captured) -> None:

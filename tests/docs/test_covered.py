@@ -141,6 +141,18 @@ def test_every_command_and_option_is_explained() -> None:
         assert [option for option in options if f"`{option}" not in told] == [], name
 
 
+def test_every_shared_option_is_said_to_be_of_the_commands_that_take_it() -> None:
+    (commands,) = [action for action in parser()._actions if isinstance(action, _SubParsersAction)]
+    takes = {name: {word for one in command._actions for word in one.option_strings} for name, command in commands.choices.items()}
+    told: dict[str, set[str]] = {}
+    for option, of, *_ in rows(section("cli.md", "Options of several commands")):
+        named, word = set(words(of)), words(option)[0].split()[0]
+        (like, *_) = [*(one for one in named if one.startswith("--")), ""]
+        told[word] = told[like] - named if like else set(takes) - named if of.startswith("all but") else named
+    assert {"--catalog", "--assets", "--license", "--engine", "--output", "--format"} <= set(told)
+    assert told == {word: {name for name, options in takes.items() if word in options} for word in told}
+
+
 def test_the_words_of_the_glossary_are_in_order_and_few() -> None:
     told = [cells[0] for cells in rows(text_of("glossary.md"))]
     assert told == sorted(told, key=str.lower)
