@@ -147,7 +147,7 @@ def test_every_shared_option_is_said_to_be_of_the_commands_that_take_it() -> Non
     told: dict[str, set[str]] = {}
     for option, of, *_ in rows(section("cli.md", "Options of several commands")):
         named, word = set(words(of)), words(option)[0].split()[0]
-        (like, *_) = [*(one for one in named if one.startswith("--")), ""]
+        like = next((one for one in named if one.startswith("--")), None)
         told[word] = told[like] - named if like else set(takes) - named if of.startswith("all but") else named
     assert {"--catalog", "--assets", "--license", "--engine", "--output", "--format"} <= set(told)
     assert told == {word: {name for name, options in takes.items() if word in options} for word in told}
