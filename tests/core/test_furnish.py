@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "5619d0569eab70c5a9bd122d3dae57893a97ab1cf6d57e93a9308d2261e87336"
+GOLDEN = "fb906d9530e75d07dcc02997db570283b98f0a49ab5359612151928a9b33d2b6"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 
