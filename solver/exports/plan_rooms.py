@@ -5,9 +5,9 @@ Comes in: a storey's floors, walls and what stands in the way. Goes out: `RoomLa
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import Final, Literal, NamedTuple
 
 from solver.exports.model import FloorPlate, WallPanel
@@ -38,6 +38,10 @@ _SAID: Final = {
 """What one says of room types whose names' parts stand in another order, or are short."""
 _LEAST_SHRINK: Final = 0.62
 """How much smaller a name may be written to fit its room."""
+MOST_CORNERS: Final = 16
+"""Of a room with more corners no arms are looked for."""
+APART: Final = 1e-6
+"""What lies farther inside of an outline, m, is not on it."""
 _UPRIGHT: Final = 0.75
 """A name is written upright where level it would have to be smaller than this share of that."""
 
@@ -146,10 +150,29 @@ def _longest(corners: Sequence[tuple[float, float]], axis: Literal["x", "z"]) ->
 def label_of(room: PlanRoom) -> RoomLabel:
     """Returns where a room's name stands: least over furniture, next to the middle; in two rows, smaller or upright where it is narrow.
 
-    Its size is written where that costs the name nothing.
+    Its size is written where that costs the name nothing. Where it would leave a room with arms, it stands in the one with most room.
     """
+    label = _label_in(room, _bounds(room.corners))
+    if _within(label_box(label), room.corners):
+        return label
+    inside = [one for one in (_label_in(room, box) for box in _rectangles(room.corners)) if _within(label_box(one), room.corners)]
+    return max(inside, key=lambda one: (one.size, bool(one.measures), one.small), default=label)
+
+
+def _rectangles(corners: Sequence[tuple[float, float]]) -> Iterator[PlanBox]:
+    """Yields the rectangles between lines of a room's outline that lie within it, the largest first; none where it has many corners."""
+    if len(corners) > MOST_CORNERS:
+        return
+    spans = [[*combinations(sorted({corner[k] for corner in corners}), 2)] for k in (0, 1)]
+    boxes = [(x0, z0, x1, z1) for x0, x1 in spans[0] for z0, z1 in spans[1]]
+    largest = sorted(boxes, key=lambda box: ((box[0] - box[2]) * (box[3] - box[1]), box))
+    yield from (box for box in largest if _within((box[0] + APART, box[1] + APART, box[2] - APART, box[3] - APART), corners))
+
+
+def _label_in(room: PlanRoom, bounds: PlanBox) -> RoomLabel:
+    """Returns where a room's name stands within bounds."""
     area, measures = doubled_area(room.corners) / 2, " × ".join(map(length_of, clear_size(room.corners)))
-    x0, z0, x1, z1 = _bounds(room.corners)
+    x0, z0, x1, z1 = bounds
 
     def fit(rows: tuple[str, ...], below: str, upright: bool) -> tuple[float, float]:
         """How large the name and what is below it may be, as shares of what they should be."""

@@ -119,6 +119,21 @@ def test_names_stay_between_the_walls_in_two_rows_where_one_is_too_long(scale: i
     assert [box for box in map(label_box, storey.labels) for wall in storey.walls if meet(box, wall)] == []
 
 
+@pytest.mark.parametrize("scale", [50, 75, 100, 125, 150])
+@pytest.mark.parametrize("turned", [False, True])
+def test_the_name_of_a_room_with_arms_stands_in_one_of_them(scale: int, turned: bool) -> None:
+    """A hallway round a bedroom's corner: 4.5 m along one wall and 2.2 m along the other, 1.0 and 1.1 m wide."""
+    arms = [(0.0, 1.2, 4.5, 2.2), (3.4, 0.0, 4.5, 2.2)]
+    corners = [(3.4, 0.0), (4.5, 0.0), (4.5, 2.2), (0.0, 2.2), (0.0, 1.2), (3.4, 1.2)]
+    if turned:
+        arms, corners = [(z0, x0, z1, x1) for x0, z0, x1, z1 in arms], [(z, x) for x, z in reversed(corners)]
+    width, depth = max(x for x, _ in corners), max(z for _, z in corners)
+    hall = Room("hall", type="hallway", width=width, depth=depth, outline=tuple(corners))
+    (storey,) = storeys_of(describe(Scene(rooms=(hall,), wall_thickness=0.1), load_catalogs()), scale)
+    x0, z0, x1, z1 = label_box(storey.labels[0])
+    assert any(a <= x0 and b <= z0 and x1 <= c and z1 <= d for a, b, c, d in arms)
+
+
 def test_the_whole_is_the_outermost_chain_where_a_side_has_no_openings() -> None:
     """Two rooms beside each other, their doors to the south: what is seen from the north is their wall, then the whole."""
     doors = [(Opening(id=name, kind="door", wall="south", position=2.0, width=0.9, height=2.0),) for name in ("one", "two")]
