@@ -82,7 +82,7 @@ def _verdicts(repair: RoomRepair) -> Iterator[_Verdict]:
         known.update(verdict.ids)
         yield verdict
     if repair.unreached:
-        pieces = pieces_as_sent(replace(repair.problem, room=repair.room))
+        pieces = pieces_as_sent(replace(repair.problem, room=repair.sound))
         asked = _WhyNot(repair, pieces, Budget(work / WALKING_SHARE))
         for label in repair.unreached:
             if label not in known:

@@ -26,7 +26,6 @@ from solver.repair import (
     put_to_rest,
     seated_along,
     with_walls_told,
-    without,
 )
 from solver.scene import Conflict, Fixed, Issue, Pose, Room, Scene
 from solver.scene_bodies import body_ids, check_ids, moves_between, people_in
@@ -159,10 +158,11 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     open_rooms = {issue.room for issue in alone.errors if issue.rule != "floating"}  # what floats is put to rest without moving any piece
     again = {name: until_nothing_changes(repair) for name, repair in repairs.items() if repair.whole and name in open_rooms}
     alone = _with_rooms(alone, {name: repair.answer for name, repair in again.items()})
-    sound = {name: without(repair.answer, {*repair.unplaced, *repair.misplaced}) for name, repair in repairs.items() if not repair.whole}
+    repairs |= again
+    sound = {name: repair.sound for name, repair in repairs.items() if not repair.whole}
     here = _by_room(_with_rooms(alone, sound).errors)  # of what only a body that leaves its room shuts its own conflict tells
-    for name, repair in again.items():
-        repairs[name] = replace(repair, unreached=unreached_in(repair, here[name]))
+    for name in (*again, *sound):
+        repairs[name] = replace(repairs[name], unreached=unreached_in(repairs[name], here[name]))
     return _with_rooms(house, {name: repair.answer for name, repair in repairs.items()}), list(repairs.values())
 
 

@@ -48,6 +48,11 @@ class RoomRepair:
         return not self.unplaced and not self.misplaced
 
     @property
+    def sound(self) -> Room:
+        """The room without what found no place, or stands wrongly."""
+        return without(self.room, {*self.unplaced, *self.misplaced})
+
+    @property
     def answer(self) -> Room:
         """The room as it is answered: where that was asked for, without what cannot stand and all it carries."""
         return without(self.room, self.unplaced) if self.problem.settings.remove else self.room
@@ -89,7 +94,7 @@ def until_nothing_changes(repair: RoomRepair) -> RoomRepair:
 
 def unreached_in(repair: RoomRepair, errors: Sequence[Issue]) -> tuple[str, ...]:
     """Returns which pieces of a repaired room stand but cannot all be used, by what the validator says of it."""
-    labels = {piece.label for piece in pieces_as_sent(replace(repair.problem, room=repair.room))}
+    labels = {piece.label for piece in pieces_as_sent(replace(repair.problem, room=repair.sound))}
     return tuple(label for issue in errors if issue.rule == "unreachable" for label in issue.ids if label in labels)
 
 

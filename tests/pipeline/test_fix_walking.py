@@ -48,6 +48,14 @@ def test_what_can_stand_but_not_be_reached_is_a_conflict_with_the_place_to_stand
     assert [other.message[:23] for other in fixed.conflicts[1:]] == ["not found: out of reach"]
 
 
+def test_what_could_not_be_reached_without_a_piece_locked_outside_either_has_a_conflict_of_its_own() -> None:
+    chest = body("chest_1", 4.0, 1.3, (0.6, 0.6, 0.8), locked=True)
+    bed = body("bed_1", 1.0, 0.5, (2.0, 0.9, 0.5))
+    conflicts = fix(room_of(chest, bed, width=2.0, depth=2.6)).conflicts
+    assert [conflict.ids for conflict in conflicts] == [(chest.id,), (bed.id,)]
+    assert conflicts[1].message.startswith("bed 2.00 x 0.90 m can stand but cannot be reached in room_0")
+
+
 def test_no_place_to_stand_is_looked_for_where_geometry_cannot_be_repaired() -> None:
     scene = room_of(body("bed_1", 1.0, 1.0, (1.8, 1.8, 0.5)), body("wardrobe_1", 1.0, 1.0, (1.8, 0.6, 2.0)), width=2.0, depth=2.0)
     messages = [conflict.message for conflict in fix(scene).conflicts]
