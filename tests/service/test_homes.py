@@ -23,6 +23,7 @@ from service.store.saved_homes import KEPT_VERSIONS, Keeping, PackedScene, Saved
 from service.store.store_tables import TABLES
 from solver.errors import FieldError
 from solver.exchange import read_scene, write_scene
+from tests.service.heavy import PATIENCE_S
 from tests.service.problems import entry_of, problem_of
 from tests.service.stores import KEYS, client_of
 
@@ -281,32 +282,52 @@ def test_a_clock_that_jumps_hides_no_home_and_no_change(place: str) -> None:
             homes.remove("finn", home, -1)
 
 
-def test_many_who_write_without_pause_let_another_write_in_his_turn(tmp_path: Path) -> None:
-    """By counts: between two writes of one the others have a turn each, and never hundreds."""
-    others = 7
-    with closing(Database(str(tmp_path / "homes.sqlite"))) as database:
-        homes, ended, written = SavedHomes(database), Event(), [0] * others
-        home = homes.add("gil", {"name": "a", "notes": "", "tags": ()}, PackedScene(b"1", 1)).id
+class Line(list[Any]):
+    """Those who wait for their turn; knows who came and who went, in order."""
 
-        def write(number: int) -> None:
+    def __init__(self) -> None:
+        super().__init__()
+        self.came, self.went = list[Any](), list[Any]()
+
+    def append(self, one: Any) -> None:
+        self.came.append(one)
+        super().append(one)
+
+    def remove(self, one: Any) -> None:
+        self.went.append(one)
+        super().remove(one)
+
+
+def test_many_who_write_without_pause_let_another_write_in_his_turn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By order: who asks first writes first, so that between two writes of one the others have a turn each, and never hundreds."""
+    others = 7
+    monkeypatch.setattr("service.store.database.WAIT_S", PATIENCE_S)
+    with closing(Database(str(tmp_path / "homes.sqlite"))) as database:
+        homes, ended, begun = SavedHomes(database), Event(), Barrier(others + 1)
+        home = homes.add("gil", {"name": "a", "notes": "", "tags": ()}, PackedScene(b"1", 1)).id
+        line = Line()
+        monkeypatch.setattr(database._turns, "_line", line)
+
+        def write() -> None:
+            homes.put_picture("gil", home, b"picture", "image/png")
+            begun.wait(PATIENCE_S)
             while not ended.is_set():
                 homes.put_picture("gil", home, b"picture", "image/png")
-                written[number] += 1
 
-        threads = [Thread(target=write, args=(number,)) for number in range(others)]
+        threads = [Thread(target=write) for _ in range(others)]
         for thread in threads:
             thread.start()
-        while min(written) == 0:
-            pass
-        gaps, before = list[int](), sum(written)
-        for _ in range(60):
-            with database.writing():
-                gaps.append(sum(written) - before)
-                before += gaps[-1]
-        ended.set()
-        for thread in threads:
-            thread.join()
-        assert max(gaps) <= 3 * others
+        try:
+            begun.wait(PATIENCE_S)
+            for _ in range(60):
+                with database.writing():
+                    pass
+        finally:
+            ended.set()
+            for thread in threads:
+                thread.join()
+        assert line.went == line.came
+        assert len(line.came) >= 60 + others
 
 
 def test_a_turn_that_does_not_come_is_said_and_holds_nobody_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
