@@ -12,10 +12,19 @@ from service.admission import Admitted
 from service.app import ComposeApp, create_app
 from service.keys import KeyRing
 from service.service_settings import Settings
+from tests.service.heavy import PATIENCE_S
 from tests.service.stores import KEYS, postgresql
 
 SMALL = {"seed": 42, "width": 8.0, "depth": 6.0}
 """A request whose house is made quickly."""
+
+
+@pytest.fixture(scope="session", autouse=True)
+def patient_store() -> Iterator[None]:
+    """On busy cores a writer's turn may come late: no test of this process is about how long a store waits, but who says so."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("service.store.database.WAIT_S", PATIENCE_S)
+        yield
 
 
 @pytest.fixture(scope="session")
@@ -45,7 +54,8 @@ def place(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 @pytest.fixture(scope="module")
 def app(place: str) -> Iterator[ComposeApp]:
     """An application that keeps its homes and jobs there, for those with KEYS."""
-    app = create_app(settings=Settings(allow_host=("*",), store=place), admitted=Admitted(KeyRing(KEYS.items())))
+    settings = Settings(allow_host=("*",), store=place, request_seconds=PATIENCE_S)
+    app = create_app(settings=settings, admitted=Admitted(KeyRing(KEYS.items())))
     with TestClient(app) as entered:
         app.state.portal = entered.portal
         yield app

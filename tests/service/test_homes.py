@@ -301,7 +301,6 @@ class Line(list[Any]):
 def test_many_who_write_without_pause_let_another_write_in_his_turn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """By order: who asks first writes first, so that between two writes of one the others have a turn each, and never hundreds."""
     others = 7
-    monkeypatch.setattr("service.store.database.WAIT_S", PATIENCE_S)
     with closing(Database(str(tmp_path / "homes.sqlite"))) as database:
         homes, ended, begun = SavedHomes(database), Event(), Barrier(others + 1)
         home = homes.add("gil", {"name": "a", "notes": "", "tags": ()}, PackedScene(b"1", 1)).id

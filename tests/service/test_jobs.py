@@ -23,7 +23,7 @@ from tests.service.problems import entry_of
 from tests.service.stores import client_of
 
 SMALL: dict[str, Any] = {"width": 4.0, "depth": 4.0}
-GUARD_S = 120
+GUARD_S = 600
 
 
 def told(text: str) -> list[tuple[str, dict[str, Any]]]:
@@ -139,9 +139,9 @@ def test_a_job_outlives_the_service_that_took_it_on(tmp_path: Path) -> None:
     words, seeds = (0, "--store", str(tmp_path / "homes.sqlite")), list(range(40))
     with running(*words) as service:
         job = httpx2.post(
-            f"{service.address}jobs", json={"call": "generate", "body": {"program": "studio"}, "seeds": seeds}, timeout=60
+            f"{service.address}jobs", json={"call": "generate", "body": {"program": "studio"}, "seeds": seeds}, timeout=GUARD_S
         ).json()["id"]
-        while (before := httpx2.get(f"{service.address}jobs/{job}", timeout=60).json())["done"] < 2:
+        while (before := httpx2.get(f"{service.address}jobs/{job}", timeout=GUARD_S).json())["done"] < 2:
             time.sleep(0.05)
         service.process.kill()
         service.process.wait()
