@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
 from threading import Thread
@@ -211,7 +212,8 @@ def wire_faults(service: ServiceProcess, seeds: Iterable[int]) -> list[str]:
     """Returns what a service, which was started with SHORT, answers as it must not."""
     # It says of each request that is none that it is none; where nobody hears that, it waits.
     Thread(target=cast(TextIO, service.process.stderr).read, daemon=True).start()
-    return asyncio.run(_faults(service.address, iter(seeds)))
+    with ThreadPoolExecutor(1) as thread:  # of its own: this one may have a loop of a browser's, which tests before it began
+        return thread.submit(asyncio.run, _faults(service.address, iter(seeds))).result()
 
 
 async def _faults(address: str, left: Iterator[int]) -> list[str]:
