@@ -16,7 +16,7 @@ Category = Literal[
     "decor", "electronics", "vehicle", "structure", "water", "dynamic", "misc",
 ]  # fmt: skip
 Side = Literal["front", "back", "left", "right"]
-Colour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$")]
+Colour = Annotated[str, Field(pattern=r"^#[0-9a-f]{6}$", description="a colour, #rrggbb in small letters")]
 Metres = Annotated[float, Field(gt=0, le=100, allow_inf_nan=False)]
 Share = Annotated[float, Field(ge=0, le=1)]
 """A part of a whole, 0 to 1."""

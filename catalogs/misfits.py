@@ -42,7 +42,7 @@ def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:
     if first["type"] in LENGTHS:
         bound, words = LENGTHS[first["type"]]
         return Fault("", at, f"has {first['ctx']['actual_length']} entries", f"{words} {first['ctx'][bound]}")
-    if first["type"].endswith(OTHER_FORMS):
+    if first["type"].endswith((*OTHER_FORMS, "_pattern_mismatch")):
         return Fault("", at, f"is {called(first['input'])}", _allowed(schema, at))
     return Fault("", at, first["msg"].removeprefix("Value error, ").replace("Input should", "should"))
 

@@ -81,11 +81,11 @@ class ShapePart(Entry):
     material: MaterialName = "body"
     mirror: Literal["x", "z", "xz"] | None = None
     hollow: Hollow | None = None
-    name: Annotated[str, Field(pattern="^[a-z][a-z_]*$")] | None = None
+    name: Annotated[str, Field(pattern="^[a-z][a-z_]*$", description="small letters and _")] | None = None
     opens: Opens | None = None
     range: Annotated[float, Field(gt=0, le=180)] | None = None
     must_open: bool = False
-    moves_with: Annotated[str, Field(pattern="^[a-z][a-z_]*$")] | None = Field(default=None, alias="with")
+    moves_with: Annotated[str, Field(pattern="^[a-z][a-z_]*$", description="small letters and _")] | None = Field(default=None, alias="with")
 
     @model_validator(mode="after")
     def _opens_sensibly(self) -> ShapePart:

@@ -122,7 +122,7 @@ SLIPS = [
     Slip(FURNITURE, "size: [1.6, 2.0, 0.9]", "size: [1.605, 2.0, 0.9]", "bed.size.0", "1.605", "centimetres"),
     Slip(FURNITURE, "size: [1.6, 2.0, 0.9]", "size: [-1.6, 2.0, 0.9]", "bed.size.0", "-1.6", "greater"),
     Slip(FURNITURE, "size: [1.6, 2.0, 0.9]", "size: [.nan, 2.0, 0.9]", "bed.size.0", ".nan", "finite"),
-    Slip(FURNITURE, 'color: "#4169e1"', 'color: "blue"', "bed.color", "blue", "pattern"),
+    Slip(FURNITURE, 'color: "#4169e1"', 'color: "blue"', "bed.color", "blue", "#rrggbb"),
     Slip(FURNITURE, "name: bed,", "name: bad,", "king_bed.name", "name: bad", "category"),
     Slip(DECORATIONS, "size: [0.09, 0.09, 0.1]", "size: [0.095, 0.09, 0.1]", "mug.size.0", "0.095", "centimetres"),
     Slip(DECORATIONS, "group: drinkware", "group: cups", "mug.group", "group: cups", "soft_goods"),
