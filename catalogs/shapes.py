@@ -30,6 +30,8 @@ QUARTER: Final = 90.0
 DRAWN: Final = 0.8
 """How much of its tray's depth a drawer comes out unless it says otherwise."""
 Ratio = Annotated[float, Field(ge=0, le=10)]
+FrontName = Annotated[str, Field(pattern="^[a-z][a-z_]*$", description="small letters and _")]
+"""What a part that opens is called."""
 
 
 def _ordered(ends: tuple[Any, Any]) -> tuple[Any, Any]:
@@ -81,11 +83,11 @@ class ShapePart(Entry):
     material: MaterialName = "body"
     mirror: Literal["x", "z", "xz"] | None = None
     hollow: Hollow | None = None
-    name: Annotated[str, Field(pattern="^[a-z][a-z_]*$", description="small letters and _")] | None = None
+    name: FrontName | None = None
     opens: Opens | None = None
     range: Annotated[float, Field(gt=0, le=180)] | None = None
     must_open: bool = False
-    moves_with: Annotated[str, Field(pattern="^[a-z][a-z_]*$", description="small letters and _")] | None = Field(default=None, alias="with")
+    moves_with: FrontName | None = Field(default=None, alias="with")
 
     @model_validator(mode="after")
     def _opens_sensibly(self) -> ShapePart:
