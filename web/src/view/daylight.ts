@@ -7,11 +7,11 @@ export const SKY = new Color("#b9c8d6");
 const GRASS = "#8a9d74";
 /** The hour that a home is shown at first, and when the sun stands highest and in the south; how fast it goes round. */
 export const FIRST_HOUR = 15;
-const NOON = 13;
-const TURN = (24 * Math.PI) / 180;
-const HIGHEST = Math.sin((63 * Math.PI) / 180);
+const NOON = 12;
+const TURN = (16 * Math.PI) / 180;
+const HIGHEST = Math.sin((75 * Math.PI) / 180);
 /** From noon until it sets. */
-const HALF_DAY = 7;
+const HALF_DAY = 8;
 /** Light at noon, and when the sun is about to set: what falls from it and from the sky. */
 const [HIGH, LOW] = [{ sun: new Color("#fff4e2"), strength: 2.2, sky: 2.5 }, { sun: new Color("#ffae66"), strength: 1.5, sky: 1.5 }];
 /** The sine of the height over the horizon from which on light is as at noon. */
