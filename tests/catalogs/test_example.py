@@ -140,7 +140,7 @@ MISTAKES = [
     Mistake("decorating.yaml", "put: record_player", "put: rug", "record_cabinet.lies.0.put", "larger than its surface"),
     Mistake("decorating.yaml", "surface: shelf", "surface: cellar", "record_cabinet.lies.1.surface", "unknown surface"),
     Mistake("styles.yaml", "floors: {wood:", "floors: {moss:", "coastal.floors.moss", "moss"),
-    Mistake("styles.yaml", '"#7fa3b8"', '"sea"', "coastal.palette.seating.0", "pattern"),
+    Mistake("styles.yaml", '"#7fa3b8"', '"sea"', "coastal.palette.seating.0", "#rrggbb"),
     Mistake("presets.yaml", "music_room: 1", "ballroom: 1", "musician.rooms.ballroom", "music_room"),
     Mistake("people.yaml", "rooms: music_room", "rooms: ballroom", "musicians.rooms", "unknown room type"),
     Mistake("rooms/music_room.yaml", "of: piano", "of: violin", "pieces.1.rules.0.of", "violin"),

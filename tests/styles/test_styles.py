@@ -126,7 +126,7 @@ def test_a_new_style_is_one_entry(tmp_path: Path) -> None:
     ("written", "key", "line", "words"),
     [
         ('x:\n  palette:\n    sofaa: ["#aabbcc"]', "x.palette.sofaa", 3, "unknown kind or category 'sofaa'"),
-        ('x:\n  palette:\n    sofa: ["red"]', "x.palette.sofa.0", 3, "pattern"),
+        ('x:\n  palette:\n    sofa: ["red"]', "x.palette.sofa.0", 3, "#rrggbb"),
         (
             'x:\n  palette: {}\n  floors:\n    wood:\n      - {type: lava, color: "#aabbcc"}',
             "x.floors.wood.0.type",

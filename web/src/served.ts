@@ -185,6 +185,7 @@ export interface Furniture {
 export interface FurnitureSpec {
   readonly shape?: string | null;
   readonly size: readonly [number, number, number];
+  /** a colour, #rrggbb in small letters */
   readonly color: string;
   readonly variants?: readonly string[];
   readonly surfaces?: readonly Surface[];
@@ -668,5 +669,6 @@ export interface WallFinish {
 /** The finish of a room's walls and its colour. */
 export interface WallPaint {
   readonly type: "plaster" | "wallpaper" | "wood" | "brick" | "concrete" | "tile";
+  /** a colour, #rrggbb in small letters */
   readonly color: string;
 }
