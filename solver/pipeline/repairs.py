@@ -64,6 +64,7 @@ def repairs_of(goal: RepairGoal, members: Sequence[str], short: Shortfall | None
         short: which lengths are missing, if that is known.
     """
     bodies, locked = goal.bodies, goal.locks
+    members = [member for member in members if member in bodies]  # what ends another conflict may leave one out
     loose = [bodies[member] for member in members if member not in locked]
     leaving = [repair for member in members if (repair := _tried(goal, {"action": "leave_out", "id": member}))]
     moves = [_set_free(goal, body) for body in loose if isinstance(body, Furniture) and body.wall is not None]
@@ -160,7 +161,7 @@ def _with(problem: RoomProblem, repair: Repair) -> RoomProblem:
 def _shrunk_by_lengths(goal: RepairGoal, short: Shortfall) -> Iterator[Repair | None]:
     """Tries to take the missing millimetres off each body of the chain, off the side that lies along it."""
     bodies = goal.bodies
-    free = [length for length in short.lengths if length.label]
+    free = [length for length in short.lengths if length.label in bodies]
     for length in sorted(free, key=lambda one: -one.mm):
         repair = _shrunk(bodies[length.label], "depth" if length.is_depth else "width", short.missing_mm)
         yield _tried(goal, repair) if repair else None

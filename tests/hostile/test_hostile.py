@@ -97,3 +97,9 @@ def test_no_request_that_is_spoilt_on_the_wire_is_taken_for_another_or_answered_
 def test_what_must_not_be_answered_is_seen(answer: bytes) -> None:
     assert wrong_in(answer)
     assert not wrong_in(b'HTTP/1.1 404 Not Found\r\n\r\n{"errors": [{"problem": "There is no /a%0d%0aX-Injected: yes."}]}')
+
+
+def test_a_piece_that_two_conflicts_name_is_left_out_once() -> None:
+    """What ends one conflict took a member of another away, whose repairs were then looked for: KeyError."""
+    sent = hostile(881374)
+    assert isinstance(do(Job(sent.call, sent.body, "json", "json", packed(load_catalogs()))), Response)
