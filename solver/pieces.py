@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple, Protocol
+from typing import Literal, NamedTuple, Protocol
 
 from solver.body_rows import LooksBySize
 from solver.fields import late, maker_in
@@ -32,6 +32,10 @@ class Zone:
     cause: str
 
 
+Walked = Literal["in", "through", "not"]
+"""What a door is to who walks in a room: one of those by which one comes into the house, to be joined with the others, or neither."""
+
+
 @dataclass(frozen=True)
 class Doorway:
     """A door or passage as the walk sees it: its square inside the room, and the wall it is in.
@@ -43,6 +47,7 @@ class Doorway:
     wall: str
     square: Rect
     connects_to: str
+    walked: Walked = "through"
 
 
 @dataclass(frozen=True)

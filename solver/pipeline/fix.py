@@ -17,7 +17,7 @@ from solver.named_assets import with_assets
 from solver.pipeline.conflicts import conflicts_of
 from solver.pipeline.left_over import cleaned, unexplained
 from solver.pipeline.repair_room import RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
-from solver.pipeline.room_spaces import room_problem
+from solver.pipeline.room_spaces import as_walked_in, room_problem
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import is_call_spent
 from solver.repair import (
@@ -150,7 +150,8 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     broken = _rooms_to_look_at(alone.scene, alone.errors)
     settings = replace(settings, explaining_work=_share(len(broken)) / (1 if settings.offering else WHY_SHARE))
     here = _by_room(alone.errors)
-    problems = {room.id: room_problem(alone.scene, room, here[room.id], settings) for room in alone.scene.rooms}
+    walked = as_walked_in(alone.scene)
+    problems = {room.id: walked(room_problem(alone.scene, room, here[room.id], settings)) for room in alone.scene.rooms}
     repairs = {
         name: repair_room(problem) if name in broken and not is_call_spent() else unchanged(problem) for name, problem in problems.items()
     }

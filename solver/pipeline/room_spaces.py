@@ -6,12 +6,13 @@ Comes in: a scene. Goes out: what tells a room's space, `RoomProblem`s. May impo
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 from solver.furnish import space_of
 from solver.furnish.zones import bounds_of, outline_edges
-from solver.pieces import Space
+from solver.pieces import Doorway, Space, Walked
 from solver.repair import RepairSettings, RoomProblem, Walls
-from solver.scene import WALLS, Issue, Room, Scene, robot_width_of
+from solver.scene import EXTERIOR, WALLS, Issue, Room, Scene, robot_width_of
 
 
 def spaces_in(scene: Scene) -> Callable[[Room], Space]:
@@ -24,6 +25,29 @@ def spaces_in(scene: Scene) -> Callable[[Room], Space]:
                 beyond.setdefault(opening.connects_to, {})[room.id] = room
     robot_width = robot_width_of(scene)
     return lambda room: space_of(room, scene.wall_thickness, robot_width, tuple(beyond.get(room.id, {}).values()))
+
+
+def as_walked_in(scene: Scene) -> Callable[[RoomProblem], RoomProblem]:
+    """Returns what leaves in a room's problem the doors that the rule `unreachable` asks for.
+
+    One comes in by one of the storey's entrances, whichever. What else leads outside, or to no room of the storey, need not be come to.
+    """
+    levels = {room.id: room.level for room in scene.rooms}
+    ways = [(room.level, one) for room in scene.rooms for one in room.openings if one.kind != "window"]
+    main = {(level, one.id) for level, one in ways if one.main_entrance}
+    with_main = {level for level, _ in main}
+    entrances = main | {(level, one.id) for level, one in ways if one.connects_to == EXTERIOR and level not in with_main}
+
+    def use(door: Doorway, level: int) -> Walked:
+        if (level, door.id) in entrances:
+            return "in"
+        return "through" if levels.get(door.connects_to) == level else "not"
+
+    def walked(problem: RoomProblem) -> RoomProblem:
+        doorways = (replace(door, walked=use(door, problem.room.level)) for door in problem.space.doorways)
+        return replace(problem, space=replace(problem.space, doorways=tuple(doorways)))
+
+    return walked
 
 
 def room_problem(scene: Scene, room: Room, errors: Iterable[Issue], settings: RepairSettings) -> RoomProblem:

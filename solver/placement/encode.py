@@ -200,10 +200,11 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, R
         tables.add(piece, walk)
     charge(ROOM_ROWS_WORK + CANDIDATE_WORK * len(tables.candidates) + ZONE_WORK * len(space.zones))
     _group(tables.rows, pieces)
+    outer, through = ([door for door in space.doorways if door.walked == way] for way in ("in", "through"))
     room = RoomArrays(
-        _space_row(space, walk),
+        _space_row(space, walk, len(outer)),
         _matrix([value for zone in space.zones for value in _zone_row(zone)], 6),
-        _matrix([value for door in space.doorways for value in door_target(space, door)], 4),
+        _matrix([value for door in (*outer, *through) for value in door_target(space, door)], 4),
         _matrix([value for row in tables.rows for value in row], 9),
         np.array([piece.skip_cost for piece in pieces], dtype=np.float64),
         _matrix(tables.sides, 3),
@@ -233,8 +234,8 @@ def _group(rows: list[list[int]], pieces: Sequence[Piece]) -> None:
             rows[k][layout.GROUP_END] = rows[k + 1][layout.GROUP_END]
 
 
-def _space_row(space: Space, walk: str) -> Ints:
+def _space_row(space: Space, walk: str, outer: int) -> Ints:
     clear = space.clear
     least_floor = 0 if walk == "none" else LEAST_FLOOR_MM2
-    row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm]
+    row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm, outer]
     return np.array(row, dtype=np.int64)

@@ -56,6 +56,21 @@ def test_what_could_not_be_reached_without_a_piece_locked_outside_either_has_a_c
     assert conflicts[1].message.startswith("bed 2.00 x 0.90 m can stand but cannot be reached in room_0")
 
 
+@pytest.mark.parametrize("main", [False, True])
+@pytest.mark.parametrize("behind", [False, True])
+def test_only_what_the_way_in_needs_is_joined(main: bool, behind: bool) -> None:
+    """A bar parts a room with doors outside at both ends, the near one perhaps the main entrance; a chest leaves it on one side."""
+    bar = body("wardrobe_1", 1.5, 2.5, (3.0, 0.6, 2.0))
+    chest = body("chest_1", 0.3, 0.5 if behind else 3.2, (0.8, 0.4, 0.8))
+    ends = [replace(DOOR, id=wall, wall=wall, main_entrance=main and wall == "south") for wall in ("south", "north")]
+    scene = room_of(bar, chest, width=3.0, depth=5.0, openings=tuple(ends))
+    fixed = fix(scene)
+    assert errors(fixed.scene) == [] or fixed.conflicts
+    if not (main and behind):
+        assert fixed.conflicts == ()
+        assert [(move.id, move.dx, move.dz) for move in fixed.moves] == [(chest.id, 0.1, 0.0)]
+
+
 def test_no_place_to_stand_is_looked_for_where_geometry_cannot_be_repaired() -> None:
     scene = room_of(body("bed_1", 1.0, 1.0, (1.8, 1.8, 0.5)), body("wardrobe_1", 1.0, 1.0, (1.8, 0.6, 2.0)), width=2.0, depth=2.0)
     messages = [conflict.message for conflict in fix(scene).conflicts]

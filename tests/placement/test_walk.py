@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import pytest
 
 from solver.free_floor import FreeFloor
 from solver.geometry import LEAST_FLOOR_MM2, Rect
-from solver.pieces import Candidate, Doorway, Piece, Space, Stand, Zone
+from solver.pieces import Candidate, Doorway, Piece, Space, Stand, Walked, Zone
 from solver.placement import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
+from solver.placement.walkable import find_walkable
 from solver.streams import Stream
 from tests.oracles.walk import missed, side_towards
 
@@ -101,14 +102,14 @@ class Raster:
 
 
 def raster_walks(space: Space, bodies: Sequence[Body], least_mm2: int = LEAST_FLOOR_MM2) -> bool:
-    """Moves the square from the first door."""
+    """Moves the square from all doors that one comes into the house by at once; without one from the first door."""
     raster = Raster(space, bodies)
-    goals = [([through(space, door)], True) for door in space.doorways]
+    outer = [through(space, door) for door in space.doorways if door.walked == "in"]
+    goals = [([through(space, door)], True) for door in space.doorways if door.walked == "through"]
     goals += [([touching(b.rect, side_towards(side, b.rotation)) for side in b.sides], b.need_all) for b in bodies if b.sides]
-    for start in sorted(goals[0][0][0]):
-        if not raster.free(*start):
-            continue
-        seen = raster.flood(start)
+    starts = [[point for door in outer for point in door]] if outer else [[point] for point in sorted(goals[0][0][0])]
+    for start in starts:
+        seen = {point for one in start if raster.free(*one) for point in raster.flood(one)}
         met = [[bool(seen & side) for side in sides] for sides, _ in goals]
         if all(all(m) if need_all else any(m) for m, (_, need_all) in zip(met, goals, strict=True)) and raster.area(seen) >= least_mm2:
             return True
@@ -157,6 +158,36 @@ def random_case(seed: int, unit: int) -> tuple[Space, list[Body]]:
 def test_the_walk_agrees_with_the_raster(seed: int) -> None:
     space, bodies = random_case(seed, 100)
     assert walks(space, bodies) == raster_walks(space, bodies)
+
+
+def with_outer_doors(seed: int) -> tuple[Space, list[Body]]:
+    """The same with one to all of its doors leading out of the house, and some that need not be come to."""
+    space, bodies = random_case(seed, 100)
+    stream = Stream(seed, "outer doors")
+    ways: tuple[Walked, ...] = ("in", "in", "through", "not")
+    uses = ["in" if k == 0 else stream.pick(ways) for k in range(len(space.doorways))]
+    return replace(space, doorways=tuple(replace(door, walked=use) for door, use in zip(space.doorways, uses, strict=True))), bodies
+
+
+@pytest.mark.parametrize("block", range(4))
+def test_outer_doors_are_joined_outside(block: int) -> None:
+    verdicts, eased = [], []
+    for seed in range(block, 400, 4):
+        space, bodies = with_outer_doors(seed)
+        verdicts.append(walks(space, bodies))
+        assert verdicts[-1] == raster_walks(space, bodies), seed
+        joined = replace(space, doorways=tuple(replace(door, walked="through") for door in space.doorways))
+        eased.append(verdicts[-1] and not walks(joined, bodies))
+    assert set(verdicts) == set(eased) == {True, False}
+
+
+def test_no_body_bars_the_way_where_one_can_come_in_on_both_sides() -> None:
+    """A bar from wall to wall: what is used on its far side can be come to by the other door."""
+    other = Doorway("door_2", "north", Rect(2100, 0, 3000, 900), "EXTERIOR", "in")
+    bar = Body(Rect(0, 1400, 3000, 1500), 0, ("front",)).wanted("bar")
+    chest = CHEST.wanted("chest")
+    for doors, verdict in ((DOOR, other), False), ((replace(DOOR, walked="in"), other), True), ((replace(DOOR, walked="in"),), False):
+        assert find_walkable(replace(ROOM, doorways=doors), (bar, chest), Budget())[0] is verdict, doors
 
 
 def test_the_cases_ask_for_what_they_should() -> None:

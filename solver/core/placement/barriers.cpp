@@ -42,6 +42,7 @@ static void keep_door(const Work& work, const Part& stand, const Door& door, Wal
 }
 
 void add_barriers(const Room& room, const Work& work, i64 known) {
+  if (room.space->outer > 1) return;  // one can come in on both sides
   const i64 count = work.counts->parts;
   for (i64 k = 0; k < count; k++) {
     const Part& stand = work.parts[k];

@@ -43,16 +43,16 @@ static Door entry_of(const SpaceRow& space, Door door, i64 wider) {
   return door;
 }
 
-// Collects the doors, which are the first targets.
+// Collects the doors, which are the first targets; of those that are joined outside one is enough.
 static void gather_doors(const Room& room, const WalkGrid& grid) {
   GridState& state = *grid.state.data;
   state.targets = 0;
-  const i64 wider = state.width - room.space->robot;
+  const i64 wider = state.width - room.space->robot, others = most<i64>(room.space->outer - 1, 0);
   for (i64 k = 0; k < room.doors.size; k++) {
     const Door door = wider > 0 ? entry_of(*room.space.data, room.doors[k], wider) : room.doors[k];
-    grid.targets[state.targets++] = {{door.low[0], door.low[1]}, {door.high[0], door.high[1]}, k};
+    grid.targets[state.targets++] = {{door.low[0], door.low[1]}, {door.high[0], door.high[1]}, most<i64>(k - others, 0)};
   }
-  state.numbers = room.doors.size;
+  state.numbers = room.doors.size - others;
 }
 
 // Collects the use sides, which are no matter for who is wider than the person.
@@ -201,6 +201,35 @@ static void find_runs(const WalkGrid& grid, i32 nx, i32 nz) {
   grid.first_run[nx] = count;
 }
 
+// The cells whose closed rectangles meet a target.
+static Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
+  Cells cells;
+  for (i64 axis = 0; axis < 2; axis++) {
+    const i64* const cuts = grid.cuts.row(axis).data;
+    const i64 count = grid.state->cuts[axis];
+    i64 low = 0, high = 0;  // cuts below its ends: there are few, and each comparison is as good as a guess
+    for (i64 k = 0; k < count; k++) {
+      low += cuts[k] < target.low[axis];
+      high += cuts[k] < target.high[axis];
+    }
+    cells.first[axis] = static_cast<i32>(most<i64>(low - 1, 0));
+    cells.last[axis] = static_cast<i32>(least(high, count - 1));
+  }
+  return cells;
+}
+
+// Joins all runs that meet doors which are joined outside.
+static void join_outside(const Room& room, const WalkGrid& grid) {
+  i32 joined = -1;
+  for (i64 k = 0; k < room.space->outer; k++) {
+    any_met(grid, cells_of(grid, grid.targets[k]), [&](i32 run) {
+      const i32 own = first_joined(grid.runs, run), one = joined < 0 ? own : first_joined(grid.runs, joined);
+      joined = grid.runs[most(own, one)].component = least(own, one);
+      return false;
+    });
+  }
+}
+
 // Numbers the components of free cells from 1, by their first cells, and sums their areas, doubled millimetres squared.
 static void number_components(const WalkGrid& grid, i32 nx) {
   const Span<i64> xs = grid.cuts.row(0), zs = grid.cuts.row(1);
@@ -219,23 +248,6 @@ static void number_components(const WalkGrid& grid, i32 nx) {
   grid.state->components = count;
 }
 
-// The cells whose closed rectangles meet a target.
-static Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
-  Cells cells;
-  for (i64 axis = 0; axis < 2; axis++) {
-    const i64* const cuts = grid.cuts.row(axis).data;
-    const i64 count = grid.state->cuts[axis];
-    i64 low = 0, high = 0;  // cuts below its ends: there are few, and each comparison is as good as a guess
-    for (i64 k = 0; k < count; k++) {
-      low += cuts[k] < target.low[axis];
-      high += cuts[k] < target.high[axis];
-    }
-    cells.first[axis] = static_cast<i32>(most<i64>(low - 1, 0));
-    cells.last[axis] = static_cast<i32>(least(high, count - 1));
-  }
-  return cells;
-}
-
 // Counts what each component meets, of the targets of one number one.
 static void count_reached(const WalkGrid& grid) {
   for (i64 c = 0; c <= grid.state->components; c++) grid.reached[c] = {0, -1};
@@ -250,7 +262,7 @@ static void count_reached(const WalkGrid& grid) {
   }
 }
 
-// The component one walks in: of those at the first door the one that meets most; without doors the largest.
+// The component one walks in: at the doors joined outside, else at the first one, that which meets most; without doors the largest.
 static i64 entered_of(const Room& room, const WalkGrid& grid) {
   i64 best = 0;
   if (room.doors.size == 0) {
@@ -259,10 +271,12 @@ static i64 entered_of(const Room& room, const WalkGrid& grid) {
     }
     return best;
   }
-  any_met(grid, cells_of(grid, grid.targets[0]), [&](i32 c) {
-    if (best == 0 || grid.reached[c].count > grid.reached[best].count) best = c;
-    return false;
-  });
+  for (i64 k = 0; k < most<i64>(room.space->outer, 1); k++) {
+    any_met(grid, cells_of(grid, grid.targets[k]), [&](i32 c) {
+      if (best == 0 || grid.reached[c].count > grid.reached[best].count) best = c;
+      return false;
+    });
+  }
   return best;
 }
 
@@ -279,6 +293,7 @@ static bool part_floor(const Room& room, const WalkGrid& grid) {
   const i32 nx = static_cast<i32>(state.cuts[0]) - 1, nz = static_cast<i32>(state.cuts[1]) - 1;
   mark_blocked(grid, nx, nz);
   find_runs(grid, nx, nz);
+  join_outside(room, grid);
   number_components(grid, nx);
   count_reached(grid);
   return true;

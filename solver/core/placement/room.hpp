@@ -26,6 +26,7 @@ struct SpaceRow {
   i64 cover;  // mm2 of floor to be covered, or 0
   i64 least_floor;  // mm2 of free centres that a person must have
   i64 ways;  // how wide the ways from door to door are; no more than `robot` asks for nothing
+  i64 outer;  // how many of the first doors one comes in by from outside the house: they are joined there
 };
 
 // A rectangle above which height it counts, and whether it is a part missing from the room.
@@ -105,7 +106,7 @@ using Decisions = Span<i64>;
 inline i64 candidate_of(i64 decision) { return decision / 8; }
 inline i64 sides_of(i64 decision) { return decision % 8; }
 
-static_assert(sizeof(SpaceRow) == 9 * 8 && sizeof(Zone) == 6 * 8 && sizeof(Door) == 4 * 8 && sizeof(PieceRow) == 9 * 8);
+static_assert(sizeof(SpaceRow) == 10 * 8 && sizeof(Zone) == 6 * 8 && sizeof(Door) == 4 * 8 && sizeof(PieceRow) == 9 * 8);
 static_assert(sizeof(SidesRow) == 3 * 8 && sizeof(CandidateRow) == 24 * 8 && sizeof(CandidateCost) == 3 * 8);
 static_assert(sizeof(LinkRow) == 4 * 8 && sizeof(LinkCost) == 5 * 8);
 

@@ -57,7 +57,7 @@ class Asked {
   Span<placement::SpaceRow> space() const {
     const Rect& clear = room_.scope.clear;
     const Span<placement::SpaceRow> found = reserved<placement::SpaceRow>(1);
-    found[0] = {{clear.x0, clear.z0}, {clear.x1, clear.z1}, room_.scope.gap, robot_, room_.header.cover, LEAST_FLOOR_MM2, ways_};
+    found[0] = {{clear.x0, clear.z0}, {clear.x1, clear.z1}, room_.scope.gap, robot_, room_.header.cover, LEAST_FLOOR_MM2, ways_, 0};
     return found;
   }
 
