@@ -66,8 +66,10 @@ def picture_of(model: HouseModel, level: int) -> bytes:
     _draw_shapes(canvas, model, level)
     colors = np.asarray(canvas.colors.reduce(SAMPLES), dtype=np.float32)
     # The lowest of a pixel's samples: else a high edge's pixel would keep the light and the colour of what lies beside it.
-    samples = np.asarray(canvas.heights, dtype=np.float32).reshape(size[1], SAMPLES, size[0], SAMPLES)
-    heights = np.minimum(samples.min(axis=(1, 3)), _TALL)
+    samples = np.asarray(canvas.heights, dtype=np.float32)
+    heights = np.full((size[1], size[0]), _TALL, dtype=np.float32)
+    for row, column in np.ndindex(SAMPLES, SAMPLES):
+        np.minimum(heights, samples[row::SAMPLES, column::SAMPLES], out=heights)
     lit = np.clip(colors * _light(heights, scale)[:, :, None], 0, 255).astype(np.uint8)
     content = io.BytesIO()
     Image.fromarray(lit).save(content, "PNG")
@@ -134,16 +136,15 @@ def _light(heights: Heights, scale: float) -> npt.NDArray[np.float32]:
         above = np.maximum(_blurred(heights, reach * scale) - heights, 0.0)
         open_sky -= weight * np.minimum(above / (reach * 2.5), 1.0)
     east, south, longest = _SUN
-    shadow = np.zeros_like(heights)
+    shadow = np.zeros(heights.shape, dtype=np.bool_)
     steps = max(1, round(longest * scale / 3))
     for step in range(1, steps + 1):
         height = longest * step / steps
         right, down = round(east * height * scale), round(south * height * scale)
         if not (right or down) or right >= heights.shape[1] or down >= heights.shape[0]:
             continue
-        higher = heights[: heights.shape[0] - down, : heights.shape[1] - right] - heights[down:, right:] > height
-        shadow[down:, right:] = np.maximum(shadow[down:, right:], higher)
-    soft = _blurred(shadow, 0.02 * scale)
+        shadow[down:, right:] |= heights[: heights.shape[0] - down, : heights.shape[1] - right] - heights[down:, right:] > height
+    soft = _blurred(shadow.astype(np.float32), 0.02 * scale)
     light: npt.NDArray[np.float32] = np.maximum(open_sky, _OPEN) * (1.0 - _SHADOW * soft) * 1.04
     return light
 
@@ -152,9 +153,16 @@ def _blurred(values: Heights, radius: float) -> Heights:
     """Returns values, each the mean of those around it: two box blurs, edges repeated."""
     width = max(1, round(radius))
     for axis in (0, 1, 0, 1):
-        padded = np.pad(values, [(width + 1, width) if axis == at else (0, 0) for at in (0, 1)], mode="edge")
-        sums = np.cumsum(padded, axis=axis, dtype=np.float64)
-        span = 2 * width + 1
-        upper, lower = (sums[span:], sums[:-span]) if axis == 0 else (sums[:, span:], sums[:, :-span])
-        values = ((upper - lower) / span).astype(np.float32)
+        padded = np.pad(values, [(width, width) if axis == at else (0, 0) for at in (0, 1)], mode="edge")
+        sums = _summed(padded, 2 * width + 1) if axis == 0 else _summed(padded.T, 2 * width + 1).T
+        values = sums / np.float32(2 * width + 1)
     return values
+
+
+def _summed(rows: Heights, count: int) -> Heights:
+    """Returns the sum of each so many rows that follow each other: that of half as many, twice."""
+    if count == 1:
+        return rows
+    half = _summed(rows, count // 2)
+    even = half[: len(half) - count // 2] + half[count // 2 :]
+    return even if count % 2 == 0 else even[:-1] + rows[count - 1 :]
