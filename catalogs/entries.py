@@ -103,6 +103,33 @@ class KindSpec(Entry):
     labels: Words = ()
 
 
+class Use(Entry):
+    """Who uses a piece must get to these sides: `any` one of them, or `all`."""
+
+    sides: tuple[Side, ...] = Field(min_length=1)
+    need: Literal["any", "all"] = "any"
+
+
+class Comfort(Entry):
+    """Floor at a side of a piece that is better kept free: `depth` m, all but `behind` m.
+
+    That is from its back on at its left and right, and from the piece on at its front, where a piano has its stool. Doing without the
+    floor costs `cost`, shared by the sides.
+    """
+
+    depth: Metres
+    behind: Annotated[float, Field(ge=0, le=10)] = 0.0
+    cost: Cost = 0.6
+
+
+def _comfort(value: Any) -> Any:
+    """Lets a number stand for floor so deep along the whole side."""
+    return {"depth": value} if isinstance(value, int | float) and not isinstance(value, bool) else value
+
+
+ComfortFloor = Annotated[Comfort, BeforeValidator(_comfort, json_schema_input_type=Metres | Comfort)]
+
+
 class Synonym(Entry):
     """What others call a kind, or a room of a type: `known_as`, in small letters. Its key is a kind's (a room type's) where it `means` one.
 

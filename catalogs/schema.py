@@ -11,9 +11,9 @@ from functools import lru_cache
 from hashlib import blake2b
 from itertools import chain
 from math import sqrt
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, ValidationError, model_validator
 from pydantic.json_schema import SkipJsonSchema
 
 from catalogs.access_profiles import AccessProfile
@@ -26,6 +26,7 @@ from catalogs.entries import (
     ROOM_TYPE,
     Category,
     Colour,
+    ComfortFloor,
     Cost,
     Entry,
     FlooringName,
@@ -37,9 +38,11 @@ from catalogs.entries import (
     RoomTypeNames,
     Side,
     Synonym,
+    Use,
     Words,
 )  # fmt: skip
 from catalogs.guessing import Evidence, Mark
+from catalogs.misfits import misfit
 from catalogs.programmes import Home, Preset
 from catalogs.shapes import Material, Solid
 from catalogs.styles import Style
@@ -48,33 +51,6 @@ RelationWord = Literal[
     "against_wall", "in_corner", "beside", "in_front_of", "opposite", "facing", "near", "far_from", "around",
     "aligned_with", "centred", "in_row", "at_window", "near_door", "far_from_door", "on", "under",
 ]  # fmt: skip
-
-
-class Use(Entry):
-    """Who uses a piece must get to these sides: `any` one of them, or `all`."""
-
-    sides: tuple[Side, ...] = Field(min_length=1)
-    need: Literal["any", "all"] = "any"
-
-
-class Comfort(Entry):
-    """Floor at a side of a piece that is better kept free: `depth` m, all but `behind` m.
-
-    That is from its back on at its left and right, and from the piece on at its front, where a piano has its stool. Doing without the
-    floor costs `cost`, shared by the sides.
-    """
-
-    depth: Metres
-    behind: Annotated[float, Field(ge=0, le=10)] = 0.0
-    cost: Cost = 0.6
-
-
-def _comfort(value: Any) -> Any:
-    """Lets a number stand for floor so deep along the whole side."""
-    return {"depth": value} if isinstance(value, int | float) and not isinstance(value, bool) else value
-
-
-ComfortFloor = Annotated[Comfort, BeforeValidator(_comfort, json_schema_input_type=Metres | Comfort)]
 
 
 class FurnitureSpec(KindSpec):
@@ -114,6 +90,23 @@ class RelationSpec(Entry):
     align: Literal["back", "centre", "front", "any"] | None = None
     walls: dict[Literal["door", "window", "exterior", "plain", "short", "long"], Cost] = Field(default_factory=dict)
     wall: Literal["same", "opposite", "adjacent", "other"] | None = None
+
+    if not TYPE_CHECKING:
+
+        def __init__(self, **said: Any) -> None:
+            """Makes one that is written in Python.
+
+            Raises:
+                ValueError: names the key, and what is allowed.
+            """
+            try:
+                super().__init__(**said)
+            except ValidationError as error:
+                wrong = misfit(error, type(self).model_json_schema())
+                words = f" (allowed: {wrong.allowed})" if wrong.allowed else ""
+                raise ValueError(f"{'.'.join(map(str, wrong.at))}: {wrong.problem}{words}") from None
+
+        __init__.__pydantic_base_init__ = True  # what pydantic reads goes past it
 
 
 class Habit(Entry):

@@ -51,7 +51,6 @@ from solver.named_kinds import with_kinds
 from solver.pipeline.import_plan import import_plan
 from solver.pipeline.own_plan import furnish
 from solver.plain import Document
-from solver.requested import PieceRequest
 from solver.scene import NO_ACCESS, Fixed, Generated, Request, Scene
 from solver.scene_bodies import body_ids, check_ids
 from solver.understanding import understood
@@ -142,23 +141,7 @@ def take_in_hand(body: DragBody, catalogs: Catalogs) -> DragAnswer:
     return DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies)
 
 
-def read_place(document: object) -> PlaceBody:
-    """Reads the body of /place; a piece without an id is called by its name, and the other way round.
-
-    Raises:
-        FieldError: a field is wrong.
-    """
-    body = read(PlaceBody, document)
-    return replace(body, pieces=tuple(_named(index, wish) for index, wish in enumerate(body.pieces)))
-
-
-def _named(index: int, wish: PieceRequest) -> PieceRequest:
-    if not wish.id and not wish.name:
-        raise FieldError(f"pieces[{index}].id", "is missing, and so is the name", "an id, or a name")
-    return replace(wish, id=wish.id or wish.name, name=wish.name or wish.id)
-
-
-@_call("place", reads=read_place)
+@_call("place")
 def place_pieces(body: PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> PlaceAnswer:
     """Places a list of pieces, with their relations, in a room of the caller's own."""
     with limited_to(body.effort) as work:

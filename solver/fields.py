@@ -282,6 +282,8 @@ class Record:
             if part.name in keys:
                 keys[part.name].pop("title", None)
                 keys[part.name] |= {} if part.default_factory is MISSING else {"default": part.default_factory()}
+                if part.default == "" and keys[part.name].get("minLength"):
+                    del keys[part.name]["default"]  # it says that the key is absent
         if EXTRA not in cls.__dict__["__dataclass_fields__"]:
             whole["additionalProperties"] = False
         if handler.mode == "serialization":

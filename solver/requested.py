@@ -20,7 +20,7 @@ from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from catalogs.synonyms import synonyms_of
 from solver.errors import RequestError
-from solver.fields import MADE_UP, STRICT, WHOLE, Flag, Record
+from solver.fields import STRICT, WHOLE, Flag, Record
 from solver.relations import RELATIONS
 from solver.relations.subject import Kind, as_its_size_says
 from solver.scene import Conflict, Issue, Room, Scene
@@ -41,7 +41,7 @@ GIVING_PLACE: Final = tuple(word for word, relation in RELATIONS.items() if rela
 """Relations that give a piece its place at another one, which must then be placed before it."""
 
 WishedMetres = Annotated[float, STRICT, Ge(LEAST_LENGTH), Le(MOST_LENGTH)]
-WishedName = Annotated[str, MinLen(1), MaxLen(100), STRICT, MADE_UP]
+WishedName = Annotated[str, MinLen(1), MaxLen(100), STRICT]
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,8 @@ class PieceRequest(Record):
     """One line of the list: what is wanted, how large, how many times, and how it relates to the rest.
 
     Args:
-        id: what relations call it; the body's id in the scene, with _1, _2, ... behind it where `count` is above 1.
-        name: a kind of the catalogs, or any word.
+        id: what relations call it; the body's id in the scene, with _1, _2, ... behind it where `count` is above 1. Its name by default.
+        name: a kind of the catalogs, or any word. Its id by default.
         width: across the front, m; None for the kind's own.
         depth: front to back, m.
         height: m.
@@ -59,14 +59,19 @@ class PieceRequest(Record):
         relations: rules of the catalogs' vocabulary; `of` names ids of requests or of what stands in the room already.
     """
 
-    id: WishedName
-    name: WishedName
+    id: WishedName = ""
+    name: WishedName = ""
     width: WishedMetres | None = None
     depth: WishedMetres | None = None
     height: WishedMetres | None = None
     count: Annotated[int, Ge(1), Le(MOST_PIECES), WHOLE] = 1
     required: Flag = True
     relations: Annotated[tuple[RelationSpec, ...], MaxLen(MOST_RELATIONS)] = ()
+
+    def __post_init__(self) -> None:
+        """Calls a piece without an id by its name, and the other way round."""
+        object.__setattr__(self, "id", self.id or self.name)
+        object.__setattr__(self, "name", self.name or self.id)
 
     @property
     def size(self) -> tuple[float, float, float] | None:
@@ -98,13 +103,13 @@ def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) ->
 
 
 def _check_identity(field: str, request: PieceRequest, taken: set[str]) -> None:
-    if not request.id or request.id in OPENINGS:
+    if not request.id:
+        raise RequestError(f"{field}.id", "is missing, and so is the name", "an id, or a name")
+    if request.id in OPENINGS:
         raise RequestError(f"{field}.id", f"is {request.id!r}", f"a text that is none of {', '.join(OPENINGS)}")
     for label in dict.fromkeys((request.id, *request.labels)):
         if label in taken:
             raise RequestError(f"{field}.id", f"{label!r} is given twice", "ids that differ, also from those of what stands in the room")
-    if not request.name:
-        raise RequestError(f"{field}.name", "is empty", "a kind of the catalog, or any word")
     if not 1 <= request.count <= MOST_PIECES:
         raise RequestError(f"{field}.count", f"is {request.count}", f"a whole number from 1 to {MOST_PIECES}")
 

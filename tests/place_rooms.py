@@ -16,8 +16,9 @@ from time import process_time
 from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
-from service.calls import read_place
+from service.contract import PlaceBody
 from solver import place
+from solver.exchange import read
 from solver.requested import Placement
 from tests.place_oracle import Oracle
 
@@ -182,7 +183,7 @@ class Tally:
 
 def timed(seed: int, catalogs: Catalogs) -> tuple[Placement, float]:
     """Places a seed's room; returns the best placement and the CPU time it took, ms."""
-    body = read_place(place_request(seed))
+    body = read(PlaceBody, place_request(seed))
     start = process_time()
     best = place(body.room, body.pieces, wall_thickness=body.wall_thickness, catalogs=catalogs).best
     return best, 1000 * (process_time() - start)

@@ -13,11 +13,10 @@ from struct import Struct
 from typing import Final, TypeVar
 
 from catalogs.decoration_types import ALL, INDOOR, SURFACE, Decorating, DecoratingRow, DecorationKind, Hangs, Holds, Lies, Stands
-from catalogs.entries import Side, Surface
+from catalogs.entries import Comfort, Side, Surface
 from catalogs.fronts import FrontFloor, floor_before
 from catalogs.insides import InsideSurface, insides_of
 from catalogs.kind_book import KindBook
-from catalogs.schema import Comfort
 from catalogs.styles import Leaning
 from solver.body_rows import LooksBySize
 from solver.decorations.decoration_settings import DecorationSettings

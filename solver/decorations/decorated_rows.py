@@ -10,8 +10,7 @@ from functools import lru_cache
 from struct import Struct, pack
 from typing import Final
 
-from catalogs.entries import Side
-from catalogs.schema import Comfort
+from catalogs.entries import Comfort, Side
 from solver.body_rows import BodyKey, BodyTurn, DecorationRows, furniture_turns
 from solver.decorations.compiled_decorating import CompiledDecorating, millimetres
 from solver.decorations.decoration_settings import DecorationSettings

@@ -10,9 +10,9 @@ from math import ceil, floor
 from typing import Final, NamedTuple
 
 from catalogs.access_profiles import AccessProfile, AccessRule
-from catalogs.entries import Side
+from catalogs.entries import Comfort, Side
 from catalogs.fronts import FrontFloor, floor_before
-from catalogs.schema import Comfort, FurnitureSpec
+from catalogs.schema import FurnitureSpec
 from catalogs.shapes import Solid
 from solver.geometry import to_mm
 

@@ -12,10 +12,11 @@ from typing import Final, NamedTuple
 
 from catalogs import Catalogs
 from catalogs.decoration_types import DecorationKind
+from catalogs.entries import Use
 from catalogs.fronts import UnitFront, fronts_of
 from catalogs.insides import insides_of
 from catalogs.kind_book import KindBook
-from catalogs.schema import FurnitureSpec, Use
+from catalogs.schema import FurnitureSpec
 from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
 from solver.body_parts import is_round

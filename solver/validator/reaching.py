@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-from catalogs.schema import Use
+from catalogs.entries import Use
 from solver.geometry import LEAST_FLOOR_MM2
 from solver.scene import Furniture
 from solver.validator.judging import Finding, RuleCase

@@ -12,8 +12,8 @@ from statistics import fmean, median
 from typing import Any
 
 from catalogs import load_catalogs
-from service.calls import read_place
-from solver.exchange import read_scene
+from service.contract import PlaceBody
+from solver.exchange import read, read_scene
 from solver.furnish import scope_of, space_of
 from solver.relations.held import FinishedRoom, held, standing
 from solver.requested import checked, labels_by_name, relations_of
@@ -48,7 +48,7 @@ def figures(track: str, tasks: Sequence[Mapping[str, Any]], answers: Answers) ->
 
 
 def _relations(task: Mapping[str, Any], answer: Mapping[str, Any] | None) -> Figures:
-    body = read_place({key: value for key, value in task.items() if key != "id"})
+    body = read(PlaceBody, {key: value for key, value in task.items() if key != "id"})
     asked = list(relations_of(body.pieces))
     wanted = [label for piece in body.pieces for label in piece.labels]
     if answer is None:

@@ -15,10 +15,10 @@ from time import process_time
 from typing import Any, Final
 
 from catalogs import load_catalogs
-from service.calls import read_place
+from service.contract import PlaceBody
 from solver import fix, place
 from solver.errors import ComposeError, FieldError
-from solver.exchange import read_scene, write_scene
+from solver.exchange import read, read_scene, write_scene
 from solver.furnished import furnished
 from solver.imported import ImportSettings
 from solver.imports import READERS, PlanFile, format_of_plan, imported
@@ -105,7 +105,7 @@ def ours(track: str, tasks: list[Task]) -> Iterator[dict[str, Any]]:
 
 
 def _placed(task: Task) -> Scene:
-    body = read_place({key: value for key, value in task.items() if key != "id"})
+    body = read(PlaceBody, {key: value for key, value in task.items() if key != "id"})
     return place(body.room, body.pieces, wall_thickness=body.wall_thickness).best.scene
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import json
 import pickle
+import re
 from inspect import isclass, isfunction
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,23 @@ import pytest
 
 import compose_homes
 from catalogs import add_assets, load_catalogs
-from compose_homes import ComposeError, Request, RequestError, Room, Scene, SceneError, SyntaxFault, dump, fix, generate, load, validate
+from compose_homes import (
+    ComposeError,
+    PieceRequest,
+    RelationSpec,
+    Request,
+    RequestError,
+    Room,
+    Scene,
+    SceneError,
+    SyntaxFault,
+    dump,
+    fix,
+    generate,
+    load,
+    place,
+    validate,
+)
 from solver import validator
 
 PUBLIC = {name: getattr(compose_homes, name) for name in compose_homes.__all__}
@@ -124,6 +141,30 @@ def test_a_request_made_in_python_is_checked(wrong: dict[str, Any], field: str) 
 def test_what_is_no_request_is_refused() -> None:
     with pytest.raises(RequestError, match="request: is an object"):
         generate({"seed": 3})  # type: ignore[arg-type]
+
+
+def test_a_piece_is_called_by_what_is_said_of_it() -> None:
+    assert PieceRequest("desk") == PieceRequest(name="desk") == PieceRequest("desk", "desk")
+    assert {piece.id for piece in place(Room("den", width=4, depth=3), [PieceRequest("desk")]).best.scene.rooms[0].furniture} == {"desk"}
+    with pytest.raises(RequestError, match=r"pieces\[1\].id: is missing, and so is the name"):
+        place(Room("den", width=4, depth=3), [PieceRequest("desk"), PieceRequest(width=1.0)])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        ({"type": "besides"}, "type: is 'besides'; beside? (allowed: 'against_wall', "),
+        ({"type": "near", "off": "desk"}, "off: unknown key; of? (allowed: type, of, "),
+        ({"of": "desk"}, "type: is missing (allowed: against_wall, "),
+        ({"type": "near", "cost": -1}, "cost: should be greater than or equal to 0"),
+        ({"type": "against_wall", "walls": {"doors": 1}}, "walls.doors: is 'doors'; door? (allowed: 'door', "),
+        ({"type": "beside", "gap": (3, 1)}, "gap: must be [least, most]"),
+    ],
+)
+def test_a_wrong_relation_is_refused_in_the_words_of_the_catalogs(wrong: dict[str, Any], told: str) -> None:
+    with pytest.raises(ValueError, match=f"^{re.escape(told)}") as refused:
+        RelationSpec(**wrong)
+    assert type(refused.value) is ValueError
 
 
 def test_numbers_of_an_array_make_the_same_house(house: Scene) -> None:

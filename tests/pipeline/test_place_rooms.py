@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 
 from catalogs import load_catalogs
-from service.calls import read_place
+from service.contract import PlaceBody
 from solver import place
+from solver.exchange import read
 from solver.requested import Placement
 from tests.place_oracle import Oracle
 from tests.place_rooms import TYPES, place_request
@@ -26,7 +27,7 @@ def rooms() -> list[tuple[dict[str, Any], Placement]]:
     found = []
     for seed in SEEDS:
         request = place_request(seed)
-        body = read_place(request)
+        body = read(PlaceBody, request)
         answer = place(body.room, body.pieces, wall_thickness=body.wall_thickness, catalogs=CATALOGS)
         found.append((request, answer.best))
     return found

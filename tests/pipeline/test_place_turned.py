@@ -12,8 +12,9 @@ from typing import Any, NamedTuple
 import pytest
 
 from catalogs import load_catalogs
-from service.calls import read_place
+from service.contract import PlaceBody
 from solver import place
+from solver.exchange import read
 from solver.pipeline.frames import frame_of
 from solver.pipeline.place_task import task_of
 from solver.requested import Answered
@@ -42,7 +43,7 @@ class Verdict(NamedTuple):
 
 
 def answered(request: Request) -> Answered:
-    body = read_place(request)
+    body = read(PlaceBody, request)
     return place(body.room, body.pieces, wall_thickness=body.wall_thickness, catalogs=CATALOGS)
 
 
@@ -94,7 +95,7 @@ def test_lists_with_too_many_ways_are_searched_among_the_likeliest_only() -> Non
     room = {"id": "room", "width": 9.0, "depth": 8.0, "openings": []}
     ways = []
     for pieces in ([*tables, *chairs], tables[:1]):
-        body = read_place({"room": room, "pieces": pieces})
+        body = read(PlaceBody, {"room": room, "pieces": pieces})
         ways.append(task_of(body.room, body.pieces, CATALOGS, (0.1, 0.6, "osqp")).nearly_all)
     assert ways[0] is None
     assert ways[1] is not None
@@ -158,7 +159,7 @@ def test_the_frame_is_one_for_all_turned_and_mirrored_rooms() -> None:
     request = place_request(1)
     seen = []
     for other in (request, turned(request), turned(turned(request)), mirrored(request), mirrored(turned(request))):
-        room = read_place(other).room
+        room = read(PlaceBody, other).room
         seen.append(frame_of(room, (), (), ()).room(room))
     assert all(room == seen[0] for room in seen)
 

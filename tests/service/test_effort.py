@@ -11,13 +11,14 @@ import pytest
 from starlette.responses import Response
 
 from catalogs import load_catalogs
-from service.calls import CALLS, read_place
+from service.calls import CALLS
+from service.contract import PlaceBody
 from service.effort import EFFORTS, USUAL, Terms, limited_to, on_terms
 from service.packed_catalogs import packed
 from service.work import Job, do
 from solver import fix, place
 from solver.errors import FieldError
-from solver.exchange import read_scene
+from solver.exchange import read, read_scene
 from solver.pieces import Piece
 from solver.pipeline.judged_again import WALKED_WORK
 from solver.pipeline.left_over import LEAVING_WORK
@@ -59,7 +60,7 @@ def test_the_limit_ends_the_search_says_so_and_gives_the_same_bytes(call: str, b
 
 
 def place_sofas() -> None:
-    asked = read_place(SOFAS)
+    asked = read(PlaceBody, SOFAS)
     place(asked.room, asked.pieces, alternatives=asked.alternatives)
 
 

@@ -114,3 +114,14 @@ def test_a_wrong_field_is_named_with_what_is_allowed(client: TestClient, path: s
     (entry,) = problem_of(answer)["errors"]
     assert entry["field"] == field
     assert entry["allowed"]
+
+
+def test_a_piece_is_called_by_its_name_and_the_other_way_round(client: TestClient) -> None:
+    both = {"room": BODY["room"], "pieces": [{"id": "desk", "name": "desk"}, {"id": "sofa", "name": "sofa"}]}
+    one = {"room": BODY["room"], "pieces": [{"name": "desk"}, {"id": "sofa", "name": None}]}
+    answers = [client.post("/place", json=body).json() for body in (both, one)]
+    assert answers[0]["scene"] == answers[1]["scene"]
+    assert {piece["id"] for piece in answers[1]["scene"]["rooms"][0]["furniture"]} == {"desk", "sofa"}
+    assert [piece["id"] for piece in answers[1]["unplaced"]] == []
+    (told,) = problem_of(client.post("/place", json={"room": BODY["room"], "pieces": [{"name": "desk"}, {"width": 1.0}]}))["errors"]
+    assert (told["field"], told["problem"]) == ("pieces[1].id", "is missing, and so is the name")

@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from catalogs import Catalogs
-from catalogs.schema import Area, FurnitureSpec, PieceSpec, RoomType, Use, Variant
+from catalogs.entries import Use
+from catalogs.schema import Area, FurnitureSpec, PieceSpec, RoomType, Variant
 from solver.scene import Furniture, Issue, Opening, Room, Scene
 from solver.validator import validate
 
