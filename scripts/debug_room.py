@@ -24,7 +24,8 @@ from solver.exchange import read_request
 from solver.pieces import Arrangement, Attach, Candidate, Piece, Placed, Space
 from solver.pipeline.generate import wanted_in
 from solver.pipeline.reasons import REASON_WORK, with_lengths
-from solver.placement import Budget, feasible, minimal_conflict, place
+from solver.placement import Budget, SolvedRoom, arrange, feasible, finish, minimal_conflict, place
+from solver.placement.layout import ABSENT
 from solver.scene import Room, Scene
 
 Unwanted = Sequence[tuple[str, str]]
@@ -38,7 +39,8 @@ UNFOUND = "stands, but the search finds no such place"
 
 def described(room: Room, space: Space, wanted: Sequence[Piece], unwanted: Unwanted, tried: Sequence[Piece] = ()) -> Iterator[str]:
     """Tell how a room of a generated scene was furnished, line by line, and of every candidate of the pieces to be tried."""
-    (arrangement,) = place([(space, wanted)], tidy=True)
+    found = arrange(space, wanted, wide=True)
+    (arrangement,) = finish([found], tidy=True)
     standing = {placed.label: placed for placed in arrangement.placed}
     yield f"{room.id}: {room.type}, {room.width:g} x {room.depth:g} m, {_metres(*space.clear)} clear"
     for opening in room.openings:
@@ -54,9 +56,26 @@ def described(room: Room, space: Space, wanted: Sequence[Piece], unwanted: Unwan
     yield f"\nPLACED at cost {arrangement.cost:.3f}; proven: {arrangement.proven}, best: {arrangement.best}; {arrangement.solves} QPs"
     for placed in arrangement.placed:
         yield f"  {placed.label:26} {_metres(*placed.footprint)}; {_candidate(placed.chosen, standing)}"
+    yield from _summed(found, arrangement)
     yield from _refused(space, wanted, arrangement)
     for piece in tried:
         yield from _candidates(space, wanted, piece, arrangement)
+
+
+def _summed(found: SolvedRoom, arrangement: Arrangement) -> Iterator[str]:
+    """Tell what the floor that is better kept free costs, and what the cost of the room is the sum of."""
+    decided = zip(found.core.encoded.pieces, found.decisions.tolist(), strict=True)
+    floors = {piece.label: found.core.decided(decision).cost for piece, decision in decided if piece.is_floor and decision != ABSENT}
+    for label, cost in floors.items():
+        yield f"  {label}: {f'used, cost {cost:.2f}' if cost else 'kept free'}"
+    own, floor = sum(placed.chosen.cost for placed in arrangement.placed), sum(floors.values())
+    parts = {
+        "of pieces": own,
+        "of floor used": floor,
+        "of relations between pieces and of sides of use": found.preference - own - floor,
+        "of distances": arrangement.cost - found.preference,
+    }
+    yield f"  cost {arrangement.cost:.3f} = {' + '.join(f'{round(cost, 3) + 0.0:.3f} {of}' for of, cost in parts.items())}"
 
 
 def _metres(x0: int, z0: int, x1: int, z1: int) -> str:
@@ -167,8 +186,10 @@ class _Trial(NamedTuple):
         if stands:
             return self._beside_floor(way)
         members = minimal_conflict(self.space, pieces, self.label, Budget(REASON_WORK), True)
-        others = [member for member in members or () if member != self.label]
-        return f"cannot stand with {' and '.join(others)}" if others else "cannot stand"
+        if members is None:
+            return "cannot stand, with what was not found within the limit"
+        others = [member for member in members if member != self.label]
+        return f"cannot stand with {' and '.join(others)}" if others else "cannot stand even alone"
 
     def _beside_floor(self, way: Candidate) -> str:
         """Tell whether a candidate that can stand is worth it, and does so beside the floor that is better kept free."""
@@ -177,7 +198,8 @@ class _Trial(NamedTuple):
             return STANDS
         if self._cost(way) is None:
             dear = (self._cost(way, required=True) or 0.0) - (self._cost(None) or 0.0)
-            return f"{STANDS}, but costs {dear:.2f}: more than to leave it out" if dear > self._tried.skip_cost else UNFOUND
+            is_left_out = not self._tried.required and dear > self._tried.skip_cost
+            return f"{STANDS}, but costs {dear:.2f}: more than to leave it out" if is_left_out else UNFOUND
         taken = [label for label in floor if self._cost(way, [label]) is None] or ["floor that is better kept free"]
         return f"{STANDS}, but takes {' and '.join(f'the {label}' for label in taken)}"
 
@@ -190,7 +212,8 @@ class _Trial(NamedTuple):
         fixed = {one.label: one for one in self.asked} | {one.label: one for one in self.wanted if one.label in floor}
         del fixed[self.label]
         if way is not None:
-            fixed[self.label] = replace(self._tried, required=required, candidates=(way,), links=())
+            needed = required or self._tried.required
+            fixed[self.label] = replace(self._tried, required=needed, candidates=(way,), links=())
         (made,) = place([(self.space, [fixed[one.label] for one in self.wanted if one.label in fixed])])
         return made.cost if way is None or any(placed.label == self.label for placed in made.placed) else None
 

@@ -36,6 +36,21 @@ def test_it_tells_what_was_wanted_what_stands_and_what_was_refused(capsys: pytes
     assert f"CANDIDATES of {missing}" in told
 
 
+def test_the_costs_that_are_told_add_up(living_room: Room, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*STUDIO]) == 0
+    wanted, rest = capsys.readouterr().out.split("\nPLACED at cost ")
+    placed = rest.split("\nREFUSED")[0].splitlines()
+    *rows, last = [line for line in placed if line.startswith("  ")]
+    total, pieces, floor, relations, distances = map(float, re.findall(r"-?\d+\.\d+", last))
+    assert f"{total:.3f}" == placed[0].split(";")[0]
+    assert total == pytest.approx(pieces + floor + relations + distances, abs=0.003)
+    told = [float(row.rpartition(", cost ")[2]) for row in rows if not row.startswith("  floor ")]
+    assert len(told) == len(living_room.furniture) > 5
+    assert pieces == pytest.approx(sum(told), abs=0.005 * len(told))
+    floors = [row.strip().partition(":")[0] for row in rows if row.startswith("  floor ") and not row.startswith("  floor_")]
+    assert len(floors) > 3 and all(f"  {label} " in wanted for label in floors)
+
+
 def test_a_room_that_is_not_there_is_refused_with_those_that_are(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--seed", str(SEED), "--program", "studio", "--room", "ballroom_3"]) == 2
     assert "living_room_" in capsys.readouterr().err
@@ -158,3 +173,23 @@ def test_floor_better_kept_free_that_a_candidate_takes_is_named() -> None:
     verdict, why = told(BED, floor, Piece("chest_1", False, (free("chest", 500),)))
     assert verdict == "stands, but takes the floor at the right of bed_1"
     assert why == "why: it can stand only as told above"
+
+
+def test_floor_that_is_used_is_told_with_what_that_costs() -> None:
+    beside = Candidate("floor", (600, 1200, 1800), 0, None, (0, 0), attach=Attach("bed_1", "bed", (1500, 1500), (0, 0)))
+    none = Candidate("floor", (1, 1, 1800), 0, None, (0, 0), cost=1.5, attach=Attach("bed_1", "bed", (0, 1500), (0, 0)))
+    floor = Piece("floor at the right of bed_1", True, (beside, none), is_floor=True)
+    space, chest = Space("den", Rect(0, 0, 3000, 2000), (), ()), Piece("chest_1", True, (free("chest", 500),))
+    used = list(described(Room("den", width=3.0, depth=2.0), space, (BED, chest, floor), ()))
+    assert "  floor at the right of bed_1: used, cost 1.50" in used
+    assert re.search(r"= 0\.000 of pieces \+ 1\.500 of floor used \+ 0\.000 of relations", used[-1])
+    kept = list(described(Room("den", width=3.0, depth=2.0), space, (BED, floor), ()))
+    assert "  floor at the right of bed_1: kept free" in kept
+
+
+def test_a_required_piece_is_not_said_to_be_better_left_out() -> None:
+    assert told(BED, Piece("chest_1", True, (free("chest", 500, cost=30.0),))) == ["stands"]
+
+
+def test_what_has_no_place_in_the_room_at_all_is_held_against_no_piece() -> None:
+    assert told(BED, Piece("chest_1", False, (free("chest", 3100),)))[0] == "cannot stand even alone"
