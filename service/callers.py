@@ -57,9 +57,8 @@ class Callers:
             return _refused(421, "The service has another name", "Host", f"{host!r:.80} is no name of this service", allowed)
         origin = headers.get("origin")
         if method not in READING and origin is not None and _place(origin) not in {headers.get("host", "").lower(), *self._places}:
-            return _refused(
-                403, "The page that asks is not this service's", "Origin", f"{origin!r:.80} is another place", "pages of this service"
-            )
+            allowed = "pages of this service, or of places that `compose serve --allow-origin` names"
+            return _refused(403, "The page that asks is not this service's", "Origin", f"{origin!r:.80} is another place", allowed)
         return None
 
 

@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from service.dataset.dataset_plan import JSON, DatasetPlan, MadeHome, known_catalogs, request_text
 from solver.exchange import FORMATS
-from solver.exports import Files
+from solver.exports import packed
 from solver.pipeline.export import export_each
 from solver.plain import Document
 from solver.scene import Scene
@@ -69,7 +69,10 @@ def _figures(scene: Scene) -> Document:
 
 
 def members_of(plan: DatasetPlan, home: MadeHome) -> Iterator[tuple[tarfile.TarInfo, io.BytesIO]]:
-    """Yields a home's files as an archive takes them, named as webdataset groups them: `<seed>.<format>`."""
+    """Yields a home's files as an archive takes them, `<seed>.<format>` as webdataset groups them; several of one format as one ZIP.
+
+    Files of one format refer to each other by their names, which webdataset could not tell from keys.
+    """
     if home.scene is None:
         return
     if JSON in plan.formats:
@@ -77,15 +80,9 @@ def members_of(plan: DatasetPlan, home: MadeHome) -> Iterator[tuple[tarfile.TarI
     catalogs = known_catalogs(plan.catalogs[home.catalog])
     written = export_each(home.scene, plan.exported, catalogs, home.issues, "light")
     for format, files in written.items():
-        for name, content in files.items():
-            yield _member(f"{home.request.seed}.{_ending(format, name, files)}", content)
-
-
-def _ending(format: str, name: str, files: Files) -> str:
-    if len(files) > 1:
-        return f"{format}.{name.replace('/', '-')}"
-    suffix = PurePosixPath(name).suffix
-    return format if suffix == f".{format}" else f"{format}{suffix}"
+        name, _, content = packed(files, format, "")
+        suffix = PurePosixPath(name).suffix
+        yield _member(f"{home.request.seed}.{format if suffix == f'.{format}' else f'{format}{suffix}'}", content)
 
 
 def _member(name: str, content: bytes) -> tuple[tarfile.TarInfo, io.BytesIO]:

@@ -94,6 +94,13 @@ def prim(kind: str, name: str, schemas: Iterable[str], inside: str) -> str:
     return f'def {kind} "{name}"{applied}\n{{\n{inside}}}\n'
 
 
+def group(name: str, inside: str, label: str | None = None) -> str:
+    """Returns a group of prims, of which all have a label if one is given."""
+    labelled = 'prepend apiSchemas = ["SemanticsLabelsAPI:class"]\n' if label else ""
+    words = f'token[] semantics:labels:class = ["{label}"]\n' if label else ""
+    return f'def Xform "{name}" (\n{labelled}kind = "group"\n)\n{{\n{words}{inside}}}\n'
+
+
 def said(kind: str, name: str, schemas: Iterable[str], words: Mapping[str, str | Triple | None], inside: str) -> str:
     """Returns a component with applied schemas, and words and points that are its custom data."""
     custom = "".join(

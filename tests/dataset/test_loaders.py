@@ -8,6 +8,7 @@ import os
 import re
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -103,9 +104,9 @@ def test_a_loader_of_boxes_reads_every_room(folder: Path, manifest: dict[str, An
     """As ATISS's ThreedFront reads a folder a room: classes one-hot with start and end, half extents, middles, angles."""
     rooms, boxes, widths = 0, 0, set()
     for one in samples(folder):
-        names = [name for name in one if name.endswith("boxes.npz")]
-        for name in names:
-            room = np.load(io.BytesIO(one[name]))
+        archive = zipfile.ZipFile(io.BytesIO(one["boxes.zip"]))
+        for name in (name for name in archive.namelist() if name.endswith("boxes.npz")):
+            room = np.load(io.BytesIO(archive.read(name)))
             count = len(room["translations"])
             assert room["class_labels"].shape[0] == room["sizes"].shape[0] == room["angles"].shape[0] == count
             assert (room["sizes"] > 0).all() and (room["class_labels"].sum(axis=1) == 1).all()
@@ -115,6 +116,18 @@ def test_a_loader_of_boxes_reads_every_room(folder: Path, manifest: dict[str, An
     frame = pd.read_parquet(folder / "tables" / "pieces")
     assert boxes == (frame["sort"] == "furniture").sum()
     assert 0 < rooms <= manifest["rows"]["rooms"]
+
+
+def test_a_home_of_several_files_finds_them_where_it_is_unpacked(tmp_path: Path) -> None:
+    words = "dataset --program studio --seeds 3-3 --shard-size 1 --workers 1 --formats urdf,sdf"
+    assert main([*words.split(), "--out", str(tmp_path / "homes")]) == 0
+    (home,) = samples(tmp_path / "homes")
+    for format, of in (("urdf", r'filename="([^"]+)"'), ("sdf", r"<uri>([^<]+)</uri>")):
+        unpacked = tmp_path / format
+        zipfile.ZipFile(io.BytesIO(home[f"{format}.zip"])).extractall(unpacked)
+        (world,) = unpacked.glob(f"*.{format}")
+        named = set(re.findall(of, world.read_text()))
+        assert named and all((unpacked / name).is_file() for name in named)
 
 
 def test_the_card_says_what_the_manifest_says(folder: Path, manifest: dict[str, Any]) -> None:

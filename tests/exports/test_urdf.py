@@ -42,6 +42,14 @@ def test_links_form_one_tree_with_inertias_that_can_be(home: str) -> None:
     assert {mesh.get("filename") for mesh in robot.iter("mesh")} == {name for name in files if name.endswith(".obj")}
 
 
+@pytest.mark.parametrize("format", ["urdf", "sdf"])
+def test_lines_are_short_enough_for_readers_that_take_a_line_at_a_time(format: str) -> None:
+    """Bullet's readers lose what stands behind some thousands of characters."""
+    files = written_as(described("family"), ExportSettings(format))
+    world = next(content for name, content in files.items() if name.endswith(f".{format}")).decode()
+    assert max(map(len, world.splitlines())) < 2000
+
+
 def test_a_door_opens_as_the_scene_says() -> None:
     model = described("own")
     files = written_as(model, ExportSettings("urdf"))

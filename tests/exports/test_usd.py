@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 import yaml
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade
 
 from catalogs import load_catalogs
 from compose_homes import export
@@ -221,3 +221,15 @@ def test_arena_names_a_prim_for_each_body(name: str) -> None:
         assert reference["parent_id"] == said["background"]["id"] == "house" and reference["id"].isidentifier()
     assert found == {key: "base" if body.fixed else "rigid" for key, body in bodies.items()}
     assert len({reference["id"] for reference in said["object_references"]}) == len(bodies)
+
+
+def test_nothing_that_is_seen_is_without_a_label() -> None:
+    """As whoever colours pictures by labels asks: a prim's own, or those of what it is in."""
+    seen, words = 0, set()
+    for prim in drawn(stage("family"), "/House"):
+        if prim.IsA(UsdGeom.Gprim) and UsdGeom.Imageable(prim).ComputePurpose() != "guide":
+            found = UsdSemantics.LabelsQuery("class", Usd.TimeCode.Default()).ComputeUniqueInheritedLabels(prim)
+            assert found, prim.GetPath()
+            seen, words = seen + 1, words | set(found)
+    assert seen > 100
+    assert {"floor", "wall", "ceiling", "door", "frame", "glass", "threshold"} <= words

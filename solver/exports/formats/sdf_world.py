@@ -194,7 +194,7 @@ def _touching(solid: Collider, bits: int, friction: float = 0.6) -> tuple[str, s
 def _numbered(elements: Iterable[tuple[str, str]]) -> Iterator[str]:
     """Yields elements with names of their own."""
     for number, (tag, content) in enumerate(elements):
-        yield f'<{tag} name="{tag}_{number}">{content}</{tag}>'
+        yield f'\n<{tag} name="{tag}_{number}">{content}</{tag}>'
 
 
 def _inertial(solids: Sequence[Collider], mass: float) -> str:

@@ -143,11 +143,11 @@ class _Robot:
         return f'\n<joint name="{called}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{placed}</joint>'
 
     def _touching(self, form: LinkForm) -> str:
-        return f"<collision>{_geometry(form)}</collision>"
+        return f"\n<collision>{_geometry(form)}</collision>"
 
     def _seen(self, form: LinkForm, paint: Paint) -> str:
         material = self._materials.setdefault(paint, f"paint_{len(self._materials)}")
-        return f'<visual>{_geometry(form)}<material name="{material}"/></visual>'
+        return f'\n<visual>{_geometry(form)}<material name="{material}"/></visual>'
 
 
 def _origin(at: Triple, turn: float) -> str:

@@ -19,7 +19,7 @@ from solver.exports.paints import PLAIN_CEILING
 from solver.exports.safe_names import SafeNames
 from solver.exports.usd_doors import door_text, front_text, held_text
 from solver.exports.usd_kinds import body_guides, body_kind, wall_kind
-from solver.exports.usd_text import LOOKS, cube, material_name, material_text, placed, prim, said, stretched, texts
+from solver.exports.usd_text import LOOKS, cube, group, material_name, material_text, placed, prim, said, stretched, texts
 from solver.exports.writers import ExportSettings, Files
 from solver.version import VERSION
 
@@ -38,6 +38,8 @@ float physics:gravityMagnitude = 9.81
 }
 """
 """What stands beside the house: whoever refers to the house alone brings a sky and a scene of their own."""
+_LABELS: Final = {"Walls": "wall", "Ceilings": "ceiling"}
+"""The label of all that is in a group; what is in the others says its own."""
 _FILTER: Final = """def PhysicsCollisionGroup "Building"
 {
 rel collection:colliders:includes = [</House/Floors>, </House/Walls>, </House/Fittings>]
@@ -116,7 +118,7 @@ class _Stage:
             bodies.setdefault(_SORTS[body.sort], []).append(self._body(body, paths[body.id].rpartition("/")[2]))
         groups |= {name: "".join(found) for name, found in bodies.items()}
         groups["Fronts"] = "".join(self._fronts(paths, names))
-        inside = "".join(f'def Xform "{name}" (\nkind = "group"\n)\n{{\n{found}}}\n' for name, found in groups.items())
+        inside = "".join(group(name, found, _LABELS.get(name)) for name, found in groups.items())
         looks = prim("Scope", "Looks", (), "".join(self._looks.values()))
         kinds = f'class Scope "Kinds"\n{{\n{"".join(self._kind_texts)}}}\n'
         told = f'string generator = "Compose {VERSION}"\nstring[] warnings = {texts(model.warnings)}\n'
@@ -193,10 +195,14 @@ class _Stage:
         return f'def Xform "wall_{number}" (\n{metadata})\n{{\n{stretched(box.at, box.size)}}}\n'
 
     def _fittings(self) -> Iterator[str]:
+        """Yields what is fitted into openings and to edges, a group a surface."""
+        found: dict[str, str] = {}
         for number, fitting in enumerate(self._model.fittings):
             self._paint([fitting.paint])
-            box = box_between(fitting.box)
-            yield cube(f"{fitting.surface}_{number}", (box.size, box.at), fitting.paint, fitting.surface != "threshold")
+            box, surface = box_between(fitting.box), fitting.surface
+            made = cube(f"{surface}_{number}", (box.size, box.at), fitting.paint, surface != "threshold")
+            found[surface] = found.get(surface, "") + made
+        yield from (group(prim_name(surface, self._names), made, surface) for surface, made in found.items())
 
     def _doors(self) -> Iterator[str]:
         names = SafeNames(r"[^A-Za-z0-9_]")
