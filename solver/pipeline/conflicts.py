@@ -146,7 +146,7 @@ class _WhyNot:
     @cached_property
     def _names(self) -> Mapping[str, str]:
         """What each body is called, with its size, by id."""
-        return {body.id: f"{body.name} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(self.repair.asked)}
+        return {body.id: f"{body.name.strip() or body.id} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(self.repair.asked)}
 
 
 def _cannot(alone: bool, walk: bool) -> str:

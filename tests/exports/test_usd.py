@@ -225,7 +225,7 @@ def test_arena_names_a_prim_for_each_body(name: str) -> None:
 
 def test_nothing_that_is_seen_is_without_a_label() -> None:
     """As whoever colours pictures by labels asks: a prim's own, or those of what it is in."""
-    seen, words = 0, set()
+    seen, words = 0, set[str]()
     for prim in drawn(stage("family"), "/House"):
         if prim.IsA(UsdGeom.Gprim) and UsdGeom.Imageable(prim).ComputePurpose() != "guide":
             found = UsdSemantics.LabelsQuery("class", Usd.TimeCode.Default()).ComputeUniqueInheritedLabels(prim)
