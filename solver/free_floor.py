@@ -56,7 +56,9 @@ class FreeFloor:
     def __init__(self, space: Space, bodies: Iterable[Rect], goals: Iterable[Goal], blocks: Iterable[Block] = ()) -> None:
         self.space, self.goals, self.blocks = space, list(goals), list(blocks)
         self._bodies = rect_rows([*bodies, *(zone.rect for zone in space.zones if zone.cause == "outline")])
-        self._doorways = b"".join([DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in space.doorways])
+        outer, through = space.walked
+        self._outer, self._doors = len(outer), len(outer) + len(through)
+        self._doorways = b"".join([DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in (*outer, *through)])
         self._taken: dict[tuple[float, float], bytes] = {}
 
     @classmethod
@@ -108,14 +110,16 @@ class FreeFloor:
     def connects(self, more: Sequence[Rect] = (), goals: Sequence[Goal] = ()) -> bool:
         """Tells whether one component of the floor meets every door and every goal, and is 0.25 m2 of centres.
 
+        What meets doors that lead outside is one component, and one of these doors is enough.
+
         Args:
             more: footprints of bodies besides those of the room, mm.
             goals: besides its own.
         """
         bodies = self._bodies + rect_rows(more)
         all_goals = [*self.goals, *goals]
-        counts = len(bodies) // RECT_BYTES, len(self.space.doorways), len(all_goals)
-        header = _FLOOR.pack(*self.space.clear, self.space.robot_mm, *counts, 0)
+        counts = len(bodies) // RECT_BYTES, self._doors, len(all_goals)
+        header = _FLOOR.pack(*self.space.clear, self.space.robot_mm, *counts, self._outer)
         rows = [_GOAL.pack(*goal.rect, sides_seen(goal.sides), goal.need_all) for goal in all_goals]
         request = b"".join([header, bodies, self._doorways, *rows])
         with borrowed() as core:

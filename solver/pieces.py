@@ -69,6 +69,11 @@ class Space:
     cover_mm2: int = 0
     """Optional pieces are added while less floor than this is covered, mm2; 0: whatever is covered."""
 
+    @property
+    def walked(self) -> tuple[Sequence[Doorway], Sequence[Doorway]]:
+        """The doors by which one comes into the house, and those to be joined with them."""
+        return [door for door in self.doorways if door.walked == "in"], [door for door in self.doorways if door.walked == "through"]
+
 
 class Stance(NamedTuple):
     """What of a piece's pose its neighbours' candidates may depend on: its rotation, and the wall at its back."""

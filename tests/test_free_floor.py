@@ -10,7 +10,7 @@ from catalogs import load_catalogs
 from solver.free_floor import FreeFloor, Goal
 from solver.furnish import space_of
 from solver.geometry import Rect
-from solver.pieces import Space
+from solver.pieces import Space, Walked
 from solver.scene import Furniture, Opening, Room, Scene
 from solver.streams import Stream
 from solver.validator import validate
@@ -57,6 +57,21 @@ def test_they_agree(start: int) -> None:
         assert found == (not told), (seed, told)
         verdicts.append(found)
     assert len(set(verdicts)) == 2
+
+
+@pytest.mark.parametrize("start", range(0, 400, 100))
+def test_doors_that_lead_outside_are_joined_there(start: int) -> None:
+    eased = []
+    for seed in range(start, start + 100):
+        space, boxes, goals, _ = cluttered(seed)
+        uses = [(str(k), goal.rect, goal.sides, goal.need_all) for k, goal in enumerate(goals)]
+        stream = Stream(seed, "walked")
+        ways: tuple[Walked, ...] = ("in", "in", "through", "not")
+        outer = replace(space, doorways=tuple(replace(door, walked=stream.pick(ways)) for door in space.doorways))
+        found = FreeFloor(outer, boxes, goals).connects()
+        assert found == (not missed(outer, boxes, uses)), seed
+        eased.append(found and not FreeFloor(space, boxes, goals).connects())
+    assert set(eased) == {True, False}
 
 
 def test_a_gap_just_as_wide_lets_through_and_a_millimetre_less_does_not() -> None:

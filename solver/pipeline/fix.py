@@ -181,12 +181,12 @@ def _people_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked,
     wrong = _rooms_to_look_at(scene, house.errors)
     closed = _rooms_to_look_at(scene, [issue for issue in house.errors if issue.rule == "unreachable"])
     people = {person.id: person for person in scene.dynamic}
-    errors = _by_room(house.errors)
+    errors, walked = _by_room(house.errors), as_walked_in(scene)
     conflicts: list[Conflict] = []
     for room in scene.rooms:
         here = people_in(scene, room)
         if here and room.id in wrong:
-            crowd = people_out_of_the_way(room_problem(scene, room, errors[room.id], settings), here, room.id in closed)
+            crowd = people_out_of_the_way(walked(room_problem(scene, room, errors[room.id], settings)), here, room.id in closed)
             people |= {person.id: person for person in crowd.people}
             words = {label: f"not found: no free place for {label} in {room.id} is in nobody's way" for label in crowd.stuck}
             conflicts += [Conflict((label,), why, ({"action": "leave_out", "id": label},)) for label, why in words.items()]

@@ -200,7 +200,7 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, R
         tables.add(piece, walk)
     charge(ROOM_ROWS_WORK + CANDIDATE_WORK * len(tables.candidates) + ZONE_WORK * len(space.zones))
     _group(tables.rows, pieces)
-    outer, through = ([door for door in space.doorways if door.walked == way] for way in ("in", "through"))
+    outer, through = space.walked
     room = RoomArrays(
         _space_row(space, walk, len(outer)),
         _matrix([value for zone in space.zones for value in _zone_row(zone)], 6),

@@ -34,21 +34,45 @@ class Crowd:
 def people_out_of_the_way(problem: RoomProblem, people: Sequence[Dynamic], closed: bool) -> Crowd:
     """Moves those who break a rule, or keep others from something, to the nearest free place; the others stay. Who sat stands up.
 
+    Without those for whom there is none all others have their places. They themselves go where nobody is, if there is such a place.
+
     Args:
         problem: a furnished room, with its errors. Those who are locked stay.
         people: of the room.
         closed: whether something in it is out of reach.
     """
-    floor, moving = FreeFloor.of_room(problem.room, problem.space, problem.settings.use_sides), _covered(problem, people)
+    stuck = frozenset[str]()
+    while (crowd := _without(stuck, problem, people, closed)).stuck:
+        stuck |= set(crowd.stuck)
+    if not stuck:
+        return crowd
+    floor, placed = _floor_of(problem), {person.id: person for person in crowd.people}
+    for person in crowd.people:
+        floor.add(block_of(person))
+    for person in (standing(person) for person in people if person.id in stuck):
+        placed[person.id] = _put_nearest(person, floor) or person
+        floor.add(block_of(placed[person.id]))
+    return Crowd(tuple(placed[person.id] for person in people), tuple(person.id for person in people if person.id in stuck))
+
+
+def _without(gone: frozenset[str], problem: RoomProblem, people: Sequence[Dynamic], closed: bool) -> Crowd:
+    """Returns where the others of a crowd go once some have left."""
+    here = [person for person in people if person.id not in gone]
+    floor, moving = _floor_of(problem), _covered(problem, here, gone)
     if closed and problem.settings.walk:
-        moving |= _in_the_way([person for person in people if person.id not in moving], floor) - problem.settings.locked
-    return _placed(floor, people, moving, problem.settings.walk) if moving else Crowd(tuple(people))
+        moving |= _in_the_way([person for person in here if person.id not in moving], floor) - problem.settings.locked
+    return _placed(floor, here, moving, problem.settings.walk) if moving else Crowd(tuple(here))
 
 
-def _covered(problem: RoomProblem, people: Sequence[Dynamic]) -> set[str]:
+def _floor_of(problem: RoomProblem) -> FreeFloor:
+    return FreeFloor.of_room(problem.room, problem.space, problem.settings.use_sides)
+
+
+def _covered(problem: RoomProblem, people: Sequence[Dynamic], gone: frozenset[str]) -> set[str]:
     """Returns who has to move: who breaks a rule alone, and of two left in one place the later, unless that one is locked."""
     ids = [person.id for person in people]
-    broken = [[label for label in issue.ids if label in ids] for issue in problem.errors]
+    issues = [issue for issue in problem.errors if not gone & set(issue.ids)]
+    broken = [[label for label in issue.ids if label in ids] for issue in issues]
     found: set[str] = set()
     for together in sorted(broken, key=len):
         free = [label for label in together if label not in problem.settings.locked]
@@ -79,24 +103,22 @@ def _placed(floor: FreeFloor, people: Sequence[Dynamic], moving: Collection[str]
     placed: list[Dynamic] = []
     stuck: list[str] = []
     for person in people:
-        found, free = _moved(standing(person), floor, walk) if person.id in moving else (person, True)
-        if not free:
+        found = _moved(standing(person), floor, walk) if person.id in moving else person
+        if found is None:
             stuck.append(person.id)
-        if found is not None and found is not person:
+        elif found is not person:
             floor.add(block_of(found))
         placed.append(found or person)
     return Crowd(tuple(placed), tuple(stuck))
 
 
-def _moved(person: Dynamic, floor: FreeFloor, walk: bool) -> tuple[Dynamic | None, bool]:
-    """Returns a person at the nearest free place, or None where there is none; and whether there it is in nobody's way.
+def _moved(person: Dynamic, floor: FreeFloor, walk: bool) -> Dynamic | None:
+    """Returns a person at the nearest free place where it is in nobody's way, or None where there is none.
 
-    With `walk` it is the nearest of the likely places that leaves everything within reach, turned as before or else by a quarter, if
-    there is one.
+    With `walk` it is the nearest of the likely places that leaves everything within reach, turned as before or else by a quarter.
     """
-    nearest = floor.nearest(block_of(person))
     if not walk or not floor.connects():
-        return (None if nearest is None else _put(person, nearest)), nearest is not None
+        return _put_nearest(person, floor)
     for turn in (0, 90):
         turned = replace(person, rotation=(person.rotation + turn) % 360)
         own = block_of(turned)
@@ -104,8 +126,13 @@ def _moved(person: Dynamic, floor: FreeFloor, walk: bool) -> tuple[Dynamic | Non
         outermost = [rect for rect in taken if not any(other != rect and other.contains(rect) for other in taken)]
         for place in islice(_spread(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm)), MOST_PLACES):
             if floor.connects([place], [Goal.beside(place)]):
-                return _put(turned, place), True
-    return (None if nearest is None else _put(person, nearest)), False
+                return _put(turned, place)
+    return None
+
+
+def _put_nearest(person: Dynamic, floor: FreeFloor) -> Dynamic | None:
+    nearest = floor.nearest(block_of(person))
+    return None if nearest is None else _put(person, nearest)
 
 
 def _put(person: Dynamic, place: Rect) -> Dynamic:

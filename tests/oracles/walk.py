@@ -121,7 +121,9 @@ def side_towards(side: str, rotation: int) -> str:
 
 
 def missed(space: Space, solids: Sequence[Rect], uses: Sequence[tuple[str, Rect, Sequence[str], bool]]) -> list[str]:
-    """Lists what cannot be come to from the first door (without doors: from the part where least is missed).
+    """Lists what cannot be come to from the outside, else from the first door (without doors: from the part where least is missed).
+
+    What meets a door that leads outside is one part.
 
     Args:
         space: the room.
@@ -132,12 +134,19 @@ def missed(space: Space, solids: Sequence[Rect], uses: Sequence[tuple[str, Rect,
         Ids of doors and labels of uses, and FLOOR; empty where all are joined.
     """
     flood = Flood(space, solids, [rect for _, rect, _, _ in uses] + [door.square for door in space.doorways])
-    goals: list[tuple[str, list[list[int]], bool]] = [(door.id, [flood.line(entry(space, door))], True) for door in space.doorways]
+    goals: list[tuple[str, list[list[int]], bool]] = []
+    lines = [(door, flood.line(entry(space, door))) for door in space.doorways]
+    outer = [line for door, line in lines if door.walked == "in"]
+    if outer:
+        joined = {part for line in outer for part in line}
+        flood.parts[np.isin(flood.parts, list(joined))] = min(joined, default=0)
+        goals.append(("outside", [[min(joined)]] if joined else [[]], False))
+    goals += [(door.id, [flood.line(entry(space, door))], True) for door in space.doorways if door.walked == "through"]
     for label, rect, walls, need_all in uses:
         goals.append((label, [flood.line(contact(rect, wall, space.robot_mm)) for wall in walls], need_all))
     if not goals:
         return []
-    starts = goals[0][1] if space.doorways else [parts for _, sides, _ in goals for parts in sides]
+    starts = goals[0][1] if any(door.walked != "not" for door in space.doorways) else [parts for _, sides, _ in goals for parts in sides]
     best: list[str] | None = None
     for part in dict.fromkeys(part for parts in starts for part in parts):
         short = [name for name, sides, need_all in goals if not _met(sides, need_all, part)]

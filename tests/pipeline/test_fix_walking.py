@@ -8,7 +8,7 @@ import pytest
 
 from catalogs import load_catalogs
 from solver import Scene, fix, validate
-from solver.scene import Opening
+from solver.scene import Dynamic, Opening
 from solver.streams import Stream
 from solver.validator import RULES
 from tests.pipeline.fix_rooms import BACK_TO, WALLS, body, errors, pieces, room_of, untrue_repairs, with_repair
@@ -69,6 +69,51 @@ def test_only_what_the_way_in_needs_is_joined(main: bool, behind: bool) -> None:
     if not (main and behind):
         assert fixed.conflicts == ()
         assert [(move.id, move.dx, move.dz) for move in fixed.moves] == [(chest.id, 0.1, 0.0)]
+
+
+def thronged(seed: int) -> Scene:
+    """A room of 1.6-2.3 m with a wardrobe at its north wall and 3 to 9 people anywhere; a door leads outside, or two."""
+    stream = Stream(seed, "thronged rooms")
+    width, depth = 1.6 + stream.below(700) / 1000, 1.6 + stream.below(700) / 1000
+    wardrobe = body("wardrobe_1", width - 0.5, 0.25, (1.0, 0.5, 2.0), wall="north")
+    folk = [
+        Dynamic(f"person_{k}", "person", "room_0", stream.unit() * width, 0.0, stream.unit() * depth, 90 * stream.below(4), 0.5, 0.3, 1.7)
+        for k in range(3 + stream.below(7))
+    ]
+    doors = [replace(DOOR, position=width / 2, main_entrance=False)]
+    if stream.chance(0.5):
+        doors.append(replace(doors[0], id="back_door", wall="west", position=depth - 0.5))
+    return replace(room_of(wardrobe, width=round(width, 3), depth=round(depth, 3), openings=tuple(doors)), dynamic=tuple(folk))
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_without_those_who_are_named_all_others_have_their_places(seed: int) -> None:
+    scene = thronged(seed)
+    fixed = fix(scene)
+    named = {label for conflict in fixed.conflicts for label in conflict.ids}
+    assert named <= {person.id for person in scene.dynamic}
+    assert bool(named) is (errors(fixed.scene) != [])
+    for base in (scene, fixed.scene):
+        again = fix(replace(base, dynamic=tuple(person for person in base.dynamic if person.id not in named)))
+        assert (again.conflicts, errors(again.scene)) == ((), [])
+
+
+def test_some_are_named_above_and_some_rooms_hold_all() -> None:
+    counts = [len(fix(thronged(seed)).conflicts) for seed in range(24)]
+    assert 0 in counts
+    assert max(counts) > 1
+
+
+def test_who_is_in_the_way_steps_aside_though_the_room_is_parted() -> None:
+    """Behind the bar one comes in by the other door: before it somebody stands where nobody gets past."""
+    bar = replace(body("wardrobe_1", 1.5, 2.5, (3.0, 0.6, 2.0)), rotation=180)
+    ends = tuple(replace(DOOR, id=wall, wall=wall, main_entrance=False) for wall in ("south", "north"))
+    walker = Dynamic("person_1", "person", "room_0", 1.5, 0.0, 1.2, 0, 2.4, 0.3, 1.7)
+    scene = replace(room_of(bar, width=3.0, depth=5.0, openings=ends), dynamic=(walker,))
+    assert [issue.rule for issue in validate(scene, load_catalogs()) if issue.severity == "error"] == ["unreachable"]
+    fixed = fix(scene)
+    assert (fixed.conflicts, errors(fixed.scene)) == ((), [])
+    assert [move.id for move in fixed.moves] == [walker.id]
 
 
 def test_no_place_to_stand_is_looked_for_where_geometry_cannot_be_repaired() -> None:

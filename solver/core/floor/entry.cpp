@@ -16,7 +16,8 @@ struct NearestHeader {
 struct FloorHeader {
   Rect clear;
   i64 robot;
-  i32 bodies, doors, goals, unused;
+  i32 bodies, doors, goals;
+  i32 outer;  // how many of the first doors are joined outside
 };
 
 }  // namespace
@@ -38,7 +39,7 @@ __attribute__((export_name("connects"))) i32 entry_connects(u8* data, i64 size) 
   const FloorHeader& header = reader.take<FloorHeader>(1)[0];
   const Span<Rect> bodies = reader.take<Rect>(header.bodies);
   const Span<Doorway> doors = reader.take<Doorway>(header.doors);
-  FreeFloor floor(header.clear, header.robot, doors, reader.take<Goal>(header.goals));
+  FreeFloor floor(header.clear, header.robot, doors, reader.take<Goal>(header.goals), header.outer);
   for (const Rect& body : bodies) floor.add(body);
   return floor.connects();
 }

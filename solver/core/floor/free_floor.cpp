@@ -99,6 +99,17 @@ class Cells {
     }
   }
 
+  // Makes one component of those that are marked.
+  void join(Span<bool> marked) {
+    i32 first = 0;
+    for (i32 k = 0; k < labels_.rows * labels_.columns; k++) {
+      i32& label = labels_.data[k];
+      if (label == TAKEN || !marked[label - 1]) continue;
+      if (first == 0) first = label;
+      label = first;
+    }
+  }
+
  private:
   void take(const Rect& rect) {
     const CellRange x = cells_between(xs_, rect.x0, rect.x1), z = cells_between(zs_, rect.z0, rect.z1);
@@ -150,8 +161,8 @@ void keep(Span<bool> serving, Span<bool> touched) {
 
 }  // namespace
 
-FreeFloor::FreeFloor(const Rect& clear, i64 robot, Span<Doorway> doors, Span<Goal> goals)
-    : reach_(floor_div(robot * PER_MM, 2) - 1), domain_(scaled(clear).shrunk(reach_)), doors_(doors), goals_(goals) {}
+FreeFloor::FreeFloor(const Rect& clear, i64 robot, Span<Doorway> doors, Span<Goal> goals, i32 outer)
+    : reach_(floor_div(robot * PER_MM, 2) - 1), domain_(scaled(clear).shrunk(reach_)), doors_(doors), goals_(goals), outer_(outer) {}
 
 Rect FreeFloor::grown(const Rect& body) const { return scaled(body).shrunk(-reach_); }
 
@@ -170,11 +181,16 @@ Rect FreeFloor::contact(const Rect& body, Wall side) const {
 bool FreeFloor::connects() const {
   if (domain_.width() <= 0 || domain_.depth() <= 0) return false;
   const arena::Scope scope;
-  const Cells cells(domain_, taken_.all());
+  Cells cells(domain_, taken_.all());
   const Span<bool> serving = reserved<bool>(cells.components()), touched = zeroes<bool>(cells.components());
   for (bool& serves : serving) serves = true;
-  for (const Doorway& door : doors_) {
-    cells.mark_touched(entry_of(door), touched);
+  for (i32 k = 0; k < outer_; k++) cells.mark_touched(entry_of(doors_[k]), touched);
+  if (outer_ > 0) {
+    cells.join(touched);
+    keep(serving, touched);
+  }
+  for (i32 k = outer_; k < doors_.size; k++) {
+    cells.mark_touched(entry_of(doors_[k]), touched);
     keep(serving, touched);
   }
   for (const Goal& goal : goals_) {

@@ -23,13 +23,14 @@ struct Goal {
 
 class FreeFloor {
  public:
-  // A room's clear rectangle, mm, how wide who walks is, and what has to stay within reach.
-  FreeFloor(const Rect& clear, i64 robot, Span<Doorway> doors, Span<Goal> goals);
+  // A room's clear rectangle, mm, how wide who walks is, what has to stay within reach, and how many of the first doors are joined outside.
+  FreeFloor(const Rect& clear, i64 robot, Span<Doorway> doors, Span<Goal> goals, i32 outer = 0);
 
   // Notes that something stands in the way, mm.
   void add(const Rect& body) { taken_.add(grown(body)); }
 
-  // Tells whether one component of the floor meets every door and every goal, and is 0.25 m2 of centres.
+  // Tells whether one component of the floor meets every door and every goal, and is 0.25 m2 of centres. What meets doors that are
+  // joined outside is one component, and one of these doors is enough.
   bool connects() const;
 
   // The same with one more body.
@@ -44,5 +45,6 @@ class FreeFloor {
   Rect domain_;
   Span<Doorway> doors_;
   Span<Goal> goals_;
+  i32 outer_;
   List<Rect> taken_;
 };
