@@ -31,7 +31,20 @@ def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairS
     in the room, or elsewhere in the house; nor of what only somebody without a free place keeps out of reach.
     """
     left = _LeftOver(house, conflicts, settings, Budget(LEAVING_WORK, is_known=True))
-    return tuple(conflict for issue in house.errors if (conflict := left.named(issue)) is not None)
+    return tuple(conflict for issue in _each_reason_once(house) if (conflict := left.named(issue)) is not None)
+
+
+def _each_reason_once(house: Checked) -> list[Issue]:
+    """Returns a house's errors; of rooms that nobody can come to for the same reason the first, with the names of all in its message."""
+    told: dict[tuple[str, ...], list[Issue]] = {}
+    for number, issue in enumerate(house.errors):
+        shut = issue.rule == "unreachable" and not issue.ids and not _has_no_way_in(house.scene, issue.room)
+        before, _, after = issue.message.partition(f" to {issue.room}")
+        told.setdefault((before, after) if shut and (after or before != issue.message) else (str(number),), []).append(issue)
+    return [
+        replace(first, message=f"{reason[0]} to {', '.join(str(issue.room) for issue in (first, *others))}{reason[1]}") if others else first
+        for reason, (first, *others) in told.items()
+    ]
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from solver.scene import Dynamic, Opening, Room
 from solver.validator import Checked
 from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces
 from tests.sweeps import seeds
+from tests.told_forms import is_told
 
 FRONT = Opening("front", "door", "west", 1.0, 0.9, connects_to="EXTERIOR", main_entrance=True)
 NEXT = Opening("next", "door", "east", 1.0, 0.9, connects_to="back_1")
@@ -30,6 +31,27 @@ def test_a_room_without_a_door_is_said_to_be_that_first() -> None:
     assert fixed.conflicts[0].message == "back_1 has no way in: no door or passage leads into it"
     assert not any(PLANT.id in conflict.ids for conflict in fixed.conflicts)
     assert [conflict.ids for conflict in fix(house(False, FRONT)).conflicts] == [()]
+
+
+def test_what_keeps_all_out_of_the_house_is_said_once() -> None:
+    fixed = fix(house(False, replace(FRONT, width=0.5), NEXT))
+    assert [issue.room for issue in fixed.issues if issue.severity == "error"] == ["room_0", "back_1"]
+    told = "not found: no repair for this: a square of 60 cm cannot come in through front, so not to room_0, back_1"
+    assert [(conflict.ids, conflict.message) for conflict in fixed.conflicts] == [((), told)]
+    assert is_told(told)
+
+
+def test_rooms_that_cannot_be_come_to_from_the_entrance_are_said_in_one() -> None:
+    side = Opening("side", "door", "south", 1.0, 0.9, connects_to="side_2")
+    narrow = replace(NEXT, width=0.5)
+    scene = house(False, FRONT, narrow, replace(side, width=0.5))
+    (hall, back) = scene.rooms
+    beside = Room("side_2", 2, "room", 0, 0.0, 2.0, 3.0, 2.0, openings=(replace(side, width=0.5, wall="north", connects_to="room_0"),))
+    far = replace(back, openings=(replace(narrow, wall="west", connects_to="room_0"),))
+    fixed = fix(replace(scene, rooms=(hall, far, beside)))
+    assert [conflict.message for conflict in fixed.conflicts] == [
+        "not found: no repair for this: a square of 60 cm cannot come to back_1, side_2 from front"
+    ]
 
 
 def test_nothing_is_said_of_a_room_that_a_conflict_elsewhere_shuts() -> None:
