@@ -56,4 +56,8 @@ class Style(Entry):
 
     def colours(self, *names: str) -> tuple[Colour, ...]:
         """Returns the palette of the first of some names that has one, such as kind, name and category; else none."""
-        return next((self.palette[name] for name in names if name in self.palette), ())
+        palette = self.palette
+        for name in names:
+            if name in palette:
+                return palette[name]
+        return ()

@@ -6,12 +6,12 @@ Comes in: a Room and its Arrangement. Goes out: the Room with its furniture. May
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from functools import lru_cache
+from typing import Final, NamedTuple
 
 from catalogs import Catalogs
-from catalogs.schema import FurnitureSpec
 from catalogs.styles import Style
 from solver.body_rows import BODY, BODY_WALLS, KIND, FurnitureRows, furniture_look, told
 from solver.pieces import Arrangement, Placed, StandingRows
@@ -22,16 +22,29 @@ PLAIN_COLOUR = "#9a9a9a"
 """Of what the catalogs do not know."""
 
 
-class _NamedKind(NamedTuple):
-    """What the catalogs know of a kind: its name, and what they say of it."""
+class _Colouring(NamedTuple):
+    """What the colour of a kind is drawn from: what palettes may name it by, and its own colours."""
 
-    name: str
-    spec: FurnitureSpec | None
+    names: tuple[str, str, str]
+    own: tuple[str, ...]
 
-    @property
-    def category(self) -> str:
-        """What sort of thing it is."""
-        return self.spec.category if self.spec else "misc"
+
+class _Colourings(dict[str, _Colouring]):
+    """What the colours of the catalogs' kinds are drawn from, by kind."""
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        super().__init__()
+        self._catalogs = catalogs
+
+    def __missing__(self, kind: str) -> _Colouring:
+        spec = self._catalogs.furniture.get(kind)
+        category, own = (spec.category, (spec.color, *spec.variants)) if spec else ("misc", (PLAIN_COLOUR,))
+        found = self[kind] = _Colouring((kind, self._catalogs.name_of(kind), category), own)
+        return found
+
+
+_colourings: Final = lru_cache(maxsize=4)(_Colourings)
+"""Those of catalogs."""
 
 
 def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: Stream, style: Style | None = None) -> Room:
@@ -43,8 +56,7 @@ def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: 
     """
     content, kinds, looks = arrangement.standing or _standing(arrangement.placed, catalogs)
     present = {number: kinds[number][0] for (number,) in KIND.iter_unpack(content)}
-    known = {kind: _NamedKind(catalogs.name_of(kind), catalogs.furniture.get(kind)) for kind in sorted(set(present.values()))}
-    colours = _colours(known, style, stream)
+    colours = _colours(sorted(set(present.values())), catalogs, style, stream)
     rows = FurnitureRows(content, room, looks, {number: colours[kind] for number, kind in present.items()})
     return told(room, rows)
 
@@ -64,18 +76,18 @@ def _standing(placed: Sequence[Placed], catalogs: Catalogs) -> StandingRows:
     return StandingRows(b"".join(rows), kinds, looks)
 
 
-def kinds_placed(arrangement: Arrangement) -> list[str]:
-    """Returns the kinds of the pieces that stand."""
+def names_placed(arrangement: Arrangement, catalogs: Catalogs) -> list[str]:
+    """Returns what scenes call the pieces that stand."""
     if arrangement.standing is None:
-        return [one.chosen.kind for one in arrangement.placed]
+        return [catalogs.name_of(one.chosen.kind) for one in arrangement.placed]
     content, kinds, _ = arrangement.standing
-    return [kinds[number][0] for (number,) in KIND.iter_unpack(content)]
+    named = _colourings(catalogs)
+    return [named[kinds[number][0]].names[1] for (number,) in KIND.iter_unpack(content)]
 
 
 def recoloured(room: Room, catalogs: Catalogs, stream: Stream, style: Style) -> Room:
     """Returns a furnished room in the colours of a style, drawn as for new furniture; what has no kind keeps its colour."""
-    kinds = sorted({piece.kind for piece in room.furniture if piece.kind in catalogs.furniture})
-    colours = _colours({kind: _NamedKind(catalogs.name_of(kind), catalogs.furniture[kind]) for kind in kinds}, style, stream)
+    colours = _colours(sorted({piece.kind for piece in room.furniture if piece.kind in catalogs.furniture}), catalogs, style, stream)
     return replace(room, furniture=tuple(replace(piece, color=colours.get(piece.kind or "", piece.color)) for piece in room.furniture))
 
 
@@ -90,15 +102,17 @@ def ids_of(room: Room, arrangement: Arrangement, catalogs: Catalogs) -> dict[str
     return ids
 
 
-def _colours(kinds: Mapping[str, _NamedKind], style: Style | None, stream: Stream) -> dict[str, str]:
+def _colours(kinds: Sequence[str], catalogs: Catalogs, style: Style | None, stream: Stream) -> dict[str, str]:
     colours: dict[str, str] = {}
     matching: dict[tuple[str, ...], str] = {}
-    for kind, known in kinds.items():
-        palette, spec = style.colours(kind, known.name, known.category) if style else (), known.spec
+    known = _colourings(catalogs)
+    for kind in kinds:
+        names, own = known[kind]
+        palette = style.colours(*names) if style else ()
         if palette in matching:
             colours[kind] = matching[palette]
         else:
-            colours[kind] = stream.pick(palette or ((spec.color, *spec.variants) if spec else (PLAIN_COLOUR,)))
+            colours[kind] = stream.pick(palette or own)
         if palette:
             matching[palette] = colours[kind]
     return colours

@@ -68,15 +68,15 @@ def plain(value: Any, depth: int = 0) -> Any:
     kind = value.__class__
     if kind in _ATOMS or (kind is str and value.isascii()):
         return value
+    if isinstance(value, float):
+        return _finite(value)
     if is_text(value):
         return str.__str__(value)
     if isinstance(value, int):
         return int(value)
-    if isinstance(value, float):
-        return _finite(value)
     if depth == MAX_NESTING:
         raise Wrong("is nested too deeply", f"{MAX_NESTING} levels")
-    if isinstance(value, Mapping):
+    if kind is dict or isinstance(value, Mapping):
         return {
             key if key.__class__ is str and key.isascii() else _key(key): item
             if (of := item.__class__) in _ATOMS or (of is str and item.isascii())

@@ -75,8 +75,9 @@ def scope_of(room: Room, space: Space) -> Scope:
 
 def bounds_of(room: Room) -> Rect:
     """Returns the rectangle of a room's wall lines, mm, rounded inwards by less than a millimetre."""
-    corners = room.outline or ((0.0, 0.0), (room.width, room.depth))
-    xs, zs = [x * 1000 for x, _ in corners], [z * 1000 for _, z in corners]
+    if not room.outline:
+        return Rect(0, 0, _down(room.width * 1000), _down(room.depth * 1000))
+    xs, zs = [x * 1000 for x, _ in room.outline], [z * 1000 for _, z in room.outline]
     return Rect(_up(min(xs)), _up(min(zs)), _down(max(xs)), _down(max(zs)))
 
 
@@ -90,6 +91,8 @@ def _down(mm: float) -> int:
 
 def doorways_of_others(room: Room, others: Sequence[Room]) -> list[Doorway]:
     """Returns the doors into a room that only the room on the other side lists, with their squares inside this one."""
+    if not others:
+        return []
     own, lines = {opening.id for opening in room.openings}, bounds_of(room)
     found = []
     for other in others:
@@ -117,12 +120,13 @@ def _line_among(lines: Rect, edges: Sequence[WallLine], opening: Opening) -> Wal
     if opening.edge is not None:
         return edges[opening.edge] if opening.edge < len(edges) else None
     wall = opening.wall or ""
-    at = to_mm(opening.position)
     if wall not in WALLS:
         return None
-    bound = lines.line(wall)
-    here = [line for name, line, start, end in edges if name == wall and start <= at <= end and start < end]
-    across = min(here, key=lambda line: abs(line - bound), default=bound)
+    across = bound = lines.line(wall)
+    if edges:
+        at = to_mm(opening.position)
+        here = [line for name, line, start, end in edges if name == wall and start <= at <= end and start < end]
+        across = min(here, key=lambda line: abs(line - bound), default=bound)
     return (wall, across, 0, lines.along(wall)[1])
 
 

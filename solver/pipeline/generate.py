@@ -17,7 +17,7 @@ from solver.errors import SceneError
 from solver.exchange import checked_request, write_request
 from solver.floorplan import FloorPlan, door_positions, draw, wall_thickness_of, with_door_at
 from solver.furnish import space_of, unwanted_pieces, wanted_pieces, wanted_rows
-from solver.furnished import furnished, kinds_placed
+from solver.furnished import furnished, names_placed
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
@@ -171,7 +171,8 @@ def _space(room: Room, setting: _Setting) -> Space:
     known = setting.spaces.get(room.id)
     if known is None or known[0] is not room:
         space = space_of(room, setting.thickness, setting.robot_width, setting.others)
-        known = setting.spaces[room.id] = room, replace(space, cover_mm2=_cover_mm2(room, setting))
+        cover = _cover_mm2(room, setting)
+        known = setting.spaces[room.id] = room, replace(space, cover_mm2=cover) if cover else space
     return known[1]
 
 
@@ -208,7 +209,7 @@ def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
     """Returns how many of the room type's requirements the arrangement does not meet."""
     room_type = setting.catalogs.rooms.get(room.type)
     requires = room_type.requires if room_type else ()
-    names = list(map(setting.catalogs.name_of, kinds_placed(arrangement))) if requires else []
+    names = names_placed(arrangement, setting.catalogs) if requires else []
     return sum(not any(names.count(name) >= number for name, number in either.items()) for either in requires)
 
 
