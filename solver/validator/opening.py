@@ -7,9 +7,7 @@ Each front is opened alone, all others shut. People and pets step aside, what li
 
 from __future__ import annotations
 
-from array import array
 from collections.abc import Iterator, Sequence
-from itertools import chain
 from struct import Struct, pack
 from typing import Any, Final, NamedTuple
 
@@ -18,7 +16,7 @@ from solver.core import ask
 from solver.demanded import demand
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import KindFronts, Kinds
-from solver.validator.shells import shell_of
+from solver.validator.shells import ShellRows, shell_of
 from solver.validator.world import PlacedRoom, World
 
 WALL: Final = "wall"
@@ -27,7 +25,7 @@ ENOUGH: Final = 0.5
 """A front that opens less of its way than this is blocked."""
 FRONT_WORK: Final = 0.35
 """What a front costs for each body of its room [see demanded.py]. Measured."""
-_HEAD: Final = Struct("<4q")
+_HEAD: Final = Struct("<5q")
 _OPENED: Final = Struct("<2q")
 _NOTHING: Final = -1
 _MILLIONTHS: Final = 1_000_000
@@ -103,12 +101,17 @@ def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> li
     return found
 
 
-def front_bytes(openers: Sequence[_Opener], shell: Sequence[float], rows: bytes) -> bytes:
+def front_bytes(openers: Sequence[_Opener], shell: ShellRows, rows: bytes) -> bytes:
     """Returns a room, what stands around it and what opens in it as the core reads them."""
-    counts = [(body, len(fronts.each), fronts.parts) for body, fronts in openers]
-    head = _HEAD.pack(len(counts), sum(count for _, count, _ in counts), sum(parts for *_, parts in counts), len(shell) // 6)
-    boxes, who = array("d", shell).tobytes(), pack(f"<{3 * len(counts)}q", *chain.from_iterable(counts))
-    return b"".join([rows, head, boxes, who, *(fronts.rows for _, fronts in openers), *(fronts.numbers for _, fronts in openers)])
+    each, numbers, who = list[bytes](), list[bytes](), list[int]()
+    count = parts = 0
+    for body, fronts in openers:
+        each.append(fronts.rows)
+        numbers.append(fronts.numbers)
+        who += body, len(fronts.each), fronts.parts
+        count, parts = count + len(fronts.each), parts + fronts.parts
+    head = _HEAD.pack(shell.holes, shell.fitted, len(openers), count, parts)
+    return b"".join([rows, head, shell.rows, pack(f"<{len(who)}q", *who), *each, *numbers])
 
 
 def openers_in(place: PlacedRoom, kinds: Kinds) -> list[_Opener]:

@@ -38,8 +38,8 @@ def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:
     """Returns a room as bytes; without kinds nothing is said of surfaces and shapes."""
     doors = [_zone(square.hole, square.box) for square in squares(world, place)]
     windows = [_zone(hole, window_zone(hole)) for hole in place.holes if hole.opening.kind == "window"]
-    edges = [_edge(edge) for edge in place.edges]
-    ways = [_edge(WallEdge(hole.edge.side, hole.edge.line, hole.start, hole.end)) for hole in place.holes if hole.opening.kind in WAYS]
+    edges = [edge_row(edge) for edge in place.edges]
+    ways = [edge_row(hole.edge) for hole in place.holes if hole.opening.kind in WAYS]
     of_kinds = _KindTable(kinds)
     bodies = _bodies(place, of_kinds)
     outline = place.outline
@@ -102,7 +102,8 @@ def _zone(hole: Hole, box: ExactBox) -> bytes:
     return _ZONE.pack(*box, hole.sill, hole.top)
 
 
-def _edge(edge: WallEdge) -> bytes:
+def edge_row(edge: WallEdge) -> bytes:
+    """Returns a piece of wall line as the core reads it."""
     return _BOX.pack(_WALL[edge.side], edge.line, edge.start, edge.end)
 
 

@@ -29,18 +29,18 @@ def squares(world: World, place: PlacedRoom) -> Iterator[Square]:
     """Returns the door squares in a room: of its own doors, and of those that only the other room lists."""
     for hole in place.holes:
         if hole.opening.kind in DOOR_KINDS:
-            yield Square(hole, hole.edge.strip(hole.start, hole.end, _square_depth(hole)))
+            yield Square(hole, hole.edge.strip(hole.edge.start, hole.edge.end, _square_depth(hole)))
     own = {opening.id for opening in place.room.openings}
     for other, hole in world.leading_to.get(place.room.id, ()):
         if other is not place and hole.opening.id not in own and hole.opening.kind in DOOR_KINDS:
-            box = hole.edge.strip(hole.start, hole.end, 0, outwards=_square_depth(hole))
+            box = hole.edge.strip(hole.edge.start, hole.edge.end, 0, outwards=_square_depth(hole))
             yield Square(hole, box.moved(other.x - place.x, other.z - place.z))
 
 
 def _square_depth(hole: Hole) -> int:
-    return min(hole.end - hole.start, DOOR_DEPTH)
+    return min(hole.edge.end - hole.edge.start, DOOR_DEPTH)
 
 
 def window_zone(hole: Hole) -> ExactBox:
     """Returns the strip before a window where nothing taller than its sill stands."""
-    return hole.edge.strip(hole.start - WINDOW_MARGIN, hole.end + WINDOW_MARGIN, WINDOW_DEPTH)
+    return hole.edge.strip(hole.edge.start - WINDOW_MARGIN, hole.edge.end + WINDOW_MARGIN, WINDOW_DEPTH)

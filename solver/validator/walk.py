@@ -91,7 +91,7 @@ def walk_of(world: World, placed: Sequence[tuple[PlacedRoom, bytes]]) -> Walk:
 
 def _line(place: PlacedRoom, hole: Hole) -> WallEdge:
     """Returns the piece of wall line that a hole is in, in the house."""
-    return WallEdge(hole.edge.side, hole.edge.line, hole.start, hole.end).moved(place.x, place.z)
+    return hole.edge.moved(place.x, place.z)
 
 
 def _bridges(world: World, places: Iterable[PlacedRoom]) -> Iterator[ExactBox]:

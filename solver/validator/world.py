@@ -42,12 +42,10 @@ WAYS: Final = ("door", "passage", "garage_door")
 
 @dataclass(frozen=True)
 class Hole:
-    """An opening at its place: [start, end] along its edge, from `sill` to `top`."""
+    """An opening at its place: the piece of wall line that it is in, from `sill` to `top`."""
 
     opening: Opening
     edge: WallEdge
-    start: int
-    end: int
     sill: int
     top: int
 
@@ -161,7 +159,7 @@ def _hole(opening: Opening, outline: Outline) -> Hole | None:
         edge = _edge_at(outline, opening.wall, centre)
     if edge is None:
         return None
-    return Hole(opening, edge, centre - half, centre + half, sill, sill + exact(opening.height))
+    return Hole(opening, WallEdge(edge.side, edge.line, centre - half, centre + half), sill, sill + exact(opening.height))
 
 
 def _edge_at(outline: Outline, wall: str | None, position: int) -> WallEdge | None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
@@ -12,6 +14,8 @@ import pytest
 from catalogs import load_catalogs
 from catalogs.shapes import Solid
 from solver import Request, generate
+from solver.demanded import demanding_at_most
+from solver.errors import TooMuch
 from solver.exports import describe
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
 from solver.validator import validate
@@ -147,6 +151,28 @@ def test_what_is_fitted_to_a_wall_stops_fronts_where_mujoco_says(kind: str | Non
         assert one == before
     else:
         assert one.travel < before.travel if sooner else one.travel > before.travel
+
+
+def test_fronts_open_through_holes_that_overlap_as_far_as_mujoco_says() -> None:
+    """Passages over each other in a wall, of chance: what opens to them is stopped where none of them leaves the wall open."""
+    random, bare, wider = Random("holes"), room(piece("wardrobe", 7.95 - 0.9, 2.0)), 0
+    before = travel(bare, "outer_door_2").travel
+    for _ in range(12):
+        sizes = [(random.uniform(1.2, 4.2), random.uniform(0.4, 2.0), random.uniform(0.3, 2.6)) for _ in range(random.randint(2, 5))]
+        holes = [Opening(f"hole_{k}", "passage", "east", at, width, height=height) for k, (at, width, height) in enumerate(sizes)]
+        scene = replace(bare, rooms=(replace(bare.rooms[0], openings=tuple(holes)),))
+        assert list(open_all(scene, describe(scene, KNOWN), KNOWN)) == []
+        wider += travel(scene, "outer_door_2").travel > before
+    assert 0 < wider < 12
+
+
+def test_holes_over_each_other_by_the_thousand_are_refused_before_walls_are_cut() -> None:
+    bare = room(piece("wardrobe", 4.0, 2.0))
+    for count, refused in ((20, False), (3000, True)):
+        holes = (Opening(f"hole_{k}", "passage", "east", 3.0, 1.0 + k / 4000, height=1.0 + k / 4000) for k in range(count))
+        scene = replace(bare, rooms=(replace(bare.rooms[0], openings=tuple(holes)),))
+        with demanding_at_most(100_000), pytest.raises(TooMuch) if refused else nullcontext():
+            front_travels(scene, KNOWN)
 
 
 def test_a_door_stops_fronts_alike_in_both_its_rooms() -> None:

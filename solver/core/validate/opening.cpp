@@ -3,6 +3,7 @@
 // Everything is in the frame of the furniture, m, x to its right, y up, z to its front; boxes are told apart along the fifteen axes of two,
 // round solids along some more: what these do not tell apart meets, by a few mm too soon at most.
 #include "validate/room.hpp"
+#include "validate/shell.hpp"
 
 namespace validate {
 
@@ -276,7 +277,8 @@ Bytes open_fronts(Bytes rows_sent) {
   Reader reader(rows_sent);
   const Room room = read_room(reader);
   const FrontsRow& sent = reader.take<FrontsRow>(1)[0];
-  const Span<ShellBox> shell = reader.take<ShellBox>(static_cast<i32>(sent.shell));
+  const Span<HoleRow> holes = reader.take<HoleRow>(static_cast<i32>(sent.holes));
+  const Span<ShellBox> shell = shell_of(room, holes, reader.take<FittedBox>(static_cast<i32>(sent.fitted)));
   const Span<Opener> openers = reader.take<Opener>(static_cast<i32>(sent.openers));
   const Span<Front> fronts = reader.take<Front>(static_cast<i32>(sent.fronts));
   const Span<i64> numbers = reader.take<i64>(static_cast<i32>(sent.parts));

@@ -196,13 +196,8 @@ struct Front {
   i64 first, parts;
 };
 
-// What stands around a room, m in its frame: walls without their holes, and what is fitted to those.
-struct ShellBox {
-  f64 x0, y0, z0, x1, y1, z1;
-};
-
 struct FrontsRow {
-  i64 openers, fronts, parts, shell;
+  i64 holes, fitted, openers, fronts, parts;
 };
 
 // How far a front opens, millionths of a degree or of a metre, and what it meets then: a body, -1 nothing, -2 a wall.

@@ -1,0 +1,107 @@
+// What stands around a room for what opens in it: its walls without their holes, and what is fitted to these, m in the room's frame.
+#include "validate/shell.hpp"
+
+namespace validate {
+
+constexpr f64 HEIGHT = 3.0;  // how high walls are taken to be, m
+
+static f64 metres(i64 steps) { return static_cast<f64>(steps) / static_cast<f64>(PER_METRE); }
+
+namespace {
+
+struct Span1 {
+  f64 low, high;
+};
+
+// A wall's line, and the boxes that are added along it.
+struct Line {
+  bool runs_east;
+  f64 at;
+  List<ShellBox>& boxes;
+
+  void add(const Span1& along, const Span1& up, const Span1& across) const {
+    const f64 near = at + across.low, far = at + across.high;
+    if (runs_east) {
+      boxes.add({along.low, up.low, near, along.high, up.high, far});
+    } else {
+      boxes.add({near, up.low, along.low, far, up.high, along.high});
+    }
+  }
+};
+
+// An interval along a wall, and which heights a hole takes there.
+struct Cut {
+  Span1 along, up;
+};
+
+}  // namespace
+
+static Line line_of(const Edge& edge, List<ShellBox>& boxes) { return {edge.runs_east(), metres(edge.line), boxes}; }
+
+// Adds the stretches of a wall's height that none of the holes over an interval takes.
+static void add_between(const Line& line, const Span1& along, List<Cut>& over, f64 half) {
+  stable_sort(over.all(), [](const Cut& a, const Cut& b) { return a.up.low < b.up.low; });
+  f64 reached = 0.0;
+  for (const Cut& one : over) {
+    if (one.up.low > reached) line.add(along, {reached, least(one.up.low, HEIGHT)}, {-half, half});
+    reached = most(reached, one.up.high);
+  }
+  if (reached < HEIGHT) line.add(along, {reached, HEIGHT}, {-half, half});
+}
+
+// Adds a wall, cut at the sides of its holes, which come in the order in which they begin; it goes on by half its thickness at its ends.
+static void add_wall(const Edge& edge, Span<Cut> holes, f64 half, List<ShellBox>& boxes) {
+  const Line line = line_of(edge, boxes);
+  const f64 start = metres(edge.start) - half, end = metres(edge.end) + half;
+  List<f64> stops;
+  stops.add(start);
+  for (const Cut& hole : holes) {
+    const f64 sides[] = {hole.along.low, hole.along.high};
+    for (const f64 at : sides) {
+      if (start < at && at < end) stops.add(at);
+    }
+  }
+  stops.add(end);
+  stable_sort(stops.all(), [](f64 a, f64 b) { return a < b; });
+  List<Cut> over;
+  i32 next = 0;
+  for (i32 k = 0; k + 1 < stops.size(); k++) {
+    const f64 low = stops[k], high = stops[k + 1];
+    if (low == high) continue;
+    while (next < holes.size && holes[next].along.low <= low) over.add(holes[next++]);
+    i32 kept = 0;
+    for (const Cut& one : over) {
+      if (one.along.high > low) over[kept++] = one;
+    }
+    over.cut(kept);
+    add_between(line, {low, high}, over, half);
+  }
+}
+
+Span<ShellBox> shell_of(const Room& room, Span<HoleRow> holes, Span<FittedBox> fitted) {
+  const f64 half = metres(room.half_wall);
+  List<ShellBox> boxes;
+  List<Cut> cuts;
+  for (const Edge& edge : room.edges) {
+    cuts.cut(0);
+    for (const HoleRow& hole : holes) {
+      if (hole.edge.runs_east() != edge.runs_east() || hole.edge.line != edge.line) continue;
+      cuts.add({{metres(hole.edge.start), metres(hole.edge.end)}, {hole.low, hole.high}});
+    }
+    stable_sort(cuts.all(), [](const Cut& a, const Cut& b) { return a.along.low < b.along.low; });
+    add_wall(edge, cuts.all(), half, boxes);
+  }
+  i32 first = 0;
+  for (const HoleRow& hole : holes) {
+    if (hole.fitted < 0 || hole.fitted > fitted.size - first) fail(Failure::bad_request);
+    const Line line = line_of(hole.edge, boxes);
+    const f64 at = metres(hole.edge.start);
+    for (const i32 end = first + static_cast<i32>(hole.fitted); first < end; first++) {
+      const FittedBox& one = fitted[first];
+      line.add({at + one.start, at + one.end}, {one.low, one.high}, {one.near, one.far});
+    }
+  }
+  return boxes.all();
+}
+
+}  // namespace validate
