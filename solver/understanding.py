@@ -49,7 +49,7 @@ def understood(scene: Scene, catalogs: Catalogs) -> Understood:
         catalogs: kinds, and what others call them.
     """
     ours = own_names(catalogs)
-    if all(name in ours for room in scene.rooms for name in furniture_names(room)):
+    if all(ours.issuperset(furniture_names(room)) for room in scene.rooms):
         return Understood(scene, {}, {})
     words: dict[str, str] = {}
     sent: dict[str, Furniture] = {}

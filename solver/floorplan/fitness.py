@@ -30,7 +30,7 @@ TABLE_APART: Final = 1.0
 def cars_of(kind: RoomType) -> int:
     """Returns how many cars a room type holds, at least one."""
     asked = [count for line in kind.requires for name, count in line.items() if name == "car"]
-    held = [piece.count for piece in kind.pieces if any(variant.kind == "car" for variant in piece.variants)]
+    held = [piece.count for piece in kind.pieces if "car" in ([one.kind for one in piece.kinds] or [piece.piece])]
     return max((*asked, *held, 1))
 
 

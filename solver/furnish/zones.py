@@ -23,7 +23,7 @@ WallLine = tuple[str, int, int, int]
 """A stretch of wall line: the wall it is part of, its coordinate across, and its ends along, mm."""
 
 
-def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others: Sequence[Room] = ()) -> Space:
+def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others: Sequence[Room] = (), cover_mm2: int = 0) -> Space:
     """Returns where a room's furniture may stand.
 
     Args:
@@ -31,6 +31,7 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
         wall_thickness: of inner walls, m; half of it lies inside the room.
         robot_width: side, m, of the square that must be able to walk everywhere.
         others: rooms whose doors into this one keep their squares here too, should this one not list them.
+        cover_mm2: how much floor the furniture shall cover at least; 0: whatever it covers.
     """
     lines, edges, half = bounds_of(room), outline_edges(room), (to_mm(wall_thickness) + 1) // 2
     zones = [Zone(rect, -1, "outline") for rect in missing_parts(room, half)]
@@ -47,7 +48,7 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
     entered = (_from_face(one, lines, half) for one in (*doorways, *beyond))
-    return Space(room.id, lines.shrunk(half), tuple(zones), tuple(entered), to_mm(robot_width))
+    return Space(room.id, lines.shrunk(half), tuple(zones), tuple(entered), to_mm(robot_width), cover_mm2=cover_mm2)
 
 
 def _from_face(doorway: Doorway, lines: Rect, half: int) -> Doorway:
@@ -132,7 +133,9 @@ def _line_among(lines: Rect, edges: Sequence[WallLine], opening: Opening) -> Wal
 
 def outline_edges(room: Room) -> list[WallLine]:
     """Returns the edges of a room's outline, from its first point on; empty without an outline."""
-    points = [(to_mm(x), to_mm(z)) for x, z in room.outline or ()]
+    if not room.outline:
+        return []
+    points = [(to_mm(x), to_mm(z)) for x, z in room.outline]
     following = points[1:] + points[:1]
     clockwise = doubled_area(points) > 0
     edges: list[WallLine] = []

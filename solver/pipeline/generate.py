@@ -170,9 +170,8 @@ def _around(room: Room, setting: _Setting) -> _Asked:
 def _space(room: Room, setting: _Setting) -> Space:
     known = setting.spaces.get(room.id)
     if known is None or known[0] is not room:
-        space = space_of(room, setting.thickness, setting.robot_width, setting.others)
-        cover = _cover_mm2(room, setting)
-        known = setting.spaces[room.id] = room, replace(space, cover_mm2=cover) if cover else space
+        space = space_of(room, setting.thickness, setting.robot_width, setting.others, _cover_mm2(room, setting))
+        known = setting.spaces[room.id] = room, space
     return known[1]
 
 

@@ -36,16 +36,17 @@ def unreachable(case: RuleCase) -> Iterator[Finding]:
 
 def used_pieces(place: PlacedRoom, kinds: Kinds) -> Iterator[tuple[int, Use]]:
     """Yields the pieces of a room that are used from a side, by their numbers there, and from which."""
-    for number, (key, _) in enumerate(place.pieces):
-        use = kinds.use_of(key)
-        if use is not None:
-            yield number, use
+    use_of = kinds.use_of
+    return ((number, use) for number, (key, _) in enumerate(place.pieces) if (use := use_of(key)) is not None)
 
 
 def missed_sides(walk: Walk, place: PlacedRoom, number: int, use: Use) -> tuple[str, ...]:
     """Returns the use sides of a piece, by its number in its room, that the square cannot come to; none where enough are reached."""
-    (_, rotation), touched = place.pieces[number], walk.touched(place, number)
-    missed = tuple([side for side in use.sides if side_of(rotation, side) not in touched]) if len(touched) < len(SIDES) else ()
+    touched = walk.touched(place, number)
+    if len(touched) == len(SIDES):
+        return ()
+    rotation = place.pieces[number][1]
+    missed = tuple([side for side in use.sides if side_of(rotation, side) not in touched])
     return missed if use.need == "all" or len(missed) == len(use.sides) else ()
 
 

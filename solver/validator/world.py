@@ -166,9 +166,11 @@ def _edge_at(outline: Outline, wall: str | None, position: int) -> WallEdge | No
     """Returns the outermost piece of a wall at a position, or else the bounds' own line."""
     if wall is None:
         return None
+    here = [edge for edge in outline.edges if edge and edge.side == wall and edge.start <= position <= edge.end]
+    if len(here) == 1:
+        return here[0]
     bounds = outline.bounds
     lines = {"north": bounds.z0, "south": bounds.z1, "west": bounds.x0, "east": bounds.x1}
-    here = [edge for edge in outline.edges if edge and edge.side == wall and edge.start <= position <= edge.end]
     if not here:
         spans = (bounds.x0, bounds.x1) if wall in ("north", "south") else (bounds.z0, bounds.z1)
         return WallEdge(wall, lines[wall], *spans)
