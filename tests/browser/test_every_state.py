@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterator
 
 import pytest
-from playwright.sync_api import Browser, Route, expect
+from playwright.sync_api import Browser, BrowserContext, Route, expect
 
-from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN
+from tests.architecture.tree import ROOT
+from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN, close
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import OVER, PHONE, found_in, in_conflict, refusing
 from tests.browser.test_editing import ONE, OTHER, crate, den
@@ -16,22 +18,39 @@ from tests.browser.test_language import TOWN
 from tests.browser.visit import Visit, furniture_of
 
 HOME = "?program=studio&decorate=true&seed=3"
+PLAIN_HOME = "?program=studio&seed=3"
+"""A third fewer lines to look at: how lines of decorations look is seen in the other."""
 UNDONE = "window.dispatchEvent(new DragEvent('dragleave', {relatedTarget: null})), 0"
-COLOURS = ("light", "dark")
+RULES: dict[str, tuple[str, ...]] = {"light": (), "dark": ("color-contrast", "link-in-text-block")}
+"""The rules by colours, all for none: a dark page differs in colours alone."""
+IN_THE_DARK = re.compile(r"@media[^{]*prefers-color-scheme[^{]*\{((?:[^{}]*\{[^{}]*\})*)")
+PROPERTY = re.compile(r"[{;]\s*([\w-]+)\s*:")
+PAINT = {"background", "filter"}
+"""What may change in the dark beside `light-dark()`, which gives nothing but a colour."""
 COMPARE = 3
 """Which button of a saved home compares it with another."""
 
 
-@pytest.fixture(params=["en-GB", "de-AT"])
-def spoken(request: pytest.FixtureRequest, browser: Browser, service: ServiceProcess) -> Iterator[Visit]:
-    """A visit with a browser of one of the page's languages, whose panels stand open."""
+@pytest.fixture(scope="module", params=["en-GB", "de-AT"])
+def speaking(request: pytest.FixtureRequest, browser: Browser) -> Iterator[BrowserContext]:
+    """A browser of one of the page's languages."""
     context = browser.new_context(
         viewport={"width": 1280, "height": 800}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", locale=request.param
     )
     for script in (SHOWN, FEW_TRIANGLES):
         context.add_init_script(script)
-    yield Visit(context.new_page(), service.address)
+    context.new_page()  # keeps the window open
+    yield context
     context.close()
+
+
+@pytest.fixture
+def spoken(speaking: BrowserContext, service: ServiceProcess) -> Iterator[Visit]:
+    """A visit that remembers nothing, whose panels stand open."""
+    page = speaking.new_page()
+    yield Visit(page, service.address)
+    close(page)
+    speaking.clear_cookies()
 
 
 class States:
@@ -39,15 +58,17 @@ class States:
 
     def __init__(self, visit: Visit) -> None:
         self.visit, self.found = visit, dict[str, list[str]]()
+        self.colours = list(RULES)
 
     def look(self, state: str, shown: str | None = None) -> None:
         """Wait until what makes the state is seen, and look at it."""
         if shown is not None:
             expect(self.visit.page.locator(shown).first).to_be_visible()
-        for colours in COLOURS:
+        for colours in self.colours:
             self.visit.page.emulate_media(color_scheme=colours)  # type: ignore[arg-type]
             assert f"{state}, {colours}" not in self.found
-            self.found[f"{state}, {colours}"] = found_in(self.visit.page)
+            self.found[f"{state}, {colours}"] = found_in(self.visit.page, *RULES[colours])
+        self.colours.reverse()  # the next state is come to in the colours of this one
 
     def file(self, name: str, document: object) -> None:
         """Open a file on the page."""
@@ -59,18 +80,28 @@ class States:
         return {state: wrong for state, wrong in self.found.items() if wrong}
 
 
+def test_dark_pages_differ_in_colours_alone() -> None:
+    sources = {path: path.read_text(encoding="utf-8") for path in (ROOT / "web").rglob("*.*") if path.suffix in {".css", ".ts", ".html"}
+               and not {"node_modules", "tests"} & {*path.parts}}  # fmt: skip
+    asking = {path.suffix for path, text in sources.items() if "prefers-color-scheme" in text}
+    assert asking == {".css"}
+    inside = [rules for text in sources.values() for rules in IN_THE_DARK.findall(text)]
+    assert inside
+    assert {name for rules in inside for name in PROPERTY.findall(rules)} <= PAINT
+
+
 def test_with_a_home(spoken: Visit) -> None:
     page, states = spoken.page, States(spoken)
     scene = spoken.open(HOME)["scene"]
     page.locator("details.group").evaluate_all("all => all.forEach(one => { one.open = true; })")
     states.look("all groups open", "#recent_list .recent-home")
-    for button, shown, close in (("#keys", "#keys_dialog", "#keys_close"), ("#diagnose", "#diagnose_found > *", "#diagnose_close")):
+    for button, shown, shut in (("#keys", "#keys_dialog", "#keys_close"), ("#diagnose", "#diagnose_found > *", "#diagnose_close")):
         page.locator(button).click()
         states.look(button, shown)
         if button == "#diagnose":
             page.locator("#report_whole > summary").click()
             states.look("whole report", "#report > *")
-        page.locator(close).click()
+        page.locator(shut).click()
     page.locator("[data-tool=menu]").click()
     states.look("menu", "#menu")
     page.keyboard.press("Escape")
@@ -129,7 +160,7 @@ def with_a_distance(visit: Visit, states: States) -> None:
 
 def test_with_a_piece(spoken: Visit) -> None:
     page, states = spoken.page, States(spoken)
-    pieces = list(furniture_of(spoken.open(HOME)))
+    pieces = list(furniture_of(spoken.open(PLAIN_HOME)))
     stage = page.locator("#stage")
     spoken.line_of(pieces[0]).click()
     stage.focus()
@@ -170,7 +201,7 @@ def test_with_a_piece(spoken: Visit) -> None:
 
 def test_with_saved_homes_and_files(spoken: Visit) -> None:
     page, states = spoken.page, States(spoken)
-    scene = spoken.open(HOME)["scene"]
+    scene = spoken.open(PLAIN_HOME)["scene"]
     page.locator("#saved summary").click()
     states.look("nothing saved", "#saved")
     for name in ("one", "another"):
