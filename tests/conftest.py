@@ -69,6 +69,11 @@ def pytest_collection() -> Generator[None, object, object]:
         gc.enable()
 
 
+def opens_a_page(item: pytest.Item) -> bool:
+    """Whether a test of the browser opens a page of its own."""
+    return any(item.get_closest_marker(name) for name in ("own_page", "draws_all"))
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
     """Share the tests, file by file, among the workers of a parallel run, so that what a file makes for its tests is made once.
@@ -87,5 +92,5 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
             groups.setdefault(item.path, ONCE[fixture])
     for item in items:
         item.add_marker(pytest.mark.xdist_group(groups.get(item.path) or item.nodeid.partition("::")[0]))
-    items.sort(key=lambda item: (groups.get(item.path, "to others"), item.get_closest_marker("own_page") is not None))
+    items.sort(key=lambda item: (groups.get(item.path, "to others"), opens_a_page(item)))
     yield

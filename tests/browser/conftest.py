@@ -76,12 +76,13 @@ def handed_on() -> list[Page]:
 def page(request: pytest.FixtureRequest, context: BrowserContext, handed_on: list[Page]) -> Iterator[Page]:
     """A page that remembers nothing: one handed on, or, for tests marked `own_page`, a new one; what else it leaves, or throws, fails.
 
-    Only a page of a test's own draws all that a person would see.
+    Only that of a test marked `draws_all`, a new one too, draws all that a person would see.
     """
-    is_own = request.node.get_closest_marker("own_page") is not None
+    draws_all = request.node.get_closest_marker("draws_all") is not None
+    is_own = draws_all or request.node.get_closest_marker("own_page") is not None
     if is_own and handed_on:
         close(handed_on.pop())
-    page = handed_on.pop() if handed_on else opened(context, is_own)
+    page = handed_on.pop() if handed_on else opened(context, draws_all)
     faults: list[str] = []
     page.on("pageerror", lambda fault: faults.append(str(fault)))
     failed = request.session.testsfailed

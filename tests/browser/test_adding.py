@@ -23,7 +23,7 @@ def added(bench: Bench) -> list[str]:
     return [piece for piece in poses(bench.scene()) if piece not in poses(bench.before)]
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 def test_pictures_are_drawn_of_kinds_in_view_and_categories_choose_among_them(visit: Visit) -> None:
     bench = Bench(visit, den(crate(ONE, 2, 1.5)))
     page = bench.page

@@ -123,7 +123,7 @@ def test_dragging_turns_the_house_and_the_compass(visit: Visit) -> None:
     assert visit.page.locator("#compass").evaluate("compass => compass.style.transform") != compass
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 def test_the_cut_changes_what_is_seen(visit: Visit) -> None:
     visit.open(SMALL.format(40))
     low = visit.page.locator("#stage > canvas").screenshot()

@@ -16,7 +16,7 @@ def picture(visit: Visit) -> bytes:
     return visit.page.locator("#stage > canvas").screenshot()
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 def test_a_bare_address_shows_a_house(visit: Visit) -> None:
     answer = visit.open()
     scene = answer["scene"]
@@ -74,7 +74,7 @@ def test_the_readable_yaml_is_the_services_own(visit: Visit) -> None:
     assert [line.replace("\u00a0", "") for line in shown] == lines
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 def test_the_console_is_silent_and_nobody_else_is_asked(visit: Visit) -> None:
     visit.open(SMALL.format(6))
     visit.page.keyboard.press("r")

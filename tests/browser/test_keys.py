@@ -83,7 +83,7 @@ def test_arrows_move_the_chosen_piece_and_keys_in_fields_are_text(visit: Visit) 
     assert visit.state()["openDoors"] == []
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 def test_t_opens_the_door_in_the_middle_and_closes_it_again(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     tab_to(visit.page, "a[href='#stage']")

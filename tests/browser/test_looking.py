@@ -128,7 +128,7 @@ def test_all_pieces_are_named_on_demand_and_no_name_covers_another(visit: Visit)
     expect(names).to_have_count(0)
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 def test_walls_are_drawn_as_high_as_the_slider_says_and_whole_to_who_walks(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     canvas = visit.page.locator("#stage > canvas")

@@ -204,7 +204,7 @@ def test_the_plan_is_printed_alone_and_to_scale(visit: Visit) -> None:
     visit.page.emulate_media(media="screen")
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 @pytest.mark.parametrize("colours", ["light", "dark"])
 def test_the_browsers_own_print_prints_what_is_in_view_on_white(visit: Visit, colours: Literal["light", "dark"]) -> None:
     page = visit.page

@@ -8,7 +8,7 @@ from playwright.sync_api import Route, expect
 from tests.browser.visit import SMALL, Visit, furniture_of, said
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 def test_a_click_opens_a_door_and_another_closes_it(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     closed = visit.page.locator("#stage > canvas").screenshot()
