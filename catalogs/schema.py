@@ -71,12 +71,18 @@ class FurnitureSpec(KindSpec):
 class RelationSpec(Entry):
     """One relation of a piece to the room or to other pieces; docs/relations.md says what each type means.
 
-    Hard when `required`; otherwise `cost` is what it costs to do without it and `weight` (per m2) pulls towards it.
-    `of` names other pieces of the room type by their `piece` names (any of them will do), or an opening: door,
-    garage_door, window. `distance` is a wished distance, `gap` the free space between two bodies, one number or
-    [least, most] (negative: tucked under). `sides` are sides of the piece `of`, most wanted first; `align` tells how a
-    piece beside another lines up with it. `walls`, for against_wall: costs by what a wall has, such as
-    {door: 2, window: 1}. `wall`, for two pieces: how their walls should lie.
+    Args:
+        type: the relation.
+        of: other pieces by their names, any of them will do; or an opening: door, garage_door, window.
+        required: whether it has to hold.
+        cost: what it costs to do without it.
+        weight: how much it pulls towards it, per m2.
+        distance: a wished distance, m.
+        gap: the free space between two bodies, m, one number or [least, most]; negative: tucked under.
+        sides: sides of the piece `of`, most wanted first.
+        align: how a piece beside another lines up with it.
+        walls: for against_wall: costs by what a wall has, such as {door: 2, window: 1}.
+        wall: for two pieces: how their walls should lie.
     """
 
     type: RelationWord

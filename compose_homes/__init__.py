@@ -15,27 +15,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from compose_homes.files import dump, load
+from solver.answers import Conflict, Fixed, Generated, Issue, Move, Pose
 from solver.errors import ComposeError, FieldError, RequestError, SceneError, SyntaxFault
-from solver.scene import (
-    Conflict,
-    Decoration,
-    Dynamic,
-    Fixed,
-    Flooring,
-    Furniture,
-    Generated,
-    Issue,
-    Level,
-    Move,
-    Opening,
-    Pose,
-    Request,
-    Room,
-    Scene,
-    Sides,
-    Size,
-    WallFinish,
-)
+from solver.request import Request
+from solver.scene import Decoration, Dynamic, Flooring, Furniture, Level, Opening, Room, Scene, Sides, Size, WallFinish
 from solver.version import VERSION as __version__
 
 if TYPE_CHECKING:

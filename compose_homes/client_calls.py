@@ -18,11 +18,13 @@ from typing import Any, Generic, TypeVar
 from service.contract import FloorAnswer, Lines, PlaceAnswer, ValidateAnswer
 from service.home_contract import HomeHead, HomeList, HomeVersions, HomeWithScene
 from service.job_contract import JobHead, JobList
+from solver.answers import Fixed, Generated
 from solver.exchange import read, write_request, write_scene
 from solver.explained import Explained
 from solver.guessed import FurnishedPlan
 from solver.imported import PlanImport
-from solver.scene import Fixed, Generated, Request, Scene
+from solver.request import Request
+from solver.scene import Scene
 
 T = TypeVar("T")
 

@@ -39,6 +39,7 @@ from service.contract import (
 from service.effort import limited_to
 from service.generating import check_size, draw_seed, made_house
 from solver import explain, export, fix, fix_frame, place, prepare_drag, validate
+from solver.answers import Fixed, Generated
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, scene_schema, write
 from solver.explained import Explained
@@ -51,7 +52,8 @@ from solver.named_kinds import with_kinds
 from solver.pipeline.import_plan import import_plan
 from solver.pipeline.own_plan import furnish
 from solver.plain import Document
-from solver.scene import NO_ACCESS, Fixed, Generated, Request, Scene
+from solver.request import NO_ACCESS, Request
+from solver.scene import Scene
 from solver.scene_bodies import body_ids, check_ids
 from solver.understanding import understood
 from solver.validator import access_of, floors, metrics

@@ -19,7 +19,7 @@ from solver.errors import ComposeError, FieldError, SyntaxFault
 from solver.exchange import dump_scene, dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema, write
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
-from solver.scene import Request
+from solver.request import Request
 from solver.whole_files import write_whole
 
 if TYPE_CHECKING:

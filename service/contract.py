@@ -9,14 +9,15 @@ from typing import Annotated, Any, ClassVar
 from annotated_types import Ge, Le, MaxLen, MinLen
 
 from service.effort import EFFORTS, NORMAL
-from solver.answers import ON_CONFLICT, Limited
+from solver.answers import ON_CONFLICT, Conflict, Issue, Limited, Pose
 from solver.exchange import SentRoom, SentScene
 from solver.export_formats import FREEDOMS
 from solver.fields import OMITTED, WHOLE, Counted, Flag, Free, Like, OneOf, Record, Says, Text, Whole
 from solver.guessed import KEEPS
 from solver.imported import ALLOWED_UNITS
+from solver.request import MAX_COUNT, Seed
 from solver.requested import MOST_ALTERNATIVES, MOST_PIECES, Held, PieceRequest, Placement, Unplaced
-from solver.scene import MAX_COUNT, ROBOT_WIDTH, Conflict, Issue, Pose, RobotWidth, Scene, Seed, WallThickness
+from solver.scene import ROBOT_WIDTH, RobotWidth, Scene, WallThickness
 
 Ids = Annotated[tuple[Text, ...], Says("ids")]
 Effort = Annotated[str, OneOf(*EFFORTS), Says("how much work the call may do")]
@@ -36,7 +37,12 @@ class RerollBody(Record):
 
 @dataclass(frozen=True)
 class FurnishBody(Record):
-    """Furnishes rooms of a plan: those named, else the empty ones where `keep` is all, else every room."""
+    """Furnishes rooms of a plan: those named, else the empty ones where `keep` is all, else every room.
+
+    Args:
+        keep: what stays in these rooms.
+        style: of the home; the scene's own where there is none, else one of the seed's.
+    """
 
     camel_case: ClassVar[bool] = True
 
@@ -65,7 +71,15 @@ class RestyleBody(Record):
 
 @dataclass(frozen=True)
 class FixBody(Record):
-    """Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer; `dragging`: a frame of a drag."""
+    """Repairs a scene.
+
+    Args:
+        locked: ids of bodies that stay to the millimetre.
+        moved: ids of bodies that are held most strongly.
+        on_conflict: what becomes of what cannot stand.
+        previous: poses of the last answer.
+        dragging: whether this is a frame of a drag.
+    """
 
     camel_case: ClassVar[bool] = True
 
@@ -80,7 +94,12 @@ class FixBody(Record):
 
 @dataclass(frozen=True)
 class DragBody(Record):
-    """Takes a piece in hand: its room is prepared for frames of a drag."""
+    """Takes a piece in hand: its room is prepared for frames of a drag.
+
+    Args:
+        id: of the piece.
+        locked: ids of bodies that stay.
+    """
 
     scene: SentScene
     id: Text
@@ -99,7 +118,8 @@ class DragAnswer(Record):
 class ImportBody(Record):
     """A foreign floor plan: `file` holds a file's bytes in base64, or `document` what a JSON file says; one of the two.
 
-    `level` is the storey to take, by default the lowest with rooms; `unit` how long the file's unit is, where the file does not say it.
+    Args:
+        level: the storey to take; by default the lowest with rooms.
     """
 
     name: Annotated[Text, Says("the file's name, where it has one")] = ""
@@ -112,7 +132,14 @@ class ImportBody(Record):
 
 @dataclass(frozen=True)
 class PlaceBody(Record):
-    """Places pieces in a room; `alternatives` placements are wished for in all."""
+    """Places pieces in a room.
+
+    Args:
+        pieces: what is wanted in it.
+        alternatives: how many placements are wished for in all.
+        wall_thickness: of its walls, m.
+        robot_width: side of the square that must be able to walk, m.
+    """
 
     camel_case: ClassVar[bool] = True
 
@@ -126,7 +153,13 @@ class PlaceBody(Record):
 
 @dataclass(frozen=True)
 class ValidateBody(Record):
-    """Judges a scene; a report is written where it is wanted or bodies are `flagged` as problematic; `access` names a profile."""
+    """Judges a scene.
+
+    Args:
+        flagged: ids of bodies that somebody finds problematic: a report is written.
+        report: whether a report is written in any case.
+        access: a profile of access.yaml.
+    """
 
     camel_case: ClassVar[bool] = True
 
@@ -145,7 +178,11 @@ class ViewBody(Record):
 
 @dataclass(frozen=True)
 class ExplainBody(Record):
-    """Asks why a piece of furniture stands where it does."""
+    """Asks why a piece of furniture stands where it does.
+
+    Args:
+        id: of the piece.
+    """
 
     scene: SentScene
     id: Text
@@ -161,9 +198,12 @@ class FloorBody(Record):
 
 @dataclass(frozen=True)
 class ExportBody(Record):
-    """A scene, or an answer that holds one; of that nothing else is read.
+    """A scene, or an answer that holds one.
 
-    In the formats of simulators `free` says what may move there; `strict` refuses a scene with errors.
+    Args:
+        free: what may move in the formats of simulators.
+        strict: whether a scene with errors is refused.
+        issues, timing_ms, understood_as, moves, removed, conflicts: of an answer, not read.
     """
 
     scene: SentScene

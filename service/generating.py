@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Final
 
 from service.effort import limited_to
 from solver import generate, reroll, restyle
+from solver.answers import Generated
 from solver.errors import FieldError
 from solver.exchange import read, read_request
-from solver.scene import MAX_SEED, Generated, Scene
+from solver.request import MAX_SEED
+from solver.scene import Scene
 
 if TYPE_CHECKING:
     from catalogs import Catalogs

@@ -32,7 +32,11 @@ HomeTags = Annotated[tuple[HomeTag, ...], MaxLen(MOST_TAGS), Says("each is kept 
 
 @dataclass(frozen=True)
 class HomeBody(Record):
-    """A home to keep."""
+    """A home to keep.
+
+    Args:
+        notes: what somebody wrote about it.
+    """
 
     scene: SentScene
     name: HomeName = "Home"
@@ -42,7 +46,14 @@ class HomeBody(Record):
 
 @dataclass(frozen=True)
 class HomeChange(Record):
-    """What changes of a home that is kept; a scene becomes its next version."""
+    """What changes of a home that is kept.
+
+    Args:
+        scene: its next version.
+        name: one line.
+        notes: what somebody wrote about it.
+        tags: each is kept once, in their order.
+    """
 
     scene: SentScene | None = None
     name: HomeName | None = None

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 from annotated_types import MaxLen, MinLen
 
 from solver.fields import Free, Name, OneOf, Record, Says, Text, Whole
-from solver.scene import Seed
+from solver.request import Seed
 
 MOST_CALLS: Final = 1000
 JOB_CALLS: Final = ("generate", "furnish", "fix", "place", "validate")
@@ -17,7 +17,12 @@ STATES: Final = ("waiting", "running", "done")
 
 @dataclass(frozen=True)
 class JobBody(Record):
-    """Long work: one call with `body`; with `seeds` that call once a seed."""
+    """Long work: one call with `body`; with `seeds` that call once a seed.
+
+    Args:
+        call: its name.
+        seeds: the call is made once for each.
+    """
 
     call: Annotated[str, OneOf(*JOB_CALLS)]
     body: Annotated[Free, Says("of the call, as it would be sent to it")] = field(default_factory=dict)

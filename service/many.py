@@ -23,7 +23,7 @@ from service.pool import spread
 from solver.errors import ComposeError, FieldError
 from solver.exchange import dump_scene, write
 from solver.plain import Document
-from solver.scene import MAX_SEED
+from solver.request import MAX_SEED
 from solver.version import VERSION
 from solver.whole_files import write_whole
 

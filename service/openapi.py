@@ -8,11 +8,13 @@ from pathlib import Path
 from typing import Any, Final
 
 from catalogs import Catalogs
+from catalogs.entries import Entry
 from service.contract import ProblemDocument
 from service.problems import MEDIA_TYPE, STATUS, STORE_STATUS
 from service.wire import MEDIA_TYPES
-from solver.exchange import load_text
+from solver.exchange import load_text, tell_keys
 from solver.export_formats import EXPORTERS
+from solver.fields import Record
 
 REFERENCES: Final = "#/components/schemas/"
 EXAMPLES: Final = Path(__file__).parent / "examples.yaml"
@@ -39,6 +41,7 @@ def completed(document: dict[str, Any], catalogs: Catalogs) -> dict[str, Any]:
             _complete(call, examples().get(f"{verb.upper()} {path}") or examples().get(path, {}))
     _export_answers(document["paths"]["/export/{format}"]["post"]["responses"]["200"]["content"])
     _name_words(document["components"]["schemas"], catalogs)
+    tell_keys(document["components"]["schemas"], Record, Entry)
     return document
 
 

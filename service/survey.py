@@ -12,7 +12,7 @@ from service.packed_catalogs import unpacked
 from solver import generate
 from solver.exchange import read_request
 from solver.plain import Document
-from solver.scene import MAX_SEED, Request
+from solver.request import MAX_SEED, Request
 from solver.statistics import House, house_of, summary
 from solver.validator import RULES, metrics
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from solver.scene import Request, Scene
+from solver.request import Request
+from solver.scene import Scene
 
 if TYPE_CHECKING:
     from solver.pipeline.drag_frames import fix_frame, prepare_drag

@@ -1,17 +1,20 @@
-"""The words and keys of what /fix is asked, offers and tells: repairs of a conflict, what was taken out, what ended the search.
+"""The words and keys of answers: scenes with what breaks a rule, how far what was moved, repairs of a conflict, what ended the search.
 
-Comes in: nothing. Goes out: types that declare documents. May import: fields.
+Comes in: nothing. Goes out: types that declare documents. May import: fields, scene.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final, Literal
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Annotated, Final, Literal
 
-from solver.fields import Record
+from solver.fields import OMITTED, Like, Name, Number, OneOf, Record
+from solver.scene import Scene
 
 ON_CONFLICT: Final = ("report", "remove")
 """What becomes of what cannot stand in a repaired scene."""
+SEVERITIES: Final = ("error", "warning")
 
 
 @dataclass(frozen=True)
@@ -86,3 +89,75 @@ class Limited(Record):
 
 OfferedRepair = Freed | Unlocked | Turned | Shrunk | LeftOut
 """A change of the scene with which the rest can stand; README.md says what to do with each."""
+
+
+@dataclass(frozen=True)
+class Issue(Record):
+    """One broken rule: its name, the room's id, the ids of the bodies, and by how much, m."""
+
+    rule: str
+    severity: Annotated[str, OneOf(*SEVERITIES)]
+    room: str | None
+    ids: tuple[str, ...]
+    amount: float
+    message: str
+
+
+@dataclass(frozen=True)
+class Conflict(Record):
+    """Bodies that cannot stand together, why, and what would help."""
+
+    ids: tuple[str, ...]
+    message: str
+    repairs: tuple[Annotated[Mapping[str, object], Like(OfferedRepair)], ...] = ()
+
+
+@dataclass(frozen=True)
+class Move(Record):
+    """How far /fix moved a body, m, and the rotation it has now, degrees."""
+
+    id: str
+    dx: float
+    dz: float
+    rotation: float
+
+
+@dataclass(frozen=True)
+class Pose(Record):
+    """Where a body was in the last answer of /fix.
+
+    Args:
+        id: of the body.
+        x, z: its footprint's centre in its room, m.
+        rotation: degrees.
+    """
+
+    id: Name
+    x: Number
+    z: Number
+    rotation: Number = 0
+
+
+@dataclass(frozen=True)
+class Generated(Record):
+    """The answer of generate: the scene, what the validator says, and stage times in ms."""
+
+    scene: Scene
+    issues: tuple[Issue, ...]
+    timing_ms: Mapping[str, float]
+    limited: Limited | None = field(default=None, metadata={OMITTED: True})
+
+
+@dataclass(frozen=True)
+class Fixed(Record):
+    """The answer of fix."""
+
+    scene: Scene
+    moves: tuple[Move, ...]
+    removed: tuple[Annotated[Mapping[str, str], Like(Removal)], ...]
+    conflicts: tuple[Conflict, ...]
+    issues: tuple[Issue, ...]
+    timing_ms: Mapping[str, float]
+    understood_as: Mapping[str, str] = field(default_factory=dict)
+    """By id, what a piece was taken for that is called by no name of the catalogs."""
+    limited: Limited | None = field(default=None, metadata={OMITTED: True})

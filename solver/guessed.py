@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Final
 
-from solver.answers import Limited
+from solver.answers import Issue, Limited
 from solver.fields import OMITTED, OneOf, Record, Says
-from solver.scene import Issue, Scene
+from solver.scene import Scene
 
 GUESSED_BY: Final = ("name", "pieces", "form")
 """What a room's type was told from: what it is called, what stands in it, its floor, doors, windows and neighbours."""

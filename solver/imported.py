@@ -9,8 +9,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Final
 
+from solver.answers import Issue
 from solver.fields import Like, Record
-from solver.scene import Issue, Scene
+from solver.scene import Scene
 
 UNITS: Final = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
 """Units of files by name, m."""

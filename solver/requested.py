@@ -19,11 +19,12 @@ from catalogs.kind_book import KindBook
 from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from catalogs.synonyms import synonyms_of
+from solver.answers import Conflict, Issue
 from solver.errors import RequestError
 from solver.fields import STRICT, WHOLE, Flag, Record
 from solver.relations import RELATIONS
 from solver.relations.subject import Kind, as_its_size_says
-from solver.scene import Conflict, Issue, Room, Scene
+from solver.scene import Room, Scene
 
 MOST_PIECES: Final = 64
 """Most pieces of one request, copies counted; our choice: a furnished living room holds fifteen."""

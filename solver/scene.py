@@ -1,4 +1,4 @@
-"""Every type of the scene document and of the request, with its units.
+"""Every type of the scene document, with its units.
 
 Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by key, in its order.
 May import: errors, fields, what an asset may be called. Not here: reading and writing (exchange), rules (validate).
@@ -12,28 +12,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated, ClassVar, Final
+from typing import Annotated, Final
 
 from annotated_types import Ge, Le, MinLen
 
 from catalogs.assets import ASSET_NAME
-from solver.answers import Limited, OfferedRepair, Removal
 from solver.fields import (
-    MAX_WHOLE,
     OMITTED,
-    OUTLINE,
     REQUIRED,
     STRICT,
-    WHOLE,
-    Counted,
     Flag,
     Free,
-    GivenCorners,
     Identity,
     Index,
-    Like,
     Matching,
-    Name,
     Number,
     OneOf,
     OpenShare,
@@ -41,28 +33,18 @@ from solver.fields import (
     Record,
     Says,
     Text,
-    TextByIndex,
     Whole,
     late,
 )
 from solver.geometry import doubled_area
 
 FORMAT: Final = "compose-scene/1"
-MAX_SEED: Final = MAX_WHOLE
 EXTERIOR: Final = "EXTERIOR"
 """What an opening connects to when it leads outside."""
 WALLS: Final = ("north", "south", "east", "west")
 ROBOT_WIDTH: Final = 0.6
 """Side of the square that must be able to walk, m, where nothing else is said."""
-PLAIN_SIZE: Final = (20.0, 15.0)
-"""Width and depth of a house where nothing else is asked for, m."""
-FITTED: Final = "unless a programme or an area chooses it"
-NO_ACCESS: Final = "none"
-"""Names no profile of access."""
-MAX_COUNT: Final = 12
-"""Most rooms of one word, or cars, that a programme may count; our choice, more than any home has."""
 OPENING_KINDS: Final = ("door", "garage_door", "passage", "window")
-SEVERITIES: Final = ("error", "warning")
 ADJACENCY: Final = (
     "pairs of rooms, by index, with a common wall long enough for a door; the certificate's `unjoined` are those of them, by id, "
     "that no door or passage joins"
@@ -72,61 +54,19 @@ WallName = Annotated[str, OneOf(*WALLS)]
 OwnAsset = Annotated[str, STRICT, Matching(ASSET_NAME), Says("the name of an own asset: letters, digits and _ . -, never a path")]
 RequiredNumber = Annotated[Number, REQUIRED]
 RequiredMetres = Annotated[PositiveMetres, REQUIRED]
-Seed = Annotated[int, Ge(0), Le(MAX_SEED), WHOLE]
 RobotWidth = Annotated[float, STRICT, Ge(0.1), Le(2.0)]
 WallThickness = Annotated[float, STRICT, Ge(0.0), Le(1.0)]
-Extent = Annotated[float, STRICT, Ge(2.0), Le(1000.0)]
-
-
-@dataclass(frozen=True)
-class Request(Record):
-    """What to generate; all optional. Unknown keys are refused.
-
-    `program` counts rooms by word (`{bedrooms: 3, bathrooms: 2, garage: 1}`) or names a preset; `area` is the wished floor of the house,
-    m2. With either a home is planned for them, and `width` and `depth`, m, are chosen to fit where they are not given; else the house is
-    20 x 15 m and `min_room_size`, `max_depth`, `use_spine` and `force_types` say how its rectangle is cut into rooms. `outline` is that of
-    a planned home, none stands for any; or the corners around the house, m, each edge along x or z. `force_types` maps a room's index to a
-    room type. `robot_width` is the side, m, of the square that must be able to walk everywhere. `decorate` decorates surfaces, walls and
-    floors. `style` names a style. `access` names a profile: its walker must come everywhere, and the certificate tells what else of it is
-    met. `people` is whether there are people and pets. `wall_thickness` is that of inner walls, m, 0.1 by default, `outer_wall_thickness`
-    that of outer ones, as inner ones by default.
-    """
-
-    camel_case: ClassVar[bool] = True
-
-    seed: Annotated[Seed | None, Says("drawn where there is none")] = None
-    width: Annotated[Extent | None, Says(f"m, {PLAIN_SIZE[0]:g} {FITTED}")] = None
-    depth: Annotated[Extent | None, Says(f"m, {PLAIN_SIZE[1]:g} {FITTED}")] = None
-    min_room_size: Annotated[float, STRICT, Ge(1.5), Le(50.0), Says("m, at most the house's shorter side")] = 3.0
-    max_depth: Annotated[int, Ge(0), Le(16), WHOLE, Says("how often the rectangle is split")] = 5
-    use_spine: Flag = True
-    outdoor: Flag = False
-    decorate: Flag = False
-    force_types: Annotated[TextByIndex, Says("room types by the room's index")] = field(default_factory=dict)
-    robot_width: RobotWidth = ROBOT_WIDTH
-    program: Annotated[Mapping[str, int] | str | None, Counted(MAX_COUNT), Says("a preset's name, or how many rooms of each word")] = None
-    area: Annotated[float, STRICT, Ge(15.0), Le(1000.0)] | None = None
-    style: Text | None = None
-    outline: Annotated[str | GivenCorners | None, OUTLINE, Says("of a planned home, any by default; or of any home its corners, m")] = None
-    access: Annotated[Text | None, Says("a profile of access.yaml, or none")] = None
-    people: Annotated[Flag | None, Says("false: nobody is there")] = field(default=None, metadata={OMITTED: True})
-    wall_thickness: Annotated[float, STRICT, Ge(0.05), Le(0.24)] | None = field(default=None, metadata={OMITTED: True})
-    outer_wall_thickness: Annotated[float, STRICT, Ge(0.05), Le(0.6)] | None = field(default=None, metadata={OMITTED: True})
-
-    @property
-    def planned(self) -> bool:
-        """Tells whether a home is planned for a programme or a wished area, instead of a rectangle cut into rooms."""
-        return self.program is not None or self.area is not None
-
-    @property
-    def extents(self) -> tuple[float, float]:
-        """Width and depth of a plain request's house, m."""
-        return PLAIN_SIZE[0] if self.width is None else self.width, PLAIN_SIZE[1] if self.depth is None else self.depth
 
 
 @dataclass(frozen=True)
 class Size(Record):
-    """Outer extents of the house, m."""
+    """Outer extents of the house, m.
+
+    Args:
+        width: from west to east.
+        depth: from north to south.
+        height: of the building.
+    """
 
     width: PositiveMetres
     depth: PositiveMetres
@@ -136,7 +76,13 @@ class Size(Record):
 
 @dataclass(frozen=True)
 class Level(Record):
-    """One storey: elevation of its floor and its height, m."""
+    """One storey.
+
+    Args:
+        index: what a room's `level` names.
+        elevation: height of its floor, m.
+        height: of the storey, m.
+    """
 
     index: Whole = 0
     elevation: Number = 0.0
@@ -146,7 +92,12 @@ class Level(Record):
 
 @dataclass(frozen=True)
 class Flooring(Record):
-    """What the floor is made of: a name of catalogs/floorings.yaml and a colour."""
+    """What the floor is made of.
+
+    Args:
+        type: a name of catalogs/floorings.yaml.
+        color: #rrggbb.
+    """
 
     type: Text = "wood"
     color: Text = "#b08d57"
@@ -155,7 +106,12 @@ class Flooring(Record):
 
 @dataclass(frozen=True)
 class WallFinish(Record):
-    """What a room's walls are finished with on its side, and the colour."""
+    """What a room's walls are finished with on its side.
+
+    Args:
+        type: such as plaster.
+        color: #rrggbb.
+    """
 
     type: Text = "plaster"
     color: Text = "#f0ede6"
@@ -164,7 +120,11 @@ class WallFinish(Record):
 
 @dataclass(frozen=True)
 class Sides(Record):
-    """A yes or no for each of a room's four walls."""
+    """A yes or no for each of a room's four walls.
+
+    Args:
+        north, south, east, west: whether it is so of that wall.
+    """
 
     north: Flag = False
     south: Flag = False
@@ -174,12 +134,22 @@ class Sides(Record):
 
 @dataclass(frozen=True)
 class Opening(Record):
-    """A door, garage door, passage or window in a wall.
+    """A door, garage door, passage or window in a wall. Both rooms of a door list it under one id.
 
-    `position` is the opening's centre along the wall from its west or north end, m. Both rooms of a door list it under one id. `hinge` is
-    the end of the opening that carries the leaf; `swing` is `in` for the room whose floor the leaf sweeps. On an outlined room `edge` (from
-    outline point i to the next) replaces `wall`. `open` is how far its leaf stands open, 0 to 1; of the two entries that of the room that
-    draws the leaf counts.
+    Args:
+        kind: a passage has no leaf.
+        wall: the wall it is in.
+        position: its centre along the wall, from the west or north end, m.
+        width: along the wall, m.
+        height: from its lower edge up, m.
+        sill: height of its lower edge, m.
+        connects_to: the other room's id, or EXTERIOR.
+        hinge: which end of it carries the leaf; start is west or north.
+        swing: in: the leaf sweeps the floor of the room that lists it.
+        main_entrance: whether it is the front door.
+        render_panel: whether a leaf is drawn.
+        edge: in a room with an outline the line from that point to the next, in place of `wall`.
+        open: how far its leaf stands open, 0 to 1; of the two entries that of the room that draws the leaf counts.
     """
 
     id: Identity
@@ -201,11 +171,24 @@ class Opening(Record):
 
 @dataclass(frozen=True)
 class Furniture(Record):
-    """A piece of furniture: full unrotated extents, m; `width` is across its front, `depth` front to back.
+    """A piece of furniture.
 
-    `wall` is the wall it must stand at; `under` the table a chair is tucked under, `on` the piece it stands on (ids). `kind` is the
-    catalogs' key of what it is; without it, of the kinds called `name` the one nearest in size. `asset` is the name of the own asset
-    that it is shown as.
+    Args:
+        name: such as sofa; all its sizes have this name.
+        category: such as seating.
+        x, z: centre of its footprint in the room, m.
+        y: its underside, m.
+        rotation: degrees; 0 faces south, 90 east.
+        width: across its front, unrotated, m.
+        depth: from front to back, unrotated, m.
+        height: m.
+        color: #rrggbb.
+        wall: the wall it must stand at.
+        under: id of the table it is tucked under.
+        on: id of the piece it stands on.
+        locked: whether it stays where it is.
+        kind: the catalogs' key of what it is; without it, of the kinds called `name` the one nearest in size.
+        asset: the own asset that it is shown as.
     """
 
     id: Identity
@@ -230,7 +213,22 @@ class Furniture(Record):
 
 @dataclass(frozen=True)
 class Decoration(Record):
-    """A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any; `kind` and `asset` as for furniture."""
+    """A small thing.
+
+    Args:
+        name: such as pillow.
+        parent: id of the body that carries it.
+        mounted_on_wall: the wall it hangs at.
+        x, z: centre of its footprint in the room, m.
+        y: the surface it rests on, m.
+        rotation: degrees; 0 faces south, 90 east.
+        width: across its front, unrotated, m.
+        depth: from front to back, unrotated, m.
+        height: m.
+        color: #rrggbb.
+        kind: the catalogs' key of what it is, as for furniture.
+        asset: the own asset that it is shown as.
+    """
 
     id: Identity
     name: Text
@@ -251,7 +249,20 @@ class Decoration(Record):
 
 @dataclass(frozen=True)
 class Dynamic(Record):
-    """A person or a pet; `room` is the room's id, the pose relative to that room; `on` the seat one sits on (its id)."""
+    """A person or a pet.
+
+    Args:
+        kind: person, dog, cat or any word.
+        room: the room's id.
+        x, z: centre of the footprint in that room, m.
+        y: the underside, m.
+        rotation: where they look, degrees; 0 faces south, 90 east.
+        width: from left to right, m.
+        depth: from front to back, m.
+        height: m; of who sits, from the seat up.
+        color: #rrggbb.
+        on: id of the seat they sit on.
+    """
 
     id: Identity
     kind: Text = "person"
@@ -270,10 +281,26 @@ class Dynamic(Record):
 
 @dataclass(frozen=True)
 class Room(Record):
-    """A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner.
+    """A room: its wall lines' rectangle in the house, and everything in it, relative to its north-west corner.
 
-    `outline` lists corner points clockwise from the north-west, room-relative, where the room is not that rectangle; `walls` says what its
-    walls are finished with; `wall_thickness` is that of its outer walls by line of the outline, north first, where not the scene's.
+    Args:
+        index: what `adjacency` and seeds call it; its place in the list by default.
+        type: a room type, or any word.
+        level: the storey it is on.
+        x, z: its north-west corner in the house, m.
+        width: of its wall lines' rectangle, from west to east, m.
+        depth: of its wall lines' rectangle, from north to south, m.
+        outline: its corners, m, clockwise from the north-west, where it is not that rectangle.
+        outdoor: whether it is a garden or the like.
+        flooring: material and colour of its floor.
+        accent: its own colour, #rrggbb.
+        walls: what its walls are finished with.
+        wall_thickness: of its outer walls by line of the outline, north first, m; null where it is the scene's.
+        exterior_walls: which walls are outer walls, wholly or in part.
+        wall_flags: which walls it draws; of a shared wall one room does.
+        openings: doors, passages and windows.
+        furniture: its pieces.
+        decorations: small things.
     """
 
     id: Identity
@@ -310,7 +337,21 @@ class Room(Record):
 
 @dataclass(frozen=True)
 class Scene(Record):
-    """A whole house: the document of /generate, /fix and /validate."""
+    """A whole house: the document of /generate, /fix and /validate.
+
+    Args:
+        format: the only one there is.
+        seed: what the home was drawn from.
+        request: everything it takes to make this home again.
+        generator: the version of Compose and the mark of its catalogs: a seed means something with these two only.
+        size: outer extents of the house, or of the least rectangle around it.
+        wall_thickness: of the walls, m.
+        levels: storeys.
+        rooms: what the house has.
+        corridors: of homes that were cut without a hallway: for information only.
+        dynamic: people and pets.
+        certificate: what was checked and proven.
+    """
 
     format: Annotated[str, OneOf(FORMAT)] = FORMAT
     seed: Whole | None = None
@@ -325,72 +366,6 @@ class Scene(Record):
     dynamic: tuple[Dynamic, ...] = ()
     certificate: Free | None = None
     extra: Mapping[str, object] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Issue(Record):
-    """One broken rule: its name, the room's id, the ids of the bodies, and by how much, m."""
-
-    rule: str
-    severity: Annotated[str, OneOf(*SEVERITIES)]
-    room: str | None
-    ids: tuple[str, ...]
-    amount: float
-    message: str
-
-
-@dataclass(frozen=True)
-class Conflict(Record):
-    """Bodies that cannot stand together, why, and what would help."""
-
-    ids: tuple[str, ...]
-    message: str
-    repairs: tuple[Annotated[Mapping[str, object], Like(OfferedRepair)], ...] = ()
-
-
-@dataclass(frozen=True)
-class Move(Record):
-    """How far /fix moved a body, m, and the rotation it has now, degrees."""
-
-    id: str
-    dx: float
-    dz: float
-    rotation: float
-
-
-@dataclass(frozen=True)
-class Pose(Record):
-    """Where a body was in the last answer of /fix: its footprint's centre in its room, m, and its rotation, degrees."""
-
-    id: Name
-    x: Number
-    z: Number
-    rotation: Number = 0
-
-
-@dataclass(frozen=True)
-class Generated(Record):
-    """The answer of generate: the scene, what the validator says, and stage times in ms."""
-
-    scene: Scene
-    issues: tuple[Issue, ...]
-    timing_ms: Mapping[str, float]
-    limited: Limited | None = field(default=None, metadata={OMITTED: True})
-
-
-@dataclass(frozen=True)
-class Fixed(Record):
-    """The answer of fix."""
-
-    scene: Scene
-    moves: tuple[Move, ...]
-    removed: tuple[Annotated[Mapping[str, str], Like(Removal)], ...]
-    conflicts: tuple[Conflict, ...]
-    issues: tuple[Issue, ...]
-    timing_ms: Mapping[str, float]
-    understood_as: Mapping[str, str] = field(default_factory=dict)
-    """By id, what a piece was taken for that is called by no name of the catalogs."""
-    limited: Limited | None = field(default=None, metadata={OMITTED: True})
 
 
 def robot_width_of(scene: Scene) -> float:

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from solver.answers import Move
 from solver.body_rows import count_decorations, count_furniture
 from solver.errors import SceneError
-from solver.scene import Decoration, Dynamic, Furniture, Move, Room, Scene
+from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
 
 MOVED = 0.001
 """A body that moved by more, m, is listed in `moves` (docs/fix.md)."""

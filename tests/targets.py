@@ -26,7 +26,8 @@ from tqdm import tqdm
 
 from catalogs import load_catalogs
 from solver import Request, generate
-from solver.scene import Generated, Room
+from solver.answers import Generated
+from solver.scene import Room
 from tests.core.engines import engines
 from tests.dataset.targets import datasets
 from tests.decorations.targets import homes

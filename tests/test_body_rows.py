@@ -17,7 +17,8 @@ from solver.certificate import mark_of
 from solver.exchange import dump_scene, dump_text, write_scene
 from solver.exports.table_rows import rows_of
 from solver.free_places import decorations_in, furniture_in
-from solver.scene import Level, Request, Room, Scene
+from solver.request import Request
+from solver.scene import Level, Room, Scene
 from solver.scene_bodies import counted
 from solver.validator import check, metrics
 from solver.validator.kinds import kinds_of

@@ -16,10 +16,12 @@ from catalogs import Catalogs, load_catalogs
 from service.dataset.varied_requests import OURS, VariedRequest
 from service.packed_catalogs import packed
 from solver import generate
+from solver.answers import Issue
 from solver.errors import ComposeError, FieldError
 from solver.exchange import FORMATS, dump_scene, load_text, read_request, write_request
 from solver.plain import Document
-from solver.scene import Issue, Request, Scene
+from solver.request import Request
+from solver.scene import Scene
 from solver.streams import Stream
 from solver.version import VERSION
 

@@ -16,7 +16,7 @@ from typing import Any, Final
 from catalogs import Catalogs
 from solver.errors import FieldError
 from solver.exchange import read_request
-from solver.scene import NO_ACCESS, Request
+from solver.request import NO_ACCESS, Request
 from solver.streams import Stream
 
 CATALOG: Final = "catalog"

@@ -9,6 +9,7 @@ The types of the fields in `solver.scene` (`solver.fields`) drive the reader, th
 from solver.exchange.reader import SentRoom, SentScene, adapter, checked_request, read, read_request, read_scene, scene_schema
 from solver.exchange.scene_text import dump_scene
 from solver.exchange.text import FORMATS, GLB, dump_plain, dump_text, format_of_file, format_of_name, load_text
+from solver.exchange.told_keys import tell_keys
 from solver.exchange.writer import write, write_request, write_scene
 
 __all__ = [
@@ -28,6 +29,7 @@ __all__ = [
     "read_request",
     "read_scene",
     "scene_schema",
+    "tell_keys",
     "write",
     "write_request",
     "write_scene",

@@ -20,9 +20,11 @@ from solver.errors import FieldError, RequestError, SceneError
 from solver.exchange.identity import identified, indexed
 from solver.exchange.outlines import check_outlines
 from solver.exchange.refusing import refusals
-from solver.fields import Says, located
+from solver.exchange.told_keys import tell_keys
+from solver.fields import Record, Says, located
 from solver.plain import Wrong
-from solver.scene import FORMAT, Request, Room, Scene
+from solver.request import Request
+from solver.scene import FORMAT, Room, Scene
 
 Read = TypeVar("Read")
 DIALECT: Final = "https://json-schema.org/draft/2020-12/schema"
@@ -125,7 +127,9 @@ def checked_request(request: Request) -> Request:
 
 def scene_schema() -> dict[str, Any]:
     """Returns the JSON Schema (2020-12) of a scene document: what `read_scene` asks for, unknown keys welcome."""
-    return {"$schema": DIALECT, **adapter(Scene).json_schema(), "title": FORMAT}
+    schema = adapter(Scene).json_schema()
+    tell_keys({"Scene": schema, **schema["$defs"]}, Record)
+    return {"$schema": DIALECT, **schema, "title": FORMAT}
 
 
 def _as_python(value: Any) -> Any:

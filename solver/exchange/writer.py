@@ -16,7 +16,8 @@ from typing import Any, Final, NamedTuple, Union, get_args, get_origin, get_type
 from solver.errors import FieldError, RequestError, SceneError
 from solver.fields import EXTRA, OMITTED
 from solver.plain import Wrong, path, plain
-from solver.scene import Request, Scene
+from solver.request import Request
+from solver.scene import Scene
 
 DEGREES: Final = "rotation"
 """The key of a number that is written whole where it is whole."""

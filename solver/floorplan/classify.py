@@ -15,7 +15,7 @@ from catalogs.schema import RoomType
 from solver.errors import RequestError
 from solver.floorplan.bsp import MAX_ROOMS
 from solver.floorplan.fitness import IMPOSSIBLE, MISFIT, Fitness
-from solver.scene import Request
+from solver.request import Request
 
 KITCHEN_M2: Final = 8.0
 MASTER_M2: Final = 12.0

@@ -23,7 +23,7 @@ from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
 from solver.floorplan.tiling import LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints, set_apart, trimmed
 from solver.geometry import Rect, to_m, to_mm
-from solver.scene import Request
+from solver.request import Request
 
 
 def draw(request: Request, catalogs: Catalogs) -> FloorPlan:

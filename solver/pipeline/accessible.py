@@ -15,7 +15,8 @@ from catalogs.access_profiles import AccessProfile
 from solver.certificate import ACCESS
 from solver.free_places import footprint
 from solver.geometry import Rect, strip_at, to_mm, wall_faced, wall_turned
-from solver.scene import NO_ACCESS, Request, Room, Scene, robot_width_of
+from solver.request import NO_ACCESS, Request
+from solver.scene import Room, Scene, robot_width_of
 from solver.validator import access_of
 from solver.validator.accessibility import access_profile, turning_squares
 

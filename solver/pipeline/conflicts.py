@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from solver.answers import Conflict
 from solver.geometry import Rect
 from solver.pieces import Piece, Space
 from solver.pipeline.least_movement import missing_length
@@ -19,7 +20,6 @@ from solver.pipeline.repairs import HANDFUL, RepairGoal, helps, repairs_of
 from solver.placement import Budget, minimal_conflict
 from solver.placement.lengths import Shortfall, centimetres, metres, sentence
 from solver.repair import Repair, RoomProblem, all_bodies, pieces_as_sent, without
-from solver.scene import Conflict
 from solver.validator import Checked
 
 WALKING_SHARE = 4

@@ -16,13 +16,14 @@ from dataclasses import dataclass, replace
 from typing import Final, TypeVar
 
 from catalogs import Catalogs, load_catalogs
+from solver.answers import Conflict, Fixed, Pose
 from solver.certificate import certified
 from solver.errors import RequestError
 from solver.free_places import footprint
 from solver.pipeline.drag import NO_ANSWER, Dragging, FrameAnswer, alone, opening_of, riders_of
 from solver.pipeline.timing import Clock, Timing
 from solver.repair import all_bodies
-from solver.scene import Conflict, Decoration, Dynamic, Fixed, Furniture, Pose, Room, Scene
+from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
 from solver.scene_bodies import SentBody, bodies_of, body_ids, check_ids, moves_between
 from solver.understanding import understood
 

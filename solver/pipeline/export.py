@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
+from solver.answers import Issue
 from solver.demanded import demand
 from solver.errors import SceneError
 from solver.exchange import dump_scene
@@ -16,7 +17,7 @@ from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
 from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
-from solver.scene import Issue, Scene
+from solver.scene import Scene
 from solver.validator import floors, validate
 
 LEAST_SIDE_M: Final = 0.001

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from catalogs import Catalogs, load_catalogs
-from solver.answers import ON_CONFLICT
+from solver.answers import ON_CONFLICT, Conflict, Fixed, Issue, Pose
 from solver.certificate import certified
 from solver.errors import RequestError
 from solver.named_assets import with_assets
@@ -27,7 +27,7 @@ from solver.repair import (
     seated_along,
     with_walls_told,
 )
-from solver.scene import Conflict, Fixed, Issue, Pose, Room, Scene
+from solver.scene import Room, Scene
 from solver.scene_bodies import body_ids, check_ids, moves_between, people_in
 from solver.understanding import understood
 from solver.validator import RULES, Checked, check

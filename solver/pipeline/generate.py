@@ -12,6 +12,7 @@ from typing import Any
 
 from catalogs import Catalogs, load_catalogs
 from catalogs.styles import Style
+from solver.answers import Generated
 from solver.certificate import certificate, room_certificate
 from solver.errors import SceneError
 from solver.exchange import checked_request, write_request
@@ -33,7 +34,8 @@ from solver.pipeline.room_spaces import spaces_in
 from solver.pipeline.staying import Staying, around, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place, place_wanted
-from solver.scene import MAX_SEED, ROBOT_WIDTH, Generated, Level, Request, Room, Scene, Size, robot_width_of
+from solver.request import MAX_SEED, Request
+from solver.scene import ROBOT_WIDTH, Level, Room, Scene, Size, robot_width_of
 from solver.scene_bodies import check_ids
 from solver.streams import Stream
 from solver.validator import RULES, check, validate

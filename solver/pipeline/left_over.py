@@ -10,10 +10,11 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from solver.answers import Conflict, Issue
 from solver.pipeline.judged_again import judged_again
 from solver.placement import Budget
 from solver.repair import Repair, RepairSettings, all_bodies, seated_along, without
-from solver.scene import Conflict, Issue, Room, Scene
+from solver.scene import Room, Scene
 from solver.scene_bodies import people_in
 from solver.validator import Checked
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from catalogs import Catalogs, load_catalogs
+from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece
 from solver.pipeline.others import other_placements
@@ -16,7 +17,7 @@ from solver.pipeline.rounds import Round, best_placement, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement
-from solver.scene import ROBOT_WIDTH, Conflict, Room
+from solver.scene import ROBOT_WIDTH, Room
 
 
 def place(  # noqa: PLR0913 - keyword-only options of a public function

@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from solver.answers import Issue
 from solver.pieces import Arrangement, Piece
 from solver.pipeline.fewest import is_whole, without_fewest
 from solver.pipeline.least_movement import least_moved_from_last
 from solver.placement import is_call_spent, walkable_when_empty
 from solver.repair import RoomProblem, holders, pieces_as_sent, without, written_back
-from solver.scene import Issue, Room
+from solver.scene import Room
 
 ROUNDS = 3
 """Times a room that cannot be repaired whole is repaired again, until nothing changes any more."""

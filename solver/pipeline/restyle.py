@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from catalogs import Catalogs, load_catalogs
+from solver.answers import Generated
 from solver.certificate import certified
 from solver.furnished import recoloured
 from solver.materials import chosen_style, with_materials
@@ -18,7 +19,7 @@ from solver.pipeline.inhabited import home_catalogs, inhabited
 from solver.pipeline.opened import with_fronts
 from solver.pipeline.room_spaces import spaces_in
 from solver.pipeline.timing import Clock, Timing
-from solver.scene import Generated, Room, Scene
+from solver.scene import Room, Scene
 from solver.scene_bodies import counted
 from solver.streams import Stream
 from solver.validator import check

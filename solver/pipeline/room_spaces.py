@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from solver.answers import Issue
 from solver.furnish import space_of
 from solver.furnish.zones import bounds_of, outline_edges
 from solver.pieces import Doorway, Space, Walked
 from solver.repair import RepairSettings, RoomProblem, Walls
-from solver.scene import EXTERIOR, WALLS, Issue, Room, Scene, robot_width_of
+from solver.scene import EXTERIOR, WALLS, Room, Scene, robot_width_of
 
 
 def spaces_in(scene: Scene) -> Callable[[Room], Space]:

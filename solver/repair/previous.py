@@ -10,10 +10,10 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from solver.answers import Pose
 from solver.geometry import Rect, rotate
 from solver.pieces import Arrangement, Attach, Candidate, Piece
 from solver.repair.carried import squared
-from solver.scene import Pose
 
 REACH_MM = 200
 """How far along each axis a piece may go from its last pose without having jumped."""

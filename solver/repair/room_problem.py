@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from solver.answers import Issue
 from solver.geometry import INWARDS, Rect, strip_at
 from solver.pieces import Space
 from solver.repair.settings import RepairSettings
-from solver.scene import Issue, Room
+from solver.scene import Room
 
 Edge = tuple[str, int, int, int]
 """A stretch of wall line: the wall it is part of, its coordinate across, and its ends along, mm."""

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from catalogs import Catalogs
-from solver.scene import Decoration, Furniture, Pose
+from solver.answers import Pose
+from solver.scene import Decoration, Furniture
 
 
 @dataclass(frozen=True)

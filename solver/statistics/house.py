@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from solver.scene import EXTERIOR, Issue, Room, Scene
+from solver.answers import Issue
+from solver.scene import EXTERIOR, Room, Scene
 from solver.statistics.signatures import graph_signature, room_signature
 
 HALLWAY: Final = "hallway"

@@ -15,8 +15,9 @@ from functools import cached_property
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
+from solver.answers import Issue
 from solver.demanded import demand
-from solver.scene import Issue, Room, Scene
+from solver.scene import Room, Scene
 from solver.understanding import understood
 from solver.validator.judging import FINDING_WORK, RuleCase
 from solver.validator.kinds import Kinds, kinds_of

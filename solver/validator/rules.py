@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Final
 
-from solver.scene import Issue, Scene
+from solver.answers import Issue
+from solver.scene import Scene
 from solver.scene_bodies import home_of
 from solver.validator.crossing import shapes_cross
 from solver.validator.floating import floating

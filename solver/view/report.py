@@ -11,7 +11,8 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final, NamedTuple
 
-from solver.scene import Dynamic, Furniture, Issue, Opening, Room, Scene
+from solver.answers import Issue
+from solver.scene import Dynamic, Furniture, Opening, Room, Scene
 from solver.scene_bodies import body_ids, counted
 from solver.view.nesting import ShownBody, carried_by, people_in, remarks, sections, strangers, together
 from solver.view.wording import TextLine, is_changed, number, proofs, room_certificates, target_of, visible, written

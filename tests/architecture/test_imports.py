@@ -41,6 +41,7 @@ GROUND_FLOOR = {
     "certificate",
     "version",
     "relations",
+    "request",
     "requested",
 }
 JOINER = "pipeline"

@@ -21,7 +21,8 @@ from solver.furnish import scope_of, space_of, wanted_pieces
 from solver.furnish.compiled_types import compiled_type
 from solver.furnish.core_rows import answer_of, room_rows
 from solver.pieces import Space
-from solver.scene import Request, Room
+from solver.request import Request
+from solver.scene import Room
 from solver.streams import Stream
 from tests.core.test_furnish import bits
 from tests.furnish.reference import stage

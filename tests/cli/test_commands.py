@@ -15,7 +15,7 @@ from starlette.testclient import TestClient
 
 from service import generating
 from service.cli import main, parser
-from solver.scene import Request
+from solver.request import Request
 from tests.cli.programs import SMALL
 from tests.docs.markdown import ROOT
 

@@ -9,7 +9,8 @@ from typing import TypeVar
 from catalogs import load_catalogs
 from solver import generate
 from solver.core import ask
-from solver.scene import Decoration, Furniture, Request, Scene
+from solver.request import Request
+from solver.scene import Decoration, Furniture, Scene
 from solver.validator.kinds import kinds_of
 from solver.validator.opening import front_bytes, openers_in
 from solver.validator.sent_rooms import room_bytes

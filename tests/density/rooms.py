@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from catalogs import Catalogs
 from solver import reroll
-from solver.scene import EXTERIOR, Generated, Opening, Room, Scene
+from solver.answers import Generated
+from solver.scene import EXTERIOR, Opening, Room, Scene
 from tests.dense.rooms import Kind, drawn_room
 
 KINDS = {

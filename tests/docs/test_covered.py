@@ -20,6 +20,7 @@ from catalogs.styles import Style
 from service.app import create_app
 from service.cli import parser
 from solver import scene
+from solver.request import Request
 from solver.validator import RULES
 from tests.docs.markdown import rows, section, text_of, words
 
@@ -125,7 +126,7 @@ def test_every_call_is_explained() -> None:
 
 def test_every_key_of_a_request_is_explained_with_its_default() -> None:
     told = {name: cells for cells in rows(section("api.md", "POST /generate")) for name in words(cells[0])}
-    declared = {field.name: field for field in fields(scene.Request)}
+    declared = {field.name: field for field in fields(Request)}
     assert set(told) - {"scene", "reroll", "effort"} == set(declared)
 
 

@@ -7,6 +7,7 @@ from typing import Any
 from hypothesis import strategies as st
 
 from solver import scene as types
+from solver.request import MAX_SEED
 
 TEXTS = st.text(st.characters(codec="utf-8"), max_size=12)
 NAMES = st.text(st.characters(codec="utf-8"), min_size=1, max_size=12)
@@ -120,7 +121,7 @@ def has_unique_ids(drawn: types.Scene) -> bool:
 SCENES = record(
     types.Scene,
     format=st.just(types.FORMAT),
-    seed=st.none() | st.integers(0, types.MAX_SEED),
+    seed=st.none() | st.integers(0, MAX_SEED),
     request=st.none() | PLAIN_MAPPINGS,
     generator=st.none() | PLAIN_MAPPINGS,
     size=st.none() | record(types.Size, width=SIZES, depth=SIZES, height=SIZES),

@@ -25,7 +25,8 @@ from solver.exchange import (
     write_request,
     write_scene,
 )
-from solver.scene import Furniture, Request, Room, Scene
+from solver.request import Request
+from solver.scene import Furniture, Room, Scene
 from tests.exchange.documents import PLAIN, SCENES, piece, room, scene
 
 SCHEMA = Draft202012Validator(scene_schema())
@@ -112,6 +113,15 @@ def test_schemas_are_schemas() -> None:
     for schema in (scene_schema(), adapter(Request).json_schema()):
         Draft202012Validator.check_schema(schema)
     assert scene_schema()["$schema"].endswith("2020-12/schema")
+
+
+def test_the_schema_tells_what_every_key_is_about() -> None:
+    schema = scene_schema()
+    told = {"Scene": schema, **schema["$defs"]}
+    silent = [f"{name}.{key}" for name, one in told.items() for key, node in one["properties"].items() if not node.get("description")]
+    assert len(told) == 11 and silent == []
+    assert told["Furniture"]["properties"]["x"]["description"] == "centre of its footprint in the room, m"
+    assert [name for name, one in told.items() if "Args" in one["description"] or not one["description"]] == []
 
 
 def test_the_schema_asks_for_what_the_reader_asks_for() -> None:

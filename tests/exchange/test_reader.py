@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from solver.errors import FieldError, RequestError, SceneError
 from solver.exchange import read_request, read_scene, write_scene
-from solver.scene import MAX_SEED, Request, Scene, Sides
+from solver.request import MAX_SEED, Request
+from solver.scene import Scene, Sides
 from tests.exchange.documents import PLAIN, piece, room, scene
 from tests.sweeps import examples
 

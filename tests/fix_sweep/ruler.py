@@ -16,8 +16,9 @@ from tqdm import tqdm
 
 from catalogs import load_catalogs
 from solver import fix
+from solver.answers import Fixed
 from solver.placement import work_of_call
-from solver.scene import WALLS, Fixed
+from solver.scene import WALLS
 from tests.fix_sweep.judge import faults, off_wall, shapes
 from tests.fix_sweep.thrown import PRESETS, WAYS, Thrown, thrown
 

@@ -13,7 +13,8 @@ from time import process_time
 
 from catalogs import Catalogs, load_catalogs
 from solver.floorplan import FloorPlan, draw
-from solver.scene import Request, Room
+from solver.request import Request
+from solver.scene import Room
 from solver.streams import Stream
 from tests.floorplan import checks, silhouettes
 

@@ -8,7 +8,7 @@ from time import process_time
 
 from catalogs import Catalogs, load_catalogs
 from solver.floorplan import FloorPlan, draw
-from solver.scene import Request
+from solver.request import Request
 from tests.floorplan import checks
 
 PLAIN_ROOMS = {(20, 15, 3.0): 18, (20, 15, 2.4): 24, (12, 9, 3.0): 6, (12, 9, 2.4): 8, (30, 20, 3.0): 30, (30, 20, 2.4): 48}

@@ -9,7 +9,8 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.floorplan import draw
-from solver.scene import Opening, Request, Room, Sides
+from solver.request import Request
+from solver.scene import Opening, Room, Sides
 from tests.floorplan import checks
 
 ROOMS = draw(Request(seed=7), load_catalogs()).rooms

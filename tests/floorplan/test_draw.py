@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from catalogs import load_catalogs
 from solver.errors import RequestError
 from solver.floorplan import FloorPlan, draw
-from solver.scene import EXTERIOR, Request, Room
+from solver.request import Request
+from solver.scene import EXTERIOR, Room
 from tests.floorplan import checks
 
 CATALOGS = load_catalogs()

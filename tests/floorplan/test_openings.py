@@ -6,7 +6,8 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.floorplan import FloorPlan, door_positions, draw, with_door_at
-from solver.scene import Opening, Request, Room
+from solver.request import Request
+from solver.scene import Opening, Room
 from tests.floorplan import checks, homes
 from tests.sweeps import seeds
 

@@ -13,7 +13,8 @@ from catalogs import load_catalogs
 from solver import generate, reroll
 from solver.errors import RequestError
 from solver.floorplan import FloorPlan, draw
-from solver.scene import EXTERIOR, Request
+from solver.request import Request
+from solver.scene import EXTERIOR
 from tests.floorplan import checks, homes
 from tests.sweeps import examples
 

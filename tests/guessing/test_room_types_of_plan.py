@@ -19,7 +19,8 @@ from solver.guessing import guessed_types
 from solver.guessing.room_marks import RoomMarks, marks_of
 from solver.guessing.room_numbers import RoomNumbers
 from solver.guessing.suiting import Suiting
-from solver.scene import EXTERIOR, Furniture, Opening, Request, Room, Scene
+from solver.request import Request
+from solver.scene import EXTERIOR, Furniture, Opening, Room, Scene
 from tests.guessing.plans import as_plan
 from tests.sweeps import seeds
 

@@ -9,7 +9,8 @@ from typing import Any
 
 from catalogs import load_catalogs
 from solver import Scene, fix, validate
-from solver.scene import Fixed, Furniture, Opening, Room
+from solver.answers import Fixed
+from solver.scene import Furniture, Opening, Room
 from solver.streams import Stream
 
 WALLS = ("north", "west", "south", "east")

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 from catalogs import load_catalogs
 from solver import reroll
-from solver.scene import Generated, Opening, Room, Scene
+from solver.answers import Generated
+from solver.scene import Opening, Room, Scene
 
 SHORT_SIDE = 2.4
 ASPECTS = (1.0, 1.5, 2.0)

@@ -10,8 +10,10 @@ import pytest
 
 from catalogs import CatalogError, Catalogs, load_catalogs
 from solver import generate, reroll
+from solver.answers import Generated
 from solver.pipeline.own_plan import furnish
-from solver.scene import Generated, Opening, Request, Room, Scene
+from solver.request import Request
+from solver.scene import Opening, Room, Scene
 from solver.validator import access_of
 from tests.sweeps import seeds
 

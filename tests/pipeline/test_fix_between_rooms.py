@@ -9,7 +9,8 @@ import pytest
 
 from catalogs import Catalogs
 from solver import Scene, fix
-from solver.scene import Dynamic, Furniture, Issue, Opening, Room
+from solver.answers import Issue
+from solver.scene import Dynamic, Furniture, Opening, Room
 from solver.validator import checking
 from solver.validator.judging import RuleCase
 from solver.validator.rules import issues_of

@@ -9,7 +9,8 @@ from importlib import import_module
 import pytest
 
 from solver import Scene, fix
-from solver.scene import Conflict, Opening, Room
+from solver.answers import Conflict
+from solver.scene import Opening, Room
 from tests.pipeline.fix_oracle import can_stand
 from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces, room_of, untrue_repairs, with_repair
 from tests.sweeps import seeds

@@ -10,9 +10,10 @@ import pytest
 from catalogs import load_catalogs
 from service.calls import fix_scene, take_in_hand
 from solver import Scene, fix, fix_frame, validate
+from solver.answers import Fixed, Pose
 from solver.errors import RequestError
 from solver.exchange import write_scene
-from solver.scene import Decoration, Fixed, Furniture, Pose
+from solver.scene import Decoration, Furniture
 from solver.scene_bodies import bodies_of
 from tests.pipeline.drags import dense_rooms, dragged, home, scene_at, way
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of

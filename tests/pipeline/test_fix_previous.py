@@ -11,9 +11,9 @@ import pytest
 from catalogs import load_catalogs
 from service.calls import fix_scene
 from solver import Request, Scene, fix, generate
+from solver.answers import Pose
 from solver.errors import FieldError
 from solver.exchange import write_scene
-from solver.scene import Pose
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
 
 JUMP = 0.3

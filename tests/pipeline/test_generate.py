@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 
 from catalogs import load_catalogs
 from solver import Request, generate, reroll
+from solver.answers import Generated
 from solver.exchange import dump_text, load_text, read_scene, write_scene
-from solver.scene import Generated
 from solver.streams import Stream
 from tests.sweeps import examples, seeds, times
 

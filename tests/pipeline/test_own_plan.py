@@ -12,7 +12,8 @@ from solver import generate, reroll, validate
 from solver.errors import RequestError, SceneError
 from solver.pipeline.insisted import insisted_in
 from solver.pipeline.own_plan import furnish
-from solver.scene import Furniture, Opening, Request, Room, Scene
+from solver.request import Request
+from solver.scene import Furniture, Opening, Room, Scene
 from tests.guessing.plans import as_plan
 from tests.sweeps import seeds
 

@@ -9,8 +9,9 @@ import pytest
 
 from catalogs import load_catalogs
 from solver import Request, Scene, generate, reroll, validate
+from solver.answers import Generated
 from solver.errors import SceneError
-from solver.scene import Decoration, Furniture, Generated, Opening, Room
+from solver.scene import Decoration, Furniture, Opening, Room
 from solver.streams import Stream
 from tests.sweeps import seeds
 

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from starlette.testclient import TestClient
 
 from catalogs.schema import RelationWord
-from solver.scene import Furniture, Opening, Request, Room
+from solver.request import Request
+from solver.scene import Furniture, Opening, Room
 from tests.service.problems import problem_of
 
 POSTS = [

@@ -184,3 +184,13 @@ def test_every_default_fits_its_own_schema(document: dict[str, Any]) -> None:
     assert len(told) > 50
     assert {key: found for key, node in told.items() if (found := faults(document, node, node["default"]))} == {}
     assert not {"PieceRequest.id", "PieceRequest.name"} & told.keys() and {"PieceRequest.id", "PieceRequest.name"} <= keys.keys()
+
+
+def test_what_every_key_of_a_body_is_about_is_told(document: dict[str, Any]) -> None:
+    schemas = document["components"]["schemas"]
+    read = {
+        name: schema for name, schema in schemas.items() if name.endswith(("Body", "-Input")) or name in ("Request", "PieceRequest", "Pose")
+    }
+    keys = {f"{name}.{key}": node for name, schema in read.items() for key, node in schema["properties"].items()}
+    assert len(keys) > 150 and [key for key, node in keys.items() if not node.get("description") and "$ref" not in node] == []
+    assert keys["FixBody.onConflict"]["description"] == keys["FixBody.on_conflict"]["description"] == "what becomes of what cannot stand"

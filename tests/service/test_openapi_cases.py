@@ -21,8 +21,9 @@ from service import generating
 from service.app import create_app
 from service.work import Failure, do, do_alone
 from solver import generate
+from solver.answers import Generated
 from solver.export_formats import EXPORTERS
-from solver.scene import Generated, Request
+from solver.request import Request
 
 CASES = int(os.environ.get("CASES", "30"))
 """Generated calls of each kind."""

@@ -15,8 +15,9 @@ import pytest
 from catalogs import load_catalogs
 from service.survey import survey
 from solver import generate
+from solver.answers import Issue
 from solver.exchange import write_scene
-from solver.scene import Issue, Request
+from solver.request import Request
 from solver.statistics import House, house_of, summary
 from solver.statistics.signatures import graph_signature, room_signature
 from solver.statistics.summary import spread

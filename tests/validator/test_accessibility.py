@@ -12,7 +12,8 @@ import pytest
 from catalogs import CatalogError, load_catalogs
 from solver import generate, reroll
 from solver.errors import RequestError
-from solver.scene import Decoration, Furniture, Opening, Request, Room, Scene
+from solver.request import Request
+from solver.scene import Decoration, Furniture, Opening, Room, Scene
 from solver.validator import access_of
 from solver.validator.accessibility import AccessFinding
 from solver.validator.bare_floor import largest_square

@@ -8,7 +8,8 @@ from random import Random
 import pytest
 
 from catalogs import load_catalogs
-from solver.scene import Decoration, Dynamic, Furniture, Issue, Room, Scene
+from solver.answers import Issue
+from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
 from solver.validator import validate
 from solver.validator.checking import check
 from tests.oracles.crossing import crossings

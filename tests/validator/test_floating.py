@@ -9,7 +9,8 @@ import pytest
 from catalogs import Catalogs
 from catalogs.decoration_types import DecorationKind
 from catalogs.entries import Surface
-from solver.scene import Decoration, Issue, Room
+from solver.answers import Issue
+from solver.scene import Decoration, Room
 from solver.validator import validate
 from tests.validator.worlds import CATALOGS, SIDE, WALLS, along, kind, piece, room, scene
 

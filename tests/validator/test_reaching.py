@@ -7,7 +7,8 @@ from typing import Any
 
 import pytest
 
-from solver.scene import Furniture, Issue, Scene
+from solver.answers import Issue
+from solver.scene import Furniture, Scene
 from solver.validator import metrics, validate
 from tests.validator.worlds import CATALOGS, TURNED, WALLS, along, issues, opening, piece, room, scene
 

@@ -8,7 +8,8 @@ from typing import Any
 from catalogs import Catalogs
 from catalogs.entries import Use
 from catalogs.schema import Area, FurnitureSpec, PieceSpec, RoomType, Variant
-from solver.scene import Furniture, Issue, Opening, Room, Scene
+from solver.answers import Issue
+from solver.scene import Furniture, Opening, Room, Scene
 from solver.validator import validate
 
 SIDE = 4.0

@@ -38,22 +38,35 @@ export interface Conflict {
   readonly repairs: readonly (Freed | Unlocked | Turned | Shrunk | LeftOut)[];
 }
 
-/** A small thing: `y` is the surface it rests on; `parent` the body that carries it, if any; `kind` and `asset` as for furniture. */
+/** A small thing. */
 export interface Decoration {
   /** made up where it is absent, alike each time */
   readonly id: string;
+  /** such as pillow */
   readonly name: string;
+  /** id of the body that carries it */
   readonly parent: string | null;
+  /** the wall it hangs at */
   readonly mounted_on_wall: "north" | "south" | "east" | "west" | null;
+  /** centre of its footprint in the room, m */
   readonly x: number;
+  /** the surface it rests on, m */
   readonly y: number;
+  /** centre of its footprint in the room, m */
   readonly z: number;
+  /** degrees; 0 faces south, 90 east */
   readonly rotation: number;
+  /** across its front, unrotated, m */
   readonly width: number;
+  /** from front to back, unrotated, m */
   readonly depth: number;
+  /** m */
   readonly height: number;
+  /** #rrggbb */
   readonly color: string | null;
+  /** the catalogs' key of what it is, as for furniture */
   readonly kind?: string | null;
+  /** the own asset that it is shown as */
   readonly asset?: string | null;
 }
 
@@ -63,20 +76,31 @@ export interface DragAnswer {
   readonly bodies: readonly string[];
 }
 
-/** A person or a pet; `room` is the room's id, the pose relative to that room; `on` the seat one sits on (its id). */
+/** A person or a pet. */
 export interface Dynamic {
   /** made up where it is absent, alike each time */
   readonly id: string;
+  /** person, dog, cat or any word */
   readonly kind: string;
+  /** the room's id */
   readonly room: string | null;
+  /** centre of the footprint in that room, m */
   readonly x: number;
+  /** the underside, m */
   readonly y: number;
+  /** centre of the footprint in that room, m */
   readonly z: number;
+  /** where they look, degrees; 0 faces south, 90 east */
   readonly rotation: number;
+  /** from left to right, m */
   readonly width: number;
+  /** from front to back, m */
   readonly depth: number;
+  /** m; of who sits, from the seat up */
   readonly height: number;
+  /** #rrggbb */
   readonly color?: string | null;
+  /** id of the seat they sit on */
   readonly on?: string | null;
 }
 
@@ -99,7 +123,7 @@ export interface FieldProblem {
   readonly allowed: string;
 }
 
-/** Repairs a scene: `moved` bodies are held most strongly, `previous` are poses of the last answer; `dragging`: a frame of a drag. */
+/** Repairs a scene. */
 export interface FixBody {
   /** a scene, as GET /schema describes it */
   readonly scene: Scene;
@@ -107,8 +131,11 @@ export interface FixBody {
   readonly locked?: readonly string[] | null;
   /** ids */
   readonly moved?: readonly string[] | null;
+  /** what becomes of what cannot stand */
   readonly on_conflict?: "report" | "remove" | null;
+  /** poses of the last answer */
   readonly previous?: readonly Pose[] | null;
+  /** whether this is a frame of a drag */
   readonly dragging?: boolean | null;
   /** how much work the call may do */
   readonly effort?: "quick" | "normal" | "thorough" | null;
@@ -131,9 +158,11 @@ export interface FloorAnswer {
   readonly rooms: readonly RoomFloor[];
 }
 
-/** What the floor is made of: a name of catalogs/floorings.yaml and a colour. */
+/** What the floor is made of. */
 export interface Flooring {
+  /** a name of catalogs/floorings.yaml */
   readonly type: string;
+  /** #rrggbb */
   readonly color: string;
 }
 
@@ -159,25 +188,41 @@ export interface FurnishedPlan {
   readonly limited?: Limited | null;
 }
 
-/** A piece of furniture: full unrotated extents, m; `width` is across its front, `depth` front to back. */
+/** A piece of furniture. */
 export interface Furniture {
   /** made up where it is absent, alike each time */
   readonly id: string;
+  /** such as sofa; all its sizes have this name */
   readonly name: string;
+  /** such as seating */
   readonly category: string | null;
+  /** centre of its footprint in the room, m */
   readonly x: number;
+  /** its underside, m */
   readonly y: number;
+  /** centre of its footprint in the room, m */
   readonly z: number;
+  /** degrees; 0 faces south, 90 east */
   readonly rotation: number;
+  /** across its front, unrotated, m */
   readonly width: number;
+  /** from front to back, unrotated, m */
   readonly depth: number;
+  /** m */
   readonly height: number;
+  /** #rrggbb */
   readonly color: string | null;
+  /** the wall it must stand at */
   readonly wall: "north" | "south" | "east" | "west" | null;
+  /** id of the table it is tucked under */
   readonly under: string | null;
+  /** id of the piece it stands on */
   readonly on: string | null;
+  /** whether it stays where it is */
   readonly locked: boolean;
+  /** the catalogs' key of what it is; without it, of the kinds called `name` the one nearest in size */
   readonly kind?: string | null;
+  /** the own asset that it is shown as */
   readonly asset?: string | null;
 }
 
@@ -332,10 +377,13 @@ export interface LeftOut {
   readonly id: string;
 }
 
-/** One storey: elevation of its floor and its height, m. */
+/** One storey. */
 export interface Level {
+  /** what a room's `level` names */
   readonly index: number;
+  /** height of its floor, m */
   readonly elevation: number;
+  /** of the storey, m */
   readonly height: number;
 }
 
@@ -383,22 +431,35 @@ export interface MovedPiece {
   readonly height: number;
 }
 
-/** A door, garage door, passage or window in a wall. */
+/** A door, garage door, passage or window in a wall. Both rooms of a door list it under one id. */
 export interface Opening {
   /** made up where it is absent, alike each time */
   readonly id: string;
+  /** a passage has no leaf */
   readonly kind: "door" | "garage_door" | "passage" | "window";
+  /** the wall it is in */
   readonly wall: "north" | "south" | "east" | "west" | null;
+  /** its centre along the wall, from the west or north end, m */
   readonly position: number;
+  /** along the wall, m */
   readonly width: number;
+  /** from its lower edge up, m */
   readonly height: number;
+  /** height of its lower edge, m */
   readonly sill: number;
+  /** the other room's id, or EXTERIOR */
   readonly connects_to: string | null;
+  /** which end of it carries the leaf; start is west or north */
   readonly hinge: "start" | "end" | null;
+  /** in: the leaf sweeps the floor of the room that lists it */
   readonly swing: "in" | "out" | null;
+  /** whether it is the front door */
   readonly main_entrance: boolean;
+  /** whether a leaf is drawn */
   readonly render_panel: boolean;
+  /** in a room with an outline the line from that point to the next, in place of `wall` */
   readonly edge?: number | null;
+  /** how far its leaf stands open, 0 to 1; of the two entries that of the room that draws the leaf counts */
   readonly open?: number | null;
 }
 
@@ -445,11 +506,15 @@ export interface PlanImport {
   readonly understood_as: Readonly<Record<string, string>>;
 }
 
-/** Where a body was in the last answer of /fix: its footprint's centre in its room, m, and its rotation, degrees. */
+/** Where a body was in the last answer of /fix. */
 export interface Pose {
+  /** of the body */
   readonly id: string;
+  /** its footprint's centre in its room, m */
   readonly x: number;
+  /** its footprint's centre in its room, m */
   readonly z: number;
+  /** degrees */
   readonly rotation?: number | null;
 }
 
@@ -486,15 +551,21 @@ export interface Request {
   readonly min_room_size?: number | null;
   /** how often the rectangle is split */
   readonly max_depth?: number | null;
+  /** whether a rectangle that is cut has a hallway */
   readonly use_spine?: boolean | null;
+  /** whether a garden or the like lies around the house */
   readonly outdoor?: boolean | null;
+  /** whether surfaces, walls and floors are decorated */
   readonly decorate?: boolean | null;
   /** room types by the room's index */
   readonly force_types?: Readonly<Record<string, string>> | null;
+  /** side of the square that must be able to walk everywhere, m */
   readonly robot_width?: number | null;
   /** a preset's name, or how many rooms of each word */
   readonly program?: string | Readonly<Record<string, number>> | null;
+  /** wished floor of the house, m2 */
   readonly area?: number | null;
+  /** the name of a style */
   readonly style?: "classic" | "industrial" | "mid_century" | "modern" | "rustic" | "scandi" | null;
   /** of a planned home, any by default; or of any home its corners, m */
   readonly outline?: "rectangle" | "L" | "T" | "U" | "any" | readonly (readonly [number, number])[] | null;
@@ -502,31 +573,51 @@ export interface Request {
   readonly access?: "none" | "ada" | "din_18040_2" | "din_18040_2_r" | null;
   /** false: nobody is there */
   readonly people?: boolean | null;
+  /** of inner walls, m; 0.1 by default */
   readonly wall_thickness?: number | null;
+  /** of outer walls, m; as inner ones by default */
   readonly outer_wall_thickness?: number | null;
 }
 
-/** A room: its wall lines' rectangle in the house, m, and everything in it, relative to its north-west corner. */
+/** A room: its wall lines' rectangle in the house, and everything in it, relative to its north-west corner. */
 export interface Room {
   /** made up where it is absent, alike each time */
   readonly id: string;
+  /** what `adjacency` and seeds call it; its place in the list by default */
   readonly index: number;
+  /** a room type, or any word */
   readonly type: string;
+  /** the storey it is on */
   readonly level: number;
+  /** its north-west corner in the house, m */
   readonly x: number;
+  /** its north-west corner in the house, m */
   readonly z: number;
+  /** of its wall lines' rectangle, from west to east, m */
   readonly width: number;
+  /** of its wall lines' rectangle, from north to south, m */
   readonly depth: number;
+  /** its corners, m, clockwise from the north-west, where it is not that rectangle */
   readonly outline: readonly (readonly [number, number])[] | null;
+  /** whether it is a garden or the like */
   readonly outdoor: boolean;
+  /** material and colour of its floor */
   readonly flooring: Flooring | null;
+  /** its own colour, #rrggbb */
   readonly accent: string | null;
+  /** what its walls are finished with */
   readonly walls?: WallFinish | null;
+  /** of its outer walls by line of the outline, north first, m; null where it is the scene's */
   readonly wall_thickness?: readonly (number | null)[] | null;
+  /** which walls are outer walls, wholly or in part */
   readonly exterior_walls: Sides | null;
+  /** which walls it draws; of a shared wall one room does */
   readonly wall_flags: Sides | null;
+  /** doors, passages and windows */
   readonly openings: readonly Opening[];
+  /** its pieces */
   readonly furniture: readonly Furniture[];
+  /** small things */
   readonly decorations: readonly Decoration[];
 }
 
@@ -555,18 +646,29 @@ export interface RoomGuess {
 
 /** A whole house: the document of /generate, /fix and /validate. */
 export interface Scene {
+  /** the only one there is */
   readonly format: "compose-scene/1";
+  /** what the home was drawn from */
   readonly seed: number | null;
+  /** everything it takes to make this home again */
   readonly request: Readonly<Record<string, unknown>> | null;
+  /** the version of Compose and the mark of its catalogs: a seed means something with these two only */
   readonly generator: Readonly<Record<string, unknown>> | null;
+  /** outer extents of the house, or of the least rectangle around it */
   readonly size: Size | null;
+  /** of the walls, m */
   readonly wall_thickness: number;
+  /** storeys */
   readonly levels: readonly Level[];
+  /** what the house has */
   readonly rooms: readonly Room[];
+  /** of homes that were cut without a hallway: for information only */
   readonly corridors: readonly (Readonly<Record<string, unknown>>)[];
   /** pairs of rooms, by index, with a common wall long enough for a door; the certificate's `unjoined` are those of them, by id, that no door or passage joins */
   readonly adjacency: readonly (readonly [number, number])[];
+  /** people and pets */
   readonly dynamic: readonly Dynamic[];
+  /** what was checked and proven */
   readonly certificate: Readonly<Record<string, unknown>> | null;
 }
 
@@ -580,16 +682,23 @@ export interface Shrunk {
 
 /** A yes or no for each of a room's four walls. */
 export interface Sides {
+  /** whether it is so of that wall */
   readonly north: boolean;
+  /** whether it is so of that wall */
   readonly south: boolean;
+  /** whether it is so of that wall */
   readonly east: boolean;
+  /** whether it is so of that wall */
   readonly west: boolean;
 }
 
 /** Outer extents of the house, m. */
 export interface Size {
+  /** from west to east */
   readonly width: number;
+  /** from north to south */
   readonly depth: number;
+  /** of the building */
   readonly height: number;
 }
 
@@ -660,9 +769,11 @@ export interface ValidateAnswer {
   readonly access?: Readonly<Record<string, unknown>> | null;
 }
 
-/** What a room's walls are finished with on its side, and the colour. */
+/** What a room's walls are finished with on its side. */
 export interface WallFinish {
+  /** such as plaster */
   readonly type: string;
+  /** #rrggbb */
   readonly color: string;
 }
 

@@ -21,7 +21,7 @@ from solver.floorplan.programme.skeletons import outlines_for
 from solver.floorplan.programme.yard import PlannedHome, house_frame, with_yard
 from solver.floorplan.tiling import LATTICE_MM, HouseWalls, Layout
 from solver.geometry import Rect, to_mm
-from solver.scene import Request
+from solver.request import Request
 from solver.streams import Stream
 
 SLACKS: Final = (1.15, 1.5, 2.2, 4.0)

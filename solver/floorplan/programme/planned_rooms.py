@@ -16,7 +16,7 @@ from catalogs.programmes import Home
 from catalogs.schema import Catalogs, RoomType
 from solver.errors import RequestError
 from solver.floorplan.fitness import cars_of
-from solver.scene import Request
+from solver.request import Request
 
 GARAGE: Final = "garage"
 """The word that counts cars."""
