@@ -32,3 +32,23 @@ def test_distances_to_walls_and_pieces_follow_the_piece(visit: Visit) -> None:
     assert violations(visit) == []
     visit.page.keyboard.press("Escape")
     expect(gaps).to_be_hidden()
+
+
+LAID = """() => [...document.querySelectorAll('.handle, .ruler-words')].filter(one => one.checkVisibility()).map(one => {
+    const {left, top, right, bottom} = one.getBoundingClientRect();
+    return [one.textContent, left, top, right, bottom];
+})"""
+"""The handles and the written distances that are seen, and the rectangles that they take."""
+
+
+def test_no_handle_lies_over_a_distance(visit: Visit) -> None:
+    Bench(visit, den(crate(ONE, 2, 1), crate(OTHER, 2, 2.1)))
+    visit.page.keyboard.press("2")
+    visit.line_of(ONE).click()
+    visit.settle()
+    laid = visit.page.evaluate(LAID)
+    assert sum(words.endswith(" m") for words, *_ in laid) >= 2 and any(not words.endswith(" m") for words, *_ in laid)
+    for i, (words, *a) in enumerate(laid):
+        for other, *b in laid[:i]:
+            meets = a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+            assert not (meets and (words.endswith(" m") or other.endswith(" m"))), f"{words} over {other}"

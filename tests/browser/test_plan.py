@@ -76,6 +76,33 @@ def test_numbers_and_areas_are_read_or_left_out(visit: Visit, home: str) -> None
     assert areas >= (len(scene["rooms"]) if HOMES[home] else 1)
 
 
+CUT = """() => [...document.querySelector('.plan-sheet').shadowRoot.querySelectorAll('.lengths')].map(one => {
+    const [seen, box] = [document.querySelector('#stage').getBoundingClientRect(), one.getBoundingClientRect()];
+    const within = box.left >= seen.left && box.right <= seen.right && box.top >= seen.top && box.bottom <= seen.bottom;
+    return [one.dataset.along, getComputedStyle(one).visibility === 'visible', within];
+})"""
+"""Of the lengths along x and along z: whether they are shown, and whether all of them is on the canvas."""
+
+
+@pytest.mark.own_page
+def test_lengths_are_shown_whole_or_not_at_all_and_the_plan_fills_the_canvas(visit: Visit) -> None:
+    visit.page.set_viewport_size({"width": 1280, "height": 720})
+    scene = visit.open("?width=30&depth=9&seed=4")["scene"]
+    visit.page.locator("#fold_reading").click()
+    visit.page.keyboard.press("4")
+    visit.page.wait_for_function(DRAWN)
+    visit.settle()
+    assert visit.page.evaluate(CUT) == [["x", True, True], ["z", False, False]]
+    west, east = (visit.page.evaluate("at => compose.whereAt(...at)", [x, 0])["x"] for x in (0, scene["size"]["width"]))
+    assert east - west > 0.85 * visit.page.locator("#stage").bounding_box()["width"]
+    for _ in range(3):
+        visit.page.keyboard.press("-")
+        visit.settle()
+    assert [shown for _, shown, _ in visit.page.evaluate(CUT)] in ([True, True], [False, False]), (
+        "there is room for both, or they are too small"
+    )
+
+
 def test_letters_stay_as_large_as_the_view_comes_nearer(visit: Visit) -> None:
     planned(visit, 4)
     before = visit.page.evaluate(SIZES, "#stage .plan-sheet")

@@ -204,9 +204,13 @@ def test_a_dropped_plan_is_told_of_and_furnished(visit: Visit) -> None:
     visit.settle()
     assert visit.count("rooms") == 2
     expect(page.locator("#imported_list")).to_contain_text("Left out (1)")
-    page.get_by_role("button", name="Furnish empty rooms").click()
+    expect(page.locator("#status")).to_contain_text("Not furnished yet")
+    expect(page.locator("#status .broken, #status .kept, #issues").filter(visible=True)).to_have_count(0)
+    expect(page.get_by_role("button", name="Furnish empty rooms")).to_be_visible()
+    page.get_by_role("button", name="Furnish now").click()
     expect(page.get_by_role("button", name="Furnish empty rooms")).to_be_hidden()
     visit.settle()
+    expect(page.locator("#status .unfurnished")).to_be_hidden()
     assert [room["type"] for room in page.evaluate("compose.scene.rooms")] == ["bedroom", "living_room"]
     assert min(page.evaluate("compose.scene.rooms.map(room => room.furniture.length)")) > 1, "of a seed that the page draws"
     page.keyboard.press("Control+z")

@@ -47,7 +47,7 @@ class Chain(NamedTuple):
 
 
 def chains(root: ElementTree.Element) -> list[Chain]:
-    (drawn,) = (path.get("d", "") for path in root.iter(f"{SVG}path") if path.get("class") == "line")
+    drawn = "".join(path.get("d", "") for path in root.iter(f"{SVG}path") if path.get("class") == "line")
     found = []
     for x, y, way, end, ticks in (one.groups() for one in CHAIN.finditer(drawn)):
         at = int(y) if way == "H" else int(x)

@@ -170,7 +170,7 @@ def test_a_sheet_is_a_paper_with_the_house_in_its_middle_within_a_frame(name: st
     x0, z0, x1, z1, _, _, block = (float(number) for number in re.findall(r"-?\d+", drawn)[:7])
     unit = wide / float(root.attrib["width"].removesuffix("mm"))
     assert left < x0 < x1 < left + wide and top < z0 < block < z1 < top + high
-    (lines,) = (one.get("d", "") for one in root.iter(f"{svg.SVG}path") if one.get("class") == "line")
+    lines = "".join(one.get("d", "") for one in root.iter(f"{svg.SVG}path") if one.get("class") == "line")
     marks = [(float(x), float(z)) for x, z in re.findall(r"M(-?\d+) (-?\d+)", lines)]
     assert marks and all(x0 < x < x1 and z0 < z < block for x, z in marks)
     floors = [one.get("points", "") for one in root.iter(f"{svg.SVG}polygon") if one.get("class") == "floor"]

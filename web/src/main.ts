@@ -122,7 +122,7 @@ class Page {
     this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], (reason) => this.#asking.notice.show(reason));
     this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
     this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
-    element("furnish_now").addEventListener("click", () => this.#furnish());
+    for (const id of ["furnish_now", "furnish_empty"]) element(id).addEventListener("click", () => this.#furnish());
     element("draw_new").addEventListener("click", () => this.#drawing.open(null));
     element("draw_this").addEventListener("click", () => this.#drawing.open(this.#home.settled?.scene ?? null));
     for (const link of element("starts").querySelectorAll("a")) {

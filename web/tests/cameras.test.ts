@@ -3,15 +3,16 @@ import { describe, expect, it } from "vitest";
 import { readableAt } from "../src/plan/readable";
 import { blend, frame, PRESETS, windowOf, type Vector, type Window } from "../src/view/cameras";
 
-const CORNERS: Vector[] = [0, 20].flatMap((x) => [0, 1].flatMap((y) => [0, 15].map((z): Vector => [x, y, z])));
+const box = (wide: number, deep: number): Vector[] => [0, wide].flatMap((x) => [0, 1].flatMap((y) => [0, deep].map((z): Vector => [x, y, z])));
+const CORNERS = box(20, 15);
 
-function seen(preset: keyof typeof PRESETS, aspect: number, covered: Omit<Window, "aspect"> = {}): Vector3[] {
-  const { eye, target, fov } = frame(CORNERS, PRESETS[preset], { aspect, ...covered });
+function seen(preset: keyof typeof PRESETS, aspect: number, covered: Omit<Window, "aspect"> = {}, points = CORNERS): Vector3[] {
+  const { eye, target, fov } = frame(points, PRESETS[preset], { aspect, ...covered });
   const camera = new PerspectiveCamera(fov, aspect, 0.1, 1000);
   camera.position.set(...eye);
   camera.lookAt(new Vector3(...target));
   camera.updateMatrixWorld();
-  return CORNERS.map((corner) => new Vector3(...corner).project(camera));
+  return points.map((corner) => new Vector3(...corner).project(camera));
 }
 
 describe("a preset", () => {
@@ -25,17 +26,22 @@ describe("a preset", () => {
     }
   });
 
-  it("leaves room around the house for the lengths of its plan, where they can be read, and else for nothing", () => {
-    for (const [width, height, isSized] of [[1800, 1200, true], [1136, 815, true], [1136, 680, false], [700, 500, false]] as const) {
+  it("leaves room around the house for the lengths of its plan: on all sides, else on two, where they can be read, and else for nothing", () => {
+    const cases = [
+      [1800, 1200, CORNERS, true, true], [1136, 815, CORNERS, true, true], [1136, 680, CORNERS, false, true], [700, 500, CORNERS, false, false],
+      [1016, 665, box(30, 9), true, false],
+    ] as const;
+    for (const [width, height, points, north, west] of cases) {
       const { aspect, ...covered } = windowOf({ width, height });
-      const at = seen("plan", aspect, covered).map(({ x, y }) => [((1 + x) / 2) * width, ((1 - y) / 2) * height] as const);
+      const at = seen("plan", aspect, covered, points).map(({ x, y }) => [((1 + x) / 2) * width, ((1 - y) / 2) * height] as const);
       const [xs, ys] = [at.map(([x]) => x), at.map(([, y]) => y)];
       const free = [Math.min(...ys) - 52, Math.min(...xs), height - 60 - Math.max(...ys), width - Math.max(...xs)]; // under the toolbar, over the view's buttons
-      const pixels = (Math.max(...xs) - Math.min(...xs)) / 20 / 1000;
-      expect(readableAt(pixels).lengths, `${width}`).toBe(isSized);
-      const wanted = isSized ? [124, 124, 90, 90] : [10, 10, 10, 10];
+      const pixels = (Math.max(...xs) - Math.min(...xs)) / Math.max(...points.map(([x]) => x)) / 1000;
+      expect(readableAt(pixels).lengths, `${width}`).toBe(north || west);
+      const wanted = [north ? 124 : 10, west ? 124 : 10, north ? 90 : 10, west ? 90 : 10];
       free.forEach((one, side) => expect(one, `${width}, side ${side}`).toBeGreaterThan(wanted[side] ?? 0));
-      if (!isSized) expect(readableAt(pixels * 1.6).lengths, `${width}`).toBe(true);
+      if (!north && !west) expect(readableAt(pixels * 1.6).lengths, `${width}`).toBe(true);
+      if (north && !west) expect(Math.max(...xs) - Math.min(...xs), `${width}`).toBeGreaterThan(0.85 * width);
     }
   });
 

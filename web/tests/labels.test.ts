@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { clearest, keptInside, layOut } from "../src/view/label_layout";
+import { clearest, keptInside, layOut, onLine } from "../src/view/label_layout";
 
 const wish = (x: number, y: number, importance: number) => ({ x, y, width: 80, height: 20, importance });
 
@@ -75,5 +75,29 @@ describe("a name that may be in several places", () => {
   it("stays where it was while no other place is better", () => {
     expect(clearest(label, places, [], places[2])).toBe(places[2]);
     expect(clearest(label, places, [sofa], places[0])).toBe(places[1]);
+  });
+});
+
+describe("the words of a line", () => {
+  const line = [{ x: 100, y: 100 }, { x: 100, y: 300 }] as const;
+  const extent = { width: 50, height: 18 };
+  const handle = (y: number) => ({ x: 100, y, width: 28, height: 28 });
+
+  it("are at their place, or near it on the line where something lies there", () => {
+    expect(onLine(line, 0.5, extent, [])).toEqual({ x: 100, y: 200 });
+    const moved = onLine(line, 0.5, extent, [handle(200)]);
+    expect([moved.x, Math.abs(moved.y - 200) >= 23]).toEqual([100, true]);
+    for (const at of [0, 1]) {
+      const { y } = onLine(line, at, extent, [handle(100 + at * 200)]);
+      expect(y > 100 && y < 300, `${at}`).toBe(true);
+    }
+  });
+
+  it("are beside a line of which all is covered, or stay where everything is", () => {
+    const short = [{ x: 100, y: 200 }, { x: 100, y: 230 }] as const;
+    const beside = onLine(short, 0.5, extent, [handle(200), handle(230)]);
+    expect(Math.abs(beside.x - 100)).toBeGreaterThanOrEqual(39);
+    expect(beside.y).toBe(215);
+    expect(onLine(short, 0.5, extent, [{ x: 100, y: 200, width: 900, height: 900 }])).toEqual({ x: 100, y: 215 });
   });
 });

@@ -2,7 +2,8 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { DEFAULTS } from "../src/address";
 import { fieldWords } from "../src/panel/field_words";
-import { countsOf, totalMs } from "../src/panel/status";
+import { brokenOf, countsOf, totalMs, unfurnishedOf } from "../src/panel/status";
+import type { Issue } from "../src/contract";
 import { generate, problemFrom, ServiceProblem, view } from "../src/service";
 import { opening, piece, room, scene } from "./rooms";
 
@@ -76,6 +77,15 @@ describe("the status", () => {
     const window = opening({ id: "window_1", kind: "window" });
     const rooms = [room("a", [0, 0, 4, 4], { openings: [door, window], furniture: [piece("x"), piece("y")] }), room("b", [0, 4, 4, 4], { openings: [door] })];
     expect(countsOf(scene(rooms), [])).toEqual({ rooms: 2, doors: 1, windows: 1, furniture: 2, decorations: 0, issues: 0 });
+  });
+
+  it("counts no rule as broken by what a room lacks that nobody has furnished yet", () => {
+    const lacks = (of: string): Issue => ({ rule: "missing_required", severity: "warning", room: of, ids: [], message: `${of} has no bed` });
+    const other: Issue = { ...lacks("a"), rule: "door_clear" };
+    const rooms = [room("a", [0, 0, 4, 4]), room("b", [0, 4, 4, 4], { furniture: [piece("x")] }), room("c", [4, 0, 4, 4])];
+    const home = scene(rooms, { certificate: { rooms: { c: { proven: true } } } });
+    expect([...unfurnishedOf(home)]).toEqual(["a"]);
+    expect(brokenOf([lacks("a"), other, lacks("b"), lacks("c")], home)).toEqual([other, lacks("b"), lacks("c")]);
   });
 
   it("takes the total time, or sums the stages", () => {

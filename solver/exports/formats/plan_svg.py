@@ -146,9 +146,13 @@ def _leaf(leaf: DoorLeaf) -> str:
 
 
 def _dimensions(storey: PlanStorey) -> str:
-    drawn = [dimension(line, storey.sheet) for line in storey.outside]
+    """Returns the chains along x and along z, a group each: who shows a part of the sheet leaves out those that are cut."""
+    return "".join(_chains(axis, [dimension(line, storey.sheet) for line in storey.outside if line.axis == axis]) for axis in ("x", "z"))
+
+
+def _chains(axis: str, drawn: Sequence[tuple[str, str, str]]) -> str:
     paths, ticks, numbers = ("".join(one[i] for one in drawn) for i in range(3))
-    return f'<path class="line" d="{paths}"/><path class="tick" d="{ticks}"/>\n{numbers}\n'
+    return f'<g class="lengths" data-along="{axis}"><path class="line" d="{paths}"/><path class="tick" d="{ticks}"/>\n{numbers}</g>\n'
 
 
 def _path(style: str, boxes: Sequence[PlanBox], identity: str | None = None) -> str:

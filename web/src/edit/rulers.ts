@@ -1,6 +1,6 @@
 /** Lines and words drawn over the house: distances, guides, a tape, arrows. They follow the camera and cost no draw call. */
 import { Vector3 } from "three";
-import { keptInside, layOut, type Kept } from "../view/label_layout";
+import { keptInside, onLine, type Kept } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 
 export type RulerLook = "gap" | "guide" | "tape" | "hold" | "wish";
@@ -89,6 +89,7 @@ export class Rulers {
 
   #place(): void {
     const written: Kept[] = [];
+    const handles = this.viewport.overlaid.get("handles") ?? [];
     for (const { line, stroke, label } of this.#drawn) {
       const [from, to] = [line.from, line.to].map((spot) => this.viewport.project(new Vector3(...spot)));
       const isSeen = from !== null && to !== null && from !== undefined && to !== undefined;
@@ -97,13 +98,9 @@ export class Rulers {
       if (!isSeen) continue;
       for (const [key, value] of Object.entries({ x1: from.x, y1: from.y, x2: to.x, y2: to.y })) stroke.setAttribute(key, value.toFixed(1));
       if (label && line.look === "gap") label.hidden = Math.hypot(to.x - from.x, to.y - from.y) < SHORTEST;
-      const at = line.at ?? 0.5;
-      const [x, y] = [from.x + (to.x - from.x) * at, from.y + (to.y - from.y) * at];
       if (!label || label.hidden) continue;
       const extent = { width: (line.words?.length ?? 0) * WORDS.letter + WORDS.beside, height: WORDS.height };
-      const inside = keptInside({ x, y, ...extent }, this.viewport.size);
-      const [clear] = line.act ? [] : layOut([{ ...inside, ...extent, importance: 0 }], [...(this.viewport.overlaid.get("handles") ?? []), ...written]);
-      const place = clear ?? inside; // lengths that can be typed stay on their lines
+      const place = keptInside({ ...onLine([from, to], line.at ?? 0.5, extent, [...handles, ...written]), ...extent }, this.viewport.size);
       label.style.transform = `translate(-50%, -50%) translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`;
       written.push({ ...place, ...extent });
     }

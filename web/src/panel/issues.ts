@@ -2,6 +2,7 @@
 import type { Issue, Scene } from "../contract";
 import { say } from "../words/language";
 import { tell, tellSentence } from "../words/telling";
+import { brokenOf } from "./status";
 
 /** Issues of one rule, in the service's order. */
 export interface IssueGroup {
@@ -31,7 +32,8 @@ export class Issues {
     this.#diagnose = section.querySelector("#issue_diagnose");
   }
 
-  show(issues: readonly Issue[], scene: Scene): void {
+  show(found: readonly Issue[], scene: Scene): void {
+    const issues = brokenOf(found, scene);
     const isWrong = issues.some(({ severity }) => severity === "error");
     this.section.hidden = issues.length === 0;
     if (this.#words) this.#words.textContent = isWrong ? say("Choose one to go to it. Diagnose repairs all errors as one step.") : say("Warnings: the home works, less well. Choose one to go to it; move or delete the piece, take the step back, or take one of the room's other arrangements.");

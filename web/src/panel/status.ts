@@ -12,6 +12,26 @@ export interface Counts {
   readonly issues: number;
 }
 
+/** The rooms that nothing was put into yet, and that no rule is broken by: an empty plan lacks its furniture, it is not wrong. */
+export function unfurnishedOf({ rooms, certificate }: Scene): ReadonlySet<string> {
+  return new Set(rooms.filter(({ id, furniture }) => furniture.length === 0 && certificate?.rooms?.[id] === undefined).map(({ id }) => id));
+}
+
+/** The issues but for what rooms lack that are not furnished yet. */
+export function brokenOf(issues: readonly Issue[], scene: Scene): readonly Issue[] {
+  const unfurnished = unfurnishedOf(scene);
+  return issues.filter(({ rule, room }) => rule !== "missing_required" || !unfurnished.has(room ?? ""));
+}
+
+/** How many rooms lack what they need, since they are not furnished yet, in words; empty where there is none. */
+function unfurnishedWords(issues: readonly Issue[], scene: Scene): string {
+  const broken = new Set(brokenOf(issues, scene));
+  const count = new Set(issues.filter((issue) => !broken.has(issue)).map(({ room }) => room)).size;
+  if (count > 0 && scene.rooms.every(({ furniture }) => furniture.length === 0)) return say("Not furnished yet");
+  if (count === 1) return say("1 room not furnished yet");
+  return count > 0 ? say("{count} rooms not furnished yet", { count }) : "";
+}
+
 /** Counts a scene; a door listed by both its rooms under one id is one door, a passage is a door without a leaf. */
 export function countsOf(scene: Scene, issues: readonly Issue[]): Counts {
   const openings = new Map(scene.rooms.flatMap((room) => room.openings.map((opening) => [opening.id, opening.kind] as const)));
@@ -63,7 +83,13 @@ function showOptimality(host: HTMLElement, scene: Scene): void {
 
 /** Shows what is there, how good it is and how long it took. */
 export function showShown(host: HTMLElement, { scene, issues, timing }: Shown): void {
-  showStatus(host, countsOf(scene, issues), timing);
+  const [broken, empty] = [brokenOf(issues, scene), unfurnishedWords(issues, scene)];
+  showStatus(host, countsOf(scene, broken), timing);
+  host.querySelector(".verdict")?.classList.toggle("has-errors", broken.some(({ severity }) => severity === "error"));
+  host.querySelector(".verdict")?.classList.toggle("is-open", empty !== "");
+  const place = host.querySelector<HTMLElement>(".unfurnished");
+  if (place) place.hidden = empty === "";
+  host.querySelector("[data-count='unfurnished']")?.replaceChildren(empty);
   showOptimality(host, scene);
 }
 

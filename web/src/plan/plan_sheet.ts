@@ -12,6 +12,9 @@ const MEASURED = 10;
 export class PlanSheet extends DrawnSheet {
   /** Millimetres of the house a pixel, as they were last. */
   #followed = 0;
+  /** The drawing whose lengths were measured, and what those along x and along z cover [mm of the house]. */
+  #measuredOf: SVGSVGElement | null = null;
+  #reach: readonly DOMRect[] = [];
 
   constructor(readonly viewport: Viewport, draw: DrawPlan, failed: (reason: unknown) => void) {
     super(draw, failed);
@@ -29,6 +32,19 @@ export class PlanSheet extends DrawnSheet {
     return [this.viewport.project(new Vector3(0, 0, 0)), this.viewport.project(new Vector3(MEASURED, 0, 0))] as const;
   }
 
+  /** Leaves out lengths that the canvas cuts while it shows all of the house between them: those along the one axis lie as far as those along the other go. */
+  #leaveOutCut(drawn: SVGSVGElement, seen: Readonly<Record<"west" | "north" | "east" | "south", number>>): void {
+    const [alongX, alongZ] = ["x", "z"].map((axis) => drawn.querySelector<SVGGElement>(`.lengths[data-along=${axis}]`));
+    if (!alongX || !alongZ) return;
+    if (this.#measuredOf !== drawn) [this.#measuredOf, this.#reach] = [drawn, [alongX.getBBox(), alongZ.getBBox()]];
+    const [across, along] = this.#reach;
+    if (!across || !along) return;
+    const isIn = (from: number, to: number, low: number, high: number): boolean => from >= low && to <= high;
+    const [x, z] = [[seen.west, seen.east], [seen.north, seen.south]] as const;
+    alongX.classList.toggle("cut", isIn(along.y, along.y + along.height, ...z) && !isIn(across.y, across.y + across.height, ...z));
+    alongZ.classList.toggle("cut", isIn(across.x, across.x + across.width, ...x) && !isIn(along.x, along.x + along.width, ...x));
+  }
+
   /** Shows the part of the sheet that the camera sees. */
   #follow(): void {
     const drawn = this.shown;
@@ -41,6 +57,7 @@ export class PlanSheet extends DrawnSheet {
       this.resized();
     }
     const { width, height } = this.viewport.size;
+    this.#leaveOutCut(drawn, { west: -from.x * scale, north: -from.y * scale, east: (width - from.x) * scale, south: (height - from.y) * scale });
     const box = [-from.x * scale, -from.y * scale, width * scale, height * scale].map((value) => value.toFixed(1)).join(" ");
     if (drawn.getAttribute("viewBox") === box) return;
     drawn.setAttribute("viewBox", box);

@@ -119,23 +119,23 @@ function fitted(points: readonly Vector[], from: Vector, { fov }: Preset, aspect
   return { framing: { eye, target: plus(eye, back, -distance), fov }, distance };
 }
 
-/** As near as a preset comes from a direction: a sheet with its lengths where they can be read, else the rooms alone, no larger than where they could. */
+/** As near as a preset comes from a direction: a sheet with its lengths round it, else with those of two sides, where they can be read, else the rooms alone. */
 function near(points: readonly Vector[], from: Vector, preset: Preset, { aspect, covered = 0, beneath = 0, height = 0 }: Window): Fitted {
   const fit = (free: Free): Fitted => fitted(points, from, preset, aspect, free);
   const plain: Free = { wider: MARGIN, top: covered, foot: beneath, west: 0, east: 0 };
   if (!preset.isSheet || height === 0 || beneath > 0) return fit(plain);
-  const round = (inNorthAndWest: number, inSouthAndEast: number): Free => {
-    const share = (pixels: number, of: number): number => Math.min(MOST_ROUND, pixels / of);
-    return {
-      wider: 1, top: share(TOOLBAR + inNorthAndWest, height), foot: share(SWITCH + inSouthAndEast, height),
-      west: share(HANDLE + inNorthAndWest, height * aspect), east: share(HANDLE + inSouthAndEast, height * aspect),
-    };
+  const share = (pixels: number, of: number): number => Math.min(MOST_ROUND, pixels / of);
+  const round = (aboveAndBelow: boolean, atSides: boolean): Fitted => {
+    const [north, south] = aboveAndBelow ? [THREE_CHAINS, TWO_CHAINS] : [NO_CHAINS, NO_CHAINS];
+    const [west, east] = atSides ? [THREE_CHAINS, TWO_CHAINS] : [NO_CHAINS, NO_CHAINS];
+    return fit({
+      wider: 1, top: share(TOOLBAR + north, height), foot: share(SWITCH + south, height),
+      west: share(HANDLE + west, height * aspect), east: share(HANDLE + east, height * aspect),
+    });
   };
-  const pixels = ({ distance }: Fitted): number => height / (2 * distance * Math.tan((preset.fov * Math.PI) / 360)) / 1000;
-  const withLengths = fit(round(THREE_CHAINS, TWO_CHAINS));
-  if (pixels(withLengths) >= SIZED) return withLengths;
-  const alone = fit(round(NO_CHAINS, NO_CHAINS));
-  return pixels(alone) < SIZED ? alone : fit({ ...round(NO_CHAINS, NO_CHAINS), wider: (pixels(alone) / SIZED) * MARGIN });
+  const isSized = ({ distance }: Fitted): boolean => height / (2 * distance * Math.tan((preset.fov * Math.PI) / 360)) / 1000 >= SIZED;
+  const ofTwoSides = [round(true, false), round(false, true)].sort((a, b) => a.distance - b.distance);
+  return [round(true, true), ...ofTwoSides].find(isSized) ?? round(false, false);
 }
 
 /** Places a camera so that the points fill the view. */

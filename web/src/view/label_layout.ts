@@ -60,3 +60,22 @@ export function clearest<Place extends LabelPlace>(
   const least = Math.min(...counts.values());
   return before && counts.get(before) === least ? before : places.find((place) => counts.get(place) === least);
 }
+
+/** Where along its line a label is tried, in shares of it from its wished place, and how far beside it, in label heights. */
+const [ALONG, BESIDE] = [[0, -0.15, 0.15, -0.3, 0.3], [1, 2, 3, 4, 5]];
+
+/** Where a label of a line goes: on it, as near its wished place as nothing lies over it; beside that place where all of the line is covered. */
+export function onLine(
+  [from, to]: readonly [LabelPlace, LabelPlace], at: number, extent: Pick<Kept, "width" | "height">, kept: readonly Kept[],
+): LabelPlace {
+  const [dx, dy] = [to.x - from.x, to.y - from.y];
+  const long = Math.hypot(dx, dy) || 1;
+  const on = (share: number): LabelPlace => ({ x: from.x + dx * share, y: from.y + dy * share });
+  const middle = on(at);
+  const beside = BESIDE.flatMap((step) => [1, -1].map((side): LabelPlace => {
+    const away = (side * step * extent.height) / long;
+    return { x: middle.x - dy * away, y: middle.y + dx * away };
+  }));
+  const places = [...ALONG.map((share) => at + share).filter((share) => share >= 0 && share <= 1).map(on), ...beside];
+  return places.find((place) => !kept.some((other) => covers({ ...place, ...extent, importance: 0 }, place.y, other))) ?? middle;
+}
