@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from io import BytesIO
+
+import pytest
+from PIL import Image, ImageStat
 from playwright.sync_api import expect
 
 from tests.browser.test_looking import entrance_of, holds
@@ -104,3 +108,22 @@ def test_a_click_opens_a_front_in_passing_and_the_key_what_is_looked_at(visit: V
     visit.settle()
     assert visit.state()["openFronts"] == [seen[0]]
     assert visit.state()["selected"] is None
+
+
+SET_HOUR = "hour => { const field = document.querySelector('#hour'); field.value = hour; field.dispatchEvent(new Event('input')); }"
+
+
+@pytest.mark.own_page
+def test_lamps_light_the_rooms_in_the_evening(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    visit.page.locator("#camera_walk").click()
+    visit.settle()
+    seen = {}
+    for hour in (15, 19):
+        visit.page.evaluate(SET_HOUR, hour)
+        visit.settle()
+        picture = Image.open(BytesIO(visit.page.locator("#stage > canvas").screenshot())).convert("RGB")
+        seen[hour] = ImageStat.Stat(picture).mean
+    red, _, blue = seen[19]
+    assert red - blue > seen[15][0] - seen[15][2] + 10, "it is warm light"
+    assert red > 0.55 * seen[15][0], "it is no dark house"

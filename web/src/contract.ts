@@ -95,7 +95,10 @@ export type HouseRequest = { seed: Typed } & { -readonly [Key in Exclude<keyof S
 
 type Named<Thing> = Readonly<Record<string, Thing>>;
 export type CatalogPart = Open<Served.Solid, "axis" | "taper">;
-export type CatalogKind = Partial<Pick<Served.FurnitureSpec, "name" | "category" | "color" | "variants" | "stands">> & Pick<Served.FurnitureSpec, "size">;
+export type CatalogKind = Partial<Pick<Served.FurnitureSpec, "name" | "category" | "color" | "variants" | "stands">> & Pick<Served.FurnitureSpec, "size"> & {
+  /** Of decorations, in place of a category. */
+  readonly group?: string;
+};
 
 export type CatalogAsset = Pick<Served.Asset, "kinds" | "front" | "size" | "low" | "high" | "bytes" | "triangles" | "license">;
 

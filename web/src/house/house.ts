@@ -11,6 +11,7 @@ import { ceilingMesh, floorMesh } from "./floors";
 import { bodiesOf, storeysOf, styleOf, type PlacedBody } from "./frame";
 import { outlineOf, PLOT } from "./house_outline";
 import { openingsOf, type PlacedOpening } from "./openings";
+import { lampsOf, type Lamp } from "./lamps";
 import { outlinesOf } from "./outlines";
 import { floorUnder, liesFlat } from "./room_at";
 import { isInSight } from "./sight";
@@ -57,7 +58,7 @@ export class House {
   #bodies: readonly PlacedBody[];
   #wallMeshes: Group | null = null;
 
-  constructor(readonly scene: Scene, book: ShapeBook = new ShapeBook(null), assets: ShownAssets | null = null) {
+  constructor(readonly scene: Scene, readonly book: ShapeBook = new ShapeBook(null), assets: ShownAssets | null = null) {
     const storeys = (this.#storeys = storeysOf(scene));
     const plan: WallPlan = (this.#plan = {
       runs: runsOf(scene.rooms, scene.wall_thickness ?? 0),
@@ -96,6 +97,14 @@ export class House {
   /** Its walls and openings. */
   get plan(): WallPlan {
     return this.#plan;
+  }
+
+  /** What lights its highest storey when it grows dark. */
+  get lamps(): readonly Lamp[] {
+    const top = Math.max(...this.scene.rooms.map(({ level }) => level));
+    const storey = this.#storeys.get(top);
+    const [rooms, style] = [this.scene.rooms.filter(({ level }) => level === top), styleOf(this.scene)];
+    return storey ? lampsOf(rooms, storey, this.#bodies, (body) => (this.book.isLamp(body) ? this.book.partsOf(body, style) : null)) : [];
   }
 
   /** The main entrance and on which side of it the house is; null where there is none. */

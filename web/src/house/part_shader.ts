@@ -5,6 +5,7 @@
 import { MeshDepthMaterial, NoBlending, NormalBlending, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
 import { sharedMaterial } from "./shared_materials";
 import { litMaterial, type LitMaterial } from "./lit";
+import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms } from "./lamps";
 import { RULE } from "./part_geometry";
 import { patternSpans, patternUniform } from "./patterns";
 
@@ -96,18 +97,18 @@ function shapeVertices(shader: WebGLProgramParametersWithUniforms): void {
 
 function paint(shader: WebGLProgramParametersWithUniforms): void {
   shapeVertices(shader);
-  shader.uniforms.patterns = patternUniform;
+  Object.assign(shader.uniforms, lampUniforms, { patterns: patternUniform });
   shader.uniforms.patternSpans = { value: patternSpans };
   shader.vertexShader = shader.vertexShader
     .replace(SHAPE, SHAPE + WEAVE)
     .replace("#include <beginnormal_vertex>", "vec3 objectNormal = partNormal();")
     .replace("#include <project_vertex>", "vTint = tint; vFinish = finish; vWeave = weave(transformed);\n#include <project_vertex>");
   shader.fragmentShader = shader.fragmentShader
-    .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vTint;\nvarying vec4 vFinish;\nvarying vec2 vWeave;")
+    .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vTint;\nvarying vec4 vFinish;\nvarying vec2 vWeave;" + LAMP_UNIFORMS)
     .replace("#include <color_fragment>", "diffuseColor *= vTint;\ndiffuseColor.rgb *= texture(patterns, vec3(vWeave, floor(vFinish.w + 0.5))).r;" + LIFT)
     .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vFinish.x;")
     .replace("#include <metalnessmap_fragment>", `float metalnessFactor = ${METAL} * vFinish.y;`)
-    .replace("#include <emissivemap_fragment>", REFLECTION);
+    .replace("#include <emissivemap_fragment>", REFLECTION + LAMPLIGHT);
 }
 
 /** What is solid does not blend either: told so, it is drawn with the shader of what is clear. */

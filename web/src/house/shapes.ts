@@ -53,6 +53,13 @@ export class ShapeBook {
     return parts.map((solid) => sized(solid, body, paints));
   }
 
+  /** Whether a body gives light. */
+  isLamp({ shape }: PlacedBody): boolean {
+    const { furniture = {}, decorations = {} } = this.catalog ?? {};
+    const of = (kinds: Catalog["furniture"]) => (shape && Object.hasOwn(kinds, shape) ? kinds[shape] : undefined);
+    return of(furniture)?.category === "lighting" || of(decorations)?.group === "lighting";
+  }
+
   /** What opens of a body. */
   frontsOf(body: PlacedBody): readonly Front[] {
     return frontsOf(this.#solidsOf(body) ?? [], body);

@@ -2,6 +2,7 @@
 import { NoBlending, NormalBlending, type MeshStandardMaterialParameters, type WebGLProgramParametersWithUniforms } from "three";
 import { sharedMaterial } from "./shared_materials";
 import { litMaterial, type LitMaterial } from "./lit";
+import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms } from "./lamps";
 import { MORTAR, patternLayer, patternUniform } from "./patterns";
 
 const WOVEN = /* glsl */ `
@@ -18,12 +19,13 @@ const WOVEN = /* glsl */ `
 }`;
 
 function weave(shader: WebGLProgramParametersWithUniforms): void {
-  shader.uniforms.patterns = patternUniform;
+  Object.assign(shader.uniforms, lampUniforms, { patterns: patternUniform });
   shader.vertexShader = shader.vertexShader
     .replace("#include <common>", "#include <common>\nattribute vec4 weave;\nvarying vec4 vWeave;")
     .replace("#include <project_vertex>", "vWeave = weave;\n#include <project_vertex>");
   shader.fragmentShader = shader.fragmentShader
-    .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vWeave;")
+    .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vWeave;" + LAMP_UNIFORMS)
+    .replace("#include <emissivemap_fragment>", LAMPLIGHT)
     .replace("#include <color_fragment>", `#include <color_fragment>\n${WOVEN}`)
     .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vWeave.w;");
 }

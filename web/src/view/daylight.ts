@@ -3,7 +3,6 @@ import {
   Box3, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, Group, HemisphereLight, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, ShadowMaterial, Vector3,
 } from "three";
 
-export const SKY = new Color("#b9c8d6");
 const GRASS = "#8a9d74";
 /** The hour that a home is shown at first, and when the sun stands highest and in the south; how fast it goes round. */
 export const FIRST_HOUR = 15;
@@ -12,10 +11,13 @@ const TURN = (16 * Math.PI) / 180;
 const HIGHEST = Math.sin((75 * Math.PI) / 180);
 /** From noon until it sets. */
 const HALF_DAY = 8;
-/** Light at noon, and when the sun is about to set: what falls from it and from the sky. */
-const [HIGH, LOW] = [{ sun: new Color("#fff4e2"), strength: 2.2, sky: 2.5 }, { sun: new Color("#ffae66"), strength: 1.5, sky: 1.5 }];
+/** Light at noon, and when the sun is about to set: what falls from it, from the sky and from the side, and how the sky is seen. */
+const HIGH = { sun: new Color("#fff4e2"), strength: 2.2, sky: 2.5, side: 0.8, seen: new Color("#b9c8d6") };
+const LOW = { sun: new Color("#ffae66"), strength: 1.5, sky: 1.1, side: 0.4, seen: new Color("#8a7f92") };
 /** The sine of the height over the horizon from which on light is as at noon. */
 const FULL = 0.7;
+/** From which share of the light of noon on lamps are lit, and from which on they are as bright as they grow. */
+const [DUSK, DARK] = [0.85, 0.35];
 /** Across the sun's rays, from side to side and from low to high: a house is seen from up there longer than deep. */
 const SHADOW_PIXELS = [2048, 1024] as const;
 /** So high above the ground trees, and storeys above others, cast shadows [m]. */
@@ -75,6 +77,11 @@ export class Daylight {
   readonly root = new Group();
   readonly #sun = new DirectionalLight();
   readonly #sky = new HemisphereLight("#f4f6ff", "#b8aea2");
+  /** The sky, to who looks at it. */
+  readonly sky = HIGH.seen.clone();
+  /** How bright lamps are, from 0 on. */
+  lamps = 0;
+  readonly #side = new DirectionalLight("#d5e3ff", HIGH.side);
   #direction = sunAt(FIRST_HOUR);
   #bounds: Box3 | null = null;
   readonly #grass = new Mesh(groundGeometry(), new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
@@ -86,13 +93,12 @@ export class Daylight {
     const { shadow } = this.#sun;
     this.#sun.castShadow = true;
     shadow.mapSize.set(...SHADOW_PIXELS);
-    Object.assign(shadow, { radius: 4, intensity: 0.7, normalBias: 0.03, bias: -0.0004 });
-    const fill = new DirectionalLight("#d5e3ff", 0.8);
-    fill.position.set(1, 0.7, -0.4);
+    Object.assign(shadow, { radius: 4, intensity: 0.7, normalBias: 0.03, bias: 0.0003 });
+    this.#side.position.set(1, 0.7, -0.4);
     for (const mesh of [this.#grass, this.#shadows]) Object.assign(mesh, { receiveShadow: true, renderOrder: -1 });
     this.sow(false);
     this.turnTo(FIRST_HOUR);
-    this.root.add(this.#sky, this.#sun, this.#sun.target, fill, this.#ground);
+    this.root.add(this.#sky, this.#sun, this.#sun.target, this.#side, this.#ground);
   }
 
   /** Towards the sun. */
@@ -107,6 +113,9 @@ export class Daylight {
     this.#sun.color.lerpColors(LOW.sun, HIGH.sun, share);
     this.#sun.intensity = LOW.strength + (HIGH.strength - LOW.strength) * share;
     this.#sky.intensity = LOW.sky + (HIGH.sky - LOW.sky) * share;
+    this.#side.intensity = LOW.side + (HIGH.side - LOW.side) * share;
+    this.sky.lerpColors(LOW.seen, HIGH.seen, share);
+    this.lamps = Math.max(0, Math.min(1, (DUSK - share) / (DUSK - DARK)));
     if (this.#bounds) this.around(this.#bounds);
   }
 

@@ -1,6 +1,7 @@
 /** The controls of the view: camera presets, walking, how high the walls are cut, which are lower, all names. */
 import type { RoomFloor, Scene, Side } from "../contract";
 import type { House } from "../house/house";
+import { lightLamps } from "../house/lamps";
 import { roomHolding } from "../house/room_at";
 import { sidesBefore, sidesOf, type WallCut } from "../house/wall_cut";
 import { remember, remembered } from "../panel/preferences";
@@ -72,6 +73,7 @@ export class Looking {
   /** Another house: `jump` looks at it anew, else one looks on from where one was. */
   show(house: House, scene: Scene, jump: boolean): void {
     [this.#house, this.#scene] = [house, scene];
+    lightLamps(house.lamps, this.viewport.daylight.lamps);
     this.labels.raiseTo(this.height);
     this.#map.show(house);
     if (this.#walk.pose && jump) this.#enter();
@@ -188,6 +190,7 @@ export class Looking {
       this.#hour.value = hour; // held within its ends
       remember("hour", this.#hour.value);
       this.viewport.daylight.turnTo(Number(this.#hour.value));
+      lightLamps(this.#house?.lamps ?? [], this.viewport.daylight.lamps);
       this.viewport.castShadows();
     }
     const minutes = Math.round(Number(this.#hour.value) * 60);

@@ -1,5 +1,6 @@
 /** Small pictures of things by themselves, drawn on the canvas just before a frame and copied from there: no second renderer. */
 import { PerspectiveCamera, Scene, Vector2, type Object3D, type WebGLRenderer } from "three";
+import { lampUniforms } from "../house/lamps";
 import { frame, type Preset, type Vector } from "./cameras";
 import type { Daylight } from "./daylight";
 
@@ -44,10 +45,13 @@ export class Portraits {
     const [{ renderer, daylight }, home] = [this, this.daylight.root.parent];
     const [size, casts] = [renderer.getSize(new Vector2()), renderer.shadowMap.needsUpdate];
     renderer.shadowMap.needsUpdate = false;
+    const lit = lampUniforms.lampLight.value;
+    lampUniforms.lampLight.value = 0; // they stand in no room
     this.#scene.add(daylight.root);
     daylight.showGround(false);
     renderer.setScissorTest(true);
     for (const wish of wishes) this.#draw(wish);
+    lampUniforms.lampLight.value = lit;
     renderer.setScissorTest(false);
     renderer.setViewport(0, 0, size.x, size.y);
     daylight.showGround(true);

@@ -5,7 +5,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { timed } from "../timing";
 import { blend, frame, plus, PRESETS, windowOf, type Framing, type PresetName, type Vector } from "./cameras";
-import { Daylight, GROUND_REACH, SKY } from "./daylight";
+import { Daylight, GROUND_REACH } from "./daylight";
 import type { Kept } from "./label_layout";
 import { Orbiting, type OrbitStep } from "./orbiting";
 import { Portraits, type Sitter } from "./portraits";
@@ -217,7 +217,7 @@ export class Viewport {
   /** Who walks sees sky and grass through the windows; from outside a house stands on the page. */
   #surround(walker: Pose | null): void {
     this.#walker = walker;
-    this.#scene.background = walker ? SKY : null;
+    this.#scene.background = walker ? this.daylight.sky : null;
     this.daylight.sow(walker !== null);
   }
 
