@@ -10,6 +10,7 @@ from typing import Final
 
 from catalogs import Catalogs
 from solver.guessed import ChosenEntrance
+from solver.guessing.doors_between import doors_between
 from solver.scene import EXTERIOR, Opening, Room, Scene
 
 NOT_COME_IN_BY: Final = 100
@@ -25,11 +26,12 @@ def with_entrance(scene: Scene, catalogs: Catalogs) -> tuple[Scene, ChosenEntran
     """
     if any(opening.main_entrance for room in scene.rooms for opening in room.openings):
         return scene, None
+    inner = {opening.id for _, _, opening in doors_between(scene.rooms)}
     outside = [
         (_rank(room, opening, catalogs), k, j)
         for k, room in enumerate(scene.rooms)
         for j, opening in enumerate(room.openings)
-        if opening.kind == "door" and not room.outdoor and _leads_outside(scene, room, opening)
+        if opening.kind == "door" and not room.outdoor and opening.id not in inner and opening.connects_to in (None, EXTERIOR)
     ]
     if not outside:
         return scene, None
@@ -40,13 +42,6 @@ def with_entrance(scene: Scene, catalogs: Catalogs) -> tuple[Scene, ChosenEntran
     others = "the only door that leads outside" if len(outside) == 1 else f"of {len(outside)} doors that lead outside"
     words = f"{chosen.id} of {room.id} ({room.type}) was taken as the main entrance: {others}"
     return replace(scene, rooms=(*scene.rooms[:k], entered, *scene.rooms[k + 1 :])), ChosenEntrance(chosen.id, room.id, words)
-
-
-def _leads_outside(scene: Scene, room: Room, opening: Opening) -> bool:
-    """Tells whether a door says that it leads outside; or says nothing, and no other room lists it."""
-    if opening.connects_to is not None:
-        return opening.connects_to == EXTERIOR
-    return not any(other.id == opening.id for one in scene.rooms if one.id != room.id for other in one.openings)
 
 
 def _rank(room: Room, opening: Opening, catalogs: Catalogs) -> tuple[int, bool, int, float]:

@@ -6,15 +6,15 @@ Comes in: the rooms of a Scene. Goes out: a `RoomMarks` for each. May import: th
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import Final
 
+from solver.guessing.doors_between import WAYS, doors_between
 from solver.scene import EXTERIOR, Opening, Room
 
 SMALL_WINDOW: Final = (1.2, 0.6)
 """A window with so high a sill, m, or of no more area, m2, is one of a bathroom."""
-WAYS: Final = ("door", "passage")
 LEAST_M: Final = 0.001
 """As how long a side of a room counts that is shorter, m: there is a logarithm for every area."""
 
@@ -52,10 +52,9 @@ def marks_of(rooms: Sequence[Room]) -> list[RoomMarks]:
     Args:
         rooms: with furniture under the catalogs' names.
     """
-    places = {room.id: k for k, room in enumerate(rooms)}
-    ways = _ways(rooms, places)
-    listed = Counter(name for room in rooms for name in {opening.id for opening in room.openings})
-    found = [_marks(room, ways[k], listed) for k, room in enumerate(rooms)]
+    joints = list(doors_between(rooms))
+    ways, inner = _ways(joints, len(rooms)), {opening.id for _, _, opening in joints}
+    found = [_marks(room, ways[k], inner) for k, room in enumerate(rooms)]
     return [replace(one, behind=behind) for one, behind in zip(found, _behind(found), strict=True)]
 
 
@@ -71,35 +70,22 @@ def _behind(marks: Sequence[RoomMarks]) -> list[int | None]:
     return [those[0] if len(those) == 1 else None for those in nearer]
 
 
-def _ways(rooms: Sequence[Room], places: dict[str, int]) -> list[dict[int, bool]]:
+def _ways(joints: Iterable[tuple[int, int, Opening]], count: int) -> list[dict[int, bool]]:
     """Returns where each room leads to: doors that one of two rooms lists lead both ways."""
-    found: list[dict[int, bool]] = [{} for _ in rooms]
-    for here, there, opening in _joined(rooms, places):
+    found: list[dict[int, bool]] = [{} for _ in range(count)]
+    for here, there, opening in joints:
         is_open = opening.kind == "passage"
         for a, b in ((here, there), (there, here)):
             found[a][b] = found[a].get(b, False) or is_open
     return found
 
 
-def _joined(rooms: Sequence[Room], places: dict[str, int]) -> Iterator[tuple[int, int, Opening]]:
-    """Yields pairs of rooms that a door or passage joins, by what it says or by its id in both."""
-    by_id: dict[str, int] = {}
-    for k, room in enumerate(rooms):
-        for opening in room.openings:
-            if opening.kind not in WAYS:
-                continue
-            there = places.get(opening.connects_to or "", by_id.get(opening.id, k))
-            if there != k:
-                yield k, there, opening
-            by_id.setdefault(opening.id, k)
-
-
-def _marks(room: Room, ways: dict[int, bool], listed: Mapping[str, int]) -> RoomMarks:
-    """Returns what can be told of a room; a door that a second room lists leads there, even where it says outside."""
+def _marks(room: Room, ways: dict[int, bool], inner: Set[str]) -> RoomMarks:
+    """Returns what can be told of a room; a door between two rooms leads to the other, even where it says outside."""
     area = max(room.floor_m2, LEAST_M * LEAST_M)
     long = max(room.width, room.depth, LEAST_M)
     windows = Counter(_is_small(opening) for opening in room.openings if opening.kind == "window")
-    outside = [opening for opening in room.openings if opening.connects_to == EXTERIOR and listed[opening.id] == 1]
+    outside = [opening for opening in room.openings if opening.connects_to == EXTERIOR and opening.id not in inner]
     doors = [opening for opening in outside if opening.kind in WAYS]
     front = "main" if any(opening.main_entrance for opening in doors) else "door" if doors else ""
     short = max(min(room.width, room.depth, area / long), LEAST_M)

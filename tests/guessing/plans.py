@@ -27,6 +27,7 @@ def as_plan(home: Scene, furnished: bool = False) -> Scene:
             flooring=None,
             walls=None,
             accent=None,
+            extra={},
         )
 
     return Scene(wall_thickness=home.wall_thickness, rooms=tuple(bare(room) for room in home.rooms))

@@ -44,3 +44,10 @@ def test_without_a_door_to_the_outside_none_is_chosen() -> None:
         rooms=(room("a", "hallway", replace(OUT, kind="window")), replace(room("b", "backyard", replace(OUT, id="b")), outdoor=True))
     )
     assert with_entrance(plan, KNOWN) == (plan, None)
+
+
+def test_a_door_into_the_next_room_is_no_entrance_though_it_says_that_it_leads_outside() -> None:
+    plan = Scene(rooms=(room("a", "hallway", OUT), replace(room("b", "bedroom", replace(OUT, id="b")), z=3.1)))
+    chosen = with_entrance(plan, KNOWN)[1]
+    assert chosen is not None
+    assert chosen.id == "b"

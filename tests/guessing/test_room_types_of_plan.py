@@ -247,3 +247,47 @@ def test_a_door_that_two_rooms_list_leads_from_one_to_the_other_though_both_say_
     first, second = marks_of(rooms)
     assert (first.front, second.front) == ("", "")
     assert (first.ways, second.ways) == (((1, False),), ((0, False),))
+
+
+def listed_once(plan: Scene) -> Scene:
+    """A plan whose inner doors are listed by the last of their rooms alone; and each says that it leads outside."""
+    last = {opening.id: room.id for room in plan.rooms for opening in room.openings if opening.kind in ("door", "passage")}
+
+    def of(room: Room) -> tuple[Opening, ...]:
+        kept = (one for one in room.openings if last.get(one.id, room.id) == room.id)
+        return tuple(
+            replace(one, connects_to=EXTERIOR) if one.id in last and not outdoors.intersection({room.id, one.connects_to}) else one
+            for one in kept
+        )
+
+    outdoors = {room.id for room in plan.rooms if room.outdoor}
+    return replace(plan, rooms=tuple(replace(room, openings=of(room)) for room in plan.rooms))
+
+
+def test_a_door_that_one_room_lists_leads_where_it_lies_whatever_it_says() -> None:
+    """Homes of every outline: what the rooms are joined to, and so each guess, is what it is where both rooms list each door."""
+    for seed in seeds(range(820, 836), 4):
+        for outline in ("rectangle", "L", "U"):
+            plan = as_plan(generate(Request(seed=seed, program="family", outline=outline)).scene)
+            told = listed_once(plan)
+            assert told != plan
+            whole, once = marks_of(plan.rooms), marks_of(told.rooms)
+            assert [dict(one.ways) for one in once] == [dict(one.ways) for one in whole]
+            assert types(told) == types(plan)
+
+
+def test_a_door_to_a_yard_leads_outside_and_one_without_a_wall_nowhere() -> None:
+    door = Opening("d", "door", "south", 1.0, 0.9, 2.1, connects_to=EXTERIOR)
+    below = Room("b", width=4, depth=3, z=3.2)
+    assert marks_of((Room("a", width=4, depth=3, openings=(door,)), below))[0].ways == ((1, False),)
+    for openings, other in (
+        ((door,), replace(below, outdoor=True)),
+        ((door,), replace(below, level=1)),
+        ((replace(door, wall="north"),), below),
+        ((replace(door, wall=None),), below),
+        ((door,), replace(below, z=3.8)),
+        ((door,), replace(below, z=0.5)),
+        ((replace(door, main_entrance=True),), below),
+    ):
+        first, _ = marks_of((Room("a", width=4, depth=3, openings=openings), other))
+        assert (first.ways, first.front) == ((), "main" if openings[0].main_entrance else "door")

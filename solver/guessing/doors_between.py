@@ -1,0 +1,87 @@
+"""Doors that lead to a room whatever they say: another room lists them, or its floor lies behind them.
+
+Comes in: the rooms of a Scene. Goes out: where each door and passage leads. May import: the ground floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+from solver.geometry import doubled_area
+from solver.scene import Opening, Room
+
+Spot = tuple[float, float]
+WAYS: Final = ("door", "passage")
+BEHIND: Final = (0.05, 0.2, 0.35, 0.5)
+"""How far behind a door's line floor is looked for, m: walls between rooms are no thicker than 0.6 m."""
+_OUT: Final[dict[str, Spot]] = {"north": (0, -1), "south": (0, 1), "west": (-1, 0), "east": (1, 0)}
+
+
+def doors_between(rooms: Sequence[Room]) -> Iterator[tuple[int, int, Opening]]:
+    """Yields doors and passages between two rooms, by the rooms' places in the list: as they say, by their id in both, or as they lie.
+
+    Args:
+        rooms: of a home; what one room alone lists leads into the room indoors whose floor is right behind it, but the main entrance.
+    """
+    places = {room.id: k for k, room in enumerate(rooms)}
+    by_id: dict[str, int] = {}
+    ways = [(k, opening) for k, room in enumerate(rooms) for opening in room.openings if opening.kind in WAYS]
+    alone: dict[str, tuple[int, Opening]] = {}
+    for k, opening in ways:
+        there = places.get(opening.connects_to or "", by_id.get(opening.id, k))
+        if there != k:
+            alone.pop(opening.id, None)
+            yield k, there, opening
+        elif opening.id not in by_id and not opening.main_entrance:
+            alone[opening.id] = (k, opening)
+        by_id.setdefault(opening.id, k)
+    for k, opening in alone.values():
+        behind = _behind(rooms, k, opening)
+        if behind is not None:
+            yield k, behind, opening
+
+
+def _behind(rooms: Sequence[Room], place: int, opening: Opening) -> int | None:
+    """Returns the room indoors whose floor is right behind an opening of one room; None where there is none, or it says no wall."""
+    found = None if rooms[place].outdoor else _centre(rooms[place], opening)
+    if found is None:
+        return None
+    (x, z), (dx, dz) = found
+    inside = (x - dx * BEHIND[0], z - dz * BEHIND[0])
+    level = [k for k, room in enumerate(rooms) if k != place and not room.outdoor and room.level == rooms[place].level]
+    others = [k for k in level if not _holds(rooms[k], inside)]
+    spots = ((x + dx * far, z + dz * far) for far in BEHIND)
+    return next((k for spot in spots for k in others if _holds(rooms[k], spot)), None)
+
+
+def _centre(room: Room, opening: Opening) -> tuple[Spot, Spot] | None:
+    """Returns the middle of an opening in the house, and the way out of the room there."""
+    at, edges = opening.position, list(_edges(room.corners))
+    if opening.edge is not None:
+        here = [(low + at, line, out) for low, _, line, out in edges[opening.edge : opening.edge + 1]]
+    else:
+        here = [(at, line, out) for low, high, line, out in edges if out == _OUT.get(opening.wall or "") and low <= at <= high]
+    if not here:
+        return None
+    along, line, (dx, dz) = max(here, key=lambda one: one[1] * sum(one[2]))
+    x, z = (line, along) if dx else (along, line)
+    return (room.x + x, room.z + z), (dx, dz)
+
+
+def _edges(corners: Sequence[Spot]) -> Iterator[tuple[float, float, float, Spot]]:
+    """Yields of each edge where it begins and ends along its axis, its line across that, and the way out of the room."""
+    turn = 1 if doubled_area(corners) > 0 else -1
+    for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
+        if abs(x1 - x0) > abs(z1 - z0):
+            yield min(x0, x1), max(x0, x1), z0, (0, -turn if x1 > x0 else turn)
+        else:
+            yield min(z0, z1), max(z0, z1), x0, (turn if z1 > z0 else -turn, 0)
+
+
+def _holds(room: Room, spot: Spot) -> bool:
+    """Tells whether a spot of the house lies on a room's floor: going east it leaves through one more edge than it comes in by."""
+    x, z = spot[0] - room.x, spot[1] - room.z
+    if not (0 <= x <= room.width and 0 <= z <= room.depth):
+        return False
+    return sum(out[0] for low, high, line, out in _edges(room.corners) if line > x and low <= z < high and out[0]) == 1
