@@ -183,6 +183,24 @@ def test_a_door_is_moved_and_all_is_undone(board: DrawingBoard) -> None:
     assert (len(board.rooms()), board.openings()) == (2, 4)
 
 
+def test_a_door_where_walls_meet_joins_two_rooms(board: DrawingBoard) -> None:
+    for start, end in (((0, 0), (5, 4)), ((5, 0), (8, 4)), ((0, 4), (4, 7.5)), ((4, 4), (5.5, 7.5)), ((5.5, 4), (8, 7.5))):
+        board.drag((1000 * start[0], 1000 * start[1]), (1000 * end[0], 1000 * end[1]))
+    board.page.keyboard.press("d")
+    for x, z in ((4700, 7500), (4700, 4000), (4000, 5500), (5500, 5500), (5000, 1500)):
+        board.click(x, z)
+    leading = {room["id"]: [one["connects_to"] for one in room["openings"]] for room in board.verdict()["rooms"]}
+    assert leading == {
+        "room_1": ["room_4", "room_2"],
+        "room_2": ["room_1"],
+        "room_3": ["room_4"],
+        "room_4": ["EXTERIOR", "room_1", "room_3", "room_5"],
+        "room_5": ["room_4"],
+    }
+    issues = board.furnish()["issues"]
+    assert [issue for issue in issues if issue["rule"] == "unreachable"] == []
+
+
 def test_rooms_are_cut_and_walls_dragged_for_both_sides(board: DrawingBoard) -> None:
     two_rooms(board)
     board.click(7000, 2000)

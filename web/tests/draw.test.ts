@@ -87,7 +87,11 @@ describe("a plan", () => {
     const moved = wallMoved(door.draft, "room_3", 0, 2600) as Draft;
     expect(moved.openings[0]).toMatchObject({ axis: "x", line: 2600, from: 1550, to: 2450 });
     const pushed = wallMoved(door.draft, "room_1", 1, 2000) as Draft;
-    expect(pushed.openings[0]).toMatchObject({ from: 1550, to: 2450 }); // it is in the wall of the other room now
+    expect(pushed.openings[0]).toMatchObject({ from: 1050, to: 1950 }); // the wall that was moved meets it no more
+    expect(wallMoved(pushed, "room_1", 1, 900)?.openings[0]).toMatchObject({ from: 1050, to: 1950 });
+    expect(wallMoved(withOpening(three(), "window", { x: 700, z: 0 }, 100)?.draft as Draft, "room_1", 1, 700)?.openings[0]).toMatchObject({ from: 750, to: 2150 });
+    const low = withOpening(drawn([0, 0, 2000, 3000]), "window", { x: 1000, z: 0 }, 100)?.draft as Draft;
+    expect(withRoom(low, cornersOfBox(box(0, -2000, 1000, 0)))?.draft.openings[0]).toMatchObject({ from: 50, to: 950 });
     expect(withoutRoom(withoutRoom(pushed, "room_3"), "room_2").openings[0]).toMatchObject({ from: 1050, to: 1950 });
     expect(withoutRoom(withoutRoom(withoutRoom(pushed, "room_3"), "room_2"), "room_1").openings).toEqual([]);
   });
@@ -107,6 +111,40 @@ describe("a plan", () => {
     expect(openingMoved(draft, id, { x: 100_000, z: 0 }, 200)).toBeNull();
     expect(withOpeningChanged(draft, id, { to: 3950 })?.openings[0]).toMatchObject({ to: 3950 });
     expect(withOpeningChanged(draft, id, { to: 4050 })).toBeNull();
+  });
+
+  it("puts what is clicked where walls meet into the wall of one pair of rooms", () => {
+    const rooms = drawn([0, 0, 5000, 4000], [5000, 0, 8000, 4000], [0, 4000, 4000, 7500], [4000, 4000, 5500, 7500], [5500, 4000, 8000, 7500]);
+    const put = (x: number, z: number, kind: "door" | "window" = "door") => withOpening(rooms, kind, { x, z }, 300)?.draft as Draft;
+    const door = put(4700, 4000);
+    expect(door.openings[0]).toMatchObject({ axis: "x", line: 4000, from: 4050, to: 4950, isMainEntrance: false });
+    const { rooms: made } = sceneOf(door, null);
+    expect(made.map(({ id, openings }) => [id, openings.map(({ connects_to: to }) => to)])).toEqual([["room_1", ["room_4"]], ["room_2", []], ["room_3", []], ["room_4", ["room_1"]], ["room_5", []]]);
+    expect(put(4050, 4000, "window").openings[0]).toMatchObject({ from: 4050, to: 4950 }); // narrower: there is no more wall
+    expect(withOpening(rooms, "door", { x: 5250, z: 4000 }, 100)).toBeNull(); // these two share half a metre
+    expect(openingMoved(door, "door_1", { x: 5100, z: 4000 }, 200)?.openings[0]).toMatchObject({ from: 4050, to: 4950 });
+    expect(withOpeningChanged(door, "door_1", { to: 5100 })).toBeNull();
+    expect(withOpeningChanged(door, "door_1", { height: 2000 })?.openings[0]).toMatchObject({ height: 2000 });
+  });
+
+  it("has every opening between the same two rooms all along, wherever it was clicked", () => {
+    for (let seed = 0; seed < 40; seed += 1) {
+      const draw = draws(seed);
+      const cut = (): number => 1500 + 50 * Math.floor(draw() * 60);
+      const [a, b, c] = [cut(), cut(), cut() + 500];
+      let plan = drawn([0, 0, a, 3000], [a, 0, 7000, 3000], [0, 3000, b, 6000], [b, 3000, 7000, 6000], [0, 6200, c, 9000], [c, 6200, 7000, 9000]);
+      for (let k = 0; k < 30; k += 1) plan = withOpening(plan, draw() < 0.7 ? "door" : "window", { x: draw() * 7000, z: draw() * 9000 }, 700)?.draft ?? plan;
+      expect(plan.openings.length).toBeGreaterThan(5);
+      for (const { axis, line, from, to } of plan.openings) {
+        const beside = (along: number): string => [-350, 50].map((off) => {
+          const across = line + (off < 0 ? Math.min(-1, off + 300) : off);
+          const [x, z] = axis === "x" ? [along, across] : [across, along];
+          return plan.rooms.find(({ corners }) => { const { x0, z0, x1, z1 } = boxOf(corners); return x0 < x && x < x1 && z0 < z && z < z1; })?.id ?? "outside";
+        }).join();
+        const seen = new Set(Array.from({ length: (to - from) / 50 - 1 }, (_, i) => beside(from + 25 + 50 * i)));
+        expect(seen.size, `seed ${seed}: ${axis} ${line} ${from}-${to}: ${[...seen].join("; ")}`).toBe(1);
+      }
+    }
   });
 
   it("has one main entrance: the first door that leads outside", () => {

@@ -41,12 +41,12 @@ const JAMB = 50;
 /** How far apart the lines of two rooms may be that have a wall in common [mm]. */
 const THICKEST = 600;
 
-/** Sizes of what is put into a wall [mm]. */
-export const OPENING_SIZES: Readonly<Record<OpeningKind, { readonly width: number; readonly height: number; readonly sill: number }>> = {
-  door: { width: 900, height: 2100, sill: 0 },
-  passage: { width: 1200, height: 2100, sill: 0 },
-  garage_door: { width: 2500, height: 2100, sill: 0 },
-  window: { width: 1400, height: 1200, sill: 900 },
+/** Sizes of what is put into a wall, and how narrow it becomes where there is less wall [mm]. */
+export const OPENING_SIZES: Readonly<Record<OpeningKind, { readonly width: number; readonly least: number; readonly height: number; readonly sill: number }>> = {
+  door: { width: 900, least: 700, height: 2100, sill: 0 },
+  passage: { width: 1200, least: 700, height: 2100, sill: 0 },
+  garage_door: { width: 2500, least: 2000, height: 2100, sill: 0 },
+  window: { width: 1400, least: 400, height: 1200, sill: 900 },
 };
 
 /** A wall of a room of the plan. */
@@ -77,6 +77,45 @@ export function wallsAt(draft: Draft, opening: Stretch): RoomWall[] {
   return beyond ? [only, beyond.wall] : here;
 }
 
+/** A part of a wall with one thing beyond it: one room, or the outside. What is put into a wall lies in one face. */
+export interface Face extends Stretch {
+  readonly wall: RoomWall;
+}
+
+/** The walls of other rooms that a wall has beyond it, on its line or at most the thickest wall away, the nearest first. */
+function wallsBeyond(draft: Draft, wall: RoomWall): RoomWall[] {
+  const gap = (other: RoomWall): number => (wall.line - other.line) * wall.inward;
+  return allWalls(draft)
+    .filter((other) => other.room.id !== wall.room.id && other.axis === wall.axis && other.inward === -wall.inward && gap(other) >= 0 && gap(other) <= THICKEST)
+    .sort((a, b) => gap(a) - gap(b));
+}
+
+export function facesOf(draft: Draft, wall: RoomWall): Face[] {
+  const beyond = wallsBeyond(draft, wall);
+  const ends = [wall.from, ...beyond.flatMap(({ from, to }) => [from, to]).filter((at) => at > wall.from && at < wall.to), wall.to].sort((a, b) => a - b);
+  const faces: (Face & { readonly beyond: string | null })[] = [];
+  ends.slice(1).forEach((to, i) => {
+    const from = ends[i] as number;
+    const across = beyond.find((other) => other.from <= from && to <= other.to)?.room.id ?? null;
+    const last = faces.at(-1);
+    if (last?.beyond === across) faces[faces.length - 1] = { ...last, to };
+    else if (from < to) faces.push({ axis: wall.axis, line: wall.line, from, to, wall, beyond: across });
+  });
+  return faces;
+}
+
+/** The faces on the line of an opening that it lies in, wholly or in part. */
+function facesAt(draft: Draft, opening: Stretch): Face[] {
+  const meets = (one: Stretch): boolean => isOnSameLine(one, opening) && one.from < opening.to && opening.from < one.to;
+  return allWalls(draft).filter(meets).flatMap((wall) => facesOf(draft, wall)).filter(meets);
+}
+
+/** Whether an opening has one thing beyond it, not a room for a part of its width and another, or the outside, for the rest. */
+function isInOneFace(draft: Draft, opening: Stretch): boolean {
+  const faces = facesAt(draft, opening);
+  return faces.length > 0 && faces.every((face) => face.from <= opening.from && opening.to <= face.to);
+}
+
 /** Whether the sides of a room are long enough for one, and no two rooms share floor. */
 function isTenable(draft: Draft): boolean {
   const tooSmall = ({ corners }: DraftRoom): boolean => {
@@ -91,17 +130,21 @@ function freeId(stem: string, taken: ReadonlySet<string>): string {
   for (let number = 1; ; number += 1) if (!taken.has(`${stem}_${number}`)) return `${stem}_${number}`;
 }
 
-/** The openings that still lie in a wall, moved along it where it has become too short at their end. */
+/** The openings that still lie in a wall, moved along it or made narrower where it has become too short at their end, or where another wall now meets it. */
 function settled(draft: Draft): Draft {
-  const openings = draft.openings.flatMap((opening) => {
-    if (wallsAt(draft, opening).length > 0) return [opening];
+  const openings = draft.openings.reduce<readonly DraftOpening[]>((before, opening) => {
+    const now = { ...draft, openings: before };
+    if (isInOneFace(now, opening)) return before;
     const width = opening.to - opening.from;
-    const [nearest] = allWalls(draft)
-      .filter((wall) => isOnSameLine(wall, opening) && wall.to - wall.from >= width + 2 * JAMB && wall.from < opening.to && opening.from < wall.to)
-      .map((wall) => Math.max(wall.from + JAMB, Math.min(wall.to - JAMB - width, opening.from)))
-      .sort((a, b) => Math.abs(a - opening.from) - Math.abs(b - opening.from));
-    return nearest === undefined ? [] : [{ ...opening, from: nearest, to: nearest + width }];
-  });
+    const least = Math.min(width, OPENING_SIZES[opening.kind].least);
+    const [nearest] = facesAt(now, opening)
+      .filter((face) => face.to - face.from >= least + 2 * JAMB)
+      .map((face) => within(face, width, opening.from))
+      .filter((place) => isFree(now, place, opening.id))
+      .sort((a, b) => b.to - b.from - (a.to - a.from) || Math.abs(a.from - opening.from) - Math.abs(b.from - opening.from));
+    if (nearest) return before.map((one) => (one.id === opening.id ? { ...one, from: nearest.from, to: nearest.to } : one));
+    return wallsAt(now, opening).length > 0 ? before : before.filter((one) => one.id !== opening.id);
+  }, draft.openings);
   return { ...draft, openings };
 }
 
@@ -179,20 +222,27 @@ export function wallMoved(draft: Draft, id: string, index: number, line: number,
   return tenable({ rooms, openings: draft.openings.map((opening) => (goesAlong(opening) ? { ...opening, line } : opening)) });
 }
 
-/** Where an opening of a width comes to lie in the wall nearest to a point, within reach [mm]; null where none takes it. */
-export function placeInWall(draft: Draft, at: Point, width: number, reach: number): (Stretch & { readonly wall: RoomWall }) | null {
-  const [nearest] = allWalls(draft)
-    .filter((wall) => wall.to - wall.from >= width + 2 * JAMB)
-    .map((wall) => {
-      const [across, along] = wall.axis === "x" ? [at.z, at.x] : [at.x, at.z];
-      return { wall, off: Math.hypot(across - wall.line, Math.max(0, wall.from - along, along - wall.to)), along };
-    })
+/** The place of a width in a face, of less where it is shorter, that is nearest to a beginning. */
+function within({ axis, line, from, to }: Stretch, most: number, wanted: number): Stretch {
+  const width = Math.min(most, to - from - 2 * JAMB);
+  const begin = Math.round(Math.max(from + JAMB, Math.min(to - JAMB - width, wanted)));
+  return { axis, line, from: begin, to: begin + width };
+}
+
+/** Where an opening of a width comes to lie in the face nearest to a point, within reach [mm], down to its least width; null where none takes it. */
+function placeInWall(draft: Draft, at: Point, sizes: { readonly width: number; readonly least: number }, reach: number): (Stretch & { readonly wall: RoomWall }) | null {
+  const awayFrom = ({ axis, line, from, to }: Stretch): number => {
+    const [across, along] = axis === "x" ? [at.z, at.x] : [at.x, at.z];
+    return Math.hypot(across - line, Math.max(0, from - along, along - to));
+  };
+  const [nearest] = allWalls(draft).filter((wall) => awayFrom(wall) <= reach).flatMap((wall) => facesOf(draft, wall))
+    .filter((face) => face.to - face.from >= sizes.least + 2 * JAMB)
+    .map((face) => ({ face, off: awayFrom(face) }))
     .filter(({ off }) => off <= reach)
-    .sort((a, b) => a.off - b.off || a.wall.to - a.wall.from - (b.wall.to - b.wall.from));
+    .sort((a, b) => a.off - b.off || a.face.to - a.face.from - (b.face.to - b.face.from) || a.face.wall.to - a.face.wall.from - (b.face.wall.to - b.face.wall.from));
   if (!nearest) return null;
-  const { wall, along } = nearest;
-  const from = Math.round(Math.max(wall.from + JAMB, Math.min(wall.to - JAMB - width, along - width / 2)));
-  return { axis: wall.axis, line: wall.line, from, to: from + width, wall };
+  const { face } = nearest;
+  return { ...within(face, sizes.width, (face.axis === "x" ? at.x : at.z) - sizes.width / 2), wall: face.wall };
 }
 
 function isFree(draft: Draft, place: Stretch, except: string): boolean {
@@ -202,7 +252,7 @@ function isFree(draft: Draft, place: Stretch, except: string): boolean {
 /** The plan with an opening put into the wall nearest to a point. */
 export function withOpening(draft: Draft, kind: OpeningKind, at: Point, reach: number): { readonly draft: Draft; readonly id: string } | null {
   const size = OPENING_SIZES[kind];
-  const place = placeInWall(draft, at, size.width, reach);
+  const place = placeInWall(draft, at, size, reach);
   if (!place || !isFree(draft, place, "")) return null;
   const id = freeId(kind, new Set(draft.openings.map((opening) => opening.id)));
   const { axis, line, from, to } = place;
@@ -215,18 +265,21 @@ export function withOpening(draft: Draft, kind: OpeningKind, at: Point, reach: n
 /** An opening in the wall nearest to a point. */
 export function openingMoved(draft: Draft, id: string, at: Point, reach: number): Draft | null {
   const opening = draft.openings.find((one) => one.id === id);
-  const place = opening && placeInWall(draft, at, opening.to - opening.from, reach);
+  const width = opening ? opening.to - opening.from : 0;
+  const place = opening && placeInWall(draft, at, { width, least: width }, reach);
   if (!place || !isFree(draft, place, id)) return null;
   const { axis, line, from, to } = place;
   return withOpeningChanged(draft, id, { axis, line, from, to });
 }
 
-/** An opening with other properties; null where it would leave its wall or meet another. */
+/** An opening with other properties; null where it would leave its wall or meet another, or another wall that meets its own. */
 export function withOpeningChanged(draft: Draft, id: string, change: Partial<DraftOpening>): Draft | null {
   const changed = draft.openings.map((one) => (one.id === id ? { ...one, ...change } : change.isMainEntrance ? { ...one, isMainEntrance: false } : one));
   const opening = changed.find((one) => one.id === id);
   const next = { ...draft, openings: changed };
-  return opening && opening.from < opening.to && wallsAt(next, opening).length > 0 && isFree(next, opening, id) ? next : null;
+  if (!opening || opening.from >= opening.to || wallsAt(next, opening).length === 0 || !isFree(next, opening, id)) return null;
+  const isMoved = change.from !== undefined || change.to !== undefined;
+  return !isMoved || isInOneFace(next, opening) ? next : null;
 }
 
 export function withoutOpening(draft: Draft, id: string): Draft {
