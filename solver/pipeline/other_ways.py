@@ -76,7 +76,7 @@ def _tried(room: AsFurnished, piece: Piece, stance: _Stance, before: Mapping[str
     far = [label for label, one in placed.items() if label in before and _distance(before[label], one) > FAR_MM]
     others = [room.ids[label] for label in far if label != piece.label]
     cost = round(solved.cost - room.solved.cost, 2)
-    return OtherWay(stance[0], stance[1], cost, moves, gone, f"{words}: {_said(cost)}{_consequences(others, gone)}")
+    return OtherWay(stance[0], stance[1], cost, moves, gone, f"{words}: {_said(cost, gone)}{_consequences(others, gone)}")
 
 
 def _words(stance: _Stance) -> str:
@@ -85,8 +85,11 @@ def _words(stance: _Stance) -> str:
     return f"with its back at the {wall} wall" if wall else f"away from the walls, its front to the {facing}"
 
 
-def _said(cost: float) -> str:
-    return f"{abs(cost):.2f} {'more' if cost >= 0 else 'less'}"
+def _said(cost: float, gone: Sequence[str]) -> str:
+    """Returns what a way costs in words. Pieces are decided one after another: what is cheapest for the first need not be in all."""
+    if cost >= 0:
+        return f"{cost:.2f} more"
+    return f"{-cost:.2f} less" if gone else f"{-cost:.2f} less in all, though not for what is decided first"
 
 
 def _consequences(others: Sequence[str], gone: Sequence[str]) -> str:

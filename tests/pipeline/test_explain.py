@@ -135,6 +135,9 @@ def test_other_ways_are_at_other_walls_or_turned_otherwise(
         assert costs == sorted(costs)
         assert len({(way.wall, way.rotation) for way in answer.ways}) == len(answer.ways)
         assert all((way.wall, way.rotation) != (piece.wall, piece.rotation) for way in answer.ways)
+    cheaper = [way for _, way in ways if (way.cost or 0.0) < 0]
+    assert cheaper
+    assert all(("not for what is decided first" in way.message) == (not way.left_out) for way in cheaper)
     for piece, way in ways:
         own = [move for move in way.moves if move.id == piece.id]
         assert [move.rotation for move in own] == ([] if way.cost is None else [way.rotation])
