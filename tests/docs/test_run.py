@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
 from collections.abc import Mapping
 from pathlib import Path
@@ -157,6 +158,14 @@ def test_every_example_of_the_catalog_is_taken(tmp_path: Path) -> None:
     assert len(taken.shapes["milking_stool"]) == 5
     assert taken.presets["couple"].rooms["bedrooms"] == 2
     assert "musicians" in taken.people
+
+
+def test_every_command_of_pytest_chooses_tests() -> None:
+    chosen = [re.findall(r"pytest (tests/\S+\.py) -k (\w+)", block.text) for block in blocks("sh")]
+    named = [found for one in chosen for found in one]
+    assert named
+    for path, word in named:
+        assert re.search(rf"^def test_\w*{word}", (ROOT / path).read_text(), re.MULTILINE), (path, word)
 
 
 def test_every_example_of_a_relation_is_one() -> None:
