@@ -21,7 +21,7 @@ from solver.floorplan.openings import OpenedHouse, open_walls
 from solver.floorplan.plan import Drawing, FloorPlan, written
 from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
-from solver.floorplan.tiling import LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints, set_apart, trimmed
+from solver.floorplan.tiling import LATTICE_MM, LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints, set_apart, trimmed
 from solver.geometry import Rect, to_m, to_mm
 from solver.request import Request
 
@@ -56,8 +56,9 @@ def _walls_of(request: Request, catalogs: Catalogs) -> HouseWalls:
     outer = inner if request.outer_wall_thickness is None else request.outer_wall_thickness
     if outer < inner:
         raise RequestError("outer_wall_thickness", f"{outer} m is less than the {inner} m of inner walls", f"at least {inner}")
-    leaf = max(LEAF_MM, to_mm(catalogs.profile.leaf(main=False))) if catalogs.profile else LEAF_MM
-    return HouseWalls(to_mm(inner), to_mm(outer), leaf)
+    asked = to_mm(catalogs.profile.leaf(main=False)) if catalogs.profile else 0
+    robot = -(-to_mm(request.robot_width) // LATTICE_MM) * LATTICE_MM
+    return HouseWalls(to_mm(inner), to_mm(outer), max(LEAF_MM, asked, robot))
 
 
 def _partitioned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPlan:

@@ -14,7 +14,7 @@ from catalogs.access_profiles import AccessProfile
 from catalogs.schema import RoomType
 from solver.core import ask
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
-from solver.floorplan.tiling import LEAF_MM, HouseWalls, Joint, Layout
+from solver.floorplan.tiling import HouseWalls, Joint, Layout
 from solver.geometry import OPPOSITE, Rect, to_mm
 from solver.scene import WALLS
 
@@ -149,7 +149,7 @@ def rows_of(house: OpenedHouse, joints: Sequence[tuple[Joint, int]], entrance: t
         count = sum(len(free) for free in layout.exposed[room].values())
         rooms.append(_ROOM.pack(*rect, traits, cars, *kept, first, count))
         first += count
-    widths = [max(LEAF_MM, to_mm(profile.leaf(main))) if profile else LEAF_MM for main in (False, True)]
+    widths = [max(walls.leaf, to_mm(profile.leaf(main))) if profile else walls.leaf for main in (False, True)]
     counts = len(rooms), len(wishes), len(stretches), len(joints), len(cuts), 0
     header = _HEADER.pack(*counts, walls.jamb, walls.least_jamb, walls.hallway, *widths, entrance[0], _WALL[entrance[1]])
     outside = [_STRETCH.pack(*row[1:]) for row in stretches]

@@ -48,7 +48,7 @@ class HouseWalls(NamedTuple):
     @property
     def hallway(self) -> int:
         """Width of a hallway between wall lines, mm."""
-        return -(-(CLEAR_HALLWAY_MM + self.thickness) // LATTICE_MM) * LATTICE_MM
+        return -(-(max(CLEAR_HALLWAY_MM, self.leaf + 2 * JAMB_MM) + self.thickness) // LATTICE_MM) * LATTICE_MM
 
     @property
     def jamb(self) -> int:
