@@ -12,7 +12,7 @@ from typing import Final
 from catalogs import Catalogs, load_catalogs
 from solver.certificate import certified
 from solver.errors import FieldError, SyntaxFault
-from solver.exchange import format_of_file, load_text, read_scene, write
+from solver.exchange import FORMATS, format_of_file, format_of_name, load_text, read_scene, write
 from solver.guessing import with_entrance
 from solver.imported import ImportSettings, PlanImport
 from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported
@@ -26,6 +26,7 @@ from solver.validator import validate
 CENTIMETRE: Final = 0.01
 OWN: Final = "scene"
 """What our own documents are called among the formats."""
+NO_FORMAT: Final = "is in none of the formats that are read here"
 
 
 def import_plan(content: object, name: str = "", settings: ImportSettings | None = None, *, catalogs: Catalogs | None = None) -> PlanImport:
@@ -122,6 +123,16 @@ def _file(name: str, content: object) -> PlanFile:
     return PlanFile(name, content)
 
 
+def _loaded(file: PlanFile) -> object:
+    """Reads a text as a scene's; of a file that is not called one it is first said that it is of no format."""
+    try:
+        return load_text(file.content, format_of_file(file.name, file.content))
+    except SyntaxFault as fault:
+        if format_of_name(file.name) in FORMATS or not str(fault).startswith("not "):
+            raise
+        raise SyntaxFault(f"{NO_FORMAT}; read as a scene: {fault}") from None
+
+
 def _own_scene(file: PlanFile, settings: ImportSettings) -> Scene:
     """Reads a scene of ours.
 
@@ -129,11 +140,11 @@ def _own_scene(file: PlanFile, settings: ImportSettings) -> Scene:
         SyntaxFault: it is none, and no other format that is read here.
         FieldError: a field is wrong.
     """
-    document = file.document if file.document is not None else load_text(file.content, format_of_file(file.name, file.content))
+    document = file.document if file.document is not None else _loaded(file)
     if isinstance(document, Mapping) and "scene" in document and "rooms" not in document:
         document = document["scene"]
     if not isinstance(document, Mapping) or "rooms" not in document:
-        raise SyntaxFault("is in none of the formats that are read here")
+        raise SyntaxFault(NO_FORMAT)
     scene = certified(read_scene(document))
     if settings.level is not None and settings.level not in {room.level for room in scene.rooms}:
         raise FieldError("level", f"{settings.level} has no rooms", ", ".join(map(str, sorted({room.level for room in scene.rooms}))))

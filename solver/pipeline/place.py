@@ -100,23 +100,39 @@ def _with_relying(pieces: Sequence[Piece], labels: Sequence[str]) -> set[str]:
 
 
 def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:
-    members = minimal_conflict(task.framed.space, pieces, missing.label, budget)
+    """Explains a piece by the fewest that cannot stand, or be reached, together; each of them that helps may be left out."""
+    space, walk = task.framed.space, False
+    members = minimal_conflict(space, pieces, missing.label, budget)
+    if members is None and feasible(space, pieces, budget):
+        walk, members = True, minimal_conflict(space, pieces, missing.label, budget, True)
+        if members is None:
+            words = f"{_sized(task, missing)} can stand with the others, but not where it and they can be reached"
+            return Conflict((missing.label,), words, (_leaving_out(missing.label),))
     if members is None:
-        if feasible(task.framed.space, pieces, budget):
-            return Conflict(
-                (missing.label,), f"{_sized(task, missing)} can stand with the others, but not where it and they can be reached"
-            )
         return Conflict((missing.label,), f"not found: the search for a place for {_sized(task, missing)} ended at its limit")
-    by_label = {piece.label: piece for piece in pieces}
-    clear = task.space.clear
-    floor = f"the {clear.width / 1000:.2f} x {clear.depth / 1000:.2f} m of {task.room.id}, clear of its doors and windows"
-    how = "cannot stand as asked anywhere in" if len(members) == 1 else "cannot stand together in"
+    by_label, alone = {piece.label: piece for piece in pieces}, len(members) == 1
+    names = " and ".join(_sized(task, by_label[member]) for member in members)
     removals = tuple(
-        {"action": "leave_out", "id": member}
-        for member in members
-        if feasible(task.framed.space, [piece for piece in pieces if piece.label != member], budget)
+        _leaving_out(member) for member in members if feasible(space, [piece for piece in pieces if piece.label != member], budget, walk)
     )
-    return Conflict(members, f"{' and '.join(_sized(task, by_label[member]) for member in members)} {how} {floor}", removals)
+    if walk:
+        where, who = ("", "it") if alone else ("together ", "they")
+        words = f"can stand {where}in {_floor(task)}, but not so that {who} and all doors can be reached"
+    else:
+        words = f"cannot stand {'as asked anywhere' if alone else 'together'} in {_floor(task)}"
+    return Conflict(members, f"{names} {words}", removals)
+
+
+def _leaving_out(label: str) -> dict[str, object]:
+    return {"action": "leave_out", "id": label}
+
+
+def _floor(task: PlaceTask) -> str:
+    """Says where pieces may stand: in a room of another outline within a rectangle of this size."""
+    clear = task.space.clear
+    size = f"{clear.width / 1000:.2f} x {clear.depth / 1000:.2f} m"
+    where = f"{task.room.id}, which {size} enclose" if task.room.outline else f"the {size} of {task.room.id}"
+    return f"{where}, clear of its doors and windows"
 
 
 def _sized(task: PlaceTask, piece: Piece) -> str:

@@ -183,6 +183,17 @@ def test_a_bad_file_is_told_by_its_name(tmp_path: Path, capfdbinary: Captured, n
         assert words in refused(capfdbinary, command, str(tmp_path / name))
 
 
+def test_a_file_in_no_known_format_is_first_said_to_be_one(tmp_path: Path, capfdbinary: Captured) -> None:
+    for name, words in (
+        ("readme.md", "file: is in none of the formats that are read here; read as a scene: not YAML: "),
+        ("plan", "file: is in none of the formats that are read here; read as a scene: not YAML: "),
+        ("plan.yaml", "file: not YAML: "),
+        ("empty", "file: the text is empty"),
+    ):
+        (tmp_path / name).write_text("" if name == "empty" else "# Plan\n\nA home: of\n  - two rooms\nand: [a bath\n")
+        assert f"{name}: {words}" in refused(capfdbinary, "import", str(tmp_path / name))
+
+
 def test_broken_yaml_names_its_line(tmp_path: Path, capfdbinary: Captured) -> None:
     (tmp_path / "request.yaml").write_text("width: 12\ndepth: 9\nseed: [1\noutdoor: true\n")
     words = refused(capfdbinary, "generate", str(tmp_path / "request.yaml"))

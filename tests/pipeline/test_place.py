@@ -15,6 +15,7 @@ from solver.relations.held import held
 from solver.requested import Answered, PieceRequest, in_order
 from solver.scene import Decoration, Furniture, Opening, Room
 from tests.relations.test_held import finished
+from tests.told_forms import has_form
 
 CATALOGS = load_catalogs()
 DOOR = Opening("door_1", "door", "south", 0.7, 0.9, connects_to="EXTERIOR")
@@ -145,6 +146,34 @@ def test_what_cannot_stand_together_is_a_minimal_conflict() -> None:
     for left in big:
         assert placed(left).conflicts == ()
     assert {repair["id"] for repair in conflict.repairs} == {"one", "two"}
+
+
+def test_what_cannot_be_reached_together_is_a_minimal_conflict_with_what_would_help() -> None:
+    doors = tuple(Opening(wall, "door", wall, 1.5, 0.9, connects_to="EXTERIOR") for wall in ("north", "south"))
+    hall = Room("hall", width=3.0, depth=4.0, openings=doors)
+    big = [block(name, size=(1.3, 1.9, 1.0)) for name in ("one", "two")]
+    answer = placed(*big, room=hall)
+    (conflict,) = answer.conflicts
+    assert conflict.message == (
+        "one 1.30 x 1.90 m and two 1.30 x 1.90 m can stand together in the 2.90 x 3.90 m of hall, clear of its doors and windows, "
+        "but not so that they and all doors can be reached"
+    )
+    assert has_form(conflict.message)
+    assert {repair["id"] for repair in conflict.repairs} == set(conflict.ids) == {"one", "two"}
+    for left in big:
+        answer = placed(left, room=hall)
+        assert (answer.conflicts, errors(answer)) == ((), [])
+    poses = [replace(body(placed(one, room=hall), one.id), x=x, z=1.95, rotation=0) for one, x in zip(big, (0.7, 2.3), strict=True)]
+    both = replace(hall, furniture=tuple(poses))
+    assert {issue.rule for issue in validate(replace(answer.best.scene, rooms=(both,)), CATALOGS)} == {"unreachable"}
+
+
+def test_the_floor_of_a_room_with_an_outline_is_not_called_a_rectangle() -> None:
+    arms = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (5.0, 2.0), (5.0, 4.0), (0.0, 4.0))
+    (conflict,) = placed(block("box", size=(4.5, 2.5, 1.0)), room=Room("den", width=5.0, depth=4.0, outline=arms)).conflicts
+    where = "in den, which 4.90 x 3.90 m enclose, clear of its doors and windows"
+    assert conflict.message == f"box 4.50 x 2.50 m cannot stand as asked anywhere {where}"
+    assert has_form(conflict.message)
 
 
 def test_a_hard_relation_that_cannot_be_held_leaves_its_piece_out() -> None:
