@@ -116,8 +116,8 @@ def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: 
         _leaving_out(member) for member in members if feasible(space, [piece for piece in pieces if piece.label != member], budget, walk)
     )
     if walk:
-        where, who = ("", "it") if alone else ("together ", "they")
-        words = f"can stand {where}in {_floor(task)}, but not so that {who} and all doors can be reached"
+        where, there = ("", "it") if alone else ("together ", "them")
+        words = f"can stand {where}in {_floor(task)}, but not with ways between all doors and to {there}"
     else:
         words = f"cannot stand {'as asked anywhere' if alone else 'together'} in {_floor(task)}"
     return Conflict(members, f"{names} {words}", removals)

@@ -156,16 +156,18 @@ def test_what_cannot_be_reached_together_is_a_minimal_conflict_with_what_would_h
     (conflict,) = answer.conflicts
     assert conflict.message == (
         "one 1.30 x 1.90 m and two 1.30 x 1.90 m can stand together in the 2.90 x 3.90 m of hall, clear of its doors and windows, "
-        "but not so that they and all doors can be reached"
+        "but not with ways between all doors and to them"
     )
     assert has_form(conflict.message)
     assert {repair["id"] for repair in conflict.repairs} == set(conflict.ids) == {"one", "two"}
     for left in big:
         answer = placed(left, room=hall)
         assert (answer.conflicts, errors(answer)) == ((), [])
-    poses = [replace(body(placed(one, room=hall), one.id), x=x, z=1.95, rotation=0) for one, x in zip(big, (0.7, 2.3), strict=True)]
-    both = replace(hall, furniture=tuple(poses))
-    assert {issue.rule for issue in validate(replace(answer.best.scene, rooms=(both,)), CATALOGS)} == {"unreachable"}
+    bodies = [replace(body(placed(one, room=hall), one.id), x=x, z=1.95, rotation=0) for one, x in zip(big, (0.7, 2.3), strict=True)]
+    both = replace(answer.best.scene, rooms=(replace(hall, furniture=tuple(bodies)),))
+    assert [
+        issue for issue in validate(both, CATALOGS) if issue.severity == "error"
+    ] == []  # both doors lead outside: ways are place's wish
 
 
 def test_the_floor_of_a_room_with_an_outline_is_not_called_a_rectangle() -> None:
