@@ -1,5 +1,5 @@
 /** Lamps that light when it grows dark: what gives light in a home, and lights under its ceilings. They light their room; nothing is drawn for them. */
-import { DataTexture, RGFormat, Vector4 } from "three";
+import { DataTexture, RGFormat, Vector4, type Material } from "three";
 import type { Room } from "../contract";
 import type { PlacedBody } from "./frame";
 import type { Part } from "./parts";
@@ -39,11 +39,14 @@ export const lampUniforms = {
 
 /** What a fragment is lit by, in its own colour; for `normal`, `vViewPosition` and `diffuseColor` of three's shaders. */
 export const LAMP_UNIFORMS = /* glsl */ `
+#ifdef LAMPS
 uniform float lampLight;
 uniform sampler2D lampMap; // of each place the first lamp of its room, and how many it has
 uniform vec4 lampGround; // the map's west and north end, its width and depth
-uniform vec4 lampAt[${MOST}]; // where, how strong`;
+uniform vec4 lampAt[${MOST}]; // where, how strong
+#endif`;
 export const LAMPLIGHT = /* glsl */ `
+#ifdef LAMPS
 if (lampLight > 0.0) {
   vec3 facing = normal * mat3(viewMatrix);
   vec3 here = cameraPosition - vViewPosition * mat3(viewMatrix) + facing * 0.03;
@@ -57,7 +60,23 @@ if (lampLight > 0.0) {
     light += lampAt[i].w * aimed / (0.5 + far);
   }
   totalEmissiveRadiance += diffuseColor.rgb * vec3(1.0, 0.74, 0.46) * (light * lampLight);
-}`;
+}
+#endif`;
+
+const lit = new Set<Material>();
+let isDim = false;
+
+function addLamps(material: Material): void {
+  material.defines = { ...material.defines, LAMPS: "" };
+  material.needsUpdate = true;
+}
+
+/** A material that lamps light, by the shader's parts above: with them only from the first dusk on, since to make them takes longer. */
+export function litByLamps<Kind extends Material>(material: Kind): Kind {
+  lit.add(material);
+  if (isDim) addLamps(material);
+  return material;
+}
 
 function mapOf(places: Uint8Array<ArrayBuffer>, wide: number, deep: number): DataTexture {
   const map = new DataTexture(places, wide, deep, RGFormat);
@@ -106,6 +125,10 @@ export function lampsOf(
 
 /** Lights lamps, given room by room, by a share from 0, dark, to 1. */
 export function lightLamps(lamps: readonly Lamp[], share: number): void {
+  if (share > 0 && !isDim) {
+    isDim = true;
+    lit.forEach(addLamps);
+  }
   lampUniforms.lampLight.value = lamps.length > 0 ? share : 0;
   if (lampUniforms.lampLight.value === 0) return;
   for (const [i, { at, strength }] of lamps.entries()) lampUniforms.lampAt.value[i]?.set(...at, strength);

@@ -5,7 +5,7 @@
 import { MeshDepthMaterial, NoBlending, NormalBlending, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
 import { sharedMaterial } from "./shared_materials";
 import { litMaterial, type LitMaterial } from "./lit";
-import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms } from "./lamps";
+import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms, litByLamps } from "./lamps";
 import { RULE } from "./part_geometry";
 import { patternSpans, patternUniform } from "./patterns";
 
@@ -113,7 +113,7 @@ function paint(shader: WebGLProgramParametersWithUniforms): void {
 
 /** What is solid does not blend either: told so, it is drawn with the shader of what is clear. */
 function lit(clear: boolean): LitMaterial {
-  const material = litMaterial({ transparent: clear, depthWrite: !clear, blending: clear ? NormalBlending : NoBlending });
+  const material = litByLamps(litMaterial({ transparent: clear, depthWrite: !clear, blending: clear ? NormalBlending : NoBlending }));
   material.onBeforeCompile = paint;
   material.customProgramCacheKey = () => "part";
   return material;

@@ -2,7 +2,7 @@
 import { NoBlending, NormalBlending, type MeshStandardMaterialParameters, type WebGLProgramParametersWithUniforms } from "three";
 import { sharedMaterial } from "./shared_materials";
 import { litMaterial, type LitMaterial } from "./lit";
-import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms } from "./lamps";
+import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms, litByLamps } from "./lamps";
 import { MORTAR, patternLayer, patternUniform } from "./patterns";
 
 const WOVEN = /* glsl */ `
@@ -33,7 +33,7 @@ function weave(shader: WebGLProgramParametersWithUniforms): void {
 /** A material that all share which ask for it by this name; what vertices do not say is plain and rough. All are drawn with one shader. */
 export function faceMaterial(name: string, look: MeshStandardMaterialParameters = {}): LitMaterial {
   return sharedMaterial(name, () => {
-    const material = litMaterial({ vertexColors: true, blending: look.transparent ? NormalBlending : NoBlending, ...look });
+    const material = litByLamps(litMaterial({ vertexColors: true, blending: look.transparent ? NormalBlending : NoBlending, ...look }));
     material.onBeforeCompile = weave;
     material.customProgramCacheKey = () => "face";
     return material;
