@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import count
 from typing import Final
 
 from catalogs import Catalogs
@@ -50,8 +51,8 @@ def with_pieces(
     decorations: list[list[Decoration]] = [[] for _ in rooms]
     outlines = [_outline(room) for room in rooms]
     unsized: Counter[tuple[str, str]] = Counter()
-    names = synonyms_of(catalogs)
-    for piece in with_usual_sizes(pieces, catalogs):
+    names, taken = synonyms_of(catalogs), {piece.id for piece in pieces}
+    for piece in with_usual_sizes(_told_apart(pieces, notes), catalogs):
         x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
         place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
         if place is not None:
@@ -72,15 +73,17 @@ def with_pieces(
         if piece.decoration or _hangs(meaning, sort, piece.y):
             if piece.usual:
                 unsized[piece.name, _written(sizes)] += 1
-            decorations[place].append(_decoration(body, room, len(decorations[place]), kind))
+            body = _named(body, f"{room.id}/small_", len(decorations[place]), taken)
+            decorations[place].append(_decoration(body, kind))
         elif meaning is not None and meaning.sort == "other":
             notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
         else:
             if piece.usual:
                 notes.guess(piece.where, "size", _written(sizes), f"{piece.name!r:.60}: the file gives no size")
-            furniture[place].append(_furniture(_on_whole_mm(body), room, furniture[place], kind))
-    for (name, taken), count in unsized.items():
-        notes.guess("plan", "size", taken, f"{name!r:.60}: the file gives no size of {count} of them")
+            body = _named(body, f"{room.id}/", len(furniture[place]), taken)
+            furniture[place].append(_furniture(_on_whole_mm(body), furniture[place], kind))
+    for (name, usual), many in unsized.items():
+        notes.guess("plan", "size", usual, f"{name!r:.60}: the file gives no size of {many} of them")
     return [
         replace(room, furniture=tuple(_beneath_sills(room, _tucked(standing, catalogs), notes)), decorations=tuple(small))
         for room, standing, small in zip(rooms, furniture, decorations, strict=True)
@@ -159,27 +162,43 @@ def _shared(a: Furniture, b: Furniture) -> float:
     return min(across - abs(a.x - b.x), along - abs(a.z - b.z))
 
 
-def _furniture(piece: DrawnPiece, room: Room, there: Sequence[Furniture], kind: str | None) -> Furniture:
+def _furniture(piece: DrawnPiece, there: Sequence[Furniture], kind: str | None) -> Furniture:
     width, depth, height = piece.size or (0.0, 0.0, 0.0)
     return Furniture(
-        piece.id or _made_up(piece, room, len(there)), piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
+        piece.id, piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
         rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color, on=_under(piece, there),
         kind=kind,
     )  # fmt: skip
 
 
-def _decoration(piece: DrawnPiece, room: Room, number: int, kind: str | None) -> Decoration:
+def _decoration(piece: DrawnPiece, kind: str | None) -> Decoration:
     width, depth, height = piece.size or (0.0, 0.0, 0.0)
     return Decoration(
-        piece.id or _made_up(piece, room, number, "small_"), piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
+        piece.id, piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
         rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color, kind=kind,
     )  # fmt: skip
 
 
-def _made_up(piece: DrawnPiece, room: Room, number: int, prefix: str = "") -> str:
-    """Returns an id: its room, what it is called, its number there."""
-    word = "_".join(words_of(piece.name)) or "piece"
-    return f"{room.id}/{prefix}{word}_{number + 1}"
+def _told_apart(pieces: Sequence[DrawnPiece], notes: PlanNotes) -> list[DrawnPiece]:
+    """Returns pieces of which no two say one id: a copy of an element has that of the first, which keeps it."""
+    seen = {""}
+    found = []
+    for piece in pieces:
+        if piece.id and piece.id in seen:
+            notes.change("furniture", piece.where, 0.0, f"another piece has the id {piece.id!r:.60}, too: this one gets an own")
+        found.append(replace(piece, id="") if piece.id in seen else piece)
+        seen.add(piece.id)
+    return found
+
+
+def _named(piece: DrawnPiece, prefix: str, number: int, taken: set[str]) -> DrawnPiece:
+    """Returns a piece with an id, where it has none of its own: its room, what it is called, its number there or the next free one."""
+    if piece.id:
+        return piece
+    stem = prefix + ("_".join(words_of(piece.name)) or "piece")
+    name = next(name for more in count(number + 1) if (name := f"{stem}_{more}") not in taken)
+    taken.add(name)
+    return replace(piece, id=name)
 
 
 def _under(piece: DrawnPiece, there: Sequence[Furniture]) -> str | None:

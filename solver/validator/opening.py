@@ -48,8 +48,8 @@ class FrontTravel(NamedTuple):
 
     @property
     def share(self) -> float:
-        """Which part of its way it opens, 0 to 1."""
-        return self.travel / self.range
+        """Which part of its way it opens, 0 to 1; all of it where that is nothing, as of a drawer in what is a hair deep."""
+        return self.travel / self.range if self.range else 1.0
 
 
 def front_blocked(case: RuleCase) -> Iterator[Finding]:

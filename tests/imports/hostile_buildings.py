@@ -18,7 +18,7 @@ def dxf_block(name: str, inside: str) -> str:
     return f"  0\nBLOCK\n  8\n0\n  2\n{name}\n 70\n0\n 10\n0\n 20\n0\n 30\n0\n{inside}  0\nENDBLK\n  8\n0\n"
 
 
-def dxf_insert(name: str, columns: int = 1, rows: int = 1, layer: str = "door") -> str:
+def dxf_insert(name: str, columns: int | str = 1, rows: int = 1, layer: str = "door") -> str:
     return f"  0\nINSERT\n  8\n{layer}\n  2\n{name}\n 10\n0\n 20\n0\n 30\n0\n 70\n{columns}\n 71\n{rows}\n 44\n1.0\n 45\n1.0\n"
 
 

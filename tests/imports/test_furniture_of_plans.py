@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
 from solver import fix
+from solver.exchange import dump_scene, read_scene
 from solver.imported import PlanImport
 from solver.scene import Furniture, Room, Scene
 from tests.imports.plans import Feature, box, collection, line, piece, read
@@ -135,3 +138,17 @@ def test_what_stands_free_names_no_wall() -> None:
         piece("Wardrobe", 4.6, 3.0, rotation=270, width=1.2, depth=0.6, height=2.0),
     )
     assert [one.wall for one in answer.scene.rooms[0].furniture] == [None, "east"]
+
+
+def test_pieces_that_say_one_id_are_told_apart() -> None:
+    """A copied element has the id of the first; made-up ids are none that another piece says."""
+    sofas = [piece("Sofa", 1.2, 0.5 + y, id="kitchen_0/chair_2", width=1.6, depth=0.8, height=0.8) for y in (0.0, 1.5)]
+    vases = [piece("Vase", 4.0 + x, 4.0, id="vase", width=0.2, depth=0.2, height=0.3) for x in (0.0, 0.5)]
+    answer = imported(*sofas, chair(4.0, 1.0, 0), chair(4.0, 2.0, 0), *vases)
+    (room,) = answer.scene.rooms
+    ids = [*(one.id for one in room.furniture), *(one.id for one in room.decorations)]
+    assert len(set(ids)) == len(ids) == 6
+    assert {"kitchen_0/chair_2", "vase"} < set(ids)
+    told = [change for change in answer.changes if "has the id" in str(change["message"])]
+    assert [change["of"] for change in told] == ["features[3]", "features[7]"]
+    assert read_scene(json.loads(dump_scene(answer.scene, "json"))).rooms[0].furniture == room.furniture

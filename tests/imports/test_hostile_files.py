@@ -194,6 +194,7 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "dxf of an empty block inserted a billion times": dxf_of(dxf_insert("door", 32_000, 32_000), dxf_block("door", "")),
     "dxf of arrays within arrays": dxf_of(
         dxf_insert("outer door", 100, 100), dxf_block("door", LINE) + dxf_block("outer door", dxf_insert("door", 300, 300))),
+    "dxf of an infinite count": dxf_of(dxf_insert("door", "1e999"), dxf_block("door", LINE)),
     "dxf of many parts": dxf_of(LINE * 151_000),
     "rplan of many rooms": json.dumps({**apartment(), "room_type": [2] * 100_000}).encode(),
     "procthor of many children": procthor([{"id": "Book|1", "position": {"x": 1, "y": 1, "z": 1}}] * 20_000),

@@ -215,3 +215,12 @@ def test_round_parts_are_met_where_they_are_and_not_at_the_box_around_them(share
     (one,) = [one for one in front_travels(room(chest, post), known)["den"] if one.front == "low_drawer"]
     assert one.meets == "post"
     assert one.travel == pytest.approx(z - math.sqrt(radius**2 - aside**2) - face, abs=0.005)
+
+
+@pytest.mark.parametrize("depth", [1e-9, 1e-7])
+def test_a_drawer_in_what_is_a_hair_deep_is_open(depth: float) -> None:
+    """Scenes of others may hold anything above nothing."""
+    chest = replace(piece("dresser", 4.0, 2.0), depth=depth)
+    scene = room(chest, block(4.0, 2.0 + depth / 2 + 0.25, 2.0, 0.5))
+    assert all(one.share == 1.0 for one in front_travels(scene, KNOWN)["den"] if one.range == 0)
+    assert "front_blocked" not in {issue.rule for issue in validate(scene)}

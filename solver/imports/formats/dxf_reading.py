@@ -55,7 +55,7 @@ def read_dxf(content: bytes, metres: float | None = None) -> DrawnPlan:
         if len(space) > MOST_ENTITIES:
             raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
         return _plan(space, metres or METRES.get(drawing.header.get("$INSUNITS", 0)))
-    except (ezdxf.DXFError, ValueError, TypeError, AttributeError, KeyError, IndexError) as error:
+    except (ezdxf.DXFError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError) as error:
         raise SyntaxFault(f"DXF that cannot be read: {type(error).__name__} {error!s:.100}") from None
 
 
