@@ -11,11 +11,11 @@ from typing import Final
 from solver.geometry import doubled_area
 from solver.scene import Opening, Room
 
-Spot = tuple[float, float]
+HouseSpot = tuple[float, float]
 WAYS: Final = ("door", "passage")
 BEHIND: Final = (0.05, 0.2, 0.35, 0.5)
 """How far behind a door's line floor is looked for, m: walls between rooms are no thicker than 0.6 m."""
-_OUT: Final[dict[str, Spot]] = {"north": (0, -1), "south": (0, 1), "west": (-1, 0), "east": (1, 0)}
+_OUT: Final[dict[str, HouseSpot]] = {"north": (0, -1), "south": (0, 1), "west": (-1, 0), "east": (1, 0)}
 
 
 def doors_between(rooms: Sequence[Room]) -> Iterator[tuple[int, int, Opening]]:
@@ -55,7 +55,7 @@ def _behind(rooms: Sequence[Room], place: int, opening: Opening) -> int | None:
     return next((k for spot in spots for k in others if _holds(rooms[k], spot)), None)
 
 
-def _centre(room: Room, opening: Opening) -> tuple[Spot, Spot] | None:
+def _centre(room: Room, opening: Opening) -> tuple[HouseSpot, HouseSpot] | None:
     """Returns the middle of an opening in the house, and the way out of the room there."""
     at, edges = opening.position, list(_edges(room.corners))
     if opening.edge is not None:
@@ -69,7 +69,7 @@ def _centre(room: Room, opening: Opening) -> tuple[Spot, Spot] | None:
     return (room.x + x, room.z + z), (dx, dz)
 
 
-def _edges(corners: Sequence[Spot]) -> Iterator[tuple[float, float, float, Spot]]:
+def _edges(corners: Sequence[HouseSpot]) -> Iterator[tuple[float, float, float, HouseSpot]]:
     """Yields of each edge where it begins and ends along its axis, its line across that, and the way out of the room."""
     turn = 1 if doubled_area(corners) > 0 else -1
     for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
@@ -79,7 +79,7 @@ def _edges(corners: Sequence[Spot]) -> Iterator[tuple[float, float, float, Spot]
             yield min(z0, z1), max(z0, z1), x0, (turn if z1 > z0 else -turn, 0)
 
 
-def _holds(room: Room, spot: Spot) -> bool:
+def _holds(room: Room, spot: HouseSpot) -> bool:
     """Tells whether a spot of the house lies on a room's floor: going east it leaves through one more edge than it comes in by."""
     x, z = spot[0] - room.x, spot[1] - room.z
     if not (0 <= x <= room.width and 0 <= z <= room.depth):

@@ -30,8 +30,8 @@ WORDS: Final[dict[str, tuple[str, ...]]] = {
     "window": ("window", "fenster", "fenetre", "ventana", "finestra", "glaz"),
     "door": ("door", "tür", "tuer", "porte", "puerta", "porta"),
     "passage": ("opening", "passage", "durchgang"),
-    "wall": ("wall", "wand", "mur", "pared", "parete", "muro"),
-    "room": ("room", "space", "raum", "zimmer", "piece", "habitacion", "stanza", "zone"),
+    "wall": ("wall", "wand", "wänd", "waend", "mur", "pared", "parete", "muro"),
+    "room": ("room", "space", "raum", "räum", "raeum", "zimmer", "piece", "habitacion", "stanza", "zone"),
 }  # fmt: skip
 """What a layer or a shape is, by words in its name; the first that fits."""
 PASSED: Final = ("furniture", "möbel", "mobilier", "meuble", "mueble", "arredo", "dimension", "hatch")
@@ -203,10 +203,11 @@ def _room(shape: DrawnShape, texts: Sequence[DrawnText]) -> DrawnRoom:
 
 
 def _label(points: Sequence[Spot], texts: Sequence[DrawnText]) -> str:
-    """Returns the first text in a room that is no number."""
+    """Returns the first text in a room that is no number: its lines that are none."""
     x0, z0, x1, z1 = _box(points)
     near = (text for text in texts if x0 <= text.x <= x1 and z0 <= text.z <= z1)
-    return next((text.words for text in near if text.words[:1].isalpha() and _holds(points, text.x, text.z)), "")
+    said = ((" ".join(line.strip() for line in text.words.splitlines() if line.strip()[:1].isalpha()), text) for text in near)
+    return next((words for words, text in said if words and _holds(points, text.x, text.z)), "")
 
 
 def _holds(points: Sequence[Spot], x: float, z: float) -> bool:

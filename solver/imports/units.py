@@ -17,6 +17,8 @@ from solver.imports.drawn import DrawnOpening, DrawnPlan, PlanNotes
 
 DOOR_WIDTHS: Final = (0.7, 1.0)
 """Between these, m, lies the median width of a home's doors."""
+POSSIBLE_DOORS: Final = (0.1, 10.0)
+"""Where the median is not even between these, m, the file says a unit in which it is not drawn."""
 LIKELY_ROOM: Final = (1.5, 8.0)
 """Between these, m, lies the median of the square roots of rooms' areas, where there are no doors to tell."""
 
@@ -52,11 +54,9 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
     said = unit_named(asked)
     if said is not None:
         return said
-    if plan.metres is not None:
-        if plan.unit_words:
-            notes.guess("plan", "unit", f"{plan.metres:.5g}", plan.unit_words)
-        return plan.metres
     doors = [math.dist(one.start, one.end) for one in plan.openings if one.kind == "door"]
+    if plan.metres is not None:
+        return _corrected(plan.metres, plan.unit_words, median(doors) if doors else None, notes)
     if doors:
         found, told, size = _within(median(doors), DOOR_WIDTHS), "doors' median width", median(doors)
     else:
@@ -67,6 +67,18 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
         raise FieldError("unit", f"is not said, and cannot be told: {told} is {size:g}", ALLOWED_UNITS)
     notes.guess("plan", "unit", found[0], f"the file does not say its unit; {told} is {size * UNITS[found[0]]:.2f} m in {found[0]}")
     return UNITS[found[0]]
+
+
+def _corrected(metres: float, words: str, door: float | None, notes: PlanNotes) -> float:
+    """Returns the length of the unit that a file says, m; where no door is so wide, of the one in which doors are as wide as doors."""
+    others = [] if door is None or POSSIBLE_DOORS[0] <= door * metres <= POSSIBLE_DOORS[1] else _within(door, DOOR_WIDTHS)
+    if len(others) == 1 and door is not None:
+        said = f"the file says a unit of {metres:.5g} m, but doors' median width would be {door * metres:.3g} m"
+        notes.guess("plan", "unit", others[0], f"{said}; it is {door * UNITS[others[0]]:.2f} m in {others[0]}")
+        return UNITS[others[0]]
+    if words:
+        notes.guess("plan", "unit", f"{metres:.5g}", words)
+    return metres
 
 
 def told_by_doors(openings: Sequence[DrawnOpening]) -> float | None:

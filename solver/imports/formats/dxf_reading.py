@@ -5,6 +5,8 @@ Its y points up. Read by ezdxf, an extra. Blocks are opened where their name or 
 
 from __future__ import annotations
 
+import math
+from codecs import BOM_UTF8
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from importlib import import_module
@@ -18,7 +20,7 @@ from solver.imports.bounded_files import MOST_BYTES
 from solver.imports.drawn import DrawnPlan, Spot
 from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, plan_of_shapes, sort_within
 
-METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0}
+METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1, 21: 0.3048}
 """What `$INSUNITS` says."""
 MOST_ENTITIES: Final = 50_000
 BODY: Final = "KIND"
@@ -29,9 +31,19 @@ DEEPEST: Final = 8
 """Blocks within blocks."""
 
 
+BINARY: Final = b"AutoCAD Binary DXF"
+"""How a DXF begins that is no text."""
+CURVED: Final = frozenset({"LWPOLYLINE", "POLYLINE", "CIRCLE", "ARC", "ELLIPSE", "SPLINE"})
+SHUT: Final = 1e-4
+"""A line ends where it begins that leaves no larger a gap than this share of its length."""
+CHORDS: Final = 16
+"""Each curve is taken as so many chords."""
+
+
 def is_dxf(content: bytes) -> bool:
-    """Tells whether a file is a DXF text."""
-    return [line.strip() for line in content[:200].split(b"\n")[:2]] == [b"0", b"SECTION"] or content.startswith(b"999")
+    """Tells whether a file is a DXF, a text or a binary one."""
+    lines = content[:200].removeprefix(BOM_UTF8).split()[:2]
+    return lines == [b"0", b"SECTION"] or content.startswith((b"999", BINARY))
 
 
 def read_dxf(content: bytes, metres: float | None = None) -> DrawnPlan:
@@ -47,16 +59,38 @@ def read_dxf(content: bytes, metres: float | None = None) -> DrawnPlan:
         raise FieldError("file", "is DXF, which needs ezdxf", "pip install 'compose-homes[dxf]'") from None
     if len(content) > MOST_BYTES:
         raise SyntaxFault(f"larger than {MOST_BYTES >> 20} MB")
-    if sum(map(_begins_a_part, islice(BytesIO(content), 0, None, 2))) > MOST_PARTS:
-        raise SyntaxFault(f"of more than {MOST_PARTS:,} entities, vertices and entries")
     try:
-        drawing = ezdxf.read(StringIO(content.decode("utf-8", "replace")))
+        drawing = _drawing(content)
         space = drawing.modelspace()
         if len(space) > MOST_ENTITIES:
             raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
         return _plan(space, metres or METRES.get(drawing.header.get("$INSUNITS", 0)))
     except (ezdxf.DXFError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError) as error:
         raise SyntaxFault(f"DXF that cannot be read: {type(error).__name__} {error!s:.100}") from None
+
+
+def _drawing(content: bytes) -> Any:
+    """Returns the drawing in a file, with as many parts as a plan may have at most."""
+    files, tags = import_module("ezdxf.filemanagement"), import_module("ezdxf.lldxf.tagger")
+    if content.startswith(BINARY):
+        parts: Iterable[Any] = (tag for tag in tags.binary_tags_loader(content, errors="ignore") if tag.code == 0)
+    else:
+        content = b"\n".join(content.removeprefix(BOM_UTF8).splitlines()) + b"\n"
+        parts = filter(_begins_a_part, islice(BytesIO(content), 0, None, 2))
+    if next(islice(parts, MOST_PARTS, None), None) is not None:
+        raise SyntaxFault(f"of more than {MOST_PARTS:,} entities, vertices and entries")
+    if content.startswith(BINARY):
+        return import_module("ezdxf.document").Drawing.load(tags.binary_tags_loader(content, errors="ignore"))
+    return files.read(StringIO(_text(content)))
+
+
+def _text(content: bytes) -> str:
+    """Returns a file's text: files of before 2007 that are not UTF-8 are in the code page that they name."""
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError:
+        told = import_module("ezdxf.filemanagement").dxf_stream_info(StringIO(content.decode("latin-1")))
+        return content.decode(told.encoding, "replace")
 
 
 def _begins_a_part(code: bytes) -> bool:
@@ -100,24 +134,25 @@ def _opened(space: Any) -> Iterator[_Entity]:
 
 
 def _plan(space: Any, metres: float | None) -> DrawnPlan:
+    make_path = import_module("ezdxf.path").make_path
     shapes: list[DrawnShape] = []
     texts: list[DrawnText] = []
     swings: list[DrawnSwing] = []
     passed: Counter[tuple[str, str]] = Counter()
     for one, layer, sort, where in _opened(space):
         kind = one.dxftype()
-        if kind == "LWPOLYLINE":
-            shapes.append(DrawnShape(layer, _spots(one.vertices_in_wcs()), bool(one.closed), where, sort))
-        elif kind == "POLYLINE":
-            shapes.append(DrawnShape(layer, _spots(one.points_in_wcs()), bool(one.is_closed), where, sort))
-        elif kind == "LINE":
-            shapes.append(DrawnShape(layer, _spots((one.dxf.start, one.dxf.end)), False, where, sort))
-        elif kind == "ARC" and sort == "door":
+        if kind == "ARC" and sort == "door":
             hinge, first, last = _spots((one.ocs().to_wcs(one.dxf.center), one.start_point, one.end_point))
             swings.append(DrawnSwing(hinge, (first, last), where))
+        elif kind in CURVED and (sort is not None or "POLYLINE" in kind):
+            points = _spots(make_path(one).flattening(math.inf, CHORDS))
+            closed = len(points) > 3 and math.dist(points[0], points[-1]) <= SHUT * math.dist(points[0], points[len(points) // 2])
+            shapes.append(DrawnShape(layer, points[:-1] if closed else points, closed, where, sort))
+        elif kind == "LINE":
+            shapes.append(DrawnShape(layer, _spots((one.dxf.start, one.dxf.end)), False, where, sort))
         elif kind in ("TEXT", "MTEXT"):
             at = one.dxf.get("align_point", one.dxf.insert) if kind == "TEXT" else one.dxf.insert
-            texts.append(DrawnText(one.dxf.text if kind == "TEXT" else one.plain_text(), float(at.x), -float(at.y)))
+            texts.append(DrawnText(one.plain_text(), float(at.x), -float(at.y)))
         else:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
