@@ -13,6 +13,7 @@ from solver.scene import Scene
 from solver.scene_bodies import home_of
 from solver.validator.crossing import shapes_cross
 from solver.validator.floating import floating
+from solver.validator.house_plan import opening_wrong, rooms_overlap
 from solver.validator.judging import JUDGED, Finding, RuleCase
 from solver.validator.lattice import metres
 from solver.validator.opening import front_blocked
@@ -31,8 +32,12 @@ RULES: Final = {
     "missing_required": "warning",
     "shapes_cross": "warning",
     "front_blocked": "warning",
+    "rooms_overlap": "warning",
+    "opening_wrong": "warning",
 }
 """Every rule and its severity, in the order issues are listed."""
+FURNISHED_BY: Final = tuple(rule for rule in RULES if rule not in {"rooms_overlap", "opening_wrong"})
+"""The rules that a certificate names: those about what stands in a plan."""
 _FUNCTIONS = (
     out_of_bounds,
     overlap,
@@ -44,6 +49,8 @@ _FUNCTIONS = (
     missing_required,
     shapes_cross,
     front_blocked,
+    rooms_overlap,
+    opening_wrong,
 )
 CHECKS: Final[dict[str, Callable[[RuleCase], Iterator[Finding]]]] = {check.__name__: check for check in _FUNCTIONS}
 """How every rule is checked in one room: by the function of its name."""

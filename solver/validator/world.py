@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 from solver.body_rows import (
     BodyKey,
@@ -87,6 +87,15 @@ class PlacedRoom:
         return count_furniture(self.room) + count_decorations(self.room) + len(self.people)
 
 
+class HouseWall(NamedTuple):
+    """A piece of wall line in the house: where it lies, what it spans, whose it is."""
+
+    line: int
+    start: int
+    end: int
+    place: PlacedRoom
+
+
 @dataclass(frozen=True)
 class World:
     """A whole scene. `half_wall` is half a wall's thickness, `robot` the side of the square that walks."""
@@ -100,6 +109,16 @@ class World:
     def by_id(self) -> Mapping[str, PlacedRoom]:
         """The rooms by id."""
         return {place.room.id: place for place in self.places}
+
+    @cached_property
+    def walls(self) -> Mapping[tuple[int, str], Sequence[HouseWall]]:
+        """The wall lines by the storey and the wall that they are."""
+        found: dict[tuple[int, str], list[HouseWall]] = {}
+        for place in self.places:
+            for edge in place.edges:
+                line, start, end = edge.moved(place.x, place.z)[1:]
+                found.setdefault((place.room.level, edge.side), []).append(HouseWall(line, start, end, place))
+        return found
 
     @cached_property
     def leading_to(self) -> Mapping[str, Sequence[tuple[PlacedRoom, Hole]]]:

@@ -96,11 +96,12 @@ def test_issues_come_room_by_room_and_rule_by_rule() -> None:
         piece(0.5, 2.9, id="h", under="g"),
     )
     lamp = Decoration("f", "lamp", x=1.0, y=1.0, z=1.0, width=0.1, depth=0.1, height=0.1)
+    nowhere = opening("west", id="door_2", connects_to="nowhere")
     rooms = [
-        room(*culprits, id="two", type="bedroom", openings=(door, window), decorations=(lamp,)),
-        room(id="one", x=10.0, type="bedroom"),
+        room(*culprits, id="two", type="bedroom", openings=(door, window, nowhere), decorations=(lamp,)),
+        room(id="one", x=3.9, type="bedroom"),
     ]
-    rooms[1] = room(*(piece(2.0, 3.9, id=f"{name}2") for name in "de"), id="one", x=10.0, type="bedroom")
+    rooms[1] = room(*(piece(2.0, 3.9, id=f"{name}2") for name in "de"), id="one", x=3.9, type="bedroom")
     whole = Solid(form="box", x=(0, 1), y=(0, 1), z=(0, 1), axis="y", taper=1, material="body")
     lid = Solid(form="box", x=(0, 1), y=(0.9, 1), z=(0.9, 1), axis="y", taper=1, material="body", front="flap", opens="down", range=90)
     known = CATALOGS.model_copy(update={"shapes": {"crate": (whole, lid)}})

@@ -1,0 +1,137 @@
+"""The rules about the plan itself: rooms that share floor, openings that are in no wall, or in another's way.
+
+Comes in: a house's rooms and holes. Goes out: findings. May import: scene. Bodies are not looked at, and nothing is moved for these rules.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Final
+
+from solver.demanded import demand
+from solver.scene import EXTERIOR
+from solver.validator.judging import Finding, RuleCase
+from solver.validator.lattice import ExactBox, words
+from solver.validator.walk import DEEPEST_WALL
+from solver.validator.world import OPPOSITE, Hole, HouseWall, PlacedRoom, World
+
+PAIR_WORK: Final = 0.1
+"""What looking at two rooms, walls or openings counts; measured."""
+
+
+def rooms_overlap(case: RuleCase) -> Iterator[Finding]:
+    """The clear floors of two rooms of a storey share floor; told of the one listed first."""
+    place, wall, places = case.room, 2 * case.world.half_wall, case.world.places
+    later = places[places.index(place) + 1 :]
+    demand(PAIR_WORK * len(later))
+    x0, z0, x1, z1 = place.outline.bounds
+    for other in later:
+        if other.room.level != place.room.level:
+            continue
+        x, z = other.x - place.x, other.z - place.z
+        bounds = other.outline.bounds
+        if bounds.x0 + x < x1 and x0 < bounds.x1 + x and bounds.z0 + z < z1 and z0 < bounds.z1 + z:
+            east, south = _shared(place.outline.inside, [box.moved(x, z) for box in other.outline.inside], wall)
+            if min(east, south) > 0:
+                size = f"{words(east)} from west to east, {words(south)} from north to south"
+                yield Finding((), min(east, south), f"{place.room.id} and {other.room.id} are rooms that share floor: {size}")
+
+
+def opening_wrong(case: RuleCase) -> Iterator[Finding]:
+    """An opening is not wholly in a wall, does not lead where it says, or meets another of its room; of each the first that is wrong."""
+    world, place = case.world, case.room
+    placed = {id(hole.opening) for hole in place.holes}
+    for opening in place.room.openings:
+        if id(opening) not in placed:
+            yield Finding((), 0, f"the {opening.kind} {opening.id} is in no wall of {place.room.id}")
+    for number, hole in enumerate(place.holes):
+        demand(PAIR_WORK * number)
+        found = _leaves_its_wall(place, hole) or _leads_elsewhere(world, place, hole) or _meets(hole, place.holes[:number])
+        if found is not None:
+            amount, why = found
+            yield Finding((), amount, f"the {hole.opening.kind} {hole.opening.id} of {place.room.id} {why}")
+
+
+def _shared(one: Sequence[ExactBox], other: Sequence[ExactBox], wall: int) -> tuple[int, int]:
+    """Returns the largest extents, less a wall's, that a box of one room and one of another have in common."""
+    demand(PAIR_WORK * len(one) * len(other))
+    extents = ((min(a.x1, b.x1) - max(a.x0, b.x0) - wall, min(a.z1, b.z1) - max(a.z0, b.z0) - wall) for a in one for b in other)
+    return max(extents, key=min)
+
+
+def _leaves_its_wall(place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
+    side, line, start, end = hole.edge
+    if start <= hole.start and hole.end <= end and hole.edge in place.outline.edges:
+        return None
+    over = _uncovered(hole.start, hole.end, [(one.start, one.end) for one in place.edges if (one.side, one.line) == (side, line)])
+    return (over, f"reaches {words(over)} beyond its wall") if over > 0 else None
+
+
+def _leads_elsewhere(world: World, place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
+    """Judges what an opening says that it leads to. A room that was sent alone may speak of rooms that were not."""
+    to = hole.opening.connects_to
+    if to is None or len(world.places) == 1:
+        return None
+    if to != EXTERIOR and to not in world.by_id:
+        return 0, f"leads to {to}, which is no room of the scene"
+    if to != EXTERIOR and world.by_id[to].room.level != place.room.level:
+        return None
+    return _faces_a_room(world, place, hole) if to == EXTERIOR else _misses(world, place, hole, to)
+
+
+def _faces_a_room(world: World, place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
+    """Judges an opening to the outside; what lies outdoors is outside."""
+    if place.room.outdoor:
+        return None
+    behind: dict[str, list[tuple[int, int]]] = {}
+    for wall in _beyond(world, place, hole):
+        if not wall.place.room.outdoor:
+            behind.setdefault(wall.place.room.id, []).append((wall.start, wall.end))
+    for name, walls in behind.items():
+        start, end = _in_house(place, hole)
+        shared = end - start - _uncovered(start, end, walls)
+        return shared, f"leads outside, but {name} lies behind {words(shared)} of it"
+    return None
+
+
+def _misses(world: World, place: PlacedRoom, hole: Hole, to: str) -> tuple[int, str] | None:
+    """Judges an opening to a room: that room's wall lies behind all of it."""
+    walls = [(wall.start, wall.end) for wall in _beyond(world, place, hole) if wall.place.room.id == to]
+    over = _uncovered(*_in_house(place, hole), walls)
+    return (over, f"leads to {to}, whose wall is missing behind {words(over)} of it") if over > 0 else None
+
+
+def _in_house(place: PlacedRoom, hole: Hole) -> tuple[int, int]:
+    """Returns from where to where along its line a hole lies in the house."""
+    along = place.x if hole.edge.runs_east else place.z
+    return hole.start + along, hole.end + along
+
+
+def _beyond(world: World, place: PlacedRoom, hole: Hole) -> list[HouseWall]:
+    """Returns the other rooms' walls that are a hole's other side, for a part of its width or for all."""
+    cut = hole.edge
+    start, end = _in_house(place, hole)
+    line = cut.line + (place.z if cut.runs_east else place.x)
+    low, high = (line - DEEPEST_WALL, line) if cut.side in ("north", "west") else (line, line + DEEPEST_WALL)
+    walls = world.walls.get((place.room.level, OPPOSITE[cut.side]), ())
+    demand(PAIR_WORK * len(walls))
+    return [wall for wall in walls if low <= wall.line <= high and wall.start < end and start < wall.end and wall.place is not place]
+
+
+def _uncovered(start: int, end: int, parts: Iterable[tuple[int, int]]) -> int:
+    """Returns how much of an interval none of the parts covers."""
+    missing, at = 0, start
+    for first, last in sorted(parts):
+        if last > at and first < end:
+            missing += max(first - at, 0)
+            at = min(last, end)
+    return missing + end - at
+
+
+def _meets(hole: Hole, others: Iterable[Hole]) -> tuple[int, str] | None:
+    for other in others:
+        along = min(hole.end, other.end) - max(hole.start, other.start)
+        same = along > 0 and (other.edge.side, other.edge.line) == (hole.edge.side, hole.edge.line)
+        if same and min(hole.top, other.top) > max(hole.sill, other.sill):
+            return along, f"and the {other.opening.kind} {other.opening.id} share {words(along)} of its wall"
+    return None

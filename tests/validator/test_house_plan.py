@@ -1,0 +1,89 @@
+"""The rules `rooms_overlap` and `opening_wrong`: at the last millimetre that is right and the first that is wrong."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from compose_homes import Request, generate
+from solver.scene import EXTERIOR, Opening, Scene
+from tests.sweeps import seeds
+from tests.validator.worlds import issues, opening, room, scene
+
+MM = 0.001
+
+
+def wrong(*openings: Opening, beside: dict[str, Any] | None = None, **more: Any) -> list[tuple[float, str]]:
+    """What is wrong with the openings of a room of 4 x 4 m that has another to the east, or elsewhere."""
+    other = room(**{"id": "other", "x": 4.0, **(beside or {})})
+    found = issues(scene(room(openings=openings, **more), other, wall_thickness=0.1), "opening_wrong")
+    return [(round(issue.amount, 6), issue.message.removeprefix("the door door_1 of room_0 ")) for issue in found]
+
+
+def east(position: float = 2.0, to: str | None = "other", **more: Any) -> Opening:
+    return opening("east", position, connects_to=to, **more)
+
+
+def test_rooms_share_no_floor_but_that_of_their_wall() -> None:
+    def shared(x: float, **more: Any) -> list[tuple[str | None, float, str]]:
+        found = issues(scene(room(), room(id="other", **{"x": x, **more}), wall_thickness=0.1), "rooms_overlap")
+        return [(issue.room, round(issue.amount, 6), issue.message) for issue in found]
+
+    assert shared(3.9) == []
+    said = "room_0 and other are rooms that share floor: 0.1 cm from west to east, 3.90 m from north to south"
+    assert shared(3.9 - MM) == [("room_0", MM, said)]
+    assert shared(1.0, z=1.0)[0][:2] == ("room_0", 2.9)
+    assert shared(1.0, level=1) == []
+    bay = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (4.0, 2.0), (4.0, 4.0), (0.0, 4.0))
+    assert shared(-1.9, z=-2.0, outline=bay)[0][1] == pytest.approx(1.9)
+    assert shared(2.0, z=2.0, outline=bay)[0][1] == pytest.approx(1.9)
+    assert shared(-2.0, z=-2.0, width=4.0, depth=4.0, outline=((0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4))) == []
+
+
+def test_an_opening_stays_in_its_wall() -> None:
+    assert wrong(opening("north", 3.55)) == []
+    assert wrong(opening("north", 3.55 + MM)) == [(MM, "reaches 0.1 cm beyond its wall")]
+    assert wrong(opening("north", 9.0)) == [(0.9, "reaches 90 cm beyond its wall")]
+    assert wrong(opening(None)) == [(0.0, "the door door_1 is in no wall of room_0")]
+    assert wrong(opening(None, 1.5, edge=0, width=3.0)) == []
+    corners = ((0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0))
+    assert wrong(opening("north", 2.0), outline=corners) == []
+
+
+def test_an_opening_leads_to_a_room_that_is_there() -> None:
+    assert wrong(east()) == []
+    assert wrong(east(to=None)) == []
+    assert wrong(east(to="zzz")) == [(0.0, "leads to zzz, which is no room of the scene")]
+    assert issues(scene(room(openings=(east(to="zzz"),))), "opening_wrong") == []
+    assert wrong(east(), beside={"x": 4.6}) == []
+    assert wrong(east(), beside={"x": 4.6 + MM}) == [(0.9, "leads to other, whose wall is missing behind 90 cm of it")]
+    assert wrong(east(), beside={"z": 1.55}) == []
+    assert wrong(east(), beside={"z": 1.55 + MM}) == [(MM, "leads to other, whose wall is missing behind 0.1 cm of it")]
+    assert wrong(east(), beside={"x": 9.0, "level": 1}) == []
+    assert wrong(opening("west", connects_to="other")) == [(0.9, "leads to other, whose wall is missing behind 90 cm of it")]
+
+
+def test_outside_is_where_no_room_is() -> None:
+    assert wrong(east(to=EXTERIOR), beside={"z": 2.45}) == []
+    assert wrong(east(to=EXTERIOR), beside={"z": 2.45 - MM}) == [(MM, "leads outside, but other lies behind 0.1 cm of it")]
+    assert wrong(east(to=EXTERIOR, kind="window", sill=0.9))[0][0] == pytest.approx(0.9)
+    assert wrong(east(to=EXTERIOR), beside={"x": 4.6 + MM}) == []
+    assert wrong(east(to=EXTERIOR), beside={"outdoor": True}) == []
+    assert wrong(east(to=EXTERIOR), outdoor=True) == []
+    assert wrong(east(to=EXTERIOR), beside={"level": 1}) == []
+
+
+def test_openings_share_no_wall() -> None:
+    first = east(1.5)
+    assert wrong(first, east(2.4, id="door_2")) == []
+    assert wrong(first, east(2.4 - MM, id="door_2")) == [(MM, "the door door_2 of room_0 and the door door_1 share 0.1 cm of its wall")]
+    assert wrong(first, opening("west", 1.5, id="door_2")) == []
+    assert wrong(first, east(1.5, id="pane", kind="window", sill=2.1, height=0.3)) == []
+
+
+@pytest.mark.parametrize("seed", seeds(range(120), 12))
+@pytest.mark.parametrize("wish", [{"program": "large"}, {"program": "family"}, {"width": 20, "depth": 15}, {"width": 7, "depth": 6}])
+def test_plans_of_seeds_break_no_rule_about_plans(seed: int, wish: dict[str, Any]) -> None:
+    made: Scene = generate(Request(seed=seed, **wish)).scene
+    assert [one for rule in ("rooms_overlap", "opening_wrong") for one in issues(made, rule)] == []
