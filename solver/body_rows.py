@@ -11,7 +11,7 @@ from functools import cached_property
 from struct import Struct
 from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeAlias, TypeVar
 
-from solver.fields import made_later, maker_in
+from solver.records import made_later, maker_in
 from solver.scene import WALLS, Decoration, Furniture, Room
 
 if TYPE_CHECKING:  # a scene is read and written without the catalogs

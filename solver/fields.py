@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import MISSING, fields
 from functools import cache
 from importlib import import_module
-from typing import Annotated, Any, ClassVar, Final, TypeVar, cast, get_args, get_type_hints
+from typing import Annotated, Any, ClassVar, Final, TypeVar, get_args, get_type_hints
 
 from annotated_types import Ge, Gt, Le, MaxLen, MinLen
 
@@ -195,48 +195,6 @@ OpenShare = Annotated[float, STRICT, Ge(0), Le(1)]
 REQUIRED: Final = _Required()
 Free = Annotated[Mapping[str, object], _Free()]
 TextByIndex = Annotated[Mapping[int, str], _Indexed()]
-
-
-LATER: Final = "_later"
-"""Where a record keeps, by field, what makes the value of one that is made when it is first asked for."""
-
-
-class _Late:
-    """The default of a field that may be made later. It has no `__set__`: a value that is there is found without it."""
-
-    def __init__(self, default: object) -> None:
-        self.default = default
-
-    def __set_name__(self, owner: type, name: str) -> None:
-        self.name = name
-
-    def __get__(self, record: object, owner: type | None = None) -> object:
-        if record is None:
-            return self.default
-        made = record.__dict__[self.name] = record.__dict__[LATER][self.name]()
-        return made
-
-
-def late(default: Value) -> Value:
-    """Declares a field that may be made later."""
-    declared: Any = _Late(default)
-    return cast(Value, declared)
-
-
-def made_later(record: Value, **makers: Callable[[], object]) -> Value:
-    """Returns a record like another one, of which some fields are made when somebody first asks for them."""
-    made: Any = object.__new__(record.__class__)
-    own = made.__dict__
-    own.update(record.__dict__)
-    for name in makers:
-        own.pop(name, None)
-    own[LATER] = {**own.get(LATER, {}), **makers}
-    return cast(Value, made)
-
-
-def maker_in(record: object, name: str) -> Any:
-    """Returns what makes a field of a record later; None where that was told."""
-    return record.__dict__.get(LATER, {}).get(name)
 
 
 class Record:

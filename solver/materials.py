@@ -6,11 +6,10 @@ Not here: the colours of furniture (furnished) and of decorations (decorations).
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from catalogs import Catalogs
 from catalogs.styles import Style
 from solver.errors import RequestError
+from solver.records import changed
 from solver.scene import Flooring, Room, WallFinish
 from solver.streams import Stream
 
@@ -45,4 +44,4 @@ def with_materials(room: Room, catalogs: Catalogs, style: Style | None, seed: in
     if walls:
         wall = Stream(seed, "wall", room.index).pick(walls)
         finish = WallFinish(wall.type, wall.color)
-    return replace(room, flooring=flooring, walls=finish)
+    return changed(room, flooring=flooring, walls=finish)

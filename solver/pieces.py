@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple, Protocol
 
 from solver.body_rows import LooksBySize
-from solver.fields import late, maker_in
 from solver.geometry import Rect, turned
+from solver.records import late, maker_in
 
 Extents = tuple[int, int, int]
 """Unrotated width, depth and height, mm."""

@@ -34,9 +34,9 @@ from solver.fields import (
     Says,
     Text,
     Whole,
-    late,
 )
 from solver.geometry import doubled_area
+from solver.records import late
 
 FORMAT: Final = "compose-scene/1"
 EXTERIOR: Final = "EXTERIOR"

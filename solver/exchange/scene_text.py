@@ -16,8 +16,9 @@ from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, Look, furn
 from solver.exchange import json_text
 from solver.exchange.text import dump_plain
 from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
-from solver.fields import EXTRA, LATER
+from solver.fields import EXTRA
 from solver.plain import Wrong, plain
+from solver.records import LATER
 from solver.scene import Decoration, Furniture, Opening, Scene
 
 MOST_TEXTS: Final = 4096

@@ -6,7 +6,7 @@ Comes in: rooms, their spaces, who was there before. Goes out: people and pets. 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
@@ -16,6 +16,7 @@ from solver.free_floor import FreeFloor, Goal
 from solver.free_places import block_of
 from solver.people.poses import POSES, Surroundings
 from solver.pieces import Space
+from solver.records import changed
 from solver.scene import Dynamic, Room
 from solver.streams import Stream
 
@@ -87,7 +88,7 @@ class _Drawing:
         """Finds somebody a place in the rooms; where there is none they are not in the house."""
         seed = self.household.seed
         for room in self._liked(entry, Stream(seed, name, one.id)) or self.rooms:
-            if self._place(replace(one, y=0.0, on=None), room, entry, Stream(seed, name, room.index)):
+            if self._place(changed(one, y=0.0, on=None), room, entry, Stream(seed, name, room.index)):
                 break
 
     def _liked(self, entry: Dweller, stream: Stream) -> list[Room]:
@@ -113,7 +114,7 @@ class _Drawing:
             self._surroundings[room.id] = Surroundings(room, floor, self.household.catalogs)
         floor, poses = self._surroundings[room.id].floor, list(entry.poses)
         stream.shuffle(poses)
-        here = replace(one, room=room.id)
+        here = changed(one, room=room.id)
         placed = next((found for pose in poses if (found := POSES[pose](self._surroundings[room.id], here, entry, stream))), None)
         if placed is not None:
             stands = placed.on is None

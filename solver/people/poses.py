@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Final
 
@@ -19,6 +19,7 @@ from solver.free_floor import FreeFloor, Goal
 from solver.free_places import Block, block_of, decorations_in, footprint
 from solver.geometry import half_m, rotate, wall_faced
 from solver.people.sights import Sight, faces, sights
+from solver.records import changed
 from solver.scene import Dynamic, Furniture, Room
 from solver.streams import Stream
 
@@ -52,7 +53,7 @@ class Surroundings:
         found = self.floor.nearest(block_of(person), gap_mm)
         if found is None:
             return None
-        return replace(person, x=half_m(found.x0 + found.x1), z=half_m(found.z0 + found.z1))
+        return changed(person, x=half_m(found.x0 + found.x1), z=half_m(found.z0 + found.z1))
 
     def leaves_all_reachable(self, person: Dynamic) -> bool:
         """Tells whether everything stays within reach with somebody there on the floor, and so is who stands there."""
@@ -83,7 +84,7 @@ def _before(sight: Sight, person: Dynamic, stream: Stream) -> Dynamic:
     x = {"west": rect.x0 - 1000 * away, "east": rect.x1 + 1000 * away}.get(sight.seen_from, x)
     z = {"north": rect.z0 - 1000 * away, "south": rect.z1 + 1000 * away}.get(sight.seen_from, z)
     turn = math.degrees(math.atan2((rect.x0 + rect.x1) / 2 - x, (rect.z0 + rect.z1) / 2 - z))
-    return replace(person, x=round(x) / 1000, z=round(z) / 1000, rotation=round(turn / STEP) * STEP % 360)
+    return changed(person, x=round(x) / 1000, z=round(z) / 1000, rotation=round(turn / STEP) * STEP % 360)
 
 
 def roaming(here: Surroundings, pet: Dynamic, _: Dweller, stream: Stream) -> Dynamic | None:
@@ -92,7 +93,7 @@ def roaming(here: Surroundings, pet: Dynamic, _: Dweller, stream: Stream) -> Dyn
     for k in range(TRIES):
         x, z = stream.uniform(clear.x0, clear.x1), stream.uniform(clear.z0, clear.z1)
         turn = STEP * stream.below(360 // STEP)
-        wish = replace(pet, x=round(x) / 1000, z=round(z) / 1000, rotation=turn)
+        wish = changed(pet, x=round(x) / 1000, z=round(z) / 1000, rotation=turn)
         placed = here.near(wish, GAP_MM if k < TRIES // 2 else 0)
         if placed and here.leaves_all_reachable(placed):
             return placed
@@ -106,7 +107,7 @@ def sitting(here: Surroundings, person: Dynamic, entry: Dweller, stream: Stream)
         return None
     seats = [(piece, seat) for piece in here.room.furniture if (seat := _seat(here, piece, wanted))]
     stream.shuffle(seats)
-    sitter = replace(person, width=wanted.size[0], depth=wanted.size[1], height=wanted.size[2])
+    sitter = changed(person, width=wanted.size[0], depth=wanted.size[1], height=wanted.size[2])
     for piece, seat in seats:
         for across in _places(piece, seat, sitter.width, stream):
             for behind in (seat.inset, 0.0):  # at the very edge before what leans on the back
@@ -145,7 +146,7 @@ def _seated(person: Dynamic, piece: Furniture, seat: Surface, place: tuple[int, 
     along = max(0, round((piece.depth / 2 - behind - depth / 2) * 1000), round((depth - piece.depth) * 500))
     x, z = rotate(across, along, round(piece.rotation))
     centre = (round(piece.x + x / 1000, 4), round(piece.z + z / 1000, 4))
-    return replace(
+    return changed(
         person, x=centre[0], y=round(piece.y + seat.height, 4), z=centre[1], rotation=piece.rotation,
         width=width, depth=depth, on=piece.id,
     )  # fmt: skip
@@ -156,7 +157,7 @@ def _on_top(things: Sequence[Block], placed: Dynamic) -> Dynamic:
     own = block_of(placed)
     here = (block for block in things if block.rect.overlaps(own.rect))
     tops = [block.high for block in here if round(own.low) < round(block.high) <= round(own.low) + CUSHION_MM]
-    return replace(placed, y=round(max(tops) / 1000, 4)) if tops else placed
+    return changed(placed, y=round(max(tops) / 1000, 4)) if tops else placed
 
 
 def _fits(floor: FreeFloor, placed: Dynamic, piece: Furniture) -> bool:

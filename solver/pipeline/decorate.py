@@ -14,6 +14,7 @@ from solver.decorations import BareRoom, DecorationSettings, decorated_rooms
 from solver.pieces import Space
 from solver.pipeline.accessible import floors_asked_for
 from solver.pipeline.room_spaces import spaces_in
+from solver.records import changed
 from solver.scene import Room, Scene
 from solver.streams import Stream
 
@@ -41,4 +42,4 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
         done = {room.id: room for room in decorated_rooms(bare, settings)}
     else:
         done = {room.id: replace(room, decorations=()) for room in anew if count_decorations(room)}
-    return replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms))
+    return changed(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms))

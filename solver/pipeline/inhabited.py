@@ -11,6 +11,7 @@ from dataclasses import replace
 from catalogs import Catalogs
 from solver.people import Household, peopled
 from solver.pipeline.accessible import access_in
+from solver.records import changed
 from solver.scene import Dynamic, Room, Scene
 from solver.scene_bodies import counted
 
@@ -34,4 +35,4 @@ def inhabited(scene: Scene, rooms: Sequence[Room], household: Household, before:
     if (scene.request or {}).get("people") is False:
         household = replace(household, catalogs=household.catalogs.model_copy(update={"people": {}}))
     people = peopled(rooms, household, before)
-    return replace(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counted(scene.rooms, people)})
+    return changed(scene, dynamic=people, certificate={**(scene.certificate or {}), "counts": counted(scene.rooms, people)})

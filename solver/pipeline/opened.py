@@ -6,9 +6,9 @@ Comes in: a finished scene as it was checked. Goes out: the scene. May import: v
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 from typing import Any
 
+from solver.records import changed
 from solver.scene import Scene
 from solver.validator import Checked
 from solver.validator.opening import certified_fronts, travels_in
@@ -28,4 +28,4 @@ def with_fronts(scene: Scene, checked: Checked, rooms: Collection[str] | None = 
         name = case.room.room.id
         if name in entries and (rooms is None or name in rooms) and (travels := travels_in(case)):
             entries[name] = {**entries[name], "fronts": certified_fronts(travels)}
-    return replace(scene, certificate={**document, "rooms": entries})
+    return changed(scene, certificate={**document, "rooms": entries})

@@ -14,7 +14,6 @@ from typing import Final, NamedTuple
 
 from solver.body_rows import BODY
 from solver.core import CoreInstance, borrowed
-from solver.fields import made_later
 from solver.geometry import Rect
 from solver.pieces import Arrangement, Placed, Residuals, RowNames, StandingRows, WantedRows
 from solver.placement.arrange import CANNOT_STAND, NOT_FOUND, NOT_WALKABLE, REASONS
@@ -22,6 +21,7 @@ from solver.placement.budget import Budget
 from solver.placement.layout import COVERED, NO_WAY, SPENT
 from solver.placement.left_out import WALLS, clear_size, named_parent, room_needed
 from solver.placement.qp import REFUTED, OptimumRefuted, solved_house
+from solver.records import made_later
 from solver.scene import WALLS as NUMBERED_WALLS
 
 _MADE: Final = Struct("<11q2d")

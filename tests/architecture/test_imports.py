@@ -30,6 +30,7 @@ GROUND_FLOOR = {
     "answers",
     "guessed",
     "fields",
+    "records",
     "plain",
     "geometry",
     "streams",

@@ -1,0 +1,41 @@
+"""Records like other ones: the fields that are told are new, what is made later stays so."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from solver.records import changed, made_later, maker_in
+from solver.scene import Flooring, Furniture, Room
+
+
+def bed(name: str) -> Furniture:
+    return Furniture(name, "bed", width=1.6, depth=2.0, height=0.5)
+
+
+def test_a_changed_record_is_what_replace_makes_and_leaves_the_other_one() -> None:
+    room = Room("den", 3, "den", width=4.0, depth=3.0, furniture=(bed("den/bed_1"),), extra={"more": 1})
+    floor = Flooring("wood", "#aaaaaa")
+    new = changed(room, flooring=floor, accent="#bbbbbb")
+    assert new == replace(room, flooring=floor, accent="#bbbbbb") != room
+    assert room.flooring is None
+    assert changed(room) == room
+
+
+def test_what_is_made_later_is_made_by_neither_of_two_like_records() -> None:
+    asked: list[str] = []
+
+    def beds(name: str) -> tuple[Furniture, ...]:
+        asked.append(name)
+        return (bed(name),)
+
+    room = made_later(Room("den", width=4.0, depth=3.0), furniture=lambda: beds("one"), decorations=lambda: ())
+    moved, told = changed(room, x=2.0), changed(room, furniture=(bed("told"),))
+    assert asked == []
+    assert maker_in(moved, "furniture") is maker_in(room, "furniture")
+    assert maker_in(told, "furniture") is None
+    assert maker_in(told, "decorations") is maker_in(room, "decorations")
+    assert told.furniture == (bed("told"),)
+    assert asked == []
+    assert moved.furniture == (bed("one"),)
+    assert asked == ["one"]
+    assert maker_in(made_later(told, furniture=lambda: beds("again")), "furniture")() == (bed("again"),)
