@@ -61,9 +61,7 @@ def _shared(one: Sequence[ExactBox], other: Sequence[ExactBox], wall: int) -> tu
 
 def _leaves_its_wall(place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
     side, line, start, end = hole.edge
-    if start <= hole.start and hole.end <= end and hole.edge in place.outline.edges:
-        return None
-    over = _uncovered(hole.start, hole.end, [(one.start, one.end) for one in place.edges if (one.side, one.line) == (side, line)])
+    over = _uncovered(start, end, [(one.start, one.end) for one in place.edges if (one.side, one.line) == (side, line)])
     return (over, f"reaches {words(over)} beyond its wall") if over > 0 else None
 
 
@@ -104,7 +102,7 @@ def _misses(world: World, place: PlacedRoom, hole: Hole, to: str) -> tuple[int, 
 def _in_house(place: PlacedRoom, hole: Hole) -> tuple[int, int]:
     """Returns from where to where along its line a hole lies in the house."""
     along = place.x if hole.edge.runs_east else place.z
-    return hole.start + along, hole.end + along
+    return hole.edge.start + along, hole.edge.end + along
 
 
 def _beyond(world: World, place: PlacedRoom, hole: Hole) -> list[HouseWall]:
@@ -130,7 +128,7 @@ def _uncovered(start: int, end: int, parts: Iterable[tuple[int, int]]) -> int:
 
 def _meets(hole: Hole, others: Iterable[Hole]) -> tuple[int, str] | None:
     for other in others:
-        along = min(hole.end, other.end) - max(hole.start, other.start)
+        along = min(hole.edge.end, other.edge.end) - max(hole.edge.start, other.edge.start)
         same = along > 0 and (other.edge.side, other.edge.line) == (hole.edge.side, hole.edge.line)
         if same and min(hole.top, other.top) > max(hole.sill, other.sill):
             return along, f"and the {other.opening.kind} {other.opening.id} share {words(along)} of its wall"
