@@ -7,7 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any, TypeVar
+
+import numpy as np
 
 from solver.free_places import footprint
 from solver.geometry import FACING, wall_turned
@@ -32,42 +35,57 @@ def all_bodies(room: Room) -> tuple[Body, ...]:
 
 def carriers(room: Room) -> dict[str, str]:
     """Returns which piece stands on which, by id: on the one it names, else on the one whose top it rests on; no rings."""
-    known = {piece.id for piece in room.furniture}
+    known, tops = {piece.id for piece in room.furniture}, _Tops(room.furniture)
     carried = {piece.id: piece.on for piece in room.furniture}
     for piece in room.furniture:
         if piece.on is None or piece.on not in known or piece.on == piece.id:
-            others = room.furniture if piece.y * 1000 > RESTS_MM else ()
-            carried[piece.id] = next((other.id for other in others if _rests_on(piece, other)), None)
+            carried[piece.id] = tops.rested_on(piece) if piece.y * 1000 > RESTS_MM else None
     parents = {child: parent for child, parent in carried.items() if parent is not None}
     return {child: parent for child, parent in parents.items() if child not in below(child, parents)}
 
 
 def parents_of(room: Room) -> dict[str, str]:
     """Returns what stands on, hangs over or lies in what, by id: in the one it names, else in that whose top is nearest to it."""
-    found, known = carriers(room), {body.id for body in all_bodies(room)}
+    found, known, tops = carriers(room), {body.id for body in all_bodies(room)}, _Tops(room.furniture)
     for thing in room.decorations:
-        piece = None if thing.mounted_on_wall is not None else _lying_in(thing, room.furniture)
+        piece = None if thing.mounted_on_wall is not None or thing.y * 1000 <= RESTS_MM else tops.lain_in(thing)
         if thing.parent in known and thing.parent is not None:
             found[thing.id] = thing.parent
-        elif piece is not None and thing.y * 1000 > RESTS_MM:
-            found[thing.id] = piece.id
+        elif piece is not None:
+            found[thing.id] = piece
     return found
 
 
-def _rests_on(piece: Furniture, other: Furniture) -> bool:
-    top = other.y + other.height
-    return other.id != piece.id and _over(piece, other) and other.y < piece.y and abs(top - piece.y) * 1000 <= RESTS_MM
+class _Tops:
+    """Footprints and heights of furniture, as tables: many things may lie over many pieces."""
 
+    def __init__(self, pieces: Sequence[Furniture]) -> None:
+        self.pieces = pieces
 
-def _over(body: Body, other: Body) -> bool:
-    """Tells whether a body's middle is over another's footprint."""
-    rect = footprint(other)
-    return rect.x0 < body.x * 1000 < rect.x1 and rect.z0 < body.z * 1000 < rect.z1
+    @cached_property
+    def _table(self) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Row by row west, east, north and south, mm, underside and top, m."""
+        rects = [footprint(piece) for piece in self.pieces]
+        rows = [(one.x0, one.x1, one.z0, one.z1, piece.y, piece.y + piece.height) for one, piece in zip(rects, self.pieces, strict=True)]
+        return np.array(rows, dtype=np.float64).reshape(-1, 6).T
 
+    def _over(self, body: Body) -> list[int]:
+        """Returns the numbers of the pieces that begin lower than a body, and over whose footprints its middle is."""
+        west, east, north, south, low, _ = self._table
+        x, z = body.x * 1000, body.z * 1000
+        return np.flatnonzero((west < x) & (x < east) & (north < z) & (z < south) & (low < body.y)).tolist()
 
-def _lying_in(thing: Decoration, pieces: Sequence[Furniture]) -> Furniture | None:
-    within = [piece for piece in pieces if _over(thing, piece) and piece.y < thing.y <= piece.y + piece.height + RESTS_MM / 1000]
-    return min(within, key=lambda piece: piece.y + piece.height, default=None)
+    def rested_on(self, piece: Furniture) -> str | None:
+        """Returns the first piece on whose top another one rests."""
+        tops = self._table[5]
+        others = (self.pieces[k].id for k in self._over(piece) if abs(tops[k] - piece.y) * 1000 <= RESTS_MM)
+        return next((other for other in others if other != piece.id), None)
+
+    def lain_in(self, thing: Decoration) -> str | None:
+        """Returns the piece with the lowest top that a thing lies in or on."""
+        tops = self._table[5]
+        within = [k for k in self._over(thing) if thing.y <= tops[k] + RESTS_MM / 1000]
+        return self.pieces[min(within, key=lambda k: tops[k])].id if within else None
 
 
 def below(label: str, parents: Mapping[str, str]) -> list[str]:

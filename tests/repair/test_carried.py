@@ -8,8 +8,11 @@ from dataclasses import replace
 
 import pytest
 
+from solver.free_places import footprint
+from solver.repair import carried
 from solver.repair.carried import Body, all_bodies, brought_along, changed_from_the_floor_up, parents_of, seated_along, without
 from solver.scene import Decoration, Dynamic, Furniture, Room
+from solver.streams import Stream
 
 TABLE = Furniture("table", "table", None, 2.0, 0.0, 2.0, 0, 1.4, 0.8, 0.75)
 TRAY = Furniture("tray", "tray", None, 2.3, 0.75, 1.9, 0, 0.4, 0.3, 0.05, on="table")
@@ -84,3 +87,51 @@ def test_who_loses_the_seat_stands_up() -> None:
 
 def test_what_is_taken_out_takes_along_all_that_it_carries() -> None:
     assert without(ROOM, ("table",)) == replace(ROOM, furniture=(), decorations=(PLANT,))
+
+
+def piled(seed: int) -> Room:
+    """Six pieces in a small room, some on one another's tops, and eight things anywhere over them."""
+    stream = Stream(seed, "piled")
+
+    def length(low: int, high: int) -> float:
+        return (low + stream.below(high - low + 1)) / 10
+
+    furniture: list[Furniture] = []
+    for k in range(6):
+        under = furniture[stream.below(3)] if k > 2 else None
+        y = 0.0 if under is None else under.y + under.height + 0.015 * (stream.below(4) - 1)
+        size = length(4, 12), length(4, 12), length(2, 9)
+        furniture.append(Furniture(f"piece_{k}", "box", None, length(5, 20), y, length(5, 20), 0, *size))
+    things = [Decoration(f"thing_{k}", "cup", None, None, length(5, 20), length(0, 16), length(5, 20), 0, 0.1, 0.1, 0.1) for k in range(8)]
+    return Room("room", width=3.0, depth=3.0, furniture=tuple(furniture), decorations=tuple(things))
+
+
+def is_over(body: Body, other: Furniture) -> bool:
+    return abs(body.x - other.x) < other.width / 2 - 1e-6 and abs(body.z - other.z) < other.depth / 2 - 1e-6 and other.y < body.y
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_what_carries_what_is_as_said(seed: int) -> None:
+    """Pieces: the first on whose top one rests. Things off the floor: of what they lie over or in the piece with the lowest top."""
+    room, expected = piled(seed), {}
+    for piece in room.furniture:
+        tops = [other for other in room.furniture if abs(other.y + other.height - piece.y) < 0.02 + 1e-9 and is_over(piece, other)]
+        if piece.y > 0.02 and tops:
+            expected[piece.id] = tops[0].id
+    for thing in room.decorations:
+        within = [piece for piece in room.furniture if is_over(thing, piece) and thing.y < piece.y + piece.height + 0.02 + 1e-9]
+        if thing.y > 0.02 and within:
+            expected[thing.id] = min(within, key=lambda piece: piece.y + piece.height).id
+    assert parents_of(room) == expected
+
+
+def test_much_is_carried_above() -> None:
+    counts = [len(parents_of(piled(seed))) for seed in range(40)]
+    assert sum(counts) > 100
+
+
+def test_thousands_of_things_ask_each_piece_for_its_footprint_but_twice(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = []
+    monkeypatch.setattr(carried, "footprint", lambda body: asked.append(body.id) or footprint(body))
+    parents_of(replace(ROOM, decorations=tuple(replace(BOOK, id=f"book_{k}") for k in range(1000))))
+    assert len(asked) <= 2 * len(ROOM.furniture)
