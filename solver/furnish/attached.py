@@ -153,7 +153,7 @@ def _suits(pair: PairRelation, mine: str | None, theirs: str | None) -> bool:
 
 
 def _fit(spec: RelationSpec, own: Kind, other: Kind, turn: int) -> Fit:
-    blocked = tuple(taken(other.parts, own.parts, turn)) if tucks(spec) else ()
+    blocked = taken(other.parts, own.parts, turn) if tucks(spec) else ()
     return Fit(spec, other.size[:2], turned(*own.size[:2], turn), turn, blocked=blocked)
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from typing import Final, NamedTuple
 
 from catalogs.shapes import Solid
@@ -61,7 +62,8 @@ def _box(part: BodyPart) -> PartBox:
     return PartBox(rect, round(low_y), round(high_y))
 
 
-def taken(parent: Sequence[PartBox], own: Sequence[PartBox], turn: int) -> list[Rect]:
+@lru_cache(maxsize=1024)
+def taken(parent: tuple[PartBox, ...], own: tuple[PartBox, ...], turn: int) -> tuple[Rect, ...]:
     """Returns the open rectangles in which the centre must not be: there a part of a piece, so turned, stands in one of its parent."""
     found: set[Rect] = set()
     for mine in own:
@@ -69,7 +71,7 @@ def taken(parent: Sequence[PartBox], own: Sequence[PartBox], turn: int) -> list[
         for it in parent:
             if mine.low < it.high and it.low < mine.high:
                 found.add(Rect(it.rect.x0 - x1, it.rect.z0 - z1, it.rect.x1 - x0, it.rect.z1 - z0).shrunk(-CLEAR_MM))
-    return sorted(rect for rect in found if not any(other != rect and other.contains(rect) for other in found))
+    return tuple(sorted(rect for rect in found if not any(other != rect and other.contains(rect) for other in found)))
 
 
 def _turned(rect: Rect, turn: int) -> Rect:

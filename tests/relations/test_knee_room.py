@@ -80,9 +80,9 @@ def crosses(table: Kind, seat: Kind, at: tuple[float, float], turn: int) -> bool
 
 
 def test_a_part_is_in_the_way_only_of_what_is_at_its_height() -> None:
-    assert taken(TABLE, STOOL, 0) == [Rect(-705, -505, -245, 505)]
-    assert taken(TABLE, (PartBox(Rect(-200, -200, 200, 200), 0, 701),), 0) == [Rect(-705, -505, 705, 505)]
-    assert taken((), STOOL, 0) == []
+    assert taken(TABLE, STOOL, 0) == (Rect(-705, -505, -245, 505),)
+    assert taken(TABLE, (PartBox(Rect(-200, -200, 200, 200), 0, 701),), 0) == (Rect(-705, -505, 705, 505),)
+    assert taken((), STOOL, 0) == ()
 
 
 def test_free_places_are_the_largest_rectangles_left() -> None:
