@@ -54,6 +54,6 @@ def without_search(engine: Engine) -> Engine:
     """
     whole, instance = engine.instance, taken()
     start = instance.reserve(0)
-    size = int(whole.view(engine.desk + SHOWN_BYTES * COUNT, (1,), np.int32)[0]) - start
-    instance.view(instance.reserve(size), (size,), np.uint8)[:] = whole.view(start, (size,), np.uint8)
-    return Engine(instance, engine.desk, start + size)
+    kept, walked = (whole.view(engine.desk + SHOWN_BYTES * COUNT, (2,), np.int32) - start).tolist()
+    instance.view(instance.reserve(walked), (kept,), np.uint8)[:] = whole.view(start, (kept,), np.uint8)
+    return Engine(instance, engine.desk, start + walked)

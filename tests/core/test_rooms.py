@@ -10,10 +10,13 @@ import pytest
 
 from solver.core import CoreFailed
 from solver.core.host import _idle
+from solver.geometry import Rect
+from solver.pieces import Candidate, Doorway, Piece, Space, Stand, Zone
 from solver.placement import Budget, kernel, place
 from solver.placement.arrange import arrange
 from solver.placement.core import Core
 from solver.placement.encode import encode
+from solver.placement.layout import COUNT, SHOWN_BYTES
 from solver.placement.problem import Solution
 from solver.streams import Stream
 from tests.placement.rooms import random_space, random_wanted
@@ -50,6 +53,24 @@ def test_a_room_answers_the_same_without_its_search(seed: int) -> None:
     assert [len(array) for array in (core.engine.nodes.best, core.engine.tree.budget, core.engine.work.wide)] == [0, 0, 0]
     with pytest.raises(IndexError):
         core.evaluate(core.blank(), 1, Budget(), False)
+
+
+def test_what_each_walk_writes_anew_is_not_copied() -> None:
+    """The cells of a walk past a thousand corners are most of a room's work space."""
+    door = Doorway("door_1", "south", Rect(0, 9100, 900, 10_000), "hall")
+    corners = tuple(Zone(Rect(9000, 4 * k, 10_000, 4 * k + 2), -1, "outline") for k in range(1000))
+    piece = Piece("box", True, (Candidate("box", (500, 500, 800), 0, None, (2000, 2000)),), stands=(Stand("front"),))
+    core = Core(encode(Space("room", Rect(0, 0, 10_000, 10_000), corners, (door,)), [piece]))
+    decisions = core.first_decisions()
+    assert decisions is not None
+    core.evaluate(decisions, 400, Budget(), True)
+    found = core.solution()
+    assert found is not None
+    before, desk = answers(core, found), core.engine.desk
+    kept, walked = core.engine.instance.view(desk + SHOWN_BYTES * COUNT, (2,), np.int32).tolist()
+    core.release()
+    assert answers(core, found) == before
+    assert kept - desk < (walked - desk) / 20
 
 
 def room(seed: int) -> str:

@@ -160,11 +160,17 @@ static Nodes new_nodes(const Sizes& sizes) {
 }
 
 static WalkGrid new_grid(const Sizes& sizes) {
+  WalkGrid grid;
+  grid.state = new_one<GridState>();
+  grid.positions = new_zeroes<i64>(2, sizes.variables + 1);
+  return grid;
+}
+
+// Adds what each walk writes anew: cells of where bodies may be.
+static void add_cells(WalkGrid& grid, const Sizes& sizes) {
   const i64 blocks = sizes.pieces + sizes.walls;
   const i64 cuts = 2 * blocks + 2;
   const i64 runs = (cuts - 1) * (cuts / 2);
-  WalkGrid grid;
-  grid.state = new_one<GridState>();
   grid.blocks = reserved_rows<NumberedRect>(blocks);
   grid.targets = reserved_rows<NumberedRect>(sizes.doors + OPTIONS * sizes.pieces);
   grid.cuts = new_table<i64>(2, cuts);
@@ -175,8 +181,6 @@ static WalkGrid new_grid(const Sizes& sizes) {
   grid.first_run = new_span<i32>(cuts);
   grid.areas = new_span<i64>(runs + 1);
   grid.reached = reserved_rows<Reached>(runs + 1);
-  grid.positions = new_zeroes<i64>(2, sizes.variables + 1);
-  return grid;
 }
 
 static Tree new_tree(const Sizes& sizes) {
@@ -249,6 +253,8 @@ Desk* new_desk(const Room& room, const Sizes& sizes) {
   desk.handed = new_one<Handed>();
   desk.added = zeroes<f64>(1);
   desk.kept = address(static_cast<u8*>(arena::reserve(0)));
+  add_cells(desk.engine.grid, sizes);
+  desk.walked = address(static_cast<u8*>(arena::reserve(0)));
   desk.engine.work.wide = reserved_rows<DifferenceRow>(MOST_WIDE);
   desk.engine.programs = new_span<Program>(2);
   for (Program& program : desk.engine.programs) program = new_program(sizes);

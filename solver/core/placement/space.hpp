@@ -36,10 +36,10 @@ struct Handed {
 // A room's work space with what calls hand over and bring back.
 //
 // It lies behind the room's rows, and before what only a search needs: the bytes up to `kept` can be copied to another instance, to the
-// same addresses, and are there a desk without a search.
+// same addresses, and are there a desk without a search, once those up to `walked` are reserved: each walk writes these anew.
 struct Desk {
   Shown shown[SHOWN];
-  i32 kept;
+  i32 kept, walked;
   Engine engine;
   Decisions decisions;
   Span<i64> fates;
