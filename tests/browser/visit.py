@@ -36,8 +36,9 @@ FORGET = """() => location.protocol !== 'http:' || new Promise((done, fail) => {
     gone.onerror = gone.onblocked = () => fail(new Error('the homes stay'));
 })"""
 """Forgets the homes that the page keeps, and what a person chose about the page: done once they are gone."""
-CAN_GO_ON = "() => 'foundNew' in globalThis"
-"""Whether a page is the one that was looked at when it was new: not where it has been loaded again since."""
+CAN_GO_ON = """() => location.protocol === 'http:' && location.pathname === '/' && 'foundNew' in sessionStorage
+    && sessionStorage.length === 2"""
+"""Whether a page is one that was looked at when it was new, and it keeps nothing but that; it may have been loaded again since."""
 OPEN_ANOTHER = """address => {
     const shuts = ['#palette:not([hidden]) .palette-head button', '#camera_split[aria-pressed=true]', '.fold[aria-expanded=false]',
         '#drawing:not([hidden]) [data-tool=close]'];
@@ -50,7 +51,7 @@ OPEN_ANOTHER = """address => {
         one.value = one.defaultValue ?? '';
         for (const told of ['input', 'change']) one.dispatchEvent(new Event(told, {bubbles: true}));
     }
-    for (const one of document.querySelectorAll('details.group')) one.open = globalThis.unfolded.includes(one.id);
+    for (const one of document.querySelectorAll('details.group')) one.open = JSON.parse(sessionStorage.unfolded).includes(one.id);
     document.activeElement.blur();
     history.pushState(null, '', address);
     dispatchEvent(new PopStateEvent('popstate'));
@@ -85,10 +86,10 @@ CONTROLS = f"""() => JSON.stringify([
 ])"""
 """What a person sees of the page that speaks of no home; the form does."""
 FOUND_NEW = f"""() => {{
-    globalThis.foundNew = ({CONTROLS})();
-    globalThis.unfolded = [...document.querySelectorAll('details.group[open]')].map(one => one.id);
+    sessionStorage.foundNew = ({CONTROLS})();
+    sessionStorage.unfolded = JSON.stringify([...document.querySelectorAll('details.group[open]')].map(one => one.id));
 }}"""
-IS_AS_NEW = f"() => globalThis.foundNew === ({CONTROLS})()"
+IS_AS_NEW = f"() => sessionStorage.foundNew === ({CONTROLS})()"
 DRIVER = "GL Driver Message (OpenGL, Performance"
 """What a software renderer says of its own pace, mostly when the machine is busy: no word of the page's."""
 SAID: dict[str, str] = json.loads((ROOT / "web" / "src" / "words" / "names.en.json").read_text(encoding="utf-8"))
