@@ -8,16 +8,19 @@ Cost is one number for everything: quadratic terms are weight x metres squared, 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple, Protocol
 
 from solver.body_rows import LooksBySize
-from solver.geometry import Rect, turned
+from solver.geometry import Rect, gaps_between, strip, turned
 from solver.records import late, maker_in
 
 Extents = tuple[int, int, int]
 """Unrotated width, depth and height, mm."""
+
+Stretch = tuple[int, int]
+"""An interval along a wall, mm, from its west or north end."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +76,13 @@ class Space:
     def walked(self) -> tuple[Sequence[Doorway], Sequence[Doorway]]:
         """The doors by which one comes into the house, and those to be joined with them."""
         return [door for door in self.doorways if door.walked == "in"], [door for door in self.doorways if door.walked == "through"]
+
+    def free_stretches(self, wall: str, depth_mm: int, height_mm: int, bodies: Iterable[Rect] = ()) -> list[Stretch]:
+        """Returns where along a wall a body of that depth and height, its back to it, meets no zone and no body, west or north first."""
+        clear = self.clear
+        reach = strip(clear, wall, clear.along(wall), min(depth_mm + self.gap_mm, clear.width, clear.depth))
+        blocks = (*(zone.rect for zone in self.zones if zone.above_mm < height_mm), *bodies)
+        return gaps_between(clear.along(wall), (rect.along(wall) for rect in blocks if rect.overlaps(reach)))
 
 
 class Stance(NamedTuple):

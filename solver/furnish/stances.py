@@ -10,9 +10,8 @@ from typing import NamedTuple, TypeAlias
 
 from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
-from solver.furnish.wall_stretches import Stretch, clear_stretches
 from solver.geometry import INWARDS, ROTATION_AT_WALL, Rect, strip_at, turned
-from solver.pieces import Space, Stance
+from solver.pieces import Space, Stance, Stretch
 from solver.relations import RELATIONS
 from solver.relations.relation import missed
 from solver.relations.subject import Footing, Kind, Subject
@@ -111,7 +110,7 @@ class ListedPiece:
     @cached_property
     def stretches(self) -> Mapping[str, list[Stretch]]:
         """The clear stretches of each wall for it."""
-        return {wall: clear_stretches(self.space, wall, *self.kind.size[1:]) for wall in WALLS}
+        return {wall: self.space.free_stretches(wall, *self.kind.size[1:]) for wall in WALLS}
 
     @cached_property
     def places(self) -> Sequence[tuple[Footing, list[Costed]]]:

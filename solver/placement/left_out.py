@@ -7,22 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
 
-from solver.geometry import WALL_BEHIND, Rect, gaps_between, strip
+from solver.geometry import WALL_BEHIND, Rect
 from solver.pieces import Candidate, Extents, Piece, Placed, Space
 from solver.placement.arrange import feasible
 from solver.placement.budget import Budget
 
 WALLS = tuple(WALL_BEHIND.values())
 """In the order in which reasons name them."""
-
-
-def free_stretches(space: Space, wall: str, depth: int, height: int, placed: Sequence[Placed]) -> list[tuple[int, int]]:
-    """Returns the intervals along a wall, mm, where a body of that depth and height meets no zone and no piece."""
-    a, b = space.clear.along(wall)
-    band = strip(space.clear, wall, (a, b), min(depth + space.gap_mm, space.clear.depth, space.clear.width))
-    blocks = [zone.rect for zone in space.zones if height > zone.above_mm]
-    blocks += [piece.footprint for piece in placed if piece.chosen.bottom_mm < height]
-    return gaps_between((a, b), (rect.along(wall) for rect in blocks if rect.overlaps(band)))
 
 
 def _least(piece: Piece) -> Candidate:
@@ -39,7 +30,8 @@ def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed], gone: Con
     parent = least.attach.parent if least.attach else None
     longest = {}
     if any(a.wall for a in piece.candidates):
-        longest = {wall: max((e - s for s, e in free_stretches(space, wall, depth, height, placed)), default=0) for wall in WALLS}
+        bodies = [other.footprint for other in placed if other.chosen.bottom_mm < height]
+        longest = {wall: max((e - s for s, e in space.free_stretches(wall, depth, height, bodies)), default=0) for wall in WALLS}
     at = parent and named_parent(parent, parent in gone)
     return room_needed((least.kind, least.size_mm), at, longest, f"{clear_size(space.clear)} and holds {len(placed)} pieces")
 

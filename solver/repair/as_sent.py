@@ -7,7 +7,7 @@ the frame of what carries it, or not moved at all. May import: the ground floor.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from solver.free_places import footprint
@@ -48,20 +48,14 @@ class _Floor:
     held: Mapping[str, tuple[str, ...]]
 
 
-def pieces_as_sent(problem: RoomProblem, only: Collection[str] | None = None) -> tuple[Piece, ...]:
-    """Turns a sent room into pieces to place, most important first; they ask for their use sides.
-
-    Args:
-        problem: the room.
-        only: the labels of those that are wanted; all by default.
-    """
+def pieces_as_sent(problem: RoomProblem) -> tuple[Piece, ...]:
+    """Turns a sent room into pieces to place, most important first; they ask for their use sides."""
     room, settings = problem.room, problem.settings
     bodies = floor_bodies(room)
     floor = _Floor(problem, tables_of(bodies), holders(room, settings))
     bodies.sort(key=lambda body: _importance(body, settings))
-    pieces = [_piece(body, _candidates(body, floor), settings) for body in bodies if only is None or body.id in only]
-    upon = _pieces_on_others(room, {body.id: body for body in bodies}, settings)
-    return (*pieces, *(piece for piece in upon if only is None or piece.label in only))
+    pieces = [_piece(body, _candidates(body, floor), settings) for body in bodies]
+    return (*pieces, *_pieces_on_others(room, {body.id: body for body in bodies}, settings))
 
 
 def holders(room: Room, settings: RepairSettings) -> dict[str, tuple[str, ...]]:

@@ -7,13 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.furnish import space_of
-from solver.furnish.wall_stretches import Stretch, clear_stretches
+from solver.pieces import Stretch
 from solver.scene import WALLS, Opening
 from tests.furnish.worlds import DOOR, WINDOW, ask, box_of, den, piece
 
 
 def stretches(wall: str, depth_mm: int, height_mm: int, *openings: Opening) -> list[Stretch]:
-    return clear_stretches(space_of(den(*openings), 0.1), wall, depth_mm, height_mm)
+    return space_of(den(*openings), 0.1).free_stretches(wall, depth_mm, height_mm)
 
 
 def test_an_empty_wall_is_one_stretch() -> None:
@@ -61,7 +61,7 @@ def test_a_gate_is_no_place_along_its_wall() -> None:
 def test_stretches_are_what_a_scan_finds(wall: str, doors: list[tuple[str, int, str]], depth: int, height: int) -> None:
     openings = [Opening(f"o{i}", kind, at, place / 10, 0.8, 2.0, 0.9 * (kind == "window")) for i, (at, place, kind) in enumerate(doors)]
     space = space_of(den(*openings), 0.1)
-    found = clear_stretches(space, wall, depth * 50, height)
+    found = space.free_stretches(wall, depth * 50, height)
     low, high = (50, 4950) if wall in ("north", "south") else (50, 3950)
     for middle in range(low + 25, high, 50):
         far = 50 + 30 + depth * 50
