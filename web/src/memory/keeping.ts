@@ -40,8 +40,11 @@ export class Keeping {
   #picture(canvas: HTMLCanvasElement): void {
     const home = this.homes.current;
     if (!this.#clock.isDue(home, performance.now())) return;
-    const picture = pictureOf(canvas);
-    if (picture) void this.store.keepPicture(home, picture).then(() => this.#recent.changed());
+    void pictureOf(canvas).then(async (picture) => {
+      if (picture === null || !(await this.store.heads()).some(({ id }) => id === home)) return; // forgotten meanwhile
+      await this.store.keepPicture(home, picture);
+      this.#recent.changed();
+    });
   }
 
   #isWarned = false;
