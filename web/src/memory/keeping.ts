@@ -40,11 +40,8 @@ export class Keeping {
   #picture(canvas: HTMLCanvasElement): void {
     const home = this.homes.current;
     if (!this.#clock.isDue(home, performance.now())) return;
-    void pictureOf(canvas).then(async (picture) => {
-      if (picture === null || !(await this.store.heads()).some(({ id }) => id === home)) return; // forgotten meanwhile
-      await this.store.keepPicture(home, picture);
-      this.#recent.changed();
-    });
+    const picture = pictureOf(canvas);
+    if (picture) void this.store.keepPicture(home, picture).then(() => this.#recent.changed());
   }
 
   #isWarned = false;

@@ -5,43 +5,15 @@ const HEIGHT = 135;
 /** A home that is edited is pictured again after so long [ms]. */
 const EVERY_MS = 2000;
 
-/** How often it is looked whether a frame is drawn [ms]. */
-const LOOK_MS = 50;
-
-/** What a canvas shows, from its foot up, once it is drawn: who reads at once waits for that, as long as a processor draws. Null where it is lost. */
-async function drawn(gl: WebGL2RenderingContext): Promise<ImageData | null> {
-  const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
-  const [buffer, bytes] = [gl.createBuffer(), width * height * 4];
-  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-  gl.bufferData(gl.PIXEL_PACK_BUFFER, bytes, gl.STREAM_READ);
-  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, 0);
-  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-  gl.flush();
-  while (fence && !gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) await new Promise((done) => setTimeout(done, LOOK_MS));
-  if (!fence || gl.isContextLost()) return null;
-  const pixels = new Uint8ClampedArray(bytes);
-  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
-  gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, pixels);
-  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-  gl.deleteBuffer(buffer);
-  gl.deleteSync(fence);
-  return new ImageData(pixels, width, height);
-}
-
 /** The middle of a canvas as a small picture's data URL; to be asked in the same turn as the canvas was drawn in. */
-export async function pictureOf(canvas: HTMLCanvasElement): Promise<string | null> {
-  const gl = canvas.getContext("webgl2");
+export function pictureOf(canvas: HTMLCanvasElement): string | null {
   const small = document.createElement("canvas");
   [small.width, small.height] = [WIDTH, HEIGHT];
-  const drawing = small.getContext("2d");
-  const seen = gl && drawing && canvas.width > 0 && canvas.height > 0 ? await drawn(gl) : null;
-  if (!seen || !drawing) return null;
-  const upright = await createImageBitmap(seen, { imageOrientation: "flipY" });
-  const scale = Math.max(WIDTH / seen.width, HEIGHT / seen.height);
+  const scale = Math.max(WIDTH / canvas.width, HEIGHT / canvas.height);
   const [width, height] = [WIDTH / scale, HEIGHT / scale];
-  drawing.drawImage(upright, (seen.width - width) / 2, (seen.height - height) / 2, width, height, 0, 0, WIDTH, HEIGHT);
-  upright.close();
+  const drawing = small.getContext("2d");
+  if (!drawing || !(width > 0 && height > 0)) return null;
+  drawing.drawImage(canvas, (canvas.width - width) / 2, (canvas.height - height) / 2, width, height, 0, 0, WIDTH, HEIGHT);
   return small.toDataURL("image/webp", 0.8);
 }
 
