@@ -6,11 +6,14 @@ docs/plans.md tells all of it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any, Final
 
 from solver.errors import FieldError
+from solver.imported import Unread
 from solver.imports.drawn import (
     MOST_POINTS,
     MOST_ROOMS,
@@ -28,6 +31,12 @@ from solver.imports.units import unit_named
 from solver.scene import OPENING_KINDS
 
 ROOM: Final = "room"
+MANY: Final = {"MultiPolygon": "Polygon", "MultiLineString": "LineString", "MultiPoint": "Point"}
+"""Geometries that are several of another."""
+A_DEGREE: Final = (111_320.0, 110_574.0)
+"""How long a degree is at the equator, to the east and to the north, m."""
+FEW_DEGREES: Final = 0.005
+"""No plan is so small in any unit, but one in degrees."""
 KINDS: Final = {"Polygon": (ROOM,), "LineString": (*OPENING_KINDS, "wall"), "Point": ("furniture",)}
 """What a feature may be, by its geometry; the first where it does not say."""
 
@@ -49,10 +58,8 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
     walls: list[DrawnWall] = []
     pieces: list[DrawnPiece] = []
     thickness, tally = a_number(document, "wall_thickness", "plan", None), Tally()
-    for number, feature in enumerate(a_list(document.get("features"), "features")):
-        where = f"features[{number}]"
-        said = an_object(an_object(feature, where).get("properties") or {}, f"{where}.properties")
-        shape = an_object(feature.get("geometry"), f"{where}.geometry")
+    unread = list[Unread]()
+    for said, shape, where in _features(document, unread):
         form = one_of(shape, "type", tuple(KINDS), f"{where}.geometry", required=True)
         kind = one_of(said, "kind", KINDS[form], f"{where}.properties")
         points = _points(shape, form, up, where)
@@ -76,9 +83,52 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
             openings.append(_opening(kind, said, points, where))
     drawn = one_of(document, "drawn", ("lines", "inner"), "plan")
     unit = unit_named(a_text(document, "unit", "plan") or None)
-    return DrawnPlan(
-        tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), (), unit, "inner" if drawn == "inner" else "lines", thickness
-    )
+    plan = DrawnPlan(
+        tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), (), unit, "inner" if drawn == "inner" else "lines", thickness,
+        tuple(unread),
+    )  # fmt: skip
+    return _from_degrees(plan) if unit is None else plan
+
+
+def _features(document: Mapping[str, Any], unread: list[Unread]) -> Iterator[tuple[Mapping[str, Any], Mapping[str, Any], str]]:
+    """Yields what each feature says of itself, its geometry, its place; those of several geometries as often as they have."""
+    for number, feature in enumerate(a_list(document.get("features"), "features")):
+        where = f"features[{number}]"
+        said = an_object(an_object(feature, where).get("properties") or {}, f"{where}.properties")
+        if "geometry" in feature and feature["geometry"] is None:
+            unread.append(Unread(where, "it has no geometry"))
+            continue
+        shape = an_object(feature.get("geometry"), f"{where}.geometry")
+        form = MANY.get(shape["type"]) if isinstance(shape.get("type"), str) else None
+        if form is None:
+            yield said, shape, where
+            continue
+        parts = a_list(shape.get("coordinates"), f"{where}.geometry.coordinates")
+        check_count(f"{where}.geometry.coordinates", len(parts), MOST_POINTS)
+        for at, part in enumerate(parts):
+            own = {**said, "id": f"{said['id']}_{at}"} if at and isinstance(said.get("id"), str) else said
+            yield own, {"type": form, "coordinates": part}, where
+
+
+def _from_degrees(plan: DrawnPlan) -> DrawnPlan:
+    """Returns a plan in metres that is drawn in degrees of longitude and latitude, as GeoJSON mostly is; any other as it is."""
+    spots = [spot for room in plan.rooms for spot in room.points]
+    if not spots or any(max(values) - min(values) > FEW_DEGREES for values in zip(*spots, strict=True)):
+        return plan
+    west, north = spots[0]
+    east, south = A_DEGREE[0] * math.cos(math.radians(north)), A_DEGREE[1]
+
+    def at(spot: Spot) -> Spot:
+        return (spot[0] - west) * east, (spot[1] - north) * south
+
+    return replace(
+        plan,
+        rooms=tuple(replace(one, points=tuple(map(at, one.points))) for one in plan.rooms),
+        openings=tuple(replace(one, start=at(one.start), end=at(one.end)) for one in plan.openings),
+        walls=tuple(replace(one, start=at(one.start), end=at(one.end)) for one in plan.walls),
+        pieces=tuple(replace(one, x=spot[0], z=spot[1]) for one in plan.pieces for spot in (at((one.x, one.z)),)),
+        metres=1.0, unit_words="the file is in degrees of longitude and latitude: no home is so small in any unit",
+    )  # fmt: skip
 
 
 def _points(shape: Mapping[str, Any], form: str, up: bool, where: str) -> list[Spot]:

@@ -36,6 +36,9 @@ NOT_DRAWN: Final = frozenset((
     "defs", "symbol", "clipPath", "mask", "pattern", "marker", "metadata", "style", "script", "title", "desc", "filter", "linearGradient",
     "radialGradient", "foreignObject", "namedview", "image",
 ))  # fmt: skip
+ESCAPED: Final = re.compile(r"_x([0-9A-Fa-f]{2})_")
+LINE_END: Final = "\x1e"
+"""What no XML holds."""
 NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 NUMBER_OR_LETTER: Final = re.compile(rf"{NUMBER.pattern}|[a-zA-Z]+?")
 LENGTH: Final = re.compile(rf"\s*({NUMBER.pattern})\s*([a-z]*)\s*")
@@ -141,7 +144,7 @@ def drawn_elements(root: Element) -> Iterator[SvgElement]:
         if (tag in NOT_DRAWN and not (turn.said and tag == "symbol")) or _is_hidden(said):
             continue
         matrix = times(turn.matrix, _transform(said, where)) if turn.depth else IDENTITY
-        names = turn.names if turn.said else (*turn.names, *_names(said))[-NAMES_KEPT:]
+        names = ((*_names(said), *turn.names) if turn.said else (*turn.names, *_names(said)))[-NAMES_KEPT:]
         inner = _view(tag, said, matrix) if turn.depth else matrix
         if tag == "use":
             ahead.append(_used(turn, said, known, (names, inner, where)))
@@ -157,8 +160,23 @@ def _is_hidden(said: Mapping[str, str]) -> bool:
 
 def _names(said: Mapping[str, str]) -> tuple[str, ...]:
     """Returns what an element is called: its label in an editor, its classes, its id."""
-    found = [said[key][:LONGEST] for key in ("class", "id", "label", "data-name", "data-layer", "data-kind") if said.get(key)]
+    found = [unescaped(said[key][:LONGEST]) for key in ("class", "id", "label", "data-name", "data-layer", "data-kind") if said.get(key)]
     return (NAMES_APART.join(found),) if found else ()
+
+
+def unescaped(name: str) -> str:
+    """Returns a name in which Illustrator's `_x20_` is a space again, and so on."""
+    return ESCAPED.sub(lambda found: chr(int(found[1], 16)), name)
+
+
+def _words(element: Element) -> str:
+    """Returns what a text says; a tspan with a place of its own begins a line."""
+    parts = [element.text or ""]
+    for part in element:
+        begins = isinstance(part.tag, str) and {"x", "y", "dy"} & {*part.attrib}
+        parts += [LINE_END if begins else "", *part.itertext(), part.tail or ""]
+    lines = (" ".join(line.split()) for line in "".join(parts).split(LINE_END))
+    return "\n".join(line for line in lines if line)
 
 
 def _used(turn: _Turn, said: Mapping[str, str], known: Mapping[str, Element], place: tuple[tuple[str, ...], SvgMatrix, str]) -> _Turn:
@@ -235,7 +253,7 @@ def _element(element: Element, turn: _Turn, where: str) -> SvgElement:
     tag, said = local_name(element.tag), turn.said
     words, lines = "", tuple(_lines(tag, said, where))
     if tag == "text":
-        words = " ".join("".join(element.itertext()).split())[:LONGEST]
+        words = _words(element)[:LONGEST]
         lines = (SvgLine((_text_place(element, said),), False),)
     moved = tuple(
         SvgLine(

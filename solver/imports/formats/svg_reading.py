@@ -25,6 +25,7 @@ from solver.imports.formats.svg_elements import (
     local_name,
     placed,
     said_of,
+    unescaped,
     view_of,
 )
 from solver.imports.plain_values import a_number, one_of
@@ -215,7 +216,7 @@ def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres
 
 def _label(element: SvgElement, names: RoomNames) -> str:
     """Returns the first of a shape's own names that plainly names a room; of a shape without a name, of the group's around it."""
-    said = [element.said[key] for key in NAMES if element.said.get(key)] or [
+    said = [unescaped(element.said[key]) for key in NAMES if element.said.get(key)] or [
         name for names_of in element.names[-1:] for name in names_of.split(NAMES_APART)
     ]
     return next((name for name in said if names.is_plain(name)), "")
