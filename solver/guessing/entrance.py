@@ -5,6 +5,7 @@ Comes in: a Scene whose rooms have their types. Goes out: the Scene with a main 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -20,28 +21,50 @@ NOT_COME_IN_BY: Final = 100
 def with_entrance(scene: Scene, catalogs: Catalogs) -> tuple[Scene, ChosenEntrance | None]:
     """Returns a scene with a main entrance, where it has none and a door leads outside; and which door was chosen.
 
+    Rooms of the same storey that no door joins to its room are another dwelling, and get one, too, where they are several.
+
     Args:
         scene: with its rooms' types.
         catalogs: by which rooms one comes in.
     """
     if any(opening.main_entrance for room in scene.rooms for opening in room.openings):
         return scene, None
-    inner = {opening.id for _, _, opening in doors_between(scene.rooms)}
-    outside = [
+    joints = list(doors_between(scene.rooms))
+    inner = {opening.id for _, _, opening in joints}
+    outside = sorted(
         (_rank(room, opening, catalogs), k, j)
         for k, room in enumerate(scene.rooms)
         for j, opening in enumerate(room.openings)
         if opening.kind == "door" and not room.outdoor and opening.id not in inner and opening.connects_to in (None, EXTERIOR)
-    ]
+    )
     if not outside:
         return scene, None
-    _, k, j = min(outside)
-    room = scene.rooms[k]
-    chosen = replace(room.openings[j], main_entrance=True, connects_to=EXTERIOR)
-    entered = replace(room, openings=(*room.openings[:j], chosen, *room.openings[j + 1 :]))
+    entries, reached = [outside[0][1:]], _dwelling(outside[0][1], joints)
+    for _, k, j in outside[1:]:
+        own = set() if k in reached else _dwelling(k, joints)
+        if len(own) > 1 and scene.rooms[k].level == scene.rooms[entries[0][0]].level:
+            entries.append((k, j))
+            reached |= own
+    rooms = list(scene.rooms)
+    for k, j in entries:
+        chosen = replace(rooms[k].openings[j], main_entrance=True, connects_to=EXTERIOR)
+        rooms[k] = replace(rooms[k], openings=(*rooms[k].openings[:j], chosen, *rooms[k].openings[j + 1 :]))
+    (first, door), *more = ((rooms[k], rooms[k].openings[j]) for k, j in entries)
     others = "the only door that leads outside" if len(outside) == 1 else f"of {len(outside)} doors that lead outside"
-    words = f"{chosen.id} of {room.id} ({room.type}) was taken as the main entrance: {others}"
-    return replace(scene, rooms=(*scene.rooms[:k], entered, *scene.rooms[k + 1 :])), ChosenEntrance(chosen.id, room.id, words)
+    words = f"{door.id} of {first.id} ({first.type}) was taken as the main entrance: {others}"
+    words += "".join(f"; and {one.id} of {room.id} ({room.type}), of rooms that no door joins to these" for room, one in more)
+    return replace(scene, rooms=tuple(rooms)), ChosenEntrance(door.id, first.id, words)
+
+
+def _dwelling(room: int, joints: Sequence[tuple[int, int, Opening]]) -> set[int]:
+    """Returns the rooms to which one comes from a room through doors, by their places in the list."""
+    found, ahead = {room}, [room]
+    while ahead:
+        here = ahead.pop()
+        new = {b if a == here else a for a, b, _ in joints if here in (a, b)} - found
+        found |= new
+        ahead += sorted(new)
+    return found
 
 
 def _rank(room: Room, opening: Opening, catalogs: Catalogs) -> tuple[int, bool, int, float]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from catalogs import load_catalogs
 from solver.guessing import with_entrance
 from solver.scene import EXTERIOR, Opening, Room, Scene
+from solver.validator import validate
 
 KNOWN = load_catalogs()
 
@@ -51,3 +52,32 @@ def test_a_door_into_the_next_room_is_no_entrance_though_it_says_that_it_leads_o
     chosen = with_entrance(plan, KNOWN)[1]
     assert chosen is not None
     assert chosen.id == "b"
+
+
+def side_by_side() -> tuple[Room, ...]:
+    """Two dwellings of a hallway and a bedroom each, and a shed; nothing joins them."""
+    doors = [Opening(f"d{k}", wall="east", position=1, connects_to=f"bedroom{k}") for k in (0, 1)]
+    halls = [replace(room(f"hallway{k}", "hallway", replace(OUT, id=f"out{k}"), doors[k]), x=10.0 * k) for k in (0, 1)]
+    beds = [
+        replace(
+            room(f"bedroom{k}", "bedroom", replace(doors[k], wall="west", connects_to=f"hallway{k}"), replace(OUT, id=f"b{k}")),
+            x=4 + 10.0 * k,
+        )
+        for k in (0, 1)
+    ]
+    return (*halls, *beds, replace(room("shed", "workshop", replace(OUT, id="shed_door")), x=30))
+
+
+def test_each_of_two_dwellings_has_a_main_entrance_but_no_shed() -> None:
+    scene, chosen = with_entrance(Scene(rooms=side_by_side()), KNOWN)
+    assert chosen is not None
+    assert (chosen.id, chosen.room) == ("out0", "hallway0")
+    assert "out1 of hallway1" in chosen.message
+    assert [one.id for place in scene.rooms for one in place.openings if one.main_entrance] == ["out0", "out1"]
+    assert "unreachable" not in {issue.rule for issue in validate(scene) if issue.room != "shed"}
+
+
+def test_rooms_of_a_storey_above_have_no_main_entrance() -> None:
+    plan = Scene(rooms=tuple(replace(one, level=1) if one.id in ("hallway1", "bedroom1") else one for one in side_by_side()))
+    scene, _ = with_entrance(plan, KNOWN)
+    assert [one.id for place in scene.rooms for one in place.openings if one.main_entrance] == ["out0"]
