@@ -167,6 +167,25 @@ def test_a_plan_is_drawn_with_keys_alone(visit: Visit) -> None:
     assert visit.console == []
 
 
+def test_a_named_room_is_told_by_its_name_and_guesses_are_said(board: DrawingBoard) -> None:
+    two_rooms(board)
+    board.click(3000, 1800)
+    field = board.page.get_by_label("Name", exact=True)
+    field.fill("Aunt May's bedroom")
+    field.press("Enter")
+    expect(board.page.locator(".room-name").first).to_contain_text("Aunt May's bedroom")
+    assert board.verdict()["rooms"][0]["name"] == "Aunt May's bedroom"
+    answer = board.furnish()
+    assert [(guess["room"], guess["by"]) for guess in answer["guesses"]] == [("room_1", "name"), ("room_2", "form")]
+    said = board.page.locator("#imported")
+    expect(said.get_by_role("heading", name="What the plan became")).to_be_visible()
+    expect(said.locator("li").first).to_have_text("Room 1: Bedroom, told by its name, Aunt May's bedroom")
+    expect(said.locator("li").nth(1)).to_contain_text("told by its form")
+    expect(board.page.locator("#said")).to_contain_text("No link holds this home")
+    board.open("Change this plan")
+    expect(board.page.locator(".room-name").first).to_contain_text("Aunt May's bedroom")
+
+
 def test_a_door_is_moved_and_all_is_undone(board: DrawingBoard) -> None:
     two_rooms(board)
     board.drag((2000, 4000), (3000, 4000))

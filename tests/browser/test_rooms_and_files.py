@@ -74,7 +74,7 @@ def test_a_dropped_yaml_file_is_shown(visit: Visit) -> None:
     assert json.loads(again) == scene
     assert visit.page.url == visit.address
     expect(visit.page.get_by_role("button", name="Copy link")).to_be_disabled()
-    expect(visit.page.locator("#said")).to_contain_text("No link holds a scene from a file")
+    expect(visit.page.locator("#said")).to_contain_text("No link holds this home: save it under Saved homes")
     furniture = [room["furniture"] for room in scene["rooms"]]
     decorated = visit.after(visit.page.get_by_role("button", name="Decorate current plan").click)["scene"]
     assert [room["furniture"] for room in decorated["rooms"]] == furniture

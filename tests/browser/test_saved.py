@@ -69,6 +69,10 @@ def test_a_home_is_saved_changed_renamed_found_and_opened_by_its_link(visit: Vis
     panel.get_by_label("Search saved homes").fill("SUNNY")
     expect(items).to_have_count(1)
     home = items.first.get_attribute("data-saved")
+    visit.page.evaluate("navigator.clipboard.writeText = async text => { globalThis.copied = text; }")
+    panel.get_by_role("button", name="Copy link By the sea").click()
+    expect(panel.get_by_role("status")).to_have_text("Link copied: it opens this home as it is saved.")
+    assert visit.page.evaluate("copied") == f"{visit.address}?home={home}"
     visit.page.goto(f"{visit.address}?home={home}")
     visit.page.wait_for_function("() => globalThis.compose?.scene")
     assert [room["id"] for room in visit.page.evaluate("compose.scene.rooms")] == [room["id"] for room in shown["rooms"]]

@@ -69,6 +69,7 @@ export interface Scene extends Pick<Served.Scene, "wall_thickness" | "levels"> {
 type About<Answer> = Omit<Answer, "scene" | "issues" | "timing_ms"> & { readonly scene: Scene };
 type Made<Answer> = About<Answer> & { readonly issues: readonly Issue[]; readonly timing_ms: number | Served.Generated["timing_ms"] };
 export type GenerateAnswer = Made<Served.Generated>;
+export type FurnishAnswer = Made<Served.FurnishedPlan>;
 export type FixAnswer = Made<Served.Fixed>;
 /** One way to stand a list of pieces in a room, and who is missing. */
 interface Placement {

@@ -318,10 +318,10 @@ class Page {
   /** Shows a home that was drawn, as a step from what was shown before; its empty rooms furnished first, if that is wished. */
   #showDrawn(drawn: Scene, isToBeFurnished: boolean): void {
     void this.#asking.run(isToBeFurnished ? say("Furnishing the plan") : say("Looking at the plan"), async (signal) => {
-      const made = isToBeFurnished ? await furnish(drawn, [], signal) : { scene: drawn, timing_ms: 0 };
-      const { issues } = await report(made.scene, [], signal);
+      const made = isToBeFurnished ? await furnish(drawn, [], signal) : { ...(await report(drawn, [], signal)), scene: drawn, timing_ms: 0, guesses: [], entrance: null };
       this.#drawing.close();
-      this.#home.show({ scene: made.scene, issues, conflicts: [], timing: made.timing_ms, made: null, file: null }, "step");
+      this.#home.show({ scene: made.scene, issues: made.issues, conflicts: [], timing: made.timing_ms, made: null, file: null }, "step");
+      this.#imported.guessed(made, drawn);
       await this.#reads;
     });
   }

@@ -1,5 +1,5 @@
 /** The page's only way out: calls of the service that served it. */
-import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, Furniture, GenerateAnswer, HouseRequest, ImportAnswer, PlaceAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
+import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, FurnishAnswer, Furniture, GenerateAnswer, HouseRequest, ImportAnswer, PlaceAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
 import { inPageWords, roomsCalled } from "./plan/plan_words";
 import { say } from "./words/language";
 
@@ -129,7 +129,7 @@ export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSign
 }
 
 /** Furnishes rooms of a plan, all where none are named; what stands in them is kept. */
-export function furnish(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<GenerateAnswer> {
+export function furnish(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<FurnishAnswer> {
   return post("furnish", rooms.length > 0 ? { scene, rooms } : { scene }, signal);
 }
 

@@ -4,8 +4,10 @@ import { areOverlapping, boxOf, combined, isSound, shifted, wallsOf, withWallAt,
 
 export interface DraftRoom {
   readonly id: string;
-  /** A room type of the catalog; null: to be guessed. */
+  /** A room type of the catalog; null: to be guessed, by the name where it has one. */
   readonly type: string | null;
+  /** What it is called; "": nothing. */
+  readonly name: string;
   readonly corners: Corners;
   /** The room of the scene that it comes from, with all that stands in it. */
   readonly from: Room | null;
@@ -155,7 +157,7 @@ function tenable(draft: Draft): Draft | null {
 
 export function withRoom(draft: Draft, corners: Corners, type: string | null = null): { readonly draft: Draft; readonly id: string } | null {
   const id = freeId("room", new Set(draft.rooms.map((room) => room.id)));
-  const drawn = tenable({ ...draft, rooms: [...draft.rooms, { id, type, corners, from: null }] });
+  const drawn = tenable({ ...draft, rooms: [...draft.rooms, { id, type, name: "", corners, from: null }] });
   return drawn && { draft: drawn, id };
 }
 
@@ -165,6 +167,10 @@ function withChanged(draft: Draft, id: string, change: (room: DraftRoom) => Draf
 
 export function withType(draft: Draft, id: string, type: string | null): Draft {
   return withChanged(draft, id, (room) => ({ ...room, type }));
+}
+
+export function withName(draft: Draft, id: string, name: string): Draft {
+  return withChanged(draft, id, (room) => ({ ...room, name }));
 }
 
 /** A room with a rectangle added or cut away. */

@@ -55,6 +55,12 @@ export function lengthField(words: string, millimetres: number, take: (millimetr
   return labelled(words, input);
 }
 
+export function textField(words: string, value: string, take: (words: string) => void): HTMLElement {
+  const input = Object.assign(document.createElement("input"), { type: "text", value, maxLength: 100 });
+  input.addEventListener("change", () => take(input.value.trim()));
+  return labelled(words, input);
+}
+
 export function choiceField(words: string, options: readonly (readonly [value: string, words: string])[], value: string, take: (value: string) => void): HTMLElement {
   const select = document.createElement("select");
   select.append(...options.map(([key, text]) => new Option(text, key)));

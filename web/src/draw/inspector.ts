@@ -3,9 +3,9 @@ import type { OpeningKind } from "../contract";
 import { inWords } from "../panel/programme";
 import { roomNames } from "../panel/room";
 import { wallsOf, type Wall } from "./corners";
-import { facesOf, OPENING_SIZES, wallLengthened, wallsAt, withOpening, withOpeningChanged, withoutOpening, withoutRoom, withType, type Draft, type DraftOpening, type DraftRoom, type RoomWall } from "./draft";
+import { facesOf, OPENING_SIZES, wallLengthened, wallsAt, withOpening, withOpeningChanged, withoutOpening, withName, withoutRoom, withType, type Draft, type DraftOpening, type DraftRoom, type RoomWall } from "./draft";
 import type { DrawnPlan } from "./drawn_plan";
-import { button, choiceField, group, hint, lengthField, row, switchField } from "./elements";
+import { button, choiceField, group, hint, lengthField, row, switchField, textField } from "./elements";
 import { UNTYPED } from "./scene_draft";
 import { inMetres } from "./sheet";
 import { capital, say, sayArea, type Words } from "../words/language";
@@ -15,9 +15,10 @@ const GUESS = say("Guess it");
 const WALL_WORDS: Readonly<Record<string, Words>> = { "x1": "north", "x-1": "south", "z1": "west", "z-1": "east" };
 const KIND_WORDS: readonly (readonly [OpeningKind, string])[] = [["door", say("Door")], ["passage", say("Passage")], ["window", say("Window")], ["garage_door", say("Garage door")]];
 
-/** What each room is called: its type, numbered where there are several of it. */
+/** What each room is called: its name, else its type, numbered where there are several of it. */
 export function draftNames({ rooms }: Draft): ReadonlyMap<string, string> {
-  return roomNames({ rooms: rooms.map(({ id, type }) => ({ id, type: type ?? UNTYPED })) });
+  const names = roomNames({ rooms: rooms.map(({ id, type }) => ({ id, type: type ?? UNTYPED })) });
+  return new Map(rooms.map(({ id, name }) => [id, name || (names.get(id) ?? id)]));
 }
 
 /** The walls of a room with words for them: where there are several on a side, numbered. */
@@ -70,6 +71,7 @@ export class Inspector {
     const types = [["", GUESS] as const, ...this.types.map((type) => [type, inWords(type)] as const)];
     const title = `${capital(name)}, ${this.#area(room.id)}`;
     return [group(title,
+      textField(say("Name"), room.name, (words) => this.plan.step(withName(this.plan.settled, room.id, words))),
       choiceField(say("Type"), types, room.type ?? "", (type) => this.plan.step(withType(this.plan.settled, room.id, type || null))),
       ...namedWalls(room).map(({ wall, words }) => this.#wall(room, wall, words)),
       row(button(say("Delete the room"), () => this.plan.step(withoutRoom(this.plan.settled, room.id)))),

@@ -46,6 +46,12 @@ export function storeyDrawn(scene: Scene): number {
   return Math.min(...scene.rooms.map((room) => room.level ?? 0));
 }
 
+/** A room's name: a key that plans of others have, too, and that the service keeps. */
+function nameOf(room: Room): string {
+  const { name } = room as { readonly name?: unknown };
+  return typeof name === "string" ? name : "";
+}
+
 /** The lowest storey of a scene as a plan; rooms with walls at an angle are left as they are. */
 export function draftOf(scene: Scene): Draft {
   const level = storeyDrawn(scene);
@@ -53,7 +59,7 @@ export function draftOf(scene: Scene): Draft {
     const corners = (room.level ?? 0) === level ? draftCorners(room) : null;
     return corners ? [{ room, corners }] : [];
   });
-  const rooms = drawn.map(({ room, corners }): DraftRoom => ({ id: room.id, type: room.type === UNTYPED ? null : room.type, corners, from: room }));
+  const rooms = drawn.map(({ room, corners }): DraftRoom => ({ id: room.id, type: room.type === UNTYPED ? null : room.type, name: nameOf(room), corners, from: room }));
   const draft = { rooms, openings: openingsOf(drawn.map(({ room }) => room), null).map(draftOpening) };
   return { ...draft, openings: draft.openings.filter((opening) => wallsAt(draft, opening).length > 0) };
 }
@@ -94,7 +100,7 @@ function roomOf(draft: Draft, room: DraftRoom): Room {
   const plain = { flooring: null, accent: null, wall_flags: null, exterior_walls: null, outdoor: false, level: 0 };
   const sameWalls = from && cornersOf(from).length === room.corners.length;
   return {
-    ...plain, ...from, ...(sameWalls ? {} : { wall_thickness: null }), id: room.id, type: room.type ?? UNTYPED, x, z, width: metres(x1 - x0), depth: metres(z1 - z0), outline,
+    ...plain, ...from, ...(sameWalls ? {} : { wall_thickness: null }), ...(room.name || from ? { name: room.name || undefined } : {}), id: room.id, type: room.type ?? UNTYPED, x, z, width: metres(x1 - x0), depth: metres(z1 - z0), outline,
     exterior_walls: null, wall_flags: null,
     openings: draft.openings.flatMap((opening) => listed(draft, opening, room) ?? []),
     furniture: from?.furniture.map((piece) => relative(piece, dx, dz)) ?? [],

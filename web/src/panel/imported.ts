@@ -1,6 +1,8 @@
 /** What became of a file that was read: what was changed, guessed and left out, each in the service's words. */
-import type { ImportAnswer } from "../contract";
-import { say, sayDecimals } from "../words/language";
+import type { FurnishAnswer, ImportAnswer, Scene } from "../contract";
+import { inWords } from "./programme";
+import { roomNames } from "./room";
+import { capital, say, sayDecimals } from "../words/language";
 import { tell, tellPlainly, tellSentence } from "../words/telling";
 
 /** The list's parts, those with nothing to say left out. */
@@ -16,12 +18,36 @@ export function importLines({ scene, changes, guesses, unread }: ImportAnswer): 
   return parts.filter(({ lines }) => lines.length > 0);
 }
 
+/** What the service took the rooms of a plan for, and what told it; `plan` as it was sent. */
+export function guessLines({ guesses, entrance }: Pick<FurnishAnswer, "guesses" | "entrance">, plan: Pick<Scene, "rooms">): string[] {
+  const names = roomNames(plan);
+  const called = (id: string): string => capital(names.get(id) ?? id);
+  const why = ({ by, sent, instead }: FurnishAnswer["guesses"][number]): string => {
+    if (by === "name") return say("told by its name, {name}", { name: sent });
+    if (by === "pieces") return say("told by what stands in it");
+    return instead === null ? say("told by its form") : say("told by its form; next best: {other}", { other: inWords(instead) });
+  };
+  const rooms = guesses.map((guess) => `${called(guess.room)}: ${inWords(guess.type)}, ${why(guess)}`);
+  return entrance ? [...rooms, say("One comes in by {door}: {room}", { door: tellPlainly(entrance.id), room: called(entrance.room) })] : rooms;
+}
+
 export class ImportReport {
   constructor(readonly host: HTMLElement, readonly list: HTMLElement) {}
 
   /** Shows what there is to say of a file; null: nothing was read. */
   show(answer: ImportAnswer | null): void {
-    const parts = answer ? importLines(answer) : [];
+    this.#list(say("What the file became"), answer ? importLines(answer) : []);
+  }
+
+  /** Shows what was guessed of a plan that was furnished. */
+  guessed(answer: Pick<FurnishAnswer, "guesses" | "entrance">, plan: Scene): void {
+    const lines = guessLines(answer, plan);
+    this.#list(say("What the plan became"), lines.length > 0 ? [{ title: say("Guessed"), lines }] : []);
+  }
+
+  #list(words: string, parts: ReturnType<typeof importLines>): void {
+    for (const head of this.host.querySelectorAll("h2")) head.textContent = words;
+    this.list.ariaLabel = words;
     this.host.hidden = parts.length === 0;
     this.list.replaceChildren(...parts.flatMap(({ title, lines }) => {
       const [head, list] = [document.createElement("h3"), document.createElement("ul")];

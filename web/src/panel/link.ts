@@ -6,7 +6,7 @@ import { say } from "../words/language";
 const COPIED = say("Link copied: it opens this house.");
 const WITH_EDITS = say("Link copied: it opens this house with your changes.");
 const UNKNOWN = say("Link copied: it opens the house as it was made; your changes go with a saved file.");
-const OF_FILE = say("No link holds a scene from a file: save it and send the file.");
+const OF_NO_REQUEST = say("No link holds this home: save it under Saved homes and copy its link there, or send it as a file.");
 
 /** Copies by the old way, which also works where the clipboard is not given to pages. */
 function copyBySelection(text: string): boolean {
@@ -50,13 +50,13 @@ export class Link {
     button.addEventListener("click", () => void this.#copy());
   }
 
-  /** The query that makes what is shown; null for a file's scene, which no query makes. */
+  /** The query that makes what is shown; null for a scene that was drawn or read from a file, which no query makes. */
   opens(query: string | null): void {
     if (query === this.#query) return;
     this.#query = query;
     this.button.disabled = query === null;
     if (this.framing) this.framing.disabled = query === null;
-    this.#say(query === null ? OF_FILE : "");
+    this.#say(query === null ? OF_NO_REQUEST : "");
   }
 
   /** What is shown was changed since it was made, or not. */

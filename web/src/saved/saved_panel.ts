@@ -1,5 +1,6 @@
 /** The homes that the service keeps: saved, found, opened, renamed, tagged, removed, and two of them side by side. All names are texts. */
 import type { Scene } from "../contract";
+import { copy } from "../panel/link";
 import { ServiceProblem } from "../service";
 import { changeSaved, listSaved, pictureSaved, readSaved, removeSaved, saveNew, savedPicture, type SavedHead, type SavedTexts } from "./saved_calls";
 import { Comparison } from "./saved_comparison";
@@ -146,6 +147,7 @@ export class SavedPanel {
     const acts = document.createElement("div");
     acts.append(
       button(say("Open"), () => void this.open(head.id)),
+      button(say("Copy link"), () => void this.#try(() => this.#copyLink(head))),
       button(say("Rename"), () => this.#edit(item, head, "name")),
       button(say("Tag"), () => this.#edit(item, head, "tags")),
       button(say("Compare"), () => void this.#try(() => this.#comparison.add(head))),
@@ -166,6 +168,11 @@ export class SavedPanel {
     });
     item.querySelector("div")?.replaceWith(typed);
     typed.select();
+  }
+
+  async #copyLink({ id }: SavedHead): Promise<void> {
+    const link = new URL(`?home=${encodeURIComponent(id)}`, location.href.replace(/[?#].*/, "")).href;
+    this.#said.textContent = (await copy(link)) ? say("Link copied: it opens this home as it is saved.") : say("Copy this link: {link}", { link });
   }
 
   async #change(head: SavedHead, texts: SavedTexts): Promise<void> {
