@@ -20,12 +20,17 @@ describe("a line of plain words", () => {
     ["family with 5 bedrooms", { program: { bedrooms: 5, bathrooms: 2 } }],
     ["4x bedrooms; ", { program: { bedrooms: 4 } }],
     ["zwei Schlafzimmer, ein Bad und Arbeitszimmer, 90 Quadratmeter", { program: { bedrooms: 2, bathrooms: 1, office: 1 }, area: 90 }],
+    ["2 bed 1 bath office 90m2", { program: { bedrooms: 2, bathrooms: 1, office: 1 }, area: 90 }],
+    ["two bedrooms and a study", { program: { bedrooms: 2, office: 1 } }],
+    ["2bd/1ba 1,000 sq ft", { program: { bedrooms: 2, bathrooms: 1 }, area: 92.9 }],
+    ["2 Schlafzimmer 1 Bad Laundry room 90,5 Quadratmeter", { program: { bedrooms: 2, bathrooms: 1, laundry_room: 1 }, area: 90.5 }],
+    ["family home 140 sqm", { program: "family", area: 140 }],
     ["3 Schlafzimmer, 120 m²", { program: { bedrooms: 3 }, area: 120 }],
   ])("%s", (text, wish) => {
     expect(readWish(text, CATALOG)).toEqual({ wish });
   });
 
-  it.each([["3 swimming halls", "3 swimming halls"], ["2 bedrooms, a hallway", "a hallway"], ["<b>", "<b>"], ["12", "12"], ["3 m", "3 m"], [",", ","]])("%s is not understood", (text, unread) => {
+  it.each([["3 swimming halls", "3 swimming halls"], ["2 bedrooms, a hallway", "a hallway"], ["<b>", "<b>"], ["12", "12"], ["3 m", "3 m"], ["2 bed 3 swimming halls 90 m2", "2 bed 3 swimming halls 90 m2"], ["2 bed 1", "2 bed 1"], [",", ","]])("%s is not understood", (text, unread) => {
     expect(readWish(text, CATALOG)).toEqual({ unread });
   });
 });
