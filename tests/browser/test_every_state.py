@@ -226,7 +226,7 @@ def test_with_saved_homes_and_files(spoken: Visit) -> None:
     wrong = den(crate(ONE, 1, 1), crate(OTHER, 1.2, 1.2))
     states.file("wrong.json", wrong)
     states.look("errors", "#issue_list .issue-error")
-    states.file("bare.json", {"rooms": [{**wrong["rooms"][0], "type": "bathroom", "furniture": []}]})
+    states.file("bare.json", {"rooms": [{**wrong["rooms"][0], "type": "bathroom", "furniture": [crate(ONE, 1, 1)]}]})
     states.look("warnings", "#issue_list .issue-warning")
     states.file("none.json", {"format": "compose-scene/1", "rooms": []})
     states.look("no rooms", "#no_rooms")
