@@ -190,6 +190,12 @@ def strip_at(wall: str, line: int, interval: tuple[int, int], depth: int) -> Rec
     return Rect(interval[0], low, interval[1], high) if wall in ALONG_X else Rect(low, interval[0], high, interval[1])
 
 
+def bounds_of_points(points: Sequence[tuple[float, float]]) -> tuple[float, float, float, float]:
+    """Returns the least and the largest x and z of points: west, north, east, south."""
+    xs, zs = zip(*points, strict=True)
+    return min(xs), min(zs), max(xs), max(zs)
+
+
 def gaps_between(whole: tuple[int, int], blocked: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
     """Returns what intervals leave free of a whole interval, from its low end up."""
     at, high = whole

@@ -11,7 +11,7 @@ from itertools import combinations, pairwise
 from typing import Final, Literal, NamedTuple
 
 from solver.exports.model import FloorPlate, WallPanel
-from solver.geometry import doubled_area, square_metres
+from solver.geometry import bounds_of_points, doubled_area, square_metres
 
 PlanBox = tuple[float, float, float, float]
 """West, north, east and south, m."""
@@ -152,7 +152,7 @@ def label_of(room: PlanRoom) -> RoomLabel:
 
     Its size is written where that costs the name nothing. Where it would leave a room with arms, it stands in the one with most room.
     """
-    label = _label_in(room, _bounds(room.corners))
+    label = _label_in(room, bounds_of_points(room.corners))
     if _within(label_box(label), room.corners):
         return label
     inside = [one for one in (_label_in(room, box) for box in _rectangles(room.corners)) if _within(label_box(one), room.corners)]
@@ -246,11 +246,6 @@ def covered(box: PlanBox, obstacles: Iterable[Obstacle]) -> float:
         if a < x1 and x0 < c and b < z1 and z0 < d:
             total += ((x1 if x1 < c else c) - (x0 if x0 > a else a)) * ((z1 if z1 < d else d) - (z0 if z0 > b else b)) * worse
     return total
-
-
-def _bounds(corners: Sequence[tuple[float, float]]) -> PlanBox:
-    xs, zs = [x for x, _ in corners], [z for _, z in corners]
-    return min(xs), min(zs), max(xs), max(zs)
 
 
 def _within(box: PlanBox, corners: Sequence[tuple[float, float]]) -> bool:

@@ -19,6 +19,7 @@ from typing import Final, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.geometry import bounds_of_points
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, OpeningKind, Spot, check_count
 from solver.imports.straighten import turn_of, turned_by
@@ -106,7 +107,7 @@ def plan_of_shapes(
     sorted_shapes = list(zip(shapes, sorts, strict=True))
     rooms = [_room(one, texts) for one, sort in sorted_shapes if sort == "room" and one.closed and len(one.points) > 2]
     outlines = [(*one.points, one.points[0]) if one.closed else one.points for one, sort in sorted_shapes if sort == "wall"]
-    solid = [_box(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
+    solid = [bounds_of_points(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
     faces = [(*room.points, room.points[0]) for room in rooms] or outlines
     doors = _swinging(swings, faces, solid)
     leaves = _Places([(one.hinge, end) for one in swings for end in one.ends])
@@ -178,7 +179,7 @@ def _solid_walls(shapes: Sequence[tuple[DrawnShape, str | None]]) -> tuple[Drawn
     long, short = list[DrawnWall](), list[tuple[DrawnBox, str]]()
     for one, sort in shapes:
         if sort == "wall" and one.closed and len({*one.points}) == 4:
-            x0, z0, x1, z1 = box = _box(one.points)
+            x0, z0, x1, z1 = box = bounds_of_points(one.points)
             thin, (start, end) = min(x1 - x0, z1 - z0), _longer(one.points)
             if thin and math.dist(start, end) >= LONG * thin:
                 long.append(DrawnWall(start, end, thin, one.where))
@@ -204,7 +205,7 @@ def _room(shape: DrawnShape, texts: Sequence[DrawnText]) -> DrawnRoom:
 
 def _label(points: Sequence[Spot], texts: Sequence[DrawnText]) -> str:
     """Returns the first text in a room that is no number: its lines that are none."""
-    x0, z0, x1, z1 = _box(points)
+    x0, z0, x1, z1 = bounds_of_points(points)
     near = (text for text in texts if x0 <= text.x <= x1 and z0 <= text.z <= z1)
     said = ((" ".join(line.strip() for line in text.words.splitlines() if line.strip()[:1].isalpha()), text) for text in near)
     return next((words for words, text in said if words and _holds(points, text.x, text.z)), "")
@@ -318,11 +319,6 @@ def _to_wall(spot: Spot, lines: NDArray[np.float64]) -> float:
     shares = ((np.array(spot) - starts) * ways).sum(axis=1) / np.where(lengths > 0, lengths, 1.0)
     away = starts + np.clip(shares, 0.0, 1.0)[:, None] * ways - spot
     return float(np.hypot(away[:, 0], away[:, 1]).min())
-
-
-def _box(points: Sequence[Spot]) -> DrawnBox:
-    xs, zs = [x for x, _ in points], [z for _, z in points]
-    return min(xs), min(zs), max(xs), max(zs)
 
 
 def _between(a: Spot, b: Spot) -> Spot:
