@@ -59,8 +59,9 @@ def with_pieces(
             check_count(f"things in {rooms[place].id}", len(furniture[place]) + len(decorations[place]) + 1, MOST_IN_ROOM)
         meaning = _meaning(piece, names)
         size = piece.size
-        if place is None or size is None or not 0 < min(size) <= max(size) <= LARGEST:
-            words = "it stands in no room" if place is None else "the file gives no size" if size is None else "its size is none"
+        if place is None or size is None or not 0 < min(size) <= max(size) <= LARGEST or abs(piece.y) > LARGEST:
+            words = "its size is none" if abs(piece.y) <= LARGEST else f"it is more than {LARGEST:g} m from the floor"
+            words = "it stands in no room" if place is None else "the file gives no size" if size is None else words
             notes.leave(piece.where, f"{piece.name!r:.60}: {words}")
             continue
         sort = _sort(meaning, catalogs)

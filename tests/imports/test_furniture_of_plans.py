@@ -152,3 +152,10 @@ def test_pieces_that_say_one_id_are_told_apart() -> None:
     told = [change for change in answer.changes if "has the id" in str(change["message"])]
     assert [change["of"] for change in told] == ["features[3]", "features[7]"]
     assert read_scene(json.loads(dump_scene(answer.scene, "json"))).rooms[0].furniture == room.furniture
+
+
+@pytest.mark.parametrize("height", [1e9, 51.0, -1e9])
+def test_what_is_far_above_or_below_the_floor_is_left_out_and_named(height: float) -> None:
+    answer = imported(piece("Toilet", 2.0, 2.0, width=0.4, depth=0.66, height=0.8, elevation=height))
+    assert not answer.scene.rooms[0].furniture and not answer.scene.rooms[0].decorations
+    assert [one["reason"] for one in answer.unread] == ["'Toilet': it is more than 50 m from the floor"]
