@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from playwright.sync_api import ViewportSize, expect
 
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den
@@ -109,3 +111,15 @@ def test_on_a_phones_side_what_fell_short_is_in_sight(visit: Visit) -> None:
     assert rooms["y"] + rooms["height"] <= 390
     assert box["x"] + box["width"] <= 844
     assert scrolled(visit) == 0
+
+
+def test_nothing_shines_through_the_tour(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    visit.page.set_viewport_size(PHONE)
+    visit.page.emulate_media(color_scheme="dark")
+    visit.page.evaluate("document.getElementById('tour_again').click()")
+    expect(visit.page.locator("#tour")).to_be_visible()
+    ground = visit.page.locator("#tour").evaluate("one => getComputedStyle(one).backgroundColor")
+    assert float(re.split(r"[,/ ]+", ground.rstrip(")"))[-1]) > 0.99, ground
+    visit.page.locator("#tour button:visible").first.click()
+    expect(visit.page.locator("#tour")).to_be_hidden()

@@ -66,3 +66,22 @@ def test_another_way_to_stand_is_shown_and_taken(visit: Visit) -> None:
     visit.settle()
     assert page.evaluate("compose.scene") == made["scene"]
     assert visit.console == []
+
+
+BOX = "one => { const {left, top, right, bottom} = one.getBoundingClientRect(); return {left, top, right, bottom}; }"
+DECORATED = "?seed=7&program=one_bed&decorate=true"
+
+
+def test_its_numbers_are_explained_and_it_leaves_the_middle_of_the_house_free(visit: Visit) -> None:
+    page = visit.page
+    page.set_viewport_size({"width": 1440, "height": 860})
+    made = visit.open(DECORATED)
+    bed = next(piece for piece in furniture_of(made) if piece.rsplit("/")[-1].startswith("bed"))
+    assert asked(visit, bed)["holds"] != []
+    panel = page.locator("#why")
+    expect(panel.locator(".hint")).to_contain_text("the room's cost")
+    close, around, stage = (
+        found.evaluate(BOX) for found in (panel.get_by_role("button", name="Close"), panel, page.locator(".stage").first)
+    )
+    assert around["top"] <= close["top"] and close["bottom"] <= around["bottom"], "Close is seen without scrolling"
+    assert around["left"] > (stage["left"] + stage["right"]) / 2

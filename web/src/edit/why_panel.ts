@@ -5,6 +5,8 @@ import { pieceWords } from "./words";
 import { capital, say, sayNumber } from "../words/language";
 import { tell } from "../words/telling";
 
+const COST = say("The numbers are the room's cost: by how much it falls short of all that is wished for in it. Less is better.");
+
 /** Calls the pieces of a message as people do. */
 type Named = (message: string) => string;
 export type AskWhy = (scene: Scene, id: string, signal: AbortSignal) => Promise<Explained>;
@@ -55,7 +57,13 @@ export class WhyPanel {
     const list = document.createElement("ul");
     list.append(...answer.holds.map((hold) => this.#line(hold, named(hold.message))));
     const close = button(say("Close"), () => this.hide());
-    return [heading, ...notes, ...(answer.holds.length > 0 ? [list] : []), ...this.#ways(answer, named), close];
+    close.className = "why-close";
+    const ways = this.#ways(answer, named);
+    const cost = document.createElement("p");
+    cost.className = "hint";
+    cost.textContent = COST;
+    const hasNumbers = answer.holds.length > 0 || answer.ways.some((way) => way.cost !== null);
+    return [heading, ...notes, ...(hasNumbers ? [cost] : []), ...(answer.holds.length > 0 ? [list] : []), ...ways, close];
   }
 
   /** How else it could stand, and what that would have cost; each can be taken. */
