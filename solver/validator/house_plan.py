@@ -6,28 +6,22 @@ Comes in: a house's rooms and holes. Goes out: findings. May import: scene. Bodi
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Final
 
 from solver.demanded import demand
 from solver.scene import EXTERIOR
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import ExactBox, words
 from solver.validator.walk import DEEPEST_WALL
-from solver.validator.world import OPPOSITE, Hole, HouseWall, PlacedRoom, World
-
-PAIR_WORK: Final = 0.1
-"""What looking at two rooms, walls or openings counts; measured."""
+from solver.validator.world import OPPOSITE, PAIR_WORK, Hole, HouseWall, PlacedRoom, World
 
 
 def rooms_overlap(case: RuleCase) -> Iterator[Finding]:
     """The clear floors of two rooms of a storey share floor; told of the one listed first."""
-    place, wall, places = case.room, 2 * case.world.half_wall, case.world.places
-    later = places[places.index(place) + 1 :]
+    place, wall = case.room, 2 * case.world.half_wall
+    later = case.world.beside.get(id(place), ())
     demand(PAIR_WORK * len(later))
     x0, z0, x1, z1 = place.outline.bounds
     for other in later:
-        if other.room.level != place.room.level:
-            continue
         x, z = other.x - place.x, other.z - place.z
         bounds = other.outline.bounds
         if bounds.x0 + x < x1 and x0 < bounds.x1 + x and bounds.z0 + z < z1 and z0 < bounds.z1 + z:

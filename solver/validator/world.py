@@ -21,6 +21,7 @@ from solver.body_rows import (
     furniture_turns,
     rows_in,
 )
+from solver.demanded import demand
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.scene_bodies import home_of
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
@@ -38,6 +39,9 @@ DOOR_KINDS: Final = ("door", "passage")
 """Openings whose square is kept free."""
 WAYS: Final = ("door", "passage", "garage_door")
 """Openings one can walk through."""
+
+PAIR_WORK: Final = 0.1
+"""What looking at two rooms, walls or openings counts; measured."""
 
 
 @dataclass(frozen=True)
@@ -119,6 +123,23 @@ class World:
                 line, start, end = edge.moved(place.x, place.z)[1:]
                 found.setdefault((place.room.level, edge.side), []).append(HouseWall(line, start, end, place))
         return found
+
+    @cached_property
+    def beside(self) -> Mapping[int, Sequence[PlacedRoom]]:
+        """By the `id` of each room those listed after it on its storey that share some of its extent from west to east."""
+        found: dict[int, list[tuple[int, PlacedRoom]]] = {}
+        open_: dict[int, list[tuple[int, int, PlacedRoom]]] = {}
+        spans = [(place.outline.bounds.x0 + place.x, place.outline.bounds.x1 + place.x) for place in self.places]
+        for number in sorted(range(len(spans)), key=lambda number: spans[number]):
+            place, (west, east) = self.places[number], spans[number]
+            level = place.room.level
+            still = [one for one in open_.get(level, ()) if one[0] > west]
+            demand(PAIR_WORK * len(still))
+            for _, other_number, other in still:
+                first, later = sorted(((number, place), (other_number, other)), key=lambda one: one[0])
+                found.setdefault(id(first[1]), []).append(later)
+            open_[level] = [*still, (east, number, place)]
+        return {key: [place for _, place in sorted(later, key=lambda one: one[0])] for key, later in found.items()}
 
     @cached_property
     def leading_to(self) -> Mapping[str, Sequence[tuple[PlacedRoom, Hole]]]:

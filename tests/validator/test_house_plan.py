@@ -87,3 +87,13 @@ def test_openings_share_no_wall() -> None:
 def test_plans_of_seeds_break_no_rule_about_plans(seed: int, wish: dict[str, Any]) -> None:
     made: Scene = generate(Request(seed=seed, **wish)).scene
     assert [one for rule in ("rooms_overlap", "opening_wrong") for one in issues(made, rule)] == []
+
+
+def test_rooms_are_told_beside_which_they_lie_as_when_each_pair_is_looked_at() -> None:
+    at = [(0.7 * (k * k % 13), 0.5 * (k * k % 7), k % 2) for k in range(24)]
+    rooms = [room(id=f"room_{k}", x=x, z=z, level=level, width=1.0, depth=1.0) for k, (x, z, level) in enumerate(at)]
+    found = [issue.message.partition(" are ")[0] for issue in issues(scene(*rooms, wall_thickness=0.0), "rooms_overlap")]
+    both = [(a, b) for b in range(24) for a in range(b) if at[a][2] == at[b][2]]
+    pairs = [(a, b) for a, b in both if abs(at[a][0] - at[b][0]) < 1 - 1e-6 and abs(at[a][1] - at[b][1]) < 1 - 1e-6]
+    assert sorted(found) == sorted(f"room_{a} and room_{b}" for a, b in pairs)
+    assert 5 < len(pairs) < len(both)
