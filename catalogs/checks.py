@@ -135,6 +135,10 @@ def _run_faults(file: str, room: RoomType, names: list[str]) -> Iterator[Fault]:
         for name in words:
             if name not in names:
                 yield Fault(file, ("run", *key), f"unknown piece {name!r}{near(name, names)}", ", ".join(names))
+    for i, leaving in enumerate(run.leaves):
+        after = [name for name in names if not any(name in order for order in run.orders)]
+        if leaving.to not in after:
+            yield Fault(file, ("run", "leaves", i, "to"), f"unknown piece {leaving.to!r}{near(leaving.to, after)}", ", ".join(after))
     for name in room.run.triangle:
         if any(name not in order for order in room.run.orders):
             yield Fault(file, ("run", "triangle"), f"{name!r} is not in every order", ", ".join(names))

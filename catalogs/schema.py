@@ -23,7 +23,6 @@ from catalogs.dwellers import Dweller
 from catalogs.entries import (
     ORDERED,
     PIECE_NAMES,
-    ROOM_TYPE,
     Category,
     Colour,
     ComfortFloor,
@@ -43,7 +42,9 @@ from catalogs.entries import (
 )  # fmt: skip
 from catalogs.guessing import Evidence, Mark
 from catalogs.misfits import misfit
+from catalogs.plans import Plan
 from catalogs.programmes import Home, Preset
+from catalogs.runs import Run
 from catalogs.shapes import Material, Solid
 from catalogs.styles import Style
 
@@ -139,11 +140,13 @@ class PieceSpec(Entry):
     `piece` is its name inside the room type; `kinds` its size variants from wanted down to least (default: the kind of
     the same name). An optional piece is wanted only where the room has `min_area` m2, and then with probability
     `chance`. `count` copies are wanted; with `per_area` a seed draws between half and all of one for every so many m2, at
-    least one and at most `count`. A required piece is wanted in its whole count and takes no `min_area`, `chance` or `per_area`.
+    least one and at most `count`. A required piece is wanted in its whole count and takes no `chance` or `per_area`; below its
+    `min_area` it is optional.
     `approach` are sides that must stay reachable besides the kind's own use: a desk's front, before its chair comes.
     `with_next`: an optional piece that is left out where the piece after it, which only stands with it or those before it, finds no place.
     `without`: the piece is wanted only in a home planned without rooms of these types: a bed where there is no bedroom.
     `unless`: the piece is not wanted in a home that has a room of these types: a dining table beside a dining room.
+    `unless_elsewhere`: nor where one of these pieces, as scenes call them, stands in a room of a type that asks nothing of the kind.
     `among`: neighbours in the list with the same word matter alike: a seed draws their order.
     """
 
@@ -159,13 +162,14 @@ class PieceSpec(Entry):
     with_next: bool = False
     without: RoomTypeNames = ()
     unless: RoomTypeNames = ()
+    unless_elsewhere: Annotated[Words, PIECE_NAMES] = ()
     among: str | None = None
     rules: tuple[RelationSpec, ...] = ()
 
     @model_validator(mode="after")
     def _certain(self) -> PieceSpec:
-        if self.required and (self.min_area or self.chance < 1 or self.per_area):
-            raise ValueError("a required piece takes no min_area, chance or per_area")
+        if self.required and (self.chance < 1 or self.per_area):
+            raise ValueError("a required piece takes no chance or per_area")
         return self
 
     @property
@@ -188,59 +192,6 @@ class Area(Entry):
         return self
 
 
-class KeptWall(Entry):
-    """A stretch of wall that a floor plan keeps whole where it can, by moving openings along their walls.
-
-    `length` along the wall and `depth` of the floor before it, m, without doors and the squares that stay free at them.
-    `under_windows`: windows do not break it. `round_corners`: it may go round one corner. `across`: it faces such a stretch of the
-    opposite wall, which is at most so far away; in rooms whose walls are all farther apart that is not asked.
-    """
-
-    length: Metres
-    depth: Metres
-    under_windows: bool = False
-    round_corners: bool = False
-    across: Metres | None = None
-
-
-class Plan(Entry):
-    """How a floor plan treats the type.
-
-    `habitable`: wants daylight. `wet`: wants its pipes beside other wet rooms. `way_through`: one may walk through it to
-    other rooms. `entrance`: the front door may open into it, lower numbers first. `street`: needs an outside wall.
-    `swings_in`: leaves open into it (not into hallways). `behind`: types it may lie behind, besides a way through.
-    """
-
-    habitable: bool = False
-    wet: bool = False
-    way_through: bool = False
-    entrance: int | None = None
-    street: bool = False
-    swings_in: bool = True
-    passage: bool = False
-    """Between two rooms with `passage` an opening without a leaf is cut instead of a door."""
-    behind: tuple[Annotated[str, ROOM_TYPE], ...] = ()
-    windows: bool = True
-    garage_door: bool = False
-    keeps: tuple[KeptWall, ...] = ()
-    """Walls that are kept whole for what stands along them."""
-
-
-class Run(Entry):
-    """Pieces that stand in one run, along a wall, round a corner or at two opposite walls, planned as a whole.
-
-    `orders` are the orders they may stand in, either way round; optional ones may be missing. `worktop` are pieces with a
-    top to work on: the run may go round a corner at one that is wide enough. `landing` are those that want worktop right
-    beside them at both sides, `ends` those that belong at an end of the run, `triangle` the three a cook walks between.
-    """
-
-    orders: tuple[Annotated[Words, Field(max_length=21)], ...] = Field(min_length=1)
-    worktop: Words = ()
-    landing: Words = ()
-    ends: Words = ()
-    triangle: Words = ()
-
-
 class RoomType(Entry):
     """A room type: its areas, floor, accent colour, what it holds and by which relations.
 
@@ -261,6 +212,11 @@ class RoomType(Entry):
     cover: Annotated[tuple[Probability, Probability], ORDERED] | None = None
     run: Run | None = None
     pieces: tuple[PieceSpec, ...] = ()
+
+    @property
+    def asks_elsewhere(self) -> bool:
+        """Whether what it holds depends on what other rooms hold."""
+        return any(piece.unless_elsewhere for piece in self.pieces)
 
 
 class FlooringSpec(Entry):
@@ -312,6 +268,12 @@ class Catalogs(Entry):
         """
         return _of_home(self, _deciding_types(self).intersection(types), planned)
 
+    def holding(self, pieces: Collection[str]) -> Catalogs:
+        """Returns the catalogs of a home that holds these pieces in rooms that do not ask: what others want `unless_elsewhere` is gone."""
+        every = (piece for room in self.rooms.values() for piece in room.pieces)
+        there = frozenset(name for piece in every for name in piece.unless_elsewhere if name in pieces)
+        return _holding(self, there) if there else self
+
     def name_of(self, kind: str) -> str:
         """Returns what scenes call a kind: its `name`, else the kind itself."""
         entry = self.furniture.get(kind)
@@ -356,6 +318,16 @@ def _between_thicker(kind: RoomType, more: float) -> RoomType:
     area = tuple(round(((around + sqrt(around**2 + 4 * (one - more**2))) / 2) ** 2, 3) for one in home.area)
     length = home.length and round(home.length + more, 3)
     return kind.model_copy(update={"home": home.model_copy(update={"area": area, "width": round(home.width + more, 3), "length": length})})
+
+
+@lru_cache(maxsize=64)
+def _holding(catalogs: Catalogs, there: frozenset[str]) -> Catalogs:
+    """Returns the catalogs of a home with some pieces; the same object each time."""
+    rooms = {}
+    for name, room in catalogs.rooms.items():
+        pieces = tuple(piece for piece in room.pieces if there.isdisjoint(piece.unless_elsewhere))
+        rooms[name] = room if len(pieces) == len(room.pieces) else room.model_copy(update={"pieces": pieces})
+    return catalogs.model_copy(update={"rooms": rooms})
 
 
 @lru_cache(maxsize=16)

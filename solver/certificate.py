@@ -56,6 +56,7 @@ def room_certificate(arrangement: Arrangement, room: Room) -> dict[str, Any]:
         **({"residuals": arrangement.residuals._asdict()} if arrangement.residuals else {}),
         "left_out": [{"piece": label, "reason": reason} for label, reason in arrangement.left_out],
         "notes": list(arrangement.notes),
+        **({"insisted": arrangement.insisted} if arrangement.insisted else {}),
     }
 
 

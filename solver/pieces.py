@@ -296,7 +296,7 @@ class Arrangement:
     `cost` counts terms and preferences where the pieces stand at last; `proven` tells that the search for these candidates
     closed below its limit; `best` that no other candidates of the required pieces are cheaper, within the widenings tried:
     both of the placement before slivers were tidied away, which costs at most 0.2 (core/placement/tidy.hpp). `left_out` pairs a label
-    with the reason, for a person.
+    with the reason, for a person. `insisted` is the label of the piece that was asked for as if it were required.
     """
 
     room: str
@@ -308,6 +308,7 @@ class Arrangement:
     notes: tuple[str, ...] = field(default=())
     best: bool = True
     residuals: Residuals | None = None
+    insisted: str | None = None
 
     @property
     def standing(self) -> StandingRows | None:

@@ -13,7 +13,8 @@ from struct import Struct
 from typing import Final, TypeVar, get_args
 
 from catalogs.relation_keys import OPENINGS
-from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Run
+from catalogs.runs import Run
+from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType
 from solver.body_rows import LooksBySize, furniture_look
 from solver.furnish.floor_about import FloorAbout, asked_about, floors_about
 from solver.geometry import to_mm
@@ -36,7 +37,7 @@ _ROW: Final = {
     for name, layout in {
         "kind": "<3q14i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
         "sort": "<2id", "side": "<i", "comfort": "<2i2qd4q2iq", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
-        "end": "<i", "triangle": "<i",
+        "end": "<i", "triangle": "<i", "leaving": "<2iqd",
     }.items()
 }  # fmt: skip
 _HEADER: Final = Struct("<20i")
@@ -129,10 +130,11 @@ class _Tables:
             self._added("order", run.orders, lambda order: self._added("word", order, lambda name: (self._word(name),)))
             for table, names in (("worktop", run.worktop), ("landing", run.landing), ("end", run.ends), ("triangle", run.triangle)):
                 self._added(table, names, lambda name: (self._word(name),))
+            self._added("leaving", run.leaves, lambda one: (self._word(one.to), 0, to_mm(one.floor), one.cost))
         for kind in self.kinds.values():
             self._add_kind(kind)
         turning = to_mm(self._profile.turning(self._room)) if self._profile else 0
-        header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None, turning, 0)
+        header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None, turning)
         tables = [b"".join(rows) for rows in self._rows.values()]
         return b"".join([header, *(table + bytes(-len(table) % 8) for table in tables)])
 

@@ -116,7 +116,7 @@ def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
         pieces.append(
             Piece(
                 label,
-                spec.required,
+                bool(required),
                 own,
                 links=tuple(next(links) for _ in range(bonds)),
                 stands=tuple(Stand(side) for side in spec.approach) or kind.stands,

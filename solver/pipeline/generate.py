@@ -6,7 +6,7 @@ Comes in: Request or Scene. Goes out: Generated. May import: every stage. Not he
 from __future__ import annotations
 
 import secrets
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -14,7 +14,6 @@ from catalogs import Catalogs, load_catalogs
 from catalogs.styles import Style
 from solver.answers import Generated
 from solver.certificate import certificate, room_certificate
-from solver.errors import SceneError
 from solver.exchange import checked_request, write_request
 from solver.floorplan import FloorPlan, door_positions, draw, wall_thickness_of, with_door_at
 from solver.furnish import space_of, unwanted_pieces, wanted_pieces, wanted_rows
@@ -26,12 +25,13 @@ from solver.people import Household
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.accessible import with_access, with_walker
 from solver.pipeline.decorate import decorated
+from solver.pipeline.elsewhere import arranged, needed, parted
 from solver.pipeline.inhabited import home_catalogs, inhabited
 from solver.pipeline.insisted import demanded, insisted_in, insisting
 from solver.pipeline.opened import with_fronts
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.room_spaces import spaces_in
-from solver.pipeline.staying import Staying, around, rejoined, staying_in, with_things
+from solver.pipeline.staying import Staying, around, refuse, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place, place_wanted
 from solver.request import MAX_SEED, Request
@@ -109,7 +109,8 @@ def generate(
     plan = draw(asked, made_for)
     setting = replace(setting, catalogs=made_for.of_home([room.type for room in plan.rooms], asked.planned))
     timing.lap("floorplan")
-    plan, arrangements = _furnished_plan(plan, setting)
+    setting, arrangements = _furnished_rooms(plan.rooms, setting)
+    plan, arrangements = _shifted(plan, arrangements, setting)
     scene = _scene(plan, arrangements, asked, setting)
     timing.lap("furniture")
     spaces = {room.id: _space(room, setting) for room in plan.rooms}
@@ -123,9 +124,21 @@ def generate(
     return Generated(with_assets(scene, known), checked.issues, timing.ms)
 
 
-def _furnished_plan(plan: FloorPlan, setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
-    """Furnishes all rooms, shifting a door where a required piece would not fit otherwise, and says why one does not."""
-    arrangements = _arrangements(plan.rooms, setting)
+def _furnished_rooms(rooms: Sequence[Room], setting: _Setting) -> tuple[_Setting, dict[str, Arrangement]]:
+    """Furnishes rooms, those last that ask what stands in others: these insist on what none has. Returns the setting that knows."""
+    first, last = parted(rooms, setting.catalogs)
+    made = _arrangements(first, setting)
+    if last:
+        setting = replace(setting, catalogs=setting.catalogs.holding(arranged(made, setting.catalogs)))
+        asked, alone = _arrangements(last, setting), len(setting.others or rooms) == 1
+        for room in last:
+            lacking = set() if alone else needed(room, setting.catalogs)
+            made[room.id] = insisting(*_wished(room, setting), asked[room.id], lacking) if lacking else asked[room.id]
+    return setting, made
+
+
+def _shifted(plan: FloorPlan, arrangements: dict[str, Arrangement], setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
+    """Shifts a door where a required piece would not fit otherwise, and says why one does not."""
     lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
     for room_id in lacking[:SHIFTED_ROOMS]:
         plan = _shift_doors(plan, room_id, arrangements, setting)
@@ -330,16 +343,14 @@ def _rerolled(scene: Scene, rooms: Sequence[str], how: tuple[int, bool], known: 
     check_ids("reroll", rooms, [room.id for room in scene.rooms])
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
     stays = {room.id: staying for room in chosen if (staying := staying_in(room)).ids}
-    setting = _setting_of(scene, known, how[0], stays)
-    arrangements, insisted = _arrangements(chosen, setting), dict[str, dict[str, str]]()
+    setting, arrangements = _furnished_rooms(chosen, _setting_of(scene, known, how[0], stays, [room.id for room in chosen]))
     if how[1]:
         for room in (one for one in chosen if not _is_planned_whole(one, setting)):
-            arrangements[room.id], label = insisting(*_wished(room, setting), arrangements[room.id])
-            insisted[room.id] = {"insisted": label} if label else {}
+            arrangements[room.id] = insisting(*_wished(room, setting), arrangements[room.id])
     arrangements = _explained(chosen, arrangements, setting)
     done = _rejoined(chosen, arrangements, setting)
     document: dict[str, Any] = dict(scene.certificate or {})
-    reports = {name: {**room_certificate(arrangements[name], room), **insisted.get(name, {})} for name, room in done.items()}
+    reports = {name: room_certificate(arrangements[name], room) for name, room in done.items()}
     document["rooms"] = {**(document.get("rooms") or {}), **reports}
     new = replace(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms), certificate=document)
     timing.lap("furniture")
@@ -353,14 +364,16 @@ def _rerolled(scene: Scene, rooms: Sequence[str], how: tuple[int, bool], known: 
     new, issues = with_access(with_fronts(new, checked, done), known), checked.issues
     if stays:
         before = {(issue.rule, issue.ids) for issue in validate(scene, known)}
-        _refuse(rooms, stays, {issue.room for issue in issues if issue.severity == "error" and (issue.rule, issue.ids) not in before})
+        refuse(rooms, stays, {issue.room for issue in issues if issue.severity == "error" and (issue.rule, issue.ids) not in before})
     timing.lap("validate")
     return Generated(with_assets(new, known), issues, timing.ms)
 
 
-def _setting_of(scene: Scene, known: Catalogs, seed: int, staying: Mapping[str, Staying] | None = None) -> _Setting:
-    """Returns what a furnishing of a scene's rooms shares: that of its house, around what stays in them."""
-    home, style = home_catalogs(scene, known), _style_of(scene, known)
+def _setting_of(
+    scene: Scene, known: Catalogs, seed: int, staying: Mapping[str, Staying] | None = None, anew: Sequence[str] = ()
+) -> _Setting:
+    """Returns what a furnishing of a scene's rooms shares: that of its house, around what stays in them; those `anew` hold nothing yet."""
+    home, style = home_catalogs(scene, known, anew), _style_of(scene, known)
     return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), style, staying or {}, scene.rooms)
 
 
@@ -372,23 +385,10 @@ def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], se
     """
     stays = {room.id: _around(room, setting)[0] for room in rooms if room.id in setting.staying}
     wrong = {name for name, staying in stays.items() if not staying.are_in(arrangements[name])}
-    _refuse([room.id for room in rooms], stays, wrong)
+    refuse([room.id for room in rooms], stays, wrong)
     new = {name: replace(arrangements[name], placed=staying.new_in(arrangements[name])) for name, staying in stays.items()}
     done = {room.id: room for room in _written(rooms, {**arrangements, **new}, setting)}
     return done | {name: rejoined(done[name].furniture, new[name].placed, staying) for name, staying in stays.items()}
-
-
-def _refuse(asked: Sequence[str], stays: Mapping[str, Staying], wrong: Collection[str | None]) -> None:
-    """Refuses rooms in which nothing valid was found around what is locked.
-
-    Raises:
-        SceneError: names the room and what is locked in it.
-    """
-    for k, name in enumerate(asked):
-        if name in wrong and name in stays:
-            ids = ", ".join(stays[name].locked)
-            problem = f"room {name} holds locked pieces: {ids}; no valid way to furnish the rest around them was found"
-            raise SceneError(f"reroll[{k}]", problem, "another room; or unlock them first")
 
 
 def _style_of(scene: Scene, known: Catalogs) -> Style | None:

@@ -5,22 +5,31 @@ Comes in: a furnished and decorated scene. Goes out: the scene with people and p
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from catalogs import Catalogs
 from solver.people import Household, peopled
 from solver.pipeline.accessible import access_in
+from solver.pipeline.elsewhere import held
 from solver.records import changed
 from solver.scene import Dynamic, Room, Scene
 from solver.scene_bodies import counted
 
 
-def home_catalogs(scene: Scene, known: Catalogs) -> Catalogs:
-    """Returns the catalogs as they are for a scene's home: planned for a programme or an area, or plain."""
+def home_catalogs(scene: Scene, known: Catalogs, but: Collection[str] = ()) -> Catalogs:
+    """Returns the catalogs as they are for a scene's home: planned for a programme or an area, or plain.
+
+    Args:
+        scene: the home.
+        known: all catalogs.
+        but: ids of rooms whose furniture does not count.
+    """
     request = scene.request or {}
     planned = request.get("program") is not None or request.get("area") is not None
-    return known.for_access(access_in(scene)).of_home([room.type for room in scene.rooms], planned)
+    known, types = known.for_access(access_in(scene)), [room.type for room in scene.rooms]
+    of_home = known.of_home(types, planned)
+    return of_home.holding(held((room for room in scene.rooms if room.id not in but), of_home))
 
 
 def inhabited(scene: Scene, rooms: Sequence[Room], household: Household, before: Sequence[Dynamic] | None = None) -> Scene:

@@ -1,12 +1,12 @@
-"""A piece that matters, which the search of a plan's room left out though there is a place: it is searched again as if it were required.
+"""A piece that matters, which the search left out though there is a place: it is searched again as if it were required.
 
-Comes in: a room's space, its wanted pieces, its arrangement. Goes out: the arrangement that holds what is worth more, and what was
-insisted on. May import: placement. Not here: generated homes, whose rooms are drawn for their pieces.
+Comes in: a room's space, its wanted pieces, its arrangement. Goes out: the arrangement that holds what is worth more, which says what was
+insisted on. May import: placement. Not here: whose rooms: a plan's, and those that ask what stands elsewhere (generate).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
@@ -17,19 +17,26 @@ MATTERS: Final = 10.0
 """What leaving a piece out costs, from which on it is insisted on."""
 
 
-def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement) -> tuple[Arrangement, str | None]:
+def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, needed: Collection[str] = ()) -> Arrangement:
     """Insists on the most important piece that matters and was left out.
 
+    Args:
+        space: the room.
+        wanted: what it wants.
+        arrangement: how it was furnished.
+        needed: the labels of the pieces that matter; by default what is dear to leave out does.
+
     Returns:
-        The arrangement, and the piece's label where that is cheaper, all that is left out counted; else the arrangement as it was.
+        The arrangement with it where that is cheaper, all that is left out counted; else the arrangement as it was.
     """
     gone = {label for label, _ in arrangement.left_out}
-    lacking = (piece for piece in wanted if piece.label in gone and piece.skip_cost >= MATTERS and not (piece.required or piece.is_floor))
-    label = next((piece.label for piece in lacking), None)
+    lacking = (piece for piece in wanted if piece.label in gone and not (piece.required or piece.is_floor))
+    matter = (piece.label for piece in lacking if (piece.label in needed if needed else piece.skip_cost >= MATTERS))
+    label = next(matter, None)
     if label is None:
-        return arrangement, None
+        return arrangement
     (made,) = place([(space, demanded(wanted, label))], tidy=True)
-    return (made, label) if _cost(wanted, made) < _cost(wanted, arrangement) else (arrangement, None)
+    return replace(made, insisted=label) if _cost(wanted, made) < _cost(wanted, arrangement) else arrangement
 
 
 def demanded(wanted: Sequence[Piece], label: str | None) -> tuple[Piece, ...]:

@@ -13,6 +13,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from catalogs import Catalogs
+from solver.errors import SceneError
 from solver.free_places import footprint
 from solver.geometry import to_mm
 from solver.pieces import Arrangement, Candidate, Link, Piece, Placed, Space
@@ -191,3 +192,16 @@ def _free_ids(ids: Sequence[str], taken: Collection[str]) -> dict[str, str]:
         used.add(new)
         found[label] = new
     return found
+
+
+def refuse(asked: Sequence[str], stays: Mapping[str, Staying], wrong: Collection[str | None]) -> None:
+    """Refuses rooms in which nothing valid was found around what is locked.
+
+    Raises:
+        SceneError: names the room and what is locked in it.
+    """
+    for k, name in enumerate(asked):
+        if name in wrong and name in stays:
+            ids = ", ".join(stays[name].locked)
+            problem = f"room {name} holds locked pieces: {ids}; no valid way to furnish the rest around them was found"
+            raise SceneError(f"reroll[{k}]", problem, "another room; or unlock them first")

@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "fb906d9530e75d07dcc02997db570283b98f0a49ab5359612151928a9b33d2b6"
+GOLDEN = "9c0bc8754dbb959f2ed843bac2f394dd6cadf87d488c83b22f63b2bc6b1cdf3b"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

@@ -66,6 +66,12 @@ def test_tall_pieces_stand_at_the_end_of_a_worktop() -> None:
     assert ruler.worktops_parted(scene(*row("pantry", "refrigerator", "counter"))) == (0, 2)
 
 
+def test_a_refrigerator_has_worktop_beside_it() -> None:
+    assert ruler.refrigerators_served(scene(*row("refrigerator", "counter"))) == (1, 1)
+    assert ruler.refrigerators_served(scene(*row("refrigerator", "sink", "counter"))) == (0, 1)
+    assert ruler.refrigerators_served(scene(*row("refrigerator"), *row("counter", start=1.7))) == (0, 1)
+
+
 def test_worktop_round_the_corner_is_hidden() -> None:
     corner, beyond = body("counter", (0.08, 0.08), (1.8, DEPTH)), body("sink", (0.08, 0.68), (0.8, DEPTH), 90)
     assert ruler.worktop(floor_of(scene(corner).rooms[0])) == pytest.approx(1.8)

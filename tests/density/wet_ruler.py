@@ -4,8 +4,8 @@ Comes in: a `Scene`. Goes out: for every line of `LINES` how many of its cases h
 
 * the International Residential Code, P2705.1: a toilet's axis is 15 inches (0.38 m) or more from what is at its side, and 21 inches
   (0.53 m) of floor are free before it;
-* the NKBA Kitchen Planning Guidelines: 5 (working triangle), 6 (separated work centers), 12 (worktop by the dishwasher), 17 (worktop at
-  both sides of the hob, 12 and 15 inches), 18 (no hob under a window that opens);
+* the NKBA Kitchen Planning Guidelines: 5 (working triangle), 6 (separated work centers), 12 (worktop by the dishwasher), 16 (worktop
+  beside the refrigerator), 17 (worktop at both sides of the hob, 12 and 15 inches), 18 (no hob under a window that opens);
 * Neufert, Architects' Data, kitchens: a worktop of 0.3 m at least between hob and any tall unit.
 """
 
@@ -114,6 +114,18 @@ def worktops_parted(scene: Scene) -> Count:
     return count(cases())
 
 
+def refrigerators_served(scene: Scene) -> Count:
+    """Refrigerators with a counter right beside them (guideline 16: a landing area)."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene, "kitchen"):
+            tops = floor.named(*WORKTOP)
+            for box in floor.named("refrigerator"):
+                yield any(_neighbour(box, side, tops) is not None for side in ("left", "right"))
+
+    return count(cases())
+
+
 def long_worktops(scene: Scene) -> Count:
     """Kitchens of LONG or more of counter, measured along the fronts: what stands round the corner hides none of it."""
     return count(worktop(floor) >= LONG - 1e-3 for floor in floors(scene, "kitchen"))
@@ -188,6 +200,7 @@ LINES = (
     Line("stove: under a window", stoves_under_windows, {"*": 0.05}, most=True),
     Line("stove: refrigerator within 0.3 m", stoves_at_refrigerators, {"*": 0.0}, most=True),
     Line("refrigerator, dishwasher, pantry: parts the worktop", worktops_parted, {"*": 0.02}, most=True),
+    Line("refrigerator: worktop right beside it", refrigerators_served, {"*": 0.85}),
     Line("kitchen: 2.4 m of worktop", long_worktops, {"*": 0.25, "large": 0.5}),
     Line("kitchen: working triangle", triangles_whole, {"*": 0.85}),
     Line("kitchen of 15 m2, 3.3 m wide: island or table", roomy_kitchens_used, {"*": 0.8}),

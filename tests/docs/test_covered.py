@@ -13,8 +13,10 @@ from catalogs import load_catalogs
 from catalogs.decoration_types import Decorating, DecorationKind, Group, Hangs, Lies, Stands
 from catalogs.dwellers import Dweller
 from catalogs.entries import Category
+from catalogs.plans import Plan
 from catalogs.programmes import Home, Preset
-from catalogs.schema import FurnitureSpec, PieceSpec, Plan, RelationSpec, RelationWord, RoomType
+from catalogs.runs import Leaving, Run
+from catalogs.schema import FurnitureSpec, PieceSpec, RelationSpec, RelationWord, RoomType
 from catalogs.shapes import Form, Material, ShapePart
 from catalogs.styles import Style
 from service.app import create_app
@@ -96,7 +98,7 @@ def test_every_key_of_a_relation_is_explained() -> None:
     ("heading", "described"),
     [
         ("Furniture", (FurnitureSpec,)),
-        ("Room types", (RoomType, Plan, Home, PieceSpec)),
+        ("Room types", (RoomType, Run, Leaving, Plan, Home, PieceSpec)),
         ("Programmes and presets", (Preset,)),
         ("Decorations", (DecorationKind, Decorating, Lies, Hangs, Stands)),
         ("People and pets", (Dweller,)),

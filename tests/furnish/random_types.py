@@ -25,6 +25,8 @@ def random_type(rng: Random, catalogs: Catalogs, words: Sequence[str] = WORDS) -
         orders = [rng.sample(names, rng.randint(1, len(names))) for _ in range(rng.randint(1, 3))]
         some = {key: rng.sample(names, len(names) // 2) for key in ("worktop", "landing", "ends")}
         asked["run"] = {"orders": orders, **some, "triangle": rng.sample(names, min(3, len(names)))}
+        others = [name for name in names if not any(name in order for order in orders)]
+        asked["run"]["leaves"] = [{"to": name, "floor": rng.choice((0.0, 0.35, 0.6)), "cost": rng.choice(COSTS)} for name in others[:1]]
     return RoomType.model_validate(asked)
 
 
@@ -37,8 +39,9 @@ def _piece(rng: Random, so: tuple[str, Sequence[str]], kinds: list[str], names: 
         "required": rng.random() < 0.3,
         "count": rng.randint(1, 4),
     }
+    piece["min_area"] = rng.choice((0.0, 0.0, 15.0))
     if not piece["required"]:
-        piece |= {"chance": rng.choice((0.4, 1.0)), "per_area": rng.choice((None, 5.0)), "min_area": rng.choice((0.0, 0.0, 15.0))}
+        piece |= {"chance": rng.choice((0.4, 1.0)), "per_area": rng.choice((None, 5.0))}
     piece["rules"] = [_rule(rng, names, words) for _ in range(rng.randint(0, 4))]
     more = {"among": rng.choice(("these", "those")), "approach": rng.sample(SIDES, 2), "with_next": True, "without": ("kitchen",)}
     return piece | {key: value for key, value in more.items() if rng.random() < (0.5 if key == "among" else 0.15)}

@@ -69,6 +69,13 @@ def test_variants_may_need_an_area() -> None:
     assert {a.kind for a in ask(den(width=6.0), couch)[0].candidates} == {"couch", "short_couch"}
 
 
+def test_what_is_required_from_an_area_on_is_optional_below_it() -> None:
+    pot, couch = ask(den(), piece("pot"), piece("couch", required=True, min_area=21, skip_cost=7))
+    assert (pot.label, couch.label, couch.required, couch.skip_cost) == ("pot_1", "couch_1", False, 7)
+    couch, pot = ask(den(width=6.0), piece("pot"), piece("couch", required=True, min_area=21, skip_cost=7))
+    assert (pot.label, couch.label, couch.required) == ("pot_1", "couch_1", True)
+
+
 def test_use_sides_and_approach_are_handed_over() -> None:
     couch, table = ask(den(), piece("couch", skip_cost=7), piece("table", approach=["front", "back"]))
     assert (couch.stands, couch.need_all, couch.skip_cost) == ((Stand("front"),), False, 7)
@@ -120,7 +127,8 @@ def test_what_every_alternative_of_every_type_must_be(room_type: str, size: str,
         assert all(link.of in seen for link in one.links)
         assert one.label not in seen
         seen[one.label] = {alternative.kind for alternative in one.candidates}
-    required = [piece.piece for piece in KNOWN.rooms[room_type].pieces if piece.required and not piece.without for _ in range(piece.count)]
+    certain = [piece for piece in KNOWN.rooms[room_type].pieces if piece.required and not piece.without and room.floor_m2 >= piece.min_area]
+    required = [piece.piece for piece in certain for _ in range(piece.count)]
     assert [one.label.rsplit("_", 1)[0] for one in wanted if one.required] == required
     at_walls = [a for one in wanted for a in one.candidates if a.wall and not a.attach]
     if size != "min":

@@ -42,7 +42,21 @@ static void add_pieces(Furnisher& furnisher, const RoomType& type, const List<Co
   }
 }
 
-Wanted wanted_in(const RoomType& type, const RoomHeader& room, const Scope& scope) {
+// A room type as it is in a room of that area: what is required from some area on is optional below it.
+static RoomType of_area(const RoomType& type, f64 area) {
+  RoomType own = type;
+  own.pieces = reserved<PieceSpec>(type.pieces.size);
+  for (i32 k = 0; k < own.pieces.size; k++) {
+    PieceSpec& piece = own.pieces[k] = type.pieces[k];
+    if (!piece.required) continue;
+    piece.required = area >= piece.min_area;
+    piece.min_area = 0.0;
+  }
+  return own;
+}
+
+Wanted wanted_in(const RoomType& any, const RoomHeader& room, const Scope& scope) {
+  const RoomType type = of_area(any, room.area);
   WallOccupancy walls(scope);
   Furnisher furnisher(scope, type, walls);
   Stream stream(room.stream);

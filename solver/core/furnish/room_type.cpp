@@ -49,6 +49,7 @@ static void check_type(const RoomType& type) {
   for (i32 word : type.landing) check(is_word(word, type));
   for (i32 word : type.ends) check(is_word(word, type));
   for (i32 word : type.triangle) check(is_word(word, type));
+  for (const Leaving& leaving : type.leaves) check(is_word(leaving.word, type) && leaving.beside >= 0);
   check(!type.has_run || type.orders.size > 0);
 }
 
@@ -72,6 +73,7 @@ RoomType read_room_type(u8* data, i64 size) {
   type.landing = reader.take<i32>(header.landing);
   type.ends = reader.take<i32>(header.ends);
   type.triangle = reader.take<i32>(header.triangle);
+  type.leaves = reader.take<Leaving>(header.leaves);
   type.all_words = header.all_words;
   type.has_run = header.has_run != 0;
   type.turning = header.turning;

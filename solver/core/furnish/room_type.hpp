@@ -131,12 +131,19 @@ struct PieceSpec {
 
 constexpr i32 MOST_IN_RUN = 21;  // pieces in an order of a run (`Run.orders` of catalogs/schema.py has it, too)
 
+// A piece that comes after a run, which had better leave it a place with so much floor, mm, at its front and back; what leaving none costs.
+struct Leaving {
+  i32 word;
+  i32 unused;
+  i64 beside;
+  f64 cost;
+};
+
 // The sizes of the tables, in their order.
 struct TypeHeader {
   i32 kinds, levels, parts, pieces, variants, rules, names, sorts, sides, comforts;
-  i32 orders, words, worktop, landing, ends, triangle, all_words, has_run;
+  i32 orders, words, worktop, landing, ends, triangle, leaves, all_words, has_run;
   i32 turning;  // the side of a square of floor that stays empty, mm, or 0
-  i32 unused;
 };
 
 struct RoomType {
@@ -156,6 +163,7 @@ struct RoomType {
   Span<i32> landing;
   Span<i32> ends;
   Span<i32> triangle;
+  Span<Leaving> leaves;
   i32 all_words;  // how many words are told apart
   bool has_run;
   i64 turning;  // the side of a square of floor that stays empty, mm, or 0

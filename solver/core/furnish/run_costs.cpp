@@ -6,12 +6,15 @@ namespace furnish {
 // or longer than 9 feet), and of the sum of its legs (at most 26 feet; 4 m is what three shortest legs come to).
 constexpr f64 SHORTEST_LEG = 1.2, LONGEST_LEG = 2.7, LEAST_PERIMETER = 4.0, MOST_PERIMETER = 7.9;
 // What a triangle costs that is not within these, and what a metre beyond them.
-constexpr f64 BROKEN_COST = 5.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
+constexpr f64 BROKEN_COST = 8.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
 // What a side without worktop costs where it is wanted (guidelines 11, 16 and 17: landing areas at sink, refrigerator and cooking
 // surface), as what stands alone across, and what belongs at an end within the worktop.
 constexpr f64 LANDING_COST = 10.0, END_COST = 6.0;
 // Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs.
-constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 2.0;
+constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 4.0;
+
+// Floor before a run that is not left to others (guideline 7: walkways of 36 inches), and beside its ends.
+constexpr i64 BEFORE_MM = 700, ASIDE_MM = 600;
 
 static i32 count(u64 items) { return __builtin_popcountll(items); }
 
@@ -33,6 +36,61 @@ f64 end_cost(const Drawn& drawn) {
 f64 worktop_cost(const RoomType& type, const Drawn& drawn) {
   const i64 hidden = drawn.form == Form::corner ? drawn.items[drawn.first]->depth : 0;
   return type.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(drawn.worktop - hidden) / 1000.0, 0.0) : 0.0;
+}
+
+// Where a cook works before a leg, and what keeps off its ends.
+static Rect floor_at(const Scope& scope, const Leg& leg) {
+  i64 deepest = 0;
+  for (const Item* item : leg.items) deepest = most(deepest, item->depth);
+  return strip(scope.clear, leg.wall, {leg.start - ASIDE_MM, leg.start + length_of(leg.items) + ASIDE_MM}, scope.gap + deepest + BEFORE_MM);
+}
+
+// Where something of an extent may begin along an axis: in the middle, and right behind or before what is taken.
+static List<i64> beginnings(Interval clear, i64 extent, const List<Rect>& taken, Wall along) {
+  List<i64> found;
+  found.add(floor_div(clear.low + clear.high - extent, 2));
+  found.add(clear.low);
+  found.add(clear.high - extent);
+  for (const Rect& one : taken) {
+    const Interval own = one.along(along);
+    found.add(own.high);
+    found.add(own.low - extent);
+  }
+  return found;
+}
+
+static bool is_free(const Rect& rect, const Rect& clear, const List<Rect>& taken) {
+  for (const Rect& one : taken) {
+    if (one.overlaps(rect)) return false;
+  }
+  return clear.contains(rect);
+}
+
+Candidate place_left(const Scope& scope, const Follower& follower, const Legs& legs) {
+  List<Rect> taken;
+  taken.add_all(follower.taken.all());
+  for (const Leg& leg : legs) taken.add(floor_at(scope, leg));
+  const Rect& clear = scope.clear;
+  Candidate best = free_candidate(-1, 0.0);
+  i64 nearest = 0;
+  constexpr i32 WAYS_ROUND[] = {0, 90};
+  for (i32 rotation : WAYS_ROUND) {
+    const Extent floor = turned(follower.floor, rotation);
+    const List<i64> rows = beginnings(clear.along(Wall::west), floor.z, taken, Wall::west);
+    for (i64 x : beginnings(clear.along(Wall::north), floor.x, taken, Wall::north)) {
+      for (i64 z : rows) {
+        const Rect rect = {x, z, x + floor.x, z + floor.z};
+        const Point at = rect.centre(), middle = clear.centre();
+        const i64 away = most(magnitude(at.x - middle.x), magnitude(at.z - middle.z));
+        if ((best.kind >= 0 && away >= nearest) || !is_free(rect, clear, taken)) continue;
+        best.kind = follower.kind;
+        best.rotation = rotation;
+        best.anchor = at;
+        nearest = away;
+      }
+    }
+  }
+  return best;
 }
 
 f64 triangle_cost(const RoomType& type, Span<Candidate> places) {

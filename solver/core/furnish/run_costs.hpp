@@ -60,6 +60,12 @@ struct Leg {
   const Item& at(i32 k) const { return *items[reversed ? items.size - 1 - k : k]; }
 };
 
+inline i64 length_of(const Items& items) {
+  i64 length = 0;
+  for (const Item* item : items) length += item->width;
+  return length;
+}
+
 struct Legs {
   Leg leg[2];
   i32 count;
@@ -97,6 +103,17 @@ f64 end_cost(const Drawn& drawn);
 
 // What a run costs by the worktop it lacks; what is hidden round a corner is none.
 f64 worktop_cost(const RoomType& type, const Drawn& drawn);
+
+// A piece that a run leaves a place: of what kind it is there, how much floor it wants unturned, and what is in its way whatever the run.
+struct Follower {
+  const Leaving* wish;
+  i32 kind;
+  Extent floor;
+  List<Rect> taken;
+};
+
+// The place nearest to the room's middle that a run leaves to a piece; its kind is -1 where it leaves none.
+Candidate place_left(const Scope& scope, const Follower& follower, const Legs& legs);
 
 // What a run costs by its working triangle, measured between the middles of the fronts.
 f64 triangle_cost(const RoomType& type, Span<Candidate> places);

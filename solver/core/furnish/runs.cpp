@@ -34,6 +34,7 @@ class RunPlanner {
   bool place(const Legs& legs, Span<Candidate> places) const;
   void add_member(i32 word, const Traits& said);
   void add_effects(i32 word);
+  void add_follower(const Leaving& wish, i32 kind);
   Subject subject(i32 word);
   f64 room_cost(const Drawn& drawn, Span<Candidate> places);
 
@@ -46,6 +47,7 @@ class RunPlanner {
   Span<Candidate> places_, best_;         // by word
   f64 corner_gain_ = 0.0;                 // most that an item costs more than what stands for it in a corner
   Span<List<Interval>> free_;             // stretches by kind and wall, of the kinds that a run may hold
+  List<Follower> followers_;
   Earlier nothing_;
   KneeRoom knee_room_;
   Span<List<Effect>> effects_;            // what its rules ask of the room, by word
@@ -69,6 +71,10 @@ RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const Roo
   free_ = zeroes<List<Interval>>(4 * type.kinds.size);
   for (i32 word : type.words) {
     if (members_[word].piece != nullptr && members_[word].items.size == 0) add_member(word, said[word]);
+  }
+  for (const Leaving& wish : type.leaves) {
+    const CountedPiece* piece = members_[wish.word].piece;
+    if (piece != nullptr) add_follower(wish, piece->variants[0].kind);
   }
   orders_ = zeroes<Order>(type.orders.size);
   for (i32 k = 0; k < orders_.size; k++) {
@@ -122,6 +128,15 @@ void RunPlanner::add_effects(i32 word) {
   }
 }
 
+// Adds a piece that is wanted after the run.
+void RunPlanner::add_follower(const Leaving& wish, i32 number) {
+  const Kind& kind = type_.kinds[number];
+  Follower& own = followers_.add({&wish, number, {kind.width, kind.depth + 2 * wish.beside}, {}});
+  for (const Zone& zone : scope_.zones) {
+    if (zone.above < kind.height) own.taken.add(zone.rect);
+  }
+}
+
 // A piece that stands before all others.
 Subject RunPlanner::subject(i32 word) {
   const CountedPiece& counted = *members_[word].piece;
@@ -141,12 +156,6 @@ static bool holds(Wall wall, const Item& item, i64 start) {
 static Side end_at(Wall wall, bool high) {
   const Point left = rotated({-1, 0}, rotation_at(wall));
   return (left.x + left.z > 0) == high ? Side::left : Side::right;
-}
-
-static i64 length_of(const Items& items) {
-  i64 length = 0;
-  for (const Item* item : items) length += item->width;
-  return length;
 }
 
 // Draws an order, which way round, and what it holds in which variants.
@@ -310,7 +319,12 @@ Span<Candidate> RunPlanner::best(Stream& stream) {
     if (by_items >= lowest) continue;
     const Legs legs = legs_of(drawn);
     if ((drawn.form == Form::opposite && !has_aisle(legs)) || !place(legs, places_)) continue;
-    const f64 cost = by_items + triangle_cost(type_, places_) + room_cost(drawn, places_);
+    f64 cost = by_items + triangle_cost(type_, places_) + room_cost(drawn, places_);
+    if (cost >= lowest) continue;
+    for (const Follower& follower : followers_) {
+      Candidate& left = places_[follower.wish->word] = place_left(scope_, follower, legs);
+      if (left.kind < 0) cost += follower.wish->cost;
+    }
     if (cost >= lowest) continue;
     lowest = cost;
     swap(best_, places_);

@@ -11,10 +11,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, product
+from operator import itemgetter
 
-from catalogs.schema import Run
-from solver.geometry import FACING, OPPOSITE, walls_beside
+from catalogs.runs import Leaving, Run
+from solver.geometry import FACING, OPPOSITE, Rect, strip, to_mm, turned, walls_beside
 from solver.pieces import Candidate
 from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
@@ -31,7 +32,7 @@ LEG = (1.2, 2.7)
 than 4 feet or longer than 9 feet)."""
 PERIMETER = (4.0, 7.9)
 """Least and greatest sum of its legs, m (the same guideline: at most 26 feet; 4 m is what three shortest legs come to)."""
-BROKEN_COST, LEG_COST, PERIMETER_COST = 5.0, 8.0, 8.0
+BROKEN_COST, LEG_COST, PERIMETER_COST = 8.0, 8.0, 8.0
 """What a triangle costs that is not within these, and what a metre beyond them."""
 MISSED_COST = 2.0
 """What a run without a piece that it could hold costs."""
@@ -39,8 +40,10 @@ CORNER_CHANCE, OPPOSITE_CHANCE = 0.6, 0.5
 """How often a run goes round a corner it could, and how often another one goes on at the opposite wall."""
 LANDING_COST, END_COST = 10.0, 6.0
 """What a side without worktop costs where it is wanted, and what belongs at an end within the worktop."""
-WORKTOP, WORKTOP_COST = 4.0, 2.0
+WORKTOP, WORKTOP_COST = 4.0, 4.0
 """Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs."""
+BEFORE_MM, ASIDE_MM = 700, 600
+"""Floor before a run, where a cook works, and beside its ends, that is not left to others."""
 PREFERENCE = 1.6
 """Most that a run costs by the seed alone."""
 FIRM = 20.0
@@ -209,6 +212,26 @@ class _Planner:
         hidden = drawn.items[drawn.first][1].size[1] if drawn.form == "corner" else 0
         return WORKTOP_COST * max(WORKTOP - (length - hidden) / 1000.0, 0.0) if self.run.worktop else 0.0
 
+    def left_to(self, wish: Leaving, legs: Sequence[Leg]) -> Candidate | None:
+        """Returns the place nearest to the room's middle that a run leaves to a piece; None where there is none."""
+        kind, clear = self.pieces[wish.to].variants[0][0], self.scope.clear
+        taken = [zone.rect for zone in self._walls.space.zones if zone.above_mm < kind.size[2]]
+        for leg in legs:
+            length, depth = sum(one.size[0] for _, one, _ in leg.items), max(one.size[1] for _, one, _ in leg.items)
+            along = (leg.start - ASIDE_MM, leg.start + length + ASIDE_MM)
+            taken.append(strip(clear, leg.wall, along, self.scope.gap_mm + depth + BEFORE_MM))
+        found: list[tuple[int, Candidate]] = []
+        for rotation in (0, 90):
+            width, depth = turned(kind.size[0], kind.size[1] + 2 * to_mm(wish.floor), rotation)
+            xs = [(clear.x0 + clear.x1 - width) // 2, clear.x0, clear.x1 - width, *(x for one in taken for x in (one.x1, one.x0 - width))]
+            zs = [(clear.z0 + clear.z1 - depth) // 2, clear.z0, clear.z1 - depth, *(z for one in taken for z in (one.z1, one.z0 - depth))]
+            for x, z in product(xs, zs):
+                rect = Rect(x, z, x + width, z + depth)
+                if clear.contains(rect) and not any(rect.overlaps(one) for one in taken):
+                    away = max(abs(mine - theirs) for mine, theirs in zip(rect.centre, clear.centre, strict=True))
+                    found.append((away, Candidate(kind.name, kind.size, rotation, anchor_mm=rect.centre)))
+        return min(found, key=itemgetter(0))[1] if found else None
+
     def room_cost(self, drawn: Drawn, places: Mapping[str, Candidate]) -> float:
         """Returns what a run costs by what the rules of its pieces ask of the room."""
         cost = 0.0
@@ -242,6 +265,9 @@ def planned_run(scope: Scope, free: TakenWalls, run: Run, pieces: Mapping[str, C
             continue
         cost += _triangle_cost(run.triangle, places)
         cost += planner.room_cost(drawn, places)
+        left = [(wish, planner.left_to(wish, legs)) for wish in run.leaves if wish.to in pieces] if cost < least else []
+        places |= {wish.to: place for wish, place in left if place is not None}
+        cost += sum(wish.cost for wish, place in left if place is None)
         if cost < least:
             best, least = places, cost
     return best

@@ -80,7 +80,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
 
 def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Stream) -> list[CountedPiece]:
     """Returns the pieces of a room of some area, m2, in order, with the kinds that suit it and how many of each are wanted."""
-    specs = ordered([spec for spec in room_type.pieces if not spec.without], stream)
+    specs = ordered([_in_area(spec, area) for spec in room_type.pieces if not spec.without], stream)
     found = []
     for spec in specs:
         anywhere = [variant for variant in spec.variants if not variant.corner]
@@ -89,6 +89,11 @@ def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Strea
         corners = tuple((one.corner, Kind.of(one.kind, catalogs), one.cost) for one in spec.variants if one.corner)
         found.append(CountedPiece(spec, variants, count(spec, area, stream), corners))
     return found
+
+
+def _in_area(spec: PieceSpec, area: float) -> PieceSpec:
+    """Returns a piece as it is in a room of some area, m2: what is required from an area on is optional below it."""
+    return spec.model_copy(update={"required": area >= spec.min_area, "min_area": 0.0}) if spec.required else spec
 
 
 class _Furnisher:
