@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from catalogs import Catalogs
-from solver.furnished import kinds_placed
+from solver.furnished import names_placed
 from solver.pieces import Arrangement
 from solver.scene import Room
 
@@ -32,7 +32,7 @@ def held(rooms: Iterable[Room], catalogs: Catalogs) -> set[str]:
 
 def arranged(arrangements: Mapping[str, Arrangement], catalogs: Catalogs) -> set[str]:
     """Returns the names of all pieces of some arrangements."""
-    return {catalogs.name_of(kind) for one in arrangements.values() for kind in kinds_placed(one)}
+    return {name for one in arrangements.values() for name in names_placed(one, catalogs)}
 
 
 def parted(rooms: Sequence[Room], catalogs: Catalogs) -> tuple[list[Room], list[Room]]:
