@@ -38,7 +38,7 @@ from solver.request import MAX_SEED, Request
 from solver.scene import ROBOT_WIDTH, Level, Room, Scene, Size, robot_width_of
 from solver.scene_bodies import check_ids
 from solver.streams import Stream
-from solver.validator import FURNISHED_BY, check, validate
+from solver.validator import RULES, check, validate
 from solver.version import VERSION
 
 STOREY_HEIGHT = 2.8
@@ -281,7 +281,7 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
         rooms=rooms,
         corridors=plan.corridors,
         adjacency=plan.adjacency,
-        certificate=certificate(rooms, arrangements, FURNISHED_BY, of_plan),
+        certificate=certificate(rooms, arrangements, RULES, of_plan),
     )
 
 

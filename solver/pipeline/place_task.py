@@ -40,7 +40,7 @@ from solver.requested import (
 from solver.scene import Furniture, Room, Scene
 from solver.streams import Stream
 from solver.understanding import Understood, understood
-from solver.validator import FURNISHED_BY, validate
+from solver.validator import RULES, validate
 
 
 class Framed(NamedTuple):
@@ -170,7 +170,7 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
     """Writes an arrangement of the frame down, as the room was sent, and judges it."""
     arrangement = task.frame.back(arrangement)
     room = _written(task, arrangement)
-    document = {"rules": list(FURNISHED_BY), "rooms": {room.id: room_certificate(arrangement, room)}}
+    document = {"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}}
     request = {"robot_width": task.robot_width}
     room = task.words.in_their_words(Scene(rooms=(room,))).rooms[0]
     scene = Scene(request=request, wall_thickness=task.wall_thickness, rooms=(room,), certificate=document)

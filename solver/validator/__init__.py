@@ -11,6 +11,6 @@ from solver.validator.alone import RoomAlone, room_alone
 from solver.validator.checking import Checked, check, validate
 from solver.validator.floor import floors
 from solver.validator.metrics import metrics
-from solver.validator.rules import FURNISHED_BY, RULES
+from solver.validator.rules import RULES
 
-__all__ = ["FURNISHED_BY", "RULES", "Checked", "RoomAlone", "access_of", "check", "floors", "metrics", "room_alone", "validate"]
+__all__ = ["RULES", "Checked", "RoomAlone", "access_of", "check", "floors", "metrics", "room_alone", "validate"]

@@ -36,8 +36,6 @@ RULES: Final = {
     "opening_wrong": "warning",
 }
 """Every rule and its severity, in the order issues are listed."""
-FURNISHED_BY: Final = tuple(rule for rule in RULES if rule not in {"rooms_overlap", "opening_wrong"})
-"""The rules that a certificate names: those about what stands in a plan."""
 _FUNCTIONS = (
     out_of_bounds,
     overlap,
