@@ -33,7 +33,8 @@ def allowed(schema: Mapping[str, Any], node: Mapping[str, Any]) -> str:
     elif kind == "array":
         words = _list(schema, node)
     else:
-        words = {"boolean": "true, false", "string": "a text", "object": "an object"}.get(kind, "any value")
+        text = f"a text of at most {node['maxLength']} characters" if "maxLength" in node else "a text"
+        words = {"boolean": "true, false", "string": text, "object": "an object"}.get(kind, "any value")
     return f"{words}: {says}" if says and kind not in ("number", "integer") else words
 
 
@@ -50,7 +51,7 @@ def _list(schema: Mapping[str, Any], node: Mapping[str, Any]) -> str:
         return f"a list of {least} entries"
     bounds = [f"at least {least}"] * (least is not None) + [f"at most {most}"] * (most is not None)
     items = allowed(schema, node["items"]) if isinstance(node.get("items"), dict) else ""
-    return "a list" + (f" of {' and '.join(bounds)} entries" if bounds else "") + (f", each {items}" if items == "a text" else "")
+    return "a list" + (f" of {' and '.join(bounds)} entries" if bounds else "") + (f", each {items}" if items.startswith("a text") else "")
 
 
 def schema_at(schema: Mapping[str, Any], way: Sequence[str | int]) -> Mapping[str, Any]:

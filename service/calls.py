@@ -54,7 +54,7 @@ from solver.pipeline.own_plan import furnish
 from solver.plain import Document
 from solver.request import NO_ACCESS, Request
 from solver.scene import Scene
-from solver.scene_bodies import body_ids, check_ids
+from solver.scene_bodies import body_ids, check_id, check_ids
 from solver.understanding import understood
 from solver.validator import access_of, floors, metrics
 from solver.view import report, view
@@ -136,7 +136,7 @@ def fix_scene(body: FixBody, catalogs: Catalogs) -> Fixed:
 @_call("drag")
 def take_in_hand(body: DragBody, catalogs: Catalogs) -> DragAnswer:
     """Prepares the room of a piece that is about to be dragged."""
-    check_ids("id", (body.id,), body_ids(body.scene))
+    check_id("id", body.id, body_ids(body.scene))
     check_ids("locked", body.locked, body_ids(body.scene))
     with limited_to():
         taken = prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)

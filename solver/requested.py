@@ -128,19 +128,21 @@ def _check_relation(field: str, request: PieceRequest, rule: RelationSpec, names
         return
     openings = OPENINGS if rule.type in TO_SOMETHING else ()
     known = [*dict.fromkeys(names), *openings]
+    alone = request.count == 1 or not RELATIONS[rule.type].among_copies
+    others = _some([one for one in known if not (alone and one == request.id)])
     if takes and not rule.of:
-        raise RequestError(f"{field}.of", f"is missing: {rule.type} is a relation to something", _some(known))
+        raise RequestError(f"{field}.of", f"is missing: {rule.type} is a relation to something", others)
     if rule.of and not takes:
         raise RequestError(f"{field}.of", f"{rule.type} takes no `of`", "no key `of`")
     for other in rule.of:
         if other not in known:
-            raise RequestError(f"{field}.of", f"nothing is called {other!r}", _some(known))
-        if other == request.id and (request.count == 1 or not RELATIONS[rule.type].among_copies):
+            raise RequestError(f"{field}.of", f"nothing is called {other!r}", others)
+        if alone and other == request.id:
             raise RequestError(f"{field}.of", f"{request.id!r} cannot be {rule.type} itself", "another piece")
 
 
 def _some(known: Sequence[str]) -> str:
-    return "one of " + ", ".join(known[:20]) + (", ..." if len(known) > 20 else "")
+    return "one of " + ", ".join(known[:20]) + (", ..." if len(known) > 20 else "") if known else "another piece"
 
 
 def _sized(field: str, request: PieceRequest, catalogs: Catalogs) -> PieceRequest:

@@ -75,5 +75,17 @@ def check_ids(field_name: str, wanted: Sequence[str], known: Sequence[str]) -> N
     have = set(known)
     for k, name in enumerate(wanted):
         if name not in have:
-            shown = ", ".join(known[:12]) + (", ..." if len(known) > 12 else "")
-            raise SceneError(f"{field_name}[{k}]", f"nothing in the scene has the id {name!r}", f"one of {shown}")
+            check_id(f"{field_name}[{k}]", name, known)
+
+
+def check_id(field_name: str, wanted: str, known: Sequence[str]) -> None:
+    """Refuses an id that a scene does not have.
+
+    Raises:
+        SceneError: names the field and some ids that would do.
+    """
+    if wanted not in known:
+        shown = ", ".join(known[:12]) + (", ..." if len(known) > 12 else "")
+        raise SceneError(
+            field_name, f"nothing in the scene has the id {wanted!r}", f"one of {shown}" if known else "no id: nothing is there"
+        )

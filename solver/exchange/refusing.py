@@ -12,6 +12,7 @@ from typing import Any, Final
 
 from pydantic import ValidationError
 
+from catalogs.misfits import LENGTHS
 from catalogs.schema_words import allowed, called, options_of, schema_at
 from solver.plain import path
 
@@ -35,7 +36,8 @@ def refusals(error: ValidationError, schema: Mapping[str, Any], document: object
     for one in islice(error.errors(include_url=False), MOST_FOUND):
         entry = _refusal(one, schema, document)
         told.setdefault(entry[0], entry)
-    return list(told.values())[:MOST_TOLD]
+    around = {field for field in told if any(other.startswith((f"{field}[", f"{field}.")) for other in told)}
+    return [entry for field, entry in told.items() if field not in around][:MOST_TOLD]
 
 
 def _refusal(first: Mapping[str, Any], schema: Mapping[str, Any], document: object) -> tuple[str, str, str]:
@@ -50,8 +52,18 @@ def _refusal(first: Mapping[str, Any], schema: Mapping[str, Any], document: obje
         return path(way), f"is {called(first['input'])}", str(first["ctx"]["error"])
     if first["loc"][-1:] == (KEY,):
         return path(way), "is a key that is not allowed", "a text" if isinstance(first["input"], int) else "0, 1, 2, ..."
-    missing = "is null" if _is_null(document, way) else "is missing"
-    return path(way), missing if first["type"] == "missing" else f"is {called(first['input'])}", allowed(schema, schema_at(schema, way))
+    return path(way), _wrong(first, way, document), allowed(schema, schema_at(schema, way))
+
+
+def _wrong(first: Mapping[str, Any], way: Sequence[str | int], document: object) -> str:
+    """Returns what is wrong with a value: that it is not there, its length, or else the value."""
+    if first["type"] == "missing":
+        return "is null" if _is_null(document, way) else "is missing"
+    if first["type"] in LENGTHS:
+        return f"has {first['ctx']['actual_length']} entries"
+    if first["type"] == "string_too_long":
+        return f"is a text of {len(first['input'])} characters"
+    return f"is {called(first['input'])}"
 
 
 def _is_null(document: object, way: Sequence[str | int]) -> bool:
