@@ -27,7 +27,7 @@ IN_THE_DARK = re.compile(r"@media[^{]*prefers-color-scheme[^{]*\{((?:[^{}]*\{[^{
 PROPERTY = re.compile(r"[{;]\s*([\w-]+)\s*:")
 PAINT = {"background", "filter"}
 """What may change in the dark beside `light-dark()`, which gives nothing but a colour."""
-COMPARE = 3
+COMPARE = 4
 """Which button of a saved home compares it with another."""
 
 

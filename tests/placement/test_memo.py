@@ -19,18 +19,18 @@ Asked = tuple[Space, Sequence[Piece]]
 
 WIDER = (200, 100, 50)
 """By how much ways are asked wider than who walks, mm; one after the other."""
-LIMITS = Limits(required=300, required_qps=500)
+LIMITS = Limits(required=600, required_qps=500)
 """How much is tried for each."""
 
 
 def rooms() -> list[Asked]:
-    """Rooms of homes and random ones, with two doors and more."""
+    """Rooms of homes and random ones that want something, with two doors and more."""
     found, known = list[Asked](), load_catalogs()
     for seed in seeds(range(300, 420), 12):
         scene = generate(Request(seed=seed, program=("family", "large", None)[seed % 3])).scene
         found += [wanted_in(scene, room, known)[:2] for room in scene.rooms]
     found += [wanting_room(seed).pieces() for seed in seeds(range(400), 8)]
-    return [(space, pieces) for space, pieces in found if len(space.doorways) > 1]
+    return [(space, pieces) for space, pieces in found if pieces and len(space.doorways) > 1]
 
 
 def told(room: SolvedRoom) -> tuple[object, ...]:

@@ -54,7 +54,11 @@ export function formWords(form: HTMLFormElement, problems: readonly FieldProblem
 
 /** What is wrong with a file as a whole. */
 function fileWords({ problem }: FieldProblem): string {
-  if (UNKNOWN_FILE.test(problem)) return say("It is none of the files that are read here: scenes as JSON, YAML or .glb, and plans of Sweet Home 3D, DXF, IFC, SVG, ProcTHOR, RPLAN, GeoJSON.");
+  if (UNKNOWN_FILE.test(problem)) {
+    const unknown = say("It is none of the files that are read here: scenes as JSON, YAML or .glb, and plans of Sweet Home 3D, DXF, IFC, SVG, ProcTHOR, RPLAN, GeoJSON.");
+    const why = problem.split("; read as a scene: ")[1];
+    return why ? `${unknown} ${capital(tellPlainly(why))}.` : unknown;
+  }
   if (problem.startsWith("the text is empty")) return say("It is empty.");
   return `${capital(tellPlainly(problem))}.`;
 }
