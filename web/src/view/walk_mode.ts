@@ -107,6 +107,7 @@ export class WalkMode {
     this.viewport.move((seconds) => {
       const next = route[corner];
       if (!this.#pose || this.#route !== route || !next) return false;
+      if (seconds === 0) return true; // two frames of one moment: nothing stops one
       const { pose, arrived } = walkedTo(this.#pose, next, seconds);
       if (arrived) corner += 1;
       return this.#go(pose) > STOPPED || arrived;
