@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 /** What is said of a plan's rooms that were guessed, in both languages. */
-import { afterEach, expect, it, vi } from "vitest";
+import { afterAll, afterEach, expect, it, vi } from "vitest";
 
 const PLAN = { rooms: [{ id: "a", type: "room" }, { id: "b", type: "room" }, { id: "c", type: "room" }, { id: "d", type: "hallway" }] } as never;
 const GUESSES = [
@@ -17,6 +17,7 @@ async function said(language: string): Promise<string[]> {
 }
 
 afterEach(() => { vi.unstubAllGlobals(); });
+afterAll(() => { vi.resetModules(); }); // all files share their modules: none may go on in German
 
 it("names every room, its type and what told it", async () => {
   expect(await said("en")).toEqual([

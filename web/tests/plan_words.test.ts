@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 /** A plan's drawing in the reader's words: its numbers stay what they are, and the rooms are called what the page calls them. */
-import { afterEach, expect, it, vi } from "vitest";
+import { afterAll, afterEach, expect, it, vi } from "vitest";
 
 const SHEET = '<svg><g><text class="name" x="1" y="2" font-size="200">1.5 rooms</text><text x="1" y="3" font-size="172">13.7 m²</text></g><text class="number" x="5" y="6">1.12</text>'
   + '<text class="left name" font-size="375">House 5</text><text class="left">12 rooms, 112.4 m² indoors.</text><text class="left scale">Scale 1:75 as printed.</text></svg>';
@@ -14,6 +14,7 @@ async function wordedIn(language: string): Promise<{ said: string[]; called: unk
 }
 
 afterEach(() => { vi.unstubAllGlobals(); });
+afterAll(() => { vi.resetModules(); }); // all files share their modules: none may go on in German
 
 it("is German on a German page", async () => {
   expect(await wordedIn("de")).toEqual({

@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 /** What the service says, in German by the forms it says things in, and in English with things called as one calls them. */
-import { afterEach, describe, expect, it, vi } from "vitest";
+import { afterAll, afterEach, describe, expect, it, vi } from "vitest";
 import forms from "../src/words/told.de.json";
 
 const HOME = { rooms: [{ id: "foyer_1", type: "foyer" }, { id: "kitchen_2", type: "kitchen" }, { id: "bathroom_3", type: "bathroom" }, { id: "bathroom_4", type: "bathroom" }] };
@@ -12,6 +12,7 @@ async function spokenIn(language: string) {
 }
 
 afterEach(() => { vi.unstubAllGlobals(); });
+afterAll(() => { vi.resetModules(); }); // all files share their modules: none may go on in German
 
 const holesIn = (words: string): Set<string> => new Set([...words.matchAll(/\{\w+\}/g)].map(([hole]) => hole));
 
