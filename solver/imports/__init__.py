@@ -6,7 +6,8 @@ May import: the ground floor, catalogs. Not here: repairing furniture, judging (
 One module a format in `formats/` (file -> `DrawnPlan`), one module a step: `units`, `straighten`, `line_growing`, `joining`, `to_scene`.
 """
 
+from solver.imports.bounded_files import unpacked
 from solver.imports.drawn import PlanNotes
 from solver.imports.plan_reading import READERS, PlanFile, format_of_plan, imported
 
-__all__ = ["READERS", "PlanFile", "PlanNotes", "format_of_plan", "imported"]
+__all__ = ["READERS", "PlanFile", "PlanNotes", "format_of_plan", "imported", "unpacked"]

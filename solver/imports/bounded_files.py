@@ -1,19 +1,22 @@
 """Files of others, opened with bounds: archives that would unpack to more, XML that would grow.
 
-Comes in: bytes. Goes out: bytes of a member; an XML tree. May import: errors. XML is read by defusedxml: no entity is resolved.
+Comes in: bytes. Goes out: bytes of a member; an XML tree. May import: errors. XML is read by defusedxml: no entity is resolved but those
+that stand for a plain text, as drawing programmes write them for addresses of namespaces.
 """
 
 from __future__ import annotations
 
+import re
 import zlib
 from collections.abc import Iterator
+from gzip import GzipFile
 from io import BytesIO
-from typing import Final
-from xml.etree.ElementTree import Element, ParseError
+from typing import Any, Final
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 from zipfile import BadZipFile, ZipFile
 
 from defusedxml.common import DefusedXmlException
-from defusedxml.ElementTree import fromstring
+from defusedxml.ElementTree import DefusedXMLParser
 
 from solver.errors import SyntaxFault
 
@@ -23,6 +26,31 @@ MOST_ELEMENTS: Final = 200_000
 """Elements of an XML file."""
 MOST_MEMBERS: Final = 20_000
 ZIP: Final = b"PK\x03\x04"
+GZIP: Final = b"\x1f\x8b"
+WIDE: Final = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"<\0": "utf-16-le", b"\0<": "utf-16-be"}
+"""How files begin whose characters are of two bytes."""
+DECLARED: Final = re.compile(r"\A\s*<\?xml[^>]*\?>")
+
+
+def unpacked(content: bytes) -> bytes:
+    """Returns a file without what is around it: a compressed one as it was before, one of wide characters as UTF-8.
+
+    Raises:
+        SyntaxFault: it cannot be read so, or is larger than MOST_BYTES.
+    """
+    if content.startswith(GZIP):
+        try:
+            content = GzipFile(fileobj=BytesIO(content)).read(MOST_BYTES + 1)
+        except (zlib.error, EOFError, OSError) as error:
+            raise SyntaxFault(f"a compressed file that cannot be read: {error}") from None
+        if len(content) > MOST_BYTES:
+            raise SyntaxFault(f"what is compressed in it is larger than {MOST_BYTES >> 20} MB")
+    if content[:2] not in WIDE:
+        return content
+    try:
+        return DECLARED.sub("", content.decode(WIDE[content[:2]]), count=1).encode()
+    except UnicodeError as error:
+        raise SyntaxFault(f"the text is not UTF-16: {error}") from None
 
 
 def member_of(archive: bytes, name: str) -> bytes | None:
@@ -55,7 +83,9 @@ def xml_of(content: bytes) -> Element:
     if len(content) > MOST_BYTES:
         raise SyntaxFault(f"larger than {MOST_BYTES >> 20} MB")
     try:
-        root: Element = fromstring(content)
+        parser = _PlainEntities(content.count(b"&"))
+        parser.feed(content)
+        root: Element = parser.close()
     except DefusedXmlException as refused:
         raise SyntaxFault(f"XML that declares entities, which is not read here: {type(refused).__name__}") from None
     except (ParseError, LookupError, ValueError) as error:
@@ -63,6 +93,19 @@ def xml_of(content: bytes) -> Element:
     if sum(1 for _ in root.iter()) > MOST_ELEMENTS:
         raise SyntaxFault(f"of more than {MOST_ELEMENTS:,} elements")
     return root
+
+
+class _PlainEntities(DefusedXMLParser):
+    """Reads XML whose entities stand for texts without others in them, that make the file no larger than any plan."""
+
+    def __init__(self, uses: int) -> None:
+        self._uses = uses
+        super().__init__(target=TreeBuilder())
+
+    def defused_entity_decl(self, name: str, is_parameter_entity: bool, value: str | None, *more: Any) -> None:
+        """Refuses an entity that is none such."""
+        if value is None or is_parameter_entity or "&" in value or "<" in value or len(value) * self._uses > MOST_BYTES:
+            super().defused_entity_decl(name, is_parameter_entity, value or "", *more)
 
 
 def numbered(elements: Iterator[Element], file: str) -> Iterator[tuple[Element, str]]:

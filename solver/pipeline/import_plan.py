@@ -15,7 +15,7 @@ from solver.errors import FieldError, SyntaxFault
 from solver.exchange import FORMATS, format_of_file, format_of_name, load_text, read_scene, write
 from solver.guessing import with_entrance
 from solver.imported import ImportSettings, PlanImport
-from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported
+from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported, unpacked
 from solver.pipeline.fix import fix
 from solver.pipeline.room_spaces import room_problem
 from solver.repair import RepairSettings, all_bodies, with_walls_told
@@ -116,6 +116,7 @@ def _file(name: str, content: object) -> PlanFile:
     """Returns a file with its document, where it is JSON."""
     if not isinstance(content, bytes):
         return PlanFile(name, b"{}", content)
+    content = unpacked(content)
     start = content.lstrip(b"\xef\xbb\xbf \t\r\n")[:1]
     format = format_of_file(name, content)
     if format == "json" and start in (b"{", b"["):

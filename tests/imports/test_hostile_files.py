@@ -5,6 +5,7 @@ No clock is asked: each file is read under a limit on Python's own function call
 
 from __future__ import annotations
 
+import gzip
 import json
 import sys
 import tracemalloc
@@ -163,6 +164,11 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "dxf of noise": b"  0\nSECTION\n  2\nENTITIES\nxx\nyy\n",
     "svg that laughs": f"<!DOCTYPE svg [{LAUGHS}]><svg><text>&a9;</text></svg>".encode(),
     "svg that reads files": b"<!DOCTYPE svg [<!ENTITY x SYSTEM 'file:///etc/passwd'>]><svg><text>&x;</text></svg>",
+    "svg of a long text said often": b"<!DOCTYPE svg [<!ENTITY a '%s'>]><svg><text>%s</text></svg>" % (b"a" * 2_000, b"&a;" * 20_000),
+    "svg of an entity of parts": b"<!DOCTYPE svg [<!ENTITY % a '<!ENTITY b \"c\">'> %a;]><svg><text>&b;</text></svg>",
+    "a compressed file that is cut off": gzip.compress(svg(SVG_ROOM))[:60],
+    "a compressed file that grows": lambda: gzip.compress(svg(" " * (200 << 20), SVG_ROOM)),
+    "half of a wide character": svg(SVG_ROOM).decode().encode("utf-16")[:-1],
     "svg that is cut off": svg(SVG_ROOM)[:-9],
     "svg without rooms": svg("<rect width='4' height='3'/>"),
     "svg of a million points": svg(f"<polygon class='room' points='{'1,1 ' * 1_000_000}'/>"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gzip
+import json
 from pathlib import Path
 
 import pytest
@@ -10,7 +12,7 @@ from catalogs import load_catalogs
 from compose_homes import import_plan
 from solver.errors import FieldError
 from solver.imported import PlanImport
-from tests.imports.plans import opening, read, rooms_of
+from tests.imports.plans import box, collection, opening, read, rooms_of
 
 SVG = "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' {}>{}</svg>"
 TWO_ROOMS = """<g class='rooms'><rect x='10' y='10' width='80' height='60'/><rect x='90' y='10' width='80' height='60'/></g>
@@ -124,3 +126,37 @@ def test_classes_of_groups_tell_what_their_parts_are() -> None:
     assert (opening(kitchen, "door_0").hinge, opening(kitchen, "door_0").swing) == ("end", "out")
     assert opening(living, "door_1").main_entrance
     assert [guess["taken"] for guess in answer.guesses if guess["what"] == "unit"] == ["cm"]
+
+
+ILLUSTRATOR = """<?xml version="1.0" encoding="{}"?>
+<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd" [
+    <!ENTITY ns_svg "http://www.w3.org/2000/svg">
+    <!ENTITY ns_label "K&#252;che">
+]>
+<svg xmlns="&ns_svg;" data-unit="m">
+<style type="text/css">
+    /* .shown{{display:none}} */ @media print {{ .shown {{ display: none }} }}
+    .st0{{display:none;}} .st1, #old_kitchen {{ fill:#fff; visibility : hidden }} .shown{{display:inline;}}
+</style>
+<g id="rooms"><rect class="shown" width="4" height="3"/><g class="st0"><rect x="4" width="2" height="3"/></g>
+<rect class="st2 st1" x="4" width="2" height="3"/><rect id="old_kitchen" x="4" width="2" height="3"/></g>
+<text x="1" y="1">&ns_label;</text></svg>"""
+
+
+@pytest.mark.parametrize("how", ["utf-8", "utf-16", "utf-16-le", "utf-16-be", "gzip"])
+def test_files_of_drawing_programmes_are_read_as_they_are_stored(how: str) -> None:
+    text = ILLUSTRATOR.format("UTF-16" if "16" in how else "utf-8")
+    content = gzip.compress(text.encode()) if how == "gzip" else text.encode(how)
+    answer = read(content, "plan.svgz" if how == "gzip" else "plan.svg")
+    assert answer.format == "svg"
+    assert sizes_of(answer) == [("kitchen", 0.0, 0.0, 4.0, 3.0)]
+    assert answer.scene.rooms[0].extra == {"name": "Küche"}
+
+
+def test_other_formats_are_read_as_they_are_stored() -> None:
+    room = "<room name='Kitchen'><point x='0' y='0'/><point x='400' y='0'/><point x='400' y='300'/><point x='0' y='300'/></room>"
+    home = f"<?xml version='1.0' encoding='UTF-16'?><home version='6000'>{room}</home>"
+    assert sizes_of(read(home.encode("utf-16"), "Home.xml")) == [("kitchen", 0.0, 0.0, 4.0, 3.0)]
+    plan = collection(box("Kitchen", 0, 0, 4, 3))
+    assert sizes_of(read(gzip.compress(json.dumps(plan).encode()), "plan.geojson.gz")) == [("kitchen", 0.0, 0.0, 4.0, 3.0)]
+    assert sizes_of(read(json.dumps(plan).encode("utf-16"), "plan.geojson")) == [("kitchen", 0.0, 0.0, 4.0, 3.0)]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from typing import Any, Final, NamedTuple
 from xml.etree.ElementTree import Element
 
@@ -22,6 +22,8 @@ MOST_DRAWN: Final = 50_000
 """Elements that are drawn, each as often as it is used."""
 MOST_NUMBERS: Final = 200_000
 """Numbers and letters in all points, paths and transforms together."""
+MOST_STYLE: Final = 200_000
+"""Characters of a style sheet that are read."""
 DEEPEST: Final = 200
 """Elements within elements, and uses of uses."""
 NAMES_KEPT: Final = 6
@@ -42,6 +44,9 @@ LINE_END: Final = "\x1e"
 NUMBER: Final = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 NUMBER_OR_LETTER: Final = re.compile(rf"{NUMBER.pattern}|[a-zA-Z]+?")
 LENGTH: Final = re.compile(rf"\s*({NUMBER.pattern})\s*([a-z]*)\s*")
+RULE: Final = re.compile(r"(@[^{};]*\{(?:[^{}]*\{[^{}]*\})*[^{}]*\}|/\*.*?\*/)|([^{}]*)\{([^{}]*)\}", re.DOTALL)
+"""A style sheet's rule as (left out, selectors, declarations): comments and rules for some media are left out."""
+HIDING: Final = re.compile(r"(^|;)\s*(display\s*:\s*none|visibility\s*:\s*hidden)\s*(!|;|$)")
 STEP: Final = re.compile(r"\s*,?\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([^()]*)\)\s*")
 SvgMatrix = tuple[float, float, float, float, float, float]
 """a, b, c, d, e, f of SVG: x' = ax + cy + e, y' = bx + dy + f."""
@@ -127,6 +132,7 @@ def drawn_elements(root: Element) -> Iterator[SvgElement]:
         SyntaxFault: more is drawn than in any plan.
     """
     known = {key: element for element in root.iter() if (key := element.get("id"))}
+    hiding = _hiding(root)
     counts: dict[str, int] = {}
     ahead = [_Turn(root, (), IDENTITY, (), 0, {})]
     drawn, numbers = 0, 0
@@ -141,7 +147,7 @@ def drawn_elements(root: Element) -> Iterator[SvgElement]:
             raise SyntaxFault(f"a drawing of more than {MOST_DRAWN:,} elements or {MOST_NUMBERS:,} numbers and commands")
         if turn.depth > DEEPEST:
             raise FieldError(where, f"lies within more than {DEEPEST} elements", "a drawing that is nested less")
-        if (tag in NOT_DRAWN and not (turn.said and tag == "symbol")) or _is_hidden(said):
+        if (tag in NOT_DRAWN and not (turn.said and tag == "symbol")) or _is_hidden(said, hiding):
             continue
         matrix = times(turn.matrix, _transform(said, where)) if turn.depth else IDENTITY
         names = ((*_names(said), *turn.names) if turn.said else (*turn.names, *_names(said)))[-NAMES_KEPT:]
@@ -153,9 +159,17 @@ def drawn_elements(root: Element) -> Iterator[SvgElement]:
         yield _element(element, _Turn(element, names, matrix, turn.uses, turn.depth, {**turn.said, **said}), where)
 
 
-def _is_hidden(said: Mapping[str, str]) -> bool:
-    style = said.get("style", "").replace(" ", "")
-    return said.get("display") == "none" or said.get("visibility") == "hidden" or "display:none" in style or "visibility:hidden" in style
+def _hiding(root: Element) -> frozenset[str]:
+    """Returns the classes (`.a`) and ids (`#a`) that the file's style sheets hide, as far as they name them alone."""
+    sheets = ("".join(element.itertext()) for element in root.iter() if local_name(element.tag) == "style")
+    rules = (rule for sheet in sheets for rule in RULE.finditer(sheet[:MOST_STYLE]) if rule[3] and HIDING.search(rule[3]))
+    return frozenset(one.strip() for rule in rules for one in rule[2].split(","))
+
+
+def _is_hidden(said: Mapping[str, str], hiding: Set[str]) -> bool:
+    called = {*(f".{name}" for name in said.get("class", "").split()), f"#{said.get('id', '')}"}
+    stated = said.get("display") == "none" or said.get("visibility") == "hidden"
+    return stated or bool(HIDING.search(said.get("style", ""))) or not hiding.isdisjoint(called)
 
 
 def _names(said: Mapping[str, str]) -> tuple[str, ...]:
