@@ -33,6 +33,7 @@ from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoo
 from solver.imports.trimmed_pieces import trimmed
 from solver.imports.units import unit_named, unit_of
 from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
+from solver.imports.walls_alone import with_rooms_between
 from solver.imports.wide_doors import with_glass
 from solver.scene import Level, Room, Scene, Size
 
@@ -114,7 +115,8 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
         FieldError: something in it cannot be read, or no room is left of it; names the place.
     """
     notes = PlanNotes()
-    plan = READERS[format].read(replace(file, metres=unit_named(settings.unit), catalogs=catalogs))
+    metres = unit_named(settings.unit)
+    plan = with_rooms_between(READERS[format].read(replace(file, metres=metres, catalogs=catalogs)), metres)
     notes.unread += plan.unread
     check_plan(plan)
     plan = of_one_level(plan, settings.level, notes)

@@ -1,19 +1,52 @@
-"""Shapes of walls without rooms -> the rooms between them, in the drawing's own unit.
+"""Walls without rooms -> the rooms between them, in the drawing's own unit.
 
-Comes in: outlines and lines of walls, openings, texts. Goes out: `DrawnRoom`s along the faces of walls. May import: wall_faces.
+Comes in: outlines and lines of walls, or a plan of them; openings. Goes out: `DrawnRoom`s along faces. May import: wall_faces, units.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
+from statistics import median
 
 from solver.imported import Unread
-from solver.imports.drawn import DrawnOpening, DrawnRoom, Spot
+from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
+from solver.imports.units import told_by_doors
 from solver.imports.wall_faces import STRAIGHT, faces_between, line_between, thickness_about
 
 NO_UNIT = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
 """Why walls are left out where nothing tells how long they are."""
+
+
+def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
+    """Returns a plan that draws thick walls and no room with the rooms that its walls enclose on each level; any other as it is.
+
+    Args:
+        plan: as drawn.
+        metres: the length of its unit, where the caller says it.
+    """
+    walls = [one for one in plan.walls if one.thickness > 0 and math.dist(one.start, one.end) > 0]
+    if plan.rooms or not walls:
+        return plan
+    unit = metres or plan.metres or told_by_doors(plan.openings)
+    rooms: list[DrawnRoom] = []
+    unread = list(plan.unread)
+    for level in sorted({one.level for one in walls}):
+        outlines = [_outline(one) for one in walls if one.level == level]
+        found, _, told = rooms_between(outlines, [one for one in plan.openings if one.level == level], unit)
+        rooms += (replace(room, level=level, where=f"{room.where} of level {level}") for room in found)
+        unread += (replace(one, place=f"walls of level {level}") for one in told)
+    return replace(plan, rooms=tuple(rooms), drawn="inner", wall_thickness=median(one.thickness for one in walls), unread=tuple(unread))
+
+
+def _outline(wall: DrawnWall) -> tuple[Spot, ...]:
+    """Returns the corners of a wall's footprint, the first one again at the end."""
+    (x0, z0), (x1, z1) = wall.start, wall.end
+    by = wall.thickness / 2 / math.dist(wall.start, wall.end)
+    x, z = (z1 - z0) * by, (x0 - x1) * by
+    return (x0 + x, z0 + z), (x1 + x, z1 + z), (x1 - x, z1 - z), (x0 - x, z0 - z), (x0 + x, z0 + z)
 
 
 def rooms_between(

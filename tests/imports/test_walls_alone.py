@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
-from io import StringIO
+from io import BytesIO, StringIO
 from typing import Any
+from xml.etree import ElementTree
+from zipfile import ZipFile
 
 import ezdxf.filemanagement as readers
 import ezdxf.math as ezmath
+import ifcopenshell
+import ifcopenshell.api.root
 import pytest
 
 from solver import export
@@ -60,6 +64,34 @@ def test_walls_of_a_home_enclose_its_rooms(program: str, scale: float, degrees: 
         assert max(abs(a - b) for a, b in zip(one[1:3], other[1:3], strict=True)) <= 0.0101
     assert abs(answer.scene.wall_thickness - before.wall_thickness) <= 0.002
     assert not [issue for issue in answer.issues if issue.severity == "error"]
+
+
+def without_rooms(scene: Scene, format: str) -> bytes:
+    """Our export of a home without its rooms, as other libraries take them out."""
+    content = next(iter(export(scene, format).values()))
+    if format == "ifc":
+        building = ifcopenshell.file.from_string(content.decode())
+        for space in building.by_type("IfcSpace"):
+            ifcopenshell.api.root.remove_product(building, product=space)
+        return str(building.to_string()).encode()
+    with ZipFile(BytesIO(content)) as archive:
+        root = ElementTree.fromstring(archive.read("Home.xml"))
+    for room in root.findall("room"):
+        root.remove(room)
+    return ElementTree.tostring(root)
+
+
+@pytest.mark.parametrize("format", ["ifc", "sh3d"])
+def test_walls_of_a_building_without_rooms_enclose_them(format: str) -> None:
+    before = home("family")
+    answer = read(without_rooms(before, format))
+    assert answer.format == format
+    after = sizes(answer.scene)
+    assert len(after) == len(before.rooms)
+    for one, other in zip(sorted(one[1:] for one in sizes(before)), sorted(one[1:] for one in after), strict=True):
+        assert one[2:] == other[2:]
+        assert max(abs(a - b) for a, b in zip(one[:2], other[:2], strict=True)) <= 0.0101
+    assert sum(len(room.furniture) for room in answer.scene.rooms) > 20
 
 
 def drawn(body: str, more: str = "data-unit='cm'") -> PlanImport:
