@@ -35,7 +35,7 @@ WORDS: Final[dict[str, tuple[str, ...]]] = {
     "room": ("room", "space", "raum", "räum", "raeum", "zimmer", "piece", "habitacion", "stanza", "zone"),
 }  # fmt: skip
 """What a layer or a shape is, by words in its name; the first that fits."""
-PASSED: Final = ("furniture", "möbel", "mobilier", "meuble", "mueble", "arredo", "dimension", "hatch")
+PASSED: Final = ("furn", "möbel", "mobil", "meuble", "mueble", "arredo", "dimension", "hatch")
 """Words of layers that hold none of these, whatever they lie within."""
 NO_DOOR: Final = ("outdoor", "indoor")
 MOST_DRAWN: Final = 4 * MOST_POINTS
@@ -153,13 +153,18 @@ def _turned(
     )  # fmt: skip
 
 
+def is_passed(names: Sequence[str]) -> bool:
+    """Tells whether a name is one of what is passed over."""
+    return any(word in name.lower() for name in names for word in PASSED)
+
+
 def sort_within(names: Sequence[str]) -> str | None:
     """Returns what the names around a shape tell, the outermost first: the nearest that tells anything counts."""
     for name in reversed(names):
         small = name.lower()
         for word in NO_DOOR:
             small = small.replace(word, "")
-        if any(word in small for word in PASSED):
+        if is_passed((name,)):
             return None
         found = next((sort for sort, words in WORDS.items() if any(word in small for word in words)), None)
         if found is not None:

@@ -28,10 +28,10 @@ def drawing() -> Any:
     return made
 
 
-def imported(made: Any) -> PlanImport:
+def read_of(made: Any, unit: str | None = None) -> PlanImport:
     text = StringIO()
     made.write(text)
-    return read(text.getvalue().encode(), "plan.dxf")
+    return read(text.getvalue().encode(), "plan.dxf", unit=unit)
 
 
 @pytest.mark.parametrize("mirrored", [False, True])
@@ -40,7 +40,7 @@ def test_a_block_of_a_door_is_one_door(mirrored: bool) -> None:
     turned = {"rotation": 90, "xscale": -1 if mirrored else 1}
     made.modelspace().add_blockref("DOOR_90", (4, 1), dxfattribs=turned)
     made.modelspace().add_blockref("Fenster 120", (1, 0))
-    kitchen, bedroom = rooms_of(imported(made)).values()
+    kitchen, bedroom = rooms_of(read_of(made)).values()
     door = opening(kitchen, "door_0")
     assert (door.wall, door.width, door.connects_to) == ("east", 0.9, bedroom.id)
     middle = 0.55 if mirrored else 1.45
@@ -50,16 +50,39 @@ def test_a_block_of_a_door_is_one_door(mirrored: bool) -> None:
     assert len(kitchen.openings) == 2
 
 
-def test_a_block_within_a_block_is_opened_by_its_name_or_layer() -> None:
+def test_a_block_within_a_block_is_opened_but_on_layers_that_hold_other_things() -> None:
     made = drawing()
     made.blocks.new("unit").add_blockref("DOOR_90", (1, 0))
-    made.modelspace().add_blockref("unit", (0, 0), dxfattribs={"layer": "A-DOOR"})
-    made.modelspace().add_blockref("unit", (4, 0), dxfattribs={"layer": "A-OTHER"})
-    answer = imported(made)
+    made.blocks.new("tree").add_circle((0, 0), 1)
+    made.modelspace().add_blockref("unit", (0, 0), dxfattribs={"layer": "A-OTHER"})
+    made.modelspace().add_blockref("unit", (4, 0), dxfattribs={"layer": "I-FURN"})
+    made.modelspace().add_blockref("tree", (4, 0), dxfattribs={"layer": "A-OTHER"})
+    answer = read_of(made)
     kitchen, bedroom = rooms_of(answer).values()
     assert [(one.kind, one.wall, one.width) for one in kitchen.openings] == [("door", "south", 0.9)]
     assert bedroom.openings == ()
-    assert {"place": "layer 'A-OTHER'", "reason": "1 of INSERT, which is not read"} in answer.unread
+    for layer in ("A-OTHER", "I-FURN"):
+        assert {"place": f"layer '{layer}'", "reason": "1 of INSERT, which is not read"} in answer.unread
+
+
+@pytest.mark.parametrize("scale", [1, 0.5])
+def test_a_whole_house_that_is_one_block_is_read_as_if_it_were_none(scale: float) -> None:
+    made = drawing()
+    made.modelspace().add_blockref("DOOR_90", (4, 1), dxfattribs={"rotation": 90})
+    made.modelspace().add_blockref("Fenster 120", (1, 0))
+    whole = made.blocks.new("xref-plan")
+    for entity in list(made.modelspace()):
+        made.modelspace().move_to_layout(entity, whole)
+    outer = made.blocks.new("sheet")
+    outer.add_blockref("xref-plan", (3, 7))
+    assert len(made.modelspace()) == 0
+    made.modelspace().add_blockref("sheet", (100, 50), dxfattribs={"xscale": 1 / scale, "yscale": 1 / scale, "rotation": 90})
+    answer = read_of(made, "m" if scale == 1 else "0.5")
+    kitchen, bedroom = rooms_of(answer).values()
+    assert (kitchen.type, kitchen.width, kitchen.depth, bedroom.type) == ("kitchen", 3.0, 4.0, "bedroom")
+    door = opening(kitchen, "door_0")
+    assert (door.width, door.connects_to) == (0.9, bedroom.id)
+    assert {one.kind for one in kitchen.openings} == {"door", "window"}
 
 
 def test_blocks_that_multiply_are_refused() -> None:
@@ -70,4 +93,4 @@ def test_blocks_that_multiply_are_refused() -> None:
             block.add_blockref(f"door {depth - 1}" if depth else "DOOR_90", (at, 0))
     made.modelspace().add_blockref("door 5", (0, 0))
     with pytest.raises(FieldError, match="more than 50,000 entities"):
-        imported(made)
+        read_of(made)

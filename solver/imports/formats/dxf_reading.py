@@ -18,7 +18,7 @@ from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES
 from solver.imports.drawn import DrawnPlan, Spot
-from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, plan_of_shapes, sort_within
+from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, is_passed, plan_of_shapes, sort_within
 
 METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1, 21: 0.3048}
 """What `$INSUNITS` says."""
@@ -107,19 +107,43 @@ class _Entity(NamedTuple):
     where: str
 
 
+class _Blocks:
+    """Which blocks hold something on a layer, or a block, whose name tells what it is: a whole house may be one block."""
+
+    def __init__(self, blocks: Any) -> None:
+        self._blocks = blocks
+        self._known: dict[str, bool] = {}
+
+    def __call__(self, names: tuple[str, ...], block: str, depth: int) -> bool:
+        """Tells whether a block does that lies under some names, none of which says that it holds none."""
+        return not is_passed(names) and self._holds(block, depth)
+
+    def _holds(self, name: str, depth: int) -> bool:
+        if name not in self._known:
+            self._known[name] = False
+            parts = self._blocks.get(name) if depth < DEEPEST else None
+            self._known[name] = any(self._tells(part, depth) for part in parts or ())
+        return self._known[name]
+
+    def _tells(self, part: Any, depth: int) -> bool:
+        inner = (part.dxf.layer, *((part.dxf.name,) if part.dxftype() == "INSERT" else ()))
+        return bool(sort_within(inner)) or (len(inner) > 1 and not is_passed(inner) and self._holds(inner[1], depth + 1))
+
+
 def _opened(space: Any) -> Iterator[_Entity]:
-    """Yields what is drawn; of blocks of doors, windows, openings, walls and rooms what is in them.
+    """Yields what is drawn; of blocks of doors, windows, openings, walls and rooms, and those that hold layers of them, what is in them.
 
     Raises:
         SyntaxFault: with its blocks it is more than in any plan.
     """
+    holds = _Blocks(space.doc.blocks)
     ahead = [(one, (one.dxf.layer,), f"{one.dxf.handle or number}", 0) for number, one in enumerate(space)][::-1]
     made = len(ahead)
     while ahead:
         one, names, number, depth = ahead.pop()
         kind = one.dxftype()
         inner = (*names, one.dxf.name) if kind == "INSERT" else names
-        if kind == "INSERT" and depth < DEEPEST and sort_within(inner) and not one.has_attrib(BODY):
+        if kind == "INSERT" and depth < DEEPEST and not one.has_attrib(BODY) and (sort_within(inner) or holds(inner, one.dxf.name, depth)):
             made += one.mcount
             copies = (one,) if one.mcount == 1 else one.multi_insert() if made <= MOST_ENTITIES else ()
             parts = list(islice((part for copy in copies for part in copy.virtual_entities()), MOST_ENTITIES))
