@@ -1,12 +1,13 @@
 """IFC 2x3 and 4: spaces as rooms, walls, the openings in them with their doors and windows, furniture by its names.
 
 Its frame: x east, y north, z up, in the project's unit. Read by ifcopenshell, an extra: extruded shapes and flat faces are understood,
-others are named. Spaces are drawn along inner faces, mostly.
+others are named. Spaces are drawn along inner faces, mostly. A piece is as large as the box around its body.
 """
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from importlib import import_module
 from typing import Any, Final
@@ -27,7 +28,7 @@ from solver.imports.drawn import (
     Tally,
     check_count,
 )
-from solver.imports.formats.ifc_shapes import IfcOutline, IfcShapes
+from solver.imports.formats.ifc_shapes import IfcBox, IfcOutline, IfcShapes
 
 LOWEST_SILL: Final = 0.1
 """A hole without a door that begins so near the floor, m, and is PASSAGE high, is a passage."""
@@ -45,6 +46,7 @@ HOLDERS: Final = {
     "FillsVoids": "RelatingOpeningElement", "VoidsElements": "RelatingBuildingElement",
 }  # fmt: skip
 """The relations by which something holds an element, the nearest first, and what each calls it."""
+REVIT: Final = re.compile(r"([^:]+):.*:\d+")
 OURS: Final = "Compose_Body"
 HEADER: Final = b"ISO-10303-21"
 Element = Any
@@ -87,6 +89,7 @@ class _ReadBuilding:
             check_count(kind, len(file.by_type(kind)), most)
         self.tally = Tally()
         self.shapes = IfcShapes(self.tally)
+        self.bodies = IfcShapes(Tally())
         self.metres = float(import_module("ifcopenshell.util.unit").calculate_unit_scale(file))
         storeys = sorted(file.by_type("IfcBuildingStorey"), key=lambda one: (one.Elevation or 0.0, one.id()))
         self.storeys = {one.id(): number for number, one in enumerate(storeys)}
@@ -218,16 +221,31 @@ class _ReadBuilding:
 
     def _pieces(self) -> Iterator[DrawnPiece]:
         for piece in self.file.by_type("IfcFurnishingElement"):
-            frame, said = self.shapes.world_of(piece), self._said(piece)
+            frame, said, level = self.shapes.world_of(piece), self._said(piece), self._level(piece)
             sizes: list[Any] = [said.get(key) for key in ("Width", "Depth", "Height")]
-            size = None if None in sizes else (float(sizes[0]), float(sizes[1]), float(sizes[2]))
-            level = self._level(piece)
+            foot, size = frame[:3, 3], None if None in sizes else (float(sizes[0]), float(sizes[1]), float(sizes[2]))
+            box = self._box(piece) if size is None else None
+            if box is not None:
+                foot, size = box.foot, box.sizes
             turn, floor = math.degrees(math.atan2(frame[1][0], frame[0][0])), self.floors[min(level, len(self.floors) - 1)]
             yield DrawnPiece(
-                piece.ObjectType or piece.Name or "", frame[0][3], -frame[1][3], frame[2][3] - floor,
+                _called(piece), float(foot[0]), -float(foot[1]), float(foot[2]) - floor,
                 turn, size, _place(piece), level, None, str(said.get("Id", "")), said.get("Sort") == "decoration",
                 str(said.get("Kind") or ""),
             )  # fmt: skip
+
+    def _box(self, piece: Element) -> IfcBox | None:
+        """Returns the box around a piece; None where nothing of it is understood, or all pieces have more points than in any plan."""
+        try:
+            return self.bodies.box_of(piece)
+        except FieldError:
+            return None
+
+
+def _called(piece: Element) -> str:
+    """Returns what a piece is called: its family, where its name is Revit's `family:type:number`, else its type."""
+    family = REVIT.fullmatch(piece.Name or "")
+    return str(family[1] if family else piece.ObjectType or piece.Name or "")
 
 
 def _kind(element: Element, is_window: bool) -> Any:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from importlib import import_module
+from itertools import product
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -25,6 +26,13 @@ MOST_SHAPE_POINTS: Final = 200_000
 """Points, faces and their corners of all shapes: each as often as an element has it."""
 SHAPES: Final = ("Body", "FootPrint", "Axis", None)
 """Which representation is looked at, in order."""
+
+
+SHELLS: Final = {
+    "IfcFacetedBrep": "Outer", "IfcFacetedBrepWithVoids": "Outer", "IfcFaceBasedSurfaceModel": "FbsmFaces",
+    "IfcShellBasedSurfaceModel": "SbsmBoundary",
+}  # fmt: skip
+"""Shapes made of faces, and what each calls its shells."""
 
 
 class IfcOutline(NamedTuple):
@@ -53,12 +61,20 @@ class IfcOutline(NamedTuple):
         return (float(start[0]), float(start[1])), (float(end[0]), float(end[1])), float(low), float(high - low)
 
 
+class IfcBox(NamedTuple):
+    """The box around a shape, along its element's own axes: its middle's place in the building at its underside, its sizes."""
+
+    foot: Matrix
+    sizes: tuple[float, float, float]
+
+
 class IfcShapes:
     """Places and shapes of one file's elements, counted while they are read: many elements may share what is large."""
 
     def __init__(self, tally: Tally) -> None:
         self._tally = tally
         self._placed: dict[int, Matrix] = {}
+        self._boxes: dict[int, Matrix] = {}
 
     def world_of(self, element: Any) -> Matrix:
         """Returns where an element is in the building.
@@ -90,16 +106,43 @@ class IfcShapes:
         )
         for shape in ordered:
             for outline, points in self._all(shape.Items, self.world_of(element), 0):
-                return IfcOutline([(float(x), float(y)) for x, y, _ in outline], points)
+                if outline is not None:
+                    return IfcOutline([(float(x), float(y)) for x, y, _ in outline], points)
         return None
 
-    def _all(self, items: Sequence[Any], frame: Matrix, depth: int) -> Iterator[tuple[Matrix, Matrix]]:
+    def box_of(self, element: Any) -> IfcBox | None:
+        """Returns the box around an element's body; None where nothing of it is understood.
+
+        Raises:
+            FieldError: there are more items or points in shapes than in any plan.
+        """
+        shapes = element.Representation.Representations if element.Representation else ()
+        bodies = [item for shape in shapes if shape.RepresentationIdentifier == "Body" for item in shape.Items]
+        corners = [self._corners(item) for item in bodies]
+        points = np.vstack([np.empty((0, 3)), *corners])
+        if not len(points):
+            return None
+        low, high = points.min(axis=0), points.max(axis=0)
+        foot = _moved(np.asarray([((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2])]), self.world_of(element))[0]
+        width, depth, height = (high - low).tolist()
+        return IfcBox(foot, (width, depth, height))
+
+    def _corners(self, item: Any) -> Matrix:
+        """Returns points around which the box is the same as around an item; of one that many elements share they are read once."""
+        if item.is_a("IfcMappedItem"):
+            source = item.MappingSource
+            if source.id() not in self._boxes:
+                self._boxes[source.id()] = _box_around([points for _, points in self._all(source.MappedRepresentation.Items, np.eye(4), 1)])
+            return _moved(self._boxes[source.id()], np.asarray(_util().get_mappeditem_transformation(item)))
+        return _box_around([points for _, points in self._all((item,), np.eye(4), 0)])
+
+    def _all(self, items: Sequence[Any], frame: Matrix, depth: int) -> Iterator[tuple[Matrix | None, Matrix]]:
         self._tally.add("items of shapes", len(items), MOST_ITEMS)
         for item in items:
             yield from self._outlines(item, frame, depth)
 
-    def _outlines(self, item: Any, frame: Matrix, depth: int) -> Iterator[tuple[Matrix, Matrix]]:
-        """Yields an item's outline at its foot and all its points."""
+    def _outlines(self, item: Any, frame: Matrix, depth: int) -> Iterator[tuple[Matrix | None, Matrix]]:
+        """Yields an item's outline at its foot, None where it has no flat one, and all its points."""
         if depth > DEEPEST:
             return
         if item.is_a("IfcMappedItem"):
@@ -109,12 +152,16 @@ class IfcShapes:
             yield from self._outlines(item.FirstOperand, frame, depth + 1)
         elif item.is_a("IfcExtrudedAreaSolid"):
             yield from self._extruded(item, frame)
-        elif item.is_a("IfcManifoldSolidBrep"):
-            yield from _faced([self._loop(face.Bounds[0].Bound) for face in self._counted(item.Outer.CfsFaces)], frame)
+        elif item.is_a() in SHELLS:
+            shells = getattr(item, SHELLS[item.is_a()])
+            shells = shells if isinstance(shells, tuple) else (shells,)
+            faces = [face for shell in shells for face in self._counted(shell.CfsFaces)]
+            yield from _faced([self._loop(face.Bounds[0].Bound) for face in faces], frame)
+        elif item.is_a("IfcTriangulatedFaceSet"):
+            yield None, _moved(np.asarray(self._counted(item.Coordinates.CoordList), dtype=np.float64), frame)
         elif item.is_a("IfcPolygonalFaceSet"):
             corners = np.asarray(self._counted(item.Coordinates.CoordList), dtype=np.float64)
-            faces = self._counted(item.Faces)
-            yield from _faced([corners[[at - 1 for at in self._counted(face.CoordIndex)]] for face in faces], frame)
+            yield from _faced([corners[[at - 1 for at in self._counted(face.CoordIndex)]] for face in self._counted(item.Faces)], frame)
         elif item.is_a("IfcGeometricSet"):
             for element in self._counted(item.Elements):
                 curve = self._curve(element) if element.is_a("IfcBoundedCurve") else None
@@ -126,7 +173,7 @@ class IfcShapes:
         self._tally.add("points of shapes", len(parts), MOST_SHAPE_POINTS)
         return parts
 
-    def _extruded(self, item: Any, frame: Matrix) -> Iterator[tuple[Matrix, Matrix]]:
+    def _extruded(self, item: Any, frame: Matrix) -> Iterator[tuple[Matrix | None, Matrix]]:
         profile = self._profile(item.SweptArea)
         if profile is None:
             return
@@ -188,15 +235,20 @@ def _length(way: Matrix, said: Any) -> float:
     return length
 
 
-def _faced(faces: Sequence[Matrix], frame: Matrix) -> Iterator[tuple[Matrix, Matrix]]:
-    """Yields the lowest flat face of a shape made of faces."""
+def _box_around(parts: Sequence[Matrix]) -> Matrix:
+    """Returns the corners of the box around points; none where there are none."""
+    points = np.vstack([np.empty((0, 3)), *parts])
+    return np.asarray(list(product(*zip(points.min(axis=0), points.max(axis=0), strict=True)))) if len(points) else points
+
+
+def _faced(faces: Sequence[Matrix], frame: Matrix) -> Iterator[tuple[Matrix | None, Matrix]]:
+    """Yields the lowest flat face of a shape made of faces, None where none lies flat, and all its points."""
     moved = [_moved(face, frame) for face in faces if len(face) > 2]
     if moved:
         points = np.vstack(moved)
         tall = float(np.ptp(points[:, 2])) or 1.0
         flat = [face for face in moved if np.ptp(face[:, 2]) < 1e-3 * tall]
-        if flat:
-            yield min(flat, key=lambda face: (round(float(face[0, 2]) / tall, 3), -len(face))), points
+        yield min(flat, key=lambda face: (round(float(face[0, 2]) / tall, 3), -len(face)), default=None), points
 
 
 def _moved(points: Matrix, frame: Matrix) -> Matrix:
